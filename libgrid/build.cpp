@@ -1,0 +1,260 @@
+#include "libgrid/build.h"
+
+#include "libscene/error.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <limits>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+// A map of single voxels up to this many: 32 MiB.
+constexpr std::uint64_t dense_voxels = std::uint64_t{1} << 23;
+constexpr std::int32_t sparse_block_log2 = 3;
+
+constexpr std::uint32_t primitives_a_piece = 4096;
+constexpr std::uint64_t most_buckets = 1024;
+
+// A voxel's place in its bucket, and a primitive listed there.
+struct Pair {
+  std::uint32_t voxel;
+  PrimitiveIndex primitive;
+};
+
+// The order in which the map stores voxels, cut into buckets of equal size.
+struct StorageOrder {
+  Vec3i division, blocks;
+  std::int32_t block_log2;
+  std::uint32_t bucket_log2; // voxels a bucket; whole blocks
+  std::uint64_t buckets;
+
+  std::uint64_t place(const Vec3i& voxel) const {
+    if (block_log2 == 0) return linear_index(voxel, division);
+    const Vec3i block{voxel.x >> block_log2, voxel.y >> block_log2, voxel.z >> block_log2};
+    return (linear_index(block, blocks) << (3 * block_log2)) + index_in_block(voxel, block_log2);
+  }
+};
+
+StorageOrder storage_order(const Vec3i& division) {
+  const std::int32_t block_log2 = block_log2_for(division);
+  const Vec3i blocks = blocks_of(division, block_log2);
+  const std::uint64_t places = voxel_count(blocks) << (3 * block_log2);
+  std::uint32_t bucket_log2 = 12;
+  while ((places >> bucket_log2) >= most_buckets)
+    ++bucket_log2;
+  return {division, blocks, block_log2, bucket_log2, (places >> bucket_log2) + 1};
+}
+
+// The pairs of some consecutive primitives; bucket b's are pairs[begin[b]] … pairs[begin[b + 1] - 1], in the
+// primitives' order.
+struct Piece {
+  std::vector<Pair> pairs;
+  std::vector<std::uint32_t> begin;
+};
+
+struct PlacedPair {
+  std::uint64_t place;
+  PrimitiveIndex primitive;
+};
+
+Piece sorted_by_bucket(const std::vector<PlacedPair>& placed, const StorageOrder& order) {
+  Piece piece;
+  piece.begin.assign(order.buckets + 1, 0);
+  for (const PlacedPair& pair : placed)
+    ++piece.begin[(pair.place >> order.bucket_log2) + 1];
+  std::partial_sum(piece.begin.begin(), piece.begin.end(), piece.begin.begin());
+  piece.pairs.resize(placed.size());
+  std::vector<std::uint32_t> next(piece.begin.begin(), piece.begin.end() - 1);
+  const std::uint64_t mask = (std::uint64_t{1} << order.bucket_log2) - 1;
+  for (const PlacedPair& pair : placed) {
+    piece.pairs[next[pair.place >> order.bucket_log2]++] = {static_cast<std::uint32_t>(pair.place & mask),
+                                                            pair.primitive};
+  }
+  return piece;
+}
+
+[[noreturn]] void too_fine(const char* what) {
+  throw Error(ErrorCode::usage, "--division", fmt::format("makes more than {}: choose a coarser one", what));
+}
+
+template <class Stored>
+std::vector<Piece> emit(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+                        const StorageOrder& order) {
+  const std::uint32_t count = scene.primitive_count();
+  std::vector<Piece> pieces((count + std::uint64_t{primitives_a_piece} - 1) / primitives_a_piece);
+  std::atomic<std::uint64_t> references = 0;
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t number) {
+    std::vector<PlacedPair> placed;
+    const auto first = static_cast<std::uint32_t>(number * primitives_a_piece);
+    const std::uint32_t last = std::min(count - first, primitives_a_piece) + first;
+    for (std::uint32_t i = first; i != last; ++i) {
+      const auto add = [&](const Vec3i& voxel) { placed.push_back({order.place(voxel), i}); };
+      const std::uint32_t sphere = i - scene.triangle_count;
+      if (i < scene.triangle_count) {
+        for_each_overlap(lattice, overlap, widened(scene.triangles[i]), add);
+      } else if (sphere < scene.sphere_count) {
+        for_each_overlap(lattice, overlap, widened(scene.spheres[sphere]), add);
+      } else {
+        for_each_overlap(lattice, overlap, widened(scene.cones[sphere - scene.sphere_count]), add);
+      }
+      if (placed.size() > std::numeric_limits<std::uint32_t>::max()) too_fine("2^32 references");
+    }
+    if ((references += placed.size()) > std::numeric_limits<std::uint32_t>::max())
+      too_fine("2^32 references");
+    pieces[number] = sorted_by_bucket(placed, order);
+  });
+  return pieces;
+}
+
+// A bucket's voxels that hold something: which, and where their references begin.
+struct BucketCell {
+  std::uint32_t voxel;
+  std::uint32_t begin;
+};
+
+// Where each bucket's references, cells and blocks begin in the whole; one entry more than there are buckets.
+struct Offsets {
+  std::vector<std::uint64_t> values;
+  explicit Offsets(std::uint64_t buckets) : values(buckets + 1, 0) {}
+  void accumulate() { std::partial_sum(values.begin(), values.end(), values.begin()); }
+};
+
+// Few pairs in many voxels: sorted by comparison. Else counted, voxel by voxel. Both keep the primitives'
+// order.
+std::vector<BucketCell> sort_bucket(const std::vector<Piece>& pieces, std::uint64_t bucket,
+                                    std::uint32_t voxels_log2, std::uint64_t first_reference,
+                                    std::uint64_t count, PrimitiveIndex* references) {
+  const auto for_each_pair = [&](const auto& act) {
+    for (const Piece& piece : pieces) {
+      for (std::uint32_t i = piece.begin[bucket]; i != piece.begin[bucket + 1]; ++i)
+        act(piece.pairs[i]);
+    }
+  };
+  std::vector<BucketCell> cells;
+  if (count < (std::uint64_t{1} << voxels_log2) / 16) {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(count);
+    for_each_pair(
+        [&](const Pair& pair) { keys.push_back(std::uint64_t{pair.voxel} << 32 | pair.primitive); });
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 0; i != keys.size(); ++i) {
+      const auto voxel = static_cast<std::uint32_t>(keys[i] >> 32);
+      if (cells.empty() || cells.back().voxel != voxel)
+        cells.push_back({voxel, static_cast<std::uint32_t>(first_reference + i)});
+      references[i] = static_cast<PrimitiveIndex>(keys[i]);
+    }
+    return cells;
+  }
+  std::vector<std::uint32_t> next((std::size_t{1} << voxels_log2) + 1, 0);
+  for_each_pair([&](const Pair& pair) { ++next[pair.voxel + 1]; });
+  cells.reserve(static_cast<std::size_t>(
+      std::count_if(next.begin(), next.end(), [](std::uint32_t n) { return n != 0; })));
+  for (std::uint32_t voxel = 0; voxel + 1 < next.size(); ++voxel) {
+    if (next[voxel + 1] != 0)
+      cells.push_back({voxel, static_cast<std::uint32_t>(first_reference + next[voxel])});
+    next[voxel + 1] += next[voxel];
+  }
+  for_each_pair([&](const Pair& pair) { references[next[pair.voxel]++] = pair.primitive; });
+  return cells;
+}
+
+// The bucket's words of the map, and its cells' beginnings.
+void write_map(const StorageOrder& order, std::uint64_t bucket, const std::vector<BucketCell>& bucket_cells,
+               std::uint64_t first_cell, std::uint64_t first_block, Grid& grid) {
+  const std::uint64_t first_place = bucket << order.bucket_log2;
+  const std::int32_t block_bits = 3 * order.block_log2;
+  const std::uint64_t block_words = voxel_count(order.blocks);
+  std::uint64_t cell = first_cell, block = first_block;
+  std::uint64_t last_block_place = std::numeric_limits<std::uint64_t>::max();
+  for (const BucketCell& bucket_cell : bucket_cells) {
+    const std::uint64_t place = first_place + bucket_cell.voxel;
+    std::uint64_t word = place;
+    if (block_bits > 0) {
+      const std::uint64_t block_place = place >> block_bits;
+      if (block_place != last_block_place) {
+        last_block_place = block_place;
+        grid.voxel_map[block_place] = static_cast<std::uint32_t>(block++) | occupied_bit;
+      }
+      word = block_words + ((block - 1) << block_bits) + (place & ((std::uint64_t{1} << block_bits) - 1));
+    }
+    grid.voxel_map[word] = static_cast<std::uint32_t>(cell) | occupied_bit;
+    grid.cells[cell++] = bucket_cell.begin;
+  }
+}
+
+std::uint64_t blocks_in(const std::vector<BucketCell>& cells, std::int32_t block_bits) {
+  std::uint64_t blocks = 0, last = std::numeric_limits<std::uint64_t>::max();
+  for (const BucketCell& cell : cells) {
+    const std::uint64_t block = cell.voxel >> block_bits;
+    blocks += block != last;
+    last = block;
+  }
+  return blocks;
+}
+
+} // namespace
+
+std::int32_t block_log2_for(const Vec3i& division) {
+  return voxel_count(division) <= dense_voxels ? 0 : sparse_block_log2;
+}
+
+double expected_build_bytes(const Lattice& lattice, double references) {
+  // Pairs and references; every reference in a cell of its own at worst; a block's map for each few cells.
+  const std::int32_t block_log2 = block_log2_for(lattice.division);
+  const double words = static_cast<double>(voxel_count(blocks_of(lattice.division, block_log2)));
+  const double block_maps = block_log2 == 0 ? 0 : references / 16 * 512 * 4;
+  return 4 * words + block_maps + references * (sizeof(Pair) + sizeof(PrimitiveIndex) + sizeof(BucketCell));
+}
+
+template <class Stored>
+Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap) {
+  const StorageOrder order = storage_order(lattice.division);
+  std::vector<Piece> pieces = emit(scene, lattice, overlap, order);
+
+  Grid grid{lattice, order.block_log2, {}, {}, {}};
+  Offsets reference_offsets(order.buckets), cell_offsets(order.buckets), block_offsets(order.buckets);
+  for (const Piece& piece : pieces) {
+    for (std::uint64_t bucket = 0; bucket < order.buckets; ++bucket) {
+      reference_offsets.values[bucket + 1] += piece.begin[bucket + 1] - piece.begin[bucket];
+    }
+  }
+  reference_offsets.accumulate();
+  grid.references.resize(reference_offsets.values.back());
+
+  std::vector<std::vector<BucketCell>> cells(order.buckets);
+  tbb::parallel_for(std::uint64_t{0}, order.buckets, [&](std::uint64_t bucket) {
+    const std::uint64_t first = reference_offsets.values[bucket],
+                        count = reference_offsets.values[bucket + 1] - first;
+    if (count == 0) return;
+    cells[bucket] =
+        sort_bucket(pieces, bucket, order.bucket_log2, first, count, grid.references.data() + first);
+    cell_offsets.values[bucket + 1] = cells[bucket].size();
+    block_offsets.values[bucket + 1] =
+        order.block_log2 == 0 ? 0 : blocks_in(cells[bucket], 3 * order.block_log2);
+  });
+  pieces.clear();
+  pieces.shrink_to_fit();
+
+  cell_offsets.accumulate();
+  block_offsets.accumulate();
+  const std::uint64_t cell_count = cell_offsets.values.back();
+  if (cell_count >= occupied_bit) too_fine("2^31 cells");
+  grid.cells.resize(cell_count + 1);
+  grid.cells.back() = static_cast<std::uint32_t>(grid.references.size());
+  grid.voxel_map.assign(voxel_count(order.blocks) + (block_offsets.values.back() << (3 * order.block_log2)),
+                        0);
+  tbb::parallel_for(std::uint64_t{0}, order.buckets, [&](std::uint64_t bucket) {
+    write_map(order, bucket, cells[bucket], cell_offsets.values[bucket], block_offsets.values[bucket], grid);
+  });
+  return grid;
+}
+template Grid build_uniform(const SceneView<float>&, const Lattice&, Overlap);
+template Grid build_uniform(const SceneView<double>&, const Lattice&, Overlap);
+
+} // namespace masu

@@ -1,0 +1,248 @@
+#include "libgrid/division.h"
+
+#include "libscene/error.h"
+#include "libscene/margin.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace masu {
+namespace {
+
+[[noreturn]] void fail(std::string_view text, std::string_view why) {
+  throw Error(ErrorCode::usage, "--division",
+              fmt::format("'{}' {}: give N, NXxNYxNZ, cube-root:D, woo:D, heterogeneous:D, cleary:L or auto",
+                          text, why));
+}
+
+template <class Number>
+Number number_in(std::string_view digits, std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) fail(text, "isn't a division");
+  return value;
+}
+
+Vec3i fixed_division(std::string_view text) {
+  Vec3i division{};
+  std::string_view rest = text;
+  int axis = 0;
+  for (;; ++axis) {
+    const auto cross = rest.find('x');
+    const auto voxels = number_in<std::int32_t>(rest.substr(0, cross), text);
+    if (voxels < 1 || voxels > largest_division)
+      fail(text, fmt::format("isn't between 1 and {} an axis", largest_division));
+    if (axis > 2) fail(text, "has more than three axes");
+    division.set(axis, voxels);
+    if (cross == std::string_view::npos) break;
+    rest.remove_prefix(cross + 1);
+  }
+  if (axis == 0) return {division.x, division.x, division.x};
+  if (axis == 1) fail(text, "has two axes");
+  return division;
+}
+
+} // namespace
+
+DivisionRule parse_division(std::string_view text) {
+  using Kind = DivisionRule::Kind;
+  DivisionRule rule;
+  rule.text = text;
+  if (text == "auto") return rule;
+  const auto colon = text.find(':');
+  if (colon == std::string_view::npos) {
+    rule.kind = Kind::fixed;
+    rule.fixed = fixed_division(text);
+    return rule;
+  }
+  constexpr std::array<std::pair<std::string_view, Kind>, 4> names{{{"cube-root", Kind::cube_root},
+                                                                    {"woo", Kind::woo},
+                                                                    {"heterogeneous", Kind::heterogeneous},
+                                                                    {"cleary", Kind::cleary}}};
+  for (const auto& [name, kind] : names) {
+    if (text.substr(0, colon) != name) continue;
+    rule.kind = kind;
+    rule.parameter = number_in<double>(text.substr(colon + 1), text);
+    if (!(rule.parameter > 0 && std::isfinite(rule.parameter))) fail(text, "needs a positive number");
+    return rule;
+  }
+  fail(text, "isn't a rule");
+}
+
+namespace {
+
+DivisionStatistics measured(const Triangle<double>& triangle) {
+  const Boxd box = bounds(triangle);
+  const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a) * 0.5;
+  return {1, box.max - box.min, {std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}};
+}
+
+DivisionStatistics measured(const Sphere<double>& sphere) {
+  const double extent = 2 * std::abs(sphere.radius), disc = std::numbers::pi * sphere.radius * sphere.radius;
+  return {1, {extent, extent, extent}, {2 * disc, 2 * disc, 2 * disc}};
+}
+
+// The side's projections depend on how the cone lies; half its area along each axis is the mean over all
+// directions.
+DivisionStatistics measured(const Cone<double>& cone) {
+  const Boxd box = bounds(cone);
+  const double r0 = std::abs(cone.base_radius), r1 = std::abs(cone.apex_radius);
+  const double half = std::numbers::pi * (r0 + r1) * std::hypot(length(cone.apex - cone.base), r1 - r0) / 2;
+  return {1, box.max - box.min, {half, half, half}};
+}
+
+DivisionStatistics sum(const DivisionStatistics& a, const DivisionStatistics& b) {
+  return {a.primitives + b.primitives, a.extents + b.extents, a.projections + b.projections};
+}
+
+// In pieces of fixed size, added up in order: the same bits for any number of threads.
+template <class Record>
+DivisionStatistics measured(const Record* records, std::uint32_t count) {
+  return tbb::parallel_deterministic_reduce(
+      tbb::blocked_range<std::uint32_t>(0, count, 16384), DivisionStatistics{},
+      [&](const tbb::blocked_range<std::uint32_t>& range, DivisionStatistics total) {
+        for (std::uint32_t i = range.begin(); i != range.end(); ++i)
+          total = sum(total, measured(widened(records[i])));
+        return total;
+      },
+      sum);
+}
+
+} // namespace
+
+template <class Stored>
+DivisionStatistics division_statistics(const SceneView<Stored>& scene) {
+  return sum(
+      sum(measured(scene.triangles, scene.triangle_count), measured(scene.spheres, scene.sphere_count)),
+      measured(scene.cones, scene.cone_count));
+}
+template DivisionStatistics division_statistics(const SceneView<float>&);
+template DivisionStatistics division_statistics(const SceneView<double>&);
+
+double expected_references(const DivisionStatistics& statistics, const Lattice& lattice) {
+  const Vec3d h = voxel_size(lattice), e = statistics.extents, p = statistics.projections;
+  // Along an axis of one voxel nothing can be met twice.
+  const auto over = [&](double sum, int axis) { return lattice.division[axis] > 1 ? sum / h[axis] : 0.0; };
+  const auto face = [&](double sum, int u, int v) {
+    if (lattice.division[u] == 1 || lattice.division[v] == 1) return 0.0;
+    return sum / (h[u] * h[v]);
+  };
+  return static_cast<double>(statistics.primitives) + over(e.x, 0) + over(e.y, 1) + over(e.z, 2) +
+         face(p.x, 1, 2) + face(p.y, 2, 0) + face(p.z, 0, 1);
+}
+
+template <class Real>
+Boxd space_of(const Boxd& bounds, SpaceRule rule) {
+  Boxd space = padded_bounds<Real>(bounds);
+  if (rule == SpaceRule::cube) {
+    const double half = largest_magnitude(space);
+    space = {{-half, -half, -half}, {half, half, half}};
+  }
+  return cast<double>(cast<Real>(space));
+}
+template Boxd space_of<float>(const Boxd&, SpaceRule);
+template Boxd space_of<double>(const Boxd&, SpaceRule);
+
+namespace {
+
+// Voxels of side 1/per_unit, at least one an axis.
+Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
+  Vec3i division{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double voxels = std::max(1.0, std::round(extent[axis] * per_unit[axis]));
+    if (!(voxels <= largest_division)) {
+      throw Error(ErrorCode::usage, "--division",
+                  fmt::format("asks for {:g} voxels along an axis, {} are possible: choose a smaller number",
+                              voxels, largest_division));
+    }
+    division.set(axis, static_cast<std::int32_t>(voxels));
+  }
+  return division;
+}
+
+// What a random line through the space costs, in steps from voxel to voxel: it crosses a plane of the
+// division with the probability of the plane's two faces over the space's surface (Crofton), and a
+// reference's voxel likewise.
+double expected_cost(const DivisionStatistics& statistics, const Lattice& lattice) {
+  constexpr double test_over_step = 1.5;
+  const auto surface = [](const Vec3d& w) { return 2 * (w.x * w.y + w.y * w.z + w.z * w.x); };
+  const Vec3d w = lattice.space.max - lattice.space.min;
+  const double whole = surface(w);
+  const Vec3i n = lattice.division;
+  const double steps =
+      1 + 2 * ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / whole;
+  const double tests = expected_references(statistics, lattice) * surface(voxel_size(lattice)) / whole;
+  return steps + test_over_step * tests;
+}
+
+// Voxels of equal sides, lambda·N of them. A space with a thin side keeps one voxel there, and the other
+// sides share what that leaves: so λ means the same for flat scenes.
+Vec3d equal_sides(const Vec3d& extent, double voxels) {
+  double density = std::cbrt(voxels / (extent.x * extent.y * extent.z));
+  for (int round = 0; round < 2; ++round) {
+    double volume = 1;
+    int thick = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (extent[axis] * density < 1) continue;
+      volume *= extent[axis];
+      ++thick;
+    }
+    if (thick > 0) density = std::pow(voxels / volume, 1.0 / thick);
+  }
+  return {density, density, density};
+}
+
+Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
+  constexpr double tolerance = 1.05, step = 1.25992104989487; // a factor of ∛2 in λ
+  const Vec3d extent = space.max - space.min;
+  const double count = static_cast<double>(std::max<std::uint64_t>(statistics.primitives, 1));
+  std::vector<std::pair<double, Vec3i>> candidates;
+  double best = std::numeric_limits<double>::max();
+  for (double lambda = 1.0 / 64; lambda <= 256; lambda *= step) {
+    const Vec3d per_unit = equal_sides(extent, std::max(1.0, lambda * count));
+    if (largest_magnitude(extent * per_unit) > largest_division / 2.0) break;
+    const Vec3i division = division_of(extent, per_unit);
+    const double cost = expected_cost(statistics, {space, division, 0});
+    candidates.emplace_back(cost, division);
+    best = std::min(best, cost);
+  }
+  for (const auto& [cost, division] : candidates) {
+    if (cost <= best * tolerance) return division;
+  }
+  return {1, 1, 1};
+}
+
+} // namespace
+
+Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space) {
+  const Vec3d extent = space.max - space.min;
+  const double count = static_cast<double>(std::max<std::uint64_t>(statistics.primitives, 1));
+  const double longest = std::max(extent.x, std::max(extent.y, extent.z));
+  const double along = rule.parameter * std::cbrt(count);
+  const auto same = [](double value) { return Vec3d{value, value, value}; };
+  switch (rule.kind) {
+  case DivisionRule::Kind::fixed:
+    return rule.fixed;
+  case DivisionRule::Kind::cube_root:
+    return division_of(same(1), same(along));
+  case DivisionRule::Kind::woo:
+    return division_of(extent, same(along / longest));
+  case DivisionRule::Kind::heterogeneous:
+    return division_of(extent, same(along / std::cbrt(extent.x * extent.y * extent.z)));
+  case DivisionRule::Kind::cleary:
+    return division_of(extent, equal_sides(extent, std::max(1.0, rule.parameter * count)));
+  case DivisionRule::Kind::automatic:
+    return automatic_division(statistics, space);
+  }
+  return {1, 1, 1};
+}
+
+} // namespace masu

@@ -1,0 +1,62 @@
+// The space that is divided, and into how many voxels.
+#pragma once
+
+#include "libgrid/lattice.h"
+#include "libgrid/overlap.h"
+#include "libscene/scene_view.h"
+
+#include <string>
+#include <string_view>
+
+namespace masu {
+
+enum class SpaceRule { tight, cube };
+
+// With N primitives in a space of sides w and volume V:
+//   fixed          the numbers given
+//   cube_root      each axis D·∛N
+//   woo            the longest axis D·∛N, the others in proportion (Woo)
+//   heterogeneous  an axis D·w·∛(N/V) (Klimaszewski & Sederberg, "Faster Ray Tracing Using Adaptive Grids",
+//   IEEE CG&A
+//                  17(1), 1997)
+//   cleary         an axis w·∛(λN/V): λN voxels of equal sides (Cleary & Wyvill, The Visual Computer 4(2),
+//   1988) automatic      cleary with the smallest λ that the cost model below puts within a few percent of
+//   the best
+struct DivisionRule {
+  enum class Kind { fixed, cube_root, woo, heterogeneous, cleary, automatic } kind = Kind::automatic;
+  Vec3i fixed{1, 1, 1};
+  double parameter = 0; // D or λ
+  std::string text = "auto";
+};
+
+// The most voxels along an axis.
+inline constexpr std::int32_t largest_division = 65535;
+
+// Reads `auto`, `N`, `NXxNYxNZ`, `cube-root:D`, `woo:D`, `heterogeneous:D`, `cleary:L`. Throws Error(usage).
+DivisionRule parse_division(std::string_view text);
+
+// What the cost of a division depends on: sums over all primitives of their extent along each axis and of
+// their surface's projection along it (both sides of a sphere or cone count).
+struct DivisionStatistics {
+  std::uint64_t primitives = 0;
+  Vec3d extents{};
+  Vec3d projections{};
+};
+
+template <class Stored>
+DivisionStatistics division_statistics(const SceneView<Stored>& scene);
+
+// About how many references the division makes under the exact overlap test: a convex piece of surface,
+// placed at random, meets 1 + Σ extent/side + Σ projection/(area of a voxel's face) voxels (its Minkowski sum
+// with a voxel, by volume).
+double expected_references(const DivisionStatistics& statistics, const Lattice& lattice);
+
+// The box that is divided, its padding included, in numbers that Real holds: the tight one around `bounds`
+// (that of all primitives), or the smallest cube about the origin that holds it.
+template <class Real>
+Boxd space_of(const Boxd& bounds, SpaceRule rule);
+
+// At least 1 along each axis. Throws Error(usage, "--division", …) when an axis would pass largest_division.
+Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space);
+
+} // namespace masu

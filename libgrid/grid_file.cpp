@@ -1,0 +1,174 @@
+#include "libgrid/grid_file.h"
+
+#include "libscene/error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace masu {
+namespace {
+
+std::uint32_t number(fb::GridSection section) {
+  return static_cast<std::uint32_t>(section);
+}
+
+std::span<const fb::Section> section_list(const fb::Grid& table) {
+  const auto* const sections = table.sections();
+  return {reinterpret_cast<const fb::Section*>(sections->Data()), sections->size()};
+}
+
+std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
+                                     const std::vector<fb::Section>& layout) {
+  flatbuffers::FlatBufferBuilder builder;
+  const auto sections = builder.CreateVectorOfStructs(layout);
+  const auto rule = builder.CreateString(origin.division_rule);
+  const fb::Hash scene_hash(origin.scene_hash.low, origin.scene_hash.high);
+  const Boxd& s = grid.lattice.space;
+  const fb::Box space({s.min.x, s.min.y, s.min.z}, {s.max.x, s.max.y, s.max.z});
+  const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.lattice.division);
+  const fb::Division division(n.x, n.y, n.z);
+  builder.Finish(fb::CreateGrid(builder, &scene_hash, origin.primitives, &space, grid.lattice.margin,
+                                &division, static_cast<std::uint32_t>(grid.block_log2),
+                                origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
+                                origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
+                                fb::Merge::none, rule, origin.build_seconds, sections));
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+template <class Good>
+bool all(std::uint64_t count, const Good& good) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::uint64_t>(0, count, 1 << 16), true,
+      [&](const tbb::blocked_range<std::uint64_t>& range, bool so_far) {
+        for (std::uint64_t i = range.begin(); so_far && i != range.end(); ++i)
+          so_far = good(i);
+        return so_far;
+      },
+      std::logical_and<>());
+}
+
+Vec3d vector_of(const fb::Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+// A space that can be divided: finite, each side longer than nothing, in the narrowest arithmetic used.
+bool is_divisible(const fb::Box& space) {
+  const Vec3d low = vector_of(space.min()), high = vector_of(space.max());
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::isfinite(low[axis]) && std::isfinite(high[axis]) && low[axis] < high[axis])) return false;
+  }
+  return true;
+}
+
+template <class Real>
+GridView<Real> view_of(const Lattice& lattice, std::int32_t block_log2,
+                       std::span<const std::uint32_t> voxel_map, std::span<const std::uint32_t> cells,
+                       std::span<const PrimitiveIndex> references) {
+  const Vec3d size = voxel_size(lattice);
+  return {voxel_map.data(),  cells.data(),
+          references.data(), cast<Real>(lattice.space.min),
+          cast<Real>(size),  cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
+          lattice.division,  blocks_of(lattice.division, block_log2),
+          block_log2};
+}
+
+} // namespace
+
+void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path) {
+  const std::array sections{
+      section_data(number(fb::GridSection::voxel_map), std::span(grid.voxel_map)),
+      section_data(number(fb::GridSection::cells), std::span(grid.cells)),
+      section_data(number(fb::GridSection::references), std::span(grid.references)),
+  };
+  const auto layout = lay_out(sections);
+  write_container(path, grid_file_kind, grid_table(grid, origin, layout), sections, layout);
+}
+
+GridFile::GridFile(const std::string& path) : GridFile(path, Stopwatch()) {}
+
+GridFile::GridFile(const std::string& path, const Stopwatch& watch) : container_(path, grid_file_kind) {
+  seconds_.map = watch.seconds();
+  const auto check = [&](bool good, const char* what) {
+    if (!good) throw Error(ErrorCode::input, path, std::string(what) + ": make the file again");
+  };
+  const auto bytes = container_.table();
+  flatbuffers::Verifier verifier(bytes.data(), bytes.size());
+  check(fb::VerifyGridBuffer(verifier), "its table is damaged");
+  table_ = fb::GetGrid(bytes.data());
+  const auto axis_good = [](std::uint32_t voxels) { return voxels >= 1 && voxels <= largest_division; };
+  const fb::Division& n = *table_->division();
+  check(axis_good(n.x()) && axis_good(n.y()) && axis_good(n.z()), "its division is impossible");
+  check(is_divisible(*table_->space()), "its space is impossible");
+  check(table_->block_log2() <= 5, "its blocks are impossible");
+  container_.check_sections(section_list(*table_));
+
+  const auto map = voxel_map();
+  const auto first = cells();
+  const auto listed = references();
+  const auto block_log2 = static_cast<std::int32_t>(table_->block_log2());
+  const std::uint64_t blocks = voxel_count(blocks_of(lattice().division, block_log2));
+  check(map.size() >= blocks && (map.size() - blocks) % (std::uint64_t{1} << (3 * block_log2)) == 0 &&
+            (block_log2 > 0 || map.size() == blocks),
+        "its voxel map has the wrong size");
+  const std::uint64_t block_maps = (map.size() - blocks) >> (3 * block_log2);
+  check(!first.empty() && first.size() <= occupied_bit && first.back() == listed.size() && first.front() == 0,
+        "its cells don't fit its references");
+  const std::uint64_t cell_count = first.size() - 1;
+  check(all(map.size(),
+            [&](std::uint64_t i) {
+              const std::uint64_t limit = block_log2 > 0 && i < blocks ? block_maps : cell_count;
+              return (map[i] & occupied_bit) != 0 ? (map[i] & ~occupied_bit) < limit : map[i] == 0;
+            }),
+        "its voxel map names a cell that isn't there");
+  check(all(cell_count, [&](std::uint64_t i) { return first[i] <= first[i + 1]; }),
+        "its cells are out of order");
+  const std::uint64_t primitives = table_->primitives();
+  check(all(listed.size(), [&](std::uint64_t i) { return listed[i] < primitives; }),
+        "it lists a primitive that isn't there");
+  seconds_.validate = watch.seconds() - seconds_.map;
+}
+
+Lattice GridFile::lattice() const {
+  const fb::Division& n = *table_->division();
+  return {{vector_of(table_->space()->min()), vector_of(table_->space()->max())},
+          cast<std::int32_t>(Vec3<std::uint32_t>{n.x(), n.y(), n.z()}),
+          table_->margin()};
+}
+
+std::span<const std::uint32_t> GridFile::voxel_map() const {
+  return container_.records<std::uint32_t>(section_list(*table_), number(fb::GridSection::voxel_map));
+}
+std::span<const std::uint32_t> GridFile::cells() const {
+  return container_.records<std::uint32_t>(section_list(*table_), number(fb::GridSection::cells));
+}
+std::span<const PrimitiveIndex> GridFile::references() const {
+  return container_.records<PrimitiveIndex>(section_list(*table_), number(fb::GridSection::references));
+}
+
+void GridFile::check_scene(const Hash& scene_hash, std::uint64_t primitives) const {
+  const fb::Hash& built_for = *table_->scene_hash();
+  if (Hash{built_for.low(), built_for.high()} != scene_hash || table_->primitives() != primitives) {
+    throw Error(ErrorCode::input, path(), "was built for another scene: build it again with gridbuild");
+  }
+}
+
+template <class Real>
+GridView<Real> GridFile::view() const {
+  return view_of<Real>(lattice(), static_cast<std::int32_t>(table_->block_log2()), voxel_map(), cells(),
+                       references());
+}
+template GridView<float> GridFile::view() const;
+template GridView<double> GridFile::view() const;
+
+template <class Real>
+GridView<Real> view_of(const Grid& grid) {
+  return view_of<Real>(grid.lattice, grid.block_log2, grid.voxel_map, grid.cells, grid.references);
+}
+template GridView<float> view_of(const Grid&);
+template GridView<double> view_of(const Grid&);
+
+} // namespace masu

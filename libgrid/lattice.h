@@ -1,0 +1,51 @@
+// The space and its division: where each voxel is, for the builder.
+#pragma once
+
+#include "libscene/box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace masu {
+
+struct Lattice {
+  Boxd space;
+  Vec3i division;
+  double margin; // how far beyond its surface a primitive is still listed
+};
+
+// Voxels from first to last, both included.
+struct VoxelRange {
+  Vec3i first, last;
+};
+
+inline Vec3d voxel_size(const Lattice& lattice) {
+  const Vec3d extent = lattice.space.max - lattice.space.min;
+  return {extent.x / lattice.division.x, extent.y / lattice.division.y, extent.z / lattice.division.z};
+}
+
+inline std::uint64_t voxel_count(const Vec3i& division) {
+  return static_cast<std::uint64_t>(division.x) * static_cast<std::uint64_t>(division.y) *
+         static_cast<std::uint64_t>(division.z);
+}
+
+// The closed voxels that the closed box meets; what lies outside the space goes to the outermost, NaN to the
+// first.
+inline VoxelRange voxels_met(const Lattice& lattice, const Boxd& box) {
+  const Vec3d size = voxel_size(lattice);
+  VoxelRange range{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double last = lattice.division[axis] - 1;
+    const auto held = [last](double voxel) {
+      return voxel > 0 ? static_cast<std::int32_t>(std::min(voxel, last)) : 0;
+    };
+    const double low = (box.min[axis] - lattice.space.min[axis]) / size[axis];
+    const double high = (box.max[axis] - lattice.space.min[axis]) / size[axis];
+    range.first.set(axis,
+                    held(std::ceil(low) - 1)); // closed: a box that begins on a face meets both its voxels
+    range.last.set(axis, held(std::floor(high)));
+  }
+  return range;
+}
+
+} // namespace masu

@@ -1,0 +1,37 @@
+// What a grid holds, in numbers; and the founding study's occupancy.
+#pragma once
+
+#include "libgrid/division.h"
+#include "libgrid/grid_view.h"
+#include "libgrid/lattice.h"
+#include "libscene/scene_view.h"
+
+#include <span>
+#include <vector>
+
+namespace masu {
+
+struct GridStatistics {
+  std::uint64_t voxels = 0, occupied_voxels = 0;
+  std::uint64_t cells = 0, occupied_cells = 0; // a uniform grid's cells are its voxels
+  std::uint64_t references = 0;
+  // References of an occupied cell; all zero when none is occupied.
+  double mean = 0, stddev = 0, median = 0;
+  std::uint64_t p99 = 0, min = 0, max = 0;
+  // Occupied cells by their number of references: histogram[n] of them list n.
+  std::vector<std::uint64_t> histogram;
+};
+
+// Looks at every word of the map and every cell; `cells` as in grid_view.h.
+template <class Real>
+GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const std::uint32_t> cells);
+
+// References of the voxel's cell; 0 when it is empty.
+template <class Real>
+std::uint32_t references_in(const GridView<Real>& grid, const Vec3i& voxel);
+
+// How many of the lattice's voxels hold a primitive.
+template <class Stored>
+std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap);
+
+} // namespace masu

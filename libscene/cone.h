@@ -1,0 +1,108 @@
+// Ray and the side of a cut-off cone or a cylinder; its bounds.
+//
+// With z from 0 (base) to 1 (apex) along the axis, the side is where the distance ρ from the axis equals the
+// radius R(z). The quadratic ρ² = R² is set up about the ray's nearest point to the axis (held between the
+// ends): there every term is of the size of what is solved for, so nothing cancels however far the origin is,
+// however slight the taper. It is solved in double: nearly parallel sides square their small differences.
+#pragma once
+
+#include "libscene/ray.h"
+
+#include <algorithm>
+
+namespace masu {
+
+// The cone as the quadratic needs it. Radii are magnitudes.
+template <class Wide>
+struct ConeAxis {
+  Vec3<Wide> base, axis; // axis: from base to apex
+  Wide inverse_square;   // 1 / |axis|²
+  Wide base_radius, growth;
+};
+
+template <class Stored>
+MASU_HD inline ConeAxis<double> cone_axis(const Cone<Stored>& cone) {
+  const Vec3d base = cast<double>(cone.base);
+  const Vec3d axis = cast<double>(cone.apex) - base;
+  const double base_radius = std::abs(static_cast<double>(cone.base_radius));
+  const double apex_radius = std::abs(static_cast<double>(cone.apex_radius));
+  return {base, axis, 1.0 / dot(axis, axis), base_radius, apex_radius - base_radius};
+}
+
+// Only the inside shows.
+template <class Stored>
+MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
+  return cone.base_radius < 0 || cone.apex_radius < 0;
+}
+
+// Whether the ray meets the side at a t > 0; then `t` is the first such place.
+template <class Real, class Stored>
+MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& cone, Real& t) {
+  const ConeAxis<double> c = cone_axis(cone);
+  const Vec3d direction = cast<double>(ray.direction);
+  const Vec3d from_base = cast<double>(ray.origin) - c.base;
+  // The direction, split: dz along the axis, `across` perpendicular to it.
+  const double dz = dot(direction, c.axis) * c.inverse_square;
+  const Vec3d across = fused(c.axis, -dz, direction);
+  const double across_square = dot(across, across);
+  const double z_origin = dot(from_base, c.axis) * c.inverse_square;
+
+  // Between the ends the nearest place to the axis; where the ray runs along the axis any place will do.
+  double start = across_square > 0 ? -dot(from_base, across) / across_square : 0;
+  if (dz != 0) {
+    const double to_base = -z_origin / dz, to_apex = (1 - z_origin) / dz;
+    start = larger(smaller(start, larger(to_base, to_apex)), smaller(to_base, to_apex));
+  }
+  const Vec3d there = fused(direction, start, from_base);
+  const double z = dot(there, c.axis) * c.inverse_square;
+  const Vec3d off_axis = fused(c.axis, -z, there);
+  const double radius = fused(c.growth, z, c.base_radius);
+  const double radius_slope = c.growth * dz;
+
+  // a s² + 2 b s + c = 0 for the step s from there.
+  const double qa = fused(-radius_slope, radius_slope, across_square);
+  const double qb = fused(-radius_slope, radius, dot(off_axis, across));
+  const double qc = fused(-radius, radius, dot(off_axis, off_axis));
+  const double discriminant = difference_of_products(qb, qb, qa, qc);
+  if (!(discriminant >= 0)) return false;
+  const double q = -(qb + std::copysign(std::sqrt(discriminant), qb));
+  const double root1 = q / qa, root2 = qc / q;
+  const bool inside_only = is_inside_out(cone);
+  bool met = false;
+  double first = RealTraits<double>::largest;
+  for (int root = 0; root < 2; ++root) {
+    const double s = root == 0 ? root1 : root2;
+    const double along = start + s;
+    const double height = fused(s, dz, z);
+    // Positive where the ray leaves the solid.
+    const bool leaving = fused(qa, s, qb) > 0;
+    if (!(along > 0) || !(along < first) || !(height >= 0 && height <= 1) || (inside_only && !leaving))
+      continue;
+    first = along;
+    met = true;
+  }
+  t = static_cast<Real>(first);
+  return met && t > 0;
+}
+
+// Both end discs', exactly but for rounding, which is made good outwards.
+template <class Stored>
+inline Boxd bounds(const Cone<Stored>& cone) {
+  const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex);
+  const Vec3d axis = apex - base;
+  const double square = dot(axis, axis);
+  Boxd box = empty_box<double>();
+  for (int end = 0; end < 2; ++end) {
+    const Vec3d center = end == 0 ? base : apex;
+    const double radius = std::abs(static_cast<double>(end == 0 ? cone.base_radius : cone.apex_radius));
+    Vec3d reach{};
+    for (int axis_number = 0; axis_number < 3; ++axis_number) {
+      const double share = axis[axis_number] * axis[axis_number] / square;
+      reach.set(axis_number, radius * std::sqrt(std::max(0.0, 1 - share)) * (1 + 1e-14));
+    }
+    box = join(box, Boxd{center - reach, center + reach});
+  }
+  return box;
+}
+
+} // namespace masu

@@ -1,0 +1,36 @@
+// The one exception type. Libraries throw it; each tool's main turns it into a line on stderr and an exit
+// code.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <utility>
+
+namespace masu {
+
+// The numbers are the tools' exit codes.
+enum class ErrorCode : int {
+  usage = 1,  // the command line
+  input = 2,  // a file that can't be read or is invalid
+  output = 3, // a file that can't be written
+  device = 4, // the GPU or its driver
+};
+
+class Error final : public std::exception {
+public:
+  // place: where it is wrong (`scene.nff:12:3`, a file, an option); message: what is wrong, and what to do.
+  Error(ErrorCode code, std::string place, std::string message)
+      : code_(code), place_(std::move(place)), message_(std::move(message)), text_(place_ + ": " + message_) {
+  }
+
+  ErrorCode code() const noexcept { return code_; }
+  const std::string& place() const noexcept { return place_; }
+  const std::string& message() const noexcept { return message_; }
+  const char* what() const noexcept override { return text_.c_str(); }
+
+private:
+  ErrorCode code_;
+  std::string place_, message_, text_;
+};
+
+} // namespace masu

@@ -1,0 +1,50 @@
+// Ray and primitive by number, compiled for the kinds that a scene holds: no cone code runs where there is no
+// cone.
+#pragma once
+
+#include "libscene/cone.h"
+#include "libscene/scene_view.h"
+#include "libscene/sphere.h"
+#include "libscene/triangle.h"
+
+namespace masu {
+
+// A set of primitive kinds.
+inline constexpr unsigned with_triangles = 1, with_spheres = 2, with_cones = 4, with_all_kinds = 7;
+
+// Whether the ray meets the primitive at a t > 0, and where. `counts` is told which test was run.
+template <unsigned kinds, class Real, class Stored, class Counts>
+MASU_HD inline bool intersect(const SceneView<Stored>& scene, const RayFrame<Real>& ray,
+                              PrimitiveIndex primitive, Real& t, Counts& counts) {
+  if constexpr ((kinds & with_triangles) != 0) {
+    if (kinds == with_triangles || primitive < scene.triangle_count) {
+      counts.triangle_test();
+      return intersect(ray, scene.triangles[primitive], t) && t > 0;
+    }
+  }
+  const std::uint32_t sphere = primitive - scene.triangle_count;
+  if constexpr ((kinds & with_spheres) != 0) {
+    if ((kinds & with_cones) == 0 || sphere < scene.sphere_count) {
+      counts.sphere_test();
+      return intersect(ray, scene.spheres[sphere], t);
+    }
+  }
+  if constexpr ((kinds & with_cones) != 0) {
+    counts.cone_test();
+    return intersect(ray, scene.cones[sphere - scene.sphere_count], t);
+  }
+  return false;
+}
+
+template <class Stored>
+MASU_HD inline Surface surface_of(const SceneView<Stored>& scene, PrimitiveIndex primitive) {
+  if (primitive < scene.triangle_count) {
+    const Triangle<Stored>& t = scene.triangles[primitive];
+    return {static_cast<std::uint32_t>(t.object), static_cast<std::uint32_t>(t.material)};
+  }
+  const std::uint32_t sphere = primitive - scene.triangle_count;
+  return sphere < scene.sphere_count ? scene.sphere_surfaces[sphere]
+                                     : scene.cone_surfaces[sphere - scene.sphere_count];
+}
+
+} // namespace masu

@@ -1,0 +1,52 @@
+// A ray and what it hits.
+#pragma once
+
+#include "libscene/primitives.h"
+
+namespace masu {
+
+// Points origin + t·direction with 0 < t < t_max. The direction isn't zero; t counts in its length.
+template <class Real>
+struct Ray {
+  Vec3<Real> origin, direction;
+  Real t_max;
+};
+
+// t is t_max of the ray, and primitive no_primitive, where nothing is hit.
+template <class Real>
+struct Hit {
+  Real t;
+  PrimitiveIndex primitive;
+};
+
+// The nearer hit; of equally near ones that of the lowest primitive, so that the order of tests never shows.
+template <class Real>
+MASU_HD inline bool is_nearer(Real t, PrimitiveIndex primitive, const Hit<Real>& than) {
+  return t < than.t || (t == than.t && primitive < than.primitive);
+}
+
+// What all tests of one ray share. across1 and across2 span the plane across the ray.
+template <class Real>
+struct RayFrame {
+  Vec3<Real> origin, direction;
+  Vec3<Real> across1, across2;
+  Real inverse_square; // 1 / |direction|²
+};
+
+// across1 is exact: two of the direction's own components, swapped, the smallest left out. So the plane
+// deviates from perpendicular by no more than across2's rounding.
+template <class Real>
+MASU_HD inline RayFrame<Real> ray_frame(const Vec3<Real>& origin, const Vec3<Real>& direction) {
+  const Real x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
+  Vec3<Real> across;
+  if (x <= y && x <= z) {
+    across = {0, direction.z, -direction.y};
+  } else if (y <= z) {
+    across = {-direction.z, 0, direction.x};
+  } else {
+    across = {direction.y, -direction.x, 0};
+  }
+  return {origin, direction, across, cross(direction, across), Real(1) / dot(direction, direction)};
+}
+
+} // namespace masu

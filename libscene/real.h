@@ -1,0 +1,56 @@
+// What the arithmetic needs to know of its floating-point type, and products that keep their digits.
+#pragma once
+
+#include "libscene/portable.h"
+
+#include <cmath>
+#include <cstdint>
+
+namespace masu {
+
+// unit_roundoff: half the distance from 1 to the next number: the relative error of one rounding.
+// largest: the far end of every ray that has none.
+template <class Real>
+struct RealTraits;
+template <>
+struct RealTraits<float> {
+  static constexpr float unit_roundoff = 5.9604644775390625e-8F;
+  static constexpr float largest = 3.402823466e38F;
+  static constexpr float smallest_normal = 1.17549435e-38F;
+};
+template <>
+struct RealTraits<double> {
+  static constexpr double unit_roundoff = 1.1102230246251565e-16;
+  static constexpr double largest = 1.7976931348623157e308;
+  static constexpr double smallest_normal = 2.2250738585072014e-308;
+};
+
+// a*b + c, rounded once.
+MASU_HD inline float fused(float a, float b, float c) {
+  return std::fma(a, b, c);
+}
+MASU_HD inline double fused(double a, double b, double c) {
+  return std::fma(a, b, c);
+}
+
+// a*b - c*d to within 1.5 ulp of the result, whatever cancels, so that its sign is exact short of underflow.
+// Kahan's algorithm; the bound is by Jeannerod, Louvet & Muller, Mathematics of Computation 82(284), 2013.
+template <class Real>
+MASU_HD inline Real difference_of_products(Real a, Real b, Real c, Real d) {
+  const Real cd = c * d;
+  const Real lost = fused(-c, d, cd);
+  return fused(a, b, -cd) + lost;
+}
+
+// The smaller and the larger of two numbers, spelled out so that host and device agree on NaN: it never wins
+// over `b`.
+template <class T>
+MASU_HD inline T smaller(T a, T b) {
+  return a < b ? a : b;
+}
+template <class T>
+MASU_HD inline T larger(T a, T b) {
+  return a > b ? a : b;
+}
+
+} // namespace masu

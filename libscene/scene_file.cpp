@@ -1,0 +1,262 @@
+#include "libscene/scene_file.h"
+
+#include "libscene/cone.h"
+#include "libscene/error.h"
+#include "libscene/margin.h"
+#include "libscene/stopwatch.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace masu {
+namespace {
+
+std::uint32_t number(fb::SceneSection section) {
+  return static_cast<std::uint32_t>(section);
+}
+
+template <class To, class From>
+Triangle<To> converted(const Triangle<From>& t) {
+  return {cast<To>(t.a), static_cast<typename Triangle<To>::Tag>(t.object),
+          cast<To>(t.b), static_cast<typename Triangle<To>::Tag>(t.material),
+          cast<To>(t.c), static_cast<typename Triangle<To>::Tag>(t.normals)};
+}
+template <class To, class From>
+CornerNormals<To> converted(const CornerNormals<From>& n) {
+  return {cast<To>(n.a), cast<To>(n.b), cast<To>(n.c)};
+}
+template <class To, class From>
+Sphere<To> converted(const Sphere<From>& s) {
+  return {cast<To>(s.center), static_cast<To>(s.radius)};
+}
+template <class To, class From>
+Cone<To> converted(const Cone<From>& c) {
+  return {cast<To>(c.base), static_cast<To>(c.base_radius), cast<To>(c.apex), static_cast<To>(c.apex_radius)};
+}
+template <class To, class From>
+Light<To> converted(const Light<From>& l) {
+  return {cast<To>(l.position), cast<To>(l.intensity)};
+}
+
+template <class To, template <class> class Record>
+std::vector<Record<To>> converted(const std::vector<Record<double>>& records) {
+  std::vector<Record<To>> result(records.size());
+  tbb::parallel_for(std::size_t{0}, records.size(),
+                    [&](std::size_t i) { result[i] = converted<To>(records[i]); });
+  return result;
+}
+
+template <class Record>
+Boxd bounds_of(const std::vector<Record>& records) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, records.size()), empty_box<double>(),
+      [&](const tbb::blocked_range<std::size_t>& range, Boxd box) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          box = join(box, cast<double>(bounds(records[i])));
+        return box;
+      },
+      [](const Boxd& a, const Boxd& b) { return join(a, b); });
+}
+
+fb::Vec3 table_vector(const Vec3d& v) {
+  return {v.x, v.y, v.z};
+}
+
+std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const Boxd& box,
+                                      const std::vector<fb::Section>& layout) {
+  flatbuffers::FlatBufferBuilder builder;
+  const auto sections = builder.CreateVectorOfStructs(layout);
+  const Camera& view = scene.camera;
+  const fb::Camera camera(table_vector(view.from), table_vector(view.at), table_vector(view.up), view.angle,
+                          view.hither, view.width, view.height);
+  const fb::Color background(scene.background.x, scene.background.y, scene.background.z);
+  const fb::ObjectCounts objects(scene.objects.polygons, scene.objects.patches, scene.objects.spheres,
+                                 scene.objects.cones);
+  const fb::Box bounds(table_vector(box.min), table_vector(box.max));
+  const auto count = [&](bool (*property)(const Material&)) {
+    return static_cast<std::uint64_t>(
+        std::count_if(scene.materials.begin(), scene.materials.end(), property));
+  };
+  builder.Finish(fb::CreateScene(builder, store, &camera, &background, scene.ambient, &objects, &bounds,
+                                 count(reflects), count(transmits), sections));
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+template <class Stored>
+void write_stored(const Scene& scene, const std::string& path) {
+  // Kept until the file is written: the sections point into them.
+  const auto lights = converted<Stored>(scene.lights);
+  const auto triangles = converted<Stored>(scene.triangles);
+  const auto normals = converted<Stored>(scene.normals);
+  const auto spheres = converted<Stored>(scene.spheres);
+  const auto cones = converted<Stored>(scene.cones);
+  const auto section = [](fb::SceneSection kind, const auto& records) {
+    return section_data(number(kind), std::span(records));
+  };
+  using fb::SceneSection;
+  const std::array sections{
+      section(SceneSection::lights, lights),
+      section(SceneSection::materials, scene.materials),
+      section(SceneSection::triangles, triangles),
+      section(SceneSection::corner_normals, normals),
+      section(SceneSection::spheres, spheres),
+      section(SceneSection::sphere_surfaces, scene.sphere_surfaces),
+      section(SceneSection::cones, cones),
+      section(SceneSection::cone_surfaces, scene.cone_surfaces),
+  };
+  const Boxd box = join(join(bounds_of(triangles), bounds_of(spheres)), bounds_of(cones));
+  const double reach = std::is_same_v<Stored, float> ? 1e12 : 1e100;
+  if (!is_empty(box) && !(largest_magnitude(box) <= reach)) {
+    throw Error(ErrorCode::input, path,
+                fmt::format("the scene reaches to {:g}, {} holds up to {:g}: {}", largest_magnitude(box),
+                            std::is_same_v<Stored, float> ? "float32" : "float64", reach,
+                            std::is_same_v<Stored, float> ? "store it as float64" : "scale it down"));
+  }
+  const auto layout = lay_out(sections);
+  const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
+  write_container(path, scene_file_kind, scene_table(scene, store, box, layout), sections, layout);
+}
+
+bool finite(const fb::Vec3& v) {
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+Vec3d vector_of(const fb::Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+std::span<const fb::Section> section_list(const fb::Scene& table) {
+  const auto* const sections = table.sections();
+  return {reinterpret_cast<const fb::Section*>(sections->Data()), sections->size()};
+}
+
+} // namespace
+
+void write_scene(const Scene& scene, Store store, const std::string& path) {
+  const bool narrow = store == Store::float32 || (store == Store::automatic && scene.float32_suffices);
+  narrow ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
+}
+
+namespace {
+
+// Every number in the file that is an index must lead somewhere.
+template <class Stored>
+void check_indices(const SceneView<Stored>& view, std::uint64_t objects, const std::string& path) {
+  const auto all = [](std::uint32_t count, const auto& good) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, count), true,
+        [&](const tbb::blocked_range<std::uint32_t>& range, bool so_far) {
+          for (std::uint32_t i = range.begin(); i != range.end(); ++i)
+            so_far = so_far && good(i);
+          return so_far;
+        },
+        std::logical_and<>());
+  };
+  const auto surface_good = [&](const Surface& s) {
+    return s.material < view.material_count && s.object < objects;
+  };
+  const bool good =
+      all(view.triangle_count,
+          [&](std::uint32_t i) {
+            const auto& t = view.triangles[i];
+            return t.material < view.material_count && t.object < objects &&
+                   (t.normals == no_normals || t.normals < view.normals_count);
+          }) &&
+      all(view.sphere_count, [&](std::uint32_t i) { return surface_good(view.sphere_surfaces[i]); }) &&
+      all(view.cone_count, [&](std::uint32_t i) { return surface_good(view.cone_surfaces[i]); });
+  if (!good)
+    throw Error(ErrorCode::input, path,
+                "a primitive names a material, object or normal that isn't there: make the file again");
+}
+
+} // namespace
+
+SceneFile::SceneFile(const std::string& path) : SceneFile(path, Stopwatch()) {}
+
+SceneFile::SceneFile(const std::string& path, const Stopwatch& watch) : container_(path, scene_file_kind) {
+  seconds_.map = watch.seconds();
+  const auto check = [&](bool good, const char* what) {
+    if (!good) throw Error(ErrorCode::input, path, std::string(what) + ": make the file again");
+  };
+  const auto bytes = container_.table();
+  flatbuffers::Verifier verifier(bytes.data(), bytes.size());
+  check(fb::VerifySceneBuffer(verifier), "its table is damaged");
+  table_ = fb::GetScene(bytes.data());
+  check(table_->store() == fb::Store::float32 || table_->store() == fb::Store::float64,
+        "its coordinates are of an unknown type");
+  const fb::Camera& camera = *table_->camera();
+  check(finite(camera.from()) && finite(camera.at()) && finite(camera.up()) && camera.angle() > 0 &&
+            camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
+            camera.height() <= 65536,
+        "its camera is impossible");
+  check(finite(table_->bounds()->min()) && finite(table_->bounds()->max()), "its bounds aren't finite");
+  container_.check_sections(section_list(*table_));
+
+  const fb::ObjectCounts& counted = *table_->objects();
+  const std::uint64_t limit = std::uint64_t{1} << 31;
+  check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
+            counted.cones() < limit,
+        "it counts impossibly many objects");
+  const std::uint64_t objects = counted.polygons() + counted.patches() + counted.spheres() + counted.cones();
+  if (is_float64()) {
+    check_indices(view<double>(), objects, path);
+  } else {
+    check_indices(view<float>(), objects, path);
+  }
+  seconds_.validate = watch.seconds() - seconds_.map;
+}
+
+std::uint64_t SceneFile::primitive_count() const {
+  return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
+}
+
+template <class Stored>
+SceneView<Stored> SceneFile::view() const {
+  using fb::SceneSection;
+  const auto sections = section_list(*table_);
+  const auto records = [&]<class T>(SceneSection kind) {
+    return container_.records<T>(sections, number(kind));
+  };
+  const auto triangles = records.template operator()<Triangle<Stored>>(SceneSection::triangles);
+  const auto normals = records.template operator()<CornerNormals<Stored>>(SceneSection::corner_normals);
+  const auto spheres = records.template operator()<Sphere<Stored>>(SceneSection::spheres);
+  const auto sphere_surfaces = records.template operator()<Surface>(SceneSection::sphere_surfaces);
+  const auto cones = records.template operator()<Cone<Stored>>(SceneSection::cones);
+  const auto cone_surfaces = records.template operator()<Surface>(SceneSection::cone_surfaces);
+  const auto materials = records.template operator()<Material>(SceneSection::materials);
+  const auto lights = records.template operator()<Light<Stored>>(SceneSection::lights);
+  if (spheres.size() != sphere_surfaces.size() || cones.size() != cone_surfaces.size() ||
+      triangles.size() + spheres.size() + cones.size() >= no_primitive || lights.size() >= no_primitive ||
+      materials.size() >= no_primitive || normals.size() >= no_primitive) {
+    throw Error(ErrorCode::input, path(), "its sections don't go together: make the file again");
+  }
+  const Boxd bounds{vector_of(table_->bounds()->min()), vector_of(table_->bounds()->max())};
+  const fb::Color& background = *table_->background();
+  return {triangles.data(),
+          normals.data(),
+          spheres.data(),
+          sphere_surfaces.data(),
+          cones.data(),
+          cone_surfaces.data(),
+          materials.data(),
+          lights.data(),
+          static_cast<std::uint32_t>(triangles.size()),
+          static_cast<std::uint32_t>(normals.size()),
+          static_cast<std::uint32_t>(spheres.size()),
+          static_cast<std::uint32_t>(cones.size()),
+          static_cast<std::uint32_t>(materials.size()),
+          static_cast<std::uint32_t>(lights.size()),
+          cast<Stored>(padded_bounds<Stored>(bounds)),
+          {background.r(), background.g(), background.b()},
+          table_->ambient()};
+}
+
+template SceneView<float> SceneFile::view<float>() const;
+template SceneView<double> SceneFile::view<double>() const;
+
+} // namespace masu

@@ -1,0 +1,125 @@
+// The surface where a ray hit it: where exactly, facing which way, and how uncertain that is.
+//
+// The point isn't taken from the ray (whose t is rounded) but put back onto the primitive, after Wächter &
+// Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, chapter 6, 2019. What
+// then remains is the rounding of coordinates and of the next ray's test of the same primitive: rays that
+// leave start that far off, whatever the scale.
+#pragma once
+
+#include "libscene/intersect.h"
+
+namespace masu {
+
+template <class Real>
+struct SurfacePoint {
+  Vec3<Real> position;
+  Vec3<Real> normal;  // of unit length, on the front's side, perpendicular to the surface
+  Vec3<Real> shading; // the same, or interpolated from corner normals
+  Real error;         // a ray that starts this far off the surface doesn't meet it again by rounding
+  std::uint32_t material;
+};
+
+// Of a primitive that reaches `extent` from the origin: subtracting the ray's origin from a vertex and
+// projecting it moves it by less than 40 u extent (see margin.h), the point itself is off by 4 u extent.
+template <class Real>
+MASU_HD inline Real surface_error(Real extent) {
+  return 64 * RealTraits<Real>::unit_roundoff * extent;
+}
+
+template <class Real>
+MASU_HD inline Vec3<Real> weighted(const EdgeFunctions<Real>& weights, Real scale, const Vec3<Real>& a,
+                                   const Vec3<Real>& b, const Vec3<Real>& c) {
+  return fused(a, weights.a * scale, fused(b, weights.b * scale, c * (weights.c * scale)));
+}
+
+template <class Real, class Stored>
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
+                                             const Triangle<Stored>& triangle) {
+  const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
+  const RayFrame<Real> frame = ray_frame(ray.origin, ray.direction);
+  const EdgeFunctions<Real> weights = edge_functions(frame, a - ray.origin, b - ray.origin, c - ray.origin);
+  // From a far origin the weights may all round to zero; the middle is as good as any place then.
+  const Real sum = weights.a + weights.b + weights.c;
+  const bool placed = sum != 0;
+  const EdgeFunctions<Real> w = placed ? weights : EdgeFunctions<Real>{1, 1, 1};
+  const Real scale = placed ? 1 / sum : Real(1) / 3;
+  SurfacePoint<Real> point;
+  point.position = weighted(w, scale, a, b, c);
+  point.normal = normalized(cross(b - a, c - a));
+  point.shading = point.normal;
+  if (triangle.normals != no_normals) {
+    const CornerNormals<Stored>& n = scene.normals[triangle.normals];
+    const Vec3<Real> mean = weighted(w, scale, normalized(cast<Real>(n.a)), normalized(cast<Real>(n.b)),
+                                     normalized(cast<Real>(n.c)));
+    // Opposite corners can cancel out.
+    if (dot(mean, mean) > 0) point.shading = normalized(mean);
+  }
+  point.error =
+      surface_error(larger(largest_magnitude(a), larger(largest_magnitude(b), largest_magnitude(c))));
+  point.material = static_cast<std::uint32_t>(triangle.material);
+  return point;
+}
+
+template <class Real, class Stored>
+MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const Sphere<Stored>& sphere) {
+  const Vec3<Real> center = cast<Real>(sphere.center);
+  const Real radius = std::abs(static_cast<Real>(sphere.radius));
+  const Vec3<Real> outwards = normalized(fused(ray.direction, t, ray.origin) - center);
+  SurfacePoint<Real> point;
+  point.position = fused(outwards, radius, center);
+  point.normal = sphere.radius < 0 ? -outwards : outwards;
+  point.shading = point.normal;
+  point.error = surface_error(largest_magnitude(center) + radius);
+  return point;
+}
+
+template <class Real, class Stored>
+MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const Cone<Stored>& cone) {
+  const ConeAxis<double> c = cone_axis(cone);
+  const Vec3d from_base =
+      fused(cast<double>(ray.direction), static_cast<double>(t), cast<double>(ray.origin) - c.base);
+  const double z = dot(from_base, c.axis) * c.inverse_square;
+  const Vec3d off_axis = fused(c.axis, -z, from_base);
+  const double distance = length(off_axis);
+  const Vec3d away = distance > 0 ? off_axis * (1 / distance) : Vec3d{0, 0, 0};
+  const double radius = larger(fused(c.growth, z, c.base_radius), 0.0);
+  // The gradient of distance - radius; along the axis at a pointed end.
+  const Vec3d outwards = normalized(distance > 0 ? fused(c.axis, -c.growth * c.inverse_square, away)
+                                                 : c.axis * (c.growth > 0 ? -1.0 : 1.0));
+  SurfacePoint<Real> point;
+  point.position = cast<Real>(c.base + fused(away, radius, c.axis * z));
+  point.normal = cast<Real>(is_inside_out(cone) ? -outwards : outwards);
+  point.shading = point.normal;
+  point.error = surface_error(
+      larger(largest_magnitude(cast<Real>(cone.base)), largest_magnitude(cast<Real>(cone.apex))) +
+      static_cast<Real>(larger(c.base_radius, c.base_radius + c.growth)));
+  return point;
+}
+
+// `hit` is one that nearest_hit found for `ray`.
+template <unsigned kinds, class Real, class Stored>
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
+                                             const Hit<Real>& hit) {
+  if constexpr ((kinds & with_triangles) != 0) {
+    if (kinds == with_triangles || hit.primitive < scene.triangle_count) {
+      return surface_at(scene, ray, scene.triangles[hit.primitive]);
+    }
+  }
+  const std::uint32_t sphere = hit.primitive - scene.triangle_count;
+  SurfacePoint<Real> point{};
+  if constexpr ((kinds & with_spheres) != 0) {
+    if ((kinds & with_cones) == 0 || sphere < scene.sphere_count) {
+      point = surface_at(ray, hit.t, scene.spheres[sphere]);
+      point.material = scene.sphere_surfaces[sphere].material;
+      return point;
+    }
+  }
+  if constexpr ((kinds & with_cones) != 0) {
+    const std::uint32_t cone = sphere - scene.sphere_count;
+    point = surface_at(ray, hit.t, scene.cones[cone]);
+    point.material = scene.cone_surfaces[cone].material;
+  }
+  return point;
+}
+
+} // namespace masu

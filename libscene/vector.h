@@ -1,0 +1,81 @@
+// Three numbers: a point, a direction or a colour.
+#pragma once
+
+#include "libscene/real.h"
+
+namespace masu {
+
+template <class T>
+struct Vec3 {
+  T x, y, z;
+
+  MASU_HD T operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+  MASU_HD void set(int axis, T value) { (axis == 0 ? x : axis == 1 ? y : z) = value; }
+};
+
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+using Vec3i = Vec3<std::int32_t>;
+
+// Converts each component, rounding to nearest where To is narrower.
+template <class To, class From>
+MASU_HD inline Vec3<To> cast(const Vec3<From>& v) {
+  return {static_cast<To>(v.x), static_cast<To>(v.y), static_cast<To>(v.z)};
+}
+
+template <class T>
+MASU_HD inline Vec3<T> operator+(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+MASU_HD inline Vec3<T> operator-(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+MASU_HD inline Vec3<T> operator-(const Vec3<T>& a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class T>
+MASU_HD inline Vec3<T> operator*(const Vec3<T>& a, T s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+// Component by component: light on a colour.
+template <class T>
+MASU_HD inline Vec3<T> operator*(const Vec3<T>& a, const Vec3<T>& b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+template <class T>
+MASU_HD inline bool operator==(const Vec3<T>& a, const Vec3<T>& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+template <class T>
+MASU_HD inline T dot(const Vec3<T>& a, const Vec3<T>& b) {
+  return fused(a.x, b.x, fused(a.y, b.y, a.z * b.z));
+}
+template <class T>
+MASU_HD inline Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
+  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
+          difference_of_products(a.x, b.y, a.y, b.x)};
+}
+// a + b*s, rounded once a component.
+template <class T>
+MASU_HD inline Vec3<T> fused(const Vec3<T>& b, T s, const Vec3<T>& a) {
+  return {fused(b.x, s, a.x), fused(b.y, s, a.y), fused(b.z, s, a.z)};
+}
+template <class T>
+MASU_HD inline T length(const Vec3<T>& a) {
+  return std::sqrt(dot(a, a));
+}
+// Of unit length; v must not be zero.
+template <class T>
+MASU_HD inline Vec3<T> normalized(const Vec3<T>& v) {
+  return v * (T(1) / length(v));
+}
+// The largest component's magnitude.
+template <class T>
+MASU_HD inline T largest_magnitude(const Vec3<T>& v) {
+  return larger(std::abs(v.x), larger(std::abs(v.y), std::abs(v.z)));
+}
+
+} // namespace masu

@@ -1,0 +1,70 @@
+// Tracing a whole picture, or a list of rays, on the CPU or on a CUDA device.
+#pragma once
+
+#include "libgrid/grid_file.h"
+#include "libscene/scene_file.h"
+#include "renderer/camera.h"
+#include "renderer/counts.h"
+#include "renderer/render_pixel.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// What is asked for.
+struct FrameRequest {
+  Camera camera;
+  Sampling sampling = Sampling::corners;
+  bool hither = false; // the eye sees nothing nearer than the camera's hither
+  RenderRules rules{5, false};
+  bool hits = false;  // report what each eye ray met
+  bool count = false; // fill in counts
+};
+
+// Wall-clock seconds; the CPU backend reads the mapping in place: nothing is uploaded or downloaded.
+struct TraceSeconds {
+  double upload = 0, trace = 0, download = 0;
+};
+
+// The lattice of eye rays, row by row from the top.
+struct Frame {
+  std::int32_t columns = 0, rows = 0;
+  std::vector<Vec3f> radiance;
+  std::vector<EyeHit> hits; // when asked for
+  Counts counts;
+  TraceSeconds seconds;
+};
+
+// Of the right size, still black.
+Frame empty_frame(const FrameRequest& request);
+
+// A ray as a file lists it: origin, then direction of any length but zero. t counts in the direction's
+// length.
+struct ListedRay {
+  Vec3f origin, direction;
+};
+static_assert(sizeof(ListedRay) == 24);
+
+struct RayHits {
+  std::vector<EyeHit> hits;
+  Counts counts;
+  TraceSeconds seconds;
+};
+
+// What is traced: the grid is null for brute force, which tries every primitive for every ray.
+// A scene of doubles is traced in double, one of floats in float.
+Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
+RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
+                       bool count);
+
+// Whether this program has the CUDA backend and a device to run it on; if not, `why`.
+bool cuda_available(std::string& why);
+
+// The same on the first CUDA device. Throw Error(device).
+Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
+RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
+                        bool count);
+
+} // namespace masu

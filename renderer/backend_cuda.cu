@@ -1,0 +1,183 @@
+#include "libscene/stopwatch.h"
+#include "renderer/backend.h"
+#include "renderer/device_memory.h"
+#include "renderer/dispatch.h"
+
+namespace masu {
+namespace {
+
+// A warp covers 8 × 4 rays: neighbours walk through the same cells.
+constexpr int block_columns = 8, block_rows = 8;
+constexpr int rays_a_block = 128;
+
+__device__ void add(Counts* total, const Counts& part) {
+  if (total == nullptr) return;
+  for (int i = 0; i < Counts::fields; ++i) {
+    if (part.begin()[i] != 0)
+      atomicAdd(reinterpret_cast<unsigned long long*>(total->begin() + i),
+                static_cast<unsigned long long>(part.begin()[i]));
+  }
+}
+__device__ void add(Counts*, const NoCounts&) {}
+
+template <class M, class Grid, class C>
+__global__ void __launch_bounds__(block_columns* block_rows)
+    render_kernel(const SceneView<typename M::Stored> scene, const Grid grid,
+                  const EyeRays<typename M::Real> rays, const RenderRules rules, Vec3f* const colors,
+                  EyeHit* const hits, Counts* const total) {
+  const auto column = static_cast<std::int32_t>(blockIdx.x * block_columns + threadIdx.x);
+  const auto row = static_cast<std::int32_t>(blockIdx.y * block_rows + threadIdx.y);
+  if (column >= rays.columns || row >= rays.rows) return;
+  C counts;
+  EyeHit hit{};
+  const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
+                         static_cast<std::size_t>(column);
+  colors[at] = radiance<M>(scene, grid, rules, eye_ray(rays, column, row), hit, counts);
+  if (hits != nullptr) hits[at] = hit;
+  add(total, counts);
+}
+
+template <class M, class Grid, class C>
+__global__ void __launch_bounds__(rays_a_block)
+    trace_kernel(const SceneView<typename M::Stored> scene, const Grid grid, const ListedRay* const rays,
+                 const std::uint64_t count, EyeHit* const hits, Counts* const total) {
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
+  if (i >= count) return;
+  C counts;
+  hits[i] = trace_listed<M>(scene, grid, rays[i], counts);
+  add(total, counts);
+}
+
+// The scene's and the grid's arrays on the device, one copy a section, as they lie in the files.
+template <class Stored>
+struct DeviceScene {
+  SceneView<Stored> view;
+  DeviceArray<Triangle<Stored>> triangles{view.triangles, view.triangle_count};
+  DeviceArray<CornerNormals<Stored>> normals{view.normals, view.normals_count};
+  DeviceArray<Sphere<Stored>> spheres{view.spheres, view.sphere_count};
+  DeviceArray<Surface> sphere_surfaces{view.sphere_surfaces, view.sphere_count};
+  DeviceArray<Cone<Stored>> cones{view.cones, view.cone_count};
+  DeviceArray<Surface> cone_surfaces{view.cone_surfaces, view.cone_count};
+  DeviceArray<Material> materials{view.materials, view.material_count};
+  DeviceArray<Light<Stored>> lights{view.lights, view.light_count};
+
+  explicit DeviceScene(const SceneView<Stored>& host) : view(host) {
+    view.triangles = triangles.data();
+    view.normals = normals.data();
+    view.spheres = spheres.data();
+    view.sphere_surfaces = sphere_surfaces.data();
+    view.cones = cones.data();
+    view.cone_surfaces = cone_surfaces.data();
+    view.materials = materials.data();
+    view.lights = lights.data();
+  }
+};
+
+struct DeviceGrid {
+  DeviceArray<std::uint32_t> voxel_map, cells;
+  DeviceArray<PrimitiveIndex> references;
+
+  explicit DeviceGrid(const GridFile* grid) {
+    if (grid == nullptr) return;
+    voxel_map = DeviceArray<std::uint32_t>(grid->voxel_map());
+    cells = DeviceArray<std::uint32_t>(grid->cells());
+    references = DeviceArray<PrimitiveIndex>(grid->references());
+  }
+  template <class Real>
+  GridView<Real> moved(GridView<Real> view) const {
+    view.voxel_map = voxel_map.data();
+    view.cells = cells.data();
+    view.references = references.data();
+    return view;
+  }
+  NoGrid moved(NoGrid) const { return {}; }
+};
+
+// Launches the kernel and waits for it; its code is on the device before the time starts.
+template <class Kernel, class... Arguments>
+double timed_launch(Kernel* kernel, dim3 blocks, dim3 threads, const Arguments&... arguments) {
+  cudaFuncAttributes attributes;
+  check(cudaFuncGetAttributes(&attributes, kernel));
+  const DeviceTimer timer;
+  kernel<<<blocks, threads>>>(arguments...);
+  check(cudaGetLastError());
+  return timer.seconds();
+}
+
+// Uploads, then calls launch(view on the device, grid on the device, Model, counts), which returns its
+// seconds.
+template <class Launch>
+void run(const SceneFile& scene, const GridFile* grid, Secondary secondary, bool count, TraceSeconds& seconds,
+         const Launch& launch) {
+  const auto with_store = [&]<class Stored>(const SceneView<Stored>& host) {
+    const Stopwatch watch;
+    const DeviceScene<Stored> device_scene(host);
+    const DeviceGrid device_grid(grid);
+    check(cudaDeviceSynchronize());
+    seconds.upload += watch.seconds();
+    with_everything(host, grid, secondary, count, [&](const auto& accelerator, auto model, auto counts) {
+      seconds.trace += launch(device_scene.view, device_grid.moved(accelerator), model, counts);
+    });
+  };
+  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
+}
+
+} // namespace
+
+bool cuda_available(std::string& why) {
+  int devices = 0;
+  const cudaError_t error = cudaGetDeviceCount(&devices);
+  if (error == cudaSuccess && devices > 0) return true;
+  why = error == cudaSuccess ? "there is no CUDA device" : cudaGetErrorString(error);
+  return false;
+}
+
+Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {
+  Frame frame = empty_frame(request);
+  check(cudaFree(nullptr)); // sets the device up, so that uploading isn't charged for it
+  DeviceArray<Vec3f> colors(frame.radiance.size());
+  DeviceArray<EyeHit> hits(frame.hits.size());
+  const DeviceArray<Counts> total(&frame.counts, request.count || grid == nullptr ? 1 : 0);
+  run(scene, grid, secondary_of(scene.table()), request.count, frame.seconds,
+      [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
+        const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
+        const dim3 block(block_columns, block_rows);
+        const dim3 blocks((static_cast<unsigned>(frame.columns) + block.x - 1) / block.x,
+                          (static_cast<unsigned>(frame.rows) + block.y - 1) / block.y);
+        return timed_launch(render_kernel<M, std::decay_t<decltype(accelerator)>, C>, blocks, block, view,
+                            accelerator, rays, request.rules, colors.data(), hits.data(), total.data());
+      });
+  const Stopwatch watch;
+  colors.download(frame.radiance.data());
+  hits.download(frame.hits.data());
+  total.download(&frame.counts);
+  frame.seconds.download = watch.seconds();
+  return frame;
+}
+
+RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
+                        bool count) {
+  RayHits result;
+  result.hits.resize(rays.size());
+  check(cudaFree(nullptr));
+  Stopwatch watch;
+  const DeviceArray<ListedRay> device_rays(rays);
+  DeviceArray<EyeHit> hits(rays.size());
+  const DeviceArray<Counts> total(&result.counts, count || grid == nullptr ? 1 : 0);
+  result.seconds.upload = watch.seconds();
+  run(scene, grid, Secondary::none, count, result.seconds,
+      [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
+        if (rays.empty()) return 0.0;
+        const std::size_t blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
+        return timed_launch(trace_kernel<M, std::decay_t<decltype(accelerator)>, C>,
+                            dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), view, accelerator,
+                            device_rays.data(), rays.size(), hits.data(), total.data());
+      });
+  watch = Stopwatch();
+  hits.download(result.hits.data());
+  total.download(&result.counts);
+  result.seconds.download = watch.seconds();
+  return result;
+}
+
+} // namespace masu

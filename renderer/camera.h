@@ -1,0 +1,58 @@
+// The rays of the eye.
+#pragma once
+
+#include "libscene/ray.h"
+#include "libscene/scene.h"
+
+#include <numbers>
+
+namespace masu {
+
+// corners: a ray through every corner of every pixel, (width + 1) × (height + 1) of them, four averaged a
+// pixel. centers: a ray through every pixel's centre.
+enum class Sampling { corners, centers };
+
+// A lattice of rays: columns × rows, row 0 on top. The view's angle spans the image's height from edge to
+// edge.
+template <class Real>
+struct EyeRays {
+  Vec3<Real> eye;
+  Vec3<Real> forward, right, up; // right and up reach from the image's middle to its edge at distance 1
+  std::int32_t width, height;    // pixels
+  std::int32_t columns, rows;
+  Real offset; // of a column or row, in half pixels: 0 corners, 1 centres
+  Real hither; // rays start this far ahead; 0: at the eye
+};
+
+// The camera must have a direction, and `up` another one.
+template <class Real>
+EyeRays<Real> eye_rays(const Camera& camera, Sampling sampling, bool with_hither) {
+  const Vec3d forward = normalized(camera.at - camera.from);
+  const Vec3d right = normalized(cross(forward, camera.up));
+  const Vec3d up = cross(right, forward);
+  const double reach = std::tan(camera.angle * std::numbers::pi / 360);
+  const double aspect = static_cast<double>(camera.width) / camera.height;
+  const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
+  return {cast<Real>(camera.from),
+          cast<Real>(forward),
+          cast<Real>(right * (reach * aspect)),
+          cast<Real>(up * reach),
+          camera.width,
+          camera.height,
+          camera.width + more,
+          camera.height + more,
+          sampling == Sampling::corners ? Real(0) : Real(1),
+          with_hither ? static_cast<Real>(camera.hither) : Real(0)};
+}
+
+template <class Real>
+MASU_HD inline Ray<Real> eye_ray(const EyeRays<Real>& rays, std::int32_t column, std::int32_t row) {
+  const Real x = (2 * static_cast<Real>(column) + rays.offset) / static_cast<Real>(rays.width) - 1;
+  const Real y = 1 - (2 * static_cast<Real>(row) + rays.offset) / static_cast<Real>(rays.height);
+  const Vec3<Real> towards = fused(rays.right, x, fused(rays.up, y, rays.forward));
+  const Real ahead = rays.hither;
+  return {ahead > 0 ? fused(towards, ahead, rays.eye) : rays.eye, normalized(towards),
+          RealTraits<Real>::largest};
+}
+
+} // namespace masu

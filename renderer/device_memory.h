@@ -1,0 +1,88 @@
+// What the CUDA backend needs of the runtime: checked calls, arrays on the device, a timer. CUDA sources
+// only.
+#pragma once
+
+#include "libscene/error.h"
+
+#include <cuda_runtime.h>
+#include <fmt/format.h>
+
+#include <source_location>
+#include <span>
+#include <utility>
+
+namespace masu {
+
+// Throws Error(device) with the place of the call.
+inline void check(cudaError_t error, const std::source_location& where = std::source_location::current()) {
+  if (error == cudaSuccess) return;
+  const char* const advice = error == cudaErrorMemoryAllocation ? ": choose a coarser grid, or --backend cpu"
+                                                                : ": try --backend cpu";
+  throw Error(
+      ErrorCode::device, "cuda",
+      fmt::format("{} ({}:{}){}", cudaGetErrorString(error), where.file_name(), where.line(), advice));
+}
+
+// Owns `count` records on the device; none of them for count 0.
+template <class T>
+class DeviceArray {
+public:
+  DeviceArray() = default;
+  explicit DeviceArray(std::size_t count) : count_(count) {
+    if (count > 0) check(cudaMalloc(reinterpret_cast<void**>(&data_), count * sizeof(T)));
+  }
+  DeviceArray(const T* host, std::size_t count) : DeviceArray(count) {
+    if (count > 0) check(cudaMemcpy(data_, host, count * sizeof(T), cudaMemcpyHostToDevice));
+  }
+  explicit DeviceArray(std::span<const T> host) : DeviceArray(host.data(), host.size()) {}
+  DeviceArray(DeviceArray&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), count_(std::exchange(other.count_, 0)) {}
+  DeviceArray& operator=(DeviceArray&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(count_, other.count_);
+    return *this;
+  }
+  DeviceArray(const DeviceArray&) = delete;
+  DeviceArray& operator=(const DeviceArray&) = delete;
+  ~DeviceArray() { static_cast<void>(cudaFree(data_)); }
+
+  T* data() const { return data_; }
+  std::size_t size() const { return count_; }
+  void download(T* host) const {
+    if (count_ > 0) check(cudaMemcpy(host, data_, count_ * sizeof(T), cudaMemcpyDeviceToHost));
+  }
+
+private:
+  T* data_ = nullptr;
+  std::size_t count_ = 0;
+};
+
+// Time on the device since it was made.
+class DeviceTimer {
+public:
+  DeviceTimer() {
+    check(cudaEventCreate(&start_));
+    check(cudaEventCreate(&stop_));
+    check(cudaEventRecord(start_));
+  }
+  ~DeviceTimer() {
+    static_cast<void>(cudaEventDestroy(start_));
+    static_cast<void>(cudaEventDestroy(stop_));
+  }
+  DeviceTimer(const DeviceTimer&) = delete;
+  DeviceTimer& operator=(const DeviceTimer&) = delete;
+
+  // Waits for what was launched since.
+  double seconds() const {
+    check(cudaEventRecord(stop_));
+    check(cudaEventSynchronize(stop_));
+    float milliseconds = 0;
+    check(cudaEventElapsedTime(&milliseconds, start_, stop_));
+    return static_cast<double>(milliseconds) * 1e-3;
+  }
+
+private:
+  cudaEvent_t start_ = nullptr, stop_ = nullptr;
+};
+
+} // namespace masu

@@ -1,0 +1,191 @@
+// What one ray of the eye sees: the one definition for both backends.
+//
+// After Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980, with the SPD's rules.
+// At a hit, with N turned to the viewer, L to the light, R its mirror about N, V to the viewer:
+//   I = Ia Kd C + Σ visible lights Il (Kd C (N·L) + Ks max(0, R·V)^n) + Ks I_reflected + T I_refracted
+// Recursion is unrolled into a list of rays still to trace, each with the weight of what it will see.
+#pragma once
+
+#include "libgrid/trace.h"
+#include "libscene/surface.h"
+#include "renderer/camera.h"
+
+namespace masu {
+
+// What rays a scene's surfaces can spawn.
+enum class Secondary { none, reflection, refraction };
+
+// What is compiled in: the arithmetic, the store, the kinds of primitives, the rays that surfaces spawn.
+template <class Real_, class Stored_, unsigned kinds_, Secondary secondary_>
+struct Model {
+  using Real = Real_;
+  using Stored = Stored_;
+  static constexpr unsigned kinds = kinds_;
+  static constexpr Secondary secondary = secondary_;
+};
+
+inline constexpr int largest_depth = 32;
+
+struct RenderRules {
+  std::int32_t depth; // of the last ray that is traced; the eye's is 1; at most largest_depth
+  bool spd_rules;     // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
+};
+
+// What an eye ray met: t and the NFF's object, or -1.
+struct EyeHit {
+  float t;
+  std::int32_t object;
+};
+
+template <class Real>
+struct PendingRay {
+  Vec3<Real> origin, direction; // of unit length
+  float weight;
+  std::int32_t depth;
+};
+
+// Room for the rays that wait while one is followed: at each depth, one sibling. Reflection alone never makes
+// one wait.
+template <class M>
+struct RayStack {
+  static constexpr int capacity = M::secondary == Secondary::refraction ? largest_depth : 1;
+  PendingRay<typename M::Real> rays[M::secondary == Secondary::none ? 1 : capacity];
+  int size = 0;
+
+  MASU_HD void push(const PendingRay<typename M::Real>& ray) { rays[size++] = ray; }
+  MASU_HD PendingRay<typename M::Real> pop() { return rays[--size]; }
+};
+
+// The point's surroundings as shading needs them: everything turned to the viewer.
+template <class Real>
+struct Facing {
+  Vec3<Real> normal, shading;
+  bool front; // the ray meets the front
+};
+
+template <class Real>
+MASU_HD inline Facing<Real> facing(const SurfacePoint<Real>& point, const Vec3<Real>& direction) {
+  const bool front = dot(point.normal, direction) < 0;
+  return {front ? point.normal : -point.normal,
+          dot(point.shading, direction) < 0 ? point.shading : -point.shading, front};
+}
+
+// Off the surface, on the side that the direction points to.
+template <class Real>
+MASU_HD inline Vec3<Real> leaving(const SurfacePoint<Real>& point, const Vec3<Real>& direction) {
+  return fused(point.normal, dot(direction, point.normal) < 0 ? -point.error : point.error, point.position);
+}
+
+template <class M, class Grid, class Counts>
+MASU_HD inline Vec3f direct_light(const SceneView<typename M::Stored>& scene, const Grid& grid,
+                                  const Material& material, const SurfacePoint<typename M::Real>& point,
+                                  const Facing<typename M::Real>& side,
+                                  const Vec3<typename M::Real>& direction, Counts& counts) {
+  using Real = typename M::Real;
+  const Vec3f diffuse = material.color * material.diffuse;
+  Vec3f light = diffuse * scene.ambient;
+  for (std::uint32_t i = 0; i < scene.light_count; ++i) {
+    const Vec3<Real> position = cast<Real>(scene.lights[i].position);
+    const Vec3<Real> to_light = position - point.position;
+    if (!(dot(side.shading, to_light) > 0)) continue;
+    const Vec3<Real> origin = leaving(point, to_light);
+    const Vec3<Real> path = position - origin;
+    const Real distance = length(path);
+    if (!(distance > 0)) continue;
+    const Vec3<Real> l = path * (1 / distance);
+    const bool blocked = is_blocked<M::kinds>(scene, grid, Ray<Real>{origin, l, distance}, counts);
+    counts.shadow_ray(blocked);
+    if (blocked) continue;
+    const Real cosine = larger(dot(side.shading, l), Real(0));
+    Vec3f reflected = diffuse * static_cast<float>(cosine);
+    if (material.specular > 0) {
+      const Vec3<Real> mirrored = fused(side.shading, 2 * cosine, -l);
+      const float highlight = static_cast<float>(larger(-dot(mirrored, direction), Real(0)));
+      // The one function that host and device may round differently, by a few ulp: it colours, but steers no
+      // ray.
+      const float strength = material.specular * std::pow(highlight, material.shine);
+      reflected = reflected + Vec3f{strength, strength, strength};
+    }
+    light = light + cast<float>(scene.lights[i].intensity) * reflected;
+  }
+  return light;
+}
+
+template <class Real>
+MASU_HD inline Vec3<Real> mirrored(const Vec3<Real>& direction, const Vec3<Real>& normal) {
+  return normalized(fused(normal, -2 * dot(direction, normal), direction));
+}
+
+// Snell's law; false under total internal reflection.
+template <class Real>
+MASU_HD inline bool refracted(const Vec3<Real>& direction, const Vec3<Real>& normal, Real index_ratio,
+                              Vec3<Real>& into) {
+  const Real cosine = -dot(direction, normal);
+  const Real rest = 1 - index_ratio * index_ratio * (1 - cosine * cosine);
+  if (!(rest >= 0)) return false;
+  into = normalized(fused(normal, index_ratio * cosine - std::sqrt(rest), direction * index_ratio));
+  return true;
+}
+
+// Adds the rays that the surface spawns.
+template <class M, class Counts>
+MASU_HD inline void spawn(const RenderRules& rules, const Material& material,
+                          const SurfacePoint<typename M::Real>& point, const Facing<typename M::Real>& side,
+                          const PendingRay<typename M::Real>& ray, RayStack<M>& pending, Counts& counts) {
+  using Real = typename M::Real;
+  if (ray.depth >= rules.depth) return;
+  const float reflected_weight = ray.weight * material.specular,
+              refracted_weight = ray.weight * material.transmittance;
+  if constexpr (M::secondary == Secondary::refraction) {
+    Vec3<Real> into;
+    const Real index = static_cast<Real>(material.refraction_index);
+    if (transmits(material) && (refracted_weight > 0 || rules.spd_rules) &&
+        refracted(ray.direction, side.shading, side.front ? 1 / index : index, into)) {
+      counts.refraction_ray();
+      pending.push({leaving(point, into), into, refracted_weight, ray.depth + 1});
+    }
+  }
+  if (rules.spd_rules ? reflects(material) || transmits(material) : reflected_weight > 0) {
+    const Vec3<Real> off = mirrored(ray.direction, side.shading);
+    counts.reflection_ray();
+    pending.push({leaving(point, off), off, reflected_weight, ray.depth + 1});
+  }
+}
+
+// The light that comes back along an eye ray, and what the ray met.
+template <class M, class Grid, class Counts>
+MASU_HD inline Vec3f radiance(const SceneView<typename M::Stored>& scene, const Grid& grid,
+                              const RenderRules& rules, const Ray<typename M::Real>& eye, EyeHit& eye_hit,
+                              Counts& counts) {
+  using Real = typename M::Real;
+  Vec3f light{0, 0, 0};
+  RayStack<M> pending;
+  PendingRay<Real> ray{eye.origin, eye.direction, 1, 1};
+  for (;;) {
+    const Ray<Real> path{ray.origin, ray.direction, RealTraits<Real>::largest};
+    const Hit<Real> hit = nearest_hit<M::kinds>(scene, grid, path, counts);
+    const bool met = hit.primitive != no_primitive;
+    if (ray.depth == 1) {
+      counts.eye_ray(met);
+      eye_hit = {static_cast<float>(hit.t),
+                 met ? static_cast<std::int32_t>(surface_of(scene, hit.primitive).object) : -1};
+    } else {
+      counts.secondary_ray(met);
+    }
+    if (met) {
+      const SurfacePoint<Real> point = surface_at<M::kinds>(scene, path, hit);
+      const Material material = scene.materials[point.material];
+      const Facing<Real> side = facing(point, ray.direction);
+      light = light + direct_light<M>(scene, grid, material, point, side, ray.direction, counts) * ray.weight;
+      if constexpr (M::secondary != Secondary::none)
+        spawn<M>(rules, material, point, side, ray, pending, counts);
+    } else {
+      light = light + scene.background * ray.weight;
+    }
+    if constexpr (M::secondary == Secondary::none) return light;
+    if (pending.size == 0) return light;
+    ray = pending.pop();
+  }
+}
+
+} // namespace masu

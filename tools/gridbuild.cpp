@@ -1,0 +1,116 @@
+// gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
+#include "libgrid/grid_file.h"
+#include "libscene/margin.h"
+#include "libscene/scene_file.h"
+#include "libscene/stopwatch.h"
+#include "tools/cli.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <map>
+
+namespace masu {
+namespace {
+
+struct Settings {
+  std::string scene, output, division = "auto", merge = "none";
+  SpaceRule space = SpaceRule::tight;
+  Overlap overlap = Overlap::exact;
+  bool record_seconds = false, json = false;
+  Threads threads;
+};
+
+// What the machine can still give, in bytes; infinity where it doesn't tell.
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string key, rest; file >> key && std::getline(file, rest);) {
+    if (key == "MemAvailable:") return std::stod(rest) * 1024;
+  }
+  return HUGE_VAL;
+}
+
+void check_memory(const Lattice& lattice, double references) {
+  const double needed = expected_build_bytes(lattice, references), available = available_memory();
+  if (needed <= available) return;
+  const Vec3i n = lattice.division;
+  throw Error(
+      ErrorCode::usage, "--division",
+      fmt::format("{}x{}x{} voxels need about {:.1f} GB to build, {:.1f} GB are free: choose a coarser one",
+                  n.x, n.y, n.z, needed / 1e9, available / 1e9));
+}
+
+template <class Stored>
+void build(const Settings& settings, const SceneFile& file) {
+  const SceneView<Stored> scene = file.view<Stored>();
+  const Stopwatch watch;
+  const fb::Vec3 &low = file.table().bounds()->min(), &high = file.table().bounds()->max();
+  const Boxd bounds{{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
+  const DivisionRule rule = parse_division(settings.division);
+  const DivisionStatistics statistics = division_statistics(scene);
+  Lattice lattice{space_of<Stored>(bounds, settings.space),
+                  {1, 1, 1},
+                  is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+  lattice.division = choose_division(rule, statistics, lattice.space);
+  check_memory(lattice, expected_references(statistics, lattice));
+  const Grid grid = build_uniform(scene, lattice, settings.overlap);
+  const double seconds = watch.seconds();
+  write_grid(grid,
+             {file.hash(), scene.primitive_count(), settings.space, settings.overlap, rule.text,
+              settings.record_seconds ? seconds : -1},
+             settings.output);
+  const Vec3i n = lattice.division;
+  const std::size_t cells = grid.cells.size() - 1;
+  if (settings.json) {
+    fmt::print("{{\"division\": [{}, {}, {}], \"occupied_cells\": {}, \"references\": {}, \"build_seconds\": "
+               "{:.6f}, \"total_seconds\": {:.6f}}}\n",
+               n.x, n.y, n.z, cells, grid.references.size(), seconds, watch.seconds());
+  } else {
+    fmt::print("{}x{}x{} voxels, {} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n", n.x,
+               n.y, n.z, cells, grid.references.size(), seconds, watch.seconds() - seconds);
+  }
+}
+
+} // namespace
+} // namespace masu
+
+int main(int argc, char** argv) {
+  using namespace masu;
+  Settings settings;
+  CLI::App app{"Builds the voxel grid of a scene.\n\nDivision rules, for N primitives in a space of sides w "
+               "and volume V:\n"
+               "  N              N voxels an axis\n"
+               "  NXxNYxNZ       so many along x, y, z\n"
+               "  cube-root:D    D * cbrt(N) an axis\n"
+               "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
+               "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
+               "  cleary:L       L * N voxels of equal sides\n"
+               "  auto           the coarsest that a cost model puts within a few percent of the best",
+               "gridbuild"};
+  app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  app.add_option("-o,--output", settings.output, "grid file")->required();
+  app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
+  app.add_option("--space", settings.space,
+                 "what is divided: tight (the objects' bounds) or cube (the smallest about the origin)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, SpaceRule>{{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}}))
+      ->default_str("tight");
+  app.add_option("--overlap", settings.overlap,
+                 "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Overlap>{{"box", Overlap::box}, {"exact", Overlap::exact}}))
+      ->default_str("exact");
+  app.add_option("--merge", settings.merge, "which voxels share a cell: none")
+      ->check(CLI::IsMember({"none"}))
+      ->capture_default_str();
+  app.add_flag("--record-seconds", settings.record_seconds,
+               "write the build's seconds into the file (equal builds then differ)");
+  app.add_flag("--json", settings.json, "report as JSON");
+  settings.threads.add_to(app);
+  return run_tool(app, argc, argv, [&] {
+    const auto limit = settings.threads.limit();
+    parse_division(settings.division); // a bad rule is told before anything is read
+    const SceneFile scene(settings.scene);
+    scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
+  });
+}

@@ -1,0 +1,215 @@
+// gridrender: maps a scene and its grid, traces them, writes the picture.
+#include "libscene/output_file.h"
+#include "libscene/stopwatch.h"
+#include "renderer/backend.h"
+#include "renderer/image.h"
+#include "tools/cli.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+
+namespace masu {
+namespace {
+
+enum class Backend { automatic, cpu, cuda };
+
+struct Settings {
+  std::string scene, grid, output, size, stats, rays, hits;
+  Backend backend = Backend::automatic;
+  Sampling sampling = Sampling::corners;
+  int depth = 5;
+  bool spd_rules = false, hither = false, srgb = false, brute_force = false;
+  Threads threads;
+};
+
+struct Seconds {
+  double map = 0, validate = 0, write = 0;
+  TraceSeconds trace;
+};
+
+// `auto` takes the GPU where there is one.
+bool use_cuda(Backend backend) {
+  std::string why;
+  const bool available = backend != Backend::cpu && cuda_available(why);
+  if (backend == Backend::cuda && !available)
+    throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu");
+  return available;
+}
+
+Camera camera_of(const fb::Camera& c, const std::string& size) {
+  const auto vector = [](const fb::Vec3& v) { return Vec3d{v.x(), v.y(), v.z()}; };
+  Camera camera{vector(c.from()), vector(c.at()), vector(c.up()), c.angle(),
+                c.hither(),       c.width(),      c.height()};
+  if (size.empty()) return camera;
+  int width = 0, height = 0, end = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
+      static_cast<std::size_t>(end) != size.size() || width < 1 || height < 1 || width > 65536 ||
+      height > 65536) {
+    throw Error(ErrorCode::usage, "--size", fmt::format("'{}' isn't WxH with 1 to 65536 pixels each", size));
+  }
+  camera.width = width;
+  camera.height = height;
+  return camera;
+}
+
+nlohmann::ordered_json report(const Counts& counts, const Seconds& seconds, bool cuda) {
+  return {
+      {"backend", cuda ? "cuda" : "cpu"},
+      {"eye_rays", counts.eye_rays},
+      {"eye_hits", counts.eye_hits},
+      {"reflection_rays", counts.reflection_rays},
+      {"refraction_rays", counts.refraction_rays},
+      {"shadow_rays", counts.shadow_rays},
+      {"shadow_hits", counts.shadow_hits},
+      {"secondary_hits", counts.secondary_hits},
+      {"intersection_tests",
+       {{"triangle", counts.triangle_tests}, {"sphere", counts.sphere_tests}, {"cone", counts.cone_tests}}},
+      {"cells_visited", counts.cells_visited},
+      {"empty_cells_visited", counts.empty_cells_visited},
+      {"voxels_skipped", counts.voxels_skipped},
+      {"seconds",
+       {{"map", seconds.map},
+        {"validate", seconds.validate},
+        {"upload", seconds.trace.upload},
+        {"trace", seconds.trace.trace},
+        {"download", seconds.trace.download},
+        {"write", seconds.write}}}};
+}
+
+void write_hits(const std::vector<EyeHit>& hits, const std::string& path) {
+  OutputFile file(path);
+  file.write(hits.data(), hits.size() * sizeof(EyeHit));
+  file.commit();
+}
+
+// Rays that can be followed: finite, with a direction, and not so far off that t overflows.
+std::vector<ListedRay> read_rays(const std::string& path) {
+  const MappedFile file(path);
+  if (file.bytes().size() % sizeof(ListedRay) != 0) {
+    throw Error(ErrorCode::input, path,
+                fmt::format("holds {} bytes, not a whole number of rays: a ray is six 32-bit floats",
+                            file.bytes().size()));
+  }
+  std::vector<ListedRay> rays(file.bytes().size() / sizeof(ListedRay));
+  if (!rays.empty()) std::memcpy(rays.data(), file.bytes().data(), file.bytes().size());
+  constexpr float reach = 1e15F;
+  const auto held = [&](const Vec3f& v) {
+    return std::abs(v.x) <= reach && std::abs(v.y) <= reach && std::abs(v.z) <= reach;
+  };
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const char* const wrong = !held(rays[i].origin)      ? "an origin that isn't within 1e15 of zero"
+                              : !held(rays[i].direction) ? "a direction that isn't finite, or beyond 1e15"
+                              : !(largest_magnitude(rays[i].direction) >= 1e-15F)
+                                  ? "a direction of no length (below 1e-15)"
+                                  : nullptr;
+    if (wrong != nullptr) throw Error(ErrorCode::input, path, fmt::format("ray {} has {}", i, wrong));
+  }
+  return rays;
+}
+
+void check(const Settings& settings) {
+  const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
+  if (settings.rays.empty() && settings.output.empty() && settings.hits.empty() && settings.stats.empty())
+    fail("-o", "is missing: nothing would be written");
+  if (!settings.rays.empty() && !settings.output.empty())
+    fail("--rays", "traces a list, which makes no picture: leave out -o");
+  if (!settings.rays.empty() && settings.hits.empty() && settings.stats.empty())
+    fail("--rays", "needs --hits or --stats, or nothing would be written");
+  if (settings.grid.empty() && !settings.brute_force)
+    fail("GRID", "is missing: name the grid file, or give --brute-force");
+  if (!settings.output.empty()) check_image_name(settings.output);
+}
+
+void render(const Settings& settings) {
+  check(settings);
+  const bool cuda = use_cuda(settings.backend);
+  Seconds seconds;
+  const SceneFile scene(settings.scene);
+  seconds.map += scene.load_seconds().map;
+  seconds.validate += scene.load_seconds().validate;
+  std::unique_ptr<const GridFile> grid;
+  if (!settings.brute_force) {
+    grid = std::make_unique<const GridFile>(settings.grid);
+    seconds.map += grid->load_seconds().map;
+    seconds.validate += grid->load_seconds().validate;
+    grid->check_scene(scene.hash(), scene.primitive_count());
+  }
+  const bool count = !settings.stats.empty();
+  Counts counts;
+  const auto finish = [&](const auto& result, const auto& write) {
+    counts = result.counts;
+    seconds.trace = result.seconds;
+    const Stopwatch watch;
+    write();
+    if (!settings.hits.empty()) write_hits(result.hits, settings.hits);
+    seconds.write = watch.seconds();
+  };
+  if (settings.rays.empty()) {
+    FrameRequest request{camera_of(*scene.table().camera(), settings.size),
+                         settings.sampling,
+                         settings.hither,
+                         {settings.depth, settings.spd_rules},
+                         !settings.hits.empty(),
+                         count};
+    const Frame frame =
+        cuda ? render_cuda(scene, grid.get(), request) : render_cpu(scene, grid.get(), request);
+    finish(frame, [&] {
+      if (!settings.output.empty())
+        write_image(image_of(frame, settings.sampling), settings.output, settings.srgb);
+    });
+  } else {
+    const std::vector<ListedRay> rays = read_rays(settings.rays);
+    const RayHits hits = cuda ? trace_rays_cuda(scene, grid.get(), rays, count)
+                              : trace_rays_cpu(scene, grid.get(), rays, count);
+    finish(hits, [] {});
+  }
+  if (!settings.stats.empty()) {
+    const std::string text = report(counts, seconds, cuda).dump(2) + "\n";
+    OutputFile file(settings.stats);
+    file.write(text.data(), text.size());
+    file.commit();
+  }
+}
+
+} // namespace
+} // namespace masu
+
+int main(int argc, char** argv) {
+  using namespace masu;
+  Settings settings;
+  CLI::App app{"Traces a scene through its grid and writes the picture.", "gridrender"};
+  app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  app.add_option("GRID", settings.grid, "grid file, from gridbuild");
+  app.add_option("-o,--output", settings.output, "picture: .png, or .pfm for linear floats");
+  app.add_option("--backend", settings.backend, "auto (the GPU where there is one), cpu or cuda")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Backend>{
+          {"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"cuda", Backend::cuda}}))
+      ->default_str("auto");
+  app.add_option("--size", settings.size, "WxH pixels instead of the scene's own");
+  app.add_option("--depth", settings.depth, "depth of the last rays; the eye's have 1")
+      ->check(CLI::Range(1, largest_depth))
+      ->capture_default_str();
+  app.add_option("--sampling", settings.sampling,
+                 "corners (rays through pixel corners, four averaged) or centers")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Sampling>{{"corners", Sampling::corners}, {"centers", Sampling::centers}}))
+      ->default_str("corners");
+  app.add_flag("--spd-rules", settings.spd_rules,
+               "spawn rays as the SPD counts them, even where they can't be seen");
+  app.add_flag("--hither", settings.hither, "the eye sees nothing nearer than the view's hither");
+  app.add_flag("--srgb", settings.srgb, "encode PNG values as sRGB instead of storing them as they are");
+  app.add_flag("--brute-force", settings.brute_force, "try every primitive for every ray; GRID isn't read");
+  app.add_option("--stats", settings.stats, "write ray counts and seconds as JSON");
+  app.add_option("--rays", settings.rays,
+                 "trace a list of rays (6 floats each: origin, direction) instead of the camera's");
+  app.add_option("--hits", settings.hits, "write what each ray hits: float t, int32 object (-1: none)");
+  settings.threads.add_to(app);
+  return run_tool(app, argc, argv, [&] {
+    const auto limit = settings.threads.limit();
+    render(settings);
+  });
+}
