@@ -13,6 +13,7 @@
 #include <limits>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 namespace masu {
 namespace {
@@ -79,64 +80,127 @@ DivisionRule parse_division(std::string_view text) {
 
 namespace {
 
-DivisionStatistics measured(const Triangle<double>& triangle) {
-  const Boxd box = bounds(triangle);
+SurfaceSums measured(const Triangle<double>& triangle, const Boxd& box) {
   const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a) * 0.5;
   return {1, box.max - box.min, {std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}};
 }
 
-DivisionStatistics measured(const Sphere<double>& sphere) {
-  const double extent = 2 * std::abs(sphere.radius), disc = std::numbers::pi * sphere.radius * sphere.radius;
-  return {1, {extent, extent, extent}, {2 * disc, 2 * disc, 2 * disc}};
+SurfaceSums measured(const Sphere<double>& sphere, const Boxd& box) {
+  const double discs = 2 * std::numbers::pi * sphere.radius * sphere.radius;
+  return {1, box.max - box.min, {discs, discs, discs}};
 }
 
 // The side's projections depend on how the cone lies; half its area along each axis is the mean over all
 // directions.
-DivisionStatistics measured(const Cone<double>& cone) {
-  const Boxd box = bounds(cone);
+SurfaceSums measured(const Cone<double>& cone, const Boxd& box) {
   const double r0 = std::abs(cone.base_radius), r1 = std::abs(cone.apex_radius);
   const double half = std::numbers::pi * (r0 + r1) * std::hypot(length(cone.apex - cone.base), r1 - r0) / 2;
   return {1, box.max - box.min, {half, half, half}};
 }
 
-DivisionStatistics sum(const DivisionStatistics& a, const DivisionStatistics& b) {
+SurfaceSums sum(const SurfaceSums& a, const SurfaceSums& b) {
   return {a.primitives + b.primitives, a.extents + b.extents, a.projections + b.projections};
 }
 
-// In pieces of fixed size, added up in order: the same bits for any number of threads.
-template <class Record>
-DivisionStatistics measured(const Record* records, std::uint32_t count) {
-  return tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<std::uint32_t>(0, count, 16384), DivisionStatistics{},
-      [&](const tbb::blocked_range<std::uint32_t>& range, DivisionStatistics total) {
-        for (std::uint32_t i = range.begin(); i != range.end(); ++i)
-          total = sum(total, measured(widened(records[i])));
-        return total;
+Vec3d center_of(const Boxd& box) {
+  return (box.min + box.max) * 0.5;
+}
+
+// fold(result, primitive, its box) over all primitives, in pieces of fixed size joined in order: the same
+// bits for any number of threads.
+template <class Stored, class Result, class Fold, class Join>
+Result over_primitives(const SceneView<Stored>& scene, const Result& none, const Fold& fold,
+                       const Join& join) {
+  const auto over = [&](const auto* records, std::uint32_t count) {
+    return tbb::parallel_deterministic_reduce(
+        tbb::blocked_range<std::uint32_t>(0, count, 16384), none,
+        [&](const tbb::blocked_range<std::uint32_t>& range, Result result) {
+          for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
+            const auto primitive = widened(records[i]);
+            fold(result, primitive, bounds(primitive));
+          }
+          return result;
+        },
+        join);
+  };
+  return join(join(over(scene.triangles, scene.triangle_count), over(scene.spheres, scene.sphere_count)),
+              over(scene.cones, scene.cone_count));
+}
+
+// How many primitives are centred where along each axis of a box.
+constexpr std::size_t bins = 256;
+struct CentreHistogram {
+  std::array<std::array<std::uint32_t, bins>, 3> counts{};
+};
+
+// The box between the 5th and the 95th percentile of the centres along each axis, on the histogram's bins.
+template <class Stored>
+Boxd crowd_of(const SceneView<Stored>& scene) {
+  const Boxd box = cast<double>(scene.clip);
+  const Vec3d extent = box.max - box.min;
+  const CentreHistogram histogram = over_primitives(
+      scene, CentreHistogram{},
+      [&](CentreHistogram& h, const auto&, const Boxd& around) {
+        const Vec3d center = center_of(around);
+        for (int axis = 0; axis < 3; ++axis) {
+          const double bin = (center[axis] - box.min[axis]) / extent[axis] * bins;
+          ++h.counts[static_cast<std::size_t>(axis)]
+                    [bin > 0 ? static_cast<std::size_t>(std::min(bin, bins - 1.0)) : 0];
+        }
       },
-      sum);
+      [](CentreHistogram a, const CentreHistogram& b) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          for (std::size_t i = 0; i < bins; ++i)
+            a.counts[axis][i] += b.counts[axis][i];
+        }
+        return a;
+      });
+  const std::uint64_t out = scene.primitive_count() / 20;
+  Boxd crowd = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& counts = histogram.counts[static_cast<std::size_t>(axis)];
+    std::size_t first = 0, last = bins;
+    for (std::uint64_t seen = counts[0]; first + 1 < bins && seen <= out; seen += counts[first])
+      ++first;
+    for (std::uint64_t seen = counts[last - 1]; last > first + 1 && seen <= out; seen += counts[last - 1])
+      --last;
+    const double bin = extent[axis] / bins;
+    crowd.min.set(axis, box.min[axis] + static_cast<double>(first) * bin);
+    crowd.max.set(axis, box.min[axis] + static_cast<double>(last) * bin);
+  }
+  return crowd;
 }
 
 } // namespace
 
 template <class Stored>
 DivisionStatistics division_statistics(const SceneView<Stored>& scene) {
-  return sum(
-      sum(measured(scene.triangles, scene.triangle_count), measured(scene.spheres, scene.sphere_count)),
-      measured(scene.cones, scene.cone_count));
+  const Boxd crowd = crowd_of(scene);
+  return over_primitives(
+      scene, DivisionStatistics{{}, {}, crowd},
+      [&](DivisionStatistics& statistics, const auto& primitive, const Boxd& box) {
+        const SurfaceSums own = measured(primitive, box);
+        statistics.all = sum(statistics.all, own);
+        if (contains(crowd, center_of(box))) statistics.crowded = sum(statistics.crowded, own);
+      },
+      [](const DivisionStatistics& a, const DivisionStatistics& b) {
+        return DivisionStatistics{sum(a.all, b.all), sum(a.crowded, b.crowded), a.crowd};
+      });
 }
 template DivisionStatistics division_statistics(const SceneView<float>&);
 template DivisionStatistics division_statistics(const SceneView<double>&);
 
-double expected_references(const DivisionStatistics& statistics, const Lattice& lattice) {
-  const Vec3d h = voxel_size(lattice), e = statistics.extents, p = statistics.projections;
+double expected_references(const SurfaceSums& sums, const Lattice& lattice) {
+  const Vec3d h = voxel_size(lattice), e = sums.extents, p = sums.projections;
   // Along an axis of one voxel nothing can be met twice.
-  const auto over = [&](double sum, int axis) { return lattice.division[axis] > 1 ? sum / h[axis] : 0.0; };
-  const auto face = [&](double sum, int u, int v) {
-    if (lattice.division[u] == 1 || lattice.division[v] == 1) return 0.0;
-    return sum / (h[u] * h[v]);
+  const auto over = [&](double total, int axis) {
+    return lattice.division[axis] > 1 ? total / h[axis] : 0.0;
   };
-  return static_cast<double>(statistics.primitives) + over(e.x, 0) + over(e.y, 1) + over(e.z, 2) +
-         face(p.x, 1, 2) + face(p.y, 2, 0) + face(p.z, 0, 1);
+  const auto face = [&](double total, int u, int v) {
+    return lattice.division[u] > 1 && lattice.division[v] > 1 ? total / (h[u] * h[v]) : 0.0;
+  };
+  return static_cast<double>(sums.primitives) + over(e.x, 0) + over(e.y, 1) + over(e.z, 2) + face(p.x, 1, 2) +
+         face(p.y, 2, 0) + face(p.z, 0, 1);
 }
 
 template <class Real>
@@ -168,18 +232,22 @@ Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
   return division;
 }
 
-// What a random line through the space costs, in steps from voxel to voxel: it crosses a plane of the
-// division with the probability of the plane's two faces over the space's surface (Crofton), and a
-// reference's voxel likewise.
+// What a random line through the crowd costs, in steps from voxel to voxel. A line through a box crosses a
+// plane of the division with the probability of the plane's two faces over the box's surface, and meets a
+// voxel likewise (Crofton).
 double expected_cost(const DivisionStatistics& statistics, const Lattice& lattice) {
   constexpr double test_over_step = 1.5;
   const auto surface = [](const Vec3d& w) { return 2 * (w.x * w.y + w.y * w.z + w.z * w.x); };
   const Vec3d w = lattice.space.max - lattice.space.min;
-  const double whole = surface(w);
   const Vec3i n = lattice.division;
   const double steps =
-      1 + 2 * ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / whole;
-  const double tests = expected_references(statistics, lattice) * surface(voxel_size(lattice)) / whole;
+      1 + 2 * ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / surface(w);
+  // The crowd is at least a voxel thick.
+  Vec3d crowd = statistics.crowd.max - statistics.crowd.min;
+  const Vec3d h = voxel_size(lattice);
+  for (int axis = 0; axis < 3; ++axis)
+    crowd.set(axis, std::max(crowd[axis], h[axis]));
+  const double tests = expected_references(statistics.crowded, lattice) * surface(h) / surface(crowd);
   return steps + test_over_step * tests;
 }
 
@@ -201,13 +269,13 @@ Vec3d equal_sides(const Vec3d& extent, double voxels) {
 }
 
 Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
-  constexpr double tolerance = 1.05, step = 1.25992104989487; // a factor of ∛2 in λ
+  constexpr double tolerance = 1.05, step = 1.25992104989487; // a factor of ∛2 in the number of voxels
+  constexpr double most_voxels = 1 << 27;
   const Vec3d extent = space.max - space.min;
-  const double count = static_cast<double>(std::max<std::uint64_t>(statistics.primitives, 1));
   std::vector<std::pair<double, Vec3i>> candidates;
   double best = std::numeric_limits<double>::max();
-  for (double lambda = 1.0 / 64; lambda <= 256; lambda *= step) {
-    const Vec3d per_unit = equal_sides(extent, std::max(1.0, lambda * count));
+  for (double voxels = 1; voxels <= most_voxels; voxels *= step) {
+    const Vec3d per_unit = equal_sides(extent, voxels);
     if (largest_magnitude(extent * per_unit) > largest_division / 2.0) break;
     const Vec3i division = division_of(extent, per_unit);
     const double cost = expected_cost(statistics, {space, division, 0});
@@ -224,7 +292,7 @@ Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space
 
 Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space) {
   const Vec3d extent = space.max - space.min;
-  const double count = static_cast<double>(std::max<std::uint64_t>(statistics.primitives, 1));
+  const double count = static_cast<double>(std::max<std::uint64_t>(statistics.all.primitives, 1));
   const double longest = std::max(extent.x, std::max(extent.y, extent.z));
   const double along = rule.parameter * std::cbrt(count);
   const auto same = [](double value) { return Vec3d{value, value, value}; };
@@ -244,5 +312,15 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
   }
   return {1, 1, 1};
 }
+
+template <class Real>
+Lattice make_lattice(const Boxd& bounds, SpaceRule space_rule, const DivisionRule& rule,
+                     const DivisionStatistics& statistics) {
+  const Boxd space = space_of<Real>(bounds, space_rule);
+  return {space, choose_division(rule, statistics, space),
+          is_empty(bounds) ? 0 : rounding_margin<Real>(bounds)};
+}
+template Lattice make_lattice<float>(const Boxd&, SpaceRule, const DivisionRule&, const DivisionStatistics&);
+template Lattice make_lattice<double>(const Boxd&, SpaceRule, const DivisionRule&, const DivisionStatistics&);
 
 } // namespace masu

@@ -35,21 +35,28 @@ inline constexpr std::int32_t largest_division = 65535;
 // Reads `auto`, `N`, `NXxNYxNZ`, `cube-root:D`, `woo:D`, `heterogeneous:D`, `cleary:L`. Throws Error(usage).
 DivisionRule parse_division(std::string_view text);
 
-// What the cost of a division depends on: sums over all primitives of their extent along each axis and of
-// their surface's projection along it (both sides of a sphere or cone count).
-struct DivisionStatistics {
+// Sums over primitives: of their extent along each axis, and of their surface's projection along it (both
+// sides of a sphere or cone count).
+struct SurfaceSums {
   std::uint64_t primitives = 0;
   Vec3d extents{};
   Vec3d projections{};
 };
 
+// What the cost of a division depends on. `crowd` holds the middle nine tenths of the primitives, axis by
+// axis: where most rays will find something to do, however far a floor reaches beyond it.
+struct DivisionStatistics {
+  SurfaceSums all, crowded; // crowded: those whose box is centred in `crowd`
+  Boxd crowd;
+};
+
 template <class Stored>
 DivisionStatistics division_statistics(const SceneView<Stored>& scene);
 
-// About how many references the division makes under the exact overlap test: a convex piece of surface,
+// About how many references the primitives make under the exact overlap test: a convex piece of surface,
 // placed at random, meets 1 + Σ extent/side + Σ projection/(area of a voxel's face) voxels (its Minkowski sum
 // with a voxel, by volume).
-double expected_references(const DivisionStatistics& statistics, const Lattice& lattice);
+double expected_references(const SurfaceSums& sums, const Lattice& lattice);
 
 // The box that is divided, its padding included, in numbers that Real holds: the tight one around `bounds`
 // (that of all primitives), or the smallest cube about the origin that holds it.
@@ -58,5 +65,11 @@ Boxd space_of(const Boxd& bounds, SpaceRule rule);
 
 // At least 1 along each axis. Throws Error(usage, "--division", …) when an axis would pass largest_division.
 Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space);
+
+// The lattice that a grid for arithmetic of type Real is built on: space, division, and the margin of
+// libscene/margin.h.
+template <class Real>
+Lattice make_lattice(const Boxd& bounds, SpaceRule space, const DivisionRule& rule,
+                     const DivisionStatistics& statistics);
 
 } // namespace masu

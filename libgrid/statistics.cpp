@@ -2,6 +2,7 @@
 
 #include "libgrid/build.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -71,5 +72,33 @@ std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const Lattice& lat
 }
 template std::uint64_t occupied_voxels(const SceneView<float>&, const Lattice&, Overlap);
 template std::uint64_t occupied_voxels(const SceneView<double>&, const Lattice&, Overlap);
+
+template <class Stored>
+std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const Lattice& lattice) {
+  const Vec3d size = voxel_size(lattice);
+  std::vector<bool> occupied(voxel_count(lattice.division), false);
+  const auto mark = [&](const Boxd& box) {
+    VoxelRange range{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto voxel = [&](double at) {
+        const double number = std::floor((at - lattice.space.min[axis]) / size[axis]);
+        return static_cast<std::int32_t>(std::clamp(number, 0.0, lattice.division[axis] - 1.0));
+      };
+      range.first.set(axis, voxel(box.min[axis]));
+      range.last.set(axis, voxel(box.max[axis]));
+    }
+    for_each_voxel(range,
+                   [&](const Vec3i& voxel) { occupied[linear_index(voxel, lattice.division)] = true; });
+  };
+  for (std::uint32_t i = 0; i < scene.triangle_count; ++i)
+    mark(bounds(widened(scene.triangles[i])));
+  for (std::uint32_t i = 0; i < scene.sphere_count; ++i)
+    mark(bounds(widened(scene.spheres[i])));
+  for (std::uint32_t i = 0; i < scene.cone_count; ++i)
+    mark(box_for_overlap(widened(scene.cones[i])));
+  return static_cast<std::uint64_t>(std::count(occupied.begin(), occupied.end(), true));
+}
+template std::uint64_t occupied_half_open(const SceneView<float>&, const Lattice&);
+template std::uint64_t occupied_half_open(const SceneView<double>&, const Lattice&);
 
 } // namespace masu

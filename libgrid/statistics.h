@@ -34,4 +34,9 @@ std::uint32_t references_in(const GridView<Real>& grid, const Vec3i& voxel);
 template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap);
 
+// The same for bounding boxes and voxels without their upper faces: what lies on a face is in the voxel above
+// it alone. No grid is built so, since rays on such faces could miss; the study seems to have counted so.
+template <class Stored>
+std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const Lattice& lattice);
+
 } // namespace masu

@@ -211,6 +211,10 @@ SceneFile::SceneFile(const std::string& path, const Stopwatch& watch) : containe
   seconds_.validate = watch.seconds() - seconds_.map;
 }
 
+Boxd SceneFile::bounds() const {
+  return {vector_of(table_->bounds()->min()), vector_of(table_->bounds()->max())};
+}
+
 std::uint64_t SceneFile::primitive_count() const {
   return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
 }
@@ -235,7 +239,6 @@ SceneView<Stored> SceneFile::view() const {
       materials.size() >= no_primitive || normals.size() >= no_primitive) {
     throw Error(ErrorCode::input, path(), "its sections don't go together: make the file again");
   }
-  const Boxd bounds{vector_of(table_->bounds()->min()), vector_of(table_->bounds()->max())};
   const fb::Color& background = *table_->background();
   return {triangles.data(),
           normals.data(),
@@ -251,7 +254,7 @@ SceneView<Stored> SceneFile::view() const {
           static_cast<std::uint32_t>(cones.size()),
           static_cast<std::uint32_t>(materials.size()),
           static_cast<std::uint32_t>(lights.size()),
-          cast<Stored>(padded_bounds<Stored>(bounds)),
+          cast<Stored>(padded_bounds<Stored>(bounds())),
           {background.r(), background.g(), background.b()},
           table_->ambient()};
 }

@@ -18,7 +18,7 @@ struct FrameRequest {
   Camera camera;
   Sampling sampling = Sampling::corners;
   bool hither = false; // the eye sees nothing nearer than the camera's hither
-  RenderRules rules{5, false};
+  RenderRules rules{5, false, HitName::object};
   bool hits = false;  // report what each eye ray met
   bool count = false; // fill in counts
 };
@@ -47,6 +47,12 @@ struct ListedRay {
 };
 static_assert(sizeof(ListedRay) == 24);
 
+struct RaysRequest {
+  std::span<const ListedRay> rays;
+  HitName hit_name = HitName::object;
+  bool count = false;
+};
+
 struct RayHits {
   std::vector<EyeHit> hits;
   Counts counts;
@@ -56,15 +62,13 @@ struct RayHits {
 // What is traced: the grid is null for brute force, which tries every primitive for every ray.
 // A scene of doubles is traced in double, one of floats in float.
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
-RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
-                       bool count);
+RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request);
 
 // Whether this program has the CUDA backend and a device to run it on; if not, `why`.
 bool cuda_available(std::string& why);
 
 // The same on the first CUDA device. Throw Error(device).
 Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
-RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
-                        bool count);
+RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const RaysRequest& request);
 
 } // namespace masu

@@ -44,15 +44,16 @@ void render(const SceneView<typename M::Stored>& scene, const Grid& grid, const 
 }
 
 template <class M, class Grid, class C>
-void trace(const SceneView<typename M::Stored>& scene, const Grid& grid, std::span<const ListedRay> rays,
+void trace(const SceneView<typename M::Stored>& scene, const Grid& grid, const RaysRequest& request,
            RayHits& result, const C&) {
   tbb::combinable<Counts> totals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_a_task), [&](const auto& range) {
-    C counts;
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
-      result.hits[i] = trace_listed<M>(scene, grid, rays[i], counts);
-    add(totals.local(), counts);
-  });
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, request.rays.size(), rays_a_task), [&](const auto& range) {
+        C counts;
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          result.hits[i] = trace_listed<M>(scene, grid, request.rays[i], request.hit_name, counts);
+        add(totals.local(), counts);
+      });
   totals.combine_each([&](const Counts& part) { result.counts += part; });
 }
 
@@ -68,7 +69,7 @@ Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameReques
   Frame frame = empty_frame(request);
   const Stopwatch watch;
   with_store(scene, [&](const auto& view) {
-    with_everything(view, grid, secondary_of(scene.table()), request.count,
+    with_everything(view, grid, ForPictures{secondary_of(scene.table())}, request.count,
                     [&](const auto& accelerator, auto model, auto counts) {
                       render<decltype(model)>(view, accelerator, request, frame, counts);
                     });
@@ -77,15 +78,14 @@ Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameReques
   return frame;
 }
 
-RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
-                       bool count) {
+RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
   RayHits result;
-  result.hits.resize(rays.size());
+  result.hits.resize(request.rays.size());
   const Stopwatch watch;
   with_store(scene, [&](const auto& view) {
-    with_everything(view, grid, Secondary::none, count,
+    with_everything(view, grid, ForHits{}, request.count,
                     [&](const auto& accelerator, auto model, auto counts) {
-                      trace<decltype(model)>(view, accelerator, rays, result, counts);
+                      trace<decltype(model)>(view, accelerator, request, result, counts);
                     });
   });
   result.seconds.trace = watch.seconds();

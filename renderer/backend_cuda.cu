@@ -40,11 +40,11 @@ __global__ void __launch_bounds__(block_columns* block_rows)
 template <class M, class Grid, class C>
 __global__ void __launch_bounds__(rays_a_block)
     trace_kernel(const SceneView<typename M::Stored> scene, const Grid grid, const ListedRay* const rays,
-                 const std::uint64_t count, EyeHit* const hits, Counts* const total) {
+                 const std::uint64_t count, const HitName name, EyeHit* const hits, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
   if (i >= count) return;
   C counts;
-  hits[i] = trace_listed<M>(scene, grid, rays[i], counts);
+  hits[i] = trace_listed<M>(scene, grid, rays[i], name, counts);
   add(total, counts);
 }
 
@@ -106,16 +106,16 @@ double timed_launch(Kernel* kernel, dim3 blocks, dim3 threads, const Arguments&.
 
 // Uploads, then calls launch(view on the device, grid on the device, Model, counts), which returns its
 // seconds.
-template <class Launch>
-void run(const SceneFile& scene, const GridFile* grid, Secondary secondary, bool count, TraceSeconds& seconds,
-         const Launch& launch) {
+template <class WithModel, class Launch>
+void run(const SceneFile& scene, const GridFile* grid, const WithModel& with_model, bool count,
+         TraceSeconds& seconds, const Launch& launch) {
   const auto with_store = [&]<class Stored>(const SceneView<Stored>& host) {
     const Stopwatch watch;
     const DeviceScene<Stored> device_scene(host);
     const DeviceGrid device_grid(grid);
     check(cudaDeviceSynchronize());
     seconds.upload += watch.seconds();
-    with_everything(host, grid, secondary, count, [&](const auto& accelerator, auto model, auto counts) {
+    with_everything(host, grid, with_model, count, [&](const auto& accelerator, auto model, auto counts) {
       seconds.trace += launch(device_scene.view, device_grid.moved(accelerator), model, counts);
     });
   };
@@ -138,7 +138,7 @@ Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameReque
   DeviceArray<Vec3f> colors(frame.radiance.size());
   DeviceArray<EyeHit> hits(frame.hits.size());
   const DeviceArray<Counts> total(&frame.counts, request.count || grid == nullptr ? 1 : 0);
-  run(scene, grid, secondary_of(scene.table()), request.count, frame.seconds,
+  run(scene, grid, ForPictures{secondary_of(scene.table())}, request.count, frame.seconds,
       [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
         const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
         const dim3 block(block_columns, block_rows);
@@ -155,23 +155,23 @@ Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameReque
   return frame;
 }
 
-RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
-                        bool count) {
+RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
+  const std::span<const ListedRay> rays = request.rays;
   RayHits result;
   result.hits.resize(rays.size());
   check(cudaFree(nullptr));
   Stopwatch watch;
   const DeviceArray<ListedRay> device_rays(rays);
   DeviceArray<EyeHit> hits(rays.size());
-  const DeviceArray<Counts> total(&result.counts, count || grid == nullptr ? 1 : 0);
+  const DeviceArray<Counts> total(&result.counts, request.count || grid == nullptr ? 1 : 0);
   result.seconds.upload = watch.seconds();
-  run(scene, grid, Secondary::none, count, result.seconds,
+  run(scene, grid, ForHits{}, request.count, result.seconds,
       [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
         if (rays.empty()) return 0.0;
         const std::size_t blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
         return timed_launch(trace_kernel<M, std::decay_t<decltype(accelerator)>, C>,
                             dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), view, accelerator,
-                            device_rays.data(), rays.size(), hits.data(), total.data());
+                            device_rays.data(), rays.size(), request.hit_name, hits.data(), total.data());
       });
   watch = Stopwatch();
   hits.download(result.hits.data());

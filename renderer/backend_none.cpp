@@ -22,7 +22,7 @@ bool cuda_available(std::string& why) {
 Frame render_cuda(const SceneFile&, const GridFile*, const FrameRequest&) {
   refuse();
 }
-RayHits trace_rays_cuda(const SceneFile&, const GridFile*, std::span<const ListedRay>, bool) {
+RayHits trace_rays_cuda(const SceneFile&, const GridFile*, const RaysRequest&) {
   refuse();
 }
 

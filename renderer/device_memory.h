@@ -5,10 +5,10 @@
 #include "libscene/error.h"
 
 #include <cuda_runtime.h>
-#include <fmt/format.h>
 
 #include <source_location>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace masu {
@@ -18,9 +18,9 @@ inline void check(cudaError_t error, const std::source_location& where = std::so
   if (error == cudaSuccess) return;
   const char* const advice = error == cudaErrorMemoryAllocation ? ": choose a coarser grid, or --backend cpu"
                                                                 : ": try --backend cpu";
-  throw Error(
-      ErrorCode::device, "cuda",
-      fmt::format("{} ({}:{}){}", cudaGetErrorString(error), where.file_name(), where.line(), advice));
+  throw Error(ErrorCode::device, "cuda",
+              std::string(cudaGetErrorString(error)) + " (" + where.file_name() + ":" +
+                  std::to_string(where.line()) + ")" + advice);
 }
 
 // Owns `count` records on the device; none of them for count 0.

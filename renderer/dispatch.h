@@ -27,28 +27,55 @@ void with_secondary(Secondary secondary, const Act& act) {
   }
 }
 
-// Calls act(Model) with the narrowest model that the scene fits. Scenes with cones mostly have the rest too.
+// A set of kinds as a type.
+template <unsigned kinds_>
+struct Kinds {
+  static constexpr unsigned kinds = kinds_;
+};
+
+// Calls act(Kinds) with the narrowest set compiled that holds the scene's. Scenes with cones mostly have the
+// rest too.
 template <class Act>
-void with_model(const SceneView<float>& scene, Secondary secondary, const Act& act) {
-  if (scene.cone_count > 0) return with_secondary<with_all_kinds>(secondary, act);
-  if (scene.sphere_count == 0) return with_secondary<with_triangles>(secondary, act);
-  if (scene.triangle_count == 0) return with_secondary<with_spheres>(secondary, act);
-  return with_secondary<with_triangles | with_spheres>(secondary, act);
-}
-template <class Act>
-void with_model(const SceneView<double>&, Secondary, const Act& act) {
-  act(GeneralModel<double>{});
+void with_kinds(const SceneView<float>& scene, const Act& act) {
+  if (scene.cone_count > 0) return act(Kinds<with_all_kinds>{});
+  if (scene.sphere_count == 0) return act(Kinds<with_triangles>{});
+  if (scene.triangle_count == 0) return act(Kinds<with_spheres>{});
+  return act(Kinds<with_triangles | with_spheres>{});
 }
 
-// Calls act(SceneView, GridView or NoGrid, Model, Counts or NoCounts): what a job needs, and no more.
-// Counting and brute force run the general code: the bits are the same.
-template <class Stored, class Act>
-void with_everything(const SceneView<Stored>& scene, const GridFile* grid, Secondary secondary, bool count,
-                     const Act& act) {
+// Calls act(Model) with the narrowest model compiled: for pictures, and for rays that only want their hit.
+struct ForPictures {
+  Secondary secondary;
+  template <class Act>
+  void operator()(const SceneView<float>& scene, const Act& act) const {
+    with_kinds(scene, [&]<unsigned kinds>(Kinds<kinds>) { with_secondary<kinds>(secondary, act); });
+  }
+  template <class Act>
+  void operator()(const SceneView<double>&, const Act& act) const {
+    act(GeneralModel<double>{});
+  }
+};
+struct ForHits {
+  template <class Act>
+  void operator()(const SceneView<float>& scene, const Act& act) const {
+    with_kinds(scene,
+               [&]<unsigned kinds>(Kinds<kinds>) { act(Model<float, float, kinds, Secondary::none>{}); });
+  }
+  template <class Act>
+  void operator()(const SceneView<double>&, const Act& act) const {
+    act(GeneralModel<double>{});
+  }
+};
+
+// Calls act(GridView or NoGrid, Model, Counts or NoCounts): what a job needs, and no more. Counting and brute
+// force run the general code: the bits are the same.
+template <class Stored, class WithModel, class Act>
+void with_everything(const SceneView<Stored>& scene, const GridFile* grid, const WithModel& with_model,
+                     bool count, const Act& act) {
   if (grid == nullptr) return act(NoGrid{}, GeneralModel<Stored>{}, Counts{});
   const GridView<Stored> view = grid->view<Stored>();
   if (count) return act(view, GeneralModel<Stored>{}, Counts{});
-  with_model(scene, secondary, [&](auto model) { act(view, model, NoCounts{}); });
+  with_model(scene, [&](auto model) { act(view, model, NoCounts{}); });
 }
 
 // A listed ray scaled by a power of two, so that its direction's largest component is about 1 and nothing
@@ -71,18 +98,15 @@ MASU_HD inline ScaledRay<Real> scaled(const ListedRay& listed) {
           std::ldexp(Real(1), -exponent)};
 }
 
-// What a listed ray hits; t is infinite where nothing is.
+// What a listed ray hits.
 template <class M, class Grid, class C>
 MASU_HD inline EyeHit trace_listed(const SceneView<typename M::Stored>& scene, const Grid& grid,
-                                   const ListedRay& listed, C& counts) {
+                                   const ListedRay& listed, HitName name, C& counts) {
   using Real = typename M::Real;
   const ScaledRay<Real> ray = scaled<Real>(listed);
   const Hit<Real> hit = nearest_hit<M::kinds>(scene, grid, ray.ray, counts);
-  const bool met = hit.primitive != no_primitive;
-  counts.eye_ray(met);
-  if (!met) return {static_cast<float>(INFINITY), -1};
-  return {static_cast<float>(hit.t * ray.scale),
-          static_cast<std::int32_t>(surface_of(scene, hit.primitive).object)};
+  counts.eye_ray(hit.primitive != no_primitive);
+  return eye_hit(scene, hit, ray.scale, name);
 }
 
 } // namespace masu

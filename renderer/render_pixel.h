@@ -26,16 +26,29 @@ struct Model {
 
 inline constexpr int largest_depth = 32;
 
+// How a hit is named in what is reported: by the NFF's object, or by the scene file's primitive.
+enum class HitName { object, primitive };
+
 struct RenderRules {
   std::int32_t depth; // of the last ray that is traced; the eye's is 1; at most largest_depth
   bool spd_rules;     // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
+  HitName hit_name;
 };
 
-// What an eye ray met: t and the NFF's object, or -1.
+// What an eye ray met: t, and the name of the object or primitive; infinity and -1 for nothing.
 struct EyeHit {
   float t;
-  std::int32_t object;
+  std::int32_t name;
 };
+
+template <class Real, class Stored>
+MASU_HD inline EyeHit eye_hit(const SceneView<Stored>& scene, const Hit<Real>& hit, Real t_scale,
+                              HitName name) {
+  if (hit.primitive == no_primitive) return {static_cast<float>(INFINITY), -1};
+  const std::uint32_t number =
+      name == HitName::object ? surface_of(scene, hit.primitive).object : hit.primitive;
+  return {static_cast<float>(hit.t * t_scale), static_cast<std::int32_t>(number)};
+}
 
 template <class Real>
 struct PendingRay {
@@ -155,7 +168,7 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material,
 // The light that comes back along an eye ray, and what the ray met.
 template <class M, class Grid, class Counts>
 MASU_HD inline Vec3f radiance(const SceneView<typename M::Stored>& scene, const Grid& grid,
-                              const RenderRules& rules, const Ray<typename M::Real>& eye, EyeHit& eye_hit,
+                              const RenderRules& rules, const Ray<typename M::Real>& eye, EyeHit& first_hit,
                               Counts& counts) {
   using Real = typename M::Real;
   Vec3f light{0, 0, 0};
@@ -167,8 +180,7 @@ MASU_HD inline Vec3f radiance(const SceneView<typename M::Stored>& scene, const 
     const bool met = hit.primitive != no_primitive;
     if (ray.depth == 1) {
       counts.eye_ray(met);
-      eye_hit = {static_cast<float>(hit.t),
-                 met ? static_cast<std::int32_t>(surface_of(scene, hit.primitive).object) : -1};
+      first_hit = eye_hit(scene, hit, Real(1), rules.hit_name);
     } else {
       counts.secondary_ray(met);
     }

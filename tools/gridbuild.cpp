@@ -1,11 +1,8 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
 #include "libgrid/grid_file.h"
-#include "libscene/margin.h"
 #include "libscene/scene_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/cli.h"
-
-#include <unistd.h>
 
 #include <fstream>
 #include <map>
@@ -44,15 +41,10 @@ template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   const Stopwatch watch;
-  const fb::Vec3 &low = file.table().bounds()->min(), &high = file.table().bounds()->max();
-  const Boxd bounds{{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}};
   const DivisionRule rule = parse_division(settings.division);
   const DivisionStatistics statistics = division_statistics(scene);
-  Lattice lattice{space_of<Stored>(bounds, settings.space),
-                  {1, 1, 1},
-                  is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
-  lattice.division = choose_division(rule, statistics, lattice.space);
-  check_memory(lattice, expected_references(statistics, lattice));
+  const Lattice lattice = make_lattice<Stored>(file.bounds(), settings.space, rule, statistics);
+  check_memory(lattice, expected_references(statistics.all, lattice));
   const Grid grid = build_uniform(scene, lattice, settings.overlap);
   const double seconds = watch.seconds();
   write_grid(grid,

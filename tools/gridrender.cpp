@@ -21,6 +21,7 @@ struct Settings {
   std::string scene, grid, output, size, stats, rays, hits;
   Backend backend = Backend::automatic;
   Sampling sampling = Sampling::corners;
+  HitName hit_name = HitName::object;
   int depth = 5;
   bool spd_rules = false, hither = false, srgb = false, brute_force = false;
   Threads threads;
@@ -149,12 +150,9 @@ void render(const Settings& settings) {
     seconds.write = watch.seconds();
   };
   if (settings.rays.empty()) {
-    FrameRequest request{camera_of(*scene.table().camera(), settings.size),
-                         settings.sampling,
-                         settings.hither,
-                         {settings.depth, settings.spd_rules},
-                         !settings.hits.empty(),
-                         count};
+    FrameRequest request{
+        camera_of(*scene.table().camera(), settings.size),       settings.sampling,      settings.hither,
+        {settings.depth, settings.spd_rules, settings.hit_name}, !settings.hits.empty(), count};
     const Frame frame =
         cuda ? render_cuda(scene, grid.get(), request) : render_cpu(scene, grid.get(), request);
     finish(frame, [&] {
@@ -163,8 +161,9 @@ void render(const Settings& settings) {
     });
   } else {
     const std::vector<ListedRay> rays = read_rays(settings.rays);
-    const RayHits hits = cuda ? trace_rays_cuda(scene, grid.get(), rays, count)
-                              : trace_rays_cpu(scene, grid.get(), rays, count);
+    const RaysRequest request{rays, settings.hit_name, count};
+    const RayHits hits =
+        cuda ? trace_rays_cuda(scene, grid.get(), request) : trace_rays_cpu(scene, grid.get(), request);
     finish(hits, [] {});
   }
   if (!settings.stats.empty()) {
@@ -207,6 +206,11 @@ int main(int argc, char** argv) {
   app.add_option("--rays", settings.rays,
                  "trace a list of rays (6 floats each: origin, direction) instead of the camera's");
   app.add_option("--hits", settings.hits, "write what each ray hits: float t, int32 object (-1: none)");
+  app.add_option("--hit-name", settings.hit_name,
+                 "what --hits names: object (its place among the NFF's) or primitive (the scene file's)")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, HitName>{{"object", HitName::object}, {"primitive", HitName::primitive}}))
+      ->default_str("object");
   settings.threads.add_to(app);
   return run_tool(app, argc, argv, [&] {
     const auto limit = settings.threads.limit();

@@ -1,0 +1,137 @@
+// A fractal mountain by midpoint displacement, under four spheres of glass.
+// Random numbers depend on the place alone. So neighbouring squares agree on the edge they share without
+// being stored, and a larger size refines the same mountain.
+#include "libscene/spd/scenes.h"
+
+#include <array>
+#include <cstdint>
+
+namespace masu::spd {
+
+namespace {
+
+constexpr double fractal_dimension = 2.2;
+constexpr double root_2 = 1.4142136; // the scene's own digits of it
+
+// How far a square's midpoints are displaced, as a part of half its side.
+double roughness() {
+  const double ratio = 2 / std::exp2(1 / (fractal_dimension - 1));
+  return std::sqrt(ratio * ratio - 1);
+}
+
+// The scene defines its random numbers on a lattice of 2^7 steps a side; the finest that can be asked for has
+// 2^14.
+constexpr int original_bits = 7, finest_bits = 14;
+constexpr std::uint32_t finest_steps = 1U << finest_bits;
+
+// A place on the finest lattice.
+struct Place {
+  std::uint32_t x, y;
+};
+
+// SplitMix64's finalizer (G. Steele, D. Lea, C. Flood, OOPSLA 2014): every bit of k reaches every bit
+// returned.
+std::uint64_t mixed(std::uint64_t k) {
+  k = (k ^ (k >> 30)) * 0xbf58476d1ce4e5b9;
+  k = (k ^ (k >> 27)) * 0x94d049bb133111eb;
+  return k ^ (k >> 31);
+}
+
+constexpr std::uint32_t modulus = 134456; // of the generator below
+
+// Size 7 uses up the scene's own lattice; between its places the seeds are hashed.
+std::uint32_t seed_at(Place p) {
+  constexpr std::uint32_t spacing = 1U << (finest_bits - original_bits);
+  if (p.x % spacing == 0 && p.y % spacing == 0) return 21 + 256 * (p.y / spacing) + p.x / spacing;
+  return static_cast<std::uint32_t>(mixed((std::uint64_t{p.y} << 32) + p.x) % modulus);
+}
+
+// A normally distributed number: the first of the pair that the polar method makes of a linear congruence,
+// which has full period.
+double gaussian_at(Place p) {
+  std::uint32_t state = seed_at(p);
+  const auto draw = [&state] {
+    state = (28411 + 8121 * state) % modulus; // no overflow: below 2^31 before the remainder
+    return 2.0 * state / modulus - 1;
+  };
+  while (true) {
+    const double a = draw(), b = draw(), square = a * a + b * b;
+    if (square < 1 && square > 0) return a * std::sqrt(-2 * std::log(square) / square);
+  }
+}
+
+// Corners run counter-clockwise from the lower left, as do the quarters.
+struct Square {
+  Place place;        // of the lower left corner
+  std::uint32_t side; // in steps of the finest lattice
+  double reach;       // how far its midpoints are displaced
+  std::array<double, 4> heights;
+};
+
+Vec3d on_ground(Place p) {
+  constexpr double step = 2.0 / finest_steps;
+  return {p.x * step - 1, p.y * step - 1, 0};
+}
+
+// A cell: two triangles.
+void put_cell(NffWriter& nff, const Square& square) {
+  const auto& [place, side, reach, heights] = square;
+  const Vec3d low = on_ground(place), high = on_ground({place.x + side, place.y + side});
+  const std::array<Vec3d, 4> corners = {{{low.x, low.y, heights[0]},
+                                         {high.x, low.y, heights[1]},
+                                         {high.x, high.y, heights[2]},
+                                         {low.x, high.y, heights[3]}}};
+  put_polygon(nff, {corners[0], corners[1], corners[2]});
+  put_polygon(nff, {corners[2], corners[3], corners[0]});
+}
+
+std::array<Square, 4> quarters(const Square& square) {
+  const auto& [place, side, reach, heights] = square;
+  const auto [h0, h1, h2, h3] = heights;
+  const std::uint32_t half = side / 2;
+  const Place center = {place.x + half, place.y + half};
+  const Place south = {center.x, place.y}, east = {place.x + side, center.y};
+  const Place north = {center.x, place.y + side}, west = {place.x, center.y};
+
+  const double s = (h0 + h1) / 2 + reach * gaussian_at(south);
+  const double e = (h1 + h2) / 2 + reach * gaussian_at(east);
+  const double n = (h2 + h3) / 2 + reach * gaussian_at(north);
+  const double w = (h3 + h0) / 2 + reach * gaussian_at(west);
+  const double c = (h0 + h1 + h2 + h3) / 4 + root_2 * reach * gaussian_at(center);
+  const double less = reach / 2;
+  return {{{place, half, less, {h0, s, c, w}},
+           {south, half, less, {s, h1, e, c}},
+           {center, half, less, {c, e, h2, n}},
+           {west, half, less, {w, c, n, h3}}}};
+}
+
+void put_terrain(NffWriter& nff, const Square& square, int depth) {
+  if (depth == 0) return put_cell(nff, square);
+  for (const Square& quarter : quarters(square))
+    put_terrain(nff, quarter, depth - 1);
+}
+
+// Four equal spheres that touch, at the corners of a regular tetrahedron.
+void put_spheres(NffWriter& nff) {
+  const Vec3d center = {-0.8, 0.8, 1.0};
+  const double radius = 0.17;
+  const Vec3d top = z_axis * (radius * std::sqrt(1.5));
+  const double half = std::sqrt(0.5);
+  const Vec3d side = turned(top, {half, half, 0}, std::acos(-1.0 / 3));
+  put_material(nff, {1, 1, 1, 0.1, 0.1, 101.148, 0.9, 1.5});
+  put_sphere(nff, center + top, radius);
+  for (int i = 0; i < 3; ++i)
+    put_sphere(nff, center + turned(side, z_axis, radians(120.0 * i)), radius);
+}
+
+} // namespace
+
+void write_mount(NffWriter& nff, int size, bool background) {
+  put_view(nff, {{-1.6, 1.6, 1.7}, {0, 0, 0}, z_axis, 0.01});
+  put_light(nff, {-100, -100, 100});
+  if (background) put_spheres(nff);
+  put_material(nff, {0.5, 0.45, 0.35, 1, 0, 100000, 0, 0});
+  put_terrain(nff, {{0, 0}, finest_steps, roughness(), {0, 0, 0, 0}}, size); // half the side: 1
+}
+
+} // namespace masu::spd

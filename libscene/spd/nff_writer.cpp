@@ -1,0 +1,118 @@
+#include "libscene/spd/nff_writer.h"
+
+#include "libscene/error.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace masu::spd {
+
+namespace {
+
+constexpr std::size_t block = 1 << 16; // bytes handed over at once
+constexpr std::size_t longest_line = 256;
+
+// Scenes are about one unit wide: what is smaller than this is rounding noise round an exact zero.
+constexpr double smallest = 1e-12;
+
+[[noreturn]] void fail(const NffWriter& nff) {
+  throw Error(ErrorCode::output, nff.place,
+              fmt::format("can't be written ({}): choose another place", std::strerror(errno)));
+}
+
+void flush(NffWriter& nff) {
+  errno = 0;
+  if (std::fwrite(nff.text.data(), 1, nff.text.size(), nff.out) != nff.text.size()) fail(nff);
+  nff.text.clear();
+}
+
+void append_number(std::string& text, double x) {
+  if (std::abs(x) < smallest) x = 0;
+  char digits[32]; // six significant digits in `%g` form never fill it
+  const auto end = std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 6).ptr;
+  text.append(digits, end);
+}
+
+void put_line(NffWriter& nff, std::string_view keyword, std::initializer_list<double> numbers) {
+  nff.text += keyword;
+  const char* separator = keyword.empty() ? "" : " ";
+  for (const double x : numbers) {
+    nff.text += std::exchange(separator, " ");
+    append_number(nff.text, x);
+  }
+  nff.text += '\n';
+  if (nff.text.size() >= block) flush(nff);
+}
+
+void put_corner(NffWriter& nff, const Vec3d& v) {
+  put_line(nff, "", {v.x, v.y, v.z});
+}
+
+void put_corner(NffWriter& nff, const Corner& c) {
+  put_line(nff, "", {c.at.x, c.at.y, c.at.z, c.normal.x, c.normal.y, c.normal.z});
+}
+
+} // namespace
+
+NffWriter::NffWriter(std::FILE* file, std::string name) : out(file), place(std::move(name)) {
+  text.reserve(block + longest_line);
+}
+
+void put_view(NffWriter& nff, const View& view) {
+  const auto& [from, at, up, hither, background, angle, resolution] = view;
+  const auto pixels = static_cast<double>(resolution);
+  put_line(nff, "b", {background.x, background.y, background.z});
+  put_line(nff, "v", {});
+  put_line(nff, "from", {from.x, from.y, from.z});
+  put_line(nff, "at", {at.x, at.y, at.z});
+  put_line(nff, "up", {up.x, up.y, up.z});
+  put_line(nff, "angle", {angle});
+  put_line(nff, "hither", {hither});
+  put_line(nff, "resolution", {pixels, pixels});
+}
+
+void put_light(NffWriter& nff, const Vec3d& at) {
+  put_line(nff, "l", {at.x, at.y, at.z});
+}
+
+void put_material(NffWriter& nff, const Material& m) {
+  put_line(nff, "f",
+           {m.red, m.green, m.blue, m.diffuse, m.specular, m.shine, m.transmittance, m.index_of_refraction});
+}
+
+void put_sphere(NffWriter& nff, const Vec3d& center, double radius) {
+  put_line(nff, "s", {center.x, center.y, center.z, radius});
+}
+
+void put_cone(NffWriter& nff, const Vec3d& base, double base_radius, const Vec3d& apex, double apex_radius) {
+  put_line(nff, "c", {base.x, base.y, base.z, base_radius, apex.x, apex.y, apex.z, apex_radius});
+}
+
+void put_polygon(NffWriter& nff, std::span<const Vec3d> corners) {
+  put_line(nff, "p", {static_cast<double>(corners.size())});
+  for (const Vec3d& corner : corners)
+    put_corner(nff, corner);
+}
+
+void put_polygon(NffWriter& nff, std::initializer_list<Vec3d> corners) {
+  put_polygon(nff, std::span(corners.begin(), corners.size()));
+}
+
+void put_triangle(NffWriter& nff, const Corner& a, const Corner& b, const Corner& c) {
+  put_line(nff, "pp", {3});
+  put_corner(nff, a);
+  put_corner(nff, b);
+  put_corner(nff, c);
+}
+
+void finish(NffWriter& nff) {
+  flush(nff);
+  if (std::fflush(nff.out) != 0) fail(nff);
+}
+
+} // namespace masu::spd

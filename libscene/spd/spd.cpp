@@ -1,0 +1,68 @@
+#include "libscene/spd/spd.h"
+
+#include "libscene/error.h"
+#include "libscene/spd/scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace masu {
+
+namespace {
+
+// In the order of SpdScene. What bounds the sizes:
+// balls, gears, mount, tetra: fewer than 2^31 objects;
+// rings: coordinates stay below 1000, so that they are exact to 1 % of the rings' thickness;
+// tree: the last twigs are 2e-4 long, and known to 5e-6;
+// nurbs, teapot: neighbouring corners still print as different numbers.
+constexpr std::array<SpdInfo, 8> scenes = {{
+    {SpdScene::balls, "balls", 4, 1, 9},
+    {SpdScene::gears, "gears", 4, 1, 244},
+    {SpdScene::mount, "mount", 6, 1, 14},
+    {SpdScene::nurbs, "nurbs", 5, 1, 1000},
+    {SpdScene::rings, "rings", 7, 1, 380},
+    {SpdScene::teapot, "teapot", 12, 1, 1000},
+    {SpdScene::tetra, "tetra", 6, 1, 15},
+    {SpdScene::tree, "tree", 11, 1, 20},
+}};
+
+// In the same order.
+constexpr std::array writers = {spd::write_balls, spd::write_gears,  spd::write_mount, spd::write_nurbs,
+                                spd::write_rings, spd::write_teapot, spd::write_tetra, spd::write_tree};
+
+} // namespace
+
+std::span<const SpdInfo> spd_scenes() {
+  return scenes;
+}
+
+const SpdInfo& spd_info(SpdScene scene) {
+  return scenes[static_cast<std::size_t>(scene)];
+}
+
+const SpdInfo& spd_info(std::string_view name) {
+  const auto info = std::ranges::find(scenes, name, &SpdInfo::name);
+  if (info == scenes.end())
+    throw Error(ErrorCode::usage, std::string(name),
+                "no such scene: choose balls, gears, mount, nurbs, rings, teapot, tetra or tree");
+  return *info;
+}
+
+void check_spd_size(SpdScene scene, int size) {
+  const SpdInfo& info = spd_info(scene);
+  if (size < info.least || size > info.most)
+    throw Error(ErrorCode::usage, fmt::format("size {}", size),
+                fmt::format("{} can't be made that size: choose {} to {}", info.name, info.least, info.most));
+}
+
+void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place) {
+  check_spd_size(options.scene, options.size);
+  spd::NffWriter nff(out, place);
+  writers[static_cast<std::size_t>(options.scene)](nff, options.size, options.background);
+  finish(nff);
+}
+
+} // namespace masu

@@ -1,0 +1,58 @@
+// The Standard Procedural Databases, written as NFF text: the scenes that ray tracers are compared on.
+// Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987.
+// Every scene is streamed: memory depends on the recursion's depth, never on the number of objects.
+#pragma once
+
+#include <cstdio>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace masu {
+
+// What each scene shows, and its number of objects at size n (background included).
+enum class SpdScene {
+  balls,  // sphereflake: 1 + 9 + ... + 9^n spheres on a floor
+  gears,  // n^3 interlocked gears of 146 polygons over a mirror
+  mount,  // fractal mountain of 2*4^n triangles under four glass spheres
+  nurbs,  // spline surface of 60n^2 triangles with normals
+  rings,  // n layers, layer d of d^2 objects: six pentagons of 5 cylinders and 5 spheres each; a wall
+  teapot, // 64n^2 - 8n triangles with normals, on a checkerboard of n^2 squares
+  tetra,  // Sierpinski tetrahedron of 4^n triangles
+  tree,   // 2^(n+1) - 1 cones and as many spheres, on the ground
+};
+
+struct SpdInfo {
+  SpdScene scene;
+  std::string_view name;
+  int standard;    // the size that results are quoted for
+  int least, most; // the sizes that can be made
+};
+
+struct SpdOptions {
+  SpdScene scene = SpdScene::balls;
+  int size = 4;
+  // false leaves out what only surrounds the geometry under study: the floors, walls and grounds of balls,
+  // gears, rings and tree, and the mountain's four spheres. The teapot keeps its checkerboard.
+  bool background = true;
+};
+
+// All scenes, in the order of SpdScene.
+std::span<const SpdInfo> spd_scenes();
+
+const SpdInfo& spd_info(SpdScene scene);
+
+// The scene of that name. Throws Error(usage) when there is none.
+const SpdInfo& spd_info(std::string_view name);
+
+// Throws Error(usage) unless least <= size <= most. Beyond `most` either the count of objects would leave
+// int32, or six significant digits would no longer tell the scene's smallest parts apart.
+void check_spd_size(SpdScene scene, int size);
+
+// Writes the scene to `out` as NFF text of six significant digits, and flushes it. Coordinates have no unit:
+// but for grounds and floors every scene lies within 4 of the origin along each axis, rings within 2.62n + 1.
+// The same options give the same bytes. `place` names `out` in errors.
+// Throws Error(usage) for a size out of range, Error(output) when `out` doesn't take all of the text.
+void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place);
+
+} // namespace masu

@@ -1,0 +1,155 @@
+// The CPU's and the GPU's answers, bit for bit. Skipped, and said so, where there is no CUDA device.
+#include "libgrid/grid_file.h"
+#include "libscene/nff.h"
+#include "libscene/scene_file.h"
+#include "libscene/spd/spd.h"
+#include "renderer/backend.h"
+#include "tests/random_seed.h"
+#include "tests/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace masu {
+namespace {
+
+struct Built {
+  SceneFile scene;
+  GridFile grid;
+};
+
+template <class Stored>
+void build_grid(const SceneFile& scene, const std::string& division, const std::string& path) {
+  const SceneView<Stored> view = scene.view<Stored>();
+  const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division(division),
+                                               division_statistics(view));
+  write_grid(build_uniform(view, lattice, Overlap::exact),
+             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division}, path);
+}
+
+class CpuAndGpu : public testing::TestWithParam<SpdInfo> {
+protected:
+  void SetUp() override {
+    std::string why;
+    if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was compared: " << why;
+  }
+
+  Built build(Store store, int size, const std::string& division) {
+    const std::string nff = folder_.file("s.nff"), scene_path = folder_.file("s.scene"),
+                      grid_path = folder_.file("s.grid");
+    {
+      std::FILE* const file = std::fopen(nff.c_str(), "wb");
+      write_spd({GetParam().scene, size, true}, file, nff);
+      std::fclose(file);
+    }
+    write_scene(read_nff(nff), store, scene_path);
+    const SceneFile scene(scene_path);
+    store == Store::float64 ? build_grid<double>(scene, division, grid_path)
+                            : build_grid<float>(scene, division, grid_path);
+    return {SceneFile(scene_path), GridFile(grid_path)};
+  }
+
+  FrameRequest request(const SceneFile& scene, std::int32_t pixels) const {
+    const auto vector = [](const fb::Vec3& v) { return Vec3d{v.x(), v.y(), v.z()}; };
+    const fb::Camera& c = *scene.table().camera();
+    FrameRequest request;
+    request.camera = {vector(c.from()), vector(c.at()), vector(c.up()), c.angle(),
+                      c.hither(),       pixels,         pixels};
+    request.rules.hit_name = HitName::primitive;
+    request.hits = true;
+    return request;
+  }
+
+  TemporaryFolder folder_;
+};
+
+void expect_same_hits(const std::vector<EyeHit>& cpu, const std::vector<EyeHit>& gpu) {
+  ASSERT_EQ(cpu.size(), gpu.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < cpu.size(); ++i) {
+    if (std::memcmp(&cpu[i], &gpu[i], sizeof(EyeHit)) == 0) continue;
+    if (++different == 1) {
+      ADD_FAILURE() << "ray " << i << ": cpu t " << cpu[i].t << " primitive " << cpu[i].name << ", gpu t "
+                    << gpu[i].t << " primitive " << gpu[i].name;
+    }
+  }
+  EXPECT_EQ(different, 0U) << "of " << cpu.size() << " rays";
+}
+
+// The highlight's power is the only function that may round differently.
+void expect_same_picture(const Frame& cpu, const Frame& gpu) {
+  ASSERT_EQ(cpu.radiance.size(), gpu.radiance.size());
+  float worst = 0;
+  for (std::size_t i = 0; i < cpu.radiance.size(); ++i)
+    worst = std::max(worst, largest_magnitude(cpu.radiance[i] - gpu.radiance[i]));
+  EXPECT_LE(worst, 1e-5F);
+}
+
+TEST_P(CpuAndGpu, SeeTheSameHitsAndPicture) {
+  const Built built = build(Store::float32, GetParam().standard, "auto");
+  const FrameRequest wanted = request(built.scene, 512);
+  const Frame cpu = render_cpu(built.scene, &built.grid, wanted),
+              gpu = render_cuda(built.scene, &built.grid, wanted);
+  expect_same_hits(cpu.hits, gpu.hits);
+  expect_same_picture(cpu, gpu);
+}
+
+TEST_P(CpuAndGpu, SeeTheSameInDouble) {
+  const Built built = build(Store::float64, GetParam().standard, "64");
+  const FrameRequest wanted = request(built.scene, 256);
+  const Frame cpu = render_cpu(built.scene, &built.grid, wanted),
+              gpu = render_cuda(built.scene, &built.grid, wanted);
+  expect_same_hits(cpu.hits, gpu.hits);
+  expect_same_picture(cpu, gpu);
+}
+
+TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto engine = seed.engine();
+  const Built built = build(Store::float32, GetParam().standard, "auto");
+  const Boxf box = built.scene.view<float>().clip;
+  const Vec3f center = (box.min + box.max) * 0.5F;
+  const float radius = length(box.max - center);
+  std::normal_distribution<float> gauss;
+  const auto on_sphere = [&] {
+    return normalized(Vec3f{gauss(engine), gauss(engine), gauss(engine)}) * radius + center;
+  };
+  std::vector<ListedRay> rays(1'000'000);
+  for (ListedRay& ray : rays) {
+    const Vec3f from = on_sphere();
+    ray = {from, on_sphere() - from};
+  }
+  const RaysRequest wanted{rays, HitName::primitive, false};
+  expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
+                   trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+}
+
+TEST_P(CpuAndGpu, CountTheSame) {
+  const Built built = build(Store::float32, GetParam().least + 1, "33x20x5");
+  FrameRequest wanted = request(built.scene, 128);
+  wanted.count = true;
+  const Frame cpu = render_cpu(built.scene, &built.grid, wanted),
+              gpu = render_cuda(built.scene, &built.grid, wanted);
+  for (int i = 0; i < Counts::fields; ++i)
+    EXPECT_EQ(cpu.counts.begin()[i], gpu.counts.begin()[i]) << "field " << i;
+}
+
+TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
+  const Built built = build(Store::float32, GetParam().least + 1, "260");
+  const FrameRequest wanted = request(built.scene, 64);
+  const Frame grid = render_cuda(built.scene, &built.grid, wanted),
+              none = render_cuda(built.scene, nullptr, wanted);
+  const Frame cpu = render_cpu(built.scene, &built.grid, wanted);
+  expect_same_hits(cpu.hits, grid.hits);
+  expect_same_hits(grid.hits, none.hits);
+  EXPECT_EQ(std::memcmp(grid.radiance.data(), none.radiance.data(), grid.radiance.size() * sizeof(Vec3f)), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spd, CpuAndGpu, testing::ValuesIn(spd_scenes().begin(), spd_scenes().end()),
+                         [](const auto& scene) { return std::string(scene.param.name); });
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,55 @@
+// nffgen: writes a standard scene as NFF text.
+#include "libscene/output_file.h"
+#include "libscene/spd/spd.h"
+#include "tools/cli.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <string>
+
+namespace {
+
+struct Command {
+  std::string scene, output = "-";
+  int size = 0; // when given
+  bool no_background = false;
+};
+
+void describe(CLI::App& app, Command& command) {
+  std::string sizes = "Sizes (standard, largest):";
+  for (const masu::SpdInfo& info : masu::spd_scenes())
+    sizes += fmt::format("\n  {:<7} {:>2} {:>5}", info.name, info.standard, info.most);
+  app.footer(sizes);
+  app.add_option("scene", command.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
+      ->required();
+  app.add_option("--size", command.size, "how far the scene is subdivided (default: its standard size)");
+  app.add_option("-o,--output", command.output, "file to write; - is standard output")->capture_default_str();
+  app.add_flag("--no-background", command.no_background,
+               "leave out floors, walls, grounds, and the mountain's spheres");
+}
+
+void write(const masu::SpdOptions& options, const std::string& output) {
+  if (output == "-") return write_spd(options, stdout, "standard output");
+  masu::OutputFile file(output);
+  write_spd(options, file.stream(), output);
+  file.commit();
+}
+
+void run(const CLI::App& app, const Command& command) {
+  const masu::SpdInfo& info = masu::spd_info(command.scene);
+  const int size = app.count("--size") > 0 ? command.size : info.standard;
+  masu::check_spd_size(info.scene, size); // before a file is opened
+  write({info.scene, size, !command.no_background}, command.output);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error like any other
+  CLI::App app("Writes a standard ray-tracing scene (SPD) as NFF text.", "nffgen");
+  Command command;
+  describe(app, command);
+  return masu::run_tool(app, argc, argv, [&] { run(app, command); });
+}
