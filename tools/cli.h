@@ -7,11 +7,15 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <new>
 #include <string>
 #include <thread>
+#include <type_traits>
 
 namespace masu {
 
@@ -24,33 +28,60 @@ inline void check_processor() {
 #endif
 }
 
-// Parses the command line into `app` and calls body(). Returns the exit code of libscene/error.h; 0 for
-// --help.
+// A tool's main: body(app, parse) adds the options to the CLI::App, calls parse(), and does the work. Returns
+// the exit code of libscene/error.h; 0 for --help.
 template <class Body>
-int run_tool(CLI::App& app, int argc, char** argv, const Body& body) {
-  const std::string& name = app.get_name();
-  const auto report = [&](const std::string& line) { fmt::print(stderr, "{}: {}\n", name, line); };
+int run_tool(const char* name, const char* description, int argc, char** argv, const Body& body) {
+  const auto report = [&](ErrorCode code, const char* line) {
+    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, line));
+    return static_cast<int>(code);
+  };
+  // A closed pipe and a file-size limit are write errors like any other.
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   try {
     check_processor();
-    app.parse(argc, argv);
-    body();
+    CLI::App app(description, name);
+    try {
+      body(app, [&] { app.parse(argc, argv); });
+    } catch (const CLI::Success& success) { // --help
+      app.exit(success);
+    } catch (const CLI::ParseError& error) {
+      return report(ErrorCode::usage,
+                    (std::string("command line: ") + error.what() + ": see " + name + " --help").c_str());
+    }
     if (std::fflush(stdout) != 0) throw Error(ErrorCode::output, "standard output", "can't be written");
     return 0;
-  } catch (const CLI::Success& success) { // --help, --version
-    return app.exit(success);
-  } catch (const CLI::ParseError& error) {
-    report(fmt::format("command line: {}: see {} --help", error.what(), name));
-    return static_cast<int>(ErrorCode::usage);
   } catch (const Error& error) {
-    report(error.what());
-    return static_cast<int>(error.code());
+    return report(error.code(), error.what());
   } catch (const std::bad_alloc&) {
-    report("memory: there isn't enough: choose a smaller scene or a coarser grid");
-    return static_cast<int>(ErrorCode::input);
+    return report(ErrorCode::input, "memory: there isn't enough: choose a smaller scene or a coarser grid");
   } catch (const std::exception& error) {
-    report(error.what());
-    return static_cast<int>(ErrorCode::input);
+    return report(ErrorCode::input, error.what());
+  } catch (...) {
+    return report(ErrorCode::input, "an unknown error");
   }
+}
+
+// An option with one of some names for its value, which must be among them before.
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
+                        std::map<std::string, std::type_identity_t<Value>> names, const std::string& help) {
+  std::string all, chosen;
+  for (const auto& [name, named] : names) {
+    all += (all.empty() ? "" : "|") + name;
+    if (named == value) chosen = name;
+  }
+  const auto to_number = [names, all](std::string& text) {
+    const auto found = names.find(text);
+    if (found == names.end()) return fmt::format("'{}' isn't one of {}", text, all);
+    text = std::to_string(static_cast<int>(found->second)); // how CLI11 reads an enumeration
+    return std::string();
+  };
+  return app.add_option(option, value, help)
+      ->transform(CLI::Validator(to_number, "", "choice"))
+      ->type_name(all)
+      ->default_str(chosen);
 }
 
 // --threads N; 0 is every core.

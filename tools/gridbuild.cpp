@@ -5,7 +5,6 @@
 #include "tools/cli.h"
 
 #include <fstream>
-#include <map>
 
 namespace masu {
 namespace {
@@ -68,41 +67,38 @@ void build(const Settings& settings, const SceneFile& file) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  Settings settings;
-  CLI::App app{"Builds the voxel grid of a scene.\n\nDivision rules, for N primitives in a space of sides w "
-               "and volume V:\n"
-               "  N              N voxels an axis\n"
-               "  NXxNYxNZ       so many along x, y, z\n"
-               "  cube-root:D    D * cbrt(N) an axis\n"
-               "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
-               "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
-               "  cleary:L       L * N voxels of equal sides\n"
-               "  auto           the coarsest that a cost model puts within a few percent of the best",
-               "gridbuild"};
-  app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  app.add_option("-o,--output", settings.output, "grid file")->required();
-  app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
-  app.add_option("--space", settings.space,
-                 "what is divided: tight (the objects' bounds) or cube (the smallest about the origin)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, SpaceRule>{{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}}))
-      ->default_str("tight");
-  app.add_option("--overlap", settings.overlap,
-                 "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Overlap>{{"box", Overlap::box}, {"exact", Overlap::exact}}))
-      ->default_str("exact");
-  app.add_option("--merge", settings.merge, "which voxels share a cell: none")
-      ->check(CLI::IsMember({"none"}))
-      ->capture_default_str();
-  app.add_flag("--record-seconds", settings.record_seconds,
-               "write the build's seconds into the file (equal builds then differ)");
-  app.add_flag("--json", settings.json, "report as JSON");
-  settings.threads.add_to(app);
-  return run_tool(app, argc, argv, [&] {
-    const auto limit = settings.threads.limit();
-    parse_division(settings.division); // a bad rule is told before anything is read
-    const SceneFile scene(settings.scene);
-    scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
-  });
+  return run_tool(
+      "gridbuild",
+      "Builds the voxel grid of a scene.\n\nDivision rules, for N primitives in a space of sides w "
+      "and volume V:\n"
+      "  N              N voxels an axis\n"
+      "  NXxNYxNZ       so many along x, y, z\n"
+      "  cube-root:D    D * cbrt(N) an axis\n"
+      "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
+      "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
+      "  cleary:L       L * N voxels of equal sides\n"
+      "  auto           the coarsest that a cost model puts within a few percent of the best",
+      argc, argv, [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+        app.add_option("-o,--output", settings.output, "grid file")->required();
+        app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
+        add_choice(app, "--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
+                   "what is divided: tight (the objects' bounds) or cube (the smallest about the origin)");
+        add_choice(
+            app, "--overlap", settings.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
+            "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
+        app.add_option("--merge", settings.merge, "which voxels share a cell: none")
+            ->check(CLI::IsMember({"none"}))
+            ->capture_default_str();
+        app.add_flag("--record-seconds", settings.record_seconds,
+                     "write the build's seconds into the file (equal builds then differ)");
+        app.add_flag("--json", settings.json, "report as JSON");
+        settings.threads.add_to(app);
+        parse();
+        const auto limit = settings.threads.limit();
+        parse_division(settings.division); // a bad rule is told before anything is read
+        const SceneFile scene(settings.scene);
+        scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
+      });
 }

@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <memory>
 
 namespace masu {
@@ -18,11 +17,11 @@ namespace {
 enum class Backend { automatic, cpu, cuda };
 
 struct Settings {
-  std::string scene, grid, output, size, stats, rays, hits;
+  std::string scene, grid, output, size, stats, times, rays, hits;
   Backend backend = Backend::automatic;
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
-  int depth = 5;
+  int depth = 5, repeat = 1;
   bool spd_rules = false, hither = false, srgb = false, brute_force = false;
   Threads threads;
 };
@@ -57,9 +56,16 @@ Camera camera_of(const fb::Camera& c, const std::string& size) {
   return camera;
 }
 
-nlohmann::ordered_json report(const Counts& counts, const Seconds& seconds, bool cuda) {
+using Json = nlohmann::ordered_json;
+
+Json seconds_json(const Seconds& seconds) {
   return {
-      {"backend", cuda ? "cuda" : "cpu"},
+      {"map", seconds.map},           {"validate", seconds.validate},       {"upload", seconds.trace.upload},
+      {"trace", seconds.trace.trace}, {"download", seconds.trace.download}, {"write", seconds.write}};
+}
+
+Json counts_json(const Counts& counts) {
+  return {
       {"eye_rays", counts.eye_rays},
       {"eye_hits", counts.eye_hits},
       {"reflection_rays", counts.reflection_rays},
@@ -71,14 +77,14 @@ nlohmann::ordered_json report(const Counts& counts, const Seconds& seconds, bool
        {{"triangle", counts.triangle_tests}, {"sphere", counts.sphere_tests}, {"cone", counts.cone_tests}}},
       {"cells_visited", counts.cells_visited},
       {"empty_cells_visited", counts.empty_cells_visited},
-      {"voxels_skipped", counts.voxels_skipped},
-      {"seconds",
-       {{"map", seconds.map},
-        {"validate", seconds.validate},
-        {"upload", seconds.trace.upload},
-        {"trace", seconds.trace.trace},
-        {"download", seconds.trace.download},
-        {"write", seconds.write}}}};
+      {"voxels_skipped", counts.voxels_skipped}};
+}
+
+void write_json(const Json& json, const std::string& path) {
+  const std::string text = json.dump(2) + "\n";
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
 }
 
 void write_hits(const std::vector<EyeHit>& hits, const std::string& path) {
@@ -114,12 +120,13 @@ std::vector<ListedRay> read_rays(const std::string& path) {
 
 void check(const Settings& settings) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
-  if (settings.rays.empty() && settings.output.empty() && settings.hits.empty() && settings.stats.empty())
+  if (settings.rays.empty() && settings.output.empty() && settings.hits.empty() && settings.stats.empty() &&
+      settings.times.empty())
     fail("-o", "is missing: nothing would be written");
   if (!settings.rays.empty() && !settings.output.empty())
     fail("--rays", "traces a list, which makes no picture: leave out -o");
-  if (!settings.rays.empty() && settings.hits.empty() && settings.stats.empty())
-    fail("--rays", "needs --hits or --stats, or nothing would be written");
+  if (!settings.rays.empty() && settings.hits.empty() && settings.stats.empty() && settings.times.empty())
+    fail("--rays", "needs --hits, --stats or --times, or nothing would be written");
   if (settings.grid.empty() && !settings.brute_force)
     fail("GRID", "is missing: name the grid file, or give --brute-force");
   if (!settings.output.empty()) check_image_name(settings.output);
@@ -150,9 +157,13 @@ void render(const Settings& settings) {
     seconds.write = watch.seconds();
   };
   if (settings.rays.empty()) {
-    FrameRequest request{
-        camera_of(*scene.table().camera(), settings.size),       settings.sampling,      settings.hither,
-        {settings.depth, settings.spd_rules, settings.hit_name}, !settings.hits.empty(), count};
+    FrameRequest request{camera_of(*scene.table().camera(), settings.size),
+                         settings.sampling,
+                         settings.hither,
+                         {settings.depth, settings.spd_rules, settings.hit_name},
+                         !settings.hits.empty(),
+                         count,
+                         settings.repeat};
     const Frame frame =
         cuda ? render_cuda(scene, grid.get(), request) : render_cpu(scene, grid.get(), request);
     finish(frame, [&] {
@@ -161,17 +172,19 @@ void render(const Settings& settings) {
     });
   } else {
     const std::vector<ListedRay> rays = read_rays(settings.rays);
-    const RaysRequest request{rays, settings.hit_name, count};
+    const RaysRequest request{rays, settings.hit_name, count, settings.repeat};
     const RayHits hits =
         cuda ? trace_rays_cuda(scene, grid.get(), request) : trace_rays_cpu(scene, grid.get(), request);
     finish(hits, [] {});
   }
-  if (!settings.stats.empty()) {
-    const std::string text = report(counts, seconds, cuda).dump(2) + "\n";
-    OutputFile file(settings.stats);
-    file.write(text.data(), text.size());
-    file.commit();
-  }
+  const Json head{{"backend", cuda ? "cuda" : "cpu"}}, times{{"seconds", seconds_json(seconds)}};
+  const auto joined = [](Json json, const std::initializer_list<Json>& more) {
+    for (const Json& part : more)
+      json.update(part);
+    return json;
+  };
+  if (!settings.stats.empty()) write_json(joined(head, {counts_json(counts), times}), settings.stats);
+  if (!settings.times.empty()) write_json(joined(head, {times}), settings.times);
 }
 
 } // namespace
@@ -179,41 +192,46 @@ void render(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  Settings settings;
-  CLI::App app{"Traces a scene through its grid and writes the picture.", "gridrender"};
-  app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  app.add_option("GRID", settings.grid, "grid file, from gridbuild");
-  app.add_option("-o,--output", settings.output, "picture: .png, or .pfm for linear floats");
-  app.add_option("--backend", settings.backend, "auto (the GPU where there is one), cpu or cuda")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Backend>{
-          {"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"cuda", Backend::cuda}}))
-      ->default_str("auto");
-  app.add_option("--size", settings.size, "WxH pixels instead of the scene's own");
-  app.add_option("--depth", settings.depth, "depth of the last rays; the eye's have 1")
-      ->check(CLI::Range(1, largest_depth))
-      ->capture_default_str();
-  app.add_option("--sampling", settings.sampling,
-                 "corners (rays through pixel corners, four averaged) or centers")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Sampling>{{"corners", Sampling::corners}, {"centers", Sampling::centers}}))
-      ->default_str("corners");
-  app.add_flag("--spd-rules", settings.spd_rules,
-               "spawn rays as the SPD counts them, even where they can't be seen");
-  app.add_flag("--hither", settings.hither, "the eye sees nothing nearer than the view's hither");
-  app.add_flag("--srgb", settings.srgb, "encode PNG values as sRGB instead of storing them as they are");
-  app.add_flag("--brute-force", settings.brute_force, "try every primitive for every ray; GRID isn't read");
-  app.add_option("--stats", settings.stats, "write ray counts and seconds as JSON");
-  app.add_option("--rays", settings.rays,
-                 "trace a list of rays (6 floats each: origin, direction) instead of the camera's");
-  app.add_option("--hits", settings.hits, "write what each ray hits: float t, int32 object (-1: none)");
-  app.add_option("--hit-name", settings.hit_name,
-                 "what --hits names: object (its place among the NFF's) or primitive (the scene file's)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, HitName>{{"object", HitName::object}, {"primitive", HitName::primitive}}))
-      ->default_str("object");
-  settings.threads.add_to(app);
-  return run_tool(app, argc, argv, [&] {
-    const auto limit = settings.threads.limit();
-    render(settings);
-  });
+  return run_tool(
+      "gridrender", "Traces a scene through its grid and writes the picture.", argc, argv,
+      [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+        app.add_option("GRID", settings.grid, "grid file, from gridbuild");
+        app.add_option("-o,--output", settings.output, "picture: .png, or .pfm for linear floats");
+        add_choice(app, "--backend", settings.backend,
+                   {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"cuda", Backend::cuda}},
+                   "auto (the GPU where there is one), cpu or cuda");
+        app.add_option("--size", settings.size, "WxH pixels instead of the scene's own");
+        app.add_option("--depth", settings.depth, "depth of the last rays; the eye's have 1")
+            ->check(CLI::Range(1, largest_depth))
+            ->capture_default_str();
+        add_choice(app, "--sampling", settings.sampling,
+                   {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
+                   "corners (rays through pixel corners, four averaged) or centers");
+        app.add_flag("--spd-rules", settings.spd_rules,
+                     "spawn rays as the SPD counts them, even where they can't be seen");
+        app.add_flag("--hither", settings.hither, "the eye sees nothing nearer than the view's hither");
+        app.add_flag("--srgb", settings.srgb,
+                     "encode PNG values as sRGB instead of storing them as they are");
+        app.add_flag("--brute-force", settings.brute_force,
+                     "try every primitive for every ray; GRID isn't read");
+        auto* const stats = app.add_option("--stats", settings.stats,
+                                           "write ray counts and seconds as JSON; counting takes time");
+        app.add_option("--times", settings.times, "write the seconds alone, of tracing that counts nothing")
+            ->excludes(stats);
+        app.add_option("--repeat", settings.repeat, "trace so many times; the median's seconds are told")
+            ->check(CLI::Range(1, 10000))
+            ->excludes(stats);
+        app.add_option("--rays", settings.rays,
+                       "trace a list of rays (6 floats each: origin, direction) instead of the camera's");
+        app.add_option("--hits", settings.hits, "write what each ray hits: float t, int32 object (-1: none)");
+        add_choice(app, "--hit-name", settings.hit_name,
+                   {{"object", HitName::object}, {"primitive", HitName::primitive}},
+                   "what --hits names: object (its place among the NFF's) or primitive (the scene file's)");
+        settings.threads.add_to(app);
+        parse();
+        const auto limit = settings.threads.limit();
+        render(settings);
+      });
 }

@@ -9,7 +9,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <map>
 #include <vector>
 
 namespace masu {
@@ -254,28 +253,26 @@ void study(const Settings& settings, const SceneFile& file) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  Settings settings;
-  CLI::App app{"Shows what a grid holds.", "gridstat"};
-  auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
-  app.add_flag("--json", settings.json, "as JSON");
-  app.add_flag("--csv", settings.csv, "as a line of names and a line of values")->excludes("--json");
-  app.add_flag("--histogram", settings.histogram, "with the number of cells for each number of references");
-  app.add_option("--slice", settings.slice, "draw a layer of voxels: AXIS=K, such as z=12");
-  app.add_option("-o,--output", settings.picture, "the slice's PNG");
-  auto* const study_option =
-      app.add_option("--study", settings.study,
-                     "instead: a scene's occupied voxels by division, both overlap tests")
-          ->excludes(grid);
-  app.add_option("--divisions", settings.divisions, "the study's divisions, N voxels an axis")
-      ->delimiter(',')
-      ->capture_default_str()
-      ->needs(study_option);
-  app.add_option("--space", settings.space, "the study's space: tight, or cube (about the origin)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, SpaceRule>{{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}}))
-      ->default_str("cube")
-      ->needs(study_option);
-  return run_tool(app, argc, argv, [&] {
+  return run_tool("gridstat", "Shows what a grid holds.", argc, argv, [](CLI::App& app, const auto& parse) {
+    Settings settings;
+    auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
+    app.add_flag("--json", settings.json, "as JSON");
+    app.add_flag("--csv", settings.csv, "as a line of names and a line of values")->excludes("--json");
+    app.add_flag("--histogram", settings.histogram, "with the number of cells for each number of references");
+    app.add_option("--slice", settings.slice, "draw a layer of voxels: AXIS=K, such as z=12");
+    app.add_option("-o,--output", settings.picture, "the slice's PNG");
+    auto* const study_option =
+        app.add_option("--study", settings.study,
+                       "instead: a scene's occupied voxels by division, both overlap tests")
+            ->excludes(grid);
+    app.add_option("--divisions", settings.divisions, "the study's divisions, N voxels an axis")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->needs(study_option);
+    add_choice(app, "--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
+               "the study's space: tight, or cube (about the origin)")
+        ->needs(study_option);
+    parse();
     if (!settings.study.empty()) {
       const SceneFile scene(settings.study);
       return scene.is_float64() ? study<double>(settings, scene) : study<float>(settings, scene);

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <csignal>
 #include <cstdio>
 #include <string>
 
@@ -47,9 +46,11 @@ void run(const CLI::App& app, const Command& command) {
 } // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error like any other
-  CLI::App app("Writes a standard ray-tracing scene (SPD) as NFF text.", "nffgen");
-  Command command;
-  describe(app, command);
-  return masu::run_tool(app, argc, argv, [&] { run(app, command); });
+  return masu::run_tool("nffgen", "Writes a standard ray-tracing scene (SPD) as NFF text.", argc, argv,
+                        [](CLI::App& app, const auto& parse) {
+                          Command command;
+                          describe(app, command);
+                          parse();
+                          run(app, command);
+                        });
 }

@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and does the main job once: generate, convert, build a grid, inspect, render.
+# demo.sh [SCENE]: balls (unless said otherwise), gears, mount, nurbs, rings, teapot, tetra or tree.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scene=${1:-balls}
+source tools/setup.sh
+
+echo "== building"
+build build -DCMAKE_BUILD_TYPE=Release "${cuda_options[@]}" -- --target nffgen nff2bin gridbuild gridstat gridrender
+
+bin=build/bin
+out=out/$scene
+mkdir -p out
+run() { echo; echo "\$ $*"; "$@"; }
+run $bin/nffgen "$scene" -o "$out.nff"
+run $bin/nff2bin "$out.nff" -o "$out.scene" --info
+run $bin/gridbuild "$out.scene" -o "$out.grid"
+run $bin/gridstat "$out.grid"
+run $bin/gridrender "$out.scene" "$out.grid" -o "$out.png" --stats "$out.json"
+echo
+echo "the picture: $out.png"

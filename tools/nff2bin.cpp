@@ -1,0 +1,257 @@
+// nff2bin: makes a scene file of an NFF text, and tells what either holds.
+#include "libscene/cone.h"
+#include "libscene/mapped_file.h"
+#include "libscene/nff.h"
+#include "libscene/scene_file.h"
+#include "tools/cli.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string input, output;
+  Store store = Store::automatic;
+  bool info = false, json = false;
+  Threads threads;
+};
+
+// What --info tells, of a text or of a scene file.
+struct Summary {
+  ObjectCounts objects;
+  std::uint64_t triangles = 0, spheres = 0, cones = 0, normals = 0;
+  std::uint64_t materials = 0, reflecting = 0, transmitting = 0, lights = 0;
+  std::int32_t width = 0, height = 0;
+  Boxd bounds = empty_box<double>();
+  bool is_float64 = false;
+  std::optional<std::uint64_t> file_bytes; // once there is a file
+  std::optional<SceneWarnings> warnings;   // of a text
+};
+
+std::uint64_t count(const std::vector<Material>& materials, bool (*property)(const Material&)) {
+  return static_cast<std::uint64_t>(std::count_if(materials.begin(), materials.end(), property));
+}
+
+bool fits_float32(const Scene& scene, Store store) {
+  return store == Store::float32 || (store == Store::automatic && scene.float32_suffices);
+}
+
+Summary summary_of(const Scene& scene, Store store) {
+  Boxd box = empty_box<double>();
+  const auto join_all = [&](const auto& records) {
+    for (const auto& record : records)
+      box = join(box, cast<double>(bounds(record)));
+  };
+  join_all(scene.triangles);
+  join_all(scene.spheres);
+  join_all(scene.cones);
+  return {scene.objects,
+          scene.triangles.size(),
+          scene.spheres.size(),
+          scene.cones.size(),
+          scene.normals.size(),
+          scene.materials.size(),
+          count(scene.materials, reflects),
+          count(scene.materials, transmits),
+          scene.lights.size(),
+          scene.camera.width,
+          scene.camera.height,
+          box,
+          !fits_float32(scene, store),
+          {},
+          scene.warnings};
+}
+
+template <class Stored>
+Summary summary_of(const SceneFile& file) {
+  const fb::Scene& table = file.table();
+  const SceneView<Stored> view = file.view<Stored>();
+  const fb::ObjectCounts& objects = *table.objects();
+  const fb::Vec3 &low = table.bounds()->min(), &high = table.bounds()->max();
+  return {{objects.polygons(), objects.patches(), objects.spheres(), objects.cones()},
+          view.triangle_count,
+          view.sphere_count,
+          view.cone_count,
+          view.normals_count,
+          view.material_count,
+          table.reflective_materials(),
+          table.transmitting_materials(),
+          view.light_count,
+          table.camera()->width(),
+          table.camera()->height(),
+          {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}},
+          file.is_float64(),
+          file.bytes(),
+          {}};
+}
+
+// What the sections hold; the file's table and padding add a few KiB.
+template <class Stored>
+std::uint64_t record_bytes(const Summary& s) {
+  return s.triangles * sizeof(Triangle<Stored>) + s.normals * sizeof(CornerNormals<Stored>) +
+         s.spheres * (sizeof(Sphere<Stored>) + sizeof(Surface)) +
+         s.cones * (sizeof(Cone<Stored>) + sizeof(Surface)) + s.materials * sizeof(Material) +
+         s.lights * sizeof(Light<Stored>);
+}
+
+Json bounds_json(const Boxd& box) {
+  if (is_empty(box)) return nullptr;
+  return {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}};
+}
+
+Json to_json(const Summary& s) {
+  const ObjectCounts& o = s.objects;
+  Json json{
+      {"objects",
+       {{"polygons", o.polygons},
+        {"patches", o.patches},
+        {"spheres", o.spheres},
+        {"cones", o.cones},
+        {"total", o.polygons + o.patches + o.spheres + o.cones}}},
+      {"primitives",
+       {{"triangles", s.triangles},
+        {"spheres", s.spheres},
+        {"cones", s.cones},
+        {"total", s.triangles + s.spheres + s.cones}}},
+      {"smooth_triangles", s.normals},
+      {"materials", {{"total", s.materials}, {"reflect", s.reflecting}, {"transmit", s.transmitting}}},
+      {"lights", s.lights},
+      {"resolution", {s.width, s.height}},
+      {"bounds", bounds_json(s.bounds)},
+      {"store", s.is_float64 ? "float64" : "float32"},
+      {"bytes",
+       {{"records", s.is_float64 ? record_bytes<double>(s) : record_bytes<float>(s)}, {"file", nullptr}}},
+  };
+  if (s.file_bytes) json["bytes"]["file"] = *s.file_bytes;
+  if (s.warnings) {
+    json["warnings"] = {{"degenerate_polygons", s.warnings->degenerate_polygons},
+                        {"degenerate_triangles", s.warnings->degenerate_triangles},
+                        {"degenerate_spheres", s.warnings->degenerate_spheres},
+                        {"degenerate_cones", s.warnings->degenerate_cones},
+                        {"self_crossing_polygons", s.warnings->self_crossing_polygons}};
+  }
+  return json;
+}
+
+void print_table(const Summary& s) {
+  const auto line = [](const char* name, const std::string& value) {
+    fmt::print("{:<12} {}\n", name, value);
+  };
+  const ObjectCounts& o = s.objects;
+  line("objects",
+       fmt::format("{}: polygons {}, patches {}, spheres {}, cones {}",
+                   o.polygons + o.patches + o.spheres + o.cones, o.polygons, o.patches, o.spheres, o.cones));
+  line("primitives",
+       fmt::format("{}: triangles {} ({} smooth), spheres {}, cones {}", s.triangles + s.spheres + s.cones,
+                   s.triangles, s.normals, s.spheres, s.cones));
+  line("materials", fmt::format("{}: {} reflect, {} transmit", s.materials, s.reflecting, s.transmitting));
+  line("lights", fmt::format("{}", s.lights));
+  line("resolution", fmt::format("{} x {}", s.width, s.height));
+  const Boxd& b = s.bounds;
+  line("bounds", is_empty(b) ? "none"
+                             : fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", b.min.x, b.min.y,
+                                           b.min.z, b.max.x, b.max.y, b.max.z));
+  const std::uint64_t records = s.is_float64 ? record_bytes<double>(s) : record_bytes<float>(s);
+  line("store", fmt::format("{}, {} bytes of records{}", s.is_float64 ? "float64" : "float32", records,
+                            s.file_bytes ? fmt::format(", {} of file", *s.file_bytes) : ""));
+}
+
+void report(const Summary& summary, const Settings& settings) {
+  if (!settings.info) return;
+  if (settings.json)
+    fmt::print("{}\n", to_json(summary).dump(2));
+  else
+    print_table(summary);
+}
+
+void print_warnings(const SceneWarnings& warnings, const std::string& place) {
+  const auto line = [&](std::uint64_t number, const char* what) {
+    if (number > 0) fmt::print(stderr, "nff2bin: {}: warning: {} {}\n", place, number, what);
+  };
+  line(warnings.degenerate_polygons, "polygon(s) without area left out");
+  line(warnings.degenerate_triangles, "vertices on triangles without area left out");
+  line(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
+  line(warnings.degenerate_cones, "cone(s) without length or without radius left out");
+  line(warnings.self_crossing_polygons, "polygon(s) cross themselves: covered as well as can be");
+}
+
+std::string read_standard_input() {
+  std::string text;
+  std::vector<char> buffer(std::size_t{1} << 20);
+  for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), stdin)) > 0;)
+    text.append(buffer.data(), got);
+  if (std::ferror(stdin) != 0) throw Error(ErrorCode::input, "standard input", "can't be read: give a file");
+  return text;
+}
+
+bool is_scene_file(const std::string& path) {
+  const MappedFile file(path);
+  const auto& magic = scene_file_kind.magic;
+  return file.bytes().size() >= magic.size() &&
+         std::memcmp(file.bytes().data(), magic.data(), magic.size()) == 0;
+}
+
+void check_output(const Settings& settings) {
+  std::error_code ignored;
+  if (std::filesystem::equivalent(settings.input, settings.output, ignored))
+    throw Error(ErrorCode::usage, settings.output, "is the input itself: give the scene file another name");
+}
+
+void convert(const Settings& settings) {
+  const bool is_piped = settings.input == "-";
+  const Scene scene = is_piped ? parse_nff(read_standard_input(), "stdin") : read_nff(settings.input);
+  print_warnings(scene.warnings, is_piped ? "stdin" : settings.input);
+  if (!settings.output.empty()) write_scene(scene, settings.store, settings.output);
+  if (!settings.info) return;
+  Summary summary = summary_of(scene, settings.store);
+  std::error_code failed; // of a pipe
+  const std::uint64_t bytes = std::filesystem::file_size(settings.output, failed);
+  if (!failed) summary.file_bytes = bytes;
+  report(summary, settings);
+}
+
+void run(const Settings& settings) {
+  if (settings.output.empty() && !settings.info)
+    throw Error(ErrorCode::usage, "command line", "nothing to do: give -o FILE, --info or both");
+  const auto limit = settings.threads.limit();
+  if (settings.input == "-" || !is_scene_file(settings.input)) {
+    check_output(settings);
+    return convert(settings);
+  }
+  if (!settings.output.empty())
+    throw Error(ErrorCode::usage, settings.input,
+                "is a scene file already: give an NFF file, or leave out -o");
+  const SceneFile file(settings.input);
+  report(file.is_float64() ? summary_of<double>(file) : summary_of<float>(file), settings);
+}
+
+} // namespace
+} // namespace masu
+
+int main(int argc, char** argv) {
+  using namespace masu;
+  return run_tool(
+      "nff2bin", "Makes a scene file of an NFF text, and tells what either holds and needs.", argc, argv,
+      [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        app.add_option("IN", settings.input, "NFF file, - for standard input; with --info also a scene file")
+            ->required();
+        app.add_option("-o,--output", settings.output, "scene file to write");
+        add_choice(app, "--store", settings.store,
+                   {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
+                   "how coordinates are kept; auto: float32 when the text's digits survive it");
+        auto* const info = app.add_flag("--info", settings.info, "tell what the scene holds and needs");
+        app.add_flag("--json", settings.json, "--info as JSON")->needs(info);
+        settings.threads.add_to(app);
+        parse();
+        run(settings);
+      });
+}
