@@ -13,6 +13,7 @@
 namespace masu {
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), written_path_(path_) {
+  if (path_.empty()) throw Error(ErrorCode::output, "output", "has no name: give a file");
   struct stat status {};
   const bool exists = stat(path_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw Error(ErrorCode::output, path_, "is a directory: name a file");

@@ -17,7 +17,9 @@ public:
   explicit OutputFile(std::string path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
+  OutputFile(OutputFile&&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
+  OutputFile& operator=(OutputFile&&) = delete;
 
   void write(std::span<const std::uint8_t> bytes);
   void write(const void* data, std::size_t bytes);

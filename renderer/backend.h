@@ -7,6 +7,7 @@
 #include "renderer/counts.h"
 #include "renderer/render_pixel.h"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct FrameRequest {
   RenderRules rules{5, false, HitName::object};
   bool hits = false;  // report what each eye ray met
   bool count = false; // fill in counts
+  int repeat = 1;     // trace so many times, and report the median's seconds; counts need 1
 };
 
 // Wall-clock seconds; the CPU backend reads the mapping in place: nothing is uploaded or downloaded.
@@ -40,6 +42,13 @@ struct Frame {
 // Of the right size, still black.
 Frame empty_frame(const FrameRequest& request);
 
+// The middle of some measurements.
+inline double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
 // A ray as a file lists it: origin, then direction of any length but zero. t counts in the direction's
 // length.
 struct ListedRay {
@@ -51,6 +60,7 @@ struct RaysRequest {
   std::span<const ListedRay> rays;
   HitName hit_name = HitName::object;
   bool count = false;
+  int repeat = 1;
 };
 
 struct RayHits {

@@ -57,6 +57,18 @@ void trace(const SceneView<typename M::Stored>& scene, const Grid& grid, const R
   totals.combine_each([&](const Counts& part) { result.counts += part; });
 }
 
+// Seconds of act(), the median of so many.
+template <class Act>
+double timed(int repeat, const Act& act) {
+  std::vector<double> seconds;
+  for (int i = 0; i < repeat; ++i) {
+    const Stopwatch watch;
+    act();
+    seconds.push_back(watch.seconds());
+  }
+  return median(std::move(seconds));
+}
+
 // Calls act(SceneView) with the scene's own store.
 template <class Act>
 void with_store(const SceneFile& scene, const Act& act) {
@@ -67,28 +79,28 @@ void with_store(const SceneFile& scene, const Act& act) {
 
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {
   Frame frame = empty_frame(request);
-  const Stopwatch watch;
-  with_store(scene, [&](const auto& view) {
-    with_everything(view, grid, ForPictures{secondary_of(scene.table())}, request.count,
-                    [&](const auto& accelerator, auto model, auto counts) {
-                      render<decltype(model)>(view, accelerator, request, frame, counts);
-                    });
+  frame.seconds.trace = timed(request.repeat, [&] {
+    with_store(scene, [&](const auto& view) {
+      with_everything(view, grid, ForPictures{secondary_of(scene.table())}, request.count,
+                      [&](const auto& accelerator, auto model, auto counts) {
+                        render<decltype(model)>(view, accelerator, request, frame, counts);
+                      });
+    });
   });
-  frame.seconds.trace = watch.seconds();
   return frame;
 }
 
 RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
   RayHits result;
   result.hits.resize(request.rays.size());
-  const Stopwatch watch;
-  with_store(scene, [&](const auto& view) {
-    with_everything(view, grid, ForHits{}, request.count,
-                    [&](const auto& accelerator, auto model, auto counts) {
-                      trace<decltype(model)>(view, accelerator, request, result, counts);
-                    });
+  result.seconds.trace = timed(request.repeat, [&] {
+    with_store(scene, [&](const auto& view) {
+      with_everything(view, grid, ForHits{}, request.count,
+                      [&](const auto& accelerator, auto model, auto counts) {
+                        trace<decltype(model)>(view, accelerator, request, result, counts);
+                      });
+    });
   });
-  result.seconds.trace = watch.seconds();
   return result;
 }
 

@@ -93,15 +93,20 @@ struct DeviceGrid {
   NoGrid moved(NoGrid) const { return {}; }
 };
 
-// Launches the kernel and waits for it; its code is on the device before the time starts.
+// Launches the kernel so many times and waits; its code is on the device before the time starts. The median's
+// seconds.
 template <class Kernel, class... Arguments>
-double timed_launch(Kernel* kernel, dim3 blocks, dim3 threads, const Arguments&... arguments) {
+double timed_launch(int repeat, Kernel* kernel, dim3 blocks, dim3 threads, const Arguments&... arguments) {
   cudaFuncAttributes attributes;
   check(cudaFuncGetAttributes(&attributes, kernel));
-  const DeviceTimer timer;
-  kernel<<<blocks, threads>>>(arguments...);
-  check(cudaGetLastError());
-  return timer.seconds();
+  std::vector<double> seconds;
+  for (int i = 0; i < repeat; ++i) {
+    const DeviceTimer timer;
+    kernel<<<blocks, threads>>>(arguments...);
+    check(cudaGetLastError());
+    seconds.push_back(timer.seconds());
+  }
+  return median(std::move(seconds));
 }
 
 // Uploads, then calls launch(view on the device, grid on the device, Model, counts), which returns its
@@ -144,8 +149,9 @@ Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameReque
         const dim3 block(block_columns, block_rows);
         const dim3 blocks((static_cast<unsigned>(frame.columns) + block.x - 1) / block.x,
                           (static_cast<unsigned>(frame.rows) + block.y - 1) / block.y);
-        return timed_launch(render_kernel<M, std::decay_t<decltype(accelerator)>, C>, blocks, block, view,
-                            accelerator, rays, request.rules, colors.data(), hits.data(), total.data());
+        return timed_launch(request.repeat, render_kernel<M, std::decay_t<decltype(accelerator)>, C>, blocks,
+                            block, view, accelerator, rays, request.rules, colors.data(), hits.data(),
+                            total.data());
       });
   const Stopwatch watch;
   colors.download(frame.radiance.data());
@@ -169,7 +175,7 @@ RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const Rays
       [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
         if (rays.empty()) return 0.0;
         const std::size_t blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
-        return timed_launch(trace_kernel<M, std::decay_t<decltype(accelerator)>, C>,
+        return timed_launch(request.repeat, trace_kernel<M, std::decay_t<decltype(accelerator)>, C>,
                             dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), view, accelerator,
                             device_rays.data(), rays.size(), request.hit_name, hits.data(), total.data());
       });
