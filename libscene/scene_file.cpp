@@ -88,6 +88,23 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
+// How far from the origin the farthest coordinate may be, and must be, for products of three to stay in
+// range.
+struct Reach {
+  double least, most;
+};
+template <class Stored>
+constexpr Reach reach_of = std::is_same_v<Stored, float> ? Reach{1e-10, 1e12} : Reach{1e-90, 1e100};
+template <class Stored>
+constexpr const char* store_name = std::is_same_v<Stored, float> ? "float32" : "float64";
+
+template <class Stored>
+bool reaches_within(const Boxd& bounds) {
+  if (is_empty(bounds)) return true;
+  const double reach = largest_magnitude(bounds);
+  return reach >= reach_of<Stored>.least && reach <= reach_of<Stored>.most;
+}
+
 template <class Stored>
 void write_stored(const Scene& scene, const std::string& path) {
   // Kept until the file is written: the sections point into them.
@@ -111,12 +128,11 @@ void write_stored(const Scene& scene, const std::string& path) {
       section(SceneSection::cone_surfaces, scene.cone_surfaces),
   };
   const Boxd box = join(join(bounds_of(triangles), bounds_of(spheres)), bounds_of(cones));
-  const double reach = std::is_same_v<Stored, float> ? 1e12 : 1e100;
-  if (!is_empty(box) && !(largest_magnitude(box) <= reach)) {
+  if (!reaches_within<Stored>(box)) {
     throw Error(ErrorCode::input, path,
-                fmt::format("the scene reaches to {:g}, {} holds up to {:g}: {}", largest_magnitude(box),
-                            std::is_same_v<Stored, float> ? "float32" : "float64", reach,
-                            std::is_same_v<Stored, float> ? "store it as float64" : "scale it down"));
+                fmt::format("the scene reaches to {:g}, {} holds {:g} to {:g}: {}", largest_magnitude(box),
+                            store_name<Stored>, reach_of<Stored>.least, reach_of<Stored>.most,
+                            std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
   const auto layout = lay_out(sections);
   const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
@@ -137,9 +153,17 @@ std::span<const fb::Section> section_list(const fb::Scene& table) {
 
 } // namespace
 
+bool fits_float32(const Scene& scene, Store store) {
+  if (store != Store::automatic) return store == Store::float32;
+  return scene.float32_suffices && reaches_within<float>(bounds(scene));
+}
+
+Boxd bounds(const Scene& scene) {
+  return join(join(bounds_of(scene.triangles), bounds_of(scene.spheres)), bounds_of(scene.cones));
+}
+
 void write_scene(const Scene& scene, Store store, const std::string& path) {
-  const bool narrow = store == Store::float32 || (store == Store::automatic && scene.float32_suffices);
-  narrow ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
+  fits_float32(scene, store) ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
 }
 
 namespace {

@@ -13,11 +13,19 @@ namespace masu {
 
 inline constexpr FileKind scene_file_kind{{'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene"};
 
-// automatic: float32 when every coordinate's digits, as written in the text, survive it; else float64.
+// automatic: float32 when every coordinate's digits, as written in the text, survive it, and products of
+// coordinates do; else float64.
 enum class Store { automatic, float32, float64 };
 
+// Of all primitives; empty where there is none.
+Boxd bounds(const Scene& scene);
+
+// Which store that makes of a scene.
+bool fits_float32(const Scene& scene, Store store);
+
 // Writes `scene` to `path`, whole or not at all. Throws Error(output) when it can't, Error(input) when
-// coordinates don't fit the store asked for (float32 holds magnitudes up to 1e12, float64 up to 1e100).
+// coordinates don't fit the store asked for (the farthest one from 1e-10 to 1e12 for float32, from
+// 1e-90 to 1e100 for float64).
 void write_scene(const Scene& scene, Store store, const std::string& path);
 
 // A mapped scene file, checked in full: every index and range in it can be followed.

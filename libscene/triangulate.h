@@ -1,6 +1,6 @@
 // Triangles of a polygon of any vertex count, concave ones too.
 //
-// Ears are cut off in the polygon's own plane, best shaped first, as G. H. Meisters proved possible
+// Ears are cut off in the polygon's own plane, short cuts first, as G. H. Meisters proved possible
 // ("Polygons Have Ears", American Mathematical Monthly 82(6), 1975). Signs are exact, and a vertex on a
 // straight edge counts as one that ears must leave outside: so a simple polygon is always covered, without
 // flipped triangles and without slivers. Time is about n log n for n vertices, n² in the worst case.

@@ -1,5 +1,4 @@
 // nff2bin: makes a scene file of an NFF text, and tells what either holds.
-#include "libscene/cone.h"
 #include "libscene/mapped_file.h"
 #include "libscene/nff.h"
 #include "libscene/scene_file.h"
@@ -40,19 +39,7 @@ std::uint64_t count(const std::vector<Material>& materials, bool (*property)(con
   return static_cast<std::uint64_t>(std::count_if(materials.begin(), materials.end(), property));
 }
 
-bool fits_float32(const Scene& scene, Store store) {
-  return store == Store::float32 || (store == Store::automatic && scene.float32_suffices);
-}
-
 Summary summary_of(const Scene& scene, Store store) {
-  Boxd box = empty_box<double>();
-  const auto join_all = [&](const auto& records) {
-    for (const auto& record : records)
-      box = join(box, cast<double>(bounds(record)));
-  };
-  join_all(scene.triangles);
-  join_all(scene.spheres);
-  join_all(scene.cones);
   return {scene.objects,
           scene.triangles.size(),
           scene.spheres.size(),
@@ -64,7 +51,7 @@ Summary summary_of(const Scene& scene, Store store) {
           scene.lights.size(),
           scene.camera.width,
           scene.camera.height,
-          box,
+          bounds(scene),
           !fits_float32(scene, store),
           {},
           scene.warnings};
@@ -75,7 +62,6 @@ Summary summary_of(const SceneFile& file) {
   const fb::Scene& table = file.table();
   const SceneView<Stored> view = file.view<Stored>();
   const fb::ObjectCounts& objects = *table.objects();
-  const fb::Vec3 &low = table.bounds()->min(), &high = table.bounds()->max();
   return {{objects.polygons(), objects.patches(), objects.spheres(), objects.cones()},
           view.triangle_count,
           view.sphere_count,
@@ -87,7 +73,7 @@ Summary summary_of(const SceneFile& file) {
           view.light_count,
           table.camera()->width(),
           table.camera()->height(),
-          {{low.x(), low.y(), low.z()}, {high.x(), high.y(), high.z()}},
+          file.bounds(),
           file.is_float64(),
           file.bytes(),
           {}};

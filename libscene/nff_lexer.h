@@ -1,0 +1,175 @@
+// Tokens of NFF text: words and numbers between white space and comments, and the place of what is wrong.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace masu::nff {
+
+// A text as a whole, and what errors call it.
+struct Text {
+  std::string_view characters;
+  const std::string& name;
+
+  const char* begin() const { return characters.data(); }
+  const char* end() const { return characters.data() + characters.size(); }
+};
+
+// Throws Error(input, "name:line:column", message) for what stands at `at`. Lines end with LF, CR or both;
+// columns count bytes from 1.
+[[noreturn]] void fail(const Text& text, const char* at, const std::string& message);
+
+// The token at `at` as a message can quote it: cut short, control characters as '?'.
+std::string quoted(const Text& text, const char* at);
+
+enum class Character : std::uint8_t { other, blank, comment };
+
+inline constexpr std::array<Character, 256> character_kinds = [] {
+  std::array<Character, 256> kinds{};
+  for (const char blank : {' ', '\t', '\n', '\r', '\v', '\f'})
+    kinds[static_cast<unsigned char>(blank)] = Character::blank;
+  kinds['#'] = Character::comment;
+  return kinds;
+}();
+inline Character kind_of(char c) {
+  return character_kinds[static_cast<unsigned char>(c)];
+}
+inline bool is_digit(char c) {
+  return static_cast<unsigned char>(c - '0') < 10;
+}
+// Whether a number may start so.
+inline bool is_number_start(char c) {
+  return is_digit(c) || c == '-' || c == '+' || c == '.';
+}
+
+inline constexpr std::array<double, 23> powers_of_ten = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                         1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                         1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+// What the float32 store holds, so that products of coordinates stay in range: magnitudes up to this.
+inline constexpr double largest_float32_coordinate = 1e12;
+
+// Whether a value written down to `unit` (its last digit's worth) survives float32: a normal number up to
+// 1e12 or zero, and off by at most half that unit.
+inline bool survives_float32(double value, double unit) {
+  const double magnitude = value < 0 ? -value : value;
+  if (value == 0) return true;
+  if (!(magnitude >= 1.18e-38 && magnitude <= largest_float32_coordinate)) return false;
+  const double off = value - static_cast<double>(static_cast<float>(value));
+  return (off < 0 ? -off : off) <= 0.5 * unit;
+}
+
+// Reads one token after the other. `syntax`, where a function takes it, is what the entity should look like:
+// errors repeat it.
+class Lexer {
+public:
+  // `text` must outlive the lexer.
+  Lexer(const Text& text, const char* from) : text_(&text), at_(from), end_(text.end()) {}
+
+  const Text& text() const { return *text_; }
+  bool is_at_end() const { return at_ == end_; }
+  // The next token's first character, or the text's end.
+  const char* next() {
+    while (at_ != end_ && kind_of(*at_) != Character::other)
+      skip_blank();
+    return at_;
+  }
+  bool next_is_number() { return next() != end_ && is_number_start(*at_); }
+  // The next token; empty at the end.
+  std::string_view word() {
+    const char* start = next();
+    while (at_ != end_ && kind_of(*at_) == Character::other)
+      ++at_;
+    return {start, static_cast<std::size_t>(at_ - start)};
+  }
+
+  double number(const char* syntax);
+  // A number of geometry: at most 1e100, and digits_survive_float32 hears of it.
+  double coordinate(const char* syntax);
+  // At most 1e100.
+  double bounded(const char* syntax);
+  // A number that a float32 can hold.
+  float factor(const char* syntax);
+  // A whole number from `least` to `most`.
+  std::uint64_t whole(std::uint64_t least, std::uint64_t most, const char* syntax);
+
+  bool digits_survive_float32() const { return digits_survive_; }
+
+private:
+  void skip_blank();
+  bool plain_number(double& value, double& unit, bool& is_short);
+  double other_number(double& unit, const char* syntax);
+  void check_bound(double value, const char* start) const;
+
+  const Text* text_;
+  const char* at_;
+  const char* end_;
+  bool digits_survive_ = true;
+};
+
+inline void Lexer::skip_blank() {
+  if (*at_ == '#')
+    while (at_ != end_ && *at_ != '\n' && *at_ != '\r')
+      ++at_;
+  else
+    ++at_;
+}
+
+// Up to 19 digits without exponent whose value is exact short of one division, which rounds correctly: nearly
+// every number there is. False leaves the lexer where it was. is_short: at most six significant digits, which
+// always survive float32.
+inline bool Lexer::plain_number(double& value, double& unit, bool& is_short) {
+  const char* p = at_;
+  const bool is_negative = p != end_ && *p == '-';
+  if (is_negative) ++p;
+  const char* const digits = p;
+  std::uint64_t mantissa = 0;
+  for (; p != end_ && is_digit(*p); ++p)
+    mantissa = 10 * mantissa + static_cast<std::uint64_t>(*p - '0');
+  auto count = p - digits;
+  std::ptrdiff_t decimals = 0;
+  if (p != end_ && *p == '.') {
+    const char* const fraction = ++p;
+    for (; p != end_ && is_digit(*p); ++p)
+      mantissa = 10 * mantissa + static_cast<std::uint64_t>(*p - '0');
+    decimals = p - fraction;
+    count += decimals;
+  }
+  if (count == 0 || count > 19 || mantissa > (1ULL << 53) || (p != end_ && kind_of(*p) == Character::other))
+    return false;
+  at_ = p;
+  is_short = mantissa < 1'000'000;
+  const double scale = powers_of_ten[static_cast<std::size_t>(decimals)];
+  const double magnitude = static_cast<double>(mantissa) / scale;
+  value = is_negative ? -magnitude : magnitude;
+  unit = is_short ? 0 : 1 / scale;
+  return true;
+}
+
+inline double Lexer::number(const char* syntax) {
+  double value = 0;
+  double unit = 0;
+  bool is_short = false;
+  next();
+  if (!plain_number(value, unit, is_short)) value = other_number(unit, syntax);
+  return value;
+}
+
+inline double Lexer::coordinate(const char* syntax) {
+  double value = 0;
+  double unit = 0;
+  bool is_short = false;
+  const char* const start = next();
+  if (plain_number(value, unit, is_short)) {
+    if (!is_short && digits_survive_) digits_survive_ = survives_float32(value, unit);
+    return value;
+  }
+  value = other_number(unit, syntax);
+  check_bound(value, start);
+  if (digits_survive_) digits_survive_ = survives_float32(value, unit);
+  return value;
+}
+
+} // namespace masu::nff

@@ -1,0 +1,16 @@
+// libFuzzer target: any bytes parse or throw Error. The first byte chooses how the text is cut.
+#include "libscene/error.h"
+#include "libscene/nff.h"
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
+  try {
+    masu::parse_nff(text, "fuzz", {1, data[0] < 128 ? std::size_t{1} << 20 : data[0]});
+  } catch (const masu::Error&) { // what bad input is told
+  }
+  return 0;
+}

@@ -1,0 +1,29 @@
+// Random cases that can be had again: the seed is MASU_TEST_SEED's, or else a fresh one; say it where a test
+// fails with SCOPED_TRACE(seed.trace()).
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+namespace masu {
+
+class RandomSeed {
+public:
+  RandomSeed() {
+    if (const char* given = std::getenv("MASU_TEST_SEED"))
+      value_ = std::strtoull(given, nullptr, 10);
+    else
+      value_ = std::random_device{}();
+  }
+
+  std::uint64_t value() const { return value_; }
+  std::mt19937_64 engine() const { return std::mt19937_64(value_); }
+  std::string trace() const { return "run again with MASU_TEST_SEED=" + std::to_string(value_); }
+
+private:
+  std::uint64_t value_;
+};
+
+} // namespace masu

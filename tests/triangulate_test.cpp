@@ -1,0 +1,491 @@
+#include "libscene/orientation.h"
+#include "libscene/triangulate.h"
+#include "tests/random_seed.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace masu {
+namespace {
+
+using Random = std::mt19937_64;
+using Flat = std::vector<Point2>; // a polygon in a plane
+
+constexpr double pi = std::numbers::pi;
+
+double uniform(Random& random, double from, double to) {
+  return std::uniform_real_distribution(from, to)(random);
+}
+int whole(Random& random, int from, int to) {
+  return std::uniform_int_distribution(from, to)(random);
+}
+
+std::vector<Vec3d> in_plane(const Flat& flat) {
+  std::vector<Vec3d> polygon;
+  polygon.reserve(flat.size());
+  for (const Point2& p : flat)
+    polygon.push_back({p.x, p.y, 0});
+  return polygon;
+}
+
+// The plane spanned by two orthogonal unit vectors, moved and scaled: a random placement in space.
+struct Placement {
+  Vec3d along, across, origin;
+  double scale;
+
+  Vec3d of(const Point2& p) const { return origin + along * (p.x * scale) + across * (p.y * scale); }
+  Vec3d normal() const { return cross(along, across); }
+};
+
+Placement random_placement(Random& random) {
+  const auto direction = [&] {
+    std::normal_distribution<double> normal;
+    return normalized(Vec3d{normal(random), normal(random), normal(random)});
+  };
+  const Vec3d along = direction();
+  const Vec3d across = normalized(cross(along, direction()));
+  return {along, across, direction() * uniform(random, 0, 5), std::exp2(uniform(random, -20, 20))};
+}
+
+std::vector<Vec3d> place(const Flat& flat, const Placement& placement) {
+  std::vector<Vec3d> polygon;
+  polygon.reserve(flat.size());
+  for (const Point2& p : flat)
+    polygon.push_back(placement.of(p));
+  return polygon;
+}
+
+// --- Polygons
+// -------------------------------------------------------------------------------------------------
+
+Flat regular(int corners) {
+  Flat flat;
+  for (int i = 0; i < corners; ++i)
+    flat.push_back({std::cos(2 * pi * i / corners), std::sin(2 * pi * i / corners)});
+  return flat;
+}
+
+Flat star(Random& random, int corners) {
+  Flat flat;
+  for (int i = 0; i < corners; ++i) {
+    const double radius = uniform(random, 0.1, 1);
+    flat.push_back({radius * std::cos(2 * pi * i / corners), radius * std::sin(2 * pi * i / corners)});
+  }
+  return flat;
+}
+
+// The SPD's gear: four vertices a tooth.
+Flat gear(int teeth) {
+  Flat flat;
+  const double tooth = 2 * pi / teeth;
+  for (int i = 0; i < teeth; ++i)
+    for (const auto& [radius, at] : {std::pair{1.0, -0.19}, {1.0, 0.19}, {0.9, 0.3}, {0.9, 0.7}})
+      flat.push_back({radius * std::cos(tooth * (i + at)), radius * std::sin(tooth * (i + at))});
+  return flat;
+}
+
+Flat comb(int teeth) {
+  Flat flat{{0, 0}, {static_cast<double>(teeth), 0}};
+  for (int i = teeth; i > 0; --i) {
+    flat.push_back({i - 0.25, 10});
+    flat.push_back({i - 0.5, 1});
+  }
+  return flat;
+}
+
+Flat spiral(int steps) {
+  Flat flat;
+  for (int i = 0; i <= steps; ++i)
+    flat.push_back({(2 + 0.1 * i) * std::cos(0.3 * i), (2 + 0.1 * i) * std::sin(0.3 * i)});
+  for (int i = steps; i >= 0; --i)
+    flat.push_back({(1.5 + 0.1 * i) * std::cos(0.3 * i), (1.5 + 0.1 * i) * std::sin(0.3 * i)});
+  return flat;
+}
+
+// The outline of a blob of grid cells grown from one, with every grid point on it as a vertex: many are
+// collinear, and all coordinates whole. The outline may touch itself at points, never cross.
+Flat blob_outline(Random& random, int cells) {
+  std::set<std::pair<int, int>> blob{{0, 0}};
+  const std::array<std::pair<int, int>, 4> sides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  const auto neighbours = [&](std::pair<int, int> cell) {
+    return std::count_if(sides.begin(), sides.end(), [&](const auto& side) {
+      return blob.count({cell.first + side.first, cell.second + side.second}) > 0;
+    });
+  };
+  const auto touches_by_corner_only = [&](std::pair<int, int> cell) {
+    for (const int dx : {-1, 1})
+      for (const int dy : {-1, 1})
+        if (blob.count({cell.first + dx, cell.second + dy}) && !blob.count({cell.first + dx, cell.second}) &&
+            !blob.count({cell.first, cell.second + dy}))
+          return true;
+    return false;
+  };
+  // Trees of cells enclose no hole.
+  for (int tries = 0; static_cast<int>(blob.size()) < cells && tries < 100 * cells; ++tries) {
+    auto from = blob.begin();
+    std::advance(from, whole(random, 0, static_cast<int>(blob.size()) - 1));
+    const auto& side = sides[static_cast<std::size_t>(whole(random, 0, 3))];
+    const std::pair<int, int> cell{from->first + side.first, from->second + side.second};
+    if (!blob.count(cell) && neighbours(cell) == 1 && !touches_by_corner_only(cell)) blob.insert(cell);
+  }
+  // Walk round with the blob on the left, from the lowest cell's lower edge.
+  const auto lowest = *std::min_element(blob.begin(), blob.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.second, a.first) < std::pair(b.second, b.first);
+  });
+  Flat flat;
+  int x = lowest.first;
+  int y = lowest.second;
+  std::size_t heading = 0;
+  do {
+    flat.push_back({static_cast<double>(x), static_cast<double>(y)});
+    x += sides[heading].first;
+    y += sides[heading].second;
+    const auto cell_ahead = [&](bool left) { // of the point reached
+      const std::array<std::pair<int, int>, 4> left_cells{{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}};
+      const auto& offset = left_cells[(heading + (left ? 0 : 3)) % 4];
+      return blob.count({x + offset.first, y + offset.second}) > 0;
+    };
+    if (cell_ahead(false))
+      heading = (heading + 3) % 4;
+    else if (!cell_ahead(true))
+      heading = (heading + 1) % 4;
+  } while (x != lowest.first || y != lowest.second);
+  return flat;
+}
+
+Flat with_points_on_edges(Random& random, const Flat& flat, int most) {
+  Flat result;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const Point2 &a = flat[i], &b = flat[(i + 1) % flat.size()];
+    const int parts = whole(random, 1, most + 1);
+    for (int k = 0; k < parts; ++k)
+      result.push_back({a.x + (b.x - a.x) * k / parts, a.y + (b.y - a.y) * k / parts});
+  }
+  return result;
+}
+
+// A square with square holes in a row, each cut in by a bridge.
+Flat square_with_holes(int holes) {
+  Flat flat{{0, 0}, {4.0 * holes, 0}, {4.0 * holes, 4}};
+  for (int i = holes - 1; i >= 0; --i) {
+    const double x = 4 * i + 1;
+    const Point2 bridge{x + 1, 4};
+    for (const Point2& p :
+         {bridge, Point2{x + 1, 3}, {x + 2, 3}, {x + 2, 1}, {x, 1}, {x, 3}, {x + 1, 3}, bridge})
+      flat.push_back(p);
+  }
+  flat.push_back({0, 4});
+  return flat;
+}
+
+// --- What must hold
+// -------------------------------------------------------------------------------------------
+
+// Each edge of the polygon bounds one triangle, each other edge two, one each way: with triangles that all
+// turn as the polygon does, a simple polygon is covered exactly once.
+void expect_edges_match(std::size_t size, const Triangulation& result) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (std::uint32_t i = 0; i < size; ++i)
+    --edges[{i, (i + 1) % size}];
+  for (const auto& t : result.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      ++edges[{t[k], t[(k + 1) % 3]}];
+  for (const auto& [edge, count] : edges) {
+    if (count == 0) continue;
+    const auto opposite = edges.find({edge.second, edge.first});
+    ASSERT_TRUE(count == 1 && opposite != edges.end() && opposite->second == 1)
+        << "edge " << edge.first << "-" << edge.second << " stands alone";
+  }
+}
+
+// `flat` must be counter-clockwise and without repeated vertices.
+void expect_covers(const Flat& flat, const Triangulation& result) {
+  EXPECT_EQ(result.triangles.size(), flat.size() - 2);
+  EXPECT_EQ(result.slivers, 0U);
+  EXPECT_FALSE(result.crosses_itself);
+  expect_edges_match(flat.size(), result);
+  std::vector<bool> is_used(flat.size(), false);
+  long double area = 0;
+  for (const auto& t : result.triangles) {
+    for (const std::uint32_t v : t) {
+      ASSERT_LT(v, flat.size());
+      is_used[v] = true;
+    }
+    const double twice = orientation(flat[t[0]], flat[t[1]], flat[t[2]]);
+    EXPECT_GT(twice, 0);
+    area += static_cast<long double>(twice);
+  }
+  long double expected = 0;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const Point2 &a = flat[i], &b = flat[(i + 1) % flat.size()];
+    expected += static_cast<long double>(a.x) * static_cast<long double>(b.y) -
+                static_cast<long double>(b.x) * static_cast<long double>(a.y);
+  }
+  EXPECT_NEAR(static_cast<double>(area / expected), 1, 1e-12);
+  EXPECT_EQ(std::count(is_used.begin(), is_used.end(), false), 0);
+}
+
+// In the plane, mirrored, and anywhere in space.
+void expect_covers_anywhere(const Flat& flat, Random& random) {
+  expect_covers(flat, triangulate(in_plane(flat)));
+
+  Flat turned_over;
+  std::vector<Vec3d> clockwise = in_plane(flat);
+  std::reverse(clockwise.begin(), clockwise.end());
+  for (const Vec3d& p : clockwise)
+    turned_over.push_back({-p.x, p.y}); // as seen from below
+  expect_covers(turned_over, triangulate(clockwise));
+
+  const Placement placement = random_placement(random);
+  const std::vector<Vec3d> polygon = place(flat, placement);
+  const Triangulation result = triangulate(polygon);
+  EXPECT_EQ(result.triangles.size(), flat.size() - 2);
+  EXPECT_EQ(result.slivers, 0U);
+  expect_edges_match(flat.size(), result);
+  for (const auto& t : result.triangles)
+    EXPECT_GT(dot(cross(polygon[t[1]] - polygon[t[0]], polygon[t[2]] - polygon[t[0]]), placement.normal()),
+              0);
+}
+
+template <class Make>
+void expect_covers_each(Make make) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 60 && !testing::Test::HasFailure(); ++i)
+    expect_covers_anywhere(make(random), random);
+}
+
+// --- Tests
+// ----------------------------------------------------------------------------------------------------
+
+TEST(Orientation, SignIsExact) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 20000; ++i) {
+    // On a 2^-30 lattice products are exact in 128 bits; near collinear by construction.
+    const auto lattice = [&] { return whole(random, -(1 << 30), 1 << 30); };
+    const std::array<std::int64_t, 4> ends{lattice(), lattice(), lattice(), lattice()};
+    const double share = uniform(random, -1, 1);
+    const auto part = [&](std::int64_t a, std::int64_t b) {
+      return static_cast<std::int64_t>(static_cast<double>(a) + share * static_cast<double>(b - a)) +
+             whole(random, -1, 1);
+    };
+    const std::array<std::int64_t, 2> third{part(ends[0], ends[2]), part(ends[1], ends[3])};
+    const auto exact = static_cast<__int128>(ends[0] - third[0]) * (ends[3] - third[1]) -
+                       static_cast<__int128>(ends[1] - third[1]) * (ends[2] - third[0]);
+    const auto point = [](std::int64_t x, std::int64_t y) {
+      return Point2{std::ldexp(static_cast<double>(x), -31), std::ldexp(static_cast<double>(y), -31)};
+    };
+    const double found =
+        orientation(point(ends[0], ends[1]), point(ends[2], ends[3]), point(third[0], third[1]));
+    ASSERT_EQ(found > 0, exact > 0);
+    ASSERT_EQ(found < 0, exact < 0);
+  }
+}
+
+TEST(Orientation, SumOfProductsSeesTheLastBit) {
+  // (1+e)² - 1 - 2e = e² with e = 2^-40: lost by every rounded evaluation.
+  const double e = std::exp2(-40);
+  const double sum = sum_of_products({{{1 + e, 1 + e}, {-1, 1}, {-2, e}, {0, 0}, {0, 0}, {0, 0}}});
+  EXPECT_EQ(sum, e * e);
+  EXPECT_EQ(sum_of_products({{{0.1, 0.3}, {-0.3, 0.1}, {0.7, 0.9}, {-0.9, 0.7}, {0, 1}, {1, 0}}}), 0);
+}
+
+TEST(Triangulate, CoversConvexPolygons) {
+  expect_covers_each([](Random& random) { return regular(whole(random, 3, 200)); });
+}
+
+TEST(Triangulate, CoversStars) {
+  expect_covers_each([](Random& random) { return star(random, whole(random, 3, 300)); });
+}
+
+TEST(Triangulate, CoversGearFaces) {
+  Random random;
+  expect_covers_anywhere(gear(36), random);
+  EXPECT_EQ(triangulate(in_plane(gear(36))).triangles.size(), 142U);
+}
+
+TEST(Triangulate, CoversCombs) {
+  expect_covers_each([](Random& random) { return comb(whole(random, 1, 100)); });
+}
+
+TEST(Triangulate, CoversSpirals) {
+  expect_covers_each([](Random& random) { return spiral(whole(random, 1, 150)); });
+}
+
+TEST(Triangulate, CoversOutlinesWithManyCollinearVertices) {
+  expect_covers_each([](Random& random) { return blob_outline(random, whole(random, 1, 80)); });
+}
+
+TEST(Triangulate, UsesEveryVertexOnAStraightEdge) {
+  expect_covers_each([](Random& random) {
+    // Halves, quarters and eighths of whole coordinates are exact, so collinear vertices are just that.
+    Flat flat = blob_outline(random, whole(random, 1, 10));
+    Flat finer;
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      const Point2 &a = flat[i], &b = flat[(i + 1) % flat.size()];
+      for (int k = 0; k < 8; k += whole(random, 1, 8))
+        finer.push_back({a.x + (b.x - a.x) * k / 8, a.y + (b.y - a.y) * k / 8});
+    }
+    return finer;
+  });
+}
+
+// Vertices on edges, off by rounding: still no slivers and no vertex left out, in space as well.
+TEST(Triangulate, UsesEveryVertexOnARoundedStraightEdge) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 100; ++i) {
+    const Flat flat = with_points_on_edges(random, star(random, whole(random, 3, 40)), 6);
+    const Triangulation result = triangulate(place(flat, random_placement(random)));
+    ASSERT_EQ(result.triangles.size(), flat.size() - 2);
+    ASSERT_EQ(result.slivers, 0U);
+    expect_edges_match(flat.size(), result);
+  }
+}
+
+TEST(Triangulate, CoversHolesCutInByBridges) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 50; ++i) {
+    const int holes = whole(random, 1, 9);
+    const double angle = i == 0 ? 0 : uniform(random, 0, 7); // turned, the bridges are off by rounding
+    Flat flat;
+    for (const Point2& p : square_with_holes(holes))
+      flat.push_back(
+          {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
+    const Triangulation result = triangulate(in_plane(flat));
+    EXPECT_FALSE(result.crosses_itself);
+    EXPECT_EQ(result.slivers, 0U);
+    double area = 0;
+    for (const auto& t : result.triangles) {
+      const double twice = orientation(flat[t[0]], flat[t[1]], flat[t[2]]);
+      EXPECT_GT(twice, 0);
+      area += twice / 2;
+    }
+    EXPECT_NEAR(area, 12 * holes, 1e-12 * holes);
+    expect_edges_match(flat.size(), result);
+  }
+}
+
+TEST(Triangulate, PassesOverRepeatedVertices) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 100; ++i) {
+    const Flat flat = star(random, whole(random, 3, 30));
+    std::vector<Vec3d> repeated;
+    for (const Vec3d& p : in_plane(flat))
+      repeated.insert(repeated.end(), static_cast<std::size_t>(whole(random, 1, 3)), p);
+    repeated.push_back(repeated.front()); // closed
+    const Triangulation result = triangulate(repeated);
+    EXPECT_EQ(result.triangles.size(), flat.size() - 2);
+    EXPECT_EQ(result.slivers, 0U);
+    EXPECT_FALSE(result.crosses_itself);
+  }
+}
+
+TEST(Triangulate, LeavesOutWhatHasNoArea) {
+  const auto count = [](const Flat& flat) { return triangulate(in_plane(flat)).triangles.size(); };
+  EXPECT_EQ(count({}), 0U);
+  EXPECT_EQ(count({{0, 0}, {1, 1}}), 0U);
+  EXPECT_EQ(count({{0, 0}, {1, 1}, {3, 3}}), 0U);
+  EXPECT_EQ(count({{0.1, 0.3}, {0.2, 0.6}, {0.3, 0.9}}), 0U); // collinear but for rounding
+  EXPECT_EQ(count({{0, 0}, {0, 0}, {0, 0}, {0, 0}}), 0U);
+  EXPECT_EQ(count({{0, 0}, {1, 1}, {3, 3}, {2, 2}, {5, 5}}), 0U);
+  EXPECT_EQ(count({{0, 0}, {1, 0}, {1, 1}, {1, 1}}), 1U);
+}
+
+TEST(Triangulate, CutsOffSpikes) {
+  // A square with a line out of one corner, walked both ways.
+  const Triangulation result =
+      triangulate(in_plane({{0, 0}, {1, 0}, {1, 1}, {2, 2}, {3, 3}, {2, 2}, {1, 1}, {0, 1}}));
+  EXPECT_EQ(result.triangles.size(), 2U);
+  EXPECT_FALSE(result.crosses_itself);
+  EXPECT_GE(result.slivers, 1U);
+}
+
+TEST(Triangulate, FlagsPolygonsThatCross) {
+  const auto crosses = [](const Flat& flat) { return triangulate(in_plane(flat)).crosses_itself; };
+  EXPECT_TRUE(crosses({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
+  EXPECT_TRUE(crosses({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {2, -1}, {1, 2}, {0, 2}}));
+  const Flat corners = regular(5);
+  EXPECT_TRUE(crosses({corners[0], corners[2], corners[4], corners[1], corners[3]}));
+}
+
+TEST(Triangulate, EndsOnAnyInput) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 3000; ++i) {
+    const int range = whole(random, 1, 6);
+    std::vector<Vec3d> polygon(static_cast<std::size_t>(whole(random, 0, 40)));
+    const double scale = std::pow(10.0, uniform(random, -100, 99));
+    for (Vec3d& p : polygon)
+      p = Vec3d{static_cast<double>(whole(random, -range, range)),
+                static_cast<double>(whole(random, -range, range)),
+                static_cast<double>(i % 2 == 0 ? 0 : whole(random, -range, range))} *
+          scale;
+    const Triangulation result = triangulate(polygon);
+    EXPECT_LE(result.triangles.size() + 2, std::max<std::size_t>(polygon.size(), 2));
+    for (const auto& [a, b, c] : result.triangles) {
+      ASSERT_LT(std::max({a, b, c}), polygon.size());
+      EXPECT_TRUE(has_area(polygon[a], polygon[b], polygon[c]));
+    }
+  }
+}
+
+TEST(Triangulate, TakesThinTriangles) {
+  EXPECT_TRUE(has_area({0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}));
+  EXPECT_FALSE(has_area({0, 0, 0}, {1, 0, 0}, {0.5, 1e-17, 0}));
+  EXPECT_TRUE(has_area({0, 0, 0}, {1e-90, 0, 0}, {0, 1e-90, 0}));
+  EXPECT_TRUE(has_area({0, 0, 0}, {1e100, 0, 0}, {0, 1e100, 0}));
+}
+
+TEST(Triangulate, SplitsQuadsByTheShorterDiagonal) {
+  const Triangulation result = triangulate(in_plane({{-5, 0}, {0, -1}, {5, 0}, {0, 1}}));
+  ASSERT_EQ(result.triangles.size(), 2U);
+  for (const auto& t : result.triangles)
+    EXPECT_TRUE(std::count(t.begin(), t.end(), 1U) && std::count(t.begin(), t.end(), 3U));
+}
+
+TEST(Triangulate, HugePolygonsTakeSeconds) {
+  Random random(1);
+  for (const Flat& flat : {star(random, 100000), comb(50000), spiral(50000), regular(100000)}) {
+    const auto start = std::chrono::steady_clock::now();
+    const Triangulation result = triangulate(in_plane(flat));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    EXPECT_EQ(result.triangles.size(), flat.size() - 2);
+    EXPECT_LT(seconds.count(), 60); // seconds at most, with room for sanitizers
+  }
+}
+
+TEST(Triangulate, HugeTanglesTakeSeconds) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  Flat flat;
+  for (int i = 0; i < 20000; ++i)
+    flat.push_back({uniform(random, 0, 1), uniform(random, 0, 1)});
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(triangulate(in_plane(flat)).crosses_itself);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(seconds.count(), 60);
+}
+
+} // namespace
+} // namespace masu
