@@ -269,13 +269,13 @@ Vec3d equal_sides(const Vec3d& extent, double voxels) {
 }
 
 Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
-  constexpr double tolerance = 1.05, step = 1.25992104989487; // a factor of ∛2 in the number of voxels
-  constexpr double most_voxels = 1 << 27;
+  constexpr double tolerance = 1.05;
+  constexpr int steps_an_octave = 3, most_octaves = 27; // up to 2^27 voxels
   const Vec3d extent = space.max - space.min;
   std::vector<std::pair<double, Vec3i>> candidates;
   double best = std::numeric_limits<double>::max();
-  for (double voxels = 1; voxels <= most_voxels; voxels *= step) {
-    const Vec3d per_unit = equal_sides(extent, voxels);
+  for (int step = 0; step <= steps_an_octave * most_octaves; ++step) {
+    const Vec3d per_unit = equal_sides(extent, std::exp2(static_cast<double>(step) / steps_an_octave));
     if (largest_magnitude(extent * per_unit) > largest_division / 2.0) break;
     const Vec3i division = division_of(extent, per_unit);
     const double cost = expected_cost(statistics, {space, division, 0});

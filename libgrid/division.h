@@ -47,7 +47,7 @@ struct SurfaceSums {
 // axis: where most rays will find something to do, however far a floor reaches beyond it.
 struct DivisionStatistics {
   SurfaceSums all, crowded; // crowded: those whose box is centred in `crowd`
-  Boxd crowd;
+  Boxd crowd{};
 };
 
 template <class Stored>

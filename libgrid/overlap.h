@@ -54,7 +54,7 @@ private:
     return at >= axis.low && at <= axis.high;
   }
 
-  Vec3d normal_;
+  Vec3d normal_{};
   double plane_low_, plane_high_; // interval of normal · center
   EdgeAxis axes_[3][3];           // [dropped axis][edge]
   int facing_;

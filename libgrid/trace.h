@@ -41,7 +41,7 @@ struct AnyHit {
   const RayFrame<Real>& ray;
   Counts& counts;
   Real t_max;
-  bool found = false;
+  bool found;
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
@@ -78,7 +78,7 @@ MASU_HD inline const PrimitiveIndex* references_of(const GridView<Real>& grid) {
 template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
 MASU_HD inline Hit<Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
                                      Counts& counts) {
-  ClippedRay<Real> clipped;
+  ClippedRay<Real> clipped{};
   if (!clip(ray, cast<Real>(scene.clip), clipped)) return {ray.t_max, no_primitive};
   const RayFrame<Real> frame = ray_frame(clipped.ray.origin, clipped.ray.direction);
   NearestHit<kinds, Real, Stored, Counts> visitor{
@@ -92,10 +92,11 @@ MASU_HD inline Hit<Real> nearest_hit(const SceneView<Stored>& scene, const Grid&
 template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
 MASU_HD inline bool is_blocked(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
                                Counts& counts) {
-  ClippedRay<Real> clipped;
+  ClippedRay<Real> clipped{};
   if (!clip(ray, cast<Real>(scene.clip), clipped)) return false;
   const RayFrame<Real> frame = ray_frame(clipped.ray.origin, clipped.ray.direction);
-  AnyHit<kinds, Real, Stored, Counts> visitor{scene, references_of(grid), frame, counts, clipped.ray.t_max};
+  AnyHit<kinds, Real, Stored, Counts> visitor{scene,  references_of(grid), frame,
+                                              counts, clipped.ray.t_max,   false};
   visit(grid, clipped.ray, scene.primitive_count(), visitor);
   return visitor.found;
 }

@@ -37,14 +37,14 @@ struct FileKind {
 };
 
 struct Prelude {
-  std::array<char, 8> magic;
-  std::uint32_t version;
-  std::uint32_t reserved; // zero
-  std::uint64_t table_bytes;
-  std::uint64_t body_offset;
-  std::uint64_t body_bytes;
+  std::array<char, 8> magic{};
+  std::uint32_t version = 0;
+  std::uint32_t reserved = 0; // zero
+  std::uint64_t table_bytes = 0;
+  std::uint64_t body_offset = 0;
+  std::uint64_t body_bytes = 0;
   Hash hash;
-  std::uint64_t reserved2; // zero
+  std::uint64_t reserved2 = 0; // zero
 };
 static_assert(sizeof(Prelude) == 64);
 

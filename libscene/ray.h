@@ -38,7 +38,7 @@ struct RayFrame {
 template <class Real>
 MASU_HD inline RayFrame<Real> ray_frame(const Vec3<Real>& origin, const Vec3<Real>& direction) {
   const Real x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
-  Vec3<Real> across;
+  Vec3<Real> across{};
   if (x <= y && x <= z) {
     across = {0, direction.z, -direction.y};
   } else if (y <= z) {

@@ -43,7 +43,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
   const bool placed = sum != 0;
   const EdgeFunctions<Real> w = placed ? weights : EdgeFunctions<Real>{1, 1, 1};
   const Real scale = placed ? 1 / sum : Real(1) / 3;
-  SurfacePoint<Real> point;
+  SurfacePoint<Real> point{};
   point.position = weighted(w, scale, a, b, c);
   point.normal = normalized(cross(b - a, c - a));
   point.shading = point.normal;
@@ -65,7 +65,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const
   const Vec3<Real> center = cast<Real>(sphere.center);
   const Real radius = std::abs(static_cast<Real>(sphere.radius));
   const Vec3<Real> outwards = normalized(fused(ray.direction, t, ray.origin) - center);
-  SurfacePoint<Real> point;
+  SurfacePoint<Real> point{};
   point.position = fused(outwards, radius, center);
   point.normal = sphere.radius < 0 ? -outwards : outwards;
   point.shading = point.normal;
@@ -86,7 +86,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const
   // The gradient of distance - radius; along the axis at a pointed end.
   const Vec3d outwards = normalized(distance > 0 ? fused(c.axis, -c.growth * c.inverse_square, away)
                                                  : c.axis * (c.growth > 0 ? -1.0 : 1.0));
-  SurfacePoint<Real> point;
+  SurfacePoint<Real> point{};
   point.position = cast<Real>(c.base + fused(away, radius, c.axis * z));
   point.normal = cast<Real>(is_inside_out(cone) ? -outwards : outwards);
   point.shading = point.normal;

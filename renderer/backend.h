@@ -16,7 +16,7 @@ namespace masu {
 
 // What is asked for.
 struct FrameRequest {
-  Camera camera;
+  Camera camera{};
   Sampling sampling = Sampling::corners;
   bool hither = false; // the eye sees nothing nearer than the camera's hither
   RenderRules rules{5, false, HitName::object};

@@ -21,7 +21,7 @@ std::uint8_t byte_of(float value, bool srgb) {
   const float encoded = !srgb                ? held
                         : held <= 0.0031308F ? 12.92F * held
                                              : 1.055F * std::pow(held, 1 / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(encoded * 255 + 0.5F);
+  return static_cast<std::uint8_t>(std::lround(encoded * 255));
 }
 
 void write_pfm(const Image& image, const std::string& path) {

@@ -150,7 +150,7 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material,
   const float reflected_weight = ray.weight * material.specular,
               refracted_weight = ray.weight * material.transmittance;
   if constexpr (M::secondary == Secondary::refraction) {
-    Vec3<Real> into;
+    Vec3<Real> into{};
     const Real index = static_cast<Real>(material.refraction_index);
     if (transmits(material) && (refracted_weight > 0 || rules.spd_rules) &&
         refracted(ray.direction, side.shading, side.front ? 1 / index : index, into)) {
