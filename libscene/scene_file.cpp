@@ -235,6 +235,12 @@ SceneFile::SceneFile(const std::string& path, const Stopwatch& watch) : containe
   seconds_.validate = watch.seconds() - seconds_.map;
 }
 
+Camera SceneFile::camera() const {
+  const fb::Camera& c = *table_->camera();
+  return {vector_of(c.from()), vector_of(c.at()), vector_of(c.up()), c.angle(),
+          c.hither(),          c.width(),         c.height()};
+}
+
 Boxd SceneFile::bounds() const {
   return {vector_of(table_->bounds()->min()), vector_of(table_->bounds()->max())};
 }

@@ -40,6 +40,7 @@ public:
   std::uint64_t bytes() const { return container_.bytes(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
   std::uint64_t primitive_count() const;
+  Camera camera() const;
   Boxd bounds() const; // of all primitives; empty where there is none
   bool is_float64() const { return table_->store() == fb::Store::float64; }
 

@@ -56,11 +56,17 @@ struct ListedRay {
 };
 static_assert(sizeof(ListedRay) == 24);
 
+// What is asked of a ray: its nearest hit; or whether anything blocks it between 0 < t < 1 (the hit's name is
+// then 0 or -1, its t the end of what was looked at).
+enum class Question { nearest, blocked };
+
 struct RaysRequest {
   std::span<const ListedRay> rays;
   HitName hit_name = HitName::object;
   bool count = false;
   int repeat = 1;
+  int warm_up = 0; // untimed runs before
+  Question question = Question::nearest;
 };
 
 struct RayHits {

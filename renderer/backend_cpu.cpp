@@ -43,7 +43,7 @@ void render(const SceneView<typename M::Stored>& scene, const Grid& grid, const 
   totals.combine_each([&](const Counts& part) { frame.counts += part; });
 }
 
-template <class M, class Grid, class C>
+template <Question question, class M, class Grid, class C>
 void trace(const SceneView<typename M::Stored>& scene, const Grid& grid, const RaysRequest& request,
            RayHits& result, const C&) {
   tbb::combinable<Counts> totals;
@@ -51,15 +51,17 @@ void trace(const SceneView<typename M::Stored>& scene, const Grid& grid, const R
       tbb::blocked_range<std::size_t>(0, request.rays.size(), rays_a_task), [&](const auto& range) {
         C counts;
         for (std::size_t i = range.begin(); i != range.end(); ++i)
-          result.hits[i] = trace_listed<M>(scene, grid, request.rays[i], request.hit_name, counts);
+          result.hits[i] = trace_listed<question, M>(scene, grid, request.rays[i], request.hit_name, counts);
         add(totals.local(), counts);
       });
   totals.combine_each([&](const Counts& part) { result.counts += part; });
 }
 
-// Seconds of act(), the median of so many.
+// Seconds of act(), the median of so many, after some that don't count.
 template <class Act>
-double timed(int repeat, const Act& act) {
+double timed(int warm_up, int repeat, const Act& act) {
+  for (int i = 0; i < warm_up; ++i)
+    act();
   std::vector<double> seconds;
   for (int i = 0; i < repeat; ++i) {
     const Stopwatch watch;
@@ -79,7 +81,7 @@ void with_store(const SceneFile& scene, const Act& act) {
 
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {
   Frame frame = empty_frame(request);
-  frame.seconds.trace = timed(request.repeat, [&] {
+  frame.seconds.trace = timed(0, request.repeat, [&] {
     with_store(scene, [&](const auto& view) {
       with_everything(view, grid, ForPictures{secondary_of(scene.table())}, request.count,
                       [&](const auto& accelerator, auto model, auto counts) {
@@ -93,13 +95,15 @@ Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameReques
 RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
   RayHits result;
   result.hits.resize(request.rays.size());
-  result.seconds.trace = timed(request.repeat, [&] {
-    with_store(scene, [&](const auto& view) {
-      with_everything(view, grid, ForHits{}, request.count,
-                      [&](const auto& accelerator, auto model, auto counts) {
-                        trace<decltype(model)>(view, accelerator, request, result, counts);
+  with_store(scene, [&](const auto& view) {
+    with_everything(view, grid, ForHits{}, request.count,
+                    [&]<class M, class C>(const auto& accelerator, M, C counts) {
+                      with_question(request.question, [&]<Question question>(Asked<question>) {
+                        result.seconds.trace = timed(request.warm_up, request.repeat, [&] {
+                          trace<question, M>(view, accelerator, request, result, counts);
+                        });
                       });
-    });
+                    });
   });
   return result;
 }

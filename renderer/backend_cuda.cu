@@ -37,14 +37,14 @@ __global__ void __launch_bounds__(block_columns* block_rows)
   add(total, counts);
 }
 
-template <class M, class Grid, class C>
+template <Question question, class M, class Grid, class C>
 __global__ void __launch_bounds__(rays_a_block)
     trace_kernel(const SceneView<typename M::Stored> scene, const Grid grid, const ListedRay* const rays,
                  const std::uint64_t count, const HitName name, EyeHit* const hits, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
   if (i >= count) return;
   C counts;
-  hits[i] = trace_listed<M>(scene, grid, rays[i], name, counts);
+  hits[i] = trace_listed<question, M>(scene, grid, rays[i], name, counts);
   add(total, counts);
 }
 
@@ -96,9 +96,12 @@ struct DeviceGrid {
 // Launches the kernel so many times and waits; its code is on the device before the time starts. The median's
 // seconds.
 template <class Kernel, class... Arguments>
-double timed_launch(int repeat, Kernel* kernel, dim3 blocks, dim3 threads, const Arguments&... arguments) {
+double timed_launch(int warm_up, int repeat, Kernel* kernel, dim3 blocks, dim3 threads,
+                    const Arguments&... arguments) {
   cudaFuncAttributes attributes;
   check(cudaFuncGetAttributes(&attributes, kernel));
+  for (int i = 0; i < warm_up; ++i)
+    kernel<<<blocks, threads>>>(arguments...);
   std::vector<double> seconds;
   for (int i = 0; i < repeat; ++i) {
     const DeviceTimer timer;
@@ -149,8 +152,8 @@ Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameReque
         const dim3 block(block_columns, block_rows);
         const dim3 blocks((static_cast<unsigned>(frame.columns) + block.x - 1) / block.x,
                           (static_cast<unsigned>(frame.rows) + block.y - 1) / block.y);
-        return timed_launch(request.repeat, render_kernel<M, std::decay_t<decltype(accelerator)>, C>, blocks,
-                            block, view, accelerator, rays, request.rules, colors.data(), hits.data(),
+        return timed_launch(0, request.repeat, render_kernel<M, std::decay_t<decltype(accelerator)>, C>,
+                            blocks, block, view, accelerator, rays, request.rules, colors.data(), hits.data(),
                             total.data());
       });
   const Stopwatch watch;
@@ -174,10 +177,15 @@ RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const Rays
   run(scene, grid, ForHits{}, request.count, result.seconds,
       [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
         if (rays.empty()) return 0.0;
-        const std::size_t blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
-        return timed_launch(request.repeat, trace_kernel<M, std::decay_t<decltype(accelerator)>, C>,
-                            dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), view, accelerator,
-                            device_rays.data(), rays.size(), request.hit_name, hits.data(), total.data());
+        const dim3 blocks(static_cast<unsigned>((rays.size() + rays_a_block - 1) / rays_a_block));
+        double seconds = 0;
+        with_question(request.question, [&]<Question question>(Asked<question>) {
+          seconds = timed_launch(request.warm_up, request.repeat,
+                                 trace_kernel<question, M, std::decay_t<decltype(accelerator)>, C>, blocks,
+                                 dim3(rays_a_block), view, accelerator, device_rays.data(), rays.size(),
+                                 request.hit_name, hits.data(), total.data());
+        });
+        return seconds;
       });
   watch = Stopwatch();
   hits.download(result.hits.data());

@@ -78,6 +78,17 @@ void with_everything(const SceneView<Stored>& scene, const GridFile* grid, const
   with_model(scene, [&](auto model) { act(view, model, NoCounts{}); });
 }
 
+// A question as a type.
+template <Question question_>
+struct Asked {
+  static constexpr Question question = question_;
+};
+// Calls act(Asked).
+template <class Act>
+void with_question(Question question, const Act& act) {
+  question == Question::nearest ? act(Asked<Question::nearest>{}) : act(Asked<Question::blocked>{});
+}
+
 // A listed ray scaled by a power of two, so that its direction's largest component is about 1 and nothing
 // overflows on the way; t is scaled back by `scale`. Exact.
 template <class Real>
@@ -98,12 +109,18 @@ MASU_HD inline ScaledRay<Real> scaled(const ListedRay& listed) {
           std::ldexp(Real(1), -exponent)};
 }
 
-// What a listed ray hits.
-template <class M, class Grid, class C>
+// What a listed ray hits, or whether it is blocked.
+template <Question question, class M, class Grid, class C>
 MASU_HD inline EyeHit trace_listed(const SceneView<typename M::Stored>& scene, const Grid& grid,
                                    const ListedRay& listed, HitName name, C& counts) {
   using Real = typename M::Real;
-  const ScaledRay<Real> ray = scaled<Real>(listed);
+  ScaledRay<Real> ray = scaled<Real>(listed);
+  if constexpr (question == Question::blocked) {
+    ray.ray.t_max = 1 / ray.scale;
+    const bool blocked = is_blocked<M::kinds>(scene, grid, ray.ray, counts);
+    counts.shadow_ray(blocked);
+    return {1, blocked ? 0 : -1};
+  }
   const Hit<Real> hit = nearest_hit<M::kinds>(scene, grid, ray.ray, counts);
   counts.eye_ray(hit.primitive != no_primitive);
   return eye_hit(scene, hit, ray.scale, name);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libscene/error.h"
+#include "libscene/scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -82,6 +83,20 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
       ->transform(CLI::Validator(to_number, "", "choice"))
       ->type_name(all)
       ->default_str(chosen);
+}
+
+// --size WxH; none keeps the camera's own.
+inline Camera resized(Camera camera, const std::string& size) {
+  if (size.empty()) return camera;
+  int width = 0, height = 0, end = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
+      static_cast<std::size_t>(end) != size.size() || width < 1 || height < 1 || width > 65536 ||
+      height > 65536) {
+    throw Error(ErrorCode::usage, "--size", fmt::format("'{}' isn't WxH with 1 to 65536 pixels each", size));
+  }
+  camera.width = width;
+  camera.height = height;
+  return camera;
 }
 
 // --threads N; 0 is every core.

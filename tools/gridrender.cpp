@@ -40,22 +40,6 @@ bool use_cuda(Backend backend) {
   return available;
 }
 
-Camera camera_of(const fb::Camera& c, const std::string& size) {
-  const auto vector = [](const fb::Vec3& v) { return Vec3d{v.x(), v.y(), v.z()}; };
-  Camera camera{vector(c.from()), vector(c.at()), vector(c.up()), c.angle(),
-                c.hither(),       c.width(),      c.height()};
-  if (size.empty()) return camera;
-  int width = 0, height = 0, end = 0;
-  if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
-      static_cast<std::size_t>(end) != size.size() || width < 1 || height < 1 || width > 65536 ||
-      height > 65536) {
-    throw Error(ErrorCode::usage, "--size", fmt::format("'{}' isn't WxH with 1 to 65536 pixels each", size));
-  }
-  camera.width = width;
-  camera.height = height;
-  return camera;
-}
-
 using Json = nlohmann::ordered_json;
 
 Json seconds_json(const Seconds& seconds) {
@@ -157,7 +141,7 @@ void render(const Settings& settings) {
     seconds.write = watch.seconds();
   };
   if (settings.rays.empty()) {
-    FrameRequest request{camera_of(*scene.table().camera(), settings.size),
+    FrameRequest request{resized(scene.camera(), settings.size),
                          settings.sampling,
                          settings.hither,
                          {settings.depth, settings.spd_rules, settings.hit_name},
