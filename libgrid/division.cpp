@@ -236,7 +236,7 @@ Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
 // plane of the division with the probability of the plane's two faces over the box's surface, and meets a
 // voxel likewise (Crofton).
 double expected_cost(const DivisionStatistics& statistics, const Lattice& lattice) {
-  constexpr double test_over_step = 1.5;
+  constexpr double test_over_step = 2.5;
   const auto surface = [](const Vec3d& w) { return 2 * (w.x * w.y + w.y * w.z + w.z * w.x); };
   const Vec3d w = lattice.space.max - lattice.space.min;
   const Vec3i n = lattice.division;

@@ -55,11 +55,13 @@ Vec3d vector_of(const fb::Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-// A space that can be divided: finite, each side longer than nothing, in the narrowest arithmetic used.
+// A space that can be divided: finite, and with sides whose inverses are.
 bool is_divisible(const fb::Box& space) {
   const Vec3d low = vector_of(space.min()), high = vector_of(space.max());
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(std::isfinite(low[axis]) && std::isfinite(high[axis]) && low[axis] < high[axis])) return false;
+    if (!(std::isfinite(low[axis]) && std::isfinite(high[axis]) && high[axis] - low[axis] >= 1e-300 &&
+          high[axis] - low[axis] <= 1e300))
+      return false;
   }
   return true;
 }
@@ -104,6 +106,7 @@ GridFile::GridFile(const std::string& path, const Stopwatch& watch) : container_
   check(axis_good(n.x()) && axis_good(n.y()) && axis_good(n.z()), "its division is impossible");
   check(is_divisible(*table_->space()), "its space is impossible");
   check(table_->block_log2() <= 5, "its blocks are impossible");
+  check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
 
   const auto map = voxel_map();

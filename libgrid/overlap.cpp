@@ -123,14 +123,13 @@ bool enters_solid(const ConeSolid& cone, const Segment& segment) {
   const double z0 = cone.z(segment.from), dz = dot(along, cone.axis.axis) * cone.axis.inverse_square;
   const Vec3d off = segment.from - (cone.axis.base + cone.axis.axis * z0);
   const Vec3d across = along - cone.axis.axis * dz;
-  const double radius = std::max(0.0, cone.radius(z0)) + cone.margin, slope = cone.axis.growth * dz;
+  const double radius = std::max(0.0, cone.radius(z0)), slope = cone.axis.growth * dz;
   const double a = dot(across, across) - slope * slope;
   const double b = dot(off, across) - slope * radius;
-  const double c = dot(off, off) - radius * radius;
-  const auto value = [&](double s) { return (a * s + 2 * b) * s + c; };
-  if (value(0) <= 0 || value(1) <= 0) return true;
+  // The squares' difference tells where to look; side() itself, which keeps its digits, decides.
   const double lowest = -b / a;
-  return a > 0 && lowest > 0 && lowest < 1 && value(lowest) <= 0;
+  return cone.side(segment.from) <= cone.margin || cone.side(segment.to) <= cone.margin ||
+         (lowest > 0 && lowest < 1 && cone.side(segment.from + along * lowest) <= cone.margin);
 }
 
 bool axis_meets(const ConeSolid& cone, const Boxd& box) {
@@ -173,7 +172,7 @@ bool meets(const Cone<double>& cone, const Boxd& voxel, double margin) {
   ConeSolid solid{cone_axis(cone), 0, 0};
   const double inverse_length = std::sqrt(solid.axis.inverse_square);
   // side() changes by no more than this a unit of length: most voxels are decided by their centre.
-  const double steepest = 1 + std::abs(solid.axis.growth) * inverse_length;
+  const double steepest = std::hypot(1.0, solid.axis.growth * inverse_length);
   solid.z_margin = margin * inverse_length;
   solid.margin = margin * steepest;
   const Vec3d center = (voxel.min + voxel.max) * 0.5;

@@ -26,7 +26,7 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
   clipped = {ray, 0};
   constexpr Real slack = 8 * RealTraits<Real>::unit_roundoff;
   for (int round = 0; round < 2; ++round) {
-    if (contains(box, clipped.ray.origin)) return true;
+    if (contains(box, clipped.ray.origin)) break;
     Real enter = 0, leave = clipped.ray.t_max;
     for (int axis = 0; axis < 3; ++axis) {
       const Real from = clipped.ray.origin[axis], towards = clipped.ray.direction[axis];

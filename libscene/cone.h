@@ -35,6 +35,23 @@ MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
   return cone.base_radius < 0 || cone.apex_radius < 0;
 }
 
+// A root of the quadratic, bettered by a step of Newton's on ρ - R itself: near a pointed end, along the
+// axis, the squares' difference keeps only half the digits. Roots beyond the pointed end, and steps that
+// aren't small, are left alone.
+MASU_HD inline double polished(double s, const Vec3d& off_axis, const Vec3d& across, double radius,
+                               double radius_slope) {
+  const Vec3d off = fused(across, s, off_axis);
+  const double distance = length(off), radius_there = fused(radius_slope, s, radius);
+  const double value = distance - radius_there;
+  const double size = distance + radius + std::abs(radius_slope * s);
+  if (!(radius_there >= 0 && distance > 0 && std::abs(value) <= 1e-7 * size)) return s;
+  const double better = s - value / (dot(off, across) / distance - radius_slope);
+  // Where the ray grazes the slope tells nothing.
+  const double radius_better = fused(radius_slope, better, radius);
+  const double value_better = length(fused(across, better, off_axis)) - radius_better;
+  return radius_better >= 0 && std::abs(value_better) < std::abs(value) ? better : s;
+}
+
 // Whether the ray meets the side at a t > 0; then `t` is the first such place.
 template <class Real, class Stored>
 MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& cone, Real& t) {
@@ -71,7 +88,7 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   bool met = false;
   double first = RealTraits<double>::largest;
   for (int root = 0; root < 2; ++root) {
-    const double s = root == 0 ? root1 : root2;
+    const double s = polished(root == 0 ? root1 : root2, off_axis, across, radius, radius_slope);
     const double along = start + s;
     const double height = fused(s, dz, z);
     // Positive where the ray leaves the solid.
@@ -97,8 +114,8 @@ inline Boxd bounds(const Cone<Stored>& cone) {
     const double radius = std::abs(static_cast<double>(end == 0 ? cone.base_radius : cone.apex_radius));
     Vec3d reach{};
     for (int axis_number = 0; axis_number < 3; ++axis_number) {
-      const double share = axis[axis_number] * axis[axis_number] / square;
-      reach.set(axis_number, radius * std::sqrt(std::max(0.0, 1 - share)) * (1 + 1e-14));
+      const double along1 = axis[(axis_number + 1) % 3], along2 = axis[(axis_number + 2) % 3];
+      reach.set(axis_number, radius * std::sqrt((along1 * along1 + along2 * along2) / square) * (1 + 1e-14));
     }
     box = join(box, Boxd{center - reach, center + reach});
   }

@@ -70,6 +70,11 @@ std::vector<fb::Section> lay_out(std::span<const SectionData> sections);
 Hash write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
                      std::span<const SectionData> sections, std::span<const fb::Section> layout);
 
+// A verified table can still place its list where no 8-byte number may lie.
+inline bool is_aligned(std::span<const fb::Section> sections) {
+  return reinterpret_cast<std::uintptr_t>(sections.data()) % alignof(fb::Section) == 0;
+}
+
 // What opening a file took: mapping it and checking its head; checking all the rest.
 struct LoadSeconds {
   double map = 0, validate = 0;

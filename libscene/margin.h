@@ -8,14 +8,14 @@
 //  - Triangles (triangle.h): subtracting o moves a vertex by 2√3 u M; projecting it, across the ray and along
 //  it, by
 //    (3 + 4) u 2√3 M each; the edge functions keep their digits and their signs, and so the hit lies on the
-//    moved triangle up to 8 u 2√3 M along the ray. In all below 85 u M.
+//    moved triangle up to 8 u 2√3 M along the ray. In all below 160 u M.
 //  - Spheres (sphere.h): the same subtraction and projection, and a square root: below 60 u M. Cones (cone.h)
 //  compute
 //    in double: less, where Stored is float.
 //  - The walk (libgrid/walk.h): a plane min + i·h is off by 2 u M from h, u M from the sum; its distance
 //  along the ray by
 //    3 u of itself, times the direction at most 6 u M along that axis. In all below 12 u M.
-// 128 u M covers their sum. The space that is divided, and the box that rays are clipped to, reach twice that
+// 256 u M covers their sum. The space that is divided, and the box that rays are clipped to, reach twice that
 // beyond the bounds: a hit on the bounds' own face, and a walk to it, stay inside. That also gives flat
 // scenes a thickness.
 #pragma once
@@ -27,7 +27,7 @@ namespace masu {
 // For arithmetic of type Real on primitives within `bounds` (not empty).
 template <class Real>
 inline double rounding_margin(const Boxd& bounds) {
-  return 128.0 * static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
+  return 256.0 * static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
 }
 
 // What rays are clipped to, and what the tight space divides. A scene without primitives gets a box all the

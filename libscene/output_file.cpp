@@ -8,11 +8,12 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 
 namespace masu {
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)), written_path_(path_) {
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), final_path_(path_), written_path_(path_) {
   if (path_.empty()) throw Error(ErrorCode::output, "output", "has no name: give a file");
   struct stat status {};
   const bool exists = stat(path_.c_str(), &status) == 0;
@@ -20,7 +21,9 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), written_path_
   if (!exists || S_ISREG(status.st_mode)) {
     // What the renaming would replace must be writable itself.
     if (exists && access(path_.c_str(), W_OK) != 0) fail("can't be written");
-    written_path_ += ".tmp-" + std::to_string(getpid());
+    // A symbolic link stays: what it leads to is replaced.
+    if (exists) final_path_ = std::filesystem::canonical(path_).string();
+    written_path_ = final_path_ + ".tmp-" + std::to_string(getpid());
   }
   stream_ = std::fopen(written_path_.c_str(), "wbe");
   if (stream_ == nullptr) fail("can't be created");
@@ -48,7 +51,7 @@ void OutputFile::commit() {
     return;
   }
   if (fsync(fileno(stream_)) != 0) fail("can't be flushed");
-  if (std::rename(written_path_.c_str(), path_.c_str()) != 0) fail("can't be given its name");
+  if (std::rename(written_path_.c_str(), final_path_.c_str()) != 0) fail("can't be given its name");
   static_cast<void>(std::fclose(std::exchange(stream_, nullptr)));
 }
 

@@ -31,7 +31,7 @@ public:
 private:
   [[noreturn]] void fail(const char* doing) const;
 
-  std::string path_, written_path_;
+  std::string path_, final_path_, written_path_;
   std::FILE* stream_ = nullptr;
 };
 

@@ -25,6 +25,15 @@ MASU_HD inline bool is_nearer(Real t, PrimitiveIndex primitive, const Hit<Real>&
   return t < than.t || (t == than.t && primitive < than.primitive);
 }
 
+// The direction without components so small that they can't move the ray by a hundredth of a rounding on its
+// way through the scene: what lies exactly along the ray stays so, and no product with them underflows.
+template <class Real>
+MASU_HD inline Vec3<Real> without_traces(const Vec3<Real>& direction) {
+  const Real least = largest_magnitude(direction) * (RealTraits<Real>::unit_roundoff / 256);
+  return {std::abs(direction.x) < least ? 0 : direction.x, std::abs(direction.y) < least ? 0 : direction.y,
+          std::abs(direction.z) < least ? 0 : direction.z};
+}
+
 // What all tests of one ray share. across1 and across2 span the plane across the ray.
 template <class Real>
 struct RayFrame {
@@ -36,7 +45,8 @@ struct RayFrame {
 // across1 is exact: two of the direction's own components, swapped, the smallest left out. So the plane
 // deviates from perpendicular by no more than across2's rounding.
 template <class Real>
-MASU_HD inline RayFrame<Real> ray_frame(const Vec3<Real>& origin, const Vec3<Real>& direction) {
+MASU_HD inline RayFrame<Real> ray_frame(const Vec3<Real>& origin, const Vec3<Real>& along) {
+  const Vec3<Real> direction = without_traces(along);
   const Real x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
   Vec3<Real> across{};
   if (x <= y && x <= z) {

@@ -88,6 +88,32 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
+// Every coordinate a number, and one that the store's arithmetic can take.
+template <class T>
+bool is_held(const Vec3<T>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+template <class T>
+bool is_held(const Triangle<T>& t) {
+  return is_held(t.a) && is_held(t.b) && is_held(t.c);
+}
+template <class T>
+bool is_held(const CornerNormals<T>& n) {
+  return is_held(n.a) && is_held(n.b) && is_held(n.c);
+}
+template <class T>
+bool is_held(const Sphere<T>& s) {
+  return is_held(s.center) && std::isfinite(s.radius);
+}
+template <class T>
+bool is_held(const Cone<T>& c) {
+  return is_held(c.base) && is_held(c.apex) && std::isfinite(c.base_radius) && std::isfinite(c.apex_radius);
+}
+template <class T>
+bool is_held(const Light<T>& l) {
+  return is_held(l.position) && is_held(l.intensity);
+}
+
 // How far from the origin the farthest coordinate may be, and must be, for products of three to stay in
 // range.
 struct Reach {
@@ -100,7 +126,7 @@ constexpr const char* store_name = std::is_same_v<Stored, float> ? "float32" : "
 
 template <class Stored>
 bool reaches_within(const Boxd& bounds) {
-  if (is_empty(bounds)) return true;
+  if (bounds.min.x > bounds.max.x) return true; // no primitive
   const double reach = largest_magnitude(bounds);
   return reach >= reach_of<Stored>.least && reach <= reach_of<Stored>.most;
 }
@@ -134,6 +160,11 @@ void write_stored(const Scene& scene, const std::string& path) {
                             store_name<Stored>, reach_of<Stored>.least, reach_of<Stored>.most,
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
+  const bool lights_held =
+      std::all_of(lights.begin(), lights.end(), [](const auto& light) { return is_held(light); });
+  if (!lights_held)
+    throw Error(ErrorCode::input, path,
+                fmt::format("a light is too far off for {}: move it closer", store_name<Stored>));
   const auto layout = lay_out(sections);
   const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
   write_container(path, scene_file_kind, scene_table(scene, store, box, layout), sections, layout);
@@ -144,6 +175,13 @@ bool finite(const fb::Vec3& v) {
 }
 Vec3d vector_of(const fb::Vec3& v) {
   return {v.x(), v.y(), v.z()};
+}
+
+// The view leads somewhere, and up somewhere else.
+bool has_direction(const fb::Camera& camera) {
+  const Vec3d view = vector_of(camera.at()) - vector_of(camera.from()), up = vector_of(camera.up());
+  if (!(largest_magnitude(view) > 0 && largest_magnitude(up) > 0)) return false;
+  return largest_magnitude(cross(normalized(view), normalized(up))) > 1e-12;
 }
 
 std::span<const fb::Section> section_list(const fb::Scene& table) {
@@ -184,6 +222,12 @@ void check_indices(const SceneView<Stored>& view, std::uint64_t objects, const s
   const auto surface_good = [&](const Surface& s) {
     return s.material < view.material_count && s.object < objects;
   };
+  const bool held = all(view.triangle_count, [&](std::uint32_t i) { return is_held(view.triangles[i]); }) &&
+                    all(view.normals_count, [&](std::uint32_t i) { return is_held(view.normals[i]); }) &&
+                    all(view.sphere_count, [&](std::uint32_t i) { return is_held(view.spheres[i]); }) &&
+                    all(view.cone_count, [&](std::uint32_t i) { return is_held(view.cones[i]); }) &&
+                    all(view.light_count, [&](std::uint32_t i) { return is_held(view.lights[i]); });
+  if (!held) throw Error(ErrorCode::input, path, "a coordinate isn't a finite number: make the file again");
   const bool good =
       all(view.triangle_count,
           [&](std::uint32_t i) {
@@ -216,9 +260,10 @@ SceneFile::SceneFile(const std::string& path, const Stopwatch& watch) : containe
   const fb::Camera& camera = *table_->camera();
   check(finite(camera.from()) && finite(camera.at()) && finite(camera.up()) && camera.angle() > 0 &&
             camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
-            camera.height() <= 65536,
+            camera.height() <= 65536 && std::isfinite(camera.hither()) && has_direction(camera),
         "its camera is impossible");
   check(finite(table_->bounds()->min()) && finite(table_->bounds()->max()), "its bounds aren't finite");
+  check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
 
   const fb::ObjectCounts& counted = *table_->objects();

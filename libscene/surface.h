@@ -6,6 +6,7 @@
 // leave start that far off, whatever the scale.
 #pragma once
 
+#include "libscene/clip.h"
 #include "libscene/intersect.h"
 
 namespace masu {
@@ -20,39 +21,41 @@ struct SurfacePoint {
 };
 
 // Of a primitive that reaches `extent` from the origin: subtracting the ray's origin from a vertex and
-// projecting it moves it by less than 40 u extent (see margin.h), the point itself is off by 4 u extent.
+// projecting it moves it by less than 60 u extent (see margin.h), the point itself is off by 4 u extent.
 template <class Real>
 MASU_HD inline Real surface_error(Real extent) {
   return 64 * RealTraits<Real>::unit_roundoff * extent;
 }
 
 template <class Real>
-MASU_HD inline Vec3<Real> weighted(const EdgeFunctions<Real>& weights, Real scale, const Vec3<Real>& a,
-                                   const Vec3<Real>& b, const Vec3<Real>& c) {
-  return fused(a, weights.a * scale, fused(b, weights.b * scale, c * (weights.c * scale)));
+MASU_HD inline Vec3<Real> mean(const EdgeFunctions<Real>& shares, const Vec3<Real>& a, const Vec3<Real>& b,
+                               const Vec3<Real>& c) {
+  return fused(a, shares.a, fused(b, shares.b, c * shares.c));
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const RayFrame<Real>& ray,
                                              const Triangle<Stored>& triangle) {
   const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
-  const RayFrame<Real> frame = ray_frame(ray.origin, ray.direction);
-  const EdgeFunctions<Real> weights = edge_functions(frame, a - ray.origin, b - ray.origin, c - ray.origin);
-  // From a far origin the weights may all round to zero; the middle is as good as any place then.
+  const EdgeFunctions<Real> weights = edge_functions(ray, a - ray.origin, b - ray.origin, c - ray.origin);
+  // Where the weights all underflow the middle is as good as any place.
   const Real sum = weights.a + weights.b + weights.c;
-  const bool placed = sum != 0;
-  const EdgeFunctions<Real> w = placed ? weights : EdgeFunctions<Real>{1, 1, 1};
-  const Real scale = placed ? 1 / sum : Real(1) / 3;
+  const Real third = Real(1) / 3;
+  const EdgeFunctions<Real> shares =
+      sum != 0 ? EdgeFunctions<Real>{weights.a / sum, weights.b / sum, weights.c / sum}
+               : EdgeFunctions<Real>{third, third, third};
   SurfacePoint<Real> point{};
-  point.position = weighted(w, scale, a, b, c);
-  point.normal = normalized(cross(b - a, c - a));
+  point.position = mean(shares, a, b, c);
+  // A needle so thin that its edges, rounded, are parallel faces the ray.
+  const Vec3<Real> across = cross(b - a, c - a);
+  point.normal = normalized(largest_magnitude(across) > 0 ? across : -ray.direction);
   point.shading = point.normal;
   if (triangle.normals != no_normals) {
     const CornerNormals<Stored>& n = scene.normals[triangle.normals];
-    const Vec3<Real> mean = weighted(w, scale, normalized(cast<Real>(n.a)), normalized(cast<Real>(n.b)),
-                                     normalized(cast<Real>(n.c)));
+    const Vec3<Real> between =
+        mean(shares, normalized(cast<Real>(n.a)), normalized(cast<Real>(n.b)), normalized(cast<Real>(n.c)));
     // Opposite corners can cancel out.
-    if (dot(mean, mean) > 0) point.shading = normalized(mean);
+    if (largest_magnitude(between) > 0) point.shading = normalized(between);
   }
   point.error =
       surface_error(larger(largest_magnitude(a), larger(largest_magnitude(b), largest_magnitude(c))));
@@ -61,10 +64,13 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const Sphere<Stored>& sphere) {
+MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t,
+                                             const Sphere<Stored>& sphere) {
   const Vec3<Real> center = cast<Real>(sphere.center);
   const Real radius = std::abs(static_cast<Real>(sphere.radius));
-  const Vec3<Real> outwards = normalized(fused(ray.direction, t, ray.origin) - center);
+  const Vec3<Real> from_center = fused(ray.direction, t, ray.origin) - center;
+  // A sphere smaller than an ulp of its place has no better direction than back.
+  const Vec3<Real> outwards = normalized(largest_magnitude(from_center) > 0 ? from_center : -ray.direction);
   SurfacePoint<Real> point{};
   point.position = fused(outwards, radius, center);
   point.normal = sphere.radius < 0 ? -outwards : outwards;
@@ -74,12 +80,13 @@ MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const Cone<Stored>& cone) {
+MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t, const Cone<Stored>& cone) {
   const ConeAxis<double> c = cone_axis(cone);
   const Vec3d from_base =
       fused(cast<double>(ray.direction), static_cast<double>(t), cast<double>(ray.origin) - c.base);
-  const double z = dot(from_base, c.axis) * c.inverse_square;
-  const Vec3d off_axis = fused(c.axis, -z, from_base);
+  const double anywhere = dot(from_base, c.axis) * c.inverse_square;
+  const double z = larger(smaller(anywhere, 1.0), 0.0); // t is rounded: not past the ends for that
+  const Vec3d off_axis = fused(c.axis, -anywhere, from_base);
   const double distance = length(off_axis);
   const Vec3d away = distance > 0 ? off_axis * (1 / distance) : Vec3d{0, 0, 0};
   const double radius = larger(fused(c.growth, z, c.base_radius), 0.0);
@@ -96,27 +103,41 @@ MASU_HD inline SurfacePoint<Real> surface_at(const Ray<Real>& ray, Real t, const
   return point;
 }
 
-// `hit` is one that nearest_hit found for `ray`.
+// Tells nothing to anybody.
+struct Unasked {
+  MASU_HD void triangle_test() {}
+  MASU_HD void sphere_test() {}
+  MASU_HD void cone_test() {}
+};
+
+// `hit` is one that nearest_hit found for `ray`. Its t counts from the ray's own origin, which may be far
+// off, and so is too coarse: the test is run again from where the ray enters the scene.
 template <unsigned kinds, class Real, class Stored>
 MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
                                              const Hit<Real>& hit) {
+  ClippedRay<Real> near{};
+  clip(ray, cast<Real>(scene.clip), near);
+  const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
   if constexpr ((kinds & with_triangles) != 0) {
     if (kinds == with_triangles || hit.primitive < scene.triangle_count) {
-      return surface_at(scene, ray, scene.triangles[hit.primitive]);
+      return surface_at(scene, frame, scene.triangles[hit.primitive]);
     }
   }
+  Real t = hit.t - near.skipped;
+  Unasked unasked;
+  intersect<kinds>(scene, frame, hit.primitive, t, unasked);
   const std::uint32_t sphere = hit.primitive - scene.triangle_count;
   SurfacePoint<Real> point{};
   if constexpr ((kinds & with_spheres) != 0) {
     if ((kinds & with_cones) == 0 || sphere < scene.sphere_count) {
-      point = surface_at(ray, hit.t, scene.spheres[sphere]);
+      point = surface_at(frame, t, scene.spheres[sphere]);
       point.material = scene.sphere_surfaces[sphere].material;
       return point;
     }
   }
   if constexpr ((kinds & with_cones) != 0) {
     const std::uint32_t cone = sphere - scene.sphere_count;
-    point = surface_at(ray, hit.t, scene.cones[cone]);
+    point = surface_at(frame, t, scene.cones[cone]);
     point.material = scene.cone_surfaces[cone].material;
   }
   return point;

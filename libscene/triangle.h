@@ -42,9 +42,11 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>&
   // All of one sign: the sum cancels nothing.
   const Real sum = e.a + e.b + e.c;
   if (sum == 0) return false;
-  const Real along =
-      fused(e.a, dot(ray.direction, a), fused(e.b, dot(ray.direction, b), e.c * dot(ray.direction, c)));
-  t = along / sum * ray.inverse_square;
+  // A mean of the corners' distances, by shares of the sum: products with the functions themselves could
+  // underflow.
+  t = fused(e.a / sum, dot(ray.direction, a),
+            fused(e.b / sum, dot(ray.direction, b), e.c / sum * dot(ray.direction, c))) *
+      ray.inverse_square;
   return true;
 }
 

@@ -67,15 +67,17 @@ template <class T>
 MASU_HD inline T length(const Vec3<T>& a) {
   return std::sqrt(dot(a, a));
 }
-// Of unit length; v must not be zero.
-template <class T>
-MASU_HD inline Vec3<T> normalized(const Vec3<T>& v) {
-  return v * (T(1) / length(v));
-}
 // The largest component's magnitude.
 template <class T>
 MASU_HD inline T largest_magnitude(const Vec3<T>& v) {
   return larger(std::abs(v.x), larger(std::abs(v.y), std::abs(v.z)));
+}
+// Of unit length; v must not be zero. Brought to size first: the square of a large or small one leaves the
+// range.
+template <class T>
+MASU_HD inline Vec3<T> normalized(const Vec3<T>& v) {
+  const Vec3<T> sized = v * (T(1) / largest_magnitude(v));
+  return sized * (T(1) / length(sized));
 }
 
 } // namespace masu

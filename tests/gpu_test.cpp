@@ -4,6 +4,7 @@
 #include "libscene/scene_file.h"
 #include "libscene/spd/spd.h"
 #include "renderer/backend.h"
+#include "renderer/ray_sets.h"
 #include "tests/random_seed.h"
 #include "tests/temporary_folder.h"
 
@@ -52,11 +53,9 @@ protected:
   }
 
   FrameRequest request(const SceneFile& scene, std::int32_t pixels) const {
-    const auto vector = [](const fb::Vec3& v) { return Vec3d{v.x(), v.y(), v.z()}; };
-    const fb::Camera& c = *scene.table().camera();
     FrameRequest request;
-    request.camera = {vector(c.from()), vector(c.at()), vector(c.up()), c.angle(),
-                      c.hither(),       pixels,         pixels};
+    request.camera = scene.camera();
+    request.camera.width = request.camera.height = pixels;
     request.rules.hit_name = HitName::primitive;
     request.hits = true;
     return request;
@@ -122,9 +121,24 @@ TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
     const Vec3f from = on_sphere();
     ray = {from, on_sphere() - from};
   }
-  const RaysRequest wanted{rays, HitName::primitive, false};
+  RaysRequest wanted{rays};
+  wanted.hit_name = HitName::primitive;
   expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
                    trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+}
+
+TEST_P(CpuAndGpu, FindTheSameRaysBlocked) {
+  const Built built = build(Store::float32, GetParam().standard, "auto");
+  const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
+  RaysRequest wanted{rays};
+  wanted.question = Question::blocked;
+  const RayHits nearest = trace_rays_cpu(built.scene, &built.grid, {rays});
+  const RayHits cpu = trace_rays_cpu(built.scene, &built.grid, wanted),
+                gpu = trace_rays_cuda(built.scene, &built.grid, wanted);
+  expect_same_hits(cpu.hits, gpu.hits);
+  // The second point lies beyond the scene: what hits is blocked.
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    ASSERT_EQ(nearest.hits[i].name >= 0 && nearest.hits[i].t < 1, cpu.hits[i].name >= 0) << i;
 }
 
 TEST_P(CpuAndGpu, CountTheSame) {

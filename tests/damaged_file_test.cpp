@@ -1,0 +1,138 @@
+// Files damaged at random, with every hash made right again: whatever still opens can be built on and traced.
+// Under the sanitizers this says that no index is followed out of the file.
+#include "libgrid/statistics.h"
+#include "libscene/error.h"
+#include "tests/hostile_files.h"
+#include "tests/random_seed.h"
+#include "tests/tiny_scene.h"
+#include "tests/tracing_probe.h"
+
+#include <array>
+#include <memory>
+#include <random>
+
+namespace masu {
+namespace {
+
+constexpr int cases = 1500;
+
+// Overwrites up to four places with what breaks things most easily.
+void damage(Bytes& bytes, std::mt19937_64& random) {
+  constexpr std::array<std::uint64_t, 16> favourites{0,
+                                                     1,
+                                                     0xff,
+                                                     0xffff,
+                                                     0x7fffffff,
+                                                     0x80000000,
+                                                     0x80000001,
+                                                     0xffffffff,
+                                                     0x7f800000,
+                                                     0x7fc00000,
+                                                     0xff7fffff,
+                                                     0x7ff0000000000000,
+                                                     0x7ff8000000000000,
+                                                     0x7fefffffffffffff,
+                                                     0x8000000000000000,
+                                                     0xffffffffffffffff};
+  if (bytes.empty()) return;
+  for (std::uint64_t places = 1 + random() % 4; places > 0; --places) {
+    const std::size_t size = std::size_t{1} << (random() % 4);
+    if (bytes.size() < size) continue;
+    const std::size_t at = random() % (bytes.size() / size) * size;
+    const std::uint64_t value = random() % 3 == 0 ? random() : favourites[random() % favourites.size()];
+    std::memcpy(bytes.data() + at, &value, size);
+  }
+}
+
+// In the table, or in one of the sections.
+template <class Parts>
+Parts damaged(Parts parts, std::mt19937_64& random) {
+  const std::size_t where = random() % (2 * parts.sections.size());
+  if (where < parts.sections.size())
+    damage(parts.sections[where].bytes, random);
+  else
+    parts.damage_table = [&random](Bytes& table) { damage(table, random); };
+  return parts;
+}
+
+// Opens the file as T; null when it is refused as it should be.
+template <class T>
+std::unique_ptr<T> opened(const std::string& path) {
+  try {
+    return std::make_unique<T>(path);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::input) << error.what();
+    EXPECT_EQ(error.place(), path);
+    return nullptr;
+  }
+}
+
+void build_and_trace(const SceneFile& scene, const std::string& path) {
+  for (const Overlap overlap : {Overlap::box, Overlap::exact}) {
+    try {
+      build_a_little(scene, overlap, path);
+    } catch (const Error&) { // a space that can't be divided
+      return;
+    }
+    if (const auto grid = opened<GridFile>(path)) trace_a_little(scene, grid.get());
+  }
+}
+
+TEST(DamagedFile, ASceneThatOpensCanBeTraced) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  const TemporaryFolder folder;
+  const std::string path = folder.file("scene");
+  for (const Store store : {Store::float32, Store::float64}) {
+    write_scene(tiny_scene(), store, path);
+    const SceneParts parts(path);
+    int open = 0;
+    for (int i = 0; i < cases; ++i) {
+      damaged(parts, random).write(path);
+      const auto scene = opened<SceneFile>(path);
+      if (scene == nullptr) continue;
+      ++open;
+      trace_a_little(*scene, nullptr);
+      build_and_trace(*scene, folder.file("grid"));
+    }
+    EXPECT_GT(open, cases / 20);
+    EXPECT_LT(open, cases);
+  }
+}
+
+TEST(DamagedFile, AGridThatOpensCanBeTraced) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  const TemporaryFolder folder;
+  const std::string scene_path = folder.file("scene"), path = folder.file("grid");
+  for (const Store store : {Store::float32, Store::float64}) {
+    write_scene(tiny_scene(), store, scene_path);
+    const SceneFile scene(scene_path);
+    for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks()}) {
+      write_grid(made, tiny_grid_origin(scene.hash()), path);
+      const GridParts parts(path);
+      int open = 0;
+      for (int i = 0; i < cases; ++i) {
+        damaged(parts, random).write(path);
+        const auto grid = opened<GridFile>(path);
+        if (grid == nullptr) continue;
+        ++open;
+        static_cast<void>(grid_statistics(grid->view<double>(), grid->cells()));
+        try {
+          grid->check_scene(scene.hash(), scene.primitive_count());
+        } catch (const Error& error) {
+          EXPECT_EQ(error.code(), ErrorCode::input);
+          continue;
+        }
+        trace_a_little(scene, grid.get());
+      }
+      EXPECT_GT(open, cases / 50);
+      EXPECT_LT(open, cases);
+    }
+  }
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,24 @@
+// Any bytes as a scene file: an Error, or a scene that can be traced. Seeds: files that nff2bin makes.
+#include "libscene/error.h"
+#include "tests/fuzz/memory_file.h"
+#include "tests/tracing_probe.h"
+
+namespace {
+
+void open_and_trace(std::span<const std::uint8_t> bytes) {
+  try {
+    const masu::MemoryFile file(bytes);
+    const masu::SceneFile scene(file.path());
+    masu::trace_a_little(scene, nullptr);
+    masu::build_a_little(scene, masu::Overlap::exact, "/dev/null");
+  } catch (const masu::Error&) {
+  }
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  open_and_trace({data, size});
+  open_and_trace(masu::repaired<masu::fb::Scene>({data, size}, masu::scene_file_kind));
+  return 0;
+}

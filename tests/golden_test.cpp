@@ -1,0 +1,211 @@
+// The formats stay what they are: files written today are these very bytes, and these bytes are read.
+#include "tests/golden.h"
+
+#include "tests/golden/grid.h"
+#include "tests/golden/grid_of_blocks.h"
+#include "tests/golden/scene_float32.h"
+#include "tests/golden/scene_float64.h"
+#include "tests/tiny_scene.h"
+
+#include <cmath>
+#include <functional>
+
+namespace masu {
+namespace {
+
+constexpr Hash golden_scene_hash{0x0123456789abcdef, 0xfedcba9876543210};
+
+struct Golden {
+  const char* name;
+  const char* hex;
+  std::function<void(const std::string& path)> write;
+};
+
+void PrintTo(const Golden& golden, std::ostream* out) {
+  *out << golden.name;
+}
+
+class GoldenFile : public testing::TestWithParam<Golden> {};
+
+// To accept a new format: raise the version (scene_file_kind, grid_file_kind), then paste what this prints.
+TEST_P(GoldenFile, IsWrittenByteForByte) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("file");
+  GetParam().write(path);
+  const Bytes written = read_bytes(path);
+  const Bytes golden = bytes_of_hex_lines(GetParam().hex);
+  const auto differ = std::ranges::mismatch(written, golden);
+  EXPECT_TRUE(written == golden)
+      << "tests/golden/" << GetParam().name << ".h differs from byte " << differ.in1 - written.begin()
+      << " on: the format changed.\nA changed format needs a new version number, or old files would be "
+         "misread. After raising it, this is the new golden text:\n"
+      << hex_lines(written);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, GoldenFile,
+    testing::Values(Golden{"scene_float32", golden_scene_float32,
+                           [](const std::string& path) { write_scene(tiny_scene(), Store::float32, path); }},
+                    Golden{"scene_float64", golden_scene_float64,
+                           [](const std::string& path) { write_scene(tiny_scene(), Store::float64, path); }},
+                    Golden{"grid", golden_grid,
+                           [](const std::string& path) {
+                             write_grid(tiny_grid(), tiny_grid_origin(golden_scene_hash), path);
+                           }},
+                    Golden{"grid_of_blocks", golden_grid_of_blocks,
+                           [](const std::string& path) {
+                             write_grid(tiny_grid_of_blocks(), tiny_grid_origin(golden_scene_hash), path);
+                           }}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+std::string written_golden(const TemporaryFolder& folder, const char* hex) {
+  const std::string path = folder.file("golden");
+  write_bytes(path, bytes_of_hex_lines(hex));
+  return path;
+}
+
+Vec3d vector_of(const fb::Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+void expect_table_of_tiny_scene(const fb::Scene& table) {
+  const Scene scene = tiny_scene();
+  const Camera& camera = scene.camera;
+  EXPECT_EQ(vector_of(table.camera()->from()), camera.from);
+  EXPECT_EQ(vector_of(table.camera()->at()), camera.at);
+  EXPECT_EQ(vector_of(table.camera()->up()), camera.up);
+  EXPECT_EQ(table.camera()->angle(), camera.angle);
+  EXPECT_EQ(table.camera()->hither(), camera.hither);
+  EXPECT_EQ(table.camera()->width(), camera.width);
+  EXPECT_EQ(table.camera()->height(), camera.height);
+  const fb::Color& background = *table.background();
+  EXPECT_EQ((Vec3f{background.r(), background.g(), background.b()}), scene.background);
+  EXPECT_EQ(table.ambient(), scene.ambient);
+  EXPECT_EQ(table.objects()->polygons(), 1U);
+  EXPECT_EQ(table.objects()->patches(), 1U);
+  EXPECT_EQ(table.objects()->spheres(), 1U);
+  EXPECT_EQ(table.objects()->cones(), 1U);
+  EXPECT_EQ(vector_of(table.bounds()->min()), (Vec3d{-2, -2, -1}));
+  EXPECT_EQ(vector_of(table.bounds()->max()), (Vec3d{2, 2, 0.75}));
+  EXPECT_EQ(table.reflective_materials(), 2U);
+  EXPECT_EQ(table.transmitting_materials(), 1U);
+}
+
+template <class Stored>
+void expect_triangles_of_tiny_scene(const SceneView<Stored>& view) {
+  const Scene scene = tiny_scene();
+  ASSERT_EQ(view.triangle_count, scene.triangles.size());
+  for (std::uint32_t i = 0; i < view.triangle_count; ++i) {
+    const Triangle<double>& t = scene.triangles[i];
+    EXPECT_EQ(cast<double>(view.triangles[i].a), t.a);
+    EXPECT_EQ(cast<double>(view.triangles[i].b), t.b);
+    EXPECT_EQ(cast<double>(view.triangles[i].c), t.c);
+    EXPECT_EQ(view.triangles[i].object, t.object);
+    EXPECT_EQ(view.triangles[i].material, t.material);
+    EXPECT_EQ(view.triangles[i].normals, t.normals);
+  }
+  ASSERT_EQ(view.normals_count, 1U);
+  EXPECT_EQ(cast<double>(view.normals[0].a), scene.normals[0].a);
+  EXPECT_EQ(cast<double>(view.normals[0].b), scene.normals[0].b);
+  EXPECT_EQ(cast<double>(view.normals[0].c), scene.normals[0].c);
+}
+
+template <class Stored>
+void expect_round_ones_of_tiny_scene(const SceneView<Stored>& view) {
+  const Scene scene = tiny_scene();
+  ASSERT_EQ(view.sphere_count, 1U);
+  EXPECT_EQ(cast<double>(view.spheres[0].center), scene.spheres[0].center);
+  EXPECT_EQ(static_cast<double>(view.spheres[0].radius), scene.spheres[0].radius);
+  EXPECT_EQ(view.sphere_surfaces[0].object, 2U);
+  EXPECT_EQ(view.sphere_surfaces[0].material, 2U);
+  ASSERT_EQ(view.cone_count, 1U);
+  EXPECT_EQ(cast<double>(view.cones[0].base), scene.cones[0].base);
+  EXPECT_EQ(cast<double>(view.cones[0].apex), scene.cones[0].apex);
+  EXPECT_EQ(static_cast<double>(view.cones[0].base_radius), scene.cones[0].base_radius);
+  EXPECT_EQ(static_cast<double>(view.cones[0].apex_radius), scene.cones[0].apex_radius);
+  EXPECT_EQ(view.cone_surfaces[0].object, 3U);
+  EXPECT_EQ(view.cone_surfaces[0].material, 3U);
+}
+
+template <class Stored>
+void expect_lights_and_materials_of_tiny_scene(const SceneView<Stored>& view) {
+  const Scene scene = tiny_scene();
+  ASSERT_EQ(view.light_count, scene.lights.size());
+  for (std::uint32_t i = 0; i < view.light_count; ++i) {
+    EXPECT_EQ(cast<double>(view.lights[i].position), scene.lights[i].position);
+    EXPECT_EQ(cast<float>(view.lights[i].intensity), cast<float>(scene.lights[i].intensity));
+  }
+  ASSERT_EQ(view.material_count, scene.materials.size());
+  for (std::uint32_t i = 0; i < view.material_count; ++i) {
+    const Material &read = view.materials[i], &m = scene.materials[i];
+    EXPECT_EQ(read.color, m.color);
+    EXPECT_EQ(read.diffuse, m.diffuse);
+    EXPECT_EQ(read.specular, m.specular);
+    EXPECT_EQ(read.shine, m.shine);
+    EXPECT_EQ(read.transmittance, m.transmittance);
+    EXPECT_EQ(read.refraction_index, m.refraction_index);
+  }
+}
+
+template <class Stored>
+void expect_tiny_scene(const SceneFile& file) {
+  expect_table_of_tiny_scene(file.table());
+  const SceneView<Stored> view = file.view<Stored>();
+  expect_triangles_of_tiny_scene(view);
+  expect_round_ones_of_tiny_scene(view);
+  expect_lights_and_materials_of_tiny_scene(view);
+  EXPECT_EQ(view.ambient, tiny_scene().ambient);
+  EXPECT_EQ(view.background, tiny_scene().background);
+}
+
+TEST(GoldenFileReading, Float32SceneIsRead) {
+  const TemporaryFolder folder;
+  const SceneFile file(written_golden(folder, golden_scene_float32));
+  ASSERT_FALSE(file.is_float64());
+  expect_tiny_scene<float>(file);
+}
+
+TEST(GoldenFileReading, Float64SceneIsRead) {
+  const TemporaryFolder folder;
+  const SceneFile file(written_golden(folder, golden_scene_float64));
+  ASSERT_TRUE(file.is_float64());
+  expect_tiny_scene<double>(file);
+}
+
+void expect_grid(const GridFile& file, const Grid& grid) {
+  EXPECT_NO_THROW(file.check_scene(golden_scene_hash, tiny_scene_primitives));
+  EXPECT_EQ(file.table().primitives(), tiny_scene_primitives);
+  EXPECT_EQ(file.table().block_log2(), static_cast<std::uint32_t>(grid.block_log2));
+  EXPECT_EQ(file.table().space_rule(), fb::Space::tight);
+  EXPECT_EQ(file.table().overlap(), fb::Overlap::exact);
+  EXPECT_EQ(file.table().merge(), fb::Merge::none);
+  EXPECT_EQ(file.table().division_rule()->str(), "2x2x1");
+  EXPECT_EQ(file.table().build_seconds(), -1);
+  EXPECT_EQ(file.lattice().division, grid.lattice.division);
+  EXPECT_EQ(file.lattice().space.min, grid.lattice.space.min);
+  EXPECT_EQ(file.lattice().space.max, grid.lattice.space.max);
+  EXPECT_EQ(file.lattice().margin, grid.lattice.margin);
+  EXPECT_TRUE(std::ranges::equal(file.voxel_map(), grid.voxel_map));
+  EXPECT_TRUE(std::ranges::equal(file.cells(), grid.cells));
+  EXPECT_TRUE(std::ranges::equal(file.references(), grid.references));
+}
+
+TEST(GoldenFileReading, GridIsRead) {
+  const TemporaryFolder folder;
+  expect_grid(GridFile(written_golden(folder, golden_grid)), tiny_grid());
+}
+
+TEST(GoldenFileReading, GridOfBlocksIsRead) {
+  const TemporaryFolder folder;
+  const GridFile file(written_golden(folder, golden_grid_of_blocks));
+  expect_grid(file, tiny_grid_of_blocks());
+  const GridView<float> view = file.view<float>();
+  EXPECT_EQ(look_up(view, {0, 0, 0}).word, occupied_bit | 0);
+  EXPECT_EQ(look_up(view, {1, 0, 0}).word, occupied_bit | 1);
+  EXPECT_EQ(look_up(view, {2, 0, 0}).word, 0U);
+  EXPECT_EQ(look_up(view, {2, 0, 0}).side_log2, 1);
+  EXPECT_EQ(look_up(view, {4, 0, 0}).word, occupied_bit | 2);
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,97 @@
+// The grid never shows: pictures and hits are the same bytes for every grid, for none, and for any number of
+// threads; and so are equal grids.
+#include "tests/run_tool.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace masu {
+namespace {
+
+struct Case {
+  const char* scene;
+  int size;          // small: brute force and 1×1×1 voxels try every primitive
+  const char* store; // of the scene file, and so the arithmetic
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.scene << " " << c.size << " as " << c.store;
+}
+
+class GridInvariance : public ToolTest, public testing::WithParamInterface<Case> {
+protected:
+  struct Answer {
+    Bytes picture, hits;
+    bool operator==(const Answer&) const = default;
+  };
+
+  // `how`: the grid, or --brute-force, and options.
+  Answer rendered(Arguments how) const {
+    const Arguments common{"--backend", "cpu",         "--size", "24x24",
+                           "-o",        file("a.pfm"), "--hits", file("hits")};
+    how.insert(how.begin(), scene_);
+    how.insert(how.end(), common.begin(), common.end());
+    EXPECT_TRUE(succeeded(run("gridrender", how)));
+    return {read_bytes(file("a.pfm")), read_bytes(file("hits"))};
+  }
+
+  // Builds the grid with one thread and with two; both must be the same file.
+  std::string built(const std::string& division, const Arguments& rules) const {
+    Arguments threads1 = rules, threads2 = rules;
+    threads1.insert(threads1.end(), {"--threads", "1"});
+    threads2.insert(threads2.end(), {"--threads", "2"});
+    const std::string path = grid("a.grid", scene_, division, threads1);
+    EXPECT_TRUE(read_bytes(path) == read_bytes(grid("b.grid", scene_, division, threads2)))
+        << "threads show in the grid file";
+    return path;
+  }
+
+  const std::string scene_ =
+      scene("a.scene", spd("a.nff", GetParam().scene, GetParam().size), {"--store", GetParam().store});
+};
+
+TEST_P(GridInvariance, NoGridShows) {
+  const Answer expected = rendered({"--brute-force"});
+  ASSERT_EQ(expected.picture.size(), std::string_view("PF\n24 24\n-1.0\n").size() + 24 * 24 * 12);
+  ASSERT_EQ(expected.hits.size(), 25U * 25 * 8);
+  EXPECT_TRUE(rendered({"--brute-force", "--threads", "1"}) == expected);
+  for (const char* const division : {"1", "2", "7", "16", "33x20x5", "128", "300x300x100", "auto"}) {
+    for (const char* const overlap : {"box", "exact"}) {
+      for (const char* const space : {"tight", "cube"}) {
+        SCOPED_TRACE(fmt::format("division {}, overlap {}, space {}", division, overlap, space));
+        const std::string path = built(division, {"--overlap", overlap, "--space", space});
+        EXPECT_TRUE(rendered({path, "--threads", "1"}) == expected);
+        EXPECT_TRUE(rendered({path, "--threads", "2"}) == expected);
+      }
+    }
+  }
+  // Counting runs other code.
+  EXPECT_TRUE(rendered({grid("c.grid", scene_), "--stats", file("stats")}) == expected);
+}
+
+constexpr std::array<Case, 16> cases{{
+    {"balls", 2, "float32"},
+    {"balls", 1, "float64"},
+    {"gears", 1, "float32"},
+    {"gears", 1, "float64"},
+    {"mount", 3, "float32"},
+    {"mount", 2, "float64"},
+    {"nurbs", 1, "float32"},
+    {"nurbs", 1, "float64"},
+    {"rings", 1, "float32"},
+    {"rings", 1, "float64"},
+    {"teapot", 2, "float32"},
+    {"teapot", 2, "float64"},
+    {"tetra", 4, "float32"},
+    {"tetra", 3, "float64"},
+    {"tree", 4, "float32"},
+    {"tree", 3, "float64"},
+}};
+
+INSTANTIATE_TEST_SUITE_P(Spd, GridInvariance, testing::ValuesIn(cases), [](const auto& test) {
+  return fmt::format("{}{}", test.param.scene, test.param.store);
+});
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,419 @@
+// Files whose every hash is right and whose contents are not: each gets an error, none a fault.
+#include "tests/hostile_files.h"
+#include "tests/refused.h"
+#include "tests/tiny_scene.h"
+
+#include <cmath>
+#include <limits>
+
+namespace masu {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using fb::GridSection;
+using fb::SceneSection;
+
+template <class Parts>
+struct Wrong {
+  const char* name;
+  std::function<void(Parts&)> spoil;
+};
+using WrongScene = Wrong<SceneParts>;
+using WrongGrid = Wrong<GridParts>;
+
+template <class Parts>
+void PrintTo(const Wrong<Parts>& wrong, std::ostream* out) {
+  *out << wrong.name;
+}
+const auto by_name = [](const auto& test) { return std::string(test.param.name); };
+
+class HostileScene : public testing::TestWithParam<WrongScene> {};
+
+TEST_P(HostileScene, IsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.scene");
+  write_scene(tiny_scene(), Store::float32, path);
+  SceneParts parts(path);
+  parts.write(path);
+  ASSERT_NO_THROW(const SceneFile unspoilt(path));
+  GetParam().spoil(parts);
+  parts.write(path);
+  EXPECT_TRUE(is_refused([](const std::string& name) { const SceneFile file(name); }, path));
+}
+
+fb::Camera with_from(const fb::Camera& c, const fb::Vec3& from) {
+  return {from, c.at(), c.up(), c.angle(), c.hither(), c.width(), c.height()};
+}
+fb::Camera with_at(const fb::Camera& c, const fb::Vec3& at) {
+  return {c.from(), at, c.up(), c.angle(), c.hither(), c.width(), c.height()};
+}
+fb::Camera with_up(const fb::Camera& c, const fb::Vec3& up) {
+  return {c.from(), c.at(), up, c.angle(), c.hither(), c.width(), c.height()};
+}
+WrongScene angle(const char* name, double value) {
+  return {name, [value](SceneParts& p) {
+            const fb::Camera& c = p.camera;
+            p.camera = {c.from(), c.at(), c.up(), value, c.hither(), c.width(), c.height()};
+          }};
+}
+WrongScene hither(const char* name, double value) {
+  return {name, [value](SceneParts& p) {
+            const fb::Camera& c = p.camera;
+            p.camera = {c.from(), c.at(), c.up(), c.angle(), value, c.width(), c.height()};
+          }};
+}
+WrongScene size(const char* name, std::int32_t width, std::int32_t height) {
+  return {name, [=](SceneParts& p) {
+            const fb::Camera& c = p.camera;
+            p.camera = {c.from(), c.at(), c.up(), c.angle(), c.hither(), width, height};
+          }};
+}
+WrongScene triangle(const char* name, const std::function<void(Triangle<float>&)>& change) {
+  return {name,
+          [change](SceneParts& p) { p.section(SceneSection::triangles).edit<Triangle<float>>(1, change); }};
+}
+WrongScene sphere(const char* name, const std::function<void(Sphere<float>&)>& change) {
+  return {name, [change](SceneParts& p) { p.section(SceneSection::spheres).edit<Sphere<float>>(0, change); }};
+}
+WrongScene cone(const char* name, const std::function<void(Cone<float>&)>& change) {
+  return {name, [change](SceneParts& p) { p.section(SceneSection::cones).edit<Cone<float>>(0, change); }};
+}
+WrongScene surface(const char* name, SceneSection kind, const Surface& value) {
+  return {name, [=](SceneParts& p) { p.section(kind).edit<Surface>(0, [&](Surface& s) { s = value; }); }};
+}
+WrongScene without(const char* name, SceneSection kind) {
+  return {name, [kind](SceneParts& p) { p.drop(kind); }};
+}
+WrongScene objects(const char* name, const fb::ObjectCounts& counts) {
+  return {name, [counts](SceneParts& p) { p.objects = counts; }};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Camera, HostileScene,
+    testing::Values(
+        angle("AngleZero", 0), angle("AngleNegative", -45), angle("Angle180", 180), angle("AngleNaN", nan),
+        angle("AngleInfinite", infinity), hither("HitherNaN", nan), hither("HitherInfinite", infinity),
+        size("WidthZero", 0, 6), size("HeightZero", 8, 0), size("WidthNegative", -1, 6),
+        size("HeightLeast", 8, std::numeric_limits<std::int32_t>::min()), size("WidthTooLarge", 65537, 6),
+        WrongScene{"FromNaN",
+                   [](SceneParts& p) {
+                     p.camera = with_from(p.camera, {nan, 0, 0});
+                   }},
+        WrongScene{"FromInfinite",
+                   [](SceneParts& p) {
+                     p.camera = with_from(p.camera, {0, infinity, 0});
+                   }},
+        WrongScene{"AtNaN",
+                   [](SceneParts& p) {
+                     p.camera = with_at(p.camera, {0, 0, nan});
+                   }},
+        WrongScene{"UpInfinite",
+                   [](SceneParts& p) {
+                     p.camera = with_up(p.camera, {-infinity, 0, 1});
+                   }},
+        WrongScene{"LooksNowhere", [](SceneParts& p) { p.camera = with_at(p.camera, p.camera.from()); }},
+        WrongScene{"UpOfNoLength",
+                   [](SceneParts& p) {
+                     p.camera = with_up(p.camera, {0, 0, 0});
+                   }},
+        WrongScene{"UpAlongTheView",
+                   [](SceneParts& p) {
+                     const fb::Vec3 &from = p.camera.from(), &at = p.camera.at();
+                     p.camera = with_up(p.camera, {at.x() - from.x(), at.y() - from.y(), at.z() - from.z()});
+                   }}),
+    by_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, HostileScene,
+    testing::Values(
+        WrongScene{"StoreUnknown", [](SceneParts& p) { p.store = static_cast<fb::Store>(2); }},
+        WrongScene{"StoreFarOff", [](SceneParts& p) { p.store = static_cast<fb::Store>(255); }},
+        WrongScene{"StoreOfTheOtherWidth", [](SceneParts& p) { p.store = fb::Store::float64; }},
+        WrongScene{"BoundsNaN",
+                   [](SceneParts& p) {
+                     p.bounds = {{nan, 0, 0}, {1, 1, 1}};
+                   }},
+        WrongScene{"BoundsInfinite",
+                   [](SceneParts& p) {
+                     p.bounds = {{0, 0, 0}, {1, infinity, 1}};
+                   }},
+        objects("NoObjects", {0, 0, 0, 0}), objects("FewerObjects", {1, 1, 1, 0}),
+        objects("ObjectsBeyond31Bits", {std::uint64_t{1} << 31, 1, 1, 1}),
+        objects("ObjectsThatOverflow", {std::uint64_t{1} << 63, std::uint64_t{1} << 63, 4, 0}),
+        WrongScene{"TableEmpty", [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.clear(); }; }},
+        WrongScene{"TableOfOneByte",
+                   [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.resize(1); }; }},
+        WrongScene{
+            "TableCutShort",
+            [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.resize(bytes.size() / 2); }; }},
+        WrongScene{
+            "TableOfZeros",
+            [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.assign(bytes.size(), 0); }; }},
+        WrongScene{
+            "TableOfOnes",
+            [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.assign(bytes.size(), 0xff); }; }},
+        WrongScene{"TableWithNothingInIt",
+                   [](SceneParts& p) {
+                     p.damage_table = [](Bytes& bytes) {
+                       flatbuffers::FlatBufferBuilder builder;
+                       builder.Finish(flatbuffers::Offset<fb::Scene>(builder.EndTable(builder.StartTable())));
+                       bytes.assign(builder.GetBufferPointer(),
+                                    builder.GetBufferPointer() + builder.GetSize());
+                     };
+                   }}),
+    by_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Records, HostileScene,
+    testing::Values(
+        triangle("TriangleMaterial", [](Triangle<float>& r) { r.material = 4; }),
+        triangle("TriangleMaterialLargest", [](Triangle<float>& r) { r.material = 0xffffffff; }),
+        triangle("TriangleObject", [](Triangle<float>& r) { r.object = 4; }),
+        triangle("TriangleObjectNegative", [](Triangle<float>& r) { r.object = 0xffffffff; }),
+        triangle("TriangleNormals", [](Triangle<float>& r) { r.normals = 1; }),
+        triangle("TriangleNormalsNearlyNone", [](Triangle<float>& r) { r.normals = no_normals - 1; }),
+        surface("SphereMaterial", SceneSection::sphere_surfaces, {2, 4}),
+        surface("SphereObject", SceneSection::sphere_surfaces, {4, 2}),
+        surface("ConeMaterial", SceneSection::cone_surfaces, {3, 0x80000000}),
+        surface("ConeObject", SceneSection::cone_surfaces, {0x80000000, 3}),
+        without("NoMaterials", SceneSection::materials), without("NoNormals", SceneSection::corner_normals),
+        without("NoSpheres", SceneSection::spheres),
+        without("NoSphereSurfaces", SceneSection::sphere_surfaces), without("NoCones", SceneSection::cones),
+        without("NoConeSurfaces", SceneSection::cone_surfaces),
+        triangle("VertexNaN", [](Triangle<float>& r) { r.b.y = std::nanf(""); }),
+        triangle("VertexInfinite", [](Triangle<float>& r) { r.c.z = -HUGE_VALF; }),
+        sphere("CentreNaN", [](Sphere<float>& s) { s.center.x = std::nanf(""); }),
+        sphere("CentreInfinite", [](Sphere<float>& s) { s.center.x = HUGE_VALF; }),
+        sphere("RadiusNaN", [](Sphere<float>& s) { s.radius = std::nanf(""); }),
+        cone("ConesEndNaN", [](Cone<float>& c) { c.apex.y = std::nanf(""); }),
+        cone("ConesRadiusInfinite", [](Cone<float>& c) { c.base_radius = HUGE_VALF; }),
+        WrongScene{"OneSurfaceTooMany",
+                   [](SceneParts& p) {
+                     Bytes& bytes = p.section(SceneSection::sphere_surfaces).bytes;
+                     bytes.insert(bytes.end(), 8, 0);
+                   }},
+        WrongScene{"OneConeTooMany",
+                   [](SceneParts& p) {
+                     Bytes& bytes = p.section(SceneSection::cones).bytes;
+                     bytes.insert(bytes.end(), 32, 0);
+                   }}),
+    by_name);
+
+// The table then tells this of one section, whatever the file really holds there.
+WrongScene told(const char* name, std::size_t i,
+                const std::function<fb::Section(const fb::Section&)>& change) {
+  return {name, [=](SceneParts& p) {
+            p.falsify = [=](std::vector<fb::Section>& layout) { layout[i] = change(layout[i]); };
+          }};
+}
+WrongScene layout(const char* name, const std::function<void(std::vector<fb::Section>&)>& change) {
+  return {name, [change](SceneParts& p) { p.falsify = change; }};
+}
+fb::Section at_offset(const fb::Section& s, std::uint64_t offset) {
+  return {s.kind(), s.record_bytes(), s.count(), offset, s.hash()};
+}
+fb::Section of_records(const fb::Section& s, std::uint32_t bytes, std::uint64_t count) {
+  return {s.kind(), bytes, count, s.offset(), s.hash()};
+}
+constexpr std::uint64_t far = std::numeric_limits<std::uint64_t>::max();
+
+INSTANTIATE_TEST_SUITE_P(
+    Layout, HostileScene,
+    testing::Values(
+        told("Misaligned", 1, [](const fb::Section& s) { return at_offset(s, s.offset() + 4); }),
+        told("Overlapping", 2, [](const fb::Section& s) { return at_offset(s, 0); }),
+        told("AfterAGap", 7, [](const fb::Section& s) { return at_offset(s, s.offset() + 256); }),
+        told("BeyondTheFile", 7, [](const fb::Section& s) { return at_offset(s, s.offset() + (1 << 20)); }),
+        told("BeyondAllFiles", 7, [](const fb::Section& s) { return at_offset(s, far - 255); }),
+        told("OfTheLastOffset", 7, [](const fb::Section& s) { return at_offset(s, far); }),
+        told("OfNoRecords", 7, [](const fb::Section& s) { return of_records(s, 8, 0); }),
+        told("OfRecordsWithoutSize", 7, [](const fb::Section& s) { return of_records(s, 0, 1); }),
+        told("OfAnotherRecordSize", 7, [](const fb::Section& s) { return of_records(s, 4, 2); }),
+        told("OfOneRecordTooMany", 7, [](const fb::Section& s) { return of_records(s, 8, 2); }),
+        told("OfARecordTooFew", 0, [](const fb::Section& s) { return of_records(s, 24, 1); }),
+        told("OfASizeThatOverflows", 7,
+             [](const fb::Section& s) { return of_records(s, 8, (far >> 3) + 2); }),
+        told("OfTheLargestSize", 0, [](const fb::Section& s) { return of_records(s, 0xffffffff, far); }),
+        told("OfAnotherHash", 3,
+             [](const fb::Section& s) {
+               return fb::Section(s.kind(), s.record_bytes(), s.count(), s.offset(),
+                                  {s.hash().low() ^ 1, s.hash().high()});
+             }),
+        told("OfAnEarlierKind", 5,
+             [](const fb::Section& s) {
+               return fb::Section(3, s.record_bytes(), s.count(), s.offset(), s.hash());
+             }),
+        layout("OutOfOrder", [](std::vector<fb::Section>& l) { std::swap(l[2], l[3]); }),
+        layout("ToldTwice", [](std::vector<fb::Section>& l) { l.insert(l.begin() + 4, l[4]); }),
+        layout("NotTold", [](std::vector<fb::Section>& l) { l.pop_back(); }),
+        layout("NoneTold", [](std::vector<fb::Section>& l) { l.clear(); })),
+    by_name);
+
+// The list of sections, right in every number, but where no Section can be read in place.
+void misalign_sections(Bytes& table) {
+  const auto* const root = flatbuffers::GetRoot<flatbuffers::Table>(table.data());
+  const auto place = static_cast<std::size_t>(root->GetAddressOf(fb::Scene::VT_SECTIONS) - table.data());
+  const auto* const sections = fb::GetScene(table.data())->sections();
+  const auto* const list = reinterpret_cast<const std::uint8_t*>(sections);
+  const Bytes copy(list, list + 4 + sections->size() * sizeof(fb::Section));
+  table.resize((table.size() + 7) / 8 * 8); // the list's length comes first, in four bytes
+  const auto offset = static_cast<std::uint32_t>(table.size() - place);
+  table.insert(table.end(), copy.begin(), copy.end());
+  std::memcpy(table.data() + place, &offset, sizeof offset);
+}
+
+TEST(HostileTable, AMisalignedListOfSectionsIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.scene");
+  write_scene(tiny_scene(), Store::float32, path);
+  SceneParts parts(path);
+  parts.damage_table = misalign_sections;
+  parts.write(path);
+  EXPECT_TRUE(is_refused([](const std::string& name) { const SceneFile file(name); }, path));
+}
+
+TEST(HostileFloat64Scene, IndicesBeyond32BitsAreRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.scene");
+  write_scene(tiny_scene(), Store::float64, path);
+  const SceneParts parts(path);
+  constexpr std::uint64_t high = std::uint64_t{1} << 32;
+  const std::vector<std::function<void(Triangle<double>&)>> changes{
+      [](auto& t) { t.material |= high; }, [](auto& t) { t.object |= high; },
+      [](auto& t) { t.normals |= high; }, [](auto& t) { t.normals = ~std::uint64_t{0}; }};
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    SceneParts spoilt = parts;
+    spoilt.section(SceneSection::triangles).edit<Triangle<double>>(1, changes[i]);
+    spoilt.write(path);
+    EXPECT_TRUE(is_refused([](const std::string& name) { const SceneFile file(name); }, path)) << i;
+  }
+}
+
+class HostileGrid : public testing::TestWithParam<WrongGrid> {
+protected:
+  static void expect_refusal(const Grid& grid) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("hostile.grid");
+    write_grid(grid, tiny_grid_origin({1, 2}), path);
+    GridParts parts(path);
+    parts.write(path);
+    ASSERT_NO_THROW(const GridFile unspoilt(path));
+    GetParam().spoil(parts);
+    parts.write(path);
+    EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path));
+  }
+};
+
+TEST_P(HostileGrid, IsRefused) {
+  expect_refusal(tiny_grid());
+}
+
+class HostileGridOfBlocks : public HostileGrid {};
+
+TEST_P(HostileGridOfBlocks, IsRefused) {
+  expect_refusal(tiny_grid_of_blocks());
+}
+
+WrongGrid word(const char* name, GridSection kind, std::size_t i, std::uint32_t value) {
+  return {name, [=](GridParts& p) { p.set(kind, i, value); }};
+}
+WrongGrid without(const char* name, GridSection kind) {
+  return {name, [kind](GridParts& p) { p.drop(kind); }};
+}
+WrongGrid division(const char* name, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  return {name, [=](GridParts& p) { p.division = {x, y, z}; }};
+}
+WrongGrid space(const char* name, const fb::Box& box) {
+  return {name, [box](GridParts& p) { p.space = box; }};
+}
+WrongGrid blocks(const char* name, std::uint32_t log2) {
+  return {name, [log2](GridParts& p) { p.block_log2 = log2; }};
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cells, HostileGrid,
+    testing::Values(
+        word("FallBack", GridSection::cells, 1, 4), word("FallBackAtLast", GridSection::cells, 2, 6),
+        word("BeginLater", GridSection::cells, 0, 1), word("EndTooEarly", GridSection::cells, 3, 4),
+        word("EndTooLate", GridSection::cells, 3, 6),
+        word("EndFarTooLate", GridSection::cells, 3, 0xffffffff), word("OneMore", GridSection::cells, 4, 4),
+        without("None", GridSection::cells), without("WithoutReferences", GridSection::references),
+        word("OneReferenceMore", GridSection::references, 5, 0),
+        word("ReferenceBeyond", GridSection::references, 2, 4),
+        word("ReferenceToNothing", GridSection::references, 0, no_primitive),
+        WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
+        WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }}),
+    by_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Map, HostileGrid,
+    testing::Values(word("CellBeyond", GridSection::voxel_map, 1, occupied_bit | 3),
+                    word("CellFarBeyond", GridSection::voxel_map, 3, 0xffffffff),
+                    word("EmptyWithANumber", GridSection::voxel_map, 2, 1),
+                    word("TooLarge", GridSection::voxel_map, 4, 0),
+                    WrongGrid{"TooSmall",
+                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(12); }},
+                    without("Missing", GridSection::voxel_map), blocks("InBlocks", 1),
+                    blocks("InLargeBlocks", 5), blocks("InBlocksTooLarge", 6), blocks("InBlocksOf31Bits", 31),
+                    blocks("InBlocksOf32Bits", 32), blocks("InBlocksOfAllBits", 0xffffffff),
+                    division("DivisionZero", 0, 2, 2), division("DivisionZeroLast", 2, 2, 0),
+                    division("DivisionFiner", 2, 2, 2), division("DivisionCoarser", 2, 1, 1),
+                    division("DivisionHuge", 65535, 65535, 65535), division("DivisionBeyond", 65536, 1, 1),
+                    division("DivisionThatOverflows", 0x80000000, 2, 0x80000000),
+                    division("DivisionNegative", 0xffffffff, 0xffffffff, 4)),
+    by_name);
+
+INSTANTIATE_TEST_SUITE_P(Space, HostileGrid,
+                         testing::Values(space("NaN", {{nan, 0, 0}, {1, 1, 1}}),
+                                         space("NaNAbove", {{0, 0, 0}, {1, 1, nan}}),
+                                         space("Infinite", {{0, 0, 0}, {1, infinity, 1}}),
+                                         space("InfiniteBelow", {{0, -infinity, 0}, {1, 1, 1}}),
+                                         space("UpsideDown", {{0, 0, 1}, {1, 1, 0}}),
+                                         space("Flat", {{0, 0, 1}, {1, 1, 1}}),
+                                         space("ThinnerThanNumbersTell", {{0, 0, 0}, {1, 1, 5e-324}}),
+                                         space("WiderThanNumbersReach", {{-1.7e308, 0, 0}, {1.7e308, 1, 1}})),
+                         by_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Sections, HostileGrid,
+    testing::Values(
+        WrongGrid{"RecordsOfTwoBytes",
+                  [](GridParts& p) {
+                    p.falsify = [](std::vector<fb::Section>& l) { l[0] = of_records(l[0], 2, 8); };
+                  }},
+        WrongGrid{"RecordsOfEightBytes",
+                  [](GridParts& p) {
+                    p.falsify = [](std::vector<fb::Section>& l) { l[1] = of_records(l[1], 8, 2); };
+                  }},
+        WrongGrid{
+            "OutOfOrder",
+            [](GridParts& p) { p.falsify = [](std::vector<fb::Section>& l) { std::swap(l[0], l[1]); }; }},
+        WrongGrid{"NotTold",
+                  [](GridParts& p) { p.falsify = [](std::vector<fb::Section>& l) { l.pop_back(); }; }},
+        WrongGrid{"TableEmpty", [](GridParts& p) { p.damage_table = [](Bytes& bytes) { bytes.clear(); }; }},
+        WrongGrid{
+            "TableOfOnes",
+            [](GridParts& p) { p.damage_table = [](Bytes& bytes) { bytes.assign(bytes.size(), 0xff); }; }}),
+    by_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Map, HostileGridOfBlocks,
+    testing::Values(word("BlockBeyond", GridSection::voxel_map, 1, occupied_bit | 2),
+                    word("BlockFarBeyond", GridSection::voxel_map, 0, 0xffffffff),
+                    word("EmptyBlockWithANumber", GridSection::voxel_map, 1, 1),
+                    word("CellBeyond", GridSection::voxel_map, 3, occupied_bit | 3),
+                    word("EmptyVoxelWithANumber", GridSection::voxel_map, 5, 2),
+                    word("OneWordTooMany", GridSection::voxel_map, 19, 0),
+                    WrongGrid{"OneWordTooFew",
+                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(18 * 4); }},
+                    WrongGrid{"NoBlockMaps",
+                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(3 * 4); }},
+                    WrongGrid{"FewerWordsThanBlocks",
+                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(2 * 4); }},
+                    blocks("NotInBlocks", 0), blocks("InLargerBlocks", 2)),
+    by_name);
+
+} // namespace
+} // namespace masu

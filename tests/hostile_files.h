@@ -1,0 +1,150 @@
+// Scene and grid files taken apart, to be put together again with something wrong in them and every hash
+// right.
+#pragma once
+
+#include "libgrid/grid_file.h"
+#include "libscene/scene_file.h"
+#include "tests/temporary_folder.h"
+
+#include <cstring>
+#include <functional>
+
+namespace masu {
+
+struct SectionBytes {
+  std::uint32_t kind, record_bytes;
+  Bytes bytes;
+
+  template <class Record>
+  Record get(std::size_t i) const {
+    Record record;
+    std::memcpy(&record, bytes.data() + i * sizeof record, sizeof record);
+    return record;
+  }
+  // Lets `change` at record i.
+  template <class Record, class Change>
+  void edit(std::size_t i, const Change& change) {
+    Record record = get<Record>(i);
+    change(record);
+    std::memcpy(bytes.data() + i * sizeof record, &record, sizeof record);
+  }
+};
+
+inline std::vector<SectionBytes> sections_of(const std::string& path,
+                                             const flatbuffers::Vector<const fb::Section*>& list) {
+  const Bytes file = read_bytes(path);
+  Prelude prelude;
+  std::memcpy(&prelude, file.data(), sizeof prelude);
+  std::vector<SectionBytes> sections;
+  for (const fb::Section* section : list) {
+    const auto from = file.begin() + static_cast<std::ptrdiff_t>(prelude.body_offset + section->offset());
+    const auto size = static_cast<std::ptrdiff_t>(section->record_bytes() * section->count());
+    sections.push_back({section->kind(), section->record_bytes(), Bytes(from, from + size)});
+  }
+  return sections;
+}
+
+// What both kinds of file have in common.
+struct TakenApart {
+  std::vector<SectionBytes> sections;
+  std::function<void(std::vector<fb::Section>&)> falsify; // the table then tells another layout than the true
+  std::function<void(Bytes&)> damage_table;
+
+  SectionBytes& section(std::uint32_t kind) {
+    return *std::ranges::find(sections, kind, &SectionBytes::kind);
+  }
+  void drop(std::uint32_t kind) {
+    std::erase_if(sections, [&](const SectionBytes& s) { return s.kind == kind; });
+  }
+
+  // make_table(layout) gives the table's bytes.
+  template <class MakeTable>
+  void write(const std::string& path, const FileKind& kind, const MakeTable& make_table) const {
+    std::vector<SectionData> data;
+    for (const SectionBytes& s : sections)
+      data.push_back({s.kind, s.record_bytes, s.bytes.size() / s.record_bytes, s.bytes.data()});
+    const auto layout = lay_out(data);
+    auto told = layout;
+    if (falsify) falsify(told);
+    Bytes table = make_table(told);
+    if (damage_table) damage_table(table);
+    write_container(path, kind, table, data, layout);
+  }
+};
+
+struct SceneParts : TakenApart {
+  fb::Store store;
+  fb::Camera camera;
+  fb::Color background;
+  float ambient;
+  fb::ObjectCounts objects;
+  fb::Box bounds;
+  std::uint64_t reflective_materials, transmitting_materials;
+
+  explicit SceneParts(const std::string& path) : SceneParts(SceneFile(path)) {}
+  explicit SceneParts(const SceneFile& file)
+      : store(file.table().store()), camera(*file.table().camera()), background(*file.table().background()),
+        ambient(file.table().ambient()), objects(*file.table().objects()), bounds(*file.table().bounds()),
+        reflective_materials(file.table().reflective_materials()),
+        transmitting_materials(file.table().transmitting_materials()) {
+    sections = sections_of(file.path(), *file.table().sections());
+  }
+
+  SectionBytes& section(fb::SceneSection kind) {
+    return TakenApart::section(static_cast<std::uint32_t>(kind));
+  }
+  void drop(fb::SceneSection kind) { TakenApart::drop(static_cast<std::uint32_t>(kind)); }
+
+  void write(const std::string& path) const {
+    TakenApart::write(path, scene_file_kind, [&](const std::vector<fb::Section>& layout) {
+      flatbuffers::FlatBufferBuilder builder;
+      builder.Finish(fb::CreateScene(builder, store, &camera, &background, ambient, &objects, &bounds,
+                                     reflective_materials, transmitting_materials,
+                                     builder.CreateVectorOfStructs(layout)));
+      return Bytes(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
+    });
+  }
+};
+
+struct GridParts : TakenApart {
+  fb::Hash scene_hash;
+  std::uint64_t primitives;
+  fb::Box space;
+  double margin;
+  fb::Division division;
+  std::uint32_t block_log2;
+  std::string rule;
+
+  explicit GridParts(const std::string& path) : GridParts(GridFile(path)) {}
+  explicit GridParts(const GridFile& file)
+      : scene_hash(*file.table().scene_hash()), primitives(file.table().primitives()),
+        space(*file.table().space()), margin(file.table().margin()), division(*file.table().division()),
+        block_log2(file.table().block_log2()), rule(file.table().division_rule()->str()) {
+    sections = sections_of(file.path(), *file.table().sections());
+  }
+
+  SectionBytes& section(fb::GridSection kind) {
+    return TakenApart::section(static_cast<std::uint32_t>(kind));
+  }
+  void drop(fb::GridSection kind) { TakenApart::drop(static_cast<std::uint32_t>(kind)); }
+  // Sets word i of a section; appends when there is none.
+  void set(fb::GridSection kind, std::size_t i, std::uint32_t value) {
+    Bytes& bytes = section(kind).bytes;
+    bytes.resize(std::max(bytes.size(), 4 * (i + 1)));
+    std::memcpy(bytes.data() + 4 * i, &value, 4);
+  }
+
+  void write(const std::string& path) const {
+    TakenApart::write(path, grid_file_kind, [&](const std::vector<fb::Section>& layout) {
+      flatbuffers::FlatBufferBuilder builder;
+      const auto list = builder.CreateVectorOfStructs(layout);
+      const auto rule_text = builder.CreateString(rule);
+      builder.Finish(fb::CreateGrid(builder, &scene_hash, primitives, &space, margin, &division, block_log2,
+                                    fb::Space::tight, fb::Overlap::exact, fb::Merge::none, rule_text, -1,
+                                    list));
+      return Bytes(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
+    });
+  }
+};
+
+} // namespace masu

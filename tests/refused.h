@@ -1,0 +1,34 @@
+// Whether a bad file is refused as it should be: Error(input) that names the file, and nothing else.
+#pragma once
+
+#include "libscene/error.h"
+
+#include <gtest/gtest.h>
+
+#include <exception>
+#include <string>
+
+namespace masu {
+
+// `open` is called with `path`. `says`, unless empty, must be part of the message.
+template <class Open>
+testing::AssertionResult is_refused(const Open& open, const std::string& path, const std::string& says = "") {
+  try {
+    open(path);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::input)
+      return testing::AssertionFailure() << "refused, but not as bad input: " << error.what();
+    if (error.place() != path)
+      return testing::AssertionFailure() << "the error names another place: " << error.what();
+    if (error.message().empty() || error.message().find('\n') != std::string::npos)
+      return testing::AssertionFailure() << "the message isn't one line: " << error.what();
+    if (error.message().find(says) == std::string::npos)
+      return testing::AssertionFailure() << "the message lacks '" << says << "': " << error.what();
+    return testing::AssertionSuccess();
+  } catch (const std::exception& error) {
+    return testing::AssertionFailure() << "something else than Error was thrown: " << error.what();
+  }
+  return testing::AssertionFailure() << "it was taken for good";
+}
+
+} // namespace masu

@@ -1,0 +1,54 @@
+// Small scenes made and rendered in a test: through the files, as the tools do it.
+#pragma once
+
+#include "libgrid/division.h"
+#include "libgrid/grid_file.h"
+#include "libscene/scene_file.h"
+#include "renderer/backend.h"
+#include "tests/temporary_folder.h"
+
+#include <memory>
+
+namespace masu {
+
+// A scene file and a grid for it.
+class Rendering {
+public:
+  Rendering(const Scene& scene, Store store, const std::string& division = "auto") : camera_(scene.camera) {
+    write_scene(scene, store, folder_.file("scene"));
+    scene_ = std::make_unique<SceneFile>(folder_.file("scene"));
+    scene_->is_float64() ? build<double>(division) : build<float>(division);
+    grid_ = std::make_unique<GridFile>(folder_.file("grid"));
+  }
+
+  const SceneFile& scene() const { return *scene_; }
+  const GridFile& grid() const { return *grid_; }
+
+  // Counting hits and rays; corners; five deep.
+  FrameRequest request() const {
+    FrameRequest request;
+    request.camera = camera_;
+    request.hits = request.count = true;
+    return request;
+  }
+  Frame frame(const FrameRequest& request) const { return render_cpu(*scene_, grid_.get(), request); }
+  Frame frame() const { return frame(request()); }
+
+private:
+  template <class Stored>
+  void build(const std::string& division) {
+    const SceneView<Stored> view = scene_->view<Stored>();
+    const Lattice lattice = make_lattice<Stored>(scene_->bounds(), SpaceRule::tight, parse_division(division),
+                                                 division_statistics(view));
+    write_grid(build_uniform(view, lattice, Overlap::exact),
+               {scene_->hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division},
+               folder_.file("grid"));
+  }
+
+  TemporaryFolder folder_;
+  Camera camera_;
+  std::unique_ptr<SceneFile> scene_;
+  std::unique_ptr<GridFile> grid_;
+};
+
+} // namespace masu

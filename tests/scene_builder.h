@@ -1,0 +1,97 @@
+// Scenes of a few objects, put together in a test.
+#pragma once
+
+#include "libscene/scene.h"
+#include "tests/random_seed.h"
+
+#include <random>
+
+namespace masu {
+
+inline Material matte(const Vec3f& color) {
+  return {color, 1, 0, 0, 0, 1};
+}
+inline Material mirror() {
+  return {{0, 0, 0}, 0, 1, 1, 0, 1};
+}
+inline Material glass(float index) {
+  return {{0, 0, 0}, 0, 0, 1, 1, index};
+}
+
+inline constexpr Vec3f test_background{0.25F, 0.5F, 0.75F};
+
+// Holds nothing yet. Ambient light of 1: a matte surface shows its own colour. The camera sees 90° by 90° in
+// 2×2 pixels, so that the middle one of its 3×3 corner rays goes straight ahead.
+inline Scene empty_scene(const Vec3d& from, const Vec3d& at) {
+  Scene scene{};
+  const Vec3d sight = normalized(at - from);
+  const Vec3d up = std::abs(sight.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+  scene.camera = {from, at, up, 90, 0.01, 2, 2};
+  scene.has_camera = true;
+  scene.background = test_background;
+  scene.ambient = 1;
+  scene.float32_suffices = true;
+  return scene;
+}
+
+inline std::uint32_t add_material(Scene& scene, const Material& material) {
+  scene.materials.push_back(material);
+  return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+inline std::uint32_t object_count(const Scene& scene) {
+  const ObjectCounts& o = scene.objects;
+  return static_cast<std::uint32_t>(o.polygons + o.patches + o.spheres + o.cones);
+}
+inline void add_sphere(Scene& scene, const Vec3d& center, double radius, const Material& material) {
+  scene.sphere_surfaces.push_back({object_count(scene), add_material(scene, material)});
+  scene.spheres.push_back({center, radius});
+  ++scene.objects.spheres;
+}
+inline void add_cone(Scene& scene, const Cone<double>& cone, const Material& material) {
+  scene.cone_surfaces.push_back({object_count(scene), add_material(scene, material)});
+  scene.cones.push_back(cone);
+  ++scene.objects.cones;
+}
+inline void add_triangle(Scene& scene, const Vec3d& a, const Vec3d& b, const Vec3d& c,
+                         const Material& material) {
+  const std::uint32_t object = object_count(scene);
+  scene.triangles.push_back({a, object, b, add_material(scene, material), c, no_normals});
+  ++scene.objects.polygons;
+}
+// A triangle about `center` that holds a disc of radius `reach`, its front to `normal`.
+inline void add_wall(Scene& scene, const Vec3d& center, const Vec3d& normal, const Material& material,
+                     double reach = 100) {
+  const Vec3d n = normalized(normal);
+  const Vec3d u = normalized(cross(std::abs(n.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, n)),
+              v = cross(n, u);
+  add_triangle(scene, center - (u + v) * (2 * reach), center + (u * 2.0 - v) * (2 * reach),
+               center + (v * 2.0 - u) * (2 * reach), material);
+}
+inline void add_light(Scene& scene, const Vec3d& position, const Vec3d& intensity = {1, 1, 1}) {
+  scene.lights.push_back({position, intensity});
+}
+
+// Numbers, colours and directions by chance.
+class SceneChance {
+public:
+  explicit SceneChance(const RandomSeed& seed) : engine_(seed.engine()) {}
+
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  float share() { return static_cast<float>(between(0, 1)); }
+  Vec3f color() { return {share(), share(), share()}; }
+  // Any direction whose cosine with `axis` is over `least`.
+  Vec3d towards(const Vec3d& axis, double least = 0.15) {
+    for (;;) {
+      const Vec3d v{between(-1, 1), between(-1, 1), between(-1, 1)};
+      if (dot(v, v) <= 1 && dot(v, v) > 0.01 && dot(normalized(v), axis) > least) return normalized(v);
+    }
+  }
+  Vec3d direction() { return towards({0, 0, 1}, -2); }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+} // namespace masu

@@ -1,0 +1,59 @@
+// A scene with one of everything, and grids for it: small enough to be compared byte by byte.
+#pragma once
+
+#include "libgrid/grid_file.h"
+#include "libscene/scene_file.h"
+
+namespace masu {
+
+// Two lights (one with its own colour), four materials, a triangle, a smooth triangle, a sphere, a cone.
+// Every coordinate is exact in float32.
+inline Scene tiny_scene() {
+  Scene scene{};
+  scene.camera = {{1, 2, 6}, {0, 0, 0.5}, {0, 1, 0}, 45, 0.5, 8, 6};
+  scene.has_camera = true;
+  scene.background = {0.25F, 0.5F, 0.75F};
+  scene.ambient = 0.353553385F;
+  scene.lights = {{{4, 5, 6}, {0.353553385, 0.353553385, 0.353553385}}, {{-4, 1, 8}, {1, 0.5, 0.25}}};
+  scene.materials = {{{1, 0, 0}, 0.75F, 0, 0, 0, 1},
+                     {{0, 1, 0}, 0.5F, 0.5F, 8, 0, 1},
+                     {{0, 0, 1}, 0.25F, 0.25F, 2, 0.5F, 1.5F},
+                     {{1, 1, 0}, 1, 0, 0, 0, 1}};
+  scene.triangles = {{{-2, -2, -1}, 0, {2, -2, -1}, 0, {0, 2, -1}, no_normals},
+                     {{-1, 0, 0}, 1, {0, 0, 0}, 1, {-1, 1, 0}, 0}};
+  scene.normals = {{{0, 0, 1}, {0.5, 0, 1}, {0, 0.5, 2}}};
+  scene.spheres = {{{0.5, 0.5, 0.5}, 0.25}};
+  scene.sphere_surfaces = {{2, 2}};
+  scene.cones = {{{0.5, -1, 0}, 0.5, {0.5, 0, 0}, 0.25}};
+  scene.cone_surfaces = {{3, 3}};
+  scene.objects = {1, 1, 1, 1};
+  scene.float32_suffices = true;
+  return scene;
+}
+inline constexpr std::uint64_t tiny_scene_primitives = 4;
+
+// Made up by hand: 2×2×1 voxels, three occupied.
+inline Grid tiny_grid() {
+  return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 2, 1}, 0.0625},
+          0,
+          {occupied_bit | 0, occupied_bit | 1, 0, occupied_bit | 2},
+          {0, 1, 3, 5},
+          {0, 0, 3, 1, 2}};
+}
+
+// The same kind of thing with a map of two levels: 5×1×1 voxels in three blocks, the middle one empty.
+inline Grid tiny_grid_of_blocks() {
+  constexpr std::uint32_t block0 = occupied_bit | 0, block1 = occupied_bit | 1;
+  constexpr std::uint32_t cell0 = occupied_bit | 0, cell1 = occupied_bit | 1, cell2 = occupied_bit | 2;
+  return {{{{-2, -2, -1}, {2, 2, 1}}, {5, 1, 1}, 0.0625},
+          1,
+          {block0, 0, block1, cell0, cell1, 0, 0, 0, 0, 0, 0, cell2, 0, 0, 0, 0, 0, 0, 0},
+          {0, 1, 3, 5},
+          {0, 0, 3, 1, 2}};
+}
+
+inline GridOrigin tiny_grid_origin(const Hash& scene_hash) {
+  return {scene_hash, tiny_scene_primitives, SpaceRule::tight, Overlap::exact, "2x2x1"};
+}
+
+} // namespace masu

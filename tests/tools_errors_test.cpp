@@ -1,0 +1,442 @@
+// Whatever goes wrong, a tool says so in one line, exits with the code for it, and leaves nothing behind.
+#include "tests/random_seed.h"
+#include "tests/run_tool.h"
+
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace masu {
+namespace {
+
+class ToolErrors : public ToolTest {
+protected:
+  // Runs the tool; afterwards the folder must hold what it held before.
+  testing::AssertionResult fails(int code, const std::string& tool, const Arguments& arguments,
+                                 const std::string& place, const std::string& says = "",
+                                 const Surroundings& surroundings = {}) const {
+    const auto before = folder_.listing();
+    const auto result = failed(run(tool, arguments, surroundings), code, tool, place, says);
+    if (!result) return result;
+    if (folder_.listing() != before) return testing::AssertionFailure() << "a file was left behind";
+    return result;
+  }
+};
+
+// --- NFF
+// -----------------------------------------------------------------------------------------------------
+
+struct BadNff {
+  const char* name;
+  std::string text;
+  const char* at; // line and column
+  const char* says;
+};
+void PrintTo(const BadNff& bad, std::ostream* out) {
+  *out << bad.name;
+}
+
+class BadNffText : public ToolErrors, public testing::WithParamInterface<BadNff> {};
+
+TEST_P(BadNffText, IsRefusedWithItsPlace) {
+  const std::string path = nff("bad.nff", GetParam().text);
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene")}, path + GetParam().at, GetParam().says));
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "--info"}, path + GetParam().at, GetParam().says));
+}
+
+std::string view(const char* from, const char* at, const char* up, const char* angle,
+                 const char* resolution) {
+  return std::string("v\nfrom ") + from + "\nat " + at + "\nup " + up + "\nangle " + angle +
+         "\nhither 0.1\nresolution " + resolution + "\ns 0 0 0 1\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadNffText,
+    testing::Values(
+        BadNff{"UnknownEntity", "s 0 0 0 1\nq 1 2 3\n", ":2:1", "'q'"},
+        BadNff{"UnknownWord", "s 0 0 0 1\n  sphere 1 2 3\n", ":2:3", "'sphere'"},
+        BadNff{"MissingNumber", "s 0 0 0\np 3\n0 0 0\n1 0 0\n0 1 0\n", ":2:1",
+               "'p' where a number is expected"},
+        BadNff{"MissingNumberAtTheEnd", "s 0 0 0", ":1:8", "the text ends"},
+        BadNff{"OneNumberTooMany", "s 0 0 0 1 2\n", ":1:11", "too many"},
+        BadNff{"NaN", "s nan 0 0 1\n", ":1:3", "'nan'"}, BadNff{"Infinity", "s 0 inf 0 1\n", ":1:5", "'inf'"},
+        BadNff{"NegativeInfinity", "s 0 -inf 0 1\n", ":1:5", "'-inf'"},
+        BadNff{"Overflow", "s 0 0 1e999 1\n", ":1:7", "range"},
+        BadNff{"Hexadecimal", "s 0x10 0 0 1\n", ":1:3", "'0x10'"},
+        BadNff{"Comma", "s 0,5 0 0 1\n", ":1:3", "'0,5'"},
+        BadNff{"TooFarOut", "s 1e101 0 0 1\n", ":1:3", "1e100"},
+        BadNff{"LooksNowhere", view("1 2 3", "1 2 3", "0 0 1", "45", "8 8"), ":1:1", "same point"},
+        BadNff{"UpOfNoLength", view("1 2 3", "0 0 0", "0 0 0", "45", "8 8"), ":4:4", "no length"},
+        BadNff{"UpAlongTheView", view("0 0 3", "0 0 0", "0 0 1", "45", "8 8"), ":1:1", "line of sight"},
+        BadNff{"AngleZero", view("1 2 3", "0 0 0", "0 0 1", "0", "8 8"), ":5:7", "angle"},
+        BadNff{"Angle180", view("1 2 3", "0 0 0", "0 0 1", "180", "8 8"), ":5:7", "angle"},
+        BadNff{"ResolutionZero", view("1 2 3", "0 0 0", "0 0 1", "45", "0 8"), ":7:12", "'0'"},
+        BadNff{"ResolutionNegative", view("1 2 3", "0 0 0", "0 0 1", "45", "8 -8"), ":7:14", "'-8'"},
+        BadNff{"ResolutionHuge", view("1 2 3", "0 0 0", "0 0 1", "45", "8 70000"), ":7:14", "'70000'"},
+        BadNff{"ResolutionFraction", view("1 2 3", "0 0 0", "0 0 1", "45", "8.5 8"), ":7:12", "'8.5'"},
+        BadNff{"NegativeVertexCount", "p -3\n0 0 0\n1 0 0\n0 1 0\n", ":1:3", "'-3'"},
+        BadNff{"TwoVertices", "p 2\n0 0 0\n1 0 0\n", ":1:3", "'2'"},
+        BadNff{"FractionOfAVertex", "p 3.5\n0 0 0\n1 0 0\n0 1 0\n", ":1:3", "'3.5'"},
+        BadNff{"ABillionVertices", "p 1000000000\n0 0 0\n1 0 0\n0 1 0\n", ":1:3", "1000000000"},
+        BadNff{"MoreVerticesThanMemory", "pp 4294967295\n0 0 0 0 0 1\n", ":1:4", "4294967295"},
+        BadNff{"CutInAPolygon", "p 4\n0.5 0.5 0.5\n1.5 0.5 0.5\n1.5 1.5 0.5\n0.5 1.5", ":5:8",
+               "the text ends"},
+        BadNff{"CutInAView", "v\nfrom 1 2", ":2:9", "the text ends"},
+        BadNff{"NormalOfNoLength", "pp 3\n0 0 0 0 0 0\n1 0 0 0 0 1\n0 1 0 0 0 1\n", ":2:7", "no length"},
+        BadNff{"RadiiOfOppositeSigns", "c 0 0 0 1 0 0 1 -1\n", ":1:17", "opposite signs"},
+        BadNff{"NegativeDiffuse", "f 1 1 1 -0.5 0 0 0 1\ns 0 0 0 1\n", ":1:9", "negative"},
+        BadNff{"ColourBeyondFloat", "b 1e39 0 0\ns 0 0 0 1\n", ":1:3", "too large"},
+        BadNff{"Binary",
+               std::string("\x7f"
+                           "ELF\x02\x01\0\0\0",
+                           9),
+               ":1:1", "no NFF entity"},
+        BadNff{"Empty", "", "", "no NFF entity"},
+        BadNff{"OnlyComments", "# nothing\n\n  # more\n", "", "no NFF entity"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(ToolErrors, NffThatIsNoFileIsRefused) {
+  EXPECT_TRUE(
+      fails(2, "nff2bin", {file("missing.nff"), "-o", file("a.scene")}, file("missing.nff"), "No such file"));
+  EXPECT_TRUE(fails(2, "nff2bin", {folder_.path().string(), "-o", file("a.scene")}, folder_.path().string(),
+                    "is a directory"));
+  EXPECT_TRUE(fails(2, "nff2bin", {"-", "-o", file("a.scene")}, "stdin", "no NFF entity"));
+}
+
+TEST_F(ToolErrors, ABadTextOnStandardInputIsRefusedWithItsPlace) {
+  const std::string path = nff("bad.nff", "s 0 0 0 1\n\n s 1 2 x\n");
+  EXPECT_TRUE(fails(2, "nff2bin", {"-", "-o", file("a.scene")}, "stdin:3:8", "'x'", {path, {}, {}}));
+}
+
+TEST_F(ToolErrors, ASceneTooWideForItsStoreIsRefused) {
+  const std::string path = nff("wide.nff", "s 1e13 0 0 1\n");
+  EXPECT_TRUE(
+      fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
+}
+
+// A text cut anywhere is another text or none: never a crash, never half a scene.
+TEST_F(ToolErrors, TextCutShortIsReadOrRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  int refused = 0;
+  for (int i = 0; i < 25; ++i) {
+    const std::size_t length = random() % small_nff.size();
+    const std::string path = nff("cut.nff", small_nff.substr(0, length));
+    const ToolResult result = run("nff2bin", {path, "-o", file("cut.scene")});
+    EXPECT_EQ(std::filesystem::exists(file("cut.scene")), result.code == 0) << length;
+    if (result.code == 0) {
+      std::filesystem::remove(file("cut.scene"));
+      continue;
+    }
+    ++refused;
+    EXPECT_EQ(result.code, 2) << length << ": " << result.err;
+    EXPECT_TRUE(result.err.starts_with("nff2bin: " + path)) << result.err;
+  }
+  EXPECT_GT(refused, 0);
+}
+
+// --- Scene and grid files
+// ------------------------------------------------------------------------------------
+
+class BadFiles : public ToolErrors {
+protected:
+  BadFiles()
+      : scene_(scene("a.scene", nff("a.nff", small_nff))), grid_(grid("a.grid", scene_)),
+        other_scene_(scene("b.scene", nff("b.nff", other_nff))) {}
+
+  // Every tool that reads such a file refuses this one.
+  void expect_scene_refused(const std::string& path, const std::string& says = "") const {
+    EXPECT_TRUE(fails(2, "gridbuild", {path, "-o", file("new.grid")}, path, says));
+    EXPECT_TRUE(fails(2, "gridrender", {path, grid_, "-o", file("new.png")}, path, says));
+    EXPECT_TRUE(fails(2, "gridrender", {path, "--brute-force", "-o", file("new.png")}, path, says));
+    EXPECT_TRUE(fails(2, "gridstat", {"--study", path}, path, says));
+  }
+  void expect_grid_refused(const std::string& path, const std::string& says = "") const {
+    EXPECT_TRUE(fails(2, "gridrender", {scene_, path, "-o", file("new.png")}, path, says));
+    EXPECT_TRUE(fails(2, "gridstat", {path}, path, says));
+    EXPECT_TRUE(fails(2, "gridstat", {path, "--slice", "z=0", "-o", file("new.png")}, path, says));
+  }
+
+  const std::string scene_, grid_, other_scene_;
+};
+
+TEST_F(BadFiles, MissingOnesAreRefused) {
+  expect_scene_refused(file("missing"), "No such file");
+  expect_grid_refused(file("missing"), "No such file");
+}
+
+TEST_F(BadFiles, DirectoriesAreRefused) {
+  expect_scene_refused(folder_.path().string(), "is a directory");
+  expect_grid_refused(folder_.path().string(), "is a directory");
+}
+
+TEST_F(BadFiles, EmptyOnesAreRefused) {
+  expect_scene_refused(nff("empty", ""), "isn't a scene file");
+  expect_grid_refused(nff("empty", ""), "isn't a grid file");
+}
+
+TEST_F(BadFiles, NffIsNoSceneAndNoGrid) {
+  expect_scene_refused(file("a.nff"), "isn't a scene file");
+  expect_grid_refused(file("a.nff"), "isn't a grid file");
+}
+
+TEST_F(BadFiles, ASceneIsNoGridAndAGridNoScene) {
+  expect_scene_refused(grid_, "isn't a scene file");
+  expect_grid_refused(scene_, "isn't a grid file");
+}
+
+TEST_F(BadFiles, AGridOfAnotherSceneIsRefused) {
+  EXPECT_TRUE(fails(2, "gridrender", {other_scene_, grid_, "-o", file("new.png")}, grid_, "another scene"));
+}
+
+TEST_F(BadFiles, TruncatedOnesAreRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  for (const std::string& whole : {scene_, grid_}) {
+    const Bytes bytes = read_bytes(whole);
+    for (const std::size_t size : {std::size_t{5}, std::size_t{63}, std::size_t{4096},
+                                   static_cast<std::size_t>(random() % bytes.size()), bytes.size() - 1}) {
+      write_bytes(file("cut"), std::span(bytes).first(size));
+      whole == scene_ ? expect_scene_refused(file("cut")) : expect_grid_refused(file("cut"));
+    }
+  }
+}
+
+TEST_F(BadFiles, OnesWithAFlippedBitAreRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  for (const std::string& whole : {scene_, grid_}) {
+    for (int i = 0; i < 5; ++i) {
+      Bytes bytes = read_bytes(whole);
+      bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1U << (random() % 8));
+      write_bytes(file("flipped"), bytes);
+      whole == scene_ ? expect_scene_refused(file("flipped")) : expect_grid_refused(file("flipped"));
+    }
+  }
+}
+
+TEST_F(BadFiles, Nff2binTellsASceneFileFromAText) {
+  EXPECT_TRUE(fails(1, "nff2bin", {scene_, "-o", file("new.scene")}, scene_, "scene file already"));
+  Bytes bytes = read_bytes(scene_);
+  bytes.back() ^= 1;
+  write_bytes(file("flipped"), bytes);
+  EXPECT_TRUE(fails(2, "nff2bin", {file("flipped"), "--info"}, file("flipped"), "hash"));
+}
+
+TEST_F(BadFiles, ListsOfRaysThatCannotBeFollowedAreRefused) {
+  const auto list = [&](const std::vector<float>& numbers) {
+    write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(numbers.data()), 4 * numbers.size()});
+    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
+                 file("rays"));
+  };
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinity = std::numeric_limits<float>::infinity();
+  EXPECT_TRUE(list({0, 0, 5, 0, 0}));
+  EXPECT_TRUE(list({0, 0, 5, 0, 0, -1, 0}));
+  for (std::size_t number = 0; number < 6; ++number) {
+    for (const float bad : {nan, infinity, -infinity}) {
+      std::vector<float> ray{0, 0, 5, 0, 0, -1, 0, 0, 5, 0, 0, -1};
+      ray[6 + number] = bad;
+      EXPECT_TRUE(list(ray)) << "number " << number;
+    }
+  }
+  EXPECT_TRUE(list({0, 0, 5, 0, 0, 0}));
+  write_text(file("rays"), "x");
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
+                    file("rays"), "not a whole number of rays"));
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("missing"), "--hits", file("hits")},
+                    file("missing"), "No such file"));
+}
+
+// --- Output
+// --------------------------------------------------------------------------------------------------
+
+TEST_F(BadFiles, WhatCannotBeWrittenIsAnOutputError) {
+  for (const std::string& place :
+       {file("no/folder/new"), folder_.path().string(), std::string("/dev/full")}) {
+    EXPECT_TRUE(fails(3, "nffgen", {"tetra", "--size", "3", "-o", place}, place));
+    EXPECT_TRUE(fails(3, "nff2bin", {file("a.nff"), "-o", place}, place));
+    EXPECT_TRUE(fails(3, "gridbuild", {scene_, "-o", place}, place));
+    EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "--hits", place}, place));
+    EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "--stats", place}, place));
+  }
+  for (const std::string& place : {file("no/folder/new.png"), file("no/folder/new.pfm")})
+    EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "-o", place}, place, "No such file"));
+  const std::string folder = file("folder.png");
+  std::filesystem::create_directory(folder);
+  EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "-o", folder}, folder, "is a directory"));
+  EXPECT_TRUE(fails(3, "gridstat", {grid_, "--slice", "z=0", "-o", folder}, folder, "is a directory"));
+}
+
+TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
+  const Surroundings full{"/dev/null", "/dev/full", {}};
+  const std::string place = "standard output";
+  EXPECT_TRUE(fails(3, "nffgen", {"tetra"}, place, "", full));
+  EXPECT_TRUE(fails(3, "nff2bin", {scene_, "--info"}, place, "", full));
+  EXPECT_TRUE(fails(3, "nff2bin", {file("a.nff"), "--info", "--json"}, place, "", full));
+  EXPECT_TRUE(fails(3, "gridstat", {grid_}, place, "", full));
+  EXPECT_TRUE(fails(3, "gridstat", {grid_, "--json"}, place, "", full));
+  EXPECT_TRUE(failed(run("gridbuild", {scene_, "-o", file("new.grid")}, full), 3, "gridbuild", place));
+}
+
+TEST_F(ToolErrors, AClosedPipeIsAnOutputError) {
+  const std::string pipe = file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread reader([&] {
+    char first = 0;
+    std::ifstream(pipe).get(first);
+    EXPECT_NE(first, 0);
+  });
+  EXPECT_TRUE(fails(3, "nffgen", {"balls"}, "standard output", "", {"/dev/null", pipe, {}}));
+  reader.join();
+}
+
+TEST_F(ToolErrors, AKilledToolLeavesNoHalfOfAFile) {
+  const std::string path = file("endless.nff");
+  const pid_t tool = start("nffgen", {"balls", "--size", "9", "-o", path}); // gigabytes
+  ASSERT_GT(tool, 0);
+  const auto has_written = [&] {
+    return std::ranges::any_of(folder_.listing(), [&](const std::string& name) {
+      std::error_code gone;
+      const auto size = std::filesystem::file_size(file(name), gone);
+      return !gone && size > 0;
+    });
+  };
+  while (!has_written() && waitpid(tool, nullptr, WNOHANG) == 0)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(tool, SIGKILL);
+  EXPECT_EQ(waitpid(tool, nullptr, 0), tool);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+// --- Command lines
+// -------------------------------------------------------------------------------------------
+
+class BadCommand : public BadFiles {
+protected:
+  testing::AssertionResult refused(const std::string& tool, const Arguments& arguments,
+                                   const std::string& place = "command line") const {
+    return fails(1, tool, arguments, place);
+  }
+};
+
+TEST_F(BadCommand, OfEveryToolIsAUsageError) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridrender"}) {
+    EXPECT_TRUE(refused(tool, {})) << tool;
+    EXPECT_TRUE(refused(tool, {"--no-such-option"})) << tool;
+    EXPECT_TRUE(refused(tool, {"a", "b", "c", "d"})) << tool;
+  }
+  EXPECT_TRUE(refused("gridstat", {}, "GRID"));
+  EXPECT_TRUE(refused("gridstat", {"--no-such-option"}));
+  EXPECT_TRUE(refused("gridstat", {"a", "b"}));
+}
+
+TEST_F(BadCommand, OfNffgenIsAUsageError) {
+  EXPECT_TRUE(refused("nffgen", {"cube"}, "cube"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "0"}, "size 0"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "-1"}, "size -1"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "10", "-o", file("new")}, "size 10"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "two"}));
+}
+
+TEST_F(BadCommand, OfNff2binIsAUsageError) {
+  const std::string text = file("a.nff");
+  EXPECT_TRUE(refused("nff2bin", {text}));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--json"}));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--store", "float16"}));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", text}, text));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--threads", "-1"}));
+}
+
+TEST_F(BadCommand, OfGridbuildIsAUsageError) {
+  EXPECT_TRUE(refused("gridbuild", {scene_}));
+  for (const char* const division : {"0",
+                                     "-1",
+                                     "",
+                                     "x",
+                                     "4x4",
+                                     "4x4x0",
+                                     "4x4x4x4",
+                                     "65536",
+                                     "1e3",
+                                     "4.5",
+                                     "cleary",
+                                     "cleary:",
+                                     "cleary:0",
+                                     "cleary:-1",
+                                     "cleary:nan",
+                                     "cleary:inf",
+                                     "cleary:1e30",
+                                     "woo:1e9",
+                                     "cube-root:1e30",
+                                     "cubic:1",
+                                     "auto:2",
+                                     "99999999999999999999"}) {
+    EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), "--division", division}, "--division"))
+        << division;
+  }
+  // More voxels than there is memory.
+  EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), "--division", "65535"}, "--division"));
+  for (const char* const option : {"--space", "--overlap", "--merge", "--threads"})
+    EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), option, "what"})) << option;
+}
+
+TEST_F(BadCommand, OfGridrenderIsAUsageError) {
+  const auto with = [&](const Arguments& more, const std::string& place = "command line") {
+    Arguments arguments{scene_, grid_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return refused("gridrender", arguments, place);
+  };
+  const std::string picture = file("new.png");
+  EXPECT_TRUE(with({}, "-o"));
+  EXPECT_TRUE(refused("gridrender", {scene_, "-o", picture}, "GRID"));
+  for (const char* const size : {"8", "8x", "x8", "0x8", "8x0", "-8x8", "8x8x8", "65537x1", "8X8", "8x8 "})
+    EXPECT_TRUE(with({"-o", picture, "--size", size}, "--size")) << size;
+  for (const char* const depth : {"0", "-1", "33", "x"})
+    EXPECT_TRUE(with({"-o", picture, "--depth", depth})) << depth;
+  for (const char* const option : {"--backend", "--sampling", "--threads"})
+    EXPECT_TRUE(with({"-o", picture, option, "what"})) << option;
+  for (const char* const name : {"new.bmp", "new", "png", "new.PNG"})
+    EXPECT_TRUE(with({"-o", file(name)}, file(name)));
+  EXPECT_TRUE(with({"--rays", file("rays")}, "--rays"));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "-o", picture}, "--rays"));
+}
+
+TEST_F(BadCommand, OfGridstatIsAUsageError) {
+  for (const char* const slice : {"z", "z=", "w=0", "z=-1", "z=99999", "=0", "z=0x"})
+    EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
+  EXPECT_TRUE(refused("gridstat", {grid_, "--slice", "z=0"}, "--slice"));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--json", "--csv"}));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--study", scene_}));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--divisions", "4"}));
+  EXPECT_TRUE(refused("gridstat", {"--study", scene_, "--divisions", "0"}, "--divisions"));
+  EXPECT_TRUE(refused("gridstat", {"--study", scene_, "--divisions", "4,100000"}, "--divisions"));
+}
+
+TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
+  // With this no device is seen, whether there is one or not.
+  const Surroundings blind{"/dev/null", {}, "CUDA_VISIBLE_DEVICES=-1"};
+  EXPECT_TRUE(fails(4, "gridrender", {scene_, grid_, "-o", file("new.png"), "--backend", "cuda"}, "cuda",
+                    "--backend cpu", blind));
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("new.png")}, blind)));
+}
+
+TEST(Help, GoesToStandardOutput) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender"}) {
+    const ToolResult result = run(tool, {"--help"});
+    EXPECT_TRUE(succeeded(result)) << tool;
+    EXPECT_NE(result.out.find(tool), std::string::npos) << tool << " doesn't name itself";
+    EXPECT_NE(result.out.find("--help"), std::string::npos) << tool;
+  }
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,435 @@
+// The tools together, as a person runs them: from a text to a picture, to lists of hits, to numbers.
+#include "tests/run_tool.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+
+namespace masu {
+namespace {
+
+struct Picture {
+  std::uint32_t width = 0, height = 0;
+  Bytes rgb; // from the top
+};
+
+// By libpng; of no size when it isn't a PNG.
+Picture decoded_png(const std::string& path) {
+  Picture picture;
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return picture;
+  png.format = PNG_FORMAT_RGB;
+  picture.rgb.resize(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, picture.rgb.data(), 0, nullptr) == 0) return {};
+  picture.width = png.width;
+  picture.height = png.height;
+  return picture;
+}
+
+// The floats after a PFM's head, from the bottom row up; empty when the head isn't this.
+std::vector<float> decoded_pfm(const std::string& path, int width, int height) {
+  const Bytes bytes = read_bytes(path);
+  const std::string head = fmt::format("PF\n{} {}\n-1.0\n", width, height);
+  const std::size_t floats = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
+  if (bytes.size() != head.size() + 4 * floats || std::memcmp(bytes.data(), head.data(), head.size()) != 0)
+    return {};
+  std::vector<float> values(floats);
+  std::memcpy(values.data(), bytes.data() + head.size(), 4 * floats);
+  return values;
+}
+
+struct Hit {
+  float t;
+  std::int32_t object;
+};
+std::vector<Hit> hits_in(const std::string& path) {
+  const Bytes bytes = read_bytes(path);
+  std::vector<Hit> hits(bytes.size() / sizeof(Hit));
+  std::memcpy(hits.data(), bytes.data(), hits.size() * sizeof(Hit));
+  EXPECT_EQ(bytes.size() % sizeof(Hit), 0U);
+  return hits;
+}
+
+class Tools : public ToolTest {
+protected:
+  void render(const Arguments& more) const {
+    Arguments arguments{scene_, grid_, "--backend", "cpu"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+  }
+  nlohmann::json json_of(const std::string& tool, const Arguments& arguments) const {
+    const ToolResult result = run(tool, arguments);
+    EXPECT_TRUE(succeeded(result));
+    auto json = nlohmann::json::parse(result.out, nullptr, false);
+    EXPECT_FALSE(json.is_discarded()) << result.out;
+    return json;
+  }
+  nlohmann::json stats_of(const Arguments& more) const {
+    Arguments arguments{"--stats", file("stats.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    render(arguments);
+    return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
+  }
+
+  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_);
+};
+
+// --- Pictures
+// ------------------------------------------------------------------------------------------------
+
+TEST_F(Tools, ThePictureHasTheViewsSizeOrTheOneAskedFor) {
+  render({"-o", file("a.pfm")});
+  EXPECT_FALSE(decoded_pfm(file("a.pfm"), 16, 12).empty());
+  render({"-o", file("a.pfm"), "--size", "7x5"});
+  EXPECT_FALSE(decoded_pfm(file("a.pfm"), 7, 5).empty());
+  render({"-o", file("a.png"), "--size", "31x3"});
+  const Picture picture = decoded_png(file("a.png"));
+  EXPECT_EQ(picture.width, 31U);
+  EXPECT_EQ(picture.height, 3U);
+}
+
+std::uint8_t stored(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+}
+std::uint8_t encoded(float value) {
+  const float v = std::clamp(value, 0.0F, 1.0F);
+  return stored(v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F);
+}
+
+TEST_F(Tools, ThePngHoldsThePfmsValuesInEightBits) {
+  render({"-o", file("a.pfm")});
+  render({"-o", file("stored.png")});
+  render({"-o", file("encoded.png"), "--srgb"});
+  const std::vector<float> values = decoded_pfm(file("a.pfm"), 16, 12);
+  const Picture plain = decoded_png(file("stored.png")), srgb = decoded_png(file("encoded.png"));
+  ASSERT_EQ(values.size(), 16U * 12 * 3);
+  ASSERT_EQ(plain.rgb.size(), values.size());
+  ASSERT_EQ(srgb.rgb.size(), values.size());
+  for (std::size_t row = 0; row < 12; ++row) {
+    for (std::size_t i = 0; i < 16 * 3; ++i) {
+      const float value = values[(11 - row) * 16 * 3 + i];
+      EXPECT_TRUE(std::isfinite(value));
+      EXPECT_EQ(plain.rgb[row * 16 * 3 + i], stored(value));
+      EXPECT_NEAR(srgb.rgb[row * 16 * 3 + i], encoded(value), 1);
+    }
+  }
+}
+
+TEST_F(Tools, CornersAverageFourRaysAndCentersShootOne) {
+  render({"--hits", file("hits"), "--sampling", "corners"});
+  EXPECT_EQ(hits_in(file("hits")).size(), 17U * 13);
+  render({"--hits", file("hits"), "--sampling", "centers"});
+  EXPECT_EQ(hits_in(file("hits")).size(), 16U * 12);
+  render({"--hits", file("default")});
+  render({"--hits", file("hits"), "--sampling", "corners"});
+  EXPECT_TRUE(read_bytes(file("default")) == read_bytes(file("hits")));
+  render({"-o", file("a.pfm"), "--sampling", "corners"});
+  render({"-o", file("b.pfm"), "--sampling", "centers"});
+  EXPECT_FALSE(decoded_pfm(file("b.pfm"), 16, 12).empty());
+  EXPECT_FALSE(read_bytes(file("a.pfm")) == read_bytes(file("b.pfm")));
+}
+
+TEST_F(Tools, ASceneOfNothingIsAllBackground) {
+  for (const char* const text :
+       {"b 0.25 0.5 0.75\n", "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\n"
+                             "resolution 4 4\nb 0.25 0.5 0.75\nl 1 1 1\nf 1 1 1 1 1 1 1 1\n"}) {
+    const std::string nothing = scene("nothing.scene", nff("nothing.nff", text));
+    for (const char* const division : {"auto", "5", "cleary:3"}) {
+      const std::string path = grid("nothing.grid", nothing, division);
+      EXPECT_TRUE(succeeded(run("gridrender", {nothing, path, "-o", file("a.pfm"), "--size", "4x4"})));
+      const std::vector<float> values = decoded_pfm(file("a.pfm"), 4, 4);
+      ASSERT_EQ(values.size(), 48U);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_EQ(values[i], (std::array{0.25F, 0.5F, 0.75F})[i % 3]);
+    }
+  }
+}
+
+// No view, no light, no fill: defaults stand in for them.
+TEST_F(Tools, ABareObjectIsSeenAndLit) {
+  const std::string bare = scene("bare.scene", nff("bare.nff", "s 10 20 30 2\n"));
+  EXPECT_TRUE(succeeded(run("gridrender", {bare, grid("bare.grid", bare), "-o", file("a.pfm"), "--hits",
+                                           file("hits"), "--size", "9x9"})));
+  const std::vector<float> values = decoded_pfm(file("a.pfm"), 9, 9);
+  ASSERT_EQ(values.size(), 243U);
+  EXPECT_GT(values[40 * 3], 0.5F);
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  EXPECT_GE(std::ranges::count(hits, 0, &Hit::object), 9);
+}
+
+TEST_F(Tools, DepthOneLeavesOutWhatMirrorsShow) {
+  EXPECT_EQ(stats_of({"--depth", "1"})["reflection_rays"], 0);
+  EXPECT_GT(stats_of({})["reflection_rays"], 0);
+}
+
+// --- Hits and rays
+// -------------------------------------------------------------------------------------------
+
+TEST_F(Tools, ListedRaysHitWhatTheEyesRaysHit) {
+  // The view of small_nff, its lattice of corner rays written down as a list.
+  const double from[3] = {3, -4, 2}, sight[3] = {-3, 4, -1.5};
+  const double length = std::sqrt(9 + 16 + 2.25), flat = 5, reach = std::tan(22.5 / 180 * std::acos(-1.0));
+  const double right[3] = {sight[1] / flat, -sight[0] / flat, 0};
+  double up[3];
+  for (int i = 0; i < 3; ++i) // right × forward
+    up[i] = (right[(i + 1) % 3] * sight[(i + 2) % 3] - right[(i + 2) % 3] * sight[(i + 1) % 3]) / length;
+  std::vector<float> rays;
+  for (int row = 0; row <= 12; ++row) {
+    for (int column = 0; column <= 16; ++column) {
+      const double x = (column / 8.0 - 1) * reach * 16 / 12, y = (1 - row / 6.0) * reach;
+      for (const double coordinate : from)
+        rays.push_back(static_cast<float>(coordinate));
+      for (int i = 0; i < 3; ++i)
+        rays.push_back(
+            static_cast<float>(7 * (sight[i] / length + right[i] * x + up[i] * y))); // of any length
+    }
+  }
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--hits", file("eye")});
+  render({"--rays", file("rays"), "--hits", file("listed")});
+  EXPECT_TRUE(succeeded(
+      run("gridrender", {scene_, "--brute-force", "--rays", file("rays"), "--hits", file("brute-force")})));
+  EXPECT_TRUE(read_bytes(file("listed")) == read_bytes(file("brute-force")));
+  const std::vector<Hit> eye = hits_in(file("eye")), listed = hits_in(file("listed"));
+  ASSERT_EQ(eye.size(), 17U * 13);
+  ASSERT_EQ(listed.size(), eye.size());
+  std::set<std::int32_t> objects;
+  for (std::size_t i = 0; i < eye.size(); ++i) {
+    EXPECT_EQ(eye[i].object, listed[i].object) << "ray " << i;
+    objects.insert(eye[i].object);
+    if (eye[i].object < 0) {
+      EXPECT_EQ(listed[i].t, std::numeric_limits<float>::infinity());
+      continue;
+    }
+    // Along the list t counts in the direction's length.
+    const float* const d = rays.data() + 6 * i + 3;
+    const float scale = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    EXPECT_NEAR(listed[i].t * scale, eye[i].t, 1e-4 * eye[i].t);
+  }
+  EXPECT_EQ(objects, (std::set<std::int32_t>{-1, 0, 1})); // the sky, the floor, the ball
+}
+
+TEST_F(Tools, ListedRaysMayHaveAnyLengthAndStart) {
+  const std::vector<float> rays{
+      0,     0, 5,    0, 0, -1,      // down on the ball's top: 4 away
+      0,     0, 5,    0, 0, -1e-15F, // the same, in tiny steps
+      0,     0, 5,    0, 0, -1e15F,  // the same, in giant ones
+      0,     0, 0.5F, 0, 0, 1,       // from inside: half away
+      0,     0, 5,    0, 0, 1,       // away
+      1,     1, 1e9F, 0, 0, -1,      // from far off onto the floor
+      1e15F, 0, 0,    0, 1, 0,       // past everything
+  };
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--rays", file("rays"), "--hits", file("hits")});
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  ASSERT_EQ(hits.size(), 7U);
+  const std::array<std::int32_t, 7> objects{1, 1, 1, 1, -1, 0, -1};
+  const std::array<float, 7> distances{4, 4e15F, 4e-15F, 0.5F, 0, 1e9F, 0};
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(hits[i].object, objects[i]) << "ray " << i;
+    if (objects[i] < 0) continue;
+    EXPECT_NEAR(hits[i].t / distances[i], 1, 1e-5) << "ray " << i;
+  }
+}
+
+TEST_F(Tools, AnEmptyListOfRaysHasNoHits) {
+  write_text(file("rays"), "");
+  render({"--rays", file("rays"), "--hits", file("hits")});
+  EXPECT_TRUE(hits_in(file("hits")).empty());
+}
+
+TEST_F(Tools, HitsNameObjectsOrPrimitives) {
+  // Object 0 is a ball, object 1 a square of two triangles: primitives count triangles first.
+  const std::string mixed =
+      scene("mixed.scene", nff("mixed.nff", "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\n"
+                                            "hither 1\nresolution 8 8\ns 0 0 2 1\n"
+                                            "p 4\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n"));
+  const auto names = [&](const char* what) {
+    EXPECT_TRUE(
+        succeeded(run("gridrender", {mixed, "--brute-force", "--hits", file("hits"), "--hit-name", what})));
+    std::set<std::int32_t> seen;
+    for (const Hit& hit : hits_in(file("hits")))
+      seen.insert(hit.object);
+    return seen;
+  };
+  EXPECT_EQ(names("object"), (std::set<std::int32_t>{-1, 0, 1}));
+  EXPECT_EQ(names("primitive"), (std::set<std::int32_t>{-1, 0, 1, 2}));
+}
+
+// --- Numbers
+// -------------------------------------------------------------------------------------------------
+
+std::set<std::string> keys(const nlohmann::json& json) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : json.items())
+    names.insert(name);
+  return names;
+}
+
+TEST_F(Tools, StatsHaveTheirKeysAndNoOther) {
+  const auto stats = stats_of({});
+  EXPECT_EQ(keys(stats),
+            (std::set<std::string>{"backend", "eye_rays", "eye_hits", "reflection_rays", "refraction_rays",
+                                   "shadow_rays", "shadow_hits", "secondary_hits", "intersection_tests",
+                                   "cells_visited", "empty_cells_visited", "voxels_skipped", "seconds"}));
+  EXPECT_EQ(keys(stats["intersection_tests"]), (std::set<std::string>{"triangle", "sphere", "cone"}));
+  EXPECT_EQ(keys(stats["seconds"]),
+            (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
+  EXPECT_EQ(stats["backend"], "cpu");
+}
+
+TEST_F(Tools, StatsAddUp) {
+  const auto stats = stats_of({});
+  render({"--hits", file("hits")});
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  EXPECT_EQ(stats["eye_rays"], hits.size());
+  EXPECT_EQ(stats["eye_hits"],
+            hits.size() - static_cast<std::size_t>(std::ranges::count(hits, -1, &Hit::object)));
+  EXPECT_LE(stats["shadow_hits"], stats["shadow_rays"]);
+  EXPECT_LE(stats["secondary_hits"],
+            stats["reflection_rays"].get<int>() + stats["refraction_rays"].get<int>());
+  EXPECT_LE(stats["empty_cells_visited"], stats["cells_visited"]);
+  EXPECT_GT(stats["intersection_tests"]["triangle"], 0);
+  EXPECT_GT(stats["intersection_tests"]["sphere"], 0);
+  EXPECT_EQ(stats["intersection_tests"]["cone"], 0);
+  for (const auto& [name, seconds] : stats["seconds"].items())
+    EXPECT_GE(seconds.get<double>(), 0) << name;
+}
+
+TEST_F(Tools, StatsCountTheSameForAnyNumberOfThreads) {
+  auto one = stats_of({"--threads", "1"}), two = stats_of({"--threads", "2"});
+  one.erase("seconds");
+  two.erase("seconds");
+  EXPECT_EQ(one, two);
+}
+
+TEST_F(Tools, Nff2binTellsTheSameOfTextAndFile) {
+  auto text = json_of("nff2bin", {file("a.nff"), "--info", "--json"});
+  auto made = json_of("nff2bin", {scene_, "--info", "--json"});
+  EXPECT_EQ(text["objects"]["polygons"], 1);
+  EXPECT_EQ(text["objects"]["spheres"], 1);
+  EXPECT_EQ(text["objects"]["total"], 2);
+  EXPECT_EQ(text["primitives"]["total"], 3);
+  EXPECT_EQ(text["materials"]["total"], 2);
+  EXPECT_EQ(text["lights"], 1);
+  EXPECT_EQ(text["resolution"], (std::vector<int>{16, 12}));
+  EXPECT_EQ(text["store"], "float32");
+  EXPECT_EQ(made["bytes"]["file"], std::filesystem::file_size(scene_));
+  for (const char* const name :
+       {"objects", "primitives", "materials", "lights", "resolution", "store", "bounds"})
+    EXPECT_EQ(text[name], made[name]) << name;
+}
+
+TEST_F(Tools, GridbuildAndGridstatAgree) {
+  const auto built = json_of(
+      "gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--space", "cube", "--json"});
+  const auto told = json_of("gridstat", {file("b.grid"), "--json"});
+  EXPECT_EQ(built["division"], (std::vector<int>{5, 4, 3}));
+  EXPECT_EQ(told["division"], built["division"]);
+  EXPECT_EQ(told["voxels"], 60);
+  EXPECT_EQ(told["references"], built["references"]);
+  EXPECT_EQ(told["occupied_cells"], built["occupied_cells"]);
+  EXPECT_EQ(told["occupied_voxels"].get<int>() + told["empty_voxels"].get<int>(), 60);
+  EXPECT_EQ(told["space_rule"], "cube");
+  EXPECT_EQ(told["overlap"], "exact");
+  EXPECT_EQ(told["division_rule"], "5x4x3");
+  EXPECT_EQ(told["bytes"]["file"], std::filesystem::file_size(file("b.grid")));
+  EXPECT_TRUE(told["build_seconds"].is_null());
+}
+
+TEST_F(Tools, ASliceIsAPicture) {
+  EXPECT_TRUE(
+      succeeded(run("gridstat", {grid("b.grid", scene_, "8x4x2"), "--slice", "z=1", "-o", file("s.png")})));
+  const Picture picture = decoded_png(file("s.png"));
+  EXPECT_GT(picture.width, 0U);
+  EXPECT_EQ(picture.width, 2 * picture.height);
+}
+
+// --- Files
+// ---------------------------------------------------------------------------------------------------
+
+TEST_F(Tools, APipeAndAFileGiveTheSameScene) {
+  const ToolResult result = run("nff2bin", {"-", "-o", file("piped.scene")}, {file("a.nff"), {}, {}});
+  EXPECT_TRUE(succeeded(result));
+  EXPECT_TRUE(read_bytes(file("piped.scene")) == read_bytes(scene_));
+}
+
+TEST_F(Tools, NffgenWritesTheSameToAFileAndToStandardOutput) {
+  const ToolResult printed = run("nffgen", {"rings", "--size", "2"});
+  EXPECT_TRUE(succeeded(printed));
+  EXPECT_TRUE(printed.out == read_text(spd("rings.nff", "rings", 2)));
+}
+
+TEST_F(Tools, ThreadsDontShowInASceneFile) {
+  const std::string text = spd("mount.nff", "mount", 6);
+  const Bytes one = read_bytes(scene("one", text, {"--threads", "1"}));
+  EXPECT_TRUE(one == read_bytes(scene("two", text, {"--threads", "2"})));
+}
+
+TEST_F(Tools, DoubleIsStoredWhereTheDigitsNeedIt) {
+  const auto store = [&](const char* text) {
+    return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json"})["store"];
+  };
+  EXPECT_EQ(store("s 0.1 0 0 1\n"), "float32");
+  EXPECT_EQ(store("s 123.456 0 0 1\n"), "float32");
+  EXPECT_EQ(store("s 0.123456789 0 0 1\n"), "float64");
+  EXPECT_EQ(store("s 16777217 0 0 1\n"), "float64");
+  EXPECT_EQ(store("s 1e20 0 0 1\n"), "float64");
+}
+
+TEST_F(Tools, EqualBuildsAreEqualFilesUnlessSecondsAreRecorded) {
+  EXPECT_TRUE(read_bytes(grid_) == read_bytes(grid("b.grid", scene_)));
+  grid("c.grid", scene_, "auto", {"--record-seconds"});
+  EXPECT_GE(json_of("gridstat", {file("c.grid"), "--json"})["build_seconds"].get<double>(), 0);
+}
+
+// The scene of small_nff with a cone, `scale` times as large.
+std::string scaled_text(double scale) {
+  const auto number = [&](double value) { return fmt::format(" {:.6g}", value * scale); };
+  const auto all = [&](std::initializer_list<double> values) {
+    std::string text;
+    for (const double value : values)
+      text += number(value);
+    return text + "\n";
+  };
+  return "v\nfrom" + all({3, -4, 2}) + "at" + all({0, 0, 0.5}) + "up 0 0 1\nangle 45\nhither" + all({0.1}) +
+         "resolution 48 48\nb 0.1 0.2 0.3\nl" + all({5, -5, 9}) + "f 1 0.5 0.25 0.7 0.3 10 0 1\np 4\n" +
+         all({-2, -2, 0}) + all({2, -2, 0}) + all({2, 2, 0}) + all({-2, 2, 0}) +
+         "f 0.2 0.4 0.9 0.6 0.4 30 0 1\ns" + all({0, 0, 0.5, 0.5}) + "c" + all({1, 1, 0, 0.3, 1, 1, 1, 0.1});
+}
+
+// A scene in other units is the same picture, or is refused where numbers end.
+TEST_F(Tools, TheScenesScaleNeverShows) {
+  const auto rendered = [&](int exponent) {
+    const std::string text = nff("scaled.nff", scaled_text(std::pow(10, exponent)));
+    const ToolResult made = run("nff2bin", {text, "-o", file("scaled.scene")});
+    if (std::abs(exponent) > 30 && made.code == 2) return nlohmann::json{};
+    EXPECT_TRUE(succeeded(made));
+    const std::string scaled_grid = grid("scaled.grid", file("scaled.scene"));
+    EXPECT_TRUE(succeeded(run("gridrender", {file("scaled.scene"), scaled_grid, "-o", file("grid.pfm"),
+                                             "--backend", "cpu", "--stats", file("stats.json")})));
+    EXPECT_TRUE(succeeded(run(
+        "gridrender", {file("scaled.scene"), "--brute-force", "-o", file("none.pfm"), "--backend", "cpu"})));
+    EXPECT_TRUE(read_bytes(file("grid.pfm")) == read_bytes(file("none.pfm"))) << "the grid shows";
+    return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
+  };
+  const auto expected = rendered(0);
+  for (const int exponent :
+       {-97, -70, -40, -29, -26, -20, -15, -11, -9, -6, -3, 3, 6, 9, 10, 11, 12, 15, 30, 60, 75, 80, 98}) {
+    SCOPED_TRACE(fmt::format("times 1e{}", exponent));
+    const auto counts = rendered(exponent);
+    if (counts.is_null()) continue;
+    for (const char* const name : {"eye_hits", "reflection_rays", "shadow_rays", "shadow_hits"})
+      EXPECT_NEAR(counts[name].get<double>(), expected[name].get<double>(), 8) << name;
+  }
+}
+
+} // namespace
+} // namespace masu

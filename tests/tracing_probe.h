@@ -1,0 +1,37 @@
+// Follows every kind of index that a scene and a grid hold: for files that were made to lead astray.
+#pragma once
+
+#include "libgrid/division.h"
+#include "libgrid/grid_file.h"
+#include "libscene/scene_file.h"
+#include "renderer/backend.h"
+
+namespace masu {
+
+// A few pixels, by the narrow code and by the general one. grid: null for brute force.
+inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
+  const auto vector = [](const fb::Vec3& v) { return Vec3d{v.x(), v.y(), v.z()}; };
+  const fb::Camera& c = *scene.table().camera();
+  FrameRequest request;
+  request.camera = {vector(c.from()), vector(c.at()), vector(c.up()), c.angle(), c.hither(), 6, 6};
+  request.hits = request.hither = true;
+  static_cast<void>(render_cpu(scene, grid, request));
+  request.count = request.rules.spd_rules = true;
+  static_cast<void>(render_cpu(scene, grid, request));
+}
+
+// Builds a coarse grid and writes it to `path`. Throws Error where the space can't be divided.
+template <class Stored>
+void build_a_little(const SceneFile& scene, Overlap overlap, const std::string& path) {
+  const SceneView<Stored> view = scene.view<Stored>();
+  const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division("5x4x3"),
+                                               division_statistics(view));
+  write_grid(build_uniform(view, lattice, overlap),
+             {scene.hash(), scene.primitive_count(), SpaceRule::tight, overlap, "5x4x3"}, path);
+}
+inline void build_a_little(const SceneFile& scene, Overlap overlap, const std::string& path) {
+  scene.is_float64() ? build_a_little<double>(scene, overlap, path)
+                     : build_a_little<float>(scene, overlap, path);
+}
+
+} // namespace masu
