@@ -35,23 +35,6 @@ MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
   return cone.base_radius < 0 || cone.apex_radius < 0;
 }
 
-// A root of the quadratic, bettered by a step of Newton's on ρ - R itself: near a pointed end, along the
-// axis, the squares' difference keeps only half the digits. Roots beyond the pointed end, and steps that
-// aren't small, are left alone.
-MASU_HD inline double polished(double s, const Vec3d& off_axis, const Vec3d& across, double radius,
-                               double radius_slope) {
-  const Vec3d off = fused(across, s, off_axis);
-  const double distance = length(off), radius_there = fused(radius_slope, s, radius);
-  const double value = distance - radius_there;
-  const double size = distance + radius + std::abs(radius_slope * s);
-  if (!(radius_there >= 0 && distance > 0 && std::abs(value) <= 1e-7 * size)) return s;
-  const double better = s - value / (dot(off, across) / distance - radius_slope);
-  // Where the ray grazes the slope tells nothing.
-  const double radius_better = fused(radius_slope, better, radius);
-  const double value_better = length(fused(across, better, off_axis)) - radius_better;
-  return radius_better >= 0 && std::abs(value_better) < std::abs(value) ? better : s;
-}
-
 // Whether the ray meets the side at a t > 0; then `t` is the first such place.
 template <class Real, class Stored>
 MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& cone, Real& t) {
@@ -73,6 +56,10 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   const Vec3d there = fused(direction, start, from_base);
   const double z = dot(there, c.axis) * c.inverse_square;
   const Vec3d off_axis = fused(c.axis, -z, there);
+  // Nowhere between the ends is the ray nearer to the axis. Without this a ray all but across it, held at an
+  // end it only reaches far off, would be solved for from there.
+  const double largest_radius = larger(c.base_radius, c.base_radius + c.growth);
+  if (dot(off_axis, off_axis) > largest_radius * largest_radius * (1 + 1e-9)) return false;
   const double radius = fused(c.growth, z, c.base_radius);
   const double radius_slope = c.growth * dz;
 
@@ -80,7 +67,10 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   const double qa = fused(-radius_slope, radius_slope, across_square);
   const double qb = fused(-radius_slope, radius, dot(off_axis, across));
   const double qc = fused(-radius, radius, dot(off_axis, off_axis));
-  const double discriminant = difference_of_products(qb, qb, qa, qc);
+  // qb² - qa qc, multiplied out: what is left has no large terms that cancel, also along the axis towards a
+  // pointed end.
+  const Vec3d skew = fused(across, radius, off_axis * -radius_slope), turn = cross(off_axis, across);
+  const double discriminant = dot(skew, skew) - dot(turn, turn);
   if (!(discriminant >= 0)) return false;
   const double q = -(qb + std::copysign(std::sqrt(discriminant), qb));
   const double root1 = q / qa, root2 = qc / q;
@@ -88,7 +78,7 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   bool met = false;
   double first = RealTraits<double>::largest;
   for (int root = 0; root < 2; ++root) {
-    const double s = polished(root == 0 ? root1 : root2, off_axis, across, radius, radius_slope);
+    const double s = root == 0 ? root1 : root2;
     const double along = start + s;
     const double height = fused(s, dz, z);
     // Positive where the ray leaves the solid.

@@ -15,19 +15,24 @@
 //  - The walk (libgrid/walk.h): a plane min + i·h is off by 2 u M from h, u M from the sum; its distance
 //  along the ray by
 //    3 u of itself, times the direction at most 6 u M along that axis. In all below 12 u M.
-// 256 u M covers their sum. The space that is divided, and the box that rays are clipped to, reach twice that
-// beyond the bounds: a hit on the bounds' own face, and a walk to it, stay inside. That also gives flat
-// scenes a thickness.
+// 256 u M covers their sum. Where Real is double, cones have no wider arithmetic: steep
+// ones have been seen off by 300 u M, and so 4096 u M are taken, which is still less than nothing on the
+// scale of voxels. The space that is divided, and the box that rays are clipped to, reach twice that beyond
+// the bounds: a hit on the bounds' own face, and a walk to it, stay inside. That also gives flat scenes a
+// thickness.
 #pragma once
 
 #include "libscene/box.h"
+
+#include <type_traits>
 
 namespace masu {
 
 // For arithmetic of type Real on primitives within `bounds` (not empty).
 template <class Real>
 inline double rounding_margin(const Boxd& bounds) {
-  return 256.0 * static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
+  return (std::is_same_v<Real, float> ? 256.0 : 4096.0) *
+         static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
 }
 
 // What rays are clipped to, and what the tight space divides. A scene without primitives gets a box all the

@@ -24,7 +24,7 @@ struct SurfacePoint {
 // projecting it moves it by less than 60 u extent (see margin.h), the point itself is off by 4 u extent.
 template <class Real>
 MASU_HD inline Real surface_error(Real extent) {
-  return 64 * RealTraits<Real>::unit_roundoff * extent;
+  return 128 * RealTraits<Real>::unit_roundoff * extent;
 }
 
 template <class Real>
@@ -85,9 +85,12 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t, 
   const Vec3d from_base =
       fused(cast<double>(ray.direction), static_cast<double>(t), cast<double>(ray.origin) - c.base);
   const double anywhere = dot(from_base, c.axis) * c.inverse_square;
-  const double z = larger(smaller(anywhere, 1.0), 0.0); // t is rounded: not past the ends for that
+  const double between = larger(smaller(anywhere, 1.0), 0.0); // t is rounded: not past the ends for that
   const Vec3d off_axis = fused(c.axis, -anywhere, from_base);
   const double distance = length(off_axis);
+  // On the axis there is no surface but the pointed end.
+  const double z =
+      distance > 0 || c.growth == 0 ? between : larger(smaller(-c.base_radius / c.growth, 1.0), 0.0);
   const Vec3d away = distance > 0 ? off_axis * (1 / distance) : Vec3d{0, 0, 0};
   const double radius = larger(fused(c.growth, z, c.base_radius), 0.0);
   // The gradient of distance - radius; along the axis at a pointed end.

@@ -411,10 +411,10 @@ bool may_be_listed(const Sphere<double>& sphere, const WideBox& voxel, double di
   return shell_within(sphere, voxel, distance);
 }
 bool may_be_listed(const Cone<double>& cone, const WideBox& voxel, double distance) {
-  // Beyond the rim of a flat cone the margin counts across the axis.
+  // A flat cone is moved along its axis by the margin, and its rim by far more.
   const double steepest =
       std::abs(std::abs(cone.apex_radius) - std::abs(cone.base_radius)) / length(cone.apex - cone.base);
-  return side_may_be_within(cone, voxel, (2 + steepest) * distance, 5);
+  return side_may_be_within(cone, voxel, 2 * (1 + steepest) * distance, 5);
 }
 bool must_be_listed(const Triangle<double>& triangle, const WideBox& voxel, double distance) {
   return meets(triangle, grown(voxel, distance));
