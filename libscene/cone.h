@@ -1,9 +1,10 @@
 // Ray and the side of a cut-off cone or a cylinder; its bounds.
 //
 // With z from 0 (base) to 1 (apex) along the axis, the side is where the distance ρ from the axis equals the
-// radius R(z). The quadratic ρ² = R² is set up about the ray's nearest point to the axis (held between the
-// ends): there every term is of the size of what is solved for, so nothing cancels however far the origin is,
-// however slight the taper. It is solved in double: nearly parallel sides square their small differences.
+// radius R(z). The quadratic ρ² = R² is set up about the place on the ray where ρ² + R² is least of those
+// that can matter: there every term is of the size of what is solved for, so nothing cancels however far the
+// origin is, however slight the taper, however near a pointed end. It is solved in double: nearly parallel
+// sides square their small differences.
 #pragma once
 
 #include "libscene/ray.h"
@@ -47,30 +48,46 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   const double across_square = dot(across, across);
   const double z_origin = dot(from_base, c.axis) * c.inverse_square;
 
-  // Between the ends the nearest place to the axis; where the ray runs along the axis any place will do.
-  double start = across_square > 0 ? -dot(from_base, across) / across_square : 0;
+  // Where a hit can be: between the ends, and no farther off than they are. A ray all but across the axis
+  // comes between the ends' planes only far away, where every digit would be lost.
+  const double widest = larger(c.base_radius, c.base_radius + c.growth);
+  const double reach = 2 * (length(from_base) + length(c.axis) + widest) / length(direction);
+  double low = -reach, high = reach;
   if (dz != 0) {
     const double to_base = -z_origin / dz, to_apex = (1 - z_origin) / dz;
-    start = larger(smaller(start, larger(to_base, to_apex)), smaller(to_base, to_apex));
+    low = larger(low, smaller(to_base, to_apex));
+    high = smaller(high, larger(to_base, to_apex));
   }
-  const Vec3d there = fused(direction, start, from_base);
-  const double z = dot(there, c.axis) * c.inverse_square;
-  const Vec3d off_axis = fused(c.axis, -z, there);
-  // Nowhere between the ends is the ray nearer to the axis. Without this a ray all but across it, held at an
-  // end it only reaches far off, would be solved for from there.
-  const double largest_radius = larger(c.base_radius, c.base_radius + c.growth);
-  if (dot(off_axis, off_axis) > largest_radius * largest_radius * (1 + 1e-9)) return false;
-  const double radius = fused(c.growth, z, c.base_radius);
-  const double radius_slope = c.growth * dz;
+  if (!(low <= high)) return false;
 
-  // a s² + 2 b s + c = 0 for the step s from there.
+  // a s² + 2 b s + c = 0 for the step s from the place where its terms are least; that may lie beyond
+  // the ends.
+  const double radius_slope = c.growth * dz;
   const double qa = fused(-radius_slope, radius_slope, across_square);
-  const double qb = fused(-radius_slope, radius, dot(off_axis, across));
+  double start = 0, z = 0, radius = 0, qb = 0, least = RealTraits<double>::largest;
+  Vec3d off_axis{};
+  const auto look_from = [&](double at) {
+    const Vec3d there = fused(direction, at, from_base);
+    const double z_there = dot(there, c.axis) * c.inverse_square;
+    const Vec3d off = fused(c.axis, -z_there, there);
+    const double radius_there = fused(c.growth, z_there, c.base_radius);
+    const double size = fused(radius_there, radius_there, dot(off, off));
+    if (!(size < least)) return;
+    least = size;
+    start = at;
+    z = z_there;
+    off_axis = off;
+    radius = radius_there;
+    qb = fused(-radius_slope, radius, dot(off_axis, across));
+  };
+  look_from(low);
+  look_from(high);
+  const double nearest = across_square > 0 ? -dot(from_base, across) / across_square : 0;
+  if (std::abs(nearest) <= reach) look_from(nearest);
+  const double middle = start - qb / qa; // of the two roots: near a pointed end, by it
+  if (std::abs(middle) <= reach) look_from(middle);
   const double qc = fused(-radius, radius, dot(off_axis, off_axis));
-  // qb² - qa qc, multiplied out: what is left has no large terms that cancel, also along the axis towards a
-  // pointed end.
-  const Vec3d skew = fused(across, radius, off_axis * -radius_slope), turn = cross(off_axis, across);
-  const double discriminant = dot(skew, skew) - dot(turn, turn);
+  const double discriminant = difference_of_products(qb, qb, qa, qc);
   if (!(discriminant >= 0)) return false;
   const double q = -(qb + std::copysign(std::sqrt(discriminant), qb));
   const double root1 = q / qa, root2 = qc / q;

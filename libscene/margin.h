@@ -4,35 +4,31 @@
 // Let u be the unit roundoff and M the largest coordinate of the scene's bounds. A ray is first clipped to
 // the bounds (clip.h), so every origin o has |o| ≤ M but for the padding, and every vertex lies within 2√3 M
 // of it.
-//  - Clipping rounds o: u M.
+//  - Clipping rounds o, twice from afar: 6 u M.
 //  - Triangles (triangle.h): subtracting o moves a vertex by 2√3 u M; projecting it, across the ray and along
 //  it, by
 //    (3 + 4) u 2√3 M each; the edge functions keep their digits and their signs, and so the hit lies on the
-//    moved triangle up to 8 u 2√3 M along the ray. In all below 160 u M.
-//  - Spheres (sphere.h): the same subtraction and projection, and a square root: below 60 u M. Cones (cone.h)
-//  compute
-//    in double: less, where Stored is float.
+//    moved triangle up to 8 u 2√3 M along the ray. In all below 85 u M (searched for: 16).
+//  - Spheres (sphere.h): the same subtraction and projection, and a square root: below 60 u M (searched for:
+//  15). Cones
+//    (cone.h) are solved about the place where their terms are least: below 60 u M (searched for: 10), in
+//    double too.
 //  - The walk (libgrid/walk.h): a plane min + i·h is off by 2 u M from h, u M from the sum; its distance
 //  along the ray by
 //    3 u of itself, times the direction at most 6 u M along that axis. In all below 12 u M.
-// 256 u M covers their sum. Where Real is double, cones have no wider arithmetic: steep
-// ones have been seen off by 300 u M, and so 4096 u M are taken, which is still less than nothing on the
-// scale of voxels. The space that is divided, and the box that rays are clipped to, reach twice that beyond
-// the bounds: a hit on the bounds' own face, and a walk to it, stay inside. That also gives flat scenes a
-// thickness.
+// 128 u M covers their sum. The space that is divided, and the box that rays are clipped to, reach twice that
+// beyond the bounds: a hit on the bounds' own face, and a walk to it, stay inside. That also gives flat
+// scenes a thickness.
 #pragma once
 
 #include "libscene/box.h"
-
-#include <type_traits>
 
 namespace masu {
 
 // For arithmetic of type Real on primitives within `bounds` (not empty).
 template <class Real>
 inline double rounding_margin(const Boxd& bounds) {
-  return (std::is_same_v<Real, float> ? 256.0 : 4096.0) *
-         static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
+  return 128.0 * static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
 }
 
 // What rays are clipped to, and what the tight space divides. A scene without primitives gets a box all the

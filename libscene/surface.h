@@ -24,7 +24,7 @@ struct SurfacePoint {
 // projecting it moves it by less than 60 u extent (see margin.h), the point itself is off by 4 u extent.
 template <class Real>
 MASU_HD inline Real surface_error(Real extent) {
-  return 128 * RealTraits<Real>::unit_roundoff * extent;
+  return 64 * RealTraits<Real>::unit_roundoff * extent;
 }
 
 template <class Real>
@@ -85,17 +85,30 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t, 
   const Vec3d from_base =
       fused(cast<double>(ray.direction), static_cast<double>(t), cast<double>(ray.origin) - c.base);
   const double anywhere = dot(from_base, c.axis) * c.inverse_square;
-  const double between = larger(smaller(anywhere, 1.0), 0.0); // t is rounded: not past the ends for that
-  const Vec3d off_axis = fused(c.axis, -anywhere, from_base);
-  const double distance = length(off_axis);
-  // On the axis there is no surface but the pointed end.
-  const double z =
-      distance > 0 || c.growth == 0 ? between : larger(smaller(-c.base_radius / c.growth, 1.0), 0.0);
-  const Vec3d away = distance > 0 ? off_axis * (1 / distance) : Vec3d{0, 0, 0};
-  const double radius = larger(fused(c.growth, z, c.base_radius), 0.0);
-  // The gradient of distance - radius; along the axis at a pointed end.
-  const Vec3d outwards = normalized(distance > 0 ? fused(c.axis, -c.growth * c.inverse_square, away)
-                                                 : c.axis * (c.growth > 0 ? -1.0 : 1.0));
+  Vec3d off_axis = fused(c.axis, -anywhere, from_base);
+  double distance = length(off_axis);
+  const double doubt = 16 * static_cast<double>(RealTraits<Real>::unit_roundoff) *
+                       (length(from_base) + largest_magnitude(c.base) + largest_magnitude(c.base + c.axis));
+  // By a pointed end rounding leaves no direction: the side that the ray comes to is as good as any.
+  if (distance <= doubt) {
+    const Vec3d against = -cast<double>(ray.direction);
+    off_axis = fused(c.axis, -dot(against, c.axis) * c.inverse_square, against);
+    if (!(dot(off_axis, off_axis) > 1e-12 * dot(against, against)))
+      off_axis = std::abs(c.axis.x) < std::abs(c.axis.y) ? Vec3d{0, c.axis.z, -c.axis.y}
+                                                         : Vec3d{-c.axis.z, 0, c.axis.x};
+    distance = 0;
+  }
+  const Vec3d aside = normalized(off_axis);
+  const Vec3d away =
+      normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside)); // once more: at right angles
+  // The nearest place of the side, which over the axis is a segment: t is rounded, and a flat cone's ends are
+  // close.
+  const double square = dot(c.axis, c.axis);
+  const double place =
+      ((distance - c.base_radius) * c.growth + anywhere * square) / fused(c.growth, c.growth, square);
+  const double z = larger(smaller(place, 1.0), 0.0);
+  const double radius = fused(c.growth, z, c.base_radius);
+  const Vec3d outwards = normalized(fused(c.axis, -c.growth * c.inverse_square, away));
   SurfacePoint<Real> point{};
   point.position = cast<Real>(c.base + fused(away, radius, c.axis * z));
   point.normal = cast<Real>(is_inside_out(cone) ? -outwards : outwards);

@@ -52,7 +52,7 @@ struct Hit {
 std::vector<Hit> hits_in(const std::string& path) {
   const Bytes bytes = read_bytes(path);
   std::vector<Hit> hits(bytes.size() / sizeof(Hit));
-  std::memcpy(hits.data(), bytes.data(), hits.size() * sizeof(Hit));
+  if (!hits.empty()) std::memcpy(hits.data(), bytes.data(), hits.size() * sizeof(Hit));
   EXPECT_EQ(bytes.size() % sizeof(Hit), 0U);
   return hits;
 }
