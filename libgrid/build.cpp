@@ -103,10 +103,9 @@ std::vector<Piece> emit(const SceneView<Stored>& scene, const Lattice& lattice, 
       } else {
         for_each_overlap(lattice, overlap, widened(scene.cones[sphere - scene.sphere_count]), add);
       }
-      if (placed.size() > std::numeric_limits<std::uint32_t>::max()) too_fine("2^32 references");
+      if (placed.size() > most_numbered) too_fine("2^31 references");
     }
-    if ((references += placed.size()) > std::numeric_limits<std::uint32_t>::max())
-      too_fine("2^32 references");
+    if ((references += placed.size()) > most_numbered) too_fine("2^31 references");
     pieces[number] = sorted_by_bucket(placed, order);
   });
   return pieces;
@@ -118,7 +117,7 @@ struct BucketCell {
   std::uint32_t begin;
 };
 
-// Where each bucket's references, cells and blocks begin in the whole; one entry more than there are buckets.
+// Where each bucket's references and blocks begin in the whole; one entry more than there are buckets.
 struct Offsets {
   std::vector<std::uint64_t> values;
   explicit Offsets(std::uint64_t buckets) : values(buckets + 1, 0) {}
@@ -137,6 +136,10 @@ std::vector<BucketCell> sort_bucket(const std::vector<Piece>& pieces, std::uint6
     }
   };
   std::vector<BucketCell> cells;
+  const auto add = [&](std::uint32_t voxel, std::uint64_t begin) {
+    if (begin > 0) references[begin - 1] |= last_bit;
+    cells.push_back({voxel, static_cast<std::uint32_t>(first_reference + begin)});
+  };
   if (count < (std::uint64_t{1} << voxels_log2) / 16) {
     std::vector<std::uint64_t> keys;
     keys.reserve(count);
@@ -145,32 +148,30 @@ std::vector<BucketCell> sort_bucket(const std::vector<Piece>& pieces, std::uint6
     std::sort(keys.begin(), keys.end());
     for (std::size_t i = 0; i != keys.size(); ++i) {
       const auto voxel = static_cast<std::uint32_t>(keys[i] >> 32);
-      if (cells.empty() || cells.back().voxel != voxel)
-        cells.push_back({voxel, static_cast<std::uint32_t>(first_reference + i)});
       references[i] = static_cast<PrimitiveIndex>(keys[i]);
+      if (cells.empty() || cells.back().voxel != voxel) add(voxel, i);
     }
-    return cells;
+  } else {
+    std::vector<std::uint32_t> next((std::size_t{1} << voxels_log2) + 1, 0);
+    for_each_pair([&](const Pair& pair) { ++next[pair.voxel + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    const std::vector<std::uint32_t> begin(next);
+    for_each_pair([&](const Pair& pair) { references[next[pair.voxel]++] = pair.primitive; });
+    for (std::uint32_t voxel = 0; voxel + 1 < begin.size(); ++voxel) {
+      if (begin[voxel + 1] != begin[voxel]) add(voxel, begin[voxel]);
+    }
   }
-  std::vector<std::uint32_t> next((std::size_t{1} << voxels_log2) + 1, 0);
-  for_each_pair([&](const Pair& pair) { ++next[pair.voxel + 1]; });
-  cells.reserve(static_cast<std::size_t>(
-      std::count_if(next.begin(), next.end(), [](std::uint32_t n) { return n != 0; })));
-  for (std::uint32_t voxel = 0; voxel + 1 < next.size(); ++voxel) {
-    if (next[voxel + 1] != 0)
-      cells.push_back({voxel, static_cast<std::uint32_t>(first_reference + next[voxel])});
-    next[voxel + 1] += next[voxel];
-  }
-  for_each_pair([&](const Pair& pair) { references[next[pair.voxel]++] = pair.primitive; });
+  references[count - 1] |= last_bit;
   return cells;
 }
 
-// The bucket's words of the map, and its cells' beginnings.
+// The bucket's words of the map.
 void write_map(const StorageOrder& order, std::uint64_t bucket, const std::vector<BucketCell>& bucket_cells,
-               std::uint64_t first_cell, std::uint64_t first_block, Grid& grid) {
+               std::uint64_t first_block, Grid& grid) {
   const std::uint64_t first_place = bucket << order.bucket_log2;
   const std::int32_t block_bits = 3 * order.block_log2;
   const std::uint64_t block_words = voxel_count(order.blocks);
-  std::uint64_t cell = first_cell, block = first_block;
+  std::uint64_t block = first_block;
   std::uint64_t last_block_place = std::numeric_limits<std::uint64_t>::max();
   for (const BucketCell& bucket_cell : bucket_cells) {
     const std::uint64_t place = first_place + bucket_cell.voxel;
@@ -183,8 +184,7 @@ void write_map(const StorageOrder& order, std::uint64_t bucket, const std::vecto
       }
       word = block_words + ((block - 1) << block_bits) + (place & ((std::uint64_t{1} << block_bits) - 1));
     }
-    grid.voxel_map[word] = static_cast<std::uint32_t>(cell) | occupied_bit;
-    grid.cells[cell++] = bucket_cell.begin;
+    grid.voxel_map[word] = bucket_cell.begin | occupied_bit;
   }
 }
 
@@ -214,11 +214,14 @@ double expected_build_bytes(const Lattice& lattice, double references) {
 
 template <class Stored>
 Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap) {
+  if (scene.primitive_count() > most_numbered) {
+    throw Error(ErrorCode::input, "scene", "holds more than 2^31 primitives: grids can't number so many");
+  }
   const StorageOrder order = storage_order(lattice.division);
   std::vector<Piece> pieces = emit(scene, lattice, overlap, order);
 
-  Grid grid{lattice, order.block_log2, {}, {}, {}};
-  Offsets reference_offsets(order.buckets), cell_offsets(order.buckets), block_offsets(order.buckets);
+  Grid grid{lattice, Merge::none, order.block_log2, 0, {}, {}, {}};
+  Offsets reference_offsets(order.buckets), block_offsets(order.buckets);
   for (const Piece& piece : pieces) {
     for (std::uint64_t bucket = 0; bucket < order.buckets; ++bucket) {
       reference_offsets.values[bucket + 1] += piece.begin[bucket + 1] - piece.begin[bucket];
@@ -234,23 +237,17 @@ Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overl
     if (count == 0) return;
     cells[bucket] =
         sort_bucket(pieces, bucket, order.bucket_log2, first, count, grid.references.data() + first);
-    cell_offsets.values[bucket + 1] = cells[bucket].size();
     block_offsets.values[bucket + 1] =
         order.block_log2 == 0 ? 0 : blocks_in(cells[bucket], 3 * order.block_log2);
   });
   pieces.clear();
   pieces.shrink_to_fit();
 
-  cell_offsets.accumulate();
   block_offsets.accumulate();
-  const std::uint64_t cell_count = cell_offsets.values.back();
-  if (cell_count >= occupied_bit) too_fine("2^31 cells");
-  grid.cells.resize(cell_count + 1);
-  grid.cells.back() = static_cast<std::uint32_t>(grid.references.size());
   grid.voxel_map.assign(voxel_count(order.blocks) + (block_offsets.values.back() << (3 * order.block_log2)),
                         0);
   tbb::parallel_for(std::uint64_t{0}, order.buckets, [&](std::uint64_t bucket) {
-    write_map(order, bucket, cells[bucket], cell_offsets.values[bucket], block_offsets.values[bucket], grid);
+    write_map(order, bucket, cells[bucket], block_offsets.values[bucket], grid);
   });
   return grid;
 }

@@ -26,6 +26,7 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
   flatbuffers::FlatBufferBuilder builder;
   const auto sections = builder.CreateVectorOfStructs(layout);
   const auto rule = builder.CreateString(origin.division_rule);
+  const auto merge_rule = builder.CreateString(origin.merge_rule);
   const fb::Hash scene_hash(origin.scene_hash.low, origin.scene_hash.high);
   const Boxd& s = grid.lattice.space;
   const fb::Box space({s.min.x, s.min.y, s.min.z}, {s.max.x, s.max.y, s.max.z});
@@ -33,9 +34,10 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
   const fb::Division division(n.x, n.y, n.z);
   builder.Finish(fb::CreateGrid(builder, &scene_hash, origin.primitives, &space, grid.lattice.margin,
                                 &division, static_cast<std::uint32_t>(grid.block_log2),
+                                static_cast<std::uint32_t>(grid.nested_log2),
                                 origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
                                 origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
-                                fb::Merge::none, rule, origin.build_seconds, sections));
+                                static_cast<fb::Merge>(grid.merge), rule, merge_rule, origin.build_seconds, sections));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -68,15 +70,85 @@ bool is_divisible(const fb::Box& space) {
 
 template <class Real>
 GridView<Real> view_of(const Lattice& lattice, std::int32_t block_log2,
-                       std::span<const std::uint32_t> voxel_map, std::span<const std::uint32_t> cells,
-                       std::span<const PrimitiveIndex> references) {
+                       std::span<const std::uint32_t> voxel_map, std::span<const PrimitiveIndex> references) {
   const Vec3d size = voxel_size(lattice);
-  return {voxel_map.data(),  cells.data(),
-          references.data(), cast<Real>(lattice.space.min),
-          cast<Real>(size),  cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
-          lattice.division,  blocks_of(lattice.division, block_log2),
+  return {voxel_map.data(),
+          references.data(),
+          cast<Real>(lattice.space.min),
+          cast<Real>(size),
+          cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
+          lattice.division,
+          blocks_of(lattice.division, block_log2),
           block_log2};
 }
+
+template <class Real>
+MergedGridView<Real> view_of(const Lattice& lattice, std::int32_t nested_log2,
+                             std::span<const std::uint32_t> voxel_map, std::span<const MergedCell> cells,
+                             std::span<const PrimitiveIndex> references) {
+  const Lattice finest = finer(lattice, nested_log2);
+  const Vec3d size = voxel_size(finest);
+  return {voxel_map.data(),
+          cells.data(),
+          references.data(),
+          cast<Real>(finest.space.min),
+          cast<Real>(size),
+          cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
+          finest.division,
+          lattice.division,
+          nested_log2};
+}
+
+// A merged grid's map, checked word by word: every voxel leads to a cell whose box it is in.
+class MapCheck {
+public:
+  explicit MapCheck(const MergedGridView<double>& grid, std::uint64_t words, std::uint64_t cells)
+      : grid_(grid), words_(words), cells_(cells) {}
+
+  bool top_level_good() const {
+    return all(voxel_count(grid_.top), [&](std::uint64_t i) {
+      const auto x = static_cast<std::uint32_t>(grid_.top.x), y = static_cast<std::uint32_t>(grid_.top.y);
+      const Vec3<std::uint32_t> cube{static_cast<std::uint32_t>(i % x),
+                                     static_cast<std::uint32_t>(i / x % y),
+                                     static_cast<std::uint32_t>(i / x / y)};
+      const Vec3i at = cast<std::int32_t>(cube);
+      return is_good(grid_.voxel_map[i],
+                     {at.x << grid_.nested_log2, at.y << grid_.nested_log2, at.z << grid_.nested_log2},
+                     grid_.nested_log2);
+    });
+  }
+
+private:
+  // Of the cube of 2^level voxels a side at `first`. Each level is smaller, so this ends.
+  bool is_good(std::uint32_t word, const Vec3i& first, std::int32_t level) const {
+    if ((word & occupied_bit) != 0) {
+      const std::uint32_t number = word & ~occupied_bit;
+      if (number >= cells_) return false;
+      const MergedCell& cell = grid_.cells[number];
+      const auto within = [&](std::uint32_t range, std::int32_t from, std::int32_t division) {
+        const auto low = static_cast<std::int32_t>(range & 0xffff),
+                   high = static_cast<std::int32_t>(range >> 16);
+        return low <= from && from + (1 << level) <= high && high <= division;
+      };
+      return within(cell.x, first.x, grid_.division.x) && within(cell.y, first.y, grid_.division.y) &&
+             within(cell.z, first.z, grid_.division.z);
+    }
+    const auto side = static_cast<std::int32_t>(word & nested_side_bits);
+    const std::uint64_t place = word & ~nested_side_bits, count = std::uint64_t{1} << (3 * side);
+    if (side < 1 || side > level || place + count > words_) return false;
+    const std::int32_t rest = level - side, mask = (1 << side) - 1;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const auto part = static_cast<std::int32_t>(i);
+      const Vec3i at{first.x + ((part & mask) << rest), first.y + (((part >> side) & mask) << rest),
+                     first.z + ((part >> (2 * side)) << rest)};
+      if (!is_good(grid_.voxel_map[place + i], at, rest)) return false;
+    }
+    return true;
+  }
+
+  const MergedGridView<double>& grid_;
+  std::uint64_t words_, cells_;
+};
 
 } // namespace
 
@@ -109,30 +181,49 @@ GridFile::GridFile(const std::string& path, const Stopwatch& watch) : container_
   check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
 
-  const auto map = voxel_map();
-  const auto first = cells();
+  const std::uint64_t primitives = table_->primitives();
   const auto listed = references();
+  check(listed.size() <= most_numbered && (listed.empty() || (listed.back() & last_bit) != 0) &&
+            all(listed.size(), [&](std::uint64_t i) { return (listed[i] & ~last_bit) < primitives; }),
+        "it lists a primitive that isn't there");
+  is_merged() ? check_merged(check) : check_uniform(check);
+  seconds_.validate = watch.seconds() - seconds_.map;
+}
+
+template <class Check>
+void GridFile::check_uniform(const Check& check) const {
+  const auto map = voxel_map();
   const auto block_log2 = static_cast<std::int32_t>(table_->block_log2());
   const std::uint64_t blocks = voxel_count(blocks_of(lattice().division, block_log2));
   check(map.size() >= blocks && (map.size() - blocks) % (std::uint64_t{1} << (3 * block_log2)) == 0 &&
             (block_log2 > 0 || map.size() == blocks),
         "its voxel map has the wrong size");
-  const std::uint64_t block_maps = (map.size() - blocks) >> (3 * block_log2);
-  check(!first.empty() && first.size() <= occupied_bit && first.back() == listed.size() && first.front() == 0,
-        "its cells don't fit its references");
-  const std::uint64_t cell_count = first.size() - 1;
+  const std::uint64_t block_maps = (map.size() - blocks) >> (3 * block_log2), lists = references().size();
   check(all(map.size(),
             [&](std::uint64_t i) {
-              const std::uint64_t limit = block_log2 > 0 && i < blocks ? block_maps : cell_count;
+              const std::uint64_t limit = block_log2 > 0 && i < blocks ? block_maps : lists;
               return (map[i] & occupied_bit) != 0 ? (map[i] & ~occupied_bit) < limit : map[i] == 0;
             }),
-        "its voxel map names a cell that isn't there");
-  check(all(cell_count, [&](std::uint64_t i) { return first[i] <= first[i + 1]; }),
-        "its cells are out of order");
-  const std::uint64_t primitives = table_->primitives();
-  check(all(listed.size(), [&](std::uint64_t i) { return listed[i] < primitives; }),
-        "it lists a primitive that isn't there");
-  seconds_.validate = watch.seconds() - seconds_.map;
+        "its voxel map names a list that isn't there");
+}
+
+template <class Check>
+void GridFile::check_merged(const Check& check) const {
+  check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
+  const auto nested_log2 = table_->nested_log2();
+  const Vec3i n = lattice().division;
+  check(nested_log2 <= 15 && (std::max({n.x, n.y, n.z}) << nested_log2) <= largest_division &&
+            voxel_map().size() >= voxel_count(n) && voxel_map().size() <= most_numbered + 1,
+        "its voxel map has the wrong size");
+  const auto boxes = cells();
+  const std::uint64_t lists = references().size();
+  check(boxes.size() <= most_numbered && all(boxes.size(),
+                                             [&](std::uint64_t i) {
+                                               return boxes[i].list == empty_list || boxes[i].list < lists;
+                                             }),
+        "its cells name a list that isn't there");
+  check(MapCheck(merged_view<double>(), voxel_map().size(), boxes.size()).top_level_good(),
+        "its voxel map leads astray");
 }
 
 Lattice GridFile::lattice() const {
@@ -145,8 +236,8 @@ Lattice GridFile::lattice() const {
 std::span<const std::uint32_t> GridFile::voxel_map() const {
   return container_.records<std::uint32_t>(section_list(*table_), number(fb::GridSection::voxel_map));
 }
-std::span<const std::uint32_t> GridFile::cells() const {
-  return container_.records<std::uint32_t>(section_list(*table_), number(fb::GridSection::cells));
+std::span<const MergedCell> GridFile::cells() const {
+  return container_.records<MergedCell>(section_list(*table_), number(fb::GridSection::cells));
 }
 std::span<const PrimitiveIndex> GridFile::references() const {
   return container_.records<PrimitiveIndex>(section_list(*table_), number(fb::GridSection::references));
@@ -161,17 +252,31 @@ void GridFile::check_scene(const Hash& scene_hash, std::uint64_t primitives) con
 
 template <class Real>
 GridView<Real> GridFile::view() const {
-  return view_of<Real>(lattice(), static_cast<std::int32_t>(table_->block_log2()), voxel_map(), cells(),
-                       references());
+  return view_of<Real>(lattice(), static_cast<std::int32_t>(table_->block_log2()), voxel_map(), references());
 }
 template GridView<float> GridFile::view() const;
 template GridView<double> GridFile::view() const;
 
 template <class Real>
+MergedGridView<Real> GridFile::merged_view() const {
+  return view_of<Real>(lattice(), static_cast<std::int32_t>(table_->nested_log2()), voxel_map(), cells(),
+                       references());
+}
+template MergedGridView<float> GridFile::merged_view() const;
+template MergedGridView<double> GridFile::merged_view() const;
+
+template <class Real>
 GridView<Real> view_of(const Grid& grid) {
-  return view_of<Real>(grid.lattice, grid.block_log2, grid.voxel_map, grid.cells, grid.references);
+  return view_of<Real>(grid.lattice, grid.block_log2, grid.voxel_map, grid.references);
 }
 template GridView<float> view_of(const Grid&);
 template GridView<double> view_of(const Grid&);
+
+template <class Real>
+MergedGridView<Real> merged_view_of(const Grid& grid) {
+  return view_of<Real>(grid.lattice, grid.nested_log2, grid.voxel_map, grid.cells, grid.references);
+}
+template MergedGridView<float> merged_view_of(const Grid&);
+template MergedGridView<double> merged_view_of(const Grid&);
 
 } // namespace masu

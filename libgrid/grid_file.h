@@ -11,7 +11,7 @@
 
 namespace masu {
 
-inline constexpr FileKind grid_file_kind{{'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 1, "grid"};
+inline constexpr FileKind grid_file_kind{{'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 2, "grid"};
 
 // How a grid came about, as its file tells it.
 struct GridOrigin {
@@ -20,6 +20,7 @@ struct GridOrigin {
   SpaceRule space_rule;
   Overlap overlap;
   std::string division_rule;
+  std::string merge_rule{};
   double build_seconds = -1; // -1: not recorded, so that equal builds give equal files
 };
 
@@ -37,19 +38,26 @@ public:
   std::uint64_t bytes() const { return container_.bytes(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
   Lattice lattice() const;
+  bool is_merged() const { return table_->merge() != fb::Merge::none; }
   std::span<const std::uint32_t> voxel_map() const;
-  std::span<const std::uint32_t> cells() const;
+  std::span<const MergedCell> cells() const;
   std::span<const PrimitiveIndex> references() const;
 
   // Throws Error(input) unless the grid was built for the scene with this hash and so many primitives.
   void check_scene(const Hash& scene_hash, std::uint64_t primitives) const;
 
-  // Points into the mapping. Real is the arithmetic's type.
+  // Point into the mapping; of a uniform grid, of a merged one. Real is the arithmetic's type.
   template <class Real>
   GridView<Real> view() const;
+  template <class Real>
+  MergedGridView<Real> merged_view() const;
 
 private:
   GridFile(const std::string& path, const Stopwatch& watch);
+  template <class Check>
+  void check_uniform(const Check& check) const;
+  template <class Check>
+  void check_merged(const Check& check) const;
 
   ContainerFile container_;
   const fb::Grid* table_;
@@ -59,5 +67,7 @@ private:
 // Of a grid in memory.
 template <class Real>
 GridView<Real> view_of(const Grid& grid);
+template <class Real>
+MergedGridView<Real> merged_view_of(const Grid& grid);
 
 } // namespace masu

@@ -1,17 +1,28 @@
 // A grid as tracing sees it: where its arrays lie, on the host or on the device. Passed by value.
 //
-// The space is divided into division.x × division.y × division.z voxels. Each voxel is in one cell, or empty.
-// The voxel map says which, a 32-bit word a voxel:
+// The space is divided into division.x × division.y × division.z voxels. A voxel map says what each one holds.
+// What it holds is a list: references[list] and those after it, in rising order of primitives, up to the one
+// with last_bit.
 //
-//   bit 31 set    occupied: the other bits are the cell's number
-//   bit 31 clear  empty
+// A uniform grid's voxel is a cell of its own. Its map has a 32-bit word a voxel, x fastest:
+//
+//   bit 31 set    occupied: the other bits are its list
+//   0             empty
 //
 // Large maps have two levels: one word for each block of 2^block_log2 voxels a side (the last block of a row
 // may reach beyond the space), its other bits the number of the block's own map, 8^block_log2 words further
 // back, x fastest; an empty block has no map of its own. Small maps have block_log2 = 0: the blocks are the
 // voxels.
 //
-// Cell c lists references[cells[c]] … references[cells[c + 1] - 1], in rising order.
+// A merged grid's cell is a box of voxels; its map leads from a voxel to its cell in one to a few words. The
+// top level has a word for each cube of 2^nested_log2 voxels a side:
+//
+//   bit 31 set    all of the cube is in one cell: the other bits are its number
+//   bit 31 clear  divided: bits 0-2 are the side's logarithm s, and the word without them is the place of
+//                 8^s more such words, one for each of the cubes it is divided into, x fastest
+//
+// A cell's box may reach beyond the voxels that lead to it, over others that hold nothing or nothing else than
+// it does: whoever enters it there may leave it through the box's far side.
 #pragma once
 
 #include "libscene/primitives.h"
@@ -19,11 +30,15 @@
 namespace masu {
 
 inline constexpr std::uint32_t occupied_bit = 0x80000000U;
+inline constexpr std::uint32_t last_bit = 0x80000000U;
+inline constexpr std::uint32_t empty_list = 0xffffffffU;
+
+// Primitives, references, cells and words of the map are numbered with what bit 31 leaves.
+inline constexpr std::uint64_t most_numbered = 0x7fffffff;
 
 template <class Real>
 struct GridView {
   const std::uint32_t* voxel_map;
-  const std::uint32_t* cells;
   const PrimitiveIndex* references;
   Vec3<Real> min;        // the space's lower corner
   Vec3<Real> voxel_size; // never zero
@@ -33,6 +48,26 @@ struct GridView {
   std::int32_t block_log2;
 };
 
+// Along each axis the first voxel of the box, and from bit 16 on the first beyond it.
+struct alignas(16) MergedCell {
+  std::uint32_t x, y, z;
+  std::uint32_t list; // empty_list when empty
+};
+static_assert(sizeof(MergedCell) == 16);
+
+template <class Real>
+struct MergedGridView {
+  const std::uint32_t* voxel_map;
+  const MergedCell* cells;
+  const PrimitiveIndex* references;
+  Vec3<Real> min;
+  Vec3<Real> voxel_size;
+  Vec3<Real> voxels_per_unit;
+  Vec3i division; // in the smallest voxels
+  Vec3i top;      // the map's top level; top · 2^nested_log2 = division
+  std::int32_t nested_log2;
+};
+
 MASU_HD inline std::uint64_t linear_index(const Vec3i& at, const Vec3i& size) {
   return (static_cast<std::uint64_t>(at.z) * static_cast<std::uint32_t>(size.y) +
           static_cast<std::uint32_t>(at.y)) *
@@ -40,14 +75,18 @@ MASU_HD inline std::uint64_t linear_index(const Vec3i& at, const Vec3i& size) {
          static_cast<std::uint32_t>(at.x);
 }
 
-// A voxel's place in its block's own map.
-MASU_HD inline std::uint32_t index_in_block(const Vec3i& voxel, int block_log2) {
-  const std::int32_t mask = (1 << block_log2) - 1;
-  return static_cast<std::uint32_t>((((voxel.z & mask) << block_log2 | (voxel.y & mask)) << block_log2) |
-                                    (voxel.x & mask));
+// The place of a cube within what it's a part of, 2^side_log2 cubes a side; other bits don't matter.
+MASU_HD inline std::uint32_t index_in_block(const Vec3i& cube, int side_log2) {
+  const std::int32_t mask = (1 << side_log2) - 1;
+  return static_cast<std::uint32_t>((((cube.z & mask) << side_log2 | (cube.y & mask)) << side_log2) |
+                                    (cube.x & mask));
 }
 
-// Which cell a voxel belongs to: the map's word, and the side of the block it speaks for (as a power of two).
+MASU_HD inline Vec3i shifted(const Vec3i& v, int bits) {
+  return {v.x >> bits, v.y >> bits, v.z >> bits};
+}
+
+// What the map says of a voxel: the word, and the side of the block it speaks for (as a power of two).
 struct MapEntry {
   std::uint32_t word;
   std::int32_t side_log2;
@@ -57,14 +96,60 @@ template <class Real>
 MASU_HD inline MapEntry look_up(const GridView<Real>& grid, const Vec3i& voxel) {
   if (grid.block_log2 == 0) return {grid.voxel_map[linear_index(voxel, grid.division)], 0};
   const int b = grid.block_log2;
-  const std::uint32_t block =
-      grid.voxel_map[linear_index({voxel.x >> b, voxel.y >> b, voxel.z >> b}, grid.blocks)];
+  const std::uint32_t block = grid.voxel_map[linear_index(shifted(voxel, b), grid.blocks)];
   if ((block & occupied_bit) == 0) return {block, b};
   const std::uint64_t block_words = static_cast<std::uint64_t>(grid.blocks.x) *
                                     static_cast<std::uint32_t>(grid.blocks.y) *
                                     static_cast<std::uint32_t>(grid.blocks.z);
   const std::uint64_t map = block_words + (static_cast<std::uint64_t>(block & ~occupied_bit) << (3 * b));
   return {grid.voxel_map[map + index_in_block(voxel, b)], 0};
+}
+
+// The same of a merged grid: the word is always a cell's.
+inline constexpr std::uint32_t nested_side_bits = 7;
+template <class Real>
+MASU_HD inline MapEntry look_up(const MergedGridView<Real>& grid, const Vec3i& voxel) {
+  std::int32_t level = grid.nested_log2;
+  const Vec3i top = shifted(voxel, level);
+  std::uint32_t word = grid.voxel_map[static_cast<std::uint32_t>(
+      (top.z * grid.top.y + top.y) * grid.top.x + top.x)];
+  while ((word & occupied_bit) == 0) {
+    const auto side = static_cast<std::int32_t>(word & nested_side_bits);
+    level -= side;
+    word = grid.voxel_map[(word & ~nested_side_bits) + index_in_block(shifted(voxel, level), side)];
+  }
+  return {word, level};
+}
+
+// A cell as a walk through one of its voxels needs it.
+struct CellView {
+  std::uint32_t list;
+  Vec3i far; // along each axis the plane that ends it, in the walk's direction
+  bool one_voxel;
+};
+
+template <class Real>
+MASU_HD inline CellView cell_at(const GridView<Real>& grid, const Vec3i& voxel, const Vec3<bool>& forward) {
+  const MapEntry entry = look_up(grid, voxel);
+  const int side = entry.side_log2;
+  const auto far = [side](std::int32_t at, bool rising, std::int32_t division) {
+    const std::int32_t plane = ((at >> side) + rising) << side;
+    return plane < division ? plane : division;
+  };
+  return {(entry.word & occupied_bit) != 0 ? entry.word & ~occupied_bit : empty_list,
+          {far(voxel.x, forward.x, grid.division.x), far(voxel.y, forward.y, grid.division.y),
+           far(voxel.z, forward.z, grid.division.z)},
+          side == 0};
+}
+
+template <class Real>
+MASU_HD inline CellView cell_at(const MergedGridView<Real>& grid, const Vec3i& voxel,
+                                const Vec3<bool>& forward) {
+  const MergedCell cell = grid.cells[look_up(grid, voxel).word & ~occupied_bit];
+  const auto far = [](std::uint32_t range, bool rising) {
+    return static_cast<std::int32_t>(rising ? range >> 16 : range & 0xffff);
+  };
+  return {cell.list, {far(cell.x, forward.x), far(cell.y, forward.y), far(cell.z, forward.z)}, false};
 }
 
 } // namespace masu

@@ -24,6 +24,12 @@ inline Vec3d voxel_size(const Lattice& lattice) {
   return {extent.x / lattice.division.x, extent.y / lattice.division.y, extent.z / lattice.division.z};
 }
 
+// The same space divided 2^bits times finer.
+inline Lattice finer(const Lattice& lattice, std::int32_t bits) {
+  const Vec3i& n = lattice.division;
+  return {lattice.space, {n.x << bits, n.y << bits, n.z << bits}, lattice.margin};
+}
+
 inline std::uint64_t voxel_count(const Vec3i& division) {
   return static_cast<std::uint64_t>(division.x) * static_cast<std::uint64_t>(division.y) *
          static_cast<std::uint64_t>(division.z);

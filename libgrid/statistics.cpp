@@ -1,6 +1,6 @@
 #include "libgrid/statistics.h"
 
-#include "libgrid/build.h"
+#include "libgrid/grid_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,38 +37,55 @@ void describe(GridStatistics& statistics) {
 
 } // namespace
 
+namespace {
+
+void add_cell(GridStatistics& statistics, std::uint32_t references) {
+  if (references >= statistics.histogram.size()) statistics.histogram.resize(references + std::size_t{1}, 0);
+  ++statistics.histogram[references];
+  ++statistics.occupied_cells;
+  statistics.references += references;
+}
+
+} // namespace
+
 template <class Real>
-GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const std::uint32_t> cells) {
+GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const PrimitiveIndex> references) {
+  GridStatistics statistics;
+  statistics.voxels = statistics.cells = voxel_count(grid.division);
+  for (std::size_t first = 0, i = 0; i < references.size(); ++i) {
+    if ((references[i] & last_bit) == 0) continue;
+    add_cell(statistics, static_cast<std::uint32_t>(i + 1 - first));
+    first = i + 1;
+  }
+  statistics.occupied_voxels = statistics.occupied_cells;
+  describe(statistics);
+  return statistics;
+}
+template GridStatistics grid_statistics(const GridView<float>&, std::span<const PrimitiveIndex>);
+template GridStatistics grid_statistics(const GridView<double>&, std::span<const PrimitiveIndex>);
+
+template <class Real>
+GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
   GridStatistics statistics;
   statistics.voxels = voxel_count(grid.division);
-  statistics.occupied_cells = cells.size() - 1;
-  statistics.occupied_voxels = statistics.occupied_cells;
-  statistics.cells = statistics.voxels;
-  statistics.references = cells.back();
-  for (std::size_t cell = 0; cell + 1 < cells.size(); ++cell) {
-    const std::uint32_t count = cells[cell + 1] - cells[cell];
-    if (count >= statistics.histogram.size()) statistics.histogram.resize(count + std::size_t{1}, 0);
-    ++statistics.histogram[count];
+  statistics.cells = cells.size();
+  for (const MergedCell& cell : cells) {
+    if (cell.list == empty_list) continue;
+    std::uint32_t end = cell.list;
+    while ((grid.references[end++] & last_bit) == 0) {
+    }
+    add_cell(statistics, end - cell.list);
   }
   describe(statistics);
   return statistics;
 }
-template GridStatistics grid_statistics(const GridView<float>&, std::span<const std::uint32_t>);
-template GridStatistics grid_statistics(const GridView<double>&, std::span<const std::uint32_t>);
-
-template <class Real>
-std::uint32_t references_in(const GridView<Real>& grid, const Vec3i& voxel) {
-  const std::uint32_t word = look_up(grid, voxel).word;
-  if ((word & occupied_bit) == 0) return 0;
-  const std::uint32_t cell = word & ~occupied_bit;
-  return grid.cells[cell + 1] - grid.cells[cell];
-}
-template std::uint32_t references_in(const GridView<float>&, const Vec3i&);
-template std::uint32_t references_in(const GridView<double>&, const Vec3i&);
+template GridStatistics grid_statistics(const MergedGridView<float>&, std::span<const MergedCell>);
+template GridStatistics grid_statistics(const MergedGridView<double>&, std::span<const MergedCell>);
 
 template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap) {
-  return build_uniform(scene, lattice, overlap).cells.size() - 1;
+  const Grid grid = build_uniform(scene, lattice, overlap);
+  return grid_statistics(view_of<double>(grid), grid.references).occupied_cells;
 }
 template std::uint64_t occupied_voxels(const SceneView<float>&, const Lattice&, Overlap);
 template std::uint64_t occupied_voxels(const SceneView<double>&, const Lattice&, Overlap);

@@ -22,13 +22,22 @@ struct GridStatistics {
   std::vector<std::uint64_t> histogram;
 };
 
-// Looks at every word of the map and every cell; `cells` as in grid_view.h.
+// Looks at all that the grid holds. `references` and `cells` as in grid_view.h.
 template <class Real>
-GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const std::uint32_t> cells);
+GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const PrimitiveIndex> references);
+template <class Real>
+GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells);
 
 // References of the voxel's cell; 0 when it is empty.
-template <class Real>
-std::uint32_t references_in(const GridView<Real>& grid, const Vec3i& voxel);
+template <class Grid>
+std::uint32_t references_in(const Grid& grid, const Vec3i& voxel) {
+  const std::uint32_t list = cell_at(grid, voxel, {true, true, true}).list;
+  if (list == empty_list) return 0;
+  std::uint32_t end = list;
+  while ((grid.references[end++] & last_bit) == 0) {
+  }
+  return end - list;
+}
 
 // How many of the lattice's voxels hold a primitive.
 template <class Stored>

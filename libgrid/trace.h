@@ -24,12 +24,16 @@ struct NearestHit {
     Real t;
     if (intersect<kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
   }
-  MASU_HD void cell(std::uint32_t first, std::uint32_t last) {
+  MASU_HD void cell(std::uint32_t list) {
+    if (list == empty_list) return counts.empty_cell();
     counts.cell();
-    for (std::uint32_t i = first; i < last; ++i)
-      primitive(references[i]);
+    for (bool last = false; !last; ++list) {
+      const std::uint32_t reference = references[list];
+      last = (reference & last_bit) != 0;
+      primitive(reference & ~last_bit);
+    }
   }
-  MASU_HD void empty_cell(std::uint64_t skipped) { counts.empty_cell(skipped); }
+  MASU_HD void moved(std::int32_t voxels) { counts.skipped(voxels - 1); }
   MASU_HD bool done(Real exit) const { return hit.t <= exit; }
 };
 
@@ -47,17 +51,21 @@ struct AnyHit {
     Real t;
     found = found || (intersect<kinds>(scene, ray, number, t, counts) && t < t_max);
   }
-  MASU_HD void cell(std::uint32_t first, std::uint32_t last) {
+  MASU_HD void cell(std::uint32_t list) {
+    if (list == empty_list) return counts.empty_cell();
     counts.cell();
-    for (std::uint32_t i = first; i < last && !found; ++i)
-      primitive(references[i]);
+    for (bool last = false; !last && !found; ++list) {
+      const std::uint32_t reference = references[list];
+      last = (reference & last_bit) != 0;
+      primitive(reference & ~last_bit);
+    }
   }
-  MASU_HD void empty_cell(std::uint64_t skipped) { counts.empty_cell(skipped); }
+  MASU_HD void moved(std::int32_t voxels) { counts.skipped(voxels - 1); }
   MASU_HD bool done(Real exit) const { return found || t_max <= exit; }
 };
 
-template <class Real, class Visitor>
-MASU_HD inline void visit(const GridView<Real>& grid, const Ray<Real>& ray, std::uint32_t, Visitor& visitor) {
+template <class Grid, class Real, class Visitor>
+MASU_HD inline void visit(const Grid& grid, const Ray<Real>& ray, std::uint32_t, Visitor& visitor) {
   walk(grid, ray.origin, ray.direction, visitor);
 }
 template <class Real, class Visitor>
@@ -69,12 +77,12 @@ MASU_HD inline void visit(const NoGrid&, const Ray<Real>&, std::uint32_t primiti
 MASU_HD inline const PrimitiveIndex* references_of(const NoGrid&) {
   return nullptr;
 }
-template <class Real>
-MASU_HD inline const PrimitiveIndex* references_of(const GridView<Real>& grid) {
+template <class Grid>
+MASU_HD inline const PrimitiveIndex* references_of(const Grid& grid) {
   return grid.references;
 }
 
-// Grid: GridView<Real> or NoGrid. The hit's t counts from the ray's own origin.
+// Grid: GridView<Real>, MergedGridView<Real> or NoGrid. The hit's t counts from the ray's own origin.
 template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
 MASU_HD inline Hit<Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
                                      Counts& counts) {

@@ -1,5 +1,7 @@
 // The walk of a ray from cell to cell, after Amanatides & Woo, "A Fast Voxel Traversal Algorithm for Ray
-// Tracing", Eurographics 1987, with each plane's distance computed from its number, never by adding up steps.
+// Tracing", Eurographics 1987, with each plane's distance computed from its number, never by adding up steps;
+// through cells of many voxels as Pérard-Gayot, Kalojanov & Slusallek, "GPU Ray Tracing using Irregular
+// Grids", CGF 36(2), 2017.
 //
 // Why the grid never shows: along an axis the cell at distance t is bounded by planes whose computed
 // distances enclose t; each is off by less than the builder's margin (libscene/margin.h). So when the walk
@@ -12,98 +14,113 @@
 
 namespace masu {
 
-// A coordinate's voxel along one axis; anything outside goes to the nearest, NaN to 0.
+// A coordinate's voxel along one axis, counted from the space's lower corner in voxels; anything outside goes
+// to the nearest, NaN to 0.
 template <class Real>
-MASU_HD inline std::int32_t voxel_of(Real at, Real min, Real voxels_per_unit, std::int32_t division) {
-  const Real voxel = (at - min) * voxels_per_unit;
-  if (!(voxel > 0)) return 0;
-  return voxel < static_cast<Real>(division) ? static_cast<std::int32_t>(voxel) : division - 1;
+MASU_HD inline std::int32_t voxel_of(Real at, std::int32_t division) {
+  if (!(at > 0)) return 0;
+  return at < static_cast<Real>(division) ? static_cast<std::int32_t>(at) : division - 1;
 }
 
-// One axis of the walk.
+// One axis of the walk: plane i is crossed at t = i · plane_step + plane_start, and at t the ray is
+// t · voxel_step + voxel_start voxels from the space's lower corner.
 template <class Real>
 struct WalkAxis {
-  Real origin, inverse; // of the ray; -∞ and +∞ where it runs across the axis, which puts every plane at +∞
-  Real min, size;
-  std::int32_t voxel, division;
-  bool forward;
+  Real plane_step, plane_start;
+  Real voxel_step, voxel_start;
+  std::int32_t voxel;
+
+  MASU_HD Real crossing(std::int32_t plane) const {
+    return fused(static_cast<Real>(plane), plane_step, plane_start);
+  }
 };
 
 template <class Real>
-MASU_HD inline WalkAxis<Real> walk_axis(const GridView<Real>& grid, const Vec3<Real>& origin,
-                                        const Vec3<Real>& direction, int axis) {
-  const Real infinity = static_cast<Real>(INFINITY);
-  // A step this short can't leave a voxel within any t, and its inverse would overflow.
-  const bool runs = std::abs(direction[axis]) >= RealTraits<Real>::smallest_normal * 8;
-  return {runs ? origin[axis] : -infinity,
-          runs ? 1 / direction[axis] : infinity,
-          grid.min[axis],
-          grid.voxel_size[axis],
-          voxel_of(origin[axis], grid.min[axis], grid.voxels_per_unit[axis], grid.division[axis]),
-          grid.division[axis],
-          direction[axis] > 0};
+MASU_HD inline WalkAxis<Real> walk_axis(Real origin, Real direction, Real min, Real voxel_size,
+                                        Real voxels_per_unit, std::int32_t division) {
+  const Real start = (origin - min) * voxels_per_unit;
+  const std::int32_t voxel = voxel_of(start, division);
+  const Real inverse = 1 / direction, plane_step = voxel_size * inverse;
+  // A ray that takes so long from plane to plane stays, within any t, where it is but for rounding.
+  if (!(std::abs(plane_step) < RealTraits<Real>::largest / (1 << 20)))
+    return {0, static_cast<Real>(INFINITY), 0, start, voxel};
+  return {plane_step, (min - origin) * inverse, direction * voxels_per_unit, start, voxel};
 }
 
-// Where the ray crosses the far side of the block of 2^side_log2 voxels that the axis' voxel is in.
-template <class Real>
-MASU_HD inline Real exit_distance(const WalkAxis<Real>& axis, int side_log2) {
-  const std::int32_t block = axis.voxel >> side_log2;
-  const std::int32_t plane = (axis.forward ? block + 1 : block) << side_log2;
-  return (fused(static_cast<Real>(plane), axis.size, axis.min) - axis.origin) * axis.inverse;
-}
+// A walk under way. `origin` lies in the space (clip.h). Call enter(), and after it leave() until that is
+// false.
+template <class Real, class Grid>
+struct Walk {
+  WalkAxis<Real> x, y, z;
+  Vec3<bool> forward;
+  CellView cell;
+  Vec3<Real> crossings; // where the ray crosses the cell's far planes
+  Real exit;            // the first of them: where the ray leaves the cell
 
-// Steps over that side; false when it was the space's own.
-template <class Real>
-MASU_HD inline bool step(WalkAxis<Real>& axis, int side_log2) {
-  const std::int32_t block = axis.voxel >> side_log2;
-  axis.voxel = axis.forward ? (block + 1) << side_log2 : (block << side_log2) - 1;
-  return static_cast<std::uint32_t>(axis.voxel) < static_cast<std::uint32_t>(axis.division);
-}
+  MASU_HD Walk(const Grid& grid, const Vec3<Real>& origin, const Vec3<Real>& direction)
+      : x(walk_axis(origin.x, direction.x, grid.min.x, grid.voxel_size.x, grid.voxels_per_unit.x,
+                    grid.division.x)),
+        y(walk_axis(origin.y, direction.y, grid.min.y, grid.voxel_size.y, grid.voxels_per_unit.y,
+                    grid.division.y)),
+        z(walk_axis(origin.z, direction.z, grid.min.z, grid.voxel_size.z, grid.voxels_per_unit.z,
+                    grid.division.z)),
+        forward{direction.x > 0, direction.y > 0, direction.z > 0}, cell{}, crossings{}, exit(0) {}
 
-// After t along a ray that left its block by another axis: the voxel reached, held inside the block and never
-// behind the voxel it came from, so that every walk ends.
-template <class Real>
-MASU_HD inline void follow(WalkAxis<Real>& axis, Real at, Real voxels_per_unit, int side_log2) {
-  const std::int32_t first = (axis.voxel >> side_log2) << side_log2;
-  const std::int32_t past_last = first + (1 << side_log2);
-  const std::int32_t last = (past_last < axis.division ? past_last : axis.division) - 1;
-  const std::int32_t reached = voxel_of(at, axis.min, voxels_per_unit, axis.division);
-  const std::int32_t low = axis.forward ? axis.voxel : first, high = axis.forward ? last : axis.voxel;
-  axis.voxel = reached < low ? low : reached > high ? high : reached;
-}
+  // Looks up the cell that the ray is in.
+  MASU_HD void enter(const Grid& grid) {
+    cell = cell_at(grid, {x.voxel, y.voxel, z.voxel}, forward);
+    crossings = {x.crossing(cell.far.x), y.crossing(cell.far.y), z.crossing(cell.far.z)};
+    exit = smaller(crossings.x, smaller(crossings.y, crossings.z));
+  }
 
-// Visits the cells that the ray meets, in order. `origin` lies in the space (clip.h).
-// visitor.cell(first, last): an occupied cell's references are [first, last).
-// visitor.empty_cell(skipped): an empty cell; `skipped` voxels of it need no visit of their own.
+  // To the voxel beyond the cell's exit; false when the space ends there.
+  MASU_HD bool leave(const Grid& grid) {
+    const bool by_x = crossings.x == exit, by_y = !by_x && crossings.y == exit, by_z = !(by_x || by_y);
+    // Along the other axes the ray has moved on within the cell.
+    if (!cell.one_voxel) {
+      if (!by_x) follow(x, cell.far.x, forward.x, grid.division.x);
+      if (!by_y) follow(y, cell.far.y, forward.y, grid.division.y);
+      if (!by_z) follow(z, cell.far.z, forward.z, grid.division.z);
+    }
+    if (by_x) return cross(x, cell.far.x, forward.x, grid.division.x);
+    if (by_y) return cross(y, cell.far.y, forward.y, grid.division.y);
+    return cross(z, cell.far.z, forward.z, grid.division.z);
+  }
+
+  // How many voxels the walk has come from `origin`'s: what a walk from voxel to voxel would have taken.
+  MASU_HD std::int32_t voxels_from(const Vec3i& voxel) const {
+    return std::abs(x.voxel - voxel.x) + std::abs(y.voxel - voxel.y) + std::abs(z.voxel - voxel.z);
+  }
+
+private:
+  // The voxel reached at the exit, held inside the cell and never behind the one it came from, so that every
+  // walk ends.
+  MASU_HD void follow(WalkAxis<Real>& axis, std::int32_t far, bool rising, std::int32_t division) const {
+    const std::int32_t reached = voxel_of(fused(exit, axis.voxel_step, axis.voxel_start), division);
+    const std::int32_t low = rising ? axis.voxel : far, high = rising ? far - 1 : axis.voxel;
+    axis.voxel = reached < low ? low : reached > high ? high : reached;
+  }
+  MASU_HD static bool cross(WalkAxis<Real>& axis, std::int32_t far, bool rising, std::int32_t division) {
+    axis.voxel = rising ? far : far - 1;
+    return static_cast<std::uint32_t>(axis.voxel) < static_cast<std::uint32_t>(division);
+  }
+};
+
+// Visits the cells that the ray meets, in order.
+// visitor.cell(list): a cell; empty_list for an empty one.
 // visitor.done(exit): whether the walk may end, now that all cells up to t = exit have been visited.
-template <class Real, class Visitor>
-MASU_HD inline void walk(const GridView<Real>& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
+// visitor.moved(voxels): on to the next cell, so many voxels away.
+template <class Real, class Grid, class Visitor>
+MASU_HD inline void walk(const Grid& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
                          Visitor& visitor) {
-  WalkAxis<Real> x = walk_axis(grid, origin, direction, 0);
-  WalkAxis<Real> y = walk_axis(grid, origin, direction, 1);
-  WalkAxis<Real> z = walk_axis(grid, origin, direction, 2);
+  Walk<Real, Grid> walk(grid, origin, direction);
   for (;;) {
-    const MapEntry entry = look_up(grid, {x.voxel, y.voxel, z.voxel});
-    const int side = entry.side_log2;
-    const Real exit_x = exit_distance(x, side), exit_y = exit_distance(y, side),
-               exit_z = exit_distance(z, side);
-    const Real exit = smaller(exit_x, smaller(exit_y, exit_z));
-    if ((entry.word & occupied_bit) != 0) {
-      const std::uint32_t cell = entry.word & ~occupied_bit;
-      visitor.cell(grid.cells[cell], grid.cells[cell + 1]);
-    } else {
-      visitor.empty_cell((std::uint64_t{1} << (3 * side)) - 1);
-    }
-    if (visitor.done(exit)) return;
-    const bool by_x = exit_x == exit, by_y = !by_x && exit_y == exit;
-    const bool inside = by_x ? step(x, side) : by_y ? step(y, side) : step(z, side);
-    if (!inside) return;
-    if (side > 0) {
-      const Vec3<Real> at = fused(direction, exit, origin);
-      if (!by_x) follow(x, at.x, grid.voxels_per_unit.x, side);
-      if (!by_y) follow(y, at.y, grid.voxels_per_unit.y, side);
-      if (by_x || by_y) follow(z, at.z, grid.voxels_per_unit.z, side);
-    }
+    walk.enter(grid);
+    visitor.cell(walk.cell.list);
+    if (visitor.done(walk.exit)) return;
+    const Vec3i from{walk.x.voxel, walk.y.voxel, walk.z.voxel};
+    if (!walk.leave(grid)) return;
+    visitor.moved(walk.voxels_from(from));
   }
 }
 

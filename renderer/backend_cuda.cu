@@ -74,17 +74,24 @@ struct DeviceScene {
 };
 
 struct DeviceGrid {
-  DeviceArray<std::uint32_t> voxel_map, cells;
+  DeviceArray<std::uint32_t> voxel_map;
+  DeviceArray<MergedCell> cells;
   DeviceArray<PrimitiveIndex> references;
 
   explicit DeviceGrid(const GridFile* grid) {
     if (grid == nullptr) return;
     voxel_map = DeviceArray<std::uint32_t>(grid->voxel_map());
-    cells = DeviceArray<std::uint32_t>(grid->cells());
+    cells = DeviceArray<MergedCell>(grid->cells());
     references = DeviceArray<PrimitiveIndex>(grid->references());
   }
   template <class Real>
   GridView<Real> moved(GridView<Real> view) const {
+    view.voxel_map = voxel_map.data();
+    view.references = references.data();
+    return view;
+  }
+  template <class Real>
+  MergedGridView<Real> moved(MergedGridView<Real> view) const {
     view.voxel_map = voxel_map.data();
     view.cells = cells.data();
     view.references = references.data();

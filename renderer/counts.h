@@ -19,11 +19,12 @@ struct Counts {
   MASU_HD void sphere_test() { ++sphere_tests; }
   MASU_HD void cone_test() { ++cone_tests; }
   MASU_HD void cell() { ++cells_visited; }
-  MASU_HD void empty_cell(std::uint64_t skipped) {
+  MASU_HD void empty_cell() {
     ++cells_visited;
     ++empty_cells_visited;
-    voxels_skipped += skipped;
   }
+  // Voxels on the way to the next cell that needed no visit.
+  MASU_HD void skipped(std::int32_t voxels) { voxels_skipped += static_cast<std::uint64_t>(voxels); }
   MASU_HD void eye_ray(bool hit) {
     ++eye_rays;
     eye_hits += hit;
@@ -48,7 +49,8 @@ struct NoCounts {
   MASU_HD void sphere_test() {}
   MASU_HD void cone_test() {}
   MASU_HD void cell() {}
-  MASU_HD void empty_cell(std::uint64_t) {}
+  MASU_HD void empty_cell() {}
+  MASU_HD void skipped(std::int32_t) {}
   MASU_HD void eye_ray(bool) {}
   MASU_HD void reflection_ray() {}
   MASU_HD void refraction_ray() {}

@@ -67,15 +67,17 @@ struct ForHits {
   }
 };
 
-// Calls act(GridView or NoGrid, Model, Counts or NoCounts): what a job needs, and no more. Counting and brute
+// Calls act(GridView, MergedGridView or NoGrid, Model, Counts or NoCounts): what a job needs, and no more. Counting and brute
 // force run the general code: the bits are the same.
 template <class Stored, class WithModel, class Act>
 void with_everything(const SceneView<Stored>& scene, const GridFile* grid, const WithModel& with_model,
                      bool count, const Act& act) {
   if (grid == nullptr) return act(NoGrid{}, GeneralModel<Stored>{}, Counts{});
-  const GridView<Stored> view = grid->view<Stored>();
-  if (count) return act(view, GeneralModel<Stored>{}, Counts{});
-  with_model(scene, [&](auto model) { act(view, model, NoCounts{}); });
+  const auto with_view = [&](const auto& view) {
+    if (count) return act(view, GeneralModel<Stored>{}, Counts{});
+    with_model(scene, [&](auto model) { act(view, model, NoCounts{}); });
+  };
+  grid->is_merged() ? with_view(grid->merged_view<Stored>()) : with_view(grid->view<Stored>());
 }
 
 // A question as a type.

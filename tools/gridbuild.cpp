@@ -1,5 +1,7 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
 #include "libgrid/grid_file.h"
+#include "libgrid/merge.h"
+#include "libgrid/statistics.h"
 #include "libscene/scene_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/cli.h"
@@ -10,7 +12,8 @@ namespace masu {
 namespace {
 
 struct Settings {
-  std::string scene, output, division = "auto", merge = "none";
+  std::string scene, output, division = "auto";
+  MergeRule merge;
   SpaceRule space = SpaceRule::tight;
   Overlap overlap = Overlap::exact;
   bool record_seconds = false, json = false;
@@ -36,22 +39,45 @@ void check_memory(const Lattice& lattice, double references) {
                   n.x, n.y, n.z, needed / 1e9, available / 1e9));
 }
 
+// As the file tells it.
+std::string merge_text(const MergeRule& rule) {
+  switch (rule.merge) {
+  case Merge::none:
+    return "";
+  case Merge::x:
+    return "x";
+  case Merge::balance:
+    return fmt::format("balance target {}", rule.target);
+  case Merge::irregular:
+    return fmt::format("irregular nested {} step {} alpha {} stretch {}", rule.nested_log2,
+                       rule.step_over_test, rule.alpha, rule.stretches);
+  }
+  return "";
+}
+
 template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   const Stopwatch watch;
-  const DivisionRule rule = parse_division(settings.division);
+  DivisionRule rule = parse_division(settings.division);
+  if (settings.merge.merge == Merge::irregular && rule.kind == DivisionRule::Kind::automatic)
+    rule = parse_division("cleary:0.25");
   const DivisionStatistics statistics = division_statistics(scene);
   const Lattice lattice = make_lattice<Stored>(file.bounds(), settings.space, rule, statistics);
   check_memory(lattice, expected_references(statistics.all, lattice));
-  const Grid grid = build_uniform(scene, lattice, settings.overlap);
+  const Grid grid = settings.merge.merge == Merge::none
+                        ? build_uniform(scene, lattice, settings.overlap)
+                        : build_merged(scene, lattice, settings.overlap, settings.merge);
   const double seconds = watch.seconds();
   write_grid(grid,
              {file.hash(), scene.primitive_count(), settings.space, settings.overlap, rule.text,
-              settings.record_seconds ? seconds : -1},
+              merge_text(settings.merge), settings.record_seconds ? seconds : -1},
              settings.output);
   const Vec3i n = lattice.division;
-  const std::size_t cells = grid.cells.size() - 1;
+  const GridStatistics counted = grid.merge == Merge::none
+                                     ? grid_statistics(view_of<double>(grid), grid.references)
+                                     : grid_statistics(merged_view_of<double>(grid), grid.cells);
+  const std::uint64_t cells = counted.occupied_cells;
   if (settings.json) {
     fmt::print("{{\"division\": [{}, {}, {}], \"occupied_cells\": {}, \"references\": {}, \"build_seconds\": "
                "{:.6f}, \"total_seconds\": {:.6f}}}\n",
@@ -88,8 +114,31 @@ int main(int argc, char** argv) {
         add_choice(
             app, "--overlap", settings.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
-        app.add_option("--merge", settings.merge, "which voxels share a cell: none")
-            ->check(CLI::IsMember({"none"}))
+        add_choice(app, "--merge", settings.merge.merge,
+                   {{"none", Merge::none},
+                    {"x", Merge::x},
+                    {"balance", Merge::balance},
+                    {"irregular", Merge::irregular}},
+                   "which voxels share a cell: none, x (empty ones in a run along x), balance (as many as list "
+                   "--target primitives), irregular (voxels are divided further, by expected cost)");
+        app.add_option("--target", settings.merge.target, "balance: the most references of a cell")
+            ->check(CLI::Range(1U, 1U << 20))
+            ->capture_default_str();
+        app.add_option("--nested", settings.merge.nested_log2,
+                       "irregular: each voxel is divided into at most 2^N an axis")
+            ->check(CLI::Range(0, 15))
+            ->capture_default_str();
+        app.add_option("--step-cost", settings.merge.step_over_test,
+                       "irregular: what a step to a cell costs, in intersection tests")
+            ->check(CLI::Range(0.0, 1000.0))
+            ->capture_default_str();
+        app.add_option("--alpha", settings.merge.alpha,
+                       "irregular: divide while that makes the expected cost less than alpha times what it is")
+            ->check(CLI::Range(0.0, 1.0))
+            ->capture_default_str();
+        app.add_option("--stretch", settings.merge.stretches,
+                       "irregular: passes that stretch cells over neighbours that list nothing else")
+            ->check(CLI::Range(0, 64))
             ->capture_default_str();
         app.add_flag("--record-seconds", settings.record_seconds,
                      "write the build's seconds into the file (equal builds then differ)");

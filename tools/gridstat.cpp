@@ -196,7 +196,9 @@ void inspect(const Settings& settings) {
       throw Error(ErrorCode::usage, "--slice", "needs -o PNG, the picture to write");
     return draw_slice(file, slice_of(settings.slice, file.lattice().division), settings.picture);
   }
-  const GridStatistics statistics = grid_statistics(file.view<double>(), file.cells());
+  const GridStatistics statistics = file.is_merged()
+                                        ? grid_statistics(file.merged_view<double>(), file.cells())
+                                        : grid_statistics(file.view<double>(), file.references());
   const Json json = report(file, statistics, settings.histogram);
   if (settings.json) {
     fmt::print("{}\n", json.dump(2));

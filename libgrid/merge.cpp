@@ -1,0 +1,201 @@
+#include "libgrid/merge.h"
+
+#include "libgrid/grid_file.h"
+#include "libgrid/nested_map.h"
+#include "libgrid/stretch.h"
+#include "libscene/error.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+constexpr std::int32_t largest_plane = 65535; // a cell's box has 16 bits for it
+
+[[noreturn]] void too_fine(const std::string& what) {
+  throw Error(ErrorCode::usage, "--division", fmt::format("makes {}: choose a coarser one", what));
+}
+
+MergedCell packed(const VoxelBox& box, std::uint32_t list) {
+  const auto range = [&](int axis) {
+    return static_cast<std::uint32_t>(box.first[axis]) | static_cast<std::uint32_t>(box.end[axis]) << 16;
+  };
+  return {range(0), range(1), range(2), list};
+}
+
+// A part of a grid on its own: places and numbers in it count from its own beginning. `top` are words of the
+// map's top level, `nested` what they lead to.
+struct GridPart {
+  std::vector<std::uint32_t> top, nested;
+  std::vector<MergedCell> cells;
+  std::vector<PrimitiveIndex> references;
+};
+
+void add_cells(const Partition& partition, GridPart& part) {
+  for (const Leaf& leaf : partition.leaves) {
+    const auto list = static_cast<std::uint32_t>(part.references.size());
+    part.cells.push_back(packed(leaf.box, leaf.count > 0 ? list : empty_list));
+    const auto first = partition.references.begin() + leaf.begin;
+    part.references.insert(part.references.end(), first, first + leaf.count);
+    if (leaf.count > 0) part.references.back() |= last_bit;
+  }
+}
+
+std::vector<PrimitiveIndex> listed(const Grid& grid, std::uint32_t list) {
+  std::vector<PrimitiveIndex> primitives;
+  for (bool last = false; !last; ++list) {
+    last = (grid.references[list] & last_bit) != 0;
+    primitives.push_back(grid.references[list] & ~last_bit);
+  }
+  return primitives;
+}
+
+// One row along x of a uniform grid's voxels: empty ones are joined, those with primitives divided by
+// `divide`(voxel's box, primitives).
+template <class Divide>
+GridPart row_part(const Grid& uniform, std::int32_t y, std::int32_t z, std::int32_t nested_log2,
+                  const Divide& divide) {
+  const GridView<double> view = view_of<double>(uniform);
+  GridPart part;
+  bool after_empty = false;
+  for (std::int32_t x = 0; x < view.division.x; ++x) {
+    const Vec3i voxel{x, y, z};
+    const auto scaled = [&](const Vec3i& v) {
+      return Vec3i{v.x << nested_log2, v.y << nested_log2, v.z << nested_log2};
+    };
+    const VoxelBox box{scaled(voxel), scaled(voxel + Vec3i{1, 1, 1})};
+    const std::uint32_t word = look_up(view, voxel).word;
+    if ((word & occupied_bit) == 0) {
+      if (!after_empty) part.cells.push_back(packed(box, empty_list));
+      MergedCell& cell = part.cells.back();
+      cell.x = (cell.x & 0xffff) | static_cast<std::uint32_t>(box.end.x) << 16;
+      part.top.push_back(occupied_bit | static_cast<std::uint32_t>(part.cells.size() - 1));
+      after_empty = true;
+      continue;
+    }
+    after_empty = false;
+    const Partition partition = divide(box, listed(uniform, word & ~occupied_bit));
+    const auto first_cell = static_cast<std::uint32_t>(part.cells.size());
+    const std::size_t first_word = part.nested.size();
+    const std::uint32_t root = append_nested_map(partition.leaves, box.first, nested_log2, part.nested);
+    const auto moved = [&](std::uint32_t w) { return (w & occupied_bit) != 0 ? w + first_cell : w; };
+    part.top.push_back(moved(root));
+    std::transform(part.nested.begin() + static_cast<std::ptrdiff_t>(first_word), part.nested.end(),
+                   part.nested.begin() + static_cast<std::ptrdiff_t>(first_word), moved);
+    add_cells(partition, part);
+  }
+  return part;
+}
+
+// Where each part's words, cells and references begin in the whole; one entry more than there are parts.
+template <class Size>
+std::vector<std::uint64_t> offsets(const std::vector<GridPart>& parts, std::uint64_t first,
+                                   const Size& size) {
+  std::vector<std::uint64_t> begin{first};
+  for (const GridPart& part : parts)
+    begin.push_back(begin.back() + size(part));
+  return begin;
+}
+
+// Puts the rows of the top level's map together.
+void join(std::vector<GridPart>& rows, Grid& grid) {
+  const auto top = offsets(rows, 0, [](const GridPart& part) { return part.top.size(); });
+  // The places of nested maps are multiples of 8.
+  const auto nested =
+      offsets(rows, (top.back() + 7) / 8 * 8, [](const GridPart& part) { return part.nested.size(); });
+  const auto cells = offsets(rows, 0, [](const GridPart& part) { return part.cells.size(); });
+  const auto references = offsets(rows, 0, [](const GridPart& part) { return part.references.size(); });
+  if (std::max({nested.back(), cells.back(), references.back()}) > most_numbered)
+    too_fine("more than 2^31 words, cells or references");
+  grid.voxel_map.assign(nested.back(), 0);
+  grid.cells.resize(cells.back());
+  grid.references.resize(references.back());
+  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
+    GridPart& row = rows[i];
+    const auto cell = static_cast<std::uint32_t>(cells[i]), place = static_cast<std::uint32_t>(nested[i]),
+               list = static_cast<std::uint32_t>(references[i]);
+    const auto moved = [&](std::uint32_t word) {
+      return word + ((word & occupied_bit) != 0 ? cell : place);
+    };
+    std::transform(row.top.begin(), row.top.end(), grid.voxel_map.data() + top[i], moved);
+    std::transform(row.nested.begin(), row.nested.end(), grid.voxel_map.data() + nested[i], moved);
+    std::transform(row.cells.begin(), row.cells.end(), grid.cells.data() + cells[i], [&](MergedCell c) {
+      if (c.list != empty_list) c.list += list;
+      return c;
+    });
+    std::copy(row.references.begin(), row.references.end(), grid.references.data() + references[i]);
+    row = {};
+  });
+}
+
+template <class Divide>
+void merge_rows(const Grid& uniform, Grid& grid, const Divide& divide) {
+  const Vec3i n = grid.lattice.division;
+  std::vector<GridPart> rows(static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
+  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t row) {
+    const auto y = static_cast<std::int32_t>(row % static_cast<std::size_t>(n.y)),
+               z = static_cast<std::int32_t>(row / static_cast<std::size_t>(n.y));
+    rows[row] = row_part(uniform, y, z, grid.nested_log2, divide);
+  });
+  join(rows, grid);
+}
+
+template <class Stored>
+void merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const PartitionRule& rule, Grid& grid) {
+  const Vec3i n = grid.lattice.division;
+  std::vector<PrimitiveIndex> all(scene.primitive_count());
+  std::iota(all.begin(), all.end(), 0U);
+  const Partition whole = partition(scene, grid.lattice, overlap, rule, {{0, 0, 0}, n}, all);
+  std::vector<GridPart> parts(1);
+  GridPart& part = parts.front();
+  add_cells(whole, part);
+  part.top.resize(voxel_count(n));
+  tbb::parallel_for(std::size_t{0}, whole.leaves.size(), [&](std::size_t cell) {
+    const VoxelBox& box = whole.leaves[cell].box;
+    for_each_voxel({box.first, box.end - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      part.top[linear_index(voxel, n)] = occupied_bit | static_cast<std::uint32_t>(cell);
+    });
+  });
+  join(parts, grid);
+}
+
+} // namespace
+
+template <class Stored>
+Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+                  const MergeRule& rule) {
+  const std::int32_t longest =
+      std::max({lattice.division.x, lattice.division.y, lattice.division.z});
+  if (longest > largest_plane || voxel_count(lattice.division) > most_merged_voxels)
+    too_fine("more than 2^28 voxels to merge");
+  Grid grid{lattice, rule.merge, 0, 0, {}, {}, {}};
+  if (rule.merge == Merge::balance) {
+    merge_balanced(scene, overlap, {false, 0, 0, rule.target}, grid);
+    return grid;
+  }
+  const Grid uniform = build_uniform(scene, lattice, overlap);
+  if (rule.merge == Merge::x) {
+    merge_rows(uniform, grid, [](const VoxelBox& box, std::vector<PrimitiveIndex> primitives) {
+      const auto count = static_cast<std::uint32_t>(primitives.size());
+      return Partition{{{box, 0, count}}, std::move(primitives)};
+    });
+    return grid;
+  }
+  while (grid.nested_log2 < rule.nested_log2 && (longest << (grid.nested_log2 + 1)) <= largest_plane)
+    ++grid.nested_log2;
+  const Lattice finest = finer(lattice, grid.nested_log2);
+  const PartitionRule by_cost{true, rule.step_over_test, rule.alpha, 0};
+  merge_rows(uniform, grid, [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
+    return partition(scene, finest, overlap, by_cost, box, primitives);
+  });
+  stretch(grid, rule.stretches);
+  return grid;
+}
+template Grid build_merged(const SceneView<float>&, const Lattice&, Overlap, const MergeRule&);
+template Grid build_merged(const SceneView<double>&, const Lattice&, Overlap, const MergeRule&);
+
+} // namespace masu

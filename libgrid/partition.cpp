@@ -1,0 +1,318 @@
+#include "libgrid/partition.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace masu {
+namespace {
+
+// What of a primitive lies in a box of voxels: the range of those it can meet, both ends included.
+struct Part {
+  PrimitiveIndex primitive;
+  std::array<std::uint16_t, 3> first, last;
+};
+static_assert(sizeof(Part) == 16);
+
+struct Plane {
+  int axis = 0;
+  std::int32_t at = 0; // between the voxels at - 1 and at
+  double cost = std::numeric_limits<double>::max();
+};
+
+// The parts of a primitive on either side of a plane: bounds of what is at most `low` along the axis, and of
+// what is at least `high`.
+struct Sides {
+  Boxd below, above;
+};
+
+Sides sides_of(const Triangle<double>& triangle, int axis, double low, double high) {
+  const std::array corners{triangle.a, triangle.b, triangle.c};
+  Sides sides{empty_box<double>(), empty_box<double>()};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3d &p = corners[i], &q = corners[(i + 1) % 3];
+    if (p[axis] <= low) sides.below = join(sides.below, p);
+    if (p[axis] >= high) sides.above = join(sides.above, p);
+    const auto meeting = [&](double plane) {
+      Vec3d at = p + (q - p) * ((plane - p[axis]) / (q[axis] - p[axis]));
+      at.set(axis, plane);
+      return at;
+    };
+    if ((p[axis] < low) != (q[axis] < low) && p[axis] != low && q[axis] != low)
+      sides.below = join(sides.below, meeting(low));
+    if ((p[axis] < high) != (q[axis] < high) && p[axis] != high && q[axis] != high)
+      sides.above = join(sides.above, meeting(high));
+  }
+  return sides;
+}
+
+Sides sides_of(const Sphere<double>& sphere, int axis, double low, double high) {
+  const Boxd whole = bounds(sphere);
+  Sides sides{whole, whole};
+  const auto cut = [&](Boxd& box, double plane, bool below) {
+    const double off = plane - sphere.center[axis], radius = std::abs(sphere.radius);
+    if (below ? off < -radius : off > radius) {
+      box = empty_box<double>();
+      return;
+    }
+    // The plane's circle is the widest place of what is cut off short of the middle.
+    if (below ? off < 0 : off > 0) {
+      const double across = std::sqrt(std::max(0.0, radius * radius - off * off));
+      box = grown(Boxd{sphere.center, sphere.center}, across);
+      box.min.set(axis, whole.min[axis]);
+      box.max.set(axis, whole.max[axis]);
+    }
+    (below ? box.max : box.min).set(axis, std::clamp(plane, whole.min[axis], whole.max[axis]));
+  };
+  cut(sides.below, low, true);
+  cut(sides.above, high, false);
+  return sides;
+}
+
+Sides sides_of(const Cone<double>& cone, int axis, double low, double high) {
+  Sides sides{bounds(cone), bounds(cone)};
+  if (sides.below.min[axis] > low) sides.below = empty_box<double>();
+  if (sides.above.max[axis] < high) sides.above = empty_box<double>();
+  sides.below.max.set(axis, std::min(sides.below.max[axis], low));
+  sides.above.min.set(axis, std::max(sides.above.min[axis], high));
+  return sides;
+}
+
+bool meets(const Triangle<double>& triangle, const Boxd& box, double margin) {
+  const Vec3d half = (box.max - box.min) * 0.5 + Vec3d{margin, margin, margin};
+  const Vec3d center = (box.min + box.max) * 0.5;
+  const TriangleOverlap test(triangle, half);
+  double low, high;
+  return test.column(center, low, high) && test.meets(center);
+}
+
+template <class Stored>
+class Partitioner {
+public:
+  Partitioner(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+              const PartitionRule& rule)
+      : scene_(scene), lattice_(lattice), size_(voxel_size(lattice)), overlap_(overlap), rule_(rule) {}
+
+  std::vector<Part> parts_in(const VoxelBox& root, std::span<const PrimitiveIndex> primitives) const {
+    std::vector<Part> parts;
+    parts.reserve(primitives.size());
+    for (const PrimitiveIndex i : primitives) {
+      with_primitive(i, [&](const auto& primitive) {
+        const Boxd box = overlap_ == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
+        Part part{i, {}, {}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          part.first[axis] = static_cast<std::uint16_t>(root.first[static_cast<int>(axis)]);
+          part.last[axis] = static_cast<std::uint16_t>(root.end[static_cast<int>(axis)] - 1);
+        }
+        if (shrink(part, grown(box, lattice_.margin))) parts.push_back(part);
+      });
+    }
+    return parts;
+  }
+
+  void divide(const VoxelBox& box, std::vector<Part> parts, Partition& result) const {
+    const Plane plane = rule_.by_cost ? cheapest_plane(box, parts) : middle_plane(box, parts);
+    if (plane.cost == std::numeric_limits<double>::max()) return add_leaf(box, parts, result);
+    VoxelBox below = box, above = box;
+    below.end.set(plane.axis, plane.at);
+    above.first.set(plane.axis, plane.at);
+    std::vector<Part> parts_below, parts_above;
+    split(plane, parts, parts_below, parts_above);
+    const bool large = parts.size() >= parts_a_task;
+    std::vector<Part>().swap(parts);
+    if (large) {
+      Partition above_result;
+      tbb::parallel_invoke([&] { divide(below, std::move(parts_below), result); },
+                           [&] { divide(above, std::move(parts_above), above_result); });
+      append(above_result, result);
+    } else {
+      divide(below, std::move(parts_below), result);
+      divide(above, std::move(parts_above), result);
+    }
+  }
+
+private:
+  static constexpr std::size_t parts_a_task = 8192;
+  static constexpr int most_bins_log2 = 5;
+
+  template <class Act>
+  void with_primitive(PrimitiveIndex i, const Act& act) const {
+    const std::uint32_t sphere = i - scene_.triangle_count;
+    if (i < scene_.triangle_count) {
+      act(widened(scene_.triangles[i]));
+    } else if (sphere < scene_.sphere_count) {
+      act(widened(scene_.spheres[sphere]));
+    } else {
+      act(widened(scene_.cones[sphere - scene_.sphere_count]));
+    }
+  }
+
+  // To the voxels that meet the box; false when none is left.
+  bool shrink(Part& part, const Boxd& box) const {
+    if (is_empty(box)) return false;
+    const VoxelRange range = voxels_met(lattice_, box);
+    bool some = true;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int a = static_cast<int>(axis);
+      part.first[axis] = std::max(part.first[axis], static_cast<std::uint16_t>(range.first[a]));
+      part.last[axis] = std::min(part.last[axis], static_cast<std::uint16_t>(range.last[a]));
+      some = some && part.first[axis] <= part.last[axis];
+    }
+    return some;
+  }
+
+  double plane_at(int axis, std::int32_t plane) const {
+    return lattice_.space.min[axis] + plane * size_[axis];
+  }
+
+  void split(const Plane& plane, const std::vector<Part>& parts, std::vector<Part>& below,
+             std::vector<Part>& above) const {
+    const auto axis = static_cast<std::size_t>(plane.axis);
+    const auto at = static_cast<std::uint16_t>(plane.at);
+    // Cutting rounds a little more than the margin foresees.
+    const double margin = lattice_.margin * 1.0625, place = plane_at(plane.axis, plane.at);
+    for (const Part& part : parts) {
+      if (part.last[axis] < at) {
+        below.push_back(part);
+        continue;
+      }
+      if (part.first[axis] >= at) {
+        above.push_back(part);
+        continue;
+      }
+      Part low = part, high = part;
+      low.last[axis] = static_cast<std::uint16_t>(at - 1);
+      high.first[axis] = at;
+      bool is_below = true, is_above = true;
+      if (overlap_ == Overlap::exact) {
+        with_primitive(part.primitive, [&](const auto& primitive) {
+          const Sides sides = sides_of(primitive, plane.axis, place + margin, place - margin);
+          is_below = !is_empty(sides.below) && shrink(low, grown(sides.below, margin));
+          is_above = !is_empty(sides.above) && shrink(high, grown(sides.above, margin));
+        });
+      }
+      if (is_below) below.push_back(low);
+      if (is_above) above.push_back(high);
+    }
+  }
+
+  // Along one axis of a box, planes 2^log2 voxels apart and what begins and ends between them.
+  struct Bins {
+    int log2 = 0;
+    std::int32_t first = 0, count = 1;
+    std::array<std::uint32_t, (1 << most_bins_log2) + 1> begins{}, ends{};
+  };
+
+  static void fill(Bins& bins, const VoxelBox& box, const std::vector<Part>& parts, int axis) {
+    const std::int32_t extent = box.end[axis] - box.first[axis];
+    while ((extent >> bins.log2) > (1 << most_bins_log2) - 1)
+      ++bins.log2;
+    bins.first = box.first[axis] >> bins.log2;
+    bins.count = ((box.end[axis] - 1) >> bins.log2) - bins.first + 1;
+    const auto a = static_cast<std::size_t>(axis);
+    for (const Part& part : parts) {
+      ++bins.begins[static_cast<std::size_t>((part.first[a] >> bins.log2) - bins.first)];
+      ++bins.ends[static_cast<std::size_t>((part.last[a] >> bins.log2) - bins.first)];
+    }
+  }
+
+  // act(plane, parts below it, parts above it) for each plane of the bins.
+  template <class Act>
+  static void for_each_plane(const VoxelBox& box, const std::vector<Part>& parts, int axis, const Act& act) {
+    if (box.end[axis] - box.first[axis] < 2) return;
+    Bins bins;
+    fill(bins, box, parts, axis);
+    std::uint32_t below = 0, above = static_cast<std::uint32_t>(parts.size());
+    for (std::int32_t i = 1; i < bins.count; ++i) {
+      below += bins.begins[static_cast<std::size_t>(i - 1)];
+      above -= bins.ends[static_cast<std::size_t>(i - 1)];
+      act((bins.first + i) << bins.log2, below, above);
+    }
+  }
+
+  Plane cheapest_plane(const VoxelBox& box, const std::vector<Part>& parts) const {
+    Plane best;
+    if (parts.empty()) return best;
+    const Vec3d w = cast<double>(box.end - box.first) * size_;
+    const double area = w.x * w.y + w.y * w.z + w.z * w.x;
+    const auto cost_of = [&](std::uint32_t count) {
+      return count + rule_.step_over_test * (count > 0 ? 1 : 0.5);
+    };
+    const double bound = cost_of(static_cast<std::uint32_t>(parts.size())) * area * rule_.alpha;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
+      for_each_plane(box, parts, axis, [&](std::int32_t at, std::uint32_t below, std::uint32_t above) {
+        const double low = (at - box.first[axis]) * size_[axis], high = (box.end[axis] - at) * size_[axis];
+        const double cost =
+            (u * v + low * (u + v)) * cost_of(below) + (u * v + high * (u + v)) * cost_of(above);
+        if (cost < bound && cost < best.cost) best = {axis, at, cost};
+      });
+    }
+    return best;
+  }
+
+  // The most even division; of equally even ones the one across the longest side.
+  Plane middle_plane(const VoxelBox& box, const std::vector<Part>& parts) const {
+    Plane best;
+    if (parts.size() <= rule_.target) return best;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double side = (box.end[axis] - box.first[axis]) * size_[axis];
+      for_each_plane(box, parts, axis, [&](std::int32_t at, std::uint32_t below, std::uint32_t above) {
+        const double cost = std::max(below, above) + 1 / (1 + side);
+        if (std::min(below, above) < parts.size() && cost < best.cost) best = {axis, at, cost};
+      });
+    }
+    return best;
+  }
+
+  void add_leaf(const VoxelBox& box, const std::vector<Part>& parts, Partition& result) const {
+    Leaf leaf{box, static_cast<std::uint32_t>(result.references.size()), 0};
+    const Boxd place{{plane_at(0, box.first.x), plane_at(1, box.first.y), plane_at(2, box.first.z)},
+                     {plane_at(0, box.end.x), plane_at(1, box.end.y), plane_at(2, box.end.z)}};
+    for (const Part& part : parts) {
+      bool in = true;
+      if (overlap_ == Overlap::exact) {
+        with_primitive(part.primitive,
+                       [&](const auto& primitive) { in = meets(primitive, place, lattice_.margin); });
+      }
+      if (in) result.references.push_back(part.primitive);
+    }
+    leaf.count = static_cast<std::uint32_t>(result.references.size()) - leaf.begin;
+    result.leaves.push_back(leaf);
+  }
+
+  static void append(const Partition& more, Partition& result) {
+    const auto offset = static_cast<std::uint32_t>(result.references.size());
+    for (Leaf leaf : more.leaves) {
+      leaf.begin += offset;
+      result.leaves.push_back(leaf);
+    }
+    result.references.insert(result.references.end(), more.references.begin(), more.references.end());
+  }
+
+  const SceneView<Stored>& scene_;
+  const Lattice& lattice_;
+  Vec3d size_;
+  Overlap overlap_;
+  const PartitionRule& rule_;
+};
+
+} // namespace
+
+template <class Stored>
+Partition partition(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+                    const PartitionRule& rule, const VoxelBox& root,
+                    std::span<const PrimitiveIndex> primitives) {
+  const Partitioner<Stored> partitioner(scene, lattice, overlap, rule);
+  Partition result;
+  partitioner.divide(root, partitioner.parts_in(root, primitives), result);
+  return result;
+}
+template Partition partition(const SceneView<float>&, const Lattice&, Overlap, const PartitionRule&,
+                             const VoxelBox&, std::span<const PrimitiveIndex>);
+template Partition partition(const SceneView<double>&, const Lattice&, Overlap, const PartitionRule&,
+                             const VoxelBox&, std::span<const PrimitiveIndex>);
+
+} // namespace masu
