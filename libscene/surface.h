@@ -99,10 +99,10 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t, 
     distance = 0;
   }
   const Vec3d aside = normalized(off_axis);
-  const Vec3d away =
-      normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside)); // once more: at right angles
-  // The nearest place of the side, which over the axis is a segment: t is rounded, and a flat cone's ends are
-  // close.
+  // Once more, for what rounding left along the axis.
+  const Vec3d away = normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside));
+  // The nearest place of the side, a segment as seen over the axis: t is rounded, and what that moves a flat
+  // cone's point along the axis may be more than its length.
   const double square = dot(c.axis, c.axis);
   const double place =
       ((distance - c.base_radius) * c.growth + anywhere * square) / fused(c.growth, c.growth, square);
