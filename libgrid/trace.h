@@ -74,17 +74,19 @@ MASU_HD inline const PrimitiveIndex* references_of(const GridView<Real>& grid) {
   return grid.references;
 }
 
-// Grid: GridView<Real> or NoGrid. The hit's t counts from the ray's own origin.
+// The nearest hit at 0 < t < t_max. Grid: GridView<Real> or NoGrid. The hit's t counts from the ray's own
+// origin.
 template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
 MASU_HD inline Hit<Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
                                      Counts& counts) {
   ClippedRay<Real> clipped{};
   if (!clip(ray, cast<Real>(scene.clip), clipped)) return {ray.t_max, no_primitive};
   const RayFrame<Real> frame = ray_frame(clipped.ray.origin, clipped.ray.direction);
+  // Primitive 0 at t_max: no primitive wins that tie.
   NearestHit<kinds, Real, Stored, Counts> visitor{
-      scene, references_of(grid), frame, counts, {clipped.ray.t_max, no_primitive}};
+      scene, references_of(grid), frame, counts, {clipped.ray.t_max, 0}};
   visit(grid, clipped.ray, scene.primitive_count(), visitor);
-  if (visitor.hit.primitive == no_primitive) return {ray.t_max, no_primitive};
+  if (!(visitor.hit.t < clipped.ray.t_max)) return {ray.t_max, no_primitive};
   return {visitor.hit.t + clipped.skipped, visitor.hit.primitive};
 }
 
