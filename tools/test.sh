@@ -19,7 +19,7 @@ if [ "${1:-}" = --full ]; then
   install_missing clang clang-tidy libclang-rt-dev
 
   step "unit tests under the sanitizers"
-  build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF
+  build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- --target masu_unit_tests
   ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
 
   step "clang-tidy"
