@@ -32,12 +32,12 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
   const fb::Box space({s.min.x, s.min.y, s.min.z}, {s.max.x, s.max.y, s.max.z});
   const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.lattice.division);
   const fb::Division division(n.x, n.y, n.z);
-  builder.Finish(fb::CreateGrid(builder, &scene_hash, origin.primitives, &space, grid.lattice.margin,
-                                &division, static_cast<std::uint32_t>(grid.block_log2),
-                                static_cast<std::uint32_t>(grid.nested_log2),
-                                origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
-                                origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
-                                static_cast<fb::Merge>(grid.merge), rule, merge_rule, origin.build_seconds, sections));
+  builder.Finish(fb::CreateGrid(
+      builder, &scene_hash, origin.primitives, &space, grid.lattice.margin, &division,
+      static_cast<std::uint32_t>(grid.block_log2), static_cast<std::uint32_t>(grid.nested_log2),
+      origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
+      origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
+      static_cast<fb::Merge>(grid.merge), rule, merge_rule, origin.build_seconds, sections));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -88,14 +88,10 @@ MergedGridView<Real> view_of(const Lattice& lattice, std::int32_t nested_log2,
                              std::span<const PrimitiveIndex> references) {
   const Lattice finest = finer(lattice, nested_log2);
   const Vec3d size = voxel_size(finest);
-  return {voxel_map.data(),
-          cells.data(),
-          references.data(),
-          cast<Real>(finest.space.min),
-          cast<Real>(size),
-          cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
-          finest.division,
-          lattice.division,
+  return {voxel_map.data(),  cells.data(),
+          references.data(), cast<Real>(finest.space.min),
+          cast<Real>(size),  cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
+          finest.division,   lattice.division,
           nested_log2};
 }
 
@@ -108,8 +104,7 @@ public:
   bool top_level_good() const {
     return all(voxel_count(grid_.top), [&](std::uint64_t i) {
       const auto x = static_cast<std::uint32_t>(grid_.top.x), y = static_cast<std::uint32_t>(grid_.top.y);
-      const Vec3<std::uint32_t> cube{static_cast<std::uint32_t>(i % x),
-                                     static_cast<std::uint32_t>(i / x % y),
+      const Vec3<std::uint32_t> cube{static_cast<std::uint32_t>(i % x), static_cast<std::uint32_t>(i / x % y),
                                      static_cast<std::uint32_t>(i / x / y)};
       const Vec3i at = cast<std::int32_t>(cube);
       return is_good(grid_.voxel_map[i],
@@ -217,10 +212,9 @@ void GridFile::check_merged(const Check& check) const {
         "its voxel map has the wrong size");
   const auto boxes = cells();
   const std::uint64_t lists = references().size();
-  check(boxes.size() <= most_numbered && all(boxes.size(),
-                                             [&](std::uint64_t i) {
-                                               return boxes[i].list == empty_list || boxes[i].list < lists;
-                                             }),
+  check(boxes.size() <= most_numbered &&
+            all(boxes.size(),
+                [&](std::uint64_t i) { return boxes[i].list == empty_list || boxes[i].list < lists; }),
         "its cells name a list that isn't there");
   check(MapCheck(merged_view<double>(), voxel_map().size(), boxes.size()).top_level_good(),
         "its voxel map leads astray");

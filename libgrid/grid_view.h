@@ -1,8 +1,8 @@
 // A grid as tracing sees it: where its arrays lie, on the host or on the device. Passed by value.
 //
-// The space is divided into division.x × division.y × division.z voxels. A voxel map says what each one holds.
-// What it holds is a list: references[list] and those after it, in rising order of primitives, up to the one
-// with last_bit.
+// The space is divided into division.x × division.y × division.z voxels. A voxel map says what each one
+// holds. What it holds is a list: references[list] and those after it, in rising order of primitives, up to
+// the one with last_bit.
 //
 // A uniform grid's voxel is a cell of its own. Its map has a 32-bit word a voxel, x fastest:
 //
@@ -21,8 +21,8 @@
 //   bit 31 clear  divided: bits 0-2 are the side's logarithm s, and the word without them is the place of
 //                 8^s more such words, one for each of the cubes it is divided into, x fastest
 //
-// A cell's box may reach beyond the voxels that lead to it, over others that hold nothing or nothing else than
-// it does: whoever enters it there may leave it through the box's far side.
+// A cell's box may reach beyond the voxels that lead to it, over others that hold nothing or nothing else
+// than it does: whoever enters it there may leave it through the box's far side.
 #pragma once
 
 #include "libscene/primitives.h"
@@ -111,8 +111,8 @@ template <class Real>
 MASU_HD inline MapEntry look_up(const MergedGridView<Real>& grid, const Vec3i& voxel) {
   std::int32_t level = grid.nested_log2;
   const Vec3i top = shifted(voxel, level);
-  std::uint32_t word = grid.voxel_map[static_cast<std::uint32_t>(
-      (top.z * grid.top.y + top.y) * grid.top.x + top.x)];
+  std::uint32_t word =
+      grid.voxel_map[static_cast<std::uint32_t>((top.z * grid.top.y + top.y) * grid.top.x + top.x)];
   while ((word & occupied_bit) == 0) {
     const auto side = static_cast<std::int32_t>(word & nested_side_bits);
     level -= side;
@@ -128,28 +128,28 @@ struct CellView {
   bool one_voxel;
 };
 
+// `rising` is 1 along an axis on which the walk goes up, else 0.
 template <class Real>
-MASU_HD inline CellView cell_at(const GridView<Real>& grid, const Vec3i& voxel, const Vec3<bool>& forward) {
+MASU_HD inline CellView cell_at(const GridView<Real>& grid, const Vec3i& voxel, const Vec3i& rising) {
   const MapEntry entry = look_up(grid, voxel);
   const int side = entry.side_log2;
-  const auto far = [side](std::int32_t at, bool rising, std::int32_t division) {
-    const std::int32_t plane = ((at >> side) + rising) << side;
+  const auto far = [side](std::int32_t at, std::int32_t up, std::int32_t division) {
+    const std::int32_t plane = ((at >> side) + up) << side;
     return plane < division ? plane : division;
   };
   return {(entry.word & occupied_bit) != 0 ? entry.word & ~occupied_bit : empty_list,
-          {far(voxel.x, forward.x, grid.division.x), far(voxel.y, forward.y, grid.division.y),
-           far(voxel.z, forward.z, grid.division.z)},
+          {far(voxel.x, rising.x, grid.division.x), far(voxel.y, rising.y, grid.division.y),
+           far(voxel.z, rising.z, grid.division.z)},
           side == 0};
 }
 
 template <class Real>
-MASU_HD inline CellView cell_at(const MergedGridView<Real>& grid, const Vec3i& voxel,
-                                const Vec3<bool>& forward) {
+MASU_HD inline CellView cell_at(const MergedGridView<Real>& grid, const Vec3i& voxel, const Vec3i& rising) {
   const MergedCell cell = grid.cells[look_up(grid, voxel).word & ~occupied_bit];
-  const auto far = [](std::uint32_t range, bool rising) {
-    return static_cast<std::int32_t>(rising ? range >> 16 : range & 0xffff);
+  const auto far = [](std::uint32_t range, std::int32_t up) {
+    return static_cast<std::int32_t>((range >> (16 * up)) & 0xffff);
   };
-  return {cell.list, {far(cell.x, forward.x), far(cell.y, forward.y), far(cell.z, forward.z)}, false};
+  return {cell.list, {far(cell.x, rising.x), far(cell.y, rising.y), far(cell.z, rising.z)}, false};
 }
 
 } // namespace masu

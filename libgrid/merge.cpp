@@ -118,9 +118,7 @@ void join(std::vector<GridPart>& rows, Grid& grid) {
     GridPart& row = rows[i];
     const auto cell = static_cast<std::uint32_t>(cells[i]), place = static_cast<std::uint32_t>(nested[i]),
                list = static_cast<std::uint32_t>(references[i]);
-    const auto moved = [&](std::uint32_t word) {
-      return word + ((word & occupied_bit) != 0 ? cell : place);
-    };
+    const auto moved = [&](std::uint32_t word) { return word + ((word & occupied_bit) != 0 ? cell : place); };
     std::transform(row.top.begin(), row.top.end(), grid.voxel_map.data() + top[i], moved);
     std::transform(row.nested.begin(), row.nested.end(), grid.voxel_map.data() + nested[i], moved);
     std::transform(row.cells.begin(), row.cells.end(), grid.cells.data() + cells[i], [&](MergedCell c) {
@@ -168,8 +166,7 @@ void merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const Parti
 template <class Stored>
 Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
                   const MergeRule& rule) {
-  const std::int32_t longest =
-      std::max({lattice.division.x, lattice.division.y, lattice.division.z});
+  const std::int32_t longest = std::max({lattice.division.x, lattice.division.y, lattice.division.z});
   if (longest > largest_plane || voxel_count(lattice.division) > most_merged_voxels)
     too_fine("more than 2^28 voxels to merge");
   Grid grid{lattice, rule.merge, 0, 0, {}, {}, {}};

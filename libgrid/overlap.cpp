@@ -89,9 +89,10 @@ struct ConeSolid {
 
   double z(const Vec3d& p) const { return dot(p - axis.base, axis.axis) * axis.inverse_square; }
   double radius(double at) const { return axis.base_radius + axis.growth * at; }
+  double off_axis(const Vec3d& p, double at) const { return length(p - (axis.base + axis.axis * at)); }
   double side(const Vec3d& p) const {
     const double at = z(p);
-    return length(p - (axis.base + axis.axis * at)) - radius(at);
+    return off_axis(p, at) - radius(at);
   }
 };
 
@@ -176,8 +177,12 @@ bool meets(const Cone<double>& cone, const Boxd& voxel, double margin) {
   solid.z_margin = margin * inverse_length;
   solid.margin = margin * steepest;
   const Vec3d center = (voxel.min + voxel.max) * 0.5;
-  if (std::abs(solid.side(center)) > steepest * (length(voxel.max - voxel.min) * 0.5 + 2 * margin))
-    return false;
+  const double reach = length(voxel.max - voxel.min) * 0.5 + 2 * margin;
+  if (std::abs(solid.side(center)) > steepest * reach) return false;
+  // A margin along the axis takes a flat cone's rims far out or in; but all of it is between their radii.
+  const auto [narrow, wide] = std::minmax({solid.radius(0), solid.radius(1)});
+  const double off_axis = solid.off_axis(center, solid.z(center));
+  if (off_axis < narrow - reach || off_axis > wide + reach) return false;
 
   // What is between the end planes of the voxel: its edges, and the chords those planes cut from its faces.
   bool enters = axis_meets(solid, voxel), leaves = false;

@@ -1,7 +1,8 @@
 // Which voxels a primitive is listed in. Two tests, both for closed voxels (touching counts), grown by the
 // lattice's margin:
-//   box    the primitive's bounding box meets the voxel; a cone's box is taken with the larger radius round
-//   both ends exact  its surface meets the voxel: the triangle; the sphere's shell; the cone's side
+//  - box: the primitive's bounding box meets the voxel; a cone's box is taken with the larger radius round
+//    both ends.
+//  - exact: its surface meets the voxel: the triangle; the sphere's shell; the cone's side.
 // Everything is computed in double.
 #pragma once
 

@@ -31,7 +31,7 @@ GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const
 // References of the voxel's cell; 0 when it is empty.
 template <class Grid>
 std::uint32_t references_in(const Grid& grid, const Vec3i& voxel) {
-  const std::uint32_t list = cell_at(grid, voxel, {true, true, true}).list;
+  const std::uint32_t list = cell_at(grid, voxel, {1, 1, 1}).list;
   if (list == empty_list) return 0;
   std::uint32_t end = list;
   while ((grid.references[end++] & last_bit) == 0) {

@@ -65,11 +65,12 @@ struct AnyHit {
 };
 
 template <class Grid, class Real, class Visitor>
-MASU_HD inline void visit(const Grid& grid, const Ray<Real>& ray, std::uint32_t, Visitor& visitor) {
-  walk(grid, ray.origin, ray.direction, visitor);
+MASU_HD inline void visit(const Grid& grid, const ClippedRay<Real>& near, std::uint32_t, Visitor& visitor) {
+  walk(grid, near, visitor);
 }
 template <class Real, class Visitor>
-MASU_HD inline void visit(const NoGrid&, const Ray<Real>&, std::uint32_t primitives, Visitor& visitor) {
+MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t primitives,
+                          Visitor& visitor) {
   for (std::uint32_t i = 0; i < primitives; ++i)
     visitor.primitive(i);
 }
@@ -82,30 +83,39 @@ MASU_HD inline const PrimitiveIndex* references_of(const Grid& grid) {
   return grid.references;
 }
 
-// Grid: GridView<Real>, MergedGridView<Real> or NoGrid. The hit's t counts from the ray's own origin.
+// The nearest hit at 0 < t < t_max, as of the ray from where it enters the scene's bounds: there t has the
+// most digits. Grid: GridView<Real>, MergedGridView<Real> or NoGrid.
+template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
+MASU_HD inline NearHit<Real> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
+                                              const Ray<Real>& ray, Counts& counts) {
+  ClippedRay<Real> near{};
+  if (!clip(ray, cast<Real>(scene.clip), near)) return {{}, {ray.t_max, no_primitive}, 0};
+  const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
+  // Primitive 0 at t_max: no primitive wins that tie.
+  NearestHit<kinds, Real, Stored, Counts> visitor{
+      scene, references_of(grid), frame, counts, {near.ray.t_max, 0}};
+  visit(grid, near, scene.primitive_count(), visitor);
+  if (!(visitor.hit.t < near.ray.t_max)) visitor.hit = {ray.t_max, no_primitive};
+  return {frame, visitor.hit, near.skipped};
+}
+
+// The same; the hit's t counts from the ray's own origin.
 template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
 MASU_HD inline Hit<Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
                                      Counts& counts) {
-  ClippedRay<Real> clipped{};
-  if (!clip(ray, cast<Real>(scene.clip), clipped)) return {ray.t_max, no_primitive};
-  const RayFrame<Real> frame = ray_frame(clipped.ray.origin, clipped.ray.direction);
-  NearestHit<kinds, Real, Stored, Counts> visitor{
-      scene, references_of(grid), frame, counts, {clipped.ray.t_max, no_primitive}};
-  visit(grid, clipped.ray, scene.primitive_count(), visitor);
-  if (visitor.hit.primitive == no_primitive) return {ray.t_max, no_primitive};
-  return {visitor.hit.t + clipped.skipped, visitor.hit.primitive};
+  return seen_from_origin(nearest_hit_near<kinds>(scene, grid, ray, counts));
 }
 
 // Whether any primitive is hit at 0 < t < t_max.
 template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
 MASU_HD inline bool is_blocked(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
                                Counts& counts) {
-  ClippedRay<Real> clipped{};
-  if (!clip(ray, cast<Real>(scene.clip), clipped)) return false;
-  const RayFrame<Real> frame = ray_frame(clipped.ray.origin, clipped.ray.direction);
+  ClippedRay<Real> near{};
+  if (!clip(ray, cast<Real>(scene.clip), near)) return false;
+  const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
   AnyHit<kinds, Real, Stored, Counts> visitor{scene,  references_of(grid), frame,
-                                              counts, clipped.ray.t_max,   false};
-  visit(grid, clipped.ray, scene.primitive_count(), visitor);
+                                              counts, near.ray.t_max,      false};
+  visit(grid, near, scene.primitive_count(), visitor);
   return visitor.found;
 }
 

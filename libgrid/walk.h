@@ -11,16 +11,9 @@
 #pragma once
 
 #include "libgrid/grid_view.h"
+#include "libscene/clip.h"
 
 namespace masu {
-
-// A coordinate's voxel along one axis, counted from the space's lower corner in voxels; anything outside goes
-// to the nearest, NaN to 0.
-template <class Real>
-MASU_HD inline std::int32_t voxel_of(Real at, std::int32_t division) {
-  if (!(at > 0)) return 0;
-  return at < static_cast<Real>(division) ? static_cast<std::int32_t>(at) : division - 1;
-}
 
 // One axis of the walk: plane i is crossed at t = i · plane_step + plane_start, and at t the ray is
 // t · voxel_step + voxel_start voxels from the space's lower corner.
@@ -29,80 +22,90 @@ struct WalkAxis {
   Real plane_step, plane_start;
   Real voxel_step, voxel_start;
   std::int32_t voxel;
+  std::int32_t rising; // 1 or 0
 
   MASU_HD Real crossing(std::int32_t plane) const {
     return fused(static_cast<Real>(plane), plane_step, plane_start);
   }
+  MASU_HD std::int32_t voxel_at(Real t) const { return truncated(fused(t, voxel_step, voxel_start)); }
 };
 
-template <class Real>
-MASU_HD inline WalkAxis<Real> walk_axis(Real origin, Real direction, Real min, Real voxel_size,
-                                        Real voxels_per_unit, std::int32_t division) {
-  const Real start = (origin - min) * voxels_per_unit;
-  const std::int32_t voxel = voxel_of(start, division);
-  const Real inverse = 1 / direction, plane_step = voxel_size * inverse;
-  // A ray that takes so long from plane to plane stays, within any t, where it is but for rounding.
-  if (!(std::abs(plane_step) < RealTraits<Real>::largest / (1 << 20)))
-    return {0, static_cast<Real>(INFINITY), 0, start, voxel};
-  return {plane_step, (min - origin) * inverse, direction * voxels_per_unit, start, voxel};
+MASU_HD inline std::int32_t held(std::int32_t value, std::int32_t low, std::int32_t high) {
+  return smaller(larger(value, low), high);
 }
 
-// A walk under way. `origin` lies in the space (clip.h). Call enter(), and after it leave() until that is
-// false.
+// From outside the space the walk starts in the nearest voxel.
+template <class Real>
+MASU_HD inline WalkAxis<Real> walk_axis(const ClippedRay<Real>& near, const Vec3<Real>& lower,
+                                        const Vec3<Real>& voxel_sizes, const Vec3<Real>& densities,
+                                        const Vec3i& divisions, int axis) {
+  const Real origin = near.ray.origin[axis], direction = near.ray.direction[axis],
+             inverse = near.inverse[axis];
+  const Real min = lower[axis], voxels_per_unit = densities[axis];
+  const Real plane_step = voxel_sizes[axis] * inverse;
+  // A ray that takes so long from plane to plane stays, within any t, where it is but for rounding.
+  const bool runs = std::abs(plane_step) < RealTraits<Real>::largest / (1 << 20);
+  const Real voxel_start = (origin - min) * voxels_per_unit;
+  return {runs ? plane_step : 0,
+          runs ? (min - origin) * inverse : static_cast<Real>(INFINITY),
+          runs ? direction * voxels_per_unit : 0,
+          voxel_start,
+          held(truncated(voxel_start), 0, divisions[axis] - 1),
+          direction > 0 ? 1 : 0};
+}
+
+// A walk under way. Call enter(), and after it leave() until that is false. No branch depends on the ray: a
+// warp's lanes stay together.
 template <class Real, class Grid>
 struct Walk {
   WalkAxis<Real> x, y, z;
-  Vec3<bool> forward;
   CellView cell;
   Vec3<Real> crossings; // where the ray crosses the cell's far planes
   Real exit;            // the first of them: where the ray leaves the cell
 
-  MASU_HD Walk(const Grid& grid, const Vec3<Real>& origin, const Vec3<Real>& direction)
-      : x(walk_axis(origin.x, direction.x, grid.min.x, grid.voxel_size.x, grid.voxels_per_unit.x,
-                    grid.division.x)),
-        y(walk_axis(origin.y, direction.y, grid.min.y, grid.voxel_size.y, grid.voxels_per_unit.y,
-                    grid.division.y)),
-        z(walk_axis(origin.z, direction.z, grid.min.z, grid.voxel_size.z, grid.voxels_per_unit.z,
-                    grid.division.z)),
-        forward{direction.x > 0, direction.y > 0, direction.z > 0}, cell{}, crossings{}, exit(0) {}
+  // `near` begins in the space, or just before it.
+  MASU_HD Walk(const Grid& grid, const ClippedRay<Real>& near)
+      : x(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 0)),
+        y(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 1)),
+        z(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 2)), cell{},
+        crossings{}, exit(0) {}
 
   // Looks up the cell that the ray is in.
   MASU_HD void enter(const Grid& grid) {
-    cell = cell_at(grid, {x.voxel, y.voxel, z.voxel}, forward);
+    cell = cell_at(grid, {x.voxel, y.voxel, z.voxel}, {x.rising, y.rising, z.rising});
     crossings = {x.crossing(cell.far.x), y.crossing(cell.far.y), z.crossing(cell.far.z)};
     exit = smaller(crossings.x, smaller(crossings.y, crossings.z));
   }
 
   // To the voxel beyond the cell's exit; false when the space ends there.
   MASU_HD bool leave(const Grid& grid) {
-    const bool by_x = crossings.x == exit, by_y = !by_x && crossings.y == exit, by_z = !(by_x || by_y);
-    // Along the other axes the ray has moved on within the cell.
-    if (!cell.one_voxel) {
-      if (!by_x) follow(x, cell.far.x, forward.x, grid.division.x);
-      if (!by_y) follow(y, cell.far.y, forward.y, grid.division.y);
-      if (!by_z) follow(z, cell.far.z, forward.z, grid.division.z);
-    }
-    if (by_x) return cross(x, cell.far.x, forward.x, grid.division.x);
-    if (by_y) return cross(y, cell.far.y, forward.y, grid.division.y);
-    return cross(z, cell.far.z, forward.z, grid.division.z);
+    const bool by_x = crossings.x == exit;
+    const bool by_y = !by_x & (crossings.y == exit);
+    const bool by_z = !by_x & !by_y;
+    x.voxel = next_voxel(x, cell.far.x, by_x);
+    y.voxel = next_voxel(y, cell.far.y, by_y);
+    z.voxel = next_voxel(z, cell.far.z, by_z);
+    return is_within(x.voxel, grid.division.x) & is_within(y.voxel, grid.division.y) &
+           is_within(z.voxel, grid.division.z);
   }
 
-  // How many voxels the walk has come from `origin`'s: what a walk from voxel to voxel would have taken.
+  // How many voxels `voxel` is away: so many steps a walk from voxel to voxel would have taken from there.
   MASU_HD std::int32_t voxels_from(const Vec3i& voxel) const {
     return std::abs(x.voxel - voxel.x) + std::abs(y.voxel - voxel.y) + std::abs(z.voxel - voxel.z);
   }
 
 private:
-  // The voxel reached at the exit, held inside the cell and never behind the one it came from, so that every
-  // walk ends.
-  MASU_HD void follow(WalkAxis<Real>& axis, std::int32_t far, bool rising, std::int32_t division) const {
-    const std::int32_t reached = voxel_of(fused(exit, axis.voxel_step, axis.voxel_start), division);
-    const std::int32_t low = rising ? axis.voxel : far, high = rising ? far - 1 : axis.voxel;
-    axis.voxel = reached < low ? low : reached > high ? high : reached;
+  // Across the far plane; or as far as the ray has moved on within the cell, held there and never behind the
+  // voxel it came from, so that every walk ends.
+  MASU_HD std::int32_t next_voxel(const WalkAxis<Real>& axis, std::int32_t far, bool crosses) const {
+    const std::int32_t beyond = far - 1 + axis.rising, last = far - axis.rising;
+    if (cell.one_voxel) return crosses ? beyond : axis.voxel;
+    const std::int32_t reached =
+        held(axis.voxel_at(exit), smaller(axis.voxel, last), larger(axis.voxel, last));
+    return crosses ? beyond : reached;
   }
-  MASU_HD static bool cross(WalkAxis<Real>& axis, std::int32_t far, bool rising, std::int32_t division) {
-    axis.voxel = rising ? far : far - 1;
-    return static_cast<std::uint32_t>(axis.voxel) < static_cast<std::uint32_t>(division);
+  MASU_HD static bool is_within(std::int32_t voxel, std::int32_t division) {
+    return static_cast<std::uint32_t>(voxel) < static_cast<std::uint32_t>(division);
   }
 };
 
@@ -111,9 +114,8 @@ private:
 // visitor.done(exit): whether the walk may end, now that all cells up to t = exit have been visited.
 // visitor.moved(voxels): on to the next cell, so many voxels away.
 template <class Real, class Grid, class Visitor>
-MASU_HD inline void walk(const Grid& grid, const Vec3<Real>& origin, const Vec3<Real>& direction,
-                         Visitor& visitor) {
-  Walk<Real, Grid> walk(grid, origin, direction);
+MASU_HD inline void walk(const Grid& grid, const ClippedRay<Real>& near, Visitor& visitor) {
+  Walk<Real, Grid> walk(grid, near);
   for (;;) {
     walk.enter(grid);
     visitor.cell(walk.cell.list);

@@ -14,34 +14,45 @@ namespace masu {
 template <class Real>
 struct ClippedRay {
   Ray<Real> ray;
+  Vec3<Real> inverse; // of the direction, component by component
   Real skipped;
 };
 
-// False when the ray misses the box: by more than rounding can hide, after Ize, "Robust BVH Ray Traversal",
-// JCGT 2(2), 2013. From very far off the entry is coarse, and so is held back and looked for once more from
-// nearby. The new origin is rounded once a coordinate: it stays on the ray to an ulp of the box's
-// coordinates.
+// Whether the ray is in the box between `enter` and `leave`; leave is rounded up by more than rounding can
+// hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so enter down.
+template <class Real>
+MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Vec3<Real>& inverse,
+                            Real& enter) {
+  constexpr Real slack = 8 * RealTraits<Real>::unit_roundoff;
+  constexpr Real infinity = static_cast<Real>(INFINITY);
+  Real leave = ray.t_max;
+  enter = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real from = ray.origin[axis];
+    const Real t0 = (box.min[axis] - from) * inverse[axis], t1 = (box.max[axis] - from) * inverse[axis];
+    // All along the box's side, or never beside it.
+    const bool runs = std::abs(inverse[axis]) < infinity;
+    const bool beside = from < box.min[axis] || from > box.max[axis];
+    enter = larger(enter, runs ? smaller(t0, t1) : beside ? infinity : -infinity);
+    leave = smaller(leave, runs ? larger(t0, t1) * (1 + slack) : infinity);
+  }
+  enter = enter * (1 - slack);
+  return enter <= leave;
+}
+
+// False when the ray misses the box. The new origin is rounded once a coordinate: it stays on the ray to an
+// ulp of the box's coordinates. It is held back by the entry's own rounding, and so may lie before the box;
+// from very far off the entry is coarse, and is looked for once more from nearby.
 template <class Real>
 MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
-  clipped = {ray, 0};
-  constexpr Real slack = 8 * RealTraits<Real>::unit_roundoff;
-  for (int round = 0; round < 2; ++round) {
-    if (contains(box, clipped.ray.origin)) break;
-    Real enter = 0, leave = clipped.ray.t_max;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Real from = clipped.ray.origin[axis], towards = clipped.ray.direction[axis];
-      if (std::abs(towards) < RealTraits<Real>::smallest_normal * 8) {
-        if (from < box.min[axis] || from > box.max[axis]) return false;
-        continue;
-      }
-      const Real inverse = 1 / towards;
-      const Real t0 = (box.min[axis] - from) * inverse, t1 = (box.max[axis] - from) * inverse;
-      enter = larger(enter, smaller(t0, t1));
-      leave = smaller(leave, larger(t0, t1) * (1 + slack));
-    }
-    enter = enter * (1 - slack);
-    if (!(enter <= leave)) return false;
-    clipped.ray.origin = fused(clipped.ray.direction, enter, clipped.ray.origin);
+  const Vec3<Real> d = ray.direction;
+  clipped = {ray, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+  const Real far = 256 * largest_magnitude(box);
+  for (bool again = true; again;) {
+    Real enter;
+    if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;
+    clipped.ray.origin = fused(d, enter, clipped.ray.origin);
+    again = clipped.skipped == 0 && enter * largest_magnitude(d) > far;
     clipped.skipped += enter;
     clipped.ray.t_max -= enter;
   }

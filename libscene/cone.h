@@ -60,8 +60,8 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   }
   if (!(low <= high)) return false;
 
-  // a s² + 2 b s + c = 0 for the step s from the place where its terms are least; that may lie beyond
-  // the ends.
+  // a s² + 2 b s + c = 0 for the step s from the place where its terms are least, which may lie beyond the
+  // ends.
   const double radius_slope = c.growth * dz;
   const double qa = fused(-radius_slope, radius_slope, across_square);
   double start = 0, z = 0, radius = 0, qb = 0, least = RealTraits<double>::largest;
@@ -84,7 +84,7 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   look_from(high);
   const double nearest = across_square > 0 ? -dot(from_base, across) / across_square : 0;
   if (std::abs(nearest) <= reach) look_from(nearest);
-  const double middle = start - qb / qa; // of the two roots: near a pointed end, by it
+  const double middle = start - qb / qa; // between the two roots; near a pointed end, both lie by it
   if (std::abs(middle) <= reach) look_from(middle);
   const double qc = fused(-radius, radius, dot(off_axis, off_axis));
   const double discriminant = difference_of_products(qb, qb, qa, qc);

@@ -59,4 +59,20 @@ MASU_HD inline RayFrame<Real> ray_frame(const Vec3<Real>& origin, const Vec3<Rea
   return {origin, direction, across, cross(direction, across), Real(1) / dot(direction, direction)};
 }
 
+// A hit as of the ray from where it enters the scene's bounds (clip.h): `hit.t` counts from that ray's
+// origin, `skipped` is the t before it. Primitive no_primitive where nothing is hit; then t is the whole
+// ray's t_max.
+template <class Real>
+struct NearHit {
+  RayFrame<Real> ray;
+  Hit<Real> hit;
+  Real skipped;
+};
+
+template <class Real>
+MASU_HD inline Hit<Real> seen_from_origin(const NearHit<Real>& near) {
+  if (near.hit.primitive == no_primitive) return near.hit;
+  return {near.hit.t + near.skipped, near.hit.primitive};
+}
+
 } // namespace masu

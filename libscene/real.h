@@ -42,6 +42,25 @@ MASU_HD inline Real difference_of_products(Real a, Real b, Real c, Real d) {
   return fused(a, b, -cd) + lost;
 }
 
+// Rounded towards zero; beyond 2^30, where nothing here depends on it, to a number as large or
+// larger; NaN to 0 (as the device's own conversion has it).
+MASU_HD inline std::int32_t truncated(float v) {
+#ifdef __CUDA_ARCH__
+  return __float2int_rz(v);
+#else
+  constexpr float most = 0x1p30F;
+  return v != v ? 0 : static_cast<std::int32_t>(v < -most ? -most : v > most ? most : v);
+#endif
+}
+MASU_HD inline std::int32_t truncated(double v) {
+#ifdef __CUDA_ARCH__
+  return __double2int_rz(v);
+#else
+  constexpr double most = 0x1p30;
+  return v != v ? 0 : static_cast<std::int32_t>(v < -most ? -most : v > most ? most : v);
+#endif
+}
+
 // The smaller and the larger of two numbers, spelled out so that host and device agree on NaN: it never wins
 // over `b`.
 template <class T>

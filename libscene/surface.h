@@ -99,10 +99,10 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t, 
     distance = 0;
   }
   const Vec3d aside = normalized(off_axis);
-  const Vec3d away =
-      normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside)); // once more: at right angles
-  // The nearest place of the side, which over the axis is a segment: t is rounded, and a flat cone's ends are
-  // close.
+  // Once more, for what rounding left along the axis.
+  const Vec3d away = normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside));
+  // The nearest place of the side, a segment as seen over the axis: t is rounded, and what that moves a flat
+  // cone's point along the axis may be more than its length.
   const double square = dot(c.axis, c.axis);
   const double place =
       ((distance - c.base_radius) * c.growth + anywhere * square) / fused(c.growth, c.growth, square);
@@ -126,37 +126,44 @@ struct Unasked {
   MASU_HD void cone_test() {}
 };
 
-// `hit` is one that nearest_hit found for `ray`. Its t counts from the ray's own origin, which may be far
-// off, and so is too coarse: the test is run again from where the ray enters the scene.
+// Of what a ray met.
 template <unsigned kinds, class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
-                                             const Hit<Real>& hit) {
-  ClippedRay<Real> near{};
-  clip(ray, cast<Real>(scene.clip), near);
-  const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const NearHit<Real>& near) {
+  const PrimitiveIndex primitive = near.hit.primitive;
   if constexpr ((kinds & with_triangles) != 0) {
-    if (kinds == with_triangles || hit.primitive < scene.triangle_count) {
-      return surface_at(scene, frame, scene.triangles[hit.primitive]);
-    }
+    if (kinds == with_triangles || primitive < scene.triangle_count)
+      return surface_at(scene, near.ray, scene.triangles[primitive]);
   }
-  Real t = hit.t - near.skipped;
-  Unasked unasked;
-  intersect<kinds>(scene, frame, hit.primitive, t, unasked);
-  const std::uint32_t sphere = hit.primitive - scene.triangle_count;
+  const std::uint32_t sphere = primitive - scene.triangle_count;
   SurfacePoint<Real> point{};
   if constexpr ((kinds & with_spheres) != 0) {
     if ((kinds & with_cones) == 0 || sphere < scene.sphere_count) {
-      point = surface_at(frame, t, scene.spheres[sphere]);
+      point = surface_at(near.ray, near.hit.t, scene.spheres[sphere]);
       point.material = scene.sphere_surfaces[sphere].material;
       return point;
     }
   }
   if constexpr ((kinds & with_cones) != 0) {
     const std::uint32_t cone = sphere - scene.sphere_count;
-    point = surface_at(frame, t, scene.cones[cone]);
+    point = surface_at(near.ray, near.hit.t, scene.cones[cone]);
     point.material = scene.cone_surfaces[cone].material;
   }
   return point;
+}
+
+// Of a hit whose t counts from the ray's own origin, which may be far off and t so too coarse: the test is
+// run again from where the ray enters the scene.
+template <unsigned kinds, class Real, class Stored>
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
+                                             const Hit<Real>& hit) {
+  ClippedRay<Real> clipped{};
+  clip(ray, cast<Real>(scene.clip), clipped);
+  NearHit<Real> near{ray_frame(clipped.ray.origin, clipped.ray.direction),
+                     {hit.t - clipped.skipped, hit.primitive},
+                     clipped.skipped};
+  Unasked unasked;
+  intersect<kinds>(scene, near.ray, hit.primitive, near.hit.t, unasked);
+  return surface_at<kinds>(scene, near);
 }
 
 } // namespace masu

@@ -67,8 +67,8 @@ struct ForHits {
   }
 };
 
-// Calls act(GridView, MergedGridView or NoGrid, Model, Counts or NoCounts): what a job needs, and no more. Counting and brute
-// force run the general code: the bits are the same.
+// Calls act(GridView, MergedGridView or NoGrid, Model, Counts or NoCounts): what a job needs, and no more.
+// Counting and brute force run the general code: the bits are the same.
 template <class Stored, class WithModel, class Act>
 void with_everything(const SceneView<Stored>& scene, const GridFile* grid, const WithModel& with_model,
                      bool count, const Act& act) {

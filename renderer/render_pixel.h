@@ -176,16 +176,16 @@ MASU_HD inline Vec3f radiance(const SceneView<typename M::Stored>& scene, const 
   PendingRay<Real> ray{eye.origin, eye.direction, 1, 1};
   for (;;) {
     const Ray<Real> path{ray.origin, ray.direction, RealTraits<Real>::largest};
-    const Hit<Real> hit = nearest_hit<M::kinds>(scene, grid, path, counts);
-    const bool met = hit.primitive != no_primitive;
+    const NearHit<Real> hit = nearest_hit_near<M::kinds>(scene, grid, path, counts);
+    const bool met = hit.hit.primitive != no_primitive;
     if (ray.depth == 1) {
       counts.eye_ray(met);
-      first_hit = eye_hit(scene, hit, Real(1), rules.hit_name);
+      first_hit = eye_hit(scene, seen_from_origin(hit), Real(1), rules.hit_name);
     } else {
       counts.secondary_ray(met);
     }
     if (met) {
-      const SurfacePoint<Real> point = surface_at<M::kinds>(scene, path, hit);
+      const SurfacePoint<Real> point = surface_at<M::kinds>(scene, hit);
       const Material material = scene.materials[point.material];
       const Facing<Real> side = facing(point, ray.direction);
       light = light + direct_light<M>(scene, grid, material, point, side, ray.direction, counts) * ray.weight;

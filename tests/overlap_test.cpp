@@ -453,6 +453,27 @@ TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
   EXPECT_EQ(needless, 0) << first_needless;
 }
 
+// A margin along a flat cone's axis moves its side by many voxels; its rims stay where they are.
+TEST(OverlapsOfAFlatCone, StayByItsRims) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (int i = 0; i < 20; ++i) {
+    const Lattice lattice{{{-1, -1, -1}, {1, 1, 1}}, {50, 50, 50}, 1e-5};
+    const Vec3d up = chance.direction() * 1e-6;
+    const Cone<double> cone{{0, 0, 0}, 0.6, up, 0.3};
+    std::int64_t far = 0, listed = 0;
+    for_each_overlap(lattice, Overlap::exact, cone, [&](const Vec3i& voxel) {
+      const WideBox box = voxel_box(lattice, voxel);
+      const oracle::Point center = (box.min + box.max) * 0.5;
+      ++listed;
+      far += oracle::distance(center, cone) > oracle::norm(box.max - box.min);
+    });
+    EXPECT_GT(listed, 500);
+    EXPECT_EQ(far, 0) << "of " << listed << ": " << masu::described(cone);
+  }
+}
+
 // --- Touching, to the last bit ---------------------------------------------------------------------------
 
 // Without a margin, and with coordinates that make all arithmetic exact, touching alone decides.

@@ -606,8 +606,15 @@ TYPED_TEST(Walk, TiesGoToTheLowestPrimitive) {
           << masu::described(ray.origin, ray.direction) << ": " << described(found) << ", expected "
           << described(expected) << "; " << described(grid) << '\n'
           << described(scene);
-      ray.t_max = expected.t;
-      ASSERT_FALSE(is_blocked<with_all_kinds>(view, grid_view, ray, counts));
+      if (expected.primitive == no_primitive) continue;
+      // t_max itself isn't reached, by either question.
+      for (const bool beyond : {false, true}) {
+        ray.t_max = beyond ? nudged(expected.t, 1) : expected.t;
+        const Hit<Real> up_to = nearest_hit<with_all_kinds>(view, grid_view, ray, counts);
+        ASSERT_EQ(up_to.primitive, beyond ? expected.primitive : no_primitive);
+        ASSERT_TRUE(same_bits(up_to.t, expected.t));
+        ASSERT_EQ(is_blocked<with_all_kinds>(view, grid_view, ray, counts), beyond);
+      }
     }
   }
   EXPECT_GT(ties, cases(100));

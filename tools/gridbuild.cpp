@@ -114,13 +114,14 @@ int main(int argc, char** argv) {
         add_choice(
             app, "--overlap", settings.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
-        add_choice(app, "--merge", settings.merge.merge,
-                   {{"none", Merge::none},
-                    {"x", Merge::x},
-                    {"balance", Merge::balance},
-                    {"irregular", Merge::irregular}},
-                   "which voxels share a cell: none, x (empty ones in a run along x), balance (as many as list "
-                   "--target primitives), irregular (voxels are divided further, by expected cost)");
+        add_choice(
+            app, "--merge", settings.merge.merge,
+            {{"none", Merge::none},
+             {"x", Merge::x},
+             {"balance", Merge::balance},
+             {"irregular", Merge::irregular}},
+            "which voxels share a cell: none, x (empty ones in a run along x), balance (as many as list "
+            "--target primitives), irregular (voxels are divided further, by expected cost)");
         app.add_option("--target", settings.merge.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();
@@ -132,8 +133,9 @@ int main(int argc, char** argv) {
                        "irregular: what a step to a cell costs, in intersection tests")
             ->check(CLI::Range(0.0, 1000.0))
             ->capture_default_str();
-        app.add_option("--alpha", settings.merge.alpha,
-                       "irregular: divide while that makes the expected cost less than alpha times what it is")
+        app.add_option(
+               "--alpha", settings.merge.alpha,
+               "irregular: divide while that makes the expected cost less than alpha times what it is")
             ->check(CLI::Range(0.0, 1.0))
             ->capture_default_str();
         app.add_option("--stretch", settings.merge.stretches,

@@ -28,7 +28,7 @@ if [ "${MASU_CUDA:-AUTO}" != OFF ] && command -v nvcc >/dev/null; then
   echo "== CUDA Toolkit found ($(command -v nvcc)): building the CUDA backend for sm_${architecture:-90}"
 else
   cuda_options=(-DMASU_CUDA=OFF)
-  echo "== no CUDA Toolkit (nvcc isn't on the PATH): building for the CPU only"
+  echo "== no CUDA Toolkit (nvcc isn't on the PATH), or MASU_CUDA=OFF: building for the CPU only"
 fi
 
 # build FOLDER [cmake option…] [-- build option…]: configures and builds, showing only what went wrong.

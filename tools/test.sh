@@ -10,7 +10,8 @@ cores=$(nproc)
 step() { echo; echo "== $*"; }
 
 step "format"
-git ls-files '*.h' '*.cpp' '*.cu' | xargs clang-format --dry-run --Werror
+find libscene libgrid renderer tools tests -name '*.h' -o -name '*.cpp' -o -name '*.cu' |
+  xargs clang-format --dry-run --Werror
 
 step "build"
 build build -DCMAKE_BUILD_TYPE=Release "${cuda_options[@]}"
@@ -19,11 +20,11 @@ if [ "${1:-}" = --full ]; then
   install_missing clang clang-tidy libclang-rt-dev
 
   step "unit tests under the sanitizers"
-  build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF
+  build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- --target masu_unit_tests
   ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
 
   step "clang-tidy"
-  git ls-files 'libscene/*.cpp' 'libgrid/*.cpp' 'renderer/*.cpp' 'tools/*.cpp' | grep -v backend_none |
+  find libscene libgrid renderer tools -name '*.cpp' ! -name backend_none.cpp |
     xargs -P "$cores" -n 1 clang-tidy -p build --quiet
 
   step "fuzz targets, 20 s each"
