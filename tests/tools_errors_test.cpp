@@ -354,6 +354,9 @@ TEST_F(BadCommand, OfNff2binIsAUsageError) {
   EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--store", "float16"}));
   EXPECT_TRUE(refused("nff2bin", {text, "-o", text}, text));
   EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--threads", "-1"}));
+  for (const char* const facets : {"", "0", "-4", "3", "6", "1028", "12.0", "x", "99999999999999999999"})
+    EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--tessellate", facets})) << facets;
+  EXPECT_TRUE(refused("nff2bin", {scene_, "--info", "--tessellate", "12"}, scene_));
 }
 
 TEST_F(BadCommand, OfGridbuildIsAUsageError) {

@@ -327,6 +327,20 @@ TEST_F(Tools, Nff2binTellsTheSameOfTextAndFile) {
     EXPECT_EQ(text[name], made[name]) << name;
 }
 
+TEST_F(Tools, Nff2binTessellatesAndCountsObjectsAsBefore) {
+  const std::string made = scene("t.scene", file("a.nff"), {"--tessellate", "12"});
+  auto told = json_of("nff2bin", {made, "--info", "--json"});
+  const auto curved = json_of("nff2bin", {scene_, "--info", "--json"});
+  EXPECT_EQ(told["objects"], curved["objects"]);
+  EXPECT_EQ(told["store"], "float32");
+  EXPECT_EQ(told["primitives"]["triangles"], 2 + 108);
+  EXPECT_EQ(told["primitives"]["spheres"], 0);
+  EXPECT_EQ(told["smooth_triangles"], 108);
+  auto text = json_of("nff2bin", {file("a.nff"), "--tessellate", "12", "--info", "--json"});
+  for (const char* const name : {"objects", "primitives", "smooth_triangles", "store"})
+    EXPECT_EQ(told[name], text[name]) << name;
+}
+
 TEST_F(Tools, GridbuildAndGridstatAgree) {
   const auto built = json_of(
       "gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--space", "cube", "--json"});
