@@ -358,6 +358,18 @@ TEST_F(Tools, GridbuildAndGridstatAgree) {
   EXPECT_TRUE(told["build_seconds"].is_null());
 }
 
+TEST_F(Tools, GridbenchComparesLoadingWithPlainCopies) {
+  const auto told =
+      json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3", "--json"});
+  EXPECT_EQ(told["bytes"], std::filesystem::file_size(scene_) + std::filesystem::file_size(grid_));
+  const auto& seconds = told["median_seconds"];
+  for (const char* const name : {"map", "validate", "load", "copy_mapped", "copy_read"})
+    EXPECT_GT(seconds[name].get<double>(), 0) << name;
+  EXPECT_EQ(seconds["upload"], 0);
+  EXPECT_DOUBLE_EQ(told["load_over_copy"]["mapped"].get<double>(),
+                   seconds["load"].get<double>() / seconds["copy_mapped"].get<double>());
+}
+
 TEST_F(Tools, ASliceIsAPicture) {
   EXPECT_TRUE(
       succeeded(run("gridstat", {grid("b.grid", scene_, "8x4x2"), "--slice", "z=1", "-o", file("s.png")})));
