@@ -62,7 +62,8 @@ struct alignas(16) Cone {
   Stored apex_radius;
 };
 
-// The normals at a `pp` triangle's corners, as given: any length but zero.
+// The normals at a smooth triangle's corners, of any length but zero: as a `pp` gives them, or those of the
+// surface that the triangle stands for. Triangles may share them.
 template <class Stored>
 struct CornerNormals {
   Vec3<Stored> a, b, c;

@@ -87,4 +87,7 @@ bool cuda_available(std::string& why);
 Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
 RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const RaysRequest& request);
 
+// Seconds of uploading what they upload, which is then thrown away. Throws Error(device).
+double upload_cuda(const SceneFile& scene, const GridFile* grid);
+
 } // namespace masu

@@ -100,6 +100,21 @@ struct DeviceGrid {
   NoGrid moved(NoGrid) const { return {}; }
 };
 
+// What is traced, on the device, and how many seconds getting it there took.
+template <class Stored>
+struct Uploaded {
+  Stopwatch watch;
+  DeviceScene<Stored> scene;
+  DeviceGrid grid;
+  double seconds;
+
+  Uploaded(const SceneView<Stored>& host_scene, const GridFile* host_grid)
+      : scene(host_scene), grid(host_grid) {
+    check(cudaDeviceSynchronize());
+    seconds = watch.seconds();
+  }
+};
+
 // Launches the kernel so many times and waits; its code is on the device before the time starts. The median's
 // seconds.
 template <class Kernel, class... Arguments>
@@ -125,13 +140,10 @@ template <class WithModel, class Launch>
 void run(const SceneFile& scene, const GridFile* grid, const WithModel& with_model, bool count,
          TraceSeconds& seconds, const Launch& launch) {
   const auto with_store = [&]<class Stored>(const SceneView<Stored>& host) {
-    const Stopwatch watch;
-    const DeviceScene<Stored> device_scene(host);
-    const DeviceGrid device_grid(grid);
-    check(cudaDeviceSynchronize());
-    seconds.upload += watch.seconds();
+    const Uploaded<Stored> device(host, grid);
+    seconds.upload += device.seconds;
     with_everything(host, grid, with_model, count, [&](const auto& accelerator, auto model, auto counts) {
-      seconds.trace += launch(device_scene.view, device_grid.moved(accelerator), model, counts);
+      seconds.trace += launch(device.scene.view, device.grid.moved(accelerator), model, counts);
     });
   };
   scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
@@ -145,6 +157,12 @@ bool cuda_available(std::string& why) {
   if (error == cudaSuccess && devices > 0) return true;
   why = error == cudaSuccess ? "there is no CUDA device" : cudaGetErrorString(error);
   return false;
+}
+
+double upload_cuda(const SceneFile& scene, const GridFile* grid) {
+  check(cudaFree(nullptr)); // sets the device up, so that uploading isn't charged for it
+  return scene.is_float64() ? Uploaded<double>(scene.view<double>(), grid).seconds
+                            : Uploaded<float>(scene.view<float>(), grid).seconds;
 }
 
 Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {

@@ -2,6 +2,7 @@
 #include "renderer/backend.h"
 
 #include "libscene/error.h"
+#include "renderer/plain_copy.h"
 
 namespace masu {
 namespace {
@@ -23,6 +24,12 @@ Frame render_cuda(const SceneFile&, const GridFile*, const FrameRequest&) {
   refuse();
 }
 RayHits trace_rays_cuda(const SceneFile&, const GridFile*, const RaysRequest&) {
+  refuse();
+}
+double upload_cuda(const SceneFile&, const GridFile*) {
+  refuse();
+}
+double copy_seconds_cuda(const std::string&, CopyFrom) {
   refuse();
 }
 

@@ -6,6 +6,7 @@
 
 #include <cuda_runtime.h>
 
+#include <cstdint>
 #include <source_location>
 #include <span>
 #include <string>
@@ -55,6 +56,23 @@ public:
 private:
   T* data_ = nullptr;
   std::size_t count_ = 0;
+};
+
+// Page-locked memory of the host, from which the device copies without the driver's help.
+class PinnedBuffer {
+public:
+  explicit PinnedBuffer(std::size_t bytes) : size_(bytes) {
+    check(cudaMallocHost(reinterpret_cast<void**>(&data_), bytes));
+  }
+  PinnedBuffer(const PinnedBuffer&) = delete;
+  PinnedBuffer& operator=(const PinnedBuffer&) = delete;
+  ~PinnedBuffer() { static_cast<void>(cudaFreeHost(data_)); }
+
+  std::span<std::uint8_t> bytes() const { return {data_, size_}; }
+
+private:
+  std::uint8_t* data_ = nullptr;
+  std::size_t size_ = 0;
 };
 
 // Time on the device since it was made.

@@ -354,6 +354,9 @@ TEST_F(BadCommand, OfNff2binIsAUsageError) {
   EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--store", "float16"}));
   EXPECT_TRUE(refused("nff2bin", {text, "-o", text}, text));
   EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--threads", "-1"}));
+  for (const char* const facets : {"", "0", "-4", "3", "6", "1028", "12.0", "x", "99999999999999999999"})
+    EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--tessellate", facets})) << facets;
+  EXPECT_TRUE(refused("nff2bin", {scene_, "--info", "--tessellate", "12"}, scene_));
 }
 
 TEST_F(BadCommand, OfGridbuildIsAUsageError) {
@@ -426,11 +429,13 @@ TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
   const Surroundings blind{"/dev/null", {}, "CUDA_VISIBLE_DEVICES=-1"};
   EXPECT_TRUE(fails(4, "gridrender", {scene_, grid_, "-o", file("new.png"), "--backend", "cuda"}, "cuda",
                     "--backend cpu", blind));
+  EXPECT_TRUE(
+      fails(4, "gridbench", {"load", scene_, grid_, "--backend", "cuda"}, "cuda", "--backend cpu", blind));
   EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("new.png")}, blind)));
 }
 
 TEST(Help, GoesToStandardOutput) {
-  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender"}) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridbench"}) {
     const ToolResult result = run(tool, {"--help"});
     EXPECT_TRUE(succeeded(result)) << tool;
     EXPECT_NE(result.out.find(tool), std::string::npos) << tool << " doesn't name itself";

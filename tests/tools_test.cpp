@@ -327,6 +327,20 @@ TEST_F(Tools, Nff2binTellsTheSameOfTextAndFile) {
     EXPECT_EQ(text[name], made[name]) << name;
 }
 
+TEST_F(Tools, Nff2binTessellatesAndCountsObjectsAsBefore) {
+  const std::string made = scene("t.scene", file("a.nff"), {"--tessellate", "12"});
+  auto told = json_of("nff2bin", {made, "--info", "--json"});
+  const auto curved = json_of("nff2bin", {scene_, "--info", "--json"});
+  EXPECT_EQ(told["objects"], curved["objects"]);
+  EXPECT_EQ(told["store"], "float32");
+  EXPECT_EQ(told["primitives"]["triangles"], 2 + 108);
+  EXPECT_EQ(told["primitives"]["spheres"], 0);
+  EXPECT_EQ(told["smooth_triangles"], 108);
+  auto text = json_of("nff2bin", {file("a.nff"), "--tessellate", "12", "--info", "--json"});
+  for (const char* const name : {"objects", "primitives", "smooth_triangles", "store"})
+    EXPECT_EQ(told[name], text[name]) << name;
+}
+
 TEST_F(Tools, GridbuildAndGridstatAgree) {
   const auto built = json_of(
       "gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--space", "cube", "--json"});
@@ -342,6 +356,18 @@ TEST_F(Tools, GridbuildAndGridstatAgree) {
   EXPECT_EQ(told["division_rule"], "5x4x3");
   EXPECT_EQ(told["bytes"]["file"], std::filesystem::file_size(file("b.grid")));
   EXPECT_TRUE(told["build_seconds"].is_null());
+}
+
+TEST_F(Tools, GridbenchComparesLoadingWithPlainCopies) {
+  const auto told =
+      json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3", "--json"});
+  EXPECT_EQ(told["bytes"], std::filesystem::file_size(scene_) + std::filesystem::file_size(grid_));
+  const auto& seconds = told["median_seconds"];
+  for (const char* const name : {"map", "validate", "load", "copy_mapped", "copy_read"})
+    EXPECT_GT(seconds[name].get<double>(), 0) << name;
+  EXPECT_EQ(seconds["upload"], 0);
+  EXPECT_DOUBLE_EQ(told["load_over_copy"]["mapped"].get<double>(),
+                   seconds["load"].get<double>() / seconds["copy_mapped"].get<double>());
 }
 
 TEST_F(Tools, ASliceIsAPicture) {

@@ -1,9 +1,8 @@
 // gridrender: maps a scene and its grid, traces them, writes the picture.
 #include "libscene/output_file.h"
 #include "libscene/stopwatch.h"
-#include "renderer/backend.h"
 #include "renderer/image.h"
-#include "tools/cli.h"
+#include "tools/backend_choice.h"
 
 #include <nlohmann/json.hpp>
 
@@ -13,8 +12,6 @@
 
 namespace masu {
 namespace {
-
-enum class Backend { automatic, cpu, cuda };
 
 struct Settings {
   std::string scene, grid, output, size, stats, times, rays, hits;
@@ -30,15 +27,6 @@ struct Seconds {
   double map = 0, validate = 0, write = 0;
   TraceSeconds trace;
 };
-
-// `auto` takes the GPU where there is one.
-bool use_cuda(Backend backend) {
-  std::string why;
-  const bool available = backend != Backend::cpu && cuda_available(why);
-  if (backend == Backend::cuda && !available)
-    throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu");
-  return available;
-}
 
 using Json = nlohmann::ordered_json;
 
@@ -183,9 +171,7 @@ int main(int argc, char** argv) {
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
         app.add_option("GRID", settings.grid, "grid file, from gridbuild");
         app.add_option("-o,--output", settings.output, "picture: .png, or .pfm for linear floats");
-        add_choice(app, "--backend", settings.backend,
-                   {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"cuda", Backend::cuda}},
-                   "auto (the GPU where there is one), cpu or cuda");
+        add_backend(app, settings.backend);
         app.add_option("--size", settings.size, "WxH pixels instead of the scene's own");
         app.add_option("--depth", settings.depth, "depth of the last rays; the eye's have 1")
             ->check(CLI::Range(1, largest_depth))

@@ -2,14 +2,18 @@
 #include "libscene/mapped_file.h"
 #include "libscene/nff.h"
 #include "libscene/scene_file.h"
+#include "libscene/tessellate.h"
 #include "tools/cli.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <optional>
+#include <span>
+#include <utility>
 
 namespace masu {
 namespace {
@@ -19,6 +23,7 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   std::string input, output;
   Store store = Store::automatic;
+  int facets = 0; // --tessellate; 0: spheres and cones stay what they are
   bool info = false, json = false;
   Threads threads;
 };
@@ -26,7 +31,8 @@ struct Settings {
 // What --info tells, of a text or of a scene file.
 struct Summary {
   ObjectCounts objects;
-  std::uint64_t triangles = 0, spheres = 0, cones = 0, normals = 0;
+  std::uint64_t triangles = 0, smooth = 0, spheres = 0, cones = 0;
+  std::uint64_t corner_normals = 0; // records: smooth triangles can share them
   std::uint64_t materials = 0, reflecting = 0, transmitting = 0, lights = 0;
   std::int32_t width = 0, height = 0;
   Boxd bounds = empty_box<double>();
@@ -39,9 +45,17 @@ std::uint64_t count(const std::vector<Material>& materials, bool (*property)(con
   return static_cast<std::uint64_t>(std::count_if(materials.begin(), materials.end(), property));
 }
 
+template <class Stored>
+std::uint64_t count_smooth(std::span<const Triangle<Stored>> triangles) {
+  return static_cast<std::uint64_t>(
+      std::count_if(triangles.begin(), triangles.end(),
+                    [](const Triangle<Stored>& triangle) { return triangle.normals != no_normals; }));
+}
+
 Summary summary_of(const Scene& scene, Store store) {
   return {scene.objects,
           scene.triangles.size(),
+          count_smooth<double>(scene.triangles),
           scene.spheres.size(),
           scene.cones.size(),
           scene.normals.size(),
@@ -64,6 +78,7 @@ Summary summary_of(const SceneFile& file) {
   const fb::ObjectCounts& objects = *table.objects();
   return {{objects.polygons(), objects.patches(), objects.spheres(), objects.cones()},
           view.triangle_count,
+          count_smooth<Stored>({view.triangles, view.triangle_count}),
           view.sphere_count,
           view.cone_count,
           view.normals_count,
@@ -82,7 +97,7 @@ Summary summary_of(const SceneFile& file) {
 // What the sections hold; the file's table and padding add a few KiB.
 template <class Stored>
 std::uint64_t record_bytes(const Summary& s) {
-  return s.triangles * sizeof(Triangle<Stored>) + s.normals * sizeof(CornerNormals<Stored>) +
+  return s.triangles * sizeof(Triangle<Stored>) + s.corner_normals * sizeof(CornerNormals<Stored>) +
          s.spheres * (sizeof(Sphere<Stored>) + sizeof(Surface)) +
          s.cones * (sizeof(Cone<Stored>) + sizeof(Surface)) + s.materials * sizeof(Material) +
          s.lights * sizeof(Light<Stored>);
@@ -107,7 +122,7 @@ Json to_json(const Summary& s) {
         {"spheres", s.spheres},
         {"cones", s.cones},
         {"total", s.triangles + s.spheres + s.cones}}},
-      {"smooth_triangles", s.normals},
+      {"smooth_triangles", s.smooth},
       {"materials", {{"total", s.materials}, {"reflect", s.reflecting}, {"transmit", s.transmitting}}},
       {"lights", s.lights},
       {"resolution", {s.width, s.height}},
@@ -137,7 +152,7 @@ void print_table(const Summary& s) {
                    o.polygons + o.patches + o.spheres + o.cones, o.polygons, o.patches, o.spheres, o.cones));
   line("primitives",
        fmt::format("{}: triangles {} ({} smooth), spheres {}, cones {}", s.triangles + s.spheres + s.cones,
-                   s.triangles, s.normals, s.spheres, s.cones));
+                   s.triangles, s.smooth, s.spheres, s.cones));
   line("materials", fmt::format("{}: {} reflect, {} transmit", s.materials, s.reflecting, s.transmitting));
   line("lights", fmt::format("{}", s.lights));
   line("resolution", fmt::format("{} x {}", s.width, s.height));
@@ -185,6 +200,16 @@ bool is_scene_file(const std::string& path) {
          std::memcmp(file.bytes().data(), magic.data(), magic.size()) == 0;
 }
 
+// What is wrong with an N of --tessellate; empty when nothing is.
+std::string check_facets(const std::string& text) {
+  int facets = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), facets);
+  if (error == std::errc{} && end == text.data() + text.size() && facets % 4 == 0 && facets >= least_facets &&
+      facets <= most_facets)
+    return {};
+  return fmt::format("'{}' isn't a multiple of 4 from {} to {}", text, least_facets, most_facets);
+}
+
 void check_output(const Settings& settings) {
   std::error_code ignored;
   if (std::filesystem::equivalent(settings.input, settings.output, ignored))
@@ -193,7 +218,8 @@ void check_output(const Settings& settings) {
 
 void convert(const Settings& settings) {
   const bool is_piped = settings.input == "-";
-  const Scene scene = is_piped ? parse_nff(read_standard_input(), "stdin") : read_nff(settings.input);
+  Scene scene = is_piped ? parse_nff(read_standard_input(), "stdin") : read_nff(settings.input);
+  if (settings.facets > 0) scene = tessellated(std::move(scene), settings.facets);
   print_warnings(scene.warnings, is_piped ? "stdin" : settings.input);
   if (!settings.output.empty()) write_scene(scene, settings.store, settings.output);
   if (!settings.info) return;
@@ -215,6 +241,8 @@ void run(const Settings& settings) {
   if (!settings.output.empty())
     throw Error(ErrorCode::usage, settings.input,
                 "is a scene file already: give an NFF file, or leave out -o");
+  if (settings.facets > 0)
+    throw Error(ErrorCode::usage, settings.input, "is a scene file already: --tessellate needs an NFF file");
   const SceneFile file(settings.input);
   report(file.is_float64() ? summary_of<double>(file) : summary_of<float>(file), settings);
 }
@@ -234,6 +262,11 @@ int main(int argc, char** argv) {
         add_choice(app, "--store", settings.store,
                    {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
                    "how coordinates are kept; auto: float32 when the text's digits survive it");
+        app.add_option("--tessellate", settings.facets,
+                       "triangles instead of spheres and cones, by how many flat sides go round one: "
+                       "2N triangles a cone (N if pointed), 12(N/4)^2 a sphere; 12 is the SPD's")
+            ->check(CLI::Validator(check_facets, fmt::format("{}..{}", least_facets, most_facets)))
+            ->type_name("N");
         auto* const info = app.add_flag("--info", settings.info, "tell what the scene holds and needs");
         app.add_flag("--json", settings.json, "--info as JSON")->needs(info);
         settings.threads.add_to(app);

@@ -1,0 +1,11 @@
+// gridbench's subcommands: each adds its options, and does its work when it is the one named.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace masu {
+
+void add_rays(CLI::App& app);
+void add_load(CLI::App& app);
+
+} // namespace masu
