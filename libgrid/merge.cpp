@@ -171,7 +171,7 @@ Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overla
     too_fine("more than 2^28 voxels to merge");
   Grid grid{lattice, rule.merge, 0, 0, {}, {}, {}};
   if (rule.merge == Merge::balance) {
-    merge_balanced(scene, overlap, {false, 0, 0, rule.target}, grid);
+    merge_balanced(scene, overlap, {false, 0, 0, 1, rule.target}, grid);
     return grid;
   }
   const Grid uniform = build_uniform(scene, lattice, overlap);
@@ -185,7 +185,7 @@ Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overla
   while (grid.nested_log2 < rule.nested_log2 && (longest << (grid.nested_log2 + 1)) <= largest_plane)
     ++grid.nested_log2;
   const Lattice finest = finer(lattice, grid.nested_log2);
-  const PartitionRule by_cost{true, rule.step_over_test, rule.alpha, 0};
+  const PartitionRule by_cost{true, rule.step_over_test, rule.alpha, rule.detail, 0};
   merge_rows(uniform, grid, [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
     return partition(scene, finest, overlap, by_cost, box, primitives);
   });

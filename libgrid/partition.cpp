@@ -13,8 +13,9 @@ namespace {
 struct Part {
   PrimitiveIndex primitive;
   std::array<std::uint16_t, 3> first, last;
+  std::uint16_t extent; // of all of the primitive along its longest axis, in voxels
 };
-static_assert(sizeof(Part) == 16);
+static_assert(sizeof(Part) == 20);
 
 struct Plane {
   int axis = 0;
@@ -101,11 +102,14 @@ public:
     for (const PrimitiveIndex i : primitives) {
       with_primitive(i, [&](const auto& primitive) {
         const Boxd box = overlap_ == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
-        Part part{i, {}, {}};
+        Part part{i, {}, {}, 0};
         for (std::size_t axis = 0; axis < 3; ++axis) {
           part.first[axis] = static_cast<std::uint16_t>(root.first[static_cast<int>(axis)]);
           part.last[axis] = static_cast<std::uint16_t>(root.end[static_cast<int>(axis)] - 1);
         }
+        const Vec3d w = box.max - box.min;
+        const double voxels = std::max({w.x / size_.x, w.y / size_.y, w.z / size_.z});
+        part.extent = static_cast<std::uint16_t>(std::clamp(voxels, 1.0, 65535.0));
         if (shrink(part, grown(box, lattice_.margin))) parts.push_back(part);
       });
     }
@@ -135,7 +139,7 @@ public:
 
 private:
   static constexpr std::size_t parts_a_task = 8192;
-  static constexpr int most_bins_log2 = 5;
+  static constexpr int most_planes_log2 = 3;
 
   template <class Act>
   void with_primitive(PrimitiveIndex i, const Act& act) const {
@@ -198,37 +202,45 @@ private:
     }
   }
 
-  // Along one axis of a box, planes 2^log2 voxels apart and what begins and ends between them.
-  struct Bins {
+  // Planes of a box are 2^spacing voxels apart: few along its longest side, since the map needs the more
+  // words the finer they are for its size, and not much closer than the primitives are large, since cells
+  // smaller than what they hold gain little.
+  int spacing(const VoxelBox& box, const std::vector<Part>& parts) const {
+    const Vec3i w = box.end - box.first;
+    const std::int32_t longest = std::max({w.x, w.y, w.z});
+    double inverse_extents = 0;
+    for (const Part& part : parts)
+      inverse_extents += 1.0 / part.extent;
+    const double typical = static_cast<double>(parts.size()) / inverse_extents;
     int log2 = 0;
-    std::int32_t first = 0, count = 1;
-    std::array<std::uint32_t, (1 << most_bins_log2) + 1> begins{}, ends{};
-  };
-
-  static void fill(Bins& bins, const VoxelBox& box, const std::vector<Part>& parts, int axis) {
-    const std::int32_t extent = box.end[axis] - box.first[axis];
-    while ((extent >> bins.log2) > (1 << most_bins_log2) - 1)
-      ++bins.log2;
-    bins.first = box.first[axis] >> bins.log2;
-    bins.count = ((box.end[axis] - 1) >> bins.log2) - bins.first + 1;
-    const auto a = static_cast<std::size_t>(axis);
-    for (const Part& part : parts) {
-      ++bins.begins[static_cast<std::size_t>((part.first[a] >> bins.log2) - bins.first)];
-      ++bins.ends[static_cast<std::size_t>((part.last[a] >> bins.log2) - bins.first)];
-    }
+    while ((longest >> log2) >= (1 << most_planes_log2) || (2 << log2) * rule_.detail <= typical)
+      ++log2;
+    return log2;
   }
 
-  // act(plane, parts below it, parts above it) for each plane of the bins.
+  // Along one axis of a box, what begins and ends between planes.
+  struct Bins {
+    std::int32_t first, count;
+    std::array<std::uint32_t, (1 << most_planes_log2) + 1> begins{}, ends{};
+  };
+
+  // act(plane, parts below it, parts above it) for each plane of the spacing within the box.
   template <class Act>
-  static void for_each_plane(const VoxelBox& box, const std::vector<Part>& parts, int axis, const Act& act) {
-    if (box.end[axis] - box.first[axis] < 2) return;
-    Bins bins;
-    fill(bins, box, parts, axis);
+  static void for_each_plane(const VoxelBox& box, const std::vector<Part>& parts, int axis, int spacing,
+                             const Act& act) {
+    Bins bins{box.first[axis] >> spacing, 0};
+    bins.count = ((box.end[axis] - 1) >> spacing) - bins.first + 1;
+    if (bins.count < 2) return;
+    const auto a = static_cast<std::size_t>(axis);
+    for (const Part& part : parts) {
+      ++bins.begins[static_cast<std::size_t>((part.first[a] >> spacing) - bins.first)];
+      ++bins.ends[static_cast<std::size_t>((part.last[a] >> spacing) - bins.first)];
+    }
     std::uint32_t below = 0, above = static_cast<std::uint32_t>(parts.size());
     for (std::int32_t i = 1; i < bins.count; ++i) {
       below += bins.begins[static_cast<std::size_t>(i - 1)];
       above -= bins.ends[static_cast<std::size_t>(i - 1)];
-      act((bins.first + i) << bins.log2, below, above);
+      act((bins.first + i) << spacing, below, above);
     }
   }
 
@@ -241,9 +253,10 @@ private:
       return count + rule_.step_over_test * (count > 0 ? 1 : 0.5);
     };
     const double bound = cost_of(static_cast<std::uint32_t>(parts.size())) * area * rule_.alpha;
+    const int apart = spacing(box, parts);
     for (int axis = 0; axis < 3; ++axis) {
       const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
-      for_each_plane(box, parts, axis, [&](std::int32_t at, std::uint32_t below, std::uint32_t above) {
+      for_each_plane(box, parts, axis, apart, [&](std::int32_t at, std::uint32_t below, std::uint32_t above) {
         const double low = (at - box.first[axis]) * size_[axis], high = (box.end[axis] - at) * size_[axis];
         const double cost =
             (u * v + low * (u + v)) * cost_of(below) + (u * v + high * (u + v)) * cost_of(above);
@@ -257,9 +270,10 @@ private:
   Plane middle_plane(const VoxelBox& box, const std::vector<Part>& parts) const {
     Plane best;
     if (parts.size() <= rule_.target) return best;
+    const int apart = spacing(box, parts);
     for (int axis = 0; axis < 3; ++axis) {
       const double side = (box.end[axis] - box.first[axis]) * size_[axis];
-      for_each_plane(box, parts, axis, [&](std::int32_t at, std::uint32_t below, std::uint32_t above) {
+      for_each_plane(box, parts, axis, apart, [&](std::int32_t at, std::uint32_t below, std::uint32_t above) {
         const double cost = std::max(below, above) + 1 / (1 + side);
         if (std::min(below, above) < parts.size() && cost < best.cost) best = {axis, at, cost};
       });

@@ -15,7 +15,6 @@ struct NoGrid {};
 template <unsigned kinds, class Real, class Stored, class Counts>
 struct NearestHit {
   const SceneView<Stored>& scene;
-  const PrimitiveIndex* references;
   const RayFrame<Real>& ray;
   Counts& counts;
   Hit<Real> hit;
@@ -24,16 +23,7 @@ struct NearestHit {
     Real t;
     if (intersect<kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
   }
-  MASU_HD void cell(std::uint32_t list) {
-    if (list == empty_list) return counts.empty_cell();
-    counts.cell();
-    for (bool last = false; !last; ++list) {
-      const std::uint32_t reference = references[list];
-      last = (reference & last_bit) != 0;
-      primitive(reference & ~last_bit);
-    }
-  }
-  MASU_HD void moved(std::int32_t voxels) { counts.skipped(voxels - 1); }
+  // Whether the trace may end, now that all cells up to t = exit have been visited.
   MASU_HD bool done(Real exit) const { return hit.t <= exit; }
 };
 
@@ -41,7 +31,6 @@ struct NearestHit {
 template <unsigned kinds, class Real, class Stored, class Counts>
 struct AnyHit {
   const SceneView<Stored>& scene;
-  const PrimitiveIndex* references;
   const RayFrame<Real>& ray;
   Counts& counts;
   Real t_max;
@@ -51,36 +40,56 @@ struct AnyHit {
     Real t;
     found = found || (intersect<kinds>(scene, ray, number, t, counts) && t < t_max);
   }
-  MASU_HD void cell(std::uint32_t list) {
-    if (list == empty_list) return counts.empty_cell();
-    counts.cell();
-    for (bool last = false; !last && !found; ++list) {
-      const std::uint32_t reference = references[list];
-      last = (reference & last_bit) != 0;
-      primitive(reference & ~last_bit);
-    }
-  }
-  MASU_HD void moved(std::int32_t voxels) { counts.skipped(voxels - 1); }
   MASU_HD bool done(Real exit) const { return found || t_max <= exit; }
 };
 
+// A ray on its way through the grid. Its turns are enter() a cell; test() while it is testing(); then
+// leave(), which is false at the end. Who calls them in which order for many rays is the loop's shape: the
+// rays' results don't depend on it.
+template <class Real, class Grid, class Visitor>
+struct Trace {
+  Visitor& visitor;
+  Walk<Real, Grid> walk;
+  std::uint32_t next = empty_list; // the reference to test next
+
+  MASU_HD Trace(const Grid& grid, const ClippedRay<Real>& near, Visitor& visitor_)
+      : visitor(visitor_), walk(grid, near) {}
+
+  MASU_HD void enter(const Grid& grid) {
+    walk.enter(grid);
+    next = walk.cell.list;
+    visitor.counts.cell(next == empty_list);
+  }
+  MASU_HD bool testing() const { return next != empty_list; }
+  MASU_HD void test(const Grid& grid) {
+    const PrimitiveIndex reference = grid.references[next];
+    next = (reference & last_bit) != 0 ? empty_list : next + 1;
+    visitor.primitive(reference & ~last_bit);
+  }
+  MASU_HD bool leave(const Grid& grid) {
+    if (visitor.done(walk.exit)) return false;
+    const Vec3i from{walk.x.voxel, walk.y.voxel, walk.z.voxel};
+    const bool inside = walk.leave(grid);
+    if (inside) visitor.counts.skipped(walk.voxels_from(from) - 1);
+    return inside;
+  }
+};
+
+// Cell by cell.
 template <class Grid, class Real, class Visitor>
 MASU_HD inline void visit(const Grid& grid, const ClippedRay<Real>& near, std::uint32_t, Visitor& visitor) {
-  walk(grid, near, visitor);
+  Trace<Real, Grid, Visitor> trace(grid, near, visitor);
+  do {
+    trace.enter(grid);
+    while (trace.testing())
+      trace.test(grid);
+  } while (trace.leave(grid));
 }
 template <class Real, class Visitor>
 MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t primitives,
                           Visitor& visitor) {
   for (std::uint32_t i = 0; i < primitives; ++i)
     visitor.primitive(i);
-}
-
-MASU_HD inline const PrimitiveIndex* references_of(const NoGrid&) {
-  return nullptr;
-}
-template <class Grid>
-MASU_HD inline const PrimitiveIndex* references_of(const Grid& grid) {
-  return grid.references;
 }
 
 // The nearest hit at 0 < t < t_max, as of the ray from where it enters the scene's bounds: there t has the
@@ -92,8 +101,7 @@ MASU_HD inline NearHit<Real> nearest_hit_near(const SceneView<Stored>& scene, co
   if (!clip(ray, cast<Real>(scene.clip), near)) return {{}, {ray.t_max, no_primitive}, 0};
   const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
   // Primitive 0 at t_max: no primitive wins that tie.
-  NearestHit<kinds, Real, Stored, Counts> visitor{
-      scene, references_of(grid), frame, counts, {near.ray.t_max, 0}};
+  NearestHit<kinds, Real, Stored, Counts> visitor{scene, frame, counts, {near.ray.t_max, 0}};
   visit(grid, near, scene.primitive_count(), visitor);
   if (!(visitor.hit.t < near.ray.t_max)) visitor.hit = {ray.t_max, no_primitive};
   return {frame, visitor.hit, near.skipped};
@@ -113,8 +121,7 @@ MASU_HD inline bool is_blocked(const SceneView<Stored>& scene, const Grid& grid,
   ClippedRay<Real> near{};
   if (!clip(ray, cast<Real>(scene.clip), near)) return false;
   const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
-  AnyHit<kinds, Real, Stored, Counts> visitor{scene,  references_of(grid), frame,
-                                              counts, near.ray.t_max,      false};
+  AnyHit<kinds, Real, Stored, Counts> visitor{scene, frame, counts, near.ray.t_max, false};
   visit(grid, near, scene.primitive_count(), visitor);
   return visitor.found;
 }

@@ -109,21 +109,4 @@ private:
   }
 };
 
-// Visits the cells that the ray meets, in order.
-// visitor.cell(list): a cell; empty_list for an empty one.
-// visitor.done(exit): whether the walk may end, now that all cells up to t = exit have been visited.
-// visitor.moved(voxels): on to the next cell, so many voxels away.
-template <class Real, class Grid, class Visitor>
-MASU_HD inline void walk(const Grid& grid, const ClippedRay<Real>& near, Visitor& visitor) {
-  Walk<Real, Grid> walk(grid, near);
-  for (;;) {
-    walk.enter(grid);
-    visitor.cell(walk.cell.list);
-    if (visitor.done(walk.exit)) return;
-    const Vec3i from{walk.x.voxel, walk.y.voxel, walk.z.voxel};
-    if (!walk.leave(grid)) return;
-    visitor.moved(walk.voxels_from(from));
-  }
-}
-
 } // namespace masu

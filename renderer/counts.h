@@ -18,10 +18,9 @@ struct Counts {
   MASU_HD void triangle_test() { ++triangle_tests; }
   MASU_HD void sphere_test() { ++sphere_tests; }
   MASU_HD void cone_test() { ++cone_tests; }
-  MASU_HD void cell() { ++cells_visited; }
-  MASU_HD void empty_cell() {
+  MASU_HD void cell(bool empty) {
     ++cells_visited;
-    ++empty_cells_visited;
+    empty_cells_visited += empty;
   }
   // Voxels on the way to the next cell that needed no visit.
   MASU_HD void skipped(std::int32_t voxels) { voxels_skipped += static_cast<std::uint64_t>(voxels); }
@@ -48,8 +47,7 @@ struct NoCounts {
   MASU_HD void triangle_test() {}
   MASU_HD void sphere_test() {}
   MASU_HD void cone_test() {}
-  MASU_HD void cell() {}
-  MASU_HD void empty_cell() {}
+  MASU_HD void cell(bool) {}
   MASU_HD void skipped(std::int32_t) {}
   MASU_HD void eye_ray(bool) {}
   MASU_HD void reflection_ray() {}

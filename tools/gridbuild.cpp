@@ -49,8 +49,8 @@ std::string merge_text(const MergeRule& rule) {
   case Merge::balance:
     return fmt::format("balance target {}", rule.target);
   case Merge::irregular:
-    return fmt::format("irregular nested {} step {} alpha {} stretch {}", rule.nested_log2,
-                       rule.step_over_test, rule.alpha, rule.stretches);
+    return fmt::format("irregular nested {} detail {} step {} alpha {} stretch {}", rule.nested_log2,
+                       rule.detail, rule.step_over_test, rule.alpha, rule.stretches);
   }
   return "";
 }
@@ -61,7 +61,7 @@ void build(const Settings& settings, const SceneFile& file) {
   const Stopwatch watch;
   DivisionRule rule = parse_division(settings.division);
   if (settings.merge.merge == Merge::irregular && rule.kind == DivisionRule::Kind::automatic)
-    rule = parse_division("cleary:0.25");
+    rule = parse_division("cleary:0.05");
   const DivisionStatistics statistics = division_statistics(scene);
   const Lattice lattice = make_lattice<Stored>(file.bounds(), settings.space, rule, statistics);
   check_memory(lattice, expected_references(statistics.all, lattice));
@@ -132,6 +132,10 @@ int main(int argc, char** argv) {
         app.add_option("--step-cost", settings.merge.step_over_test,
                        "irregular: what a step to a cell costs, in intersection tests")
             ->check(CLI::Range(0.0, 1000.0))
+            ->capture_default_str();
+        app.add_option("--detail", settings.merge.detail,
+                       "irregular: planes no closer than a primitive's typical extent divided by this")
+            ->check(CLI::Range(0.1, 100.0))
             ->capture_default_str();
         app.add_option(
                "--alpha", settings.merge.alpha,
