@@ -18,13 +18,16 @@
 // top level has a word for each cube of 2^nested_log2 voxels a side:
 //
 //   bit 31 set    all of the cube is in one cell: the other bits are its number
-//   bit 31 clear  divided: bits 0-2 are the side's logarithm s, and the word without them is the place of
-//                 8^s more such words, one for each of the cubes it is divided into, x fastest
+//   bit 31 clear  divided: bits 0-1, 2-3 and 4-5 are the logarithms a, b, c of how often along x, y and z,
+//   and
+//                 from bit 6 on stands half the place of 2^(a+b+c) more such words, one for each of the
+//                 boxes it is divided into, x fastest
 //
 // A cell's box may reach beyond the voxels that lead to it, over others that hold nothing or nothing else
 // than it does: whoever enters it there may leave it through the box's far side.
 #pragma once
 
+#include "libscene/fetch.h"
 #include "libscene/primitives.h"
 
 namespace masu {
@@ -105,20 +108,45 @@ MASU_HD inline MapEntry look_up(const GridView<Real>& grid, const Vec3i& voxel) 
   return {grid.voxel_map[map + index_in_block(voxel, b)], 0};
 }
 
-// The same of a merged grid: the word is always a cell's.
-inline constexpr std::uint32_t nested_side_bits = 7;
+// How a word of a merged grid's map divides its box further.
+struct MapDivision {
+  std::uint32_t place;
+  Vec3i log2;
+};
+inline constexpr std::uint32_t most_division_log2 = 3;
+inline constexpr std::uint64_t most_nested_words = std::uint64_t{1} << 26;
+
+MASU_HD inline MapDivision map_division(std::uint32_t word) {
+  return {word >> 6 << 1,
+          {static_cast<std::int32_t>(word & 3), static_cast<std::int32_t>(word >> 2 & 3),
+           static_cast<std::int32_t>(word >> 4 & 3)}};
+}
+MASU_HD inline std::uint32_t map_word(const MapDivision& division) {
+  return division.place >> 1 << 6 | static_cast<std::uint32_t>(division.log2.z) << 4 |
+         static_cast<std::uint32_t>(division.log2.y) << 2 | static_cast<std::uint32_t>(division.log2.x);
+}
+// Which of the words is a box's, whose place along each axis are the lowest bits of `at`.
+MASU_HD inline std::uint32_t index_in_division(const Vec3i& at, const Vec3i& log2) {
+  const auto low = [](std::int32_t value, std::int32_t bits) {
+    return static_cast<std::uint32_t>(value) & ((1U << bits) - 1);
+  };
+  return ((low(at.z, log2.z) << log2.y | low(at.y, log2.y)) << log2.x) | low(at.x, log2.x);
+}
+
+// The number of the cell that a voxel of a merged grid leads to.
 template <class Real>
-MASU_HD inline MapEntry look_up(const MergedGridView<Real>& grid, const Vec3i& voxel) {
-  std::int32_t level = grid.nested_log2;
-  const Vec3i top = shifted(voxel, level);
+MASU_HD inline std::uint32_t cell_number(const MergedGridView<Real>& grid, const Vec3i& voxel) {
+  const Vec3i top = shifted(voxel, grid.nested_log2);
   std::uint32_t word =
       grid.voxel_map[static_cast<std::uint32_t>((top.z * grid.top.y + top.y) * grid.top.x + top.x)];
+  Vec3i level{grid.nested_log2, grid.nested_log2, grid.nested_log2};
   while ((word & occupied_bit) == 0) {
-    const auto side = static_cast<std::int32_t>(word & nested_side_bits);
-    level -= side;
-    word = grid.voxel_map[(word & ~nested_side_bits) + index_in_block(shifted(voxel, level), side)];
+    const MapDivision division = map_division(word);
+    level = level - division.log2;
+    const Vec3i at{voxel.x >> level.x, voxel.y >> level.y, voxel.z >> level.z};
+    word = grid.voxel_map[division.place + index_in_division(at, division.log2)];
   }
-  return {word, level};
+  return word & ~occupied_bit;
 }
 
 // A cell as a walk through one of its voxels needs it.
@@ -145,7 +173,7 @@ MASU_HD inline CellView cell_at(const GridView<Real>& grid, const Vec3i& voxel, 
 
 template <class Real>
 MASU_HD inline CellView cell_at(const MergedGridView<Real>& grid, const Vec3i& voxel, const Vec3i& rising) {
-  const MergedCell cell = grid.cells[look_up(grid, voxel).word & ~occupied_bit];
+  const MergedCell cell = fetched(grid.cells + cell_number(grid, voxel));
   const auto far = [](std::uint32_t range, std::int32_t up) {
     return static_cast<std::int32_t>((range >> (16 * up)) & 0xffff);
   };

@@ -104,13 +104,15 @@ std::vector<std::uint64_t> offsets(const std::vector<GridPart>& parts, std::uint
 // Puts the rows of the top level's map together.
 void join(std::vector<GridPart>& rows, Grid& grid) {
   const auto top = offsets(rows, 0, [](const GridPart& part) { return part.top.size(); });
-  // The places of nested maps are multiples of 8.
+  // The places of nested maps are even.
   const auto nested =
-      offsets(rows, (top.back() + 7) / 8 * 8, [](const GridPart& part) { return part.nested.size(); });
+      offsets(rows, (top.back() + 1) / 2 * 2, [](const GridPart& part) { return part.nested.size(); });
   const auto cells = offsets(rows, 0, [](const GridPart& part) { return part.cells.size(); });
   const auto references = offsets(rows, 0, [](const GridPart& part) { return part.references.size(); });
-  if (std::max({nested.back(), cells.back(), references.back()}) > most_numbered)
-    too_fine("more than 2^31 words, cells or references");
+  if (std::max(cells.back(), references.back()) > most_numbered)
+    too_fine("more than 2^31 cells or references");
+  if (nested.back() > most_nested_words && nested.back() > nested.front())
+    too_fine("more than 2^26 words for its map");
   grid.voxel_map.assign(nested.back(), 0);
   grid.cells.resize(cells.back());
   grid.references.resize(references.back());
@@ -118,7 +120,11 @@ void join(std::vector<GridPart>& rows, Grid& grid) {
     GridPart& row = rows[i];
     const auto cell = static_cast<std::uint32_t>(cells[i]), place = static_cast<std::uint32_t>(nested[i]),
                list = static_cast<std::uint32_t>(references[i]);
-    const auto moved = [&](std::uint32_t word) { return word + ((word & occupied_bit) != 0 ? cell : place); };
+    const auto moved = [&](std::uint32_t word) {
+      if ((word & occupied_bit) != 0) return word + cell;
+      const MapDivision division = map_division(word);
+      return map_word({division.place + place, division.log2});
+    };
     std::transform(row.top.begin(), row.top.end(), grid.voxel_map.data() + top[i], moved);
     std::transform(row.nested.begin(), row.nested.end(), grid.voxel_map.data() + nested[i], moved);
     std::transform(row.cells.begin(), row.cells.end(), grid.cells.data() + cells[i], [&](MergedCell c) {

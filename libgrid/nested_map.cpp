@@ -12,38 +12,38 @@ namespace {
 // No more words than this for each cell that they lead to, unless one step down needs them: what is left of
 // the depth takes another step.
 constexpr std::size_t words_a_cell = 8;
-constexpr std::int32_t most_side_log2 = 4;
 
-struct Cube {
-  Vec3i first;
-  std::int32_t side_log2;
+// 2^log2 voxels along each axis.
+struct Place {
+  Vec3i first, log2;
 };
+
+std::size_t boxes_of(const Vec3i& log2) {
+  return std::size_t{1} << (log2.x + log2.y + log2.z);
+}
 
 class NestedMap {
 public:
   NestedMap(const std::vector<Leaf>& leaves, std::vector<std::uint32_t>& words)
       : leaves_(leaves), words_(words) {}
 
-  // The word for the cube, which the cells `inside` divide between them.
-  std::uint32_t word_for(const Cube& cube, const std::vector<std::uint32_t>& inside) {
+  // The word for the place, which the cells `inside` divide between them.
+  std::uint32_t word_for(const Place& place, const std::vector<std::uint32_t>& inside) {
     if (inside.size() == 1) return occupied_bit | inside.front();
-    const std::int32_t side = division_of(cube, inside), rest = cube.side_log2 - side;
-    const std::size_t place = words_.size(), count = std::size_t{1} << (3 * side);
-    words_.resize(place + count);
+    const Vec3i division = division_of(place, inside), rest = place.log2 - division;
+    const std::size_t begin_words = words_.size(), count = boxes_of(division);
+    words_.resize(begin_words + count);
 
     // The cells inside each part, by counting.
     const auto for_each_part = [&](std::uint32_t cell, const auto& act) {
       const VoxelBox& box = leaves_[cell].box;
-      const std::int32_t last = (1 << side) - 1;
-      Vec3i from{}, to{};
+      VoxelRange parts{};
       for (int axis = 0; axis < 3; ++axis) {
-        from.set(axis, std::max(box.first[axis] - cube.first[axis], 0) >> rest);
-        to.set(axis, std::min((box.end[axis] - 1 - cube.first[axis]) >> rest, last));
+        parts.first.set(axis, std::max(box.first[axis] - place.first[axis], 0) >> rest[axis]);
+        parts.last.set(
+            axis, std::min((box.end[axis] - 1 - place.first[axis]) >> rest[axis], (1 << division[axis]) - 1));
       }
-      for (std::int32_t z = from.z; z <= to.z; ++z)
-        for (std::int32_t y = from.y; y <= to.y; ++y)
-          for (std::int32_t x = from.x; x <= to.x; ++x)
-            act(index_in_block({x, y, z}, side));
+      for_each_voxel(parts, [&](const Vec3i& part) { act(index_in_division(part, division)); });
     };
     std::vector<std::uint32_t> begin(count + 1, 0);
     for (const std::uint32_t cell : inside)
@@ -54,36 +54,41 @@ public:
       for_each_part(cell, [&](std::uint32_t part) { cells[next[part]++] = cell; });
 
     std::vector<std::uint32_t> of_part;
-    const std::int32_t mask = (1 << side) - 1;
-    for (std::uint32_t part = 0; part < count; ++part) {
-      const auto number = static_cast<std::int32_t>(part);
-      const Vec3i offset{number & mask, (number >> side) & mask, number >> (2 * side)};
-      of_part.assign(cells.begin() + begin[part], cells.begin() + begin[part + 1]);
-      const Vec3i first{cube.first.x + (offset.x << rest), cube.first.y + (offset.y << rest),
-                        cube.first.z + (offset.z << rest)};
-      words_[place + part] = word_for({first, rest}, of_part);
-    }
-    return static_cast<std::uint32_t>(place) | static_cast<std::uint32_t>(side);
+    const VoxelRange all{{0, 0, 0}, {(1 << division.x) - 1, (1 << division.y) - 1, (1 << division.z) - 1}};
+    for_each_voxel(all, [&](const Vec3i& part) {
+      const std::uint32_t number = index_in_division(part, division);
+      of_part.assign(cells.begin() + begin[number], cells.begin() + begin[number + 1]);
+      const Vec3i first{place.first.x + (part.x << rest.x), place.first.y + (part.y << rest.y),
+                        place.first.z + (part.z << rest.z)};
+      const std::uint32_t word = word_for({first, rest}, of_part);
+      words_[begin_words + number] = word;
+    });
+    return map_word({static_cast<std::uint32_t>(begin_words), division});
   }
 
 private:
-  // Into how many parts a side (as a power of two): so many that every part is in one cell, if that doesn't
-  // take too many words.
-  std::int32_t division_of(const Cube& cube, const std::vector<std::uint32_t>& inside) const {
-    std::uint32_t planes = 0;
-    const std::int32_t side = 1 << cube.side_log2;
-    for (const std::uint32_t cell : inside) {
-      for (int axis = 0; axis < 3; ++axis) {
+  // How often along each axis: so often that every part is in one cell, if that doesn't take too many words.
+  Vec3i division_of(const Place& place, const std::vector<std::uint32_t>& inside) const {
+    Vec3i division{};
+    for (int axis = 0; axis < 3; ++axis) {
+      std::uint32_t planes = 0;
+      for (const std::uint32_t cell : inside) {
         for (const std::int32_t plane : {leaves_[cell].box.first[axis], leaves_[cell].box.end[axis]}) {
-          const std::int32_t at = plane - cube.first[axis];
-          if (at > 0 && at < side) planes |= static_cast<std::uint32_t>(at);
+          const std::int32_t at = plane - place.first[axis];
+          if (at > 0 && at < (1 << place.log2[axis])) planes |= static_cast<std::uint32_t>(at);
         }
       }
+      if (planes == 0) continue;
+      division.set(axis, std::min(place.log2[axis] - std::countr_zero(planes),
+                                  static_cast<std::int32_t>(most_division_log2)));
     }
-    std::int32_t log2 = std::min(cube.side_log2 - std::countr_zero(planes), most_side_log2);
-    while (log2 > 1 && (std::size_t{1} << (3 * log2)) > words_a_cell * inside.size())
-      --log2;
-    return log2;
+    while (boxes_of(division) > 2 && boxes_of(division) > words_a_cell * inside.size()) {
+      const int most = division.x >= division.y && division.x >= division.z ? 0
+                       : division.y >= division.z                           ? 1
+                                                                            : 2;
+      division.set(most, division[most] - 1);
+    }
+    return division;
   }
 
   const std::vector<Leaf>& leaves_;
@@ -96,7 +101,7 @@ std::uint32_t append_nested_map(const std::vector<Leaf>& leaves, const Vec3i& fi
                                 std::vector<std::uint32_t>& words) {
   std::vector<std::uint32_t> all(leaves.size());
   std::iota(all.begin(), all.end(), 0U);
-  return NestedMap(leaves, words).word_for({first, side_log2}, all);
+  return NestedMap(leaves, words).word_for({first, {side_log2, side_log2, side_log2}}, all);
 }
 
 } // namespace masu

@@ -13,7 +13,7 @@ namespace {
 struct Part {
   PrimitiveIndex primitive;
   std::array<std::uint16_t, 3> first, last;
-  std::uint16_t extent; // of all of the primitive along its longest axis, in voxels
+  std::uint16_t breadth; // of all of the primitive: the side of a square of its size, in voxels
 };
 static_assert(sizeof(Part) == 20);
 
@@ -81,6 +81,17 @@ Sides sides_of(const Cone<double>& cone, int axis, double low, double high) {
   return sides;
 }
 
+// The side of a square as large as what is seen of the primitive from where it is seen best.
+double breadth(const Triangle<double>& triangle) {
+  return std::sqrt(length(cross(triangle.b - triangle.a, triangle.c - triangle.a)) / 2);
+}
+double breadth(const Sphere<double>& sphere) {
+  return 2 * std::abs(sphere.radius);
+}
+double breadth(const Cone<double>& cone) {
+  return std::sqrt(length(cone.apex - cone.base) * (std::abs(cone.base_radius) + std::abs(cone.apex_radius)));
+}
+
 bool meets(const Triangle<double>& triangle, const Boxd& box, double margin) {
   const Vec3d half = (box.max - box.min) * 0.5 + Vec3d{margin, margin, margin};
   const Vec3d center = (box.min + box.max) * 0.5;
@@ -94,7 +105,8 @@ class Partitioner {
 public:
   Partitioner(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
               const PartitionRule& rule)
-      : scene_(scene), lattice_(lattice), size_(voxel_size(lattice)), overlap_(overlap), rule_(rule) {}
+      : scene_(scene), lattice_(lattice), size_(voxel_size(lattice)),
+        side_(std::cbrt(size_.x * size_.y * size_.z)), overlap_(overlap), rule_(rule) {}
 
   std::vector<Part> parts_in(const VoxelBox& root, std::span<const PrimitiveIndex> primitives) const {
     std::vector<Part> parts;
@@ -107,9 +119,7 @@ public:
           part.first[axis] = static_cast<std::uint16_t>(root.first[static_cast<int>(axis)]);
           part.last[axis] = static_cast<std::uint16_t>(root.end[static_cast<int>(axis)] - 1);
         }
-        const Vec3d w = box.max - box.min;
-        const double voxels = std::max({w.x / size_.x, w.y / size_.y, w.z / size_.z});
-        part.extent = static_cast<std::uint16_t>(std::clamp(voxels, 1.0, 65535.0));
+        part.breadth = static_cast<std::uint16_t>(std::clamp(breadth(primitive) / side_, 1.0, 65535.0));
         if (shrink(part, grown(box, lattice_.margin))) parts.push_back(part);
       });
     }
@@ -140,6 +150,8 @@ public:
 private:
   static constexpr std::size_t parts_a_task = 8192;
   static constexpr int most_planes_log2 = 3;
+  static constexpr std::size_t few = 8;
+  static constexpr double patience = 1.3;
 
   template <class Act>
   void with_primitive(PrimitiveIndex i, const Act& act) const {
@@ -208,10 +220,10 @@ private:
   int spacing(const VoxelBox& box, const std::vector<Part>& parts) const {
     const Vec3i w = box.end - box.first;
     const std::int32_t longest = std::max({w.x, w.y, w.z});
-    double inverse_extents = 0;
+    double inverse_breadths = 0;
     for (const Part& part : parts)
-      inverse_extents += 1.0 / part.extent;
-    const double typical = static_cast<double>(parts.size()) / inverse_extents;
+      inverse_breadths += 1.0 / part.breadth;
+    const double typical = static_cast<double>(parts.size()) / inverse_breadths;
     int log2 = 0;
     while ((longest >> log2) >= (1 << most_planes_log2) || (2 << log2) * rule_.detail <= typical)
       ++log2;
@@ -252,7 +264,9 @@ private:
     const auto cost_of = [&](std::uint32_t count) {
       return count + rule_.step_over_test * (count > 0 ? 1 : 0.5);
     };
-    const double bound = cost_of(static_cast<std::uint32_t>(parts.size())) * area * rule_.alpha;
+    // Where many are listed a division may pay only after the next one.
+    const double hope = parts.size() > few ? patience : rule_.alpha;
+    const double bound = cost_of(static_cast<std::uint32_t>(parts.size())) * area * hope;
     const int apart = spacing(box, parts);
     for (int axis = 0; axis < 3; ++axis) {
       const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
@@ -308,7 +322,8 @@ private:
 
   const SceneView<Stored>& scene_;
   const Lattice& lattice_;
-  Vec3d size_;
+  Vec3d size_;  // of a voxel
+  double side_; // of a cube as large
   Overlap overlap_;
   const PartitionRule& rule_;
 };

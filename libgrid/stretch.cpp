@@ -87,7 +87,7 @@ private:
       next_j = ranges[v][1];
       for (std::int32_t i = ranges[u][0]; i < ranges[u][1];) {
         voxel.set(static_cast<int>(u), i);
-        const std::uint32_t neighbour = look_up(view_, voxel).word & ~occupied_bit;
+        const std::uint32_t neighbour = cell_number(view_, voxel);
         if (!lists_all(grid_.references.data(), list, before[neighbour].list)) return false;
         const Ranges own = ranges_of(own_[neighbour]);
         const Ranges stretched = ranges_of(before[neighbour]);

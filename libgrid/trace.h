@@ -50,7 +50,8 @@ template <class Real, class Grid, class Visitor>
 struct Trace {
   Visitor& visitor;
   Walk<Real, Grid> walk;
-  std::uint32_t next = empty_list; // the reference to test next
+  std::uint32_t next = empty_list; // the place of the reference to test next
+  PrimitiveIndex reference = 0;    // which is this one: fetched ahead
 
   MASU_HD Trace(const Grid& grid, const ClippedRay<Real>& near, Visitor& visitor_)
       : visitor(visitor_), walk(grid, near) {}
@@ -59,12 +60,16 @@ struct Trace {
     walk.enter(grid);
     next = walk.cell.list;
     visitor.counts.cell(next == empty_list);
+    if (next != empty_list) reference = grid.references[next];
   }
   MASU_HD bool testing() const { return next != empty_list; }
   MASU_HD void test(const Grid& grid) {
-    const PrimitiveIndex reference = grid.references[next];
-    next = (reference & last_bit) != 0 ? empty_list : next + 1;
-    visitor.primitive(reference & ~last_bit);
+    const PrimitiveIndex now = reference;
+    const bool last = (now & last_bit) != 0;
+    next = last ? next : next + 1;
+    reference = grid.references[next];
+    next = last ? empty_list : next;
+    visitor.primitive(now & ~last_bit);
   }
   MASU_HD bool leave(const Grid& grid) {
     if (visitor.done(walk.exit)) return false;

@@ -74,7 +74,7 @@ struct Walk {
   MASU_HD void enter(const Grid& grid) {
     cell = cell_at(grid, {x.voxel, y.voxel, z.voxel}, {x.rising, y.rising, z.rising});
     crossings = {x.crossing(cell.far.x), y.crossing(cell.far.y), z.crossing(cell.far.z)};
-    exit = smaller(crossings.x, smaller(crossings.y, crossings.z));
+    exit = least(crossings.x, least(crossings.y, crossings.z));
   }
 
   // To the voxel beyond the cell's exit; false when the space ends there.

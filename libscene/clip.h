@@ -18,26 +18,18 @@ struct ClippedRay {
   Real skipped;
 };
 
-// Whether the ray is in the box between `enter` and `leave`; leave is rounded up by more than rounding can
-// hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so enter down.
+// Whether the ray is in the box between `enter` and some larger t. The end is rounded up by more than
+// rounding can hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so `enter` down. A ray that runs
+// exactly in a face makes NaN of 0 · ∞, and misses; boxes to clip to are larger than what they hold.
 template <class Real>
 MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Vec3<Real>& inverse,
                             Real& enter) {
   constexpr Real slack = 8 * RealTraits<Real>::unit_roundoff;
-  constexpr Real infinity = static_cast<Real>(INFINITY);
-  Real leave = ray.t_max;
-  enter = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const Real from = ray.origin[axis];
-    const Real t0 = (box.min[axis] - from) * inverse[axis], t1 = (box.max[axis] - from) * inverse[axis];
-    // All along the box's side, or never beside it.
-    const bool runs = std::abs(inverse[axis]) < infinity;
-    const bool beside = from < box.min[axis] || from > box.max[axis];
-    enter = larger(enter, runs ? smaller(t0, t1) : beside ? infinity : -infinity);
-    leave = smaller(leave, runs ? larger(t0, t1) * (1 + slack) : infinity);
-  }
+  const Vec3<Real> t0 = (box.min - ray.origin) * inverse, t1 = (box.max - ray.origin) * inverse;
+  enter = greatest(greatest(Real(0), least(t0.x, t1.x)), greatest(least(t0.y, t1.y), least(t0.z, t1.z)));
+  const Real leave = least(greatest(t0.x, t1.x), least(greatest(t0.y, t1.y), greatest(t0.z, t1.z)));
   enter = enter * (1 - slack);
-  return enter <= leave;
+  return enter <= leave * (1 + slack) && enter <= ray.t_max;
 }
 
 // False when the ray misses the box. The new origin is rounded once a coordinate: it stays on the ray to an

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libscene/cone.h"
+#include "libscene/fetch.h"
 #include "libscene/scene_view.h"
 #include "libscene/sphere.h"
 #include "libscene/triangle.h"
@@ -19,19 +20,19 @@ MASU_HD inline bool intersect(const SceneView<Stored>& scene, const RayFrame<Rea
   if constexpr ((kinds & with_triangles) != 0) {
     if (kinds == with_triangles || primitive < scene.triangle_count) {
       counts.triangle_test();
-      return intersect(ray, scene.triangles[primitive], t) && t > 0;
+      return intersect(ray, fetched(scene.triangles + primitive), t) && t > 0;
     }
   }
   const std::uint32_t sphere = primitive - scene.triangle_count;
   if constexpr ((kinds & with_spheres) != 0) {
     if ((kinds & with_cones) == 0 || sphere < scene.sphere_count) {
       counts.sphere_test();
-      return intersect(ray, scene.spheres[sphere], t);
+      return intersect(ray, fetched(scene.spheres + sphere), t);
     }
   }
   if constexpr ((kinds & with_cones) != 0) {
     counts.cone_test();
-    return intersect(ray, scene.cones[sphere - scene.sphere_count], t);
+    return intersect(ray, fetched(scene.cones + (sphere - scene.sphere_count)), t);
   }
   return false;
 }

@@ -22,7 +22,7 @@ struct Hit {
 // The nearer hit; of equally near ones that of the lowest primitive, so that the order of tests never shows.
 template <class Real>
 MASU_HD inline bool is_nearer(Real t, PrimitiveIndex primitive, const Hit<Real>& than) {
-  return t < than.t || (t == than.t && primitive < than.primitive);
+  return (t < than.t) | ((t == than.t) & (primitive < than.primitive));
 }
 
 // The direction without components so small that they can't move the ray by a hundredth of a rounding on its

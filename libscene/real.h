@@ -3,6 +3,7 @@
 
 #include "libscene/portable.h"
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -42,6 +43,22 @@ MASU_HD inline Real difference_of_products(Real a, Real b, Real c, Real d) {
   return fused(a, b, -cd) + lost;
 }
 
+// A float's bits, and back.
+MASU_HD inline std::uint32_t bits_of(float value) {
+#ifdef __CUDA_ARCH__
+  return __float_as_uint(value);
+#else
+  return std::bit_cast<std::uint32_t>(value);
+#endif
+}
+MASU_HD inline float float_of(std::uint32_t bits) {
+#ifdef __CUDA_ARCH__
+  return __uint_as_float(bits);
+#else
+  return std::bit_cast<float>(bits);
+#endif
+}
+
 // Rounded towards zero; beyond 2^30, where nothing here depends on it, to a number as large or
 // larger; NaN to 0 (as the device's own conversion has it).
 MASU_HD inline std::int32_t truncated(float v) {
@@ -70,6 +87,37 @@ MASU_HD inline T smaller(T a, T b) {
 template <class T>
 MASU_HD inline T larger(T a, T b) {
   return a > b ? a : b;
+}
+
+// 2^-e for a number of magnitude 2^e to 2^(e+1); the nearest power that is a normal number.
+MASU_HD inline float inverse_power_of_two(float magnitude) {
+  const auto exponent = static_cast<std::int32_t>(bits_of(magnitude) >> 23 & 0xff);
+  return float_of(static_cast<std::uint32_t>(254 - (exponent < 1     ? 1
+                                                    : exponent > 253 ? 253
+                                                                     : exponent))
+                  << 23);
+}
+
+// The least and the greatest of numbers that are never NaN, in one instruction; of -0 and +0 either.
+MASU_HD inline float least(float a, float b) {
+#ifdef __CUDA_ARCH__
+  return fminf(a, b);
+#else
+  return smaller(a, b);
+#endif
+}
+MASU_HD inline float greatest(float a, float b) {
+#ifdef __CUDA_ARCH__
+  return fmaxf(a, b);
+#else
+  return larger(a, b);
+#endif
+}
+MASU_HD inline double least(double a, double b) {
+  return smaller(a, b);
+}
+MASU_HD inline double greatest(double a, double b) {
+  return larger(a, b);
 }
 
 } // namespace masu

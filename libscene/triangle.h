@@ -38,7 +38,7 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>&
   const Vec3<Real> b = cast<Real>(triangle.b) - ray.origin;
   const Vec3<Real> c = cast<Real>(triangle.c) - ray.origin;
   const EdgeFunctions<Real> e = edge_functions(ray, a, b, c);
-  if ((e.a < 0 || e.b < 0 || e.c < 0) && (e.a > 0 || e.b > 0 || e.c > 0)) return false;
+  if (least(e.a, least(e.b, e.c)) < 0 && greatest(e.a, greatest(e.b, e.c)) > 0) return false;
   // All of one sign: the sum cancels nothing.
   const Real sum = e.a + e.b + e.c;
   if (sum == 0) return false;

@@ -91,8 +91,8 @@ void with_question(Question question, const Act& act) {
   question == Question::nearest ? act(Asked<Question::nearest>{}) : act(Asked<Question::blocked>{});
 }
 
-// A listed ray scaled by a power of two, so that its direction's largest component is about 1 and nothing
-// overflows on the way; t is scaled back by `scale`. Exact.
+// A listed ray scaled by a power of two, so that its direction's largest component is between 1 and 2 and
+// nothing overflows on the way; t is scaled back by `scale`. Exact.
 template <class Real>
 struct ScaledRay {
   Ray<Real> ray;
@@ -101,14 +101,9 @@ struct ScaledRay {
 
 template <class Real>
 MASU_HD inline ScaledRay<Real> scaled(const ListedRay& listed) {
-  const Vec3<Real> direction = cast<Real>(listed.direction);
-  int exponent = 0;
-  std::frexp(largest_magnitude(direction), &exponent);
-  const auto by = [&](Real component) { return std::ldexp(component, -exponent); };
-  return {{cast<Real>(listed.origin),
-           {by(direction.x), by(direction.y), by(direction.z)},
-           RealTraits<Real>::largest},
-          std::ldexp(Real(1), -exponent)};
+  const float scale = inverse_power_of_two(largest_magnitude(listed.direction));
+  return {{cast<Real>(listed.origin), cast<Real>(listed.direction * scale), RealTraits<Real>::largest},
+          static_cast<Real>(scale)};
 }
 
 // What a listed ray hits, or whether it is blocked.
