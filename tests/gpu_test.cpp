@@ -27,7 +27,7 @@ void build_grid(const SceneFile& scene, const std::string& division, const std::
   const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division(division),
                                                division_statistics(view));
   write_grid(build_uniform(view, lattice, Overlap::exact),
-             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division}, path);
+             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""}, path);
 }
 
 class CpuAndGpu : public testing::TestWithParam<SpdInfo> {
