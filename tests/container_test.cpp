@@ -349,7 +349,8 @@ TEST(GridFile, OfAnotherSceneIsRefused) {
 TEST(GridFile, KeepsHowItCameAbout) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
-  write_grid(tiny_grid(), {{3, 4}, 4, SpaceRule::cube, Overlap::box, "cleary:2.5", "balance target 8", 1.25}, path);
+  write_grid(tiny_grid(), {{3, 4}, 4, SpaceRule::cube, Overlap::box, "cleary:2.5", "balance target 8", 1.25},
+             path);
   const GridFile grid(path);
   EXPECT_EQ(grid.table().space_rule(), fb::Space::cube);
   EXPECT_EQ(grid.table().overlap(), fb::Overlap::box);

@@ -313,19 +313,19 @@ WrongGrid blocks(const char* name, std::uint32_t log2) {
 
 INSTANTIATE_TEST_SUITE_P(
     Lists, HostileGrid,
-    testing::Values(
-        word("LastWithoutEnd", GridSection::references, 4, 2),
-        without("None", GridSection::references),
-        word("OneMoreWithoutEnd", GridSection::references, 5, 0),
-        word("OneMoreFarOff", GridSection::references, 9, 0),
-        word("ReferenceBeyond", GridSection::references, 1, 4),
-        word("LastReferenceBeyond", GridSection::references, 2, 4 | last_bit),
-        word("ReferenceFarBeyond", GridSection::references, 1, 0x7fffffff),
-        word("ReferenceToNothing", GridSection::references, 0, no_primitive),
-        WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
-        WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }},
-        WrongGrid{"OfAMergedGrid", [](GridParts& p) { p.merge = fb::Merge::balance; }},
-        WrongGrid{"OfAGridMergedInNoKnownWay", [](GridParts& p) { p.merge = static_cast<fb::Merge>(4); }}),
+    testing::Values(word("LastWithoutEnd", GridSection::references, 4, 2),
+                    without("None", GridSection::references),
+                    word("OneMoreWithoutEnd", GridSection::references, 5, 0),
+                    word("OneMoreFarOff", GridSection::references, 9, 0),
+                    word("ReferenceBeyond", GridSection::references, 1, 4),
+                    word("LastReferenceBeyond", GridSection::references, 2, 4 | last_bit),
+                    word("ReferenceFarBeyond", GridSection::references, 1, 0x7fffffff),
+                    word("ReferenceToNothing", GridSection::references, 0, no_primitive),
+                    WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
+                    WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }},
+                    WrongGrid{"OfAMergedGrid", [](GridParts& p) { p.merge = fb::Merge::balance; }},
+                    WrongGrid{"OfAGridMergedInNoKnownWay",
+                              [](GridParts& p) { p.merge = static_cast<fb::Merge>(4); }}),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -877,8 +877,8 @@ TYPED_TEST(RayFromAfar, ClippingKeepsTheRayAndMissesNothing) {
   // Rounded once a coordinate from nearby, and once before that from a few times the box's size.
   EXPECT_LE(worst_off, clip_error) << worst_case;
   EXPECT_LE(worst_late, clip_error);
-  // From up to 256 times the box's size it is looked for once, and held back by 8 roundings of that, with 3 of
-  // its own.
+  // From up to 256 times the box's size it is looked for once, and held back by 8 roundings of that, with 3
+  // of its own.
   EXPECT_LE(worst_outside, (8 + 3) * 256);
 }
 

@@ -1,5 +1,5 @@
-// Random rays that are hard on walks: along axes and across them, through voxels' and primitives' corners, from
-// faces, from far off.
+// Random rays that are hard on walks: along axes and across them, through voxels' and primitives' corners,
+// from faces, from far off.
 #pragma once
 
 #include "libscene/ray.h"
@@ -123,7 +123,6 @@ bool same_bits(Real a, Real b) {
 
 template <class Real>
 std::string described(const Hit<Real>& hit) {
-  return "primitive " + std::to_string(static_cast<std::int32_t>(hit.primitive)) + " at " +
-         described(hit.t);
+  return "primitive " + std::to_string(static_cast<std::int32_t>(hit.primitive)) + " at " + described(hit.t);
 }
 } // namespace masu

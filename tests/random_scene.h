@@ -1,5 +1,5 @@
-// Random scenes that are hard on grids: clusters, floors, planes across an axis, needles, primitives on voxels'
-// faces, ties.
+// Random scenes that are hard on grids: clusters, floors, planes across an axis, needles, primitives on
+// voxels' faces, ties.
 #pragma once
 
 #include "tests/test_scene.h"

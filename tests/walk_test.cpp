@@ -310,8 +310,7 @@ TYPED_TEST(GridWalk, EndsAndGoesForward) {
         ClippedRay<Real> clipped;
         if (!clip(ray, view.clip, clipped)) continue;
         const WholeWalk<Real> whole(grid_view, clipped);
-        ASSERT_LE(whole.voxels, whole.most_voxels)
-            << described(grid) << described(ray.origin, ray.direction);
+        ASSERT_LE(whole.voxels, whole.most_voxels) << described(grid) << described(ray.origin, ray.direction);
         // After a cell of many voxels the place along the other axes is computed anew: off by a rounding.
         double slowest = 1;
         for (int axis = 0; axis < 3; ++axis) {
@@ -356,8 +355,7 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
         nearest_hit<with_all_kinds>(view, grid_view, ray, counts);
         const Vec3<Real>& d = ray.direction;
         const WholeWalk<Real> whole(grid_view, {ray, {1 / d.x, 1 / d.y, 1 / d.z}, 0});
-        ASSERT_LE(whole.voxels, whole.most_voxels)
-            << described(grid) << described(ray.origin, ray.direction);
+        ASSERT_LE(whole.voxels, whole.most_voxels) << described(grid) << described(ray.origin, ray.direction);
       }
     });
   }
