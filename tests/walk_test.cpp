@@ -325,6 +325,67 @@ TYPED_TEST(GridWalk, EndsAndGoesForward) {
   }
 }
 
+// Goes to the end of the space.
+struct Wayfarer {
+  Counts counts;
+  std::int64_t in_last_cell = 0; // voxels that the way crosses beyond the one it entered by
+
+  template <class Real, class View>
+  Wayfarer(const View& grid, const ClippedRay<Real>& ray) {
+    Trace<Real, View, Wayfarer> trace(grid, ray, *this);
+    Vec3i from{};
+    do {
+      trace.enter(grid);
+      from = {trace.walk.x.voxel, trace.walk.y.voxel, trace.walk.z.voxel};
+    } while (trace.leave(grid));
+    in_last_cell = trace.walk.voxels_from(from) - 1;
+  }
+  template <class Real>
+  bool done(Real) const {
+    return false;
+  }
+  std::int64_t voxels() const {
+    return static_cast<std::int64_t>(counts.cells_visited + counts.voxels_skipped) + in_last_cell;
+  }
+};
+
+// Visited or skipped, the voxels on a ray's way are the same however they are joined.
+TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
+  using Real = TypeParam;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::int64_t skipped = 0;
+  for (std::int64_t s = cases(100); s > 0 && !this->HasFailure(); --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
+    const SceneView<Real> view = scene.view();
+    const Boxd bounds = scene.bounds();
+    const Lattice lattice = random_lattice<Real>(chance, bounds);
+    const Grid uniform = build_uniform(view, lattice, Overlap::exact);
+    std::vector<Grid> joined{in_blocks(uniform, 2)};
+    for (const Merge merge : {Merge::x, Merge::balance})
+      joined.push_back(build_merged(view, lattice, Overlap::exact, {merge, 2}));
+    for (int i = 0; i < 30; ++i) {
+      const Vec3<Real> origin = cast<Real>(chance.in_box(lattice.space));
+      const Vec3<Real> d = cast<Real>(chance.direction());
+      const ClippedRay<Real> ray{{origin, d, RealTraits<Real>::largest}, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+      const Wayfarer expected(view_of<Real>(uniform), ray);
+      EXPECT_EQ(expected.counts.voxels_skipped, 0U);
+      for (const Grid& grid : joined) {
+        std::int64_t voxels = 0;
+        with_view<Real>(grid, [&](const auto& grid_view) {
+          const Wayfarer way(grid_view, ray);
+          voxels = way.voxels();
+          skipped += static_cast<std::int64_t>(way.counts.voxels_skipped);
+        });
+        // Close by an edge of the space, rounding decides on which side of it the way ends.
+        ASSERT_LE(std::abs(voxels - expected.voxels()), 2) << described(grid) << described(origin, d) << ": "
+                                                           << voxels << " voxels, not " << expected.voxels();
+      }
+    }
+  }
+  EXPECT_GT(skipped, cases(1000));
+}
+
 // What a blind or hostile caller may hand over: every walk still ends.
 TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
   using Real = TypeParam;
