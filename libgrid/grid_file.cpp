@@ -6,6 +6,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 
@@ -95,27 +96,40 @@ MergedGridView<Real> view_of(const Lattice& lattice, std::int32_t nested_log2,
           nested_log2};
 }
 
-// A merged grid's map, checked word by word: every voxel leads to a cell whose box it is in.
+// A merged grid's map, checked word by word: every voxel leads to a cell whose box it is in. No word is on
+// the way to two cubes, or a small map could take for ever.
 class MapCheck {
 public:
   explicit MapCheck(const MergedGridView<double>& grid, std::uint64_t words, std::uint64_t cells)
       : grid_(grid), words_(words), cells_(cells) {}
 
-  bool top_level_good() const {
+  bool top_level_good() {
     return all(voxel_count(grid_.top), [&](std::uint64_t i) {
       const auto x = static_cast<std::uint32_t>(grid_.top.x), y = static_cast<std::uint32_t>(grid_.top.y);
       const Vec3<std::uint32_t> cube{static_cast<std::uint32_t>(i % x), static_cast<std::uint32_t>(i / x % y),
                                      static_cast<std::uint32_t>(i / x / y)};
       const Vec3i at = cast<std::int32_t>(cube);
+      std::uint64_t nested = 0;
       return is_good(grid_.voxel_map[i],
                      {at.x << grid_.nested_log2, at.y << grid_.nested_log2, at.z << grid_.nested_log2},
+<<<<<<< HEAD
                      {grid_.nested_log2, grid_.nested_log2, grid_.nested_log2});
+=======
+                     grid_.nested_log2, nested) &&
+             (nested == 0 || (nested_ += nested) <= words_);
+>>>>>>> merged-tests
     });
   }
 
 private:
+<<<<<<< HEAD
   // Of the box of 2^level voxels along each axis at `first`. Each division makes it smaller, so this ends.
   bool is_good(std::uint32_t word, const Vec3i& first, const Vec3i& level) const {
+=======
+  // Of the cube of 2^level voxels a side at `first`. Each level is smaller, so this ends. Adds to `nested`
+  // how many words it looks at.
+  bool is_good(std::uint32_t word, const Vec3i& first, std::int32_t level, std::uint64_t& nested) const {
+>>>>>>> merged-tests
     if ((word & occupied_bit) != 0) {
       const std::uint32_t number = word & ~occupied_bit;
       if (number >= cells_) return false;
@@ -127,6 +141,7 @@ private:
       };
       return within(cell.x, 0) && within(cell.y, 1) && within(cell.z, 2);
     }
+<<<<<<< HEAD
     const MapDivision division = map_division(word);
     const Vec3i rest = level - division.log2, &n = division.log2;
     if (rest.x < 0 || rest.y < 0 || rest.z < 0 || n.x + n.y + n.z < 1 ||
@@ -141,12 +156,25 @@ private:
             return false;
         }
       }
+=======
+    const auto side = static_cast<std::int32_t>(word & nested_side_bits);
+    const std::uint64_t place = word & ~nested_side_bits, count = std::uint64_t{1} << (3 * side);
+    nested += count;
+    if (side < 1 || side > level || place + count > words_ || nested > words_) return false;
+    const std::int32_t rest = level - side, mask = (1 << side) - 1;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const auto part = static_cast<std::int32_t>(i);
+      const Vec3i at{first.x + ((part & mask) << rest), first.y + (((part >> side) & mask) << rest),
+                     first.z + ((part >> (2 * side)) << rest)};
+      if (!is_good(grid_.voxel_map[place + i], at, rest, nested)) return false;
+>>>>>>> merged-tests
     }
     return true;
   }
 
-  const MergedGridView<double>& grid_;
+  const MergedGridView<double> grid_;
   std::uint64_t words_, cells_;
+  std::atomic<std::uint64_t> nested_ = 0;
 };
 
 } // namespace

@@ -280,12 +280,15 @@ private:
     return best;
   }
 
-  // The most even division; of equally even ones the one across the longest side.
+  // The most even division; of equally even ones the one across the longest side. Each axis has a few planes:
+  // where all of them cut all that the box lists, no other leaves less on both sides.
   Plane middle_plane(const VoxelBox& box, const std::vector<Part>& parts) const {
     Plane best;
     if (parts.size() <= rule_.target) return best;
-    const int apart = spacing(box, parts);
     for (int axis = 0; axis < 3; ++axis) {
+      int apart = 0;
+      while (((box.end[axis] - box.first[axis]) >> apart) >= (1 << most_planes_log2))
+        ++apart;
       const double side = (box.end[axis] - box.first[axis]) * size_[axis];
       for_each_plane(box, parts, axis, apart, [&](std::int32_t at, std::uint32_t below, std::uint32_t above) {
         const double cost = std::max(below, above) + 1 / (1 + side);

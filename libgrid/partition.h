@@ -25,7 +25,7 @@ struct PartitionRule {
   bool by_cost = true;
   double step_over_test = 1;
   double alpha = 1;
-  double detail = 3; // planes no closer than a primitive's typical extent divided by this
+  double detail = 3; // by cost: planes no closer than a primitive's typical extent divided by this
   std::uint32_t target = 8;
 };
 

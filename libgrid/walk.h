@@ -85,8 +85,9 @@ struct Walk {
     x.voxel = next_voxel(x, cell.far.x, by_x);
     y.voxel = next_voxel(y, cell.far.y, by_y);
     z.voxel = next_voxel(z, cell.far.z, by_z);
-    return is_within(x.voxel, grid.division.x) & is_within(y.voxel, grid.division.y) &
-           is_within(z.voxel, grid.division.z);
+    const bool in_x = is_within(x.voxel, grid.division.x), in_y = is_within(y.voxel, grid.division.y),
+               in_z = is_within(z.voxel, grid.division.z);
+    return in_x & in_y & in_z;
   }
 
   // How many voxels `voxel` is away: so many steps a walk from voxel to voxel would have taken from there.

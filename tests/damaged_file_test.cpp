@@ -101,6 +101,11 @@ TEST(DamagedFile, ASceneThatOpensCanBeTraced) {
   }
 }
 
+void describe(const GridFile& file) {
+  static_cast<void>(file.is_merged() ? grid_statistics(file.merged_view<double>(), file.cells())
+                                     : grid_statistics(file.view<double>(), file.references()));
+}
+
 TEST(DamagedFile, AGridThatOpensCanBeTraced) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
@@ -110,7 +115,7 @@ TEST(DamagedFile, AGridThatOpensCanBeTraced) {
   for (const Store store : {Store::float32, Store::float64}) {
     write_scene(tiny_scene(), store, scene_path);
     const SceneFile scene(scene_path);
-    for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks()}) {
+    for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
       write_grid(made, tiny_grid_origin(scene.hash()), path);
       const GridParts parts(path);
       int open = 0;
@@ -119,7 +124,7 @@ TEST(DamagedFile, AGridThatOpensCanBeTraced) {
         const auto grid = opened<GridFile>(path);
         if (grid == nullptr) continue;
         ++open;
-        static_cast<void>(grid_statistics(grid->view<double>(), grid->cells()));
+        describe(*grid);
         try {
           grid->check_scene(scene.hash(), scene.primitive_count());
         } catch (const Error& error) {

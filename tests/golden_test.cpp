@@ -3,6 +3,7 @@
 
 #include "tests/golden/grid.h"
 #include "tests/golden/grid_of_blocks.h"
+#include "tests/golden/merged_grid.h"
 #include "tests/golden/scene_float32.h"
 #include "tests/golden/scene_float64.h"
 #include "tests/tiny_scene.h"
@@ -55,6 +56,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Golden{"grid_of_blocks", golden_grid_of_blocks,
                            [](const std::string& path) {
                              write_grid(tiny_grid_of_blocks(), tiny_grid_origin(golden_scene_hash), path);
+                           }},
+                    Golden{"merged_grid", golden_merged_grid,
+                           [](const std::string& path) {
+                             write_grid(tiny_merged_grid(), tiny_grid_origin(golden_scene_hash, "irregular"),
+                                        path);
                            }}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -178,7 +184,9 @@ void expect_grid(const GridFile& file, const Grid& grid) {
   EXPECT_EQ(file.table().block_log2(), static_cast<std::uint32_t>(grid.block_log2));
   EXPECT_EQ(file.table().space_rule(), fb::Space::tight);
   EXPECT_EQ(file.table().overlap(), fb::Overlap::exact);
-  EXPECT_EQ(file.table().merge(), fb::Merge::none);
+  EXPECT_EQ(file.table().nested_log2(), static_cast<std::uint32_t>(grid.nested_log2));
+  EXPECT_EQ(file.table().merge(), static_cast<fb::Merge>(grid.merge));
+  EXPECT_EQ(file.table().merge_rule()->str(), file.is_merged() ? "irregular" : "");
   EXPECT_EQ(file.table().division_rule()->str(), "2x2x1");
   EXPECT_EQ(file.table().build_seconds(), -1);
   EXPECT_EQ(file.lattice().division, grid.lattice.division);
@@ -186,7 +194,9 @@ void expect_grid(const GridFile& file, const Grid& grid) {
   EXPECT_EQ(file.lattice().space.max, grid.lattice.space.max);
   EXPECT_EQ(file.lattice().margin, grid.lattice.margin);
   EXPECT_TRUE(std::ranges::equal(file.voxel_map(), grid.voxel_map));
-  EXPECT_TRUE(std::ranges::equal(file.cells(), grid.cells));
+  EXPECT_TRUE(std::ranges::equal(file.cells(), grid.cells, [](const MergedCell& a, const MergedCell& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.list == b.list;
+  }));
   EXPECT_TRUE(std::ranges::equal(file.references(), grid.references));
 }
 
@@ -204,7 +214,27 @@ TEST(GoldenFileReading, GridOfBlocksIsRead) {
   EXPECT_EQ(look_up(view, {1, 0, 0}).word, occupied_bit | 1);
   EXPECT_EQ(look_up(view, {2, 0, 0}).word, 0U);
   EXPECT_EQ(look_up(view, {2, 0, 0}).side_log2, 1);
-  EXPECT_EQ(look_up(view, {4, 0, 0}).word, occupied_bit | 2);
+  EXPECT_EQ(look_up(view, {4, 0, 0}).word, occupied_bit | 3);
+}
+
+TEST(GoldenFileReading, MergedGridIsRead) {
+  const TemporaryFolder folder;
+  const GridFile file(written_golden(folder, golden_merged_grid));
+  expect_grid(file, tiny_merged_grid());
+  const MergedGridView<float> view = file.merged_view<float>();
+  EXPECT_EQ(view.division, (Vec3i{8, 4, 4}));
+  EXPECT_EQ(view.voxel_size, (Vec3f{0.5F, 1, 0.5F}));
+  const auto cell_of = [&](const Vec3i& voxel) { return look_up(view, voxel).word; };
+  EXPECT_EQ(cell_of({0, 1, 1}), occupied_bit | 0);
+  EXPECT_EQ(cell_of({1, 0, 1}), occupied_bit | 1);
+  EXPECT_EQ(cell_of({3, 1, 3}), occupied_bit | 2);
+  EXPECT_EQ(cell_of({1, 2, 0}), occupied_bit | 3);
+  EXPECT_EQ(cell_of({1, 1, 2}), occupied_bit | 4);
+  EXPECT_EQ(cell_of({4, 0, 0}), occupied_bit | 5);
+  const CellView up = cell_at(view, {2, 0, 0}, {1, 1, 1}), down = cell_at(view, {2, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(up.list, 1U);
+  EXPECT_EQ(up.far, (Vec3i{8, 2, 4}));
+  EXPECT_EQ(down.far, (Vec3i{2, 0, 0}));
 }
 
 } // namespace

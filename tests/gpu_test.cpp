@@ -1,5 +1,6 @@
 // The CPU's and the GPU's answers, bit for bit. Skipped, and said so, where there is no CUDA device.
 #include "libgrid/grid_file.h"
+#include "libgrid/merge.h"
 #include "libscene/nff.h"
 #include "libscene/scene_file.h"
 #include "libscene/spd/spd.h"
@@ -22,12 +23,14 @@ struct Built {
 };
 
 template <class Stored>
-void build_grid(const SceneFile& scene, const std::string& division, const std::string& path) {
+void build_grid(const SceneFile& scene, const std::string& division, const MergeRule& rule,
+                const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();
   const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division(division),
                                                division_statistics(view));
-  write_grid(build_uniform(view, lattice, Overlap::exact),
-             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division}, path);
+  write_grid(rule.merge == Merge::none ? build_uniform(view, lattice, Overlap::exact)
+                                       : build_merged(view, lattice, Overlap::exact, rule),
+             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""}, path);
 }
 
 class CpuAndGpu : public testing::TestWithParam<SpdInfo> {
@@ -37,7 +40,7 @@ protected:
     if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was compared: " << why;
   }
 
-  Built build(Store store, int size, const std::string& division) {
+  Built build(Store store, int size, const std::string& division, const MergeRule& rule = {}) {
     const std::string nff = folder_.file("s.nff"), scene_path = folder_.file("s.scene"),
                       grid_path = folder_.file("s.grid");
     {
@@ -47,8 +50,8 @@ protected:
     }
     write_scene(read_nff(nff), store, scene_path);
     const SceneFile scene(scene_path);
-    store == Store::float64 ? build_grid<double>(scene, division, grid_path)
-                            : build_grid<float>(scene, division, grid_path);
+    store == Store::float64 ? build_grid<double>(scene, division, rule, grid_path)
+                            : build_grid<float>(scene, division, rule, grid_path);
     return {SceneFile(scene_path), GridFile(grid_path)};
   }
 
@@ -160,6 +163,47 @@ TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
   expect_same_hits(cpu.hits, grid.hits);
   expect_same_hits(grid.hits, none.hits);
   EXPECT_EQ(std::memcmp(grid.radiance.data(), none.radiance.data(), grid.radiance.size() * sizeof(Vec3f)), 0);
+}
+
+MergeRule merged_by(Merge merge) {
+  MergeRule rule;
+  rule.merge = merge;
+  return rule;
+}
+
+TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
+  for (const Merge merge : {Merge::x, Merge::balance, Merge::irregular}) {
+    SCOPED_TRACE(static_cast<int>(merge));
+    for (const Store store : {Store::float32, Store::float64}) {
+      const Built built = build(store, GetParam().least + 1, merge == Merge::irregular ? "5x4x3" : "33x20x5",
+                                merged_by(merge));
+      FrameRequest wanted = request(built.scene, 64);
+      const Frame none = render_cuda(built.scene, nullptr, wanted),
+                  gpu = render_cuda(built.scene, &built.grid, wanted),
+                  cpu = render_cpu(built.scene, &built.grid, wanted);
+      expect_same_hits(cpu.hits, gpu.hits);
+      expect_same_hits(none.hits, gpu.hits);
+      EXPECT_EQ(std::memcmp(none.radiance.data(), gpu.radiance.data(), gpu.radiance.size() * sizeof(Vec3f)),
+                0);
+      wanted.count = true;
+      const Frame cpu_counted = render_cpu(built.scene, &built.grid, wanted),
+                  gpu_counted = render_cuda(built.scene, &built.grid, wanted);
+      for (int i = 0; i < Counts::fields; ++i)
+        EXPECT_EQ(cpu_counted.counts.begin()[i], gpu_counted.counts.begin()[i]) << "field " << i;
+    }
+  }
+}
+
+TEST_P(CpuAndGpu, FindTheSameForRandomRaysThroughAnIrregularGrid) {
+  const Built built = build(Store::float32, GetParam().standard, "cleary:0.05", merged_by(Merge::irregular));
+  const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
+  for (const Question question : {Question::nearest, Question::blocked}) {
+    RaysRequest wanted{rays};
+    wanted.question = question;
+    wanted.hit_name = HitName::primitive;
+    expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
+                     trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Spd, CpuAndGpu, testing::ValuesIn(spd_scenes().begin(), spd_scenes().end()),

@@ -70,6 +70,32 @@ TEST_P(GridInvariance, NoGridShows) {
   EXPECT_TRUE(rendered({grid("c.grid", scene_), "--stats", file("stats")}) == expected);
 }
 
+struct MergeCase {
+  const char* division;
+  Arguments rules;
+};
+
+TEST_P(GridInvariance, NoMergedGridShows) {
+  const Answer expected = rendered({"--brute-force"});
+  const std::array<MergeCase, 8> merges{{
+      {"33x20x5", {"--merge", "x"}},
+      {"auto", {"--merge", "x", "--overlap", "box", "--space", "cube"}},
+      {"40x30x20", {"--merge", "balance"}},
+      {"auto", {"--merge", "balance", "--target", "2", "--overlap", "box"}},
+      {"auto", {"--merge", "irregular"}},
+      {"5x4x3", {"--merge", "irregular", "--nested", "3", "--step-cost", "0.5", "--overlap", "box"}},
+      {"1", {"--merge", "irregular", "--detail", "10", "--alpha", "0.8", "--space", "cube"}},
+      {"16", {"--merge", "irregular", "--stretch", "0", "--step-cost", "10"}},
+  }};
+  for (const MergeCase& merge : merges) {
+    SCOPED_TRACE(fmt::format("division {}, {}", merge.division, fmt::join(merge.rules, " ")));
+    const std::string path = built(merge.division, merge.rules);
+    EXPECT_TRUE(rendered({path, "--threads", "2"}) == expected);
+    // Counting runs other code.
+    EXPECT_TRUE(rendered({path, "--stats", file("stats")}) == expected);
+  }
+}
+
 constexpr std::array<Case, 16> cases{{
     {"balls", 2, "float32"},
     {"balls", 1, "float64"},

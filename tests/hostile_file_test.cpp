@@ -15,19 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using fb::GridSection;
 using fb::SceneSection;
 
-template <class Parts>
-struct Wrong {
-  const char* name;
-  std::function<void(Parts&)> spoil;
-};
 using WrongScene = Wrong<SceneParts>;
-using WrongGrid = Wrong<GridParts>;
-
-template <class Parts>
-void PrintTo(const Wrong<Parts>& wrong, std::ostream* out) {
-  *out << wrong.name;
-}
-const auto by_name = [](const auto& test) { return std::string(test.param.name); };
 
 class HostileScene : public testing::TestWithParam<WrongScene> {};
 
@@ -83,7 +71,7 @@ WrongScene cone(const char* name, const std::function<void(Cone<float>&)>& chang
 WrongScene surface(const char* name, SceneSection kind, const Surface& value) {
   return {name, [=](SceneParts& p) { p.section(kind).edit<Surface>(0, [&](Surface& s) { s = value; }); }};
 }
-WrongScene without(const char* name, SceneSection kind) {
+WrongScene lacking(const char* name, SceneSection kind) {
   return {name, [kind](SceneParts& p) { p.drop(kind); }};
 }
 WrongScene objects(const char* name, const fb::ObjectCounts& counts) {
@@ -178,10 +166,10 @@ INSTANTIATE_TEST_SUITE_P(
         surface("SphereObject", SceneSection::sphere_surfaces, {4, 2}),
         surface("ConeMaterial", SceneSection::cone_surfaces, {3, 0x80000000}),
         surface("ConeObject", SceneSection::cone_surfaces, {0x80000000, 3}),
-        without("NoMaterials", SceneSection::materials), without("NoNormals", SceneSection::corner_normals),
-        without("NoSpheres", SceneSection::spheres),
-        without("NoSphereSurfaces", SceneSection::sphere_surfaces), without("NoCones", SceneSection::cones),
-        without("NoConeSurfaces", SceneSection::cone_surfaces),
+        lacking("NoMaterials", SceneSection::materials), lacking("NoNormals", SceneSection::corner_normals),
+        lacking("NoSpheres", SceneSection::spheres),
+        lacking("NoSphereSurfaces", SceneSection::sphere_surfaces), lacking("NoCones", SceneSection::cones),
+        lacking("NoConeSurfaces", SceneSection::cone_surfaces),
         triangle("VertexNaN", [](Triangle<float>& r) { r.b.y = std::nanf(""); }),
         triangle("VertexInfinite", [](Triangle<float>& r) { r.c.z = -HUGE_VALF; }),
         sphere("CentreNaN", [](Sphere<float>& s) { s.center.x = std::nanf(""); }),
@@ -316,15 +304,6 @@ TEST_P(HostileGridOfBlocks, IsRefused) {
   expect_refusal(tiny_grid_of_blocks());
 }
 
-WrongGrid word(const char* name, GridSection kind, std::size_t i, std::uint32_t value) {
-  return {name, [=](GridParts& p) { p.set(kind, i, value); }};
-}
-WrongGrid without(const char* name, GridSection kind) {
-  return {name, [kind](GridParts& p) { p.drop(kind); }};
-}
-WrongGrid division(const char* name, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  return {name, [=](GridParts& p) { p.division = {x, y, z}; }};
-}
 WrongGrid space(const char* name, const fb::Box& box) {
   return {name, [box](GridParts& p) { p.space = box; }};
 }
@@ -333,24 +312,26 @@ WrongGrid blocks(const char* name, std::uint32_t log2) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Cells, HostileGrid,
-    testing::Values(
-        word("FallBack", GridSection::cells, 1, 4), word("FallBackAtLast", GridSection::cells, 2, 6),
-        word("BeginLater", GridSection::cells, 0, 1), word("EndTooEarly", GridSection::cells, 3, 4),
-        word("EndTooLate", GridSection::cells, 3, 6),
-        word("EndFarTooLate", GridSection::cells, 3, 0xffffffff), word("OneMore", GridSection::cells, 4, 4),
-        without("None", GridSection::cells), without("WithoutReferences", GridSection::references),
-        word("OneReferenceMore", GridSection::references, 5, 0),
-        word("ReferenceBeyond", GridSection::references, 2, 4),
-        word("ReferenceToNothing", GridSection::references, 0, no_primitive),
-        WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
-        WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }}),
+    Lists, HostileGrid,
+    testing::Values(word("LastWithoutEnd", GridSection::references, 4, 2),
+                    without("None", GridSection::references),
+                    word("OneMoreWithoutEnd", GridSection::references, 5, 0),
+                    word("OneMoreFarOff", GridSection::references, 9, 0),
+                    word("ReferenceBeyond", GridSection::references, 1, 4),
+                    word("LastReferenceBeyond", GridSection::references, 2, 4 | last_bit),
+                    word("ReferenceFarBeyond", GridSection::references, 1, 0x7fffffff),
+                    word("ReferenceToNothing", GridSection::references, 0, no_primitive),
+                    WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
+                    WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }},
+                    WrongGrid{"OfAMergedGrid", [](GridParts& p) { p.merge = fb::Merge::balance; }},
+                    WrongGrid{"OfAGridMergedInNoKnownWay",
+                              [](GridParts& p) { p.merge = static_cast<fb::Merge>(4); }}),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Map, HostileGrid,
-    testing::Values(word("CellBeyond", GridSection::voxel_map, 1, occupied_bit | 3),
-                    word("CellFarBeyond", GridSection::voxel_map, 3, 0xffffffff),
+    testing::Values(word("ListBeyond", GridSection::voxel_map, 1, occupied_bit | 5),
+                    word("ListFarBeyond", GridSection::voxel_map, 3, 0xffffffff),
                     word("EmptyWithANumber", GridSection::voxel_map, 2, 1),
                     word("TooLarge", GridSection::voxel_map, 4, 0),
                     WrongGrid{"TooSmall",
@@ -403,7 +384,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(word("BlockBeyond", GridSection::voxel_map, 1, occupied_bit | 2),
                     word("BlockFarBeyond", GridSection::voxel_map, 0, 0xffffffff),
                     word("EmptyBlockWithANumber", GridSection::voxel_map, 1, 1),
-                    word("CellBeyond", GridSection::voxel_map, 3, occupied_bit | 3),
+                    word("ListBeyond", GridSection::voxel_map, 3, occupied_bit | 5),
                     word("EmptyVoxelWithANumber", GridSection::voxel_map, 5, 2),
                     word("OneWordTooMany", GridSection::voxel_map, 19, 0),
                     WrongGrid{"OneWordTooFew",

@@ -112,14 +112,17 @@ struct GridParts : TakenApart {
   fb::Box space;
   double margin;
   fb::Division division;
-  std::uint32_t block_log2;
-  std::string rule;
+  std::uint32_t block_log2, nested_log2;
+  fb::Merge merge;
+  std::string rule, merge_rule;
 
   explicit GridParts(const std::string& path) : GridParts(GridFile(path)) {}
   explicit GridParts(const GridFile& file)
       : scene_hash(*file.table().scene_hash()), primitives(file.table().primitives()),
         space(*file.table().space()), margin(file.table().margin()), division(*file.table().division()),
-        block_log2(file.table().block_log2()), rule(file.table().division_rule()->str()) {
+        block_log2(file.table().block_log2()), nested_log2(file.table().nested_log2()),
+        merge(file.table().merge()), rule(file.table().division_rule()->str()),
+        merge_rule(file.table().merge_rule()->str()) {
     sections = sections_of(file.path(), *file.table().sections());
   }
 
@@ -139,12 +142,39 @@ struct GridParts : TakenApart {
       flatbuffers::FlatBufferBuilder builder;
       const auto list = builder.CreateVectorOfStructs(layout);
       const auto rule_text = builder.CreateString(rule);
+      const auto merge_text = builder.CreateString(merge_rule);
       builder.Finish(fb::CreateGrid(builder, &scene_hash, primitives, &space, margin, &division, block_log2,
-                                    fb::Space::tight, fb::Overlap::exact, fb::Merge::none, rule_text, -1,
-                                    list));
+                                    nested_log2, fb::Space::tight, fb::Overlap::exact, merge, rule_text,
+                                    merge_text, -1, list));
       return Bytes(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
     });
   }
 };
+
+// A way to spoil a file, by name.
+template <class Parts>
+struct Wrong {
+  const char* name;
+  std::function<void(Parts&)> spoil;
+};
+template <class Parts>
+void PrintTo(const Wrong<Parts>& wrong, std::ostream* out) {
+  *out << wrong.name;
+}
+inline const auto by_name = [](const auto& test) { return std::string(test.param.name); };
+
+using WrongGrid = Wrong<GridParts>;
+inline WrongGrid word(const char* name, fb::GridSection kind, std::size_t i, std::uint32_t value) {
+  return {name, [=](GridParts& p) { p.set(kind, i, value); }};
+}
+inline WrongGrid without(const char* name, fb::GridSection kind) {
+  return {name, [kind](GridParts& p) { p.drop(kind); }};
+}
+inline WrongGrid division(const char* name, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+  return {name, [=](GridParts& p) { p.division = {x, y, z}; }};
+}
+inline WrongGrid blocks(const char* name, std::uint32_t log2) {
+  return {name, [log2](GridParts& p) { p.block_log2 = log2; }};
+}
 
 } // namespace masu

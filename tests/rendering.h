@@ -41,7 +41,7 @@ private:
     const Lattice lattice = make_lattice<Stored>(scene_->bounds(), SpaceRule::tight, parse_division(division),
                                                  division_statistics(view));
     write_grid(build_uniform(view, lattice, Overlap::exact),
-               {scene_->hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division},
+               {scene_->hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
                folder_.file("grid"));
   }
 

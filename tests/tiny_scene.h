@@ -35,25 +35,52 @@ inline constexpr std::uint64_t tiny_scene_primitives = 4;
 // Made up by hand: 2×2×1 voxels, three occupied.
 inline Grid tiny_grid() {
   return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 2, 1}, 0.0625},
+          Merge::none,
           0,
-          {occupied_bit | 0, occupied_bit | 1, 0, occupied_bit | 2},
-          {0, 1, 3, 5},
-          {0, 0, 3, 1, 2}};
+          0,
+          {occupied_bit | 0, occupied_bit | 1, 0, occupied_bit | 3},
+          {},
+          {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
 }
 
 // The same kind of thing with a map of two levels: 5×1×1 voxels in three blocks, the middle one empty.
 inline Grid tiny_grid_of_blocks() {
   constexpr std::uint32_t block0 = occupied_bit | 0, block1 = occupied_bit | 1;
-  constexpr std::uint32_t cell0 = occupied_bit | 0, cell1 = occupied_bit | 1, cell2 = occupied_bit | 2;
+  constexpr std::uint32_t list0 = occupied_bit | 0, list1 = occupied_bit | 1, list2 = occupied_bit | 3;
   return {{{{-2, -2, -1}, {2, 2, 1}}, {5, 1, 1}, 0.0625},
+          Merge::none,
           1,
-          {block0, 0, block1, cell0, cell1, 0, 0, 0, 0, 0, 0, cell2, 0, 0, 0, 0, 0, 0, 0},
-          {0, 1, 3, 5},
-          {0, 0, 3, 1, 2}};
+          0,
+          {block0, 0, block1, list0, list1, 0, 0, 0, 0, 0, 0, list2, 0, 0, 0, 0, 0, 0, 0},
+          {},
+          {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
 }
 
-inline GridOrigin tiny_grid_origin(const Hash& scene_hash) {
-  return {scene_hash, tiny_scene_primitives, SpaceRule::tight, Overlap::exact, "2x2x1"};
+// A merged one: 2×1×1 voxels, the first of them divided into five cells, its first eighth once more than the
+// rest. The third cell is stretched over the second voxel, which is empty.
+inline Grid tiny_merged_grid() {
+  constexpr std::uint32_t cell0 = occupied_bit | 0, cell1 = occupied_bit | 1, cell2 = occupied_bit | 2,
+                          cell3 = occupied_bit | 3, cell4 = occupied_bit | 4, cell5 = occupied_bit | 5;
+  constexpr std::uint32_t nested0 = 8 | 1, nested1 = 16 | 1; // place, and the side's logarithm
+  const auto range = [](std::uint32_t first, std::uint32_t end) { return first | end << 16; };
+  return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 1, 1}, 0.0625},
+          Merge::irregular,
+          0,
+          2,
+          {nested0, cell5, 0,     0,     0,     0,     0,     0,     //
+           nested1, cell2, cell3, cell3, cell4, cell2, cell3, cell3, //
+           cell0,   cell1, cell0, cell1, cell0, cell1, cell0, cell1},
+          {{range(0, 1), range(0, 2), range(0, 2), 0},
+           {range(1, 2), range(0, 2), range(0, 2), 3},
+           {range(2, 8), range(0, 2), range(0, 4), 1},
+           {range(0, 4), range(2, 4), range(0, 4), empty_list},
+           {range(0, 2), range(0, 2), range(2, 4), empty_list},
+           {range(4, 8), range(0, 4), range(0, 4), empty_list}},
+          {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
+}
+
+inline GridOrigin tiny_grid_origin(const Hash& scene_hash, const std::string& merge_rule = "") {
+  return {scene_hash, tiny_scene_primitives, SpaceRule::tight, Overlap::exact, "2x2x1", merge_rule};
 }
 
 } // namespace masu

@@ -27,7 +27,7 @@ void build_a_little(const SceneFile& scene, Overlap overlap, const std::string& 
   const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division("5x4x3"),
                                                division_statistics(view));
   write_grid(build_uniform(view, lattice, overlap),
-             {scene.hash(), scene.primitive_count(), SpaceRule::tight, overlap, "5x4x3"}, path);
+             {scene.hash(), scene.primitive_count(), SpaceRule::tight, overlap, "5x4x3", ""}, path);
 }
 inline void build_a_little(const SceneFile& scene, Overlap overlap, const std::string& path) {
   scene.is_float64() ? build_a_little<double>(scene, overlap, path)

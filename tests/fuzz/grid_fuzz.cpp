@@ -2,46 +2,53 @@
 // gridbuild makes.
 #include "libgrid/grid_file.h"
 #include "libgrid/statistics.h"
-#include "libgrid/walk.h"
+#include "libgrid/trace.h"
 #include "libscene/error.h"
+#include "renderer/counts.h"
 #include "tests/fuzz/memory_file.h"
 
 namespace {
 
 // Reads what a walk would read.
 struct Visitor {
-  std::span<const masu::PrimitiveIndex> references;
   std::uint64_t primitives;
+  masu::NoCounts counts;
 
-  void cell(std::uint32_t first, std::uint32_t last) const {
-    for (const masu::PrimitiveIndex reference : references.subspan(first, last - first)) {
-      if (reference >= primitives) std::abort();
-    }
+  void primitive(masu::PrimitiveIndex number) const {
+    if (number >= primitives) std::abort();
   }
-  void empty_cell(std::uint64_t) const {}
   template <class Real>
   bool done(Real) const {
     return false;
   }
 };
 
-template <class Real>
-void walk_through(const masu::GridFile& file) {
-  const masu::GridView<Real> grid = file.view<Real>();
-  Visitor visitor{file.references(), file.table().primitives()};
+template <class Real, class Grid>
+void walk_through(const Grid& grid, std::uint64_t primitives) {
+  Visitor visitor{primitives, {}};
   const Real nearly = Real(0.99);
-  for (const masu::Vec3<Real>& direction :
-       {masu::Vec3<Real>{1, nearly, Real(0.5)}, {-1, Real(0.001), 0}, {0, 0, 1}, {-1, -1, -1}})
-    masu::walk(grid, grid.min, direction, visitor);
+  for (const masu::Vec3<Real>& d :
+       {masu::Vec3<Real>{1, nearly, Real(0.5)}, {-1, Real(0.001), 0}, {0, 0, 1}, {-1, -1, -1}}) {
+    const masu::ClippedRay<Real> ray{
+        {grid.min, d, masu::RealTraits<Real>::largest}, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+    masu::visit(grid, ray, 0, visitor);
+  }
 }
 
 void open_and_walk(std::span<const std::uint8_t> bytes) {
   try {
     const masu::MemoryFile memory(bytes);
     const masu::GridFile file(memory.path());
-    static_cast<void>(masu::grid_statistics(file.view<double>(), file.cells()));
-    walk_through<float>(file);
-    walk_through<double>(file);
+    const std::uint64_t primitives = file.table().primitives();
+    if (file.is_merged()) {
+      static_cast<void>(masu::grid_statistics(file.merged_view<double>(), file.cells()));
+      walk_through<float>(file.merged_view<float>(), primitives);
+      walk_through<double>(file.merged_view<double>(), primitives);
+    } else {
+      static_cast<void>(masu::grid_statistics(file.view<double>(), file.references()));
+      walk_through<float>(file.view<float>(), primitives);
+      walk_through<double>(file.view<double>(), primitives);
+    }
   } catch (const masu::Error&) {
   }
 }

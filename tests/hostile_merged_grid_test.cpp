@@ -1,0 +1,147 @@
+// Merged grids whose every hash is right and whose contents are not: each gets an error; none leads a walk
+// out of its arrays, or round and round.
+#include "tests/hostile_files.h"
+#include "tests/refused.h"
+#include "tests/tiny_scene.h"
+#include "tests/tracing_probe.h"
+
+namespace masu {
+namespace {
+
+using fb::GridSection;
+
+constexpr const char* merge_rule = "irregular";
+
+class HostileMergedGrid : public testing::TestWithParam<WrongGrid> {};
+
+TEST_P(HostileMergedGrid, IsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.grid");
+  write_grid(tiny_merged_grid(), tiny_grid_origin({1, 2}, merge_rule), path);
+  GridParts parts(path);
+  parts.write(path);
+  ASSERT_NO_THROW(const GridFile unspoilt(path));
+  GetParam().spoil(parts);
+  parts.write(path);
+  EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path));
+}
+
+WrongGrid map(const char* name, std::size_t i, std::uint32_t value) {
+  return word(name, GridSection::voxel_map, i, value);
+}
+WrongGrid map_of(const char* name, std::size_t words) {
+  return {name, [=](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(4 * words); }};
+}
+// axis 3: the list.
+WrongGrid cell(const char* name, std::size_t i, std::size_t axis, std::uint32_t value) {
+  return word(name, GridSection::cells, 4 * i + axis, value);
+}
+std::uint32_t range(std::uint32_t first, std::uint32_t end) {
+  return first | end << 16;
+}
+WrongGrid nested(const char* name, std::uint32_t log2) {
+  return {name, [log2](GridParts& p) { p.nested_log2 = log2; }};
+}
+WrongGrid merged_as(const char* name, int merge) {
+  return {name, [merge](GridParts& p) { p.merge = static_cast<fb::Merge>(merge); }};
+}
+
+// See tiny_scene.h: the words 0 and 1 are the top level, 8 to 15 divide the first cube, 16 to 23 that one's
+// first part.
+INSTANTIATE_TEST_SUITE_P(
+    Map, HostileMergedGrid,
+    testing::Values(
+        map("CellBeyond", 1, occupied_bit | 6), map("CellFarBeyond", 1, 0xffffffff),
+        map("NestedCellBeyond", 20, occupied_bit | 6), //
+        map("CellElsewhere", 1, occupied_bit | 0), map("CellOfPartOfTheCube", 0, occupied_bit | 3),
+        map("CellOfTheNextVoxel", 16, occupied_bit | 1), map("CellOfPartOfANestedCube", 8, occupied_bit | 0),
+        map("MapBeyond", 0, 24 | 1), map("MapFarBeyond", 0, 0x7ffffff8 | 1),
+        map("NestedMapBeyond", 8, 24 | 1), map("SideZero", 0, 8), map("NoWord", 0, 0),
+        map("NestedSideZero", 8, 16), map("SideTooLong", 0, 8 | 3), map("NestedSideTooLong", 8, 16 | 2),
+        map("LongestSide", 0, 8 | 7), map("MapOfItself", 8, 8 | 1), map("MapOfTheTop", 8, 0 | 1),
+        map("MapForASingleVoxel", 16, 8 | 1), map("MapOfItselfForASingleVoxel", 16, 16 | 1),
+        map("TheSameMapTwice", 1, 8 | 1), map_of("OneWordTooFew", 23), map_of("NothingNested", 8),
+        map_of("FewerWordsThanCubes", 1), without("Missing", GridSection::voxel_map), nested("NotNested", 0),
+        nested("NestedLess", 1), nested("NestedMore", 3), nested("NestedTooMuch", 15),
+        nested("NestedBeyondNumbers", 16), nested("NestedBy31Bits", 31), nested("NestedBy32Bits", 32),
+        nested("NestedByAllBits", 0xffffffff), division("OneCubeMore", 3, 1, 1),
+        division("OneCubeLess", 1, 1, 1), division("OtherAxes", 1, 2, 1),
+        division("TooFineWhenNested", 65535, 1, 1), division("Zero", 0, 1, 1),
+        division("Overflowing", 65535, 65535, 65535), blocks("InBlocksTooLarge", 6)),
+    by_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Cells, HostileMergedGrid,
+    testing::Values(cell("ListBeyond", 0, 3, 5), cell("ListFarBeyond", 1, 3, 0x7fffffff),
+                    cell("ListNearlyNone", 1, 3, empty_list - 1), cell("BoxOfNothing", 0, 0, range(0, 0)),
+                    cell("BoxUpsideDown", 2, 1, range(2, 0)), cell("BoxBeforeTheVoxels", 5, 0, range(0, 4)),
+                    cell("BoxBehindTheVoxels", 0, 2, range(2, 4)),
+                    cell("BoxThatBeginsLate", 3, 1, range(3, 4)), cell("BoxThatEndsEarly", 3, 1, range(2, 3)),
+                    cell("BoxBeyondTheSpace", 5, 0, range(4, 9)),
+                    cell("BoxFarBeyondTheSpace", 5, 2, range(0, 0xffff)),
+                    cell("BoxThatBeginsBeyond", 5, 2, range(0xffff, 4)), without("None", GridSection::cells),
+                    WrongGrid{"OneTooFew",
+                              [](GridParts& p) { p.section(GridSection::cells).bytes.resize(5 * 16); }},
+                    merged_as("OfAUniformGrid", 0), merged_as("MergedInNoKnownWay", 4),
+                    merged_as("MergedInTheLastWay", 255)),
+    by_name);
+
+INSTANTIATE_TEST_SUITE_P(
+    Lists, HostileMergedGrid,
+    testing::Values(word("LastWithoutEnd", GridSection::references, 4, 2),
+                    word("ReferenceBeyond", GridSection::references, 1, 4),
+                    word("LastReferenceBeyond", GridSection::references, 2, 4 | last_bit),
+                    word("OneMoreWithoutEnd", GridSection::references, 5, 0),
+                    without("None", GridSection::references),
+                    WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }}),
+    by_name);
+
+// Few words that divide the space again and again, each map by the same next one: 8^15 ways through them.
+TEST(HostileNestedMap, ThatManyCubesShareIsRefusedAtOnce) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.grid");
+  constexpr std::uint32_t depth = 15, side = 1U << depth;
+  Grid grid = tiny_merged_grid();
+  grid.lattice.division = {1, 1, 1};
+  grid.nested_log2 = depth;
+  grid.cells = {{range(0, side), range(0, side), range(0, side), 0}};
+  grid.voxel_map.assign(8 * (depth + 1), 0);
+  grid.voxel_map[0] = 8 | 1;
+  for (std::uint32_t level = 1; level <= depth; ++level)
+    std::fill_n(grid.voxel_map.begin() + 8 * level, 8,
+                level < depth ? 8 * (level + 1) | 1 : occupied_bit | 0);
+  write_grid(grid, tiny_grid_origin({1, 2}, merge_rule), path);
+  EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path));
+}
+
+// Whatever still opens can be walked to the end.
+TEST(HostileMergedGridBits, AnyOneOfThemFlippedIsRefusedOrHarmless) {
+  const TemporaryFolder folder;
+  const std::string scene_path = folder.file("scene"), path = folder.file("grid");
+  write_scene(tiny_scene(), Store::float32, scene_path);
+  const SceneFile scene(scene_path);
+  write_grid(tiny_merged_grid(), tiny_grid_origin(scene.hash(), merge_rule), path);
+  const GridParts parts(path);
+  int opened = 0, refused = 0;
+  for (std::size_t section = 0; section < parts.sections.size(); ++section) {
+    for (std::size_t bit = 0; bit < 8 * parts.sections[section].bytes.size(); ++bit) {
+      GridParts spoilt = parts;
+      spoilt.sections[section].bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+      spoilt.write(path);
+      try {
+        const GridFile grid(path);
+        ++opened;
+        trace_a_little(scene, &grid);
+      } catch (const Error& error) {
+        ++refused;
+        ASSERT_EQ(error.code(), ErrorCode::input) << error.what();
+        ASSERT_EQ(error.place(), path);
+      }
+    }
+  }
+  EXPECT_GT(opened, 0);
+  EXPECT_GT(refused, 500);
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,124 @@
+// However a cube is divided into cells, its map leads every voxel to its own.
+#include "libgrid/grid_view.h"
+#include "libgrid/nested_map.h"
+#include "tests/test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace masu {
+namespace {
+
+bool holds(const VoxelBox& box, const Vec3i& voxel) {
+  return voxel.x >= box.first.x && voxel.x < box.end.x && voxel.y >= box.first.y && voxel.y < box.end.y &&
+         voxel.z >= box.first.z && voxel.z < box.end.z;
+}
+
+// Cuts the box at random planes, now and then.
+void divide(Chance& chance, const VoxelBox& box, int most_cuts, std::vector<Leaf>& leaves) {
+  const int axis = chance.whole(0, 2);
+  const std::int32_t side = box.end[axis] - box.first[axis];
+  if (most_cuts == 0 || side < 2 || chance.one_in(8)) {
+    leaves.push_back({box, 0, 0});
+    return;
+  }
+  // Anywhere, or at its first or last voxel.
+  const std::int32_t at =
+      box.first[axis] + chance.one_of({chance.whole(1, side - 1), std::int32_t{1}, side - 1});
+  VoxelBox below = box, above = box;
+  below.end.set(axis, at);
+  above.first.set(axis, at);
+  divide(chance, below, most_cuts - 1, leaves);
+  divide(chance, above, most_cuts - 1, leaves);
+}
+
+// Follows the map as grid_view.h says, and counts each word that it comes by.
+class Follower {
+public:
+  Follower(const std::vector<std::uint32_t>& words, std::size_t own) : words_(words), met_(words.size(), 0) {
+    std::fill_n(met_.begin(), own, 1);
+  }
+
+  void follow(std::uint32_t word, const VoxelBox& cube, const std::vector<Leaf>& leaves) {
+    if ((word & occupied_bit) != 0) {
+      ASSERT_LT(word & ~occupied_bit, leaves.size());
+      const VoxelBox& box = leaves[word & ~occupied_bit].box;
+      ASSERT_TRUE(holds(box, cube.first) && holds(box, cube.end - Vec3i{1, 1, 1}));
+      return;
+    }
+    const std::int32_t parts = std::int32_t{1} << (word & 7), side = (cube.end.x - cube.first.x) / parts;
+    ASSERT_GT(parts, 1);
+    ASSERT_GE(side, 1);
+    std::size_t place = word & ~7U;
+    for (std::int32_t z = 0; z < parts; ++z) {
+      for (std::int32_t y = 0; y < parts; ++y) {
+        for (std::int32_t x = 0; x < parts; ++x, ++place) {
+          ASSERT_LT(place, words_.size());
+          ++met_[place];
+          const Vec3i first = cube.first + Vec3i{x * side, y * side, z * side};
+          follow(words_[place], {first, first + Vec3i{side, side, side}}, leaves);
+        }
+      }
+    }
+  }
+  bool met_each_once() const {
+    return std::all_of(met_.begin(), met_.end(), [](int times) { return times == 1; });
+  }
+
+private:
+  const std::vector<std::uint32_t>& words_;
+  std::vector<int> met_;
+};
+
+TEST(NestedMap, LeadsEveryVoxelOfARandomPartitionToItsCell) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (std::int64_t i = cases(1000); i > 0; --i) {
+    const std::int32_t log2 = chance.whole(0, 5), side = 1 << log2;
+    const Vec3i cube{chance.whole(0, 3), chance.whole(0, 3), chance.whole(0, 3)};
+    const Vec3i first{cube.x << log2, cube.y << log2, cube.z << log2};
+    const VoxelBox whole{first, first + Vec3i{side, side, side}};
+    std::vector<Leaf> leaves;
+    divide(chance, whole, chance.whole(0, 9), leaves);
+    std::shuffle(leaves.begin(), leaves.end(), chance.engine());
+
+    // The words before it stay as they are; the top level's are 4³.
+    std::vector<std::uint32_t> words(64, 0x7fffffff);
+    const std::uint32_t root = append_nested_map(leaves, first, log2, words);
+    ASSERT_TRUE(std::all_of(words.begin(), words.begin() + 64, [](auto w) { return w == 0x7fffffff; }));
+    Follower follower(words, 64);
+    follower.follow(root, whole, leaves);
+    if (testing::Test::HasFatalFailure()) return;
+    ASSERT_TRUE(follower.met_each_once());
+
+    words[linear_index(cube, {4, 4, 4})] = root;
+    const Vec3i division{4 * side, 4 * side, 4 * side};
+    const MergedGridView<float> view{words.data(), nullptr,  nullptr,   {0, 0, 0}, {1, 1, 1},
+                                     {1, 1, 1},    division, {4, 4, 4}, log2};
+    for_each_voxel({whole.first, whole.end - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      const std::uint32_t cell = look_up(view, voxel).word & ~occupied_bit;
+      ASSERT_TRUE(cell < leaves.size() && holds(leaves[cell].box, voxel))
+          << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+    });
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+// One cell takes no words, and a cell for each voxel about one a voxel.
+TEST(NestedMap, TakesFewWords) {
+  std::vector<std::uint32_t> words;
+  const auto leaf = [](const Vec3i& first, std::int32_t side) {
+    return Leaf{{first, first + Vec3i{side, side, side}}, 0, 0};
+  };
+  EXPECT_EQ(append_nested_map({leaf({0, 0, 0}, 16)}, {0, 0, 0}, 4, words), occupied_bit | 0);
+  EXPECT_EQ(words.size(), 0U);
+  std::vector<Leaf> voxels;
+  for_each_voxel({{0, 0, 0}, {15, 15, 15}}, [&](const Vec3i& voxel) { voxels.push_back(leaf(voxel, 1)); });
+  append_nested_map(voxels, {0, 0, 0}, 4, words);
+  EXPECT_LE(words.size(), 16U * 16 * 16 * 8 / 7 + 1);
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,102 @@
+// Random grids of every kind.
+#pragma once
+
+#include "libgrid/division.h"
+#include "libgrid/grid_file.h"
+#include "libgrid/merge.h"
+#include "tests/test_scene.h"
+
+namespace masu {
+
+template <class Stored>
+Lattice random_lattice(Chance& chance, const Boxd& bounds) {
+  const auto voxels = [&] {
+    if (chance.one_in(3)) return std::int32_t{1} << chance.whole(0, 5);
+    return chance.whole(1, 64);
+  };
+  return {space_of<Stored>(bounds, chance.one_in(2) ? SpaceRule::tight : SpaceRule::cube),
+          {voxels(), voxels(), voxels()},
+          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+}
+
+// The same grid with a map of two levels, which the builder makes for large divisions only.
+inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
+  Grid blocked{grid.lattice, Merge::none, block_log2, 0, {}, {}, grid.references};
+  const Vec3i blocks = blocks_of(grid.lattice.division, block_log2);
+  const std::size_t words = std::size_t{1} << (3 * block_log2);
+  blocked.voxel_map.assign(voxel_count(blocks), 0);
+  std::uint32_t count = 0;
+  for_each_voxel({{0, 0, 0}, grid.lattice.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+    const std::uint32_t word = grid.voxel_map[linear_index(voxel, grid.lattice.division)];
+    if ((word & occupied_bit) == 0) return;
+    std::uint32_t& block = blocked.voxel_map[linear_index(
+        {voxel.x >> block_log2, voxel.y >> block_log2, voxel.z >> block_log2}, blocks)];
+    if (block == 0) block = occupied_bit | count++;
+    const std::size_t begin = voxel_count(blocks) + (block & ~occupied_bit) * words;
+    if (blocked.voxel_map.size() < begin + words) blocked.voxel_map.resize(begin + words, 0);
+    blocked.voxel_map[begin + index_in_block(voxel, block_log2)] = word;
+  });
+  return blocked;
+}
+
+template <class Stored>
+Grid random_uniform_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
+  const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+  const Grid grid = build_uniform(scene, random_lattice<Stored>(chance, bounds), overlap);
+  return grid.block_log2 == 0 && chance.one_in(2) ? in_blocks(grid, chance.whole(1, 5)) : grid;
+}
+
+inline MergeRule random_merge_rule(Chance& chance) {
+  return {chance.one_of({Merge::x, Merge::balance, Merge::irregular}),
+          chance.one_of({1U, 2U, 8U, 64U}),
+          chance.one_of({1.0, 0.8}),
+          chance.one_of({0.0, 0.5, 3.0, 20.0}),
+          chance.one_of({0.3, 1.0, 3.0, 30.0}),
+          chance.one_of({0, 1, 3, 8, 15}),
+          chance.one_of({0, 1, 6})};
+}
+
+template <class Stored>
+Grid random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
+  const MergeRule rule = random_merge_rule(chance);
+  const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+  Lattice lattice = random_lattice<Stored>(chance, bounds);
+  if (rule.merge == Merge::irregular && chance.one_in(2))
+    lattice.division = {chance.whole(1, 6), chance.whole(1, 6), chance.whole(1, 6)};
+  return build_merged(scene, lattice, overlap, rule);
+}
+
+template <class Stored>
+Grid random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
+  return chance.one_in(3) ? random_uniform_grid(chance, scene, bounds)
+                          : random_merged_grid(chance, scene, bounds);
+}
+
+// act(the grid's view).
+template <class Real, class Act>
+void with_view(const Grid& grid, const Act& act) {
+  grid.merge == Merge::none ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
+}
+
+// Of its smallest voxels.
+inline Lattice finest_lattice(const Grid& grid) {
+  return finer(grid.lattice, grid.nested_log2);
+}
+
+// The voxels of a merged grid's cell.
+inline VoxelBox box_of(const MergedCell& cell) {
+  const auto low = [](std::uint32_t range) { return static_cast<std::int32_t>(range & 0xffff); };
+  const auto high = [](std::uint32_t range) { return static_cast<std::int32_t>(range >> 16); };
+  return {{low(cell.x), low(cell.y), low(cell.z)}, {high(cell.x), high(cell.y), high(cell.z)}};
+}
+
+inline std::string described(const Grid& grid) {
+  const Boxd& s = grid.lattice.space;
+  const Vec3i n = grid.lattice.division;
+  return "space " + described(s.min) + described(s.max) + " division " + std::to_string(n.x) + 'x' +
+         std::to_string(n.y) + 'x' + std::to_string(n.z) + " merge " +
+         std::to_string(static_cast<int>(grid.merge)) + " blocks of 2^" + std::to_string(grid.block_log2) +
+         " nested 2^" + std::to_string(grid.nested_log2);
+}
+
+} // namespace masu

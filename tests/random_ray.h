@@ -1,0 +1,128 @@
+// Random rays that are hard on walks: along axes and across them, through voxels' and primitives' corners,
+// from faces, from far off.
+#pragma once
+
+#include "libscene/ray.h"
+#include "tests/random_grid.h"
+#include "tests/test_scene.h"
+
+#include <bit>
+
+namespace masu {
+
+template <class Real>
+class RayMaker {
+public:
+  RayMaker(Chance& chance, const TestScene<Real>& scene, const Boxd& bounds, const Grid& grid)
+      : chance_(chance), scene_(scene), bounds_(bounds), grid_(grid), lattice_(finest_lattice(grid)) {}
+
+  Ray<Real> ray() {
+    const Vec3<Real> target = place();
+    Vec3<Real> origin = chance_.one_in(4) ? afar(target) : place();
+    // Along an axis, or across one: through the target's own coordinates.
+    if (chance_.one_in(3)) {
+      const int axis = chance_.whole(0, 2);
+      origin.set(axis, target[axis]);
+      if (chance_.one_in(2)) origin.set((axis + 1) % 3, target[(axis + 1) % 3]);
+    }
+    if (origin == target) origin = cast<Real>(chance_.in_box(padded()));
+    Vec3<Real> direction = sized(target - origin);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, Real(-0.0));
+      if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, tiny());
+    }
+    return {origin, direction,
+            chance_.one_in(4) ? static_cast<Real>(size() * chance_.power_of_two(-6, 3))
+                              : RealTraits<Real>::largest};
+  }
+
+private:
+  Boxd padded() const { return padded_bounds<Real>(bounds_); }
+  double size() const { return largest_magnitude(bounds_.max - bounds_.min); }
+
+  static Vec3<Real> sized(const Vec3<Real>& v) {
+    int exponent = 0;
+    std::frexp(largest_magnitude(v), &exponent);
+    const Vec3<Real> scaled{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent),
+                            std::ldexp(v.z, -exponent)};
+    return largest_magnitude(scaled) == 0 ? Vec3<Real>{1, 0, 0} : scaled;
+  }
+
+  Real tiny() {
+    constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
+    return static_cast<Real>(chance_.sign() * chance_.power_of_two(lowest, -20));
+  }
+
+  // Between voxels; more often than not between cells.
+  std::int32_t plane_number(int axis) {
+    if (grid_.cells.empty() || chance_.one_in(4)) return chance_.whole(0, lattice_.division[axis]);
+    const VoxelBox box = box_of(grid_.cells[chance_.index(grid_.cells.size())]);
+    return chance_.one_in(2) ? box.first[axis] : box.end[axis];
+  }
+  // As the walk computes it.
+  Real plane(int axis) {
+    return fused(static_cast<Real>(plane_number(axis)), static_cast<Real>(voxel_size(lattice_)[axis]),
+                 static_cast<Real>(lattice_.space.min[axis]));
+  }
+
+  // Anywhere; on the lattice's faces, edges and corners; on corners, edges and centers of primitives.
+  Vec3<Real> place() {
+    Vec3<Real> p = cast<Real>(chance_.in_box(padded()));
+    switch (chance_.whole(0, 5)) {
+    case 0:
+      for (int axis = 0; axis < 3; ++axis)
+        if (chance_.one_in(2)) p.set(axis, plane(axis));
+      return p;
+    case 1:
+    case 2:
+      if (!scene_.triangles.empty()) {
+        const auto& t = scene_.triangles[chance_.index(scene_.triangles.size())];
+        const Real share = static_cast<Real>(chance_.one_of({0.0, 0.5, chance_.uniform(0, 1)}));
+        p = fused(t.b - t.a, share, t.a);
+        if (chance_.one_in(2)) p = fused(t.c - p, static_cast<Real>(chance_.uniform(0, 1)), p);
+      }
+      return p;
+    case 3:
+      if (!scene_.cones.empty()) {
+        const auto& c = scene_.cones[chance_.index(scene_.cones.size())];
+        p = chance_.one_in(2) ? c.base : c.apex;
+        if (chance_.one_in(2))
+          p = cast<Real>(cast<double>(p) + chance_.in_cube(size() * chance_.power_of_two(-50, -1)));
+      }
+      return p;
+    case 4:
+      if (!scene_.spheres.empty()) {
+        const auto& s = scene_.spheres[chance_.index(scene_.spheres.size())];
+        p = cast<Real>(cast<double>(s.center) + chance_.direction() * static_cast<double>(s.radius));
+      }
+      return p;
+    default:
+      return p;
+    }
+  }
+
+  Vec3<Real> afar(const Vec3<Real>& target) {
+    return cast<Real>(cast<double>(target) + chance_.direction() * (size() * chance_.power_of_two(0, 23.25)));
+  }
+
+  Chance& chance_;
+  const TestScene<Real>& scene_;
+  const Boxd& bounds_;
+  const Grid& grid_;
+  Lattice lattice_;
+};
+
+template <class Real>
+bool same_bits(Real a, Real b) {
+  if constexpr (std::is_same_v<Real, float>) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+  } else {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+  }
+}
+
+template <class Real>
+std::string described(const Hit<Real>& hit) {
+  return "primitive " + std::to_string(static_cast<std::int32_t>(hit.primitive)) + " at " + described(hit.t);
+}
+} // namespace masu
