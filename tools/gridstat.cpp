@@ -36,7 +36,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
 struct Statistics {
   GridStatistics cells;
   MapStatistics map;
-  Vec3i division; // in the smallest voxels
+  Vec3i division{}; // in the smallest voxels
 
   explicit Statistics(const GridFile& file) {
     if (file.is_merged()) {
