@@ -18,28 +18,32 @@ __device__ void add(Counts* total, const Counts& part) {
 }
 __device__ void add(Counts*, const NoCounts&) {}
 
-// The number of threads' blocks that have called this before: each of all blocks' calls has another.
-__device__ std::uint32_t fetched(std::uint32_t* const next) {
-  __shared__ std::uint32_t number;
-  __syncthreads(); // all have read the last one
-  if (threadIdx.x == 0 && threadIdx.y == 0) number = atomicAdd(next, 1U);
+// The next tile of a worker, a block of threads: from left.end on there is none. `next` counts what all
+// workers have fetched, where they fetch. Threads share what is left to them: they have no registers to
+// spare.
+__device__ std::uint32_t taken(TileRun& left, std::uint32_t* const next) {
+  __shared__ std::uint32_t tile;
+  __syncthreads(); // `left` is there, and all have read the last tile
+  if (threadIdx.x == 0 && threadIdx.y == 0) {
+    tile = next != nullptr ? atomicAdd(next, 1U) : left.first;
+    left.first += left.step;
+  }
   __syncthreads();
-  return number;
+  return tile;
 }
 
-// A block of threads is a worker and covers a tile: a warp 8 × 4 rays, since neighbours walk through the same
-// cells. One kernel for all schedules: what they differ in is the same for all threads.
+// A warp covers 8 × 4 rays of a tile: neighbours walk through the same cells. One kernel for all schedules,
+// so that nothing else differs.
 template <class M, class Grid, class C>
 __global__ void __launch_bounds__(tile_side* tile_side)
     render_kernel(const SceneView<typename M::Stored> scene, const Grid grid,
                   const EyeRays<typename M::Real> rays, const RenderRules rules, const Tiles tiles,
                   const Schedule schedule, std::uint32_t* const next_tile, Vec3f* const colors,
                   EyeHit* const hits, Counts* const total) {
-  const bool fetches = schedule == Schedule::persistent;
-  const TileRun run = run_of(schedule, blockIdx.x, gridDim.x, tiles.count);
+  __shared__ TileRun left;
+  if (threadIdx.x == 0 && threadIdx.y == 0) left = run_of(schedule, blockIdx.x, gridDim.x, tiles.count);
   C counts;
-  for (std::uint32_t tile = fetches ? fetched(next_tile) : run.first; tile < run.end;
-       tile = fetches ? fetched(next_tile) : tile + run.step) {
+  for (std::uint32_t tile = taken(left, next_tile); tile < left.end; tile = taken(left, next_tile)) {
     const auto column = static_cast<std::int32_t>(tile % tiles.columns * tile_side + threadIdx.x);
     const auto row = static_cast<std::int32_t>(tile / tiles.columns * tile_side + threadIdx.y);
     if (column >= rays.columns || row >= rays.rows) continue;
@@ -209,10 +213,12 @@ Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameReque
             request.schedule == Schedule::hardware
                 ? tiles.count
                 : std::min(tiles.count, resident_blocks(kernel, tile_side * tile_side, request.workers_each));
+        const bool fetch = request.schedule == Schedule::persistent;
         const auto reset = [&] { check(cudaMemsetAsync(next_tile.data(), 0, sizeof(std::uint32_t))); };
         return timed_launch(request.warm_up, request.repeat, reset, kernel, dim3(frame.workers),
                             dim3(tile_side, tile_side), view, accelerator, rays, request.rules, tiles,
-                            request.schedule, next_tile.data(), colors.data(), hits.data(), total.data());
+                            request.schedule, fetch ? next_tile.data() : nullptr, colors.data(), hits.data(),
+                            total.data());
       });
   const Stopwatch watch;
   colors.download(frame.radiance.data());
