@@ -70,11 +70,7 @@ GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const
   statistics.voxels = voxel_count(grid.division);
   statistics.cells = cells.size();
   for (const MergedCell& cell : cells) {
-    if (cell.list == empty_list) continue;
-    std::uint32_t end = cell.list;
-    while ((grid.references[end++] & last_bit) == 0) {
-    }
-    add_cell(statistics, end - cell.list);
+    if (cell.list != empty_list) add_cell(statistics, references_of(grid.references, cell.list));
   }
   describe(statistics);
   return statistics;

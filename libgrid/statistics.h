@@ -12,8 +12,8 @@
 namespace masu {
 
 struct GridStatistics {
-  std::uint64_t voxels = 0, occupied_voxels = 0;
-  std::uint64_t cells = 0, occupied_cells = 0; // a uniform grid's cells are its voxels
+  std::uint64_t voxels = 0, occupied_voxels = 0; // map_statistics.h knows which of a merged grid's are
+  std::uint64_t cells = 0, occupied_cells = 0;   // a uniform grid's cells are its voxels
   std::uint64_t references = 0;
   // References of an occupied cell; all zero when none is occupied.
   double mean = 0, stddev = 0, median = 0;
@@ -28,15 +28,19 @@ GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const Primi
 template <class Real>
 GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells);
 
+// How many a list names; 0 for empty_list.
+inline std::uint32_t references_of(const PrimitiveIndex* references, std::uint32_t list) {
+  if (list == empty_list) return 0;
+  std::uint32_t end = list;
+  while ((references[end++] & last_bit) == 0) {
+  }
+  return end - list;
+}
+
 // References of the voxel's cell; 0 when it is empty.
 template <class Grid>
 std::uint32_t references_in(const Grid& grid, const Vec3i& voxel) {
-  const std::uint32_t list = cell_at(grid, voxel, {1, 1, 1}).list;
-  if (list == empty_list) return 0;
-  std::uint32_t end = list;
-  while ((grid.references[end++] & last_bit) == 0) {
-  }
-  return end - list;
+  return references_of(grid.references, cell_at(grid, voxel, {1, 1, 1}).list);
 }
 
 // How many of the lattice's voxels hold a primitive.

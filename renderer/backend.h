@@ -6,6 +6,7 @@
 #include "renderer/camera.h"
 #include "renderer/counts.h"
 #include "renderer/render_pixel.h"
+#include "renderer/schedule.h"
 
 #include <algorithm>
 #include <span>
@@ -23,6 +24,9 @@ struct FrameRequest {
   bool hits = false;  // report what each eye ray met
   bool count = false; // fill in counts
   int repeat = 1;     // trace so many times, and report the median's seconds; counts need 1
+  int warm_up = 0;    // untimed runs before
+  Schedule schedule = Schedule::hardware;
+  int workers_each = 0; // a multiprocessor or thread has so many; 0: as many as it holds at once
 };
 
 // Wall-clock seconds; the CPU backend reads the mapping in place: nothing is uploaded or downloaded.
@@ -37,6 +41,7 @@ struct Frame {
   std::vector<EyeHit> hits; // when asked for
   Counts counts;
   TraceSeconds seconds;
+  std::uint32_t workers = 0; // that shared the picture; of the CPU's own scheduler, threads
 };
 
 // Of the right size, still black.

@@ -4,14 +4,16 @@
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/combinable.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <atomic>
 #include <functional>
 
 namespace masu {
 namespace {
 
-constexpr std::int32_t tile = 32; // pixels a side: neighbours share cells in cache
+constexpr std::int32_t task_side = 32; // rays: neighbours share cells in cache
 constexpr std::size_t rays_a_task = 4096;
 
 void add(Counts& total, const Counts& part) {
@@ -19,27 +21,56 @@ void add(Counts& total, const Counts& part) {
 }
 void add(Counts&, const NoCounts&) {}
 
+// Calls render(first column, its end, first row, its end) for the tiles that the worker takes.
+template <class Render>
+void render_tiles(const Frame& frame, Schedule schedule, std::uint32_t worker,
+                  std::atomic<std::uint32_t>& fetched, const Render& render) {
+  const Tiles tiles = tiles_of(frame.columns, frame.rows);
+  const TileRun run = run_of(schedule, worker, frame.workers, tiles.count);
+  const bool fetches = schedule == Schedule::persistent;
+  for (std::uint32_t tile = fetches ? fetched++ : run.first; tile < run.end;
+       tile = fetches ? fetched++ : tile + run.step) {
+    const auto column = static_cast<std::int32_t>(tile % tiles.columns) * tile_side,
+               row = static_cast<std::int32_t>(tile / tiles.columns) * tile_side;
+    render(column, std::min(column + tile_side, frame.columns), row, std::min(row + tile_side, frame.rows));
+  }
+}
+
 template <class M, class Grid, class C>
 void render(const SceneView<typename M::Stored>& scene, const Grid& grid, const FrameRequest& request,
             Frame& frame, const C&) {
   const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
   tbb::combinable<Counts> totals;
-  tbb::parallel_for(
-      tbb::blocked_range2d<std::int32_t>(0, frame.rows, tile, 0, frame.columns, tile),
-      [&](const auto& range) {
-        C counts;
-        for (std::int32_t row = range.rows().begin(); row != range.rows().end(); ++row) {
-          for (std::int32_t column = range.cols().begin(); column != range.cols().end(); ++column) {
-            const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
-                            static_cast<std::size_t>(column);
-            EyeHit hit{};
-            frame.radiance[at] =
-                radiance<M>(scene, grid, request.rules, eye_ray(rays, column, row), hit, counts);
-            if (request.hits) frame.hits[at] = hit;
-          }
-        }
-        add(totals.local(), counts);
-      });
+  const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
+                               std::int32_t end_row) {
+    C counts;
+    for (std::int32_t row = first_row; row != end_row; ++row) {
+      for (std::int32_t column = first_column; column != end_column; ++column) {
+        const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
+                        static_cast<std::size_t>(column);
+        EyeHit hit{};
+        frame.radiance[at] = radiance<M>(scene, grid, request.rules, eye_ray(rays, column, row), hit, counts);
+        if (request.hits) frame.hits[at] = hit;
+      }
+    }
+    add(totals.local(), counts);
+  };
+  if (request.schedule == Schedule::hardware) {
+    tbb::parallel_for(
+        tbb::blocked_range2d<std::int32_t>(0, frame.rows, task_side, 0, frame.columns, task_side),
+        [&](const auto& range) {
+          render_rays(range.cols().begin(), range.cols().end(), range.rows().begin(), range.rows().end());
+        });
+  } else {
+    std::atomic<std::uint32_t> fetched{0};
+    tbb::parallel_for(
+        tbb::blocked_range<std::uint32_t>(0, frame.workers),
+        [&](const auto& range) {
+          for (std::uint32_t worker = range.begin(); worker != range.end(); ++worker)
+            render_tiles(frame, request.schedule, worker, fetched, render_rays);
+        },
+        tbb::static_partitioner());
+  }
   totals.combine_each([&](const Counts& part) { frame.counts += part; });
 }
 
@@ -81,7 +112,10 @@ void with_store(const SceneFile& scene, const Act& act) {
 
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {
   Frame frame = empty_frame(request);
-  frame.seconds.trace = timed(0, request.repeat, [&] {
+  const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const int each = request.schedule == Schedule::hardware ? 1 : std::max(request.workers_each, 1);
+  frame.workers = static_cast<std::uint32_t>(threads * static_cast<std::size_t>(each));
+  frame.seconds.trace = timed(request.warm_up, request.repeat, [&] {
     with_store(scene, [&](const auto& view) {
       with_everything(view, grid, ForPictures{secondary_of(scene.table())}, request.count,
                       [&](const auto& accelerator, auto model, auto counts) {

@@ -6,8 +6,6 @@
 namespace masu {
 namespace {
 
-// A warp covers 8 × 4 rays: neighbours walk through the same cells.
-constexpr int block_columns = 8, block_rows = 8;
 constexpr int rays_a_block = 128;
 
 __device__ void add(Counts* total, const Counts& part) {
@@ -20,20 +18,41 @@ __device__ void add(Counts* total, const Counts& part) {
 }
 __device__ void add(Counts*, const NoCounts&) {}
 
+// The next tile of a worker, a block of threads: from left.end on there is none. `next` counts what all
+// workers have fetched, where they fetch. Threads share what is left to them: they have no registers to
+// spare.
+__device__ std::uint32_t taken(TileRun& left, std::uint32_t* const next) {
+  __shared__ std::uint32_t tile;
+  __syncthreads(); // `left` is there, and all have read the last tile
+  if (threadIdx.x == 0 && threadIdx.y == 0) {
+    tile = next != nullptr ? atomicAdd(next, 1U) : left.first;
+    left.first += left.step;
+  }
+  __syncthreads();
+  return tile;
+}
+
+// A warp covers 8 × 4 rays of a tile: neighbours walk through the same cells. One kernel for all schedules,
+// so that nothing else differs.
 template <class M, class Grid, class C>
-__global__ void __launch_bounds__(block_columns* block_rows)
+__global__ void __launch_bounds__(tile_side* tile_side)
     render_kernel(const SceneView<typename M::Stored> scene, const Grid grid,
-                  const EyeRays<typename M::Real> rays, const RenderRules rules, Vec3f* const colors,
+                  const EyeRays<typename M::Real> rays, const RenderRules rules, const Tiles tiles,
+                  const Schedule schedule, std::uint32_t* const next_tile, Vec3f* const colors,
                   EyeHit* const hits, Counts* const total) {
-  const auto column = static_cast<std::int32_t>(blockIdx.x * block_columns + threadIdx.x);
-  const auto row = static_cast<std::int32_t>(blockIdx.y * block_rows + threadIdx.y);
-  if (column >= rays.columns || row >= rays.rows) return;
+  __shared__ TileRun left;
+  if (threadIdx.x == 0 && threadIdx.y == 0) left = run_of(schedule, blockIdx.x, gridDim.x, tiles.count);
   C counts;
-  EyeHit hit{};
-  const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
-                         static_cast<std::size_t>(column);
-  colors[at] = radiance<M>(scene, grid, rules, eye_ray(rays, column, row), hit, counts);
-  if (hits != nullptr) hits[at] = hit;
+  for (std::uint32_t tile = taken(left, next_tile); tile < left.end; tile = taken(left, next_tile)) {
+    const auto column = static_cast<std::int32_t>(tile % tiles.columns * tile_side + threadIdx.x);
+    const auto row = static_cast<std::int32_t>(tile / tiles.columns * tile_side + threadIdx.y);
+    if (column >= rays.columns || row >= rays.rows) continue;
+    EyeHit hit{};
+    const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
+                           static_cast<std::size_t>(column);
+    colors[at] = radiance<M>(scene, grid, rules, eye_ray(rays, column, row), hit, counts);
+    if (hits != nullptr) hits[at] = hit;
+  }
   add(total, counts);
 }
 
@@ -115,23 +134,36 @@ struct Uploaded {
   }
 };
 
-// Launches the kernel so many times and waits; its code is on the device before the time starts. The median's
-// seconds.
-template <class Kernel, class... Arguments>
-double timed_launch(int warm_up, int repeat, Kernel* kernel, dim3 blocks, dim3 threads,
+// Launches the kernel so many times and waits; its code is on the device before the time starts, and before()
+// puts what it needs onto the stream. The median's seconds.
+template <class Before, class Kernel, class... Arguments>
+double timed_launch(int warm_up, int repeat, const Before& before, Kernel* kernel, dim3 blocks, dim3 threads,
                     const Arguments&... arguments) {
   cudaFuncAttributes attributes;
   check(cudaFuncGetAttributes(&attributes, kernel));
-  for (int i = 0; i < warm_up; ++i)
+  for (int i = 0; i < warm_up; ++i) {
+    before();
     kernel<<<blocks, threads>>>(arguments...);
+  }
   std::vector<double> seconds;
   for (int i = 0; i < repeat; ++i) {
+    before();
     const DeviceTimer timer;
     kernel<<<blocks, threads>>>(arguments...);
     check(cudaGetLastError());
     seconds.push_back(timer.seconds());
   }
   return median(std::move(seconds));
+}
+
+// How many blocks of so many threads run at once: `each` on a multiprocessor, or for 0 as many as fit.
+template <class Kernel>
+std::uint32_t resident_blocks(Kernel* kernel, int threads, int each) {
+  int device = 0, multiprocessors = 0, fitting = 0;
+  check(cudaGetDevice(&device));
+  check(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device));
+  check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fitting, kernel, threads, 0));
+  return static_cast<std::uint32_t>(multiprocessors * std::max(each > 0 ? each : fitting, 1));
 }
 
 // Uploads, then calls launch(view on the device, grid on the device, Model, counts), which returns its
@@ -170,15 +202,22 @@ Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameReque
   check(cudaFree(nullptr)); // sets the device up, so that uploading isn't charged for it
   DeviceArray<Vec3f> colors(frame.radiance.size());
   DeviceArray<EyeHit> hits(frame.hits.size());
+  const DeviceArray<std::uint32_t> next_tile(1);
   const DeviceArray<Counts> total(&frame.counts, request.count || grid == nullptr ? 1 : 0);
   run(scene, grid, ForPictures{secondary_of(scene.table())}, request.count, frame.seconds,
       [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
         const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
-        const dim3 block(block_columns, block_rows);
-        const dim3 blocks((static_cast<unsigned>(frame.columns) + block.x - 1) / block.x,
-                          (static_cast<unsigned>(frame.rows) + block.y - 1) / block.y);
-        return timed_launch(0, request.repeat, render_kernel<M, std::decay_t<decltype(accelerator)>, C>,
-                            blocks, block, view, accelerator, rays, request.rules, colors.data(), hits.data(),
+        const Tiles tiles = tiles_of(frame.columns, frame.rows);
+        auto* const kernel = render_kernel<M, std::decay_t<decltype(accelerator)>, C>;
+        frame.workers =
+            request.schedule == Schedule::hardware
+                ? tiles.count
+                : std::min(tiles.count, resident_blocks(kernel, tile_side * tile_side, request.workers_each));
+        const bool fetch = request.schedule == Schedule::persistent;
+        const auto reset = [&] { check(cudaMemsetAsync(next_tile.data(), 0, sizeof(std::uint32_t))); };
+        return timed_launch(request.warm_up, request.repeat, reset, kernel, dim3(frame.workers),
+                            dim3(tile_side, tile_side), view, accelerator, rays, request.rules, tiles,
+                            request.schedule, fetch ? next_tile.data() : nullptr, colors.data(), hits.data(),
                             total.data());
       });
   const Stopwatch watch;
@@ -205,10 +244,11 @@ RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const Rays
         const dim3 blocks(static_cast<unsigned>((rays.size() + rays_a_block - 1) / rays_a_block));
         double seconds = 0;
         with_question(request.question, [&]<Question question>(Asked<question>) {
-          seconds = timed_launch(request.warm_up, request.repeat,
-                                 trace_kernel<question, M, std::decay_t<decltype(accelerator)>, C>, blocks,
-                                 dim3(rays_a_block), view, accelerator, device_rays.data(), rays.size(),
-                                 request.hit_name, hits.data(), total.data());
+          seconds = timed_launch(
+              request.warm_up, request.repeat, [] {},
+              trace_kernel<question, M, std::decay_t<decltype(accelerator)>, C>, blocks, dim3(rays_a_block),
+              view, accelerator, device_rays.data(), rays.size(), request.hit_name, hits.data(),
+              total.data());
         });
         return seconds;
       });

@@ -5,6 +5,7 @@
 
 namespace masu {
 
+void add_frame(CLI::App& app);
 void add_rays(CLI::App& app);
 void add_load(CLI::App& app);
 

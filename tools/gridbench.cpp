@@ -6,6 +6,7 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_tool("gridbench", "Measures tracing and loading.", argc, argv,
                   [](CLI::App& app, const auto& parse) {
+                    add_frame(app);
                     add_rays(app);
                     add_load(app);
                     app.require_subcommand(1);

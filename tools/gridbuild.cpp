@@ -83,8 +83,9 @@ void build(const Settings& settings, const SceneFile& file) {
                "{:.6f}, \"total_seconds\": {:.6f}}}\n",
                n.x, n.y, n.z, cells, grid.references.size(), seconds, watch.seconds());
   } else {
-    fmt::print("{}x{}x{} voxels, {} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n", n.x,
-               n.y, n.z, cells, grid.references.size(), seconds, watch.seconds() - seconds);
+    const std::string merged = grid.merge == Merge::none ? "" : fmt::format("{} cells, ", counted.cells);
+    fmt::print("{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n", n.x,
+               n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
   }
 }
 

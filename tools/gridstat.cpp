@@ -1,11 +1,12 @@
 // gridstat: what a grid holds, in numbers and as a picture; and the founding study's occupancy table of a
 // scene.
 #include "libgrid/grid_file.h"
+#include "libgrid/map_statistics.h"
 #include "libgrid/statistics.h"
 #include "libscene/output_file.h"
 #include "libscene/scene_file.h"
-#include "renderer/png_file.h"
 #include "tools/cli.h"
+#include "tools/slice_picture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -31,17 +32,55 @@ double percent(std::uint64_t part, std::uint64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-Json report(const GridFile& file, const GridStatistics& s, bool histogram) {
+// What cells and lists hold, and where they are.
+struct Statistics {
+  GridStatistics cells;
+  MapStatistics map;
+  Vec3i division{}; // in the smallest voxels
+
+  explicit Statistics(const GridFile& file) {
+    if (file.is_merged()) {
+      const auto view = file.merged_view<double>();
+      cells = grid_statistics(view, file.cells());
+      map = map_statistics(view, file.cells());
+      division = view.division;
+    } else {
+      const auto view = file.view<double>();
+      cells = grid_statistics(view, file.references());
+      map = map_statistics(view, file.references());
+      division = view.division;
+    }
+  }
+  // How evenly occupied cells share the references: 0 when all list as many.
+  double evenness() const { return cells.mean > 0 ? cells.stddev / cells.mean : 0; }
+};
+
+// Of merged grids alone.
+Json merged_report(const GridFile& file, const Statistics& statistics) {
+  const MapStatistics& map = statistics.map;
+  const Vec3i& n = statistics.division;
+  Json sizes = Json::array();
+  for (std::size_t log2 = 0; log2 < map.cells_by_size.size(); ++log2) {
+    if (map.cells_by_size[log2] > 0) sizes.push_back({std::uint64_t{1} << log2, map.cells_by_size[log2]});
+  }
+  return {{"merge_rule", file.table().merge_rule()->str()}, {"nested_log2", file.table().nested_log2()},
+          {"smallest_division", {n.x, n.y, n.z}},           {"cells_by_size", sizes},
+          {"stretched_cells", map.stretched_cells},         {"mean_stretch", map.mean_stretch}};
+}
+
+Json report(const GridFile& file, const Statistics& statistics, bool histogram) {
+  const GridStatistics& s = statistics.cells;
+  const MapStatistics& map = statistics.map;
   const fb::Grid& table = file.table();
   const fb::Division& n = *table.division();
   const auto bytes = [](const auto& records) { return records.size_bytes(); };
   Json json{
       {"space", {{"min", vector_json(table.space()->min())}, {"max", vector_json(table.space()->max())}}},
       {"division", {n.x(), n.y(), n.z()}},
-      {"voxels", s.voxels},
-      {"occupied_voxels", s.occupied_voxels},
-      {"empty_voxels", s.voxels - s.occupied_voxels},
-      {"occupancy_percent", percent(s.occupied_voxels, s.voxels)},
+      {"voxels", map.voxels},
+      {"occupied_voxels", map.occupied_voxels},
+      {"empty_voxels", map.voxels - map.occupied_voxels},
+      {"occupancy_percent", percent(map.occupied_voxels, map.voxels)},
       {"cells", s.cells},
       {"occupied_cells", s.occupied_cells},
       {"empty_cells", s.cells - s.occupied_cells},
@@ -49,10 +88,14 @@ Json report(const GridFile& file, const GridStatistics& s, bool histogram) {
       {"references_per_occupied_cell",
        {{"mean", s.mean},
         {"stddev", s.stddev},
+        {"evenness", statistics.evenness()},
         {"median", s.median},
         {"p99", s.p99},
         {"min", s.min},
         {"max", s.max}}},
+      {"map", {{"words_by_level", map.words}, {"mean_loads", map.loads}}},
+      {"expected_per_ray",
+       {{"cells", map.ray.cells}, {"tests", map.ray.tests}, {"voxels_skipped", map.ray.voxels_skipped}}},
       {"bytes",
        {{"file", file.bytes()},
         {"voxel_map", bytes(file.voxel_map())},
@@ -66,6 +109,7 @@ Json report(const GridFile& file, const GridStatistics& s, bool histogram) {
       {"build_seconds", nullptr},
   };
   if (table.build_seconds() >= 0) json["build_seconds"] = table.build_seconds();
+  if (file.is_merged()) json.update(merged_report(file, statistics));
   if (histogram) {
     for (std::size_t references = 0; references < s.histogram.size(); ++references) {
       if (s.histogram[references] > 0) json["histogram"].push_back({references, s.histogram[references]});
@@ -87,106 +131,71 @@ void print_csv(const Json& json) {
   fmt::print("{}\n{}\n", head, values);
 }
 
-void print_table(const GridFile& file, const GridStatistics& s, const Json& json) {
+std::string by_by(const Vec3i& n) {
+  return fmt::format("{} x {} x {}", n.x, n.y, n.z);
+}
+
+void print_table(const GridFile& file, const Statistics& statistics, const Json& json) {
+  const GridStatistics& s = statistics.cells;
+  const MapStatistics& map = statistics.map;
   const fb::Grid& table = file.table();
   const fb::Vec3 &low = table.space()->min(), &high = table.space()->max();
-  const fb::Division& n = *table.division();
   const auto line = [](const char* name, const std::string& value) {
     fmt::print("{:<28} {}\n", name, value);
   };
   line("space", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {}", low.x(), low.y(), low.z(),
                             high.x(), high.y(), high.z(), fb::EnumNameSpace(table.space_rule())));
-  line("division", fmt::format("{} x {} x {} ({})", n.x(), n.y(), n.z(), table.division_rule()->str()));
-  line("voxels", fmt::format("{}", s.voxels));
-  line("  occupied", fmt::format("{} ({:.3g} %)", s.occupied_voxels, percent(s.occupied_voxels, s.voxels)));
-  line("  empty", fmt::format("{}", s.voxels - s.occupied_voxels));
+  line("division", fmt::format("{} ({})", by_by(file.lattice().division), table.division_rule()->str()));
+  if (table.nested_log2() > 0) {
+    line("  smallest voxels",
+         fmt::format("{}, 2^{} times finer", by_by(statistics.division), table.nested_log2()));
+  }
+  line("voxels", fmt::format("{}", map.voxels));
+  line("  occupied",
+       fmt::format("{} ({:.3g} %)", map.occupied_voxels, percent(map.occupied_voxels, map.voxels)));
+  line("  empty", fmt::format("{}", map.voxels - map.occupied_voxels));
   line("cells", fmt::format("{}, {} occupied", s.cells, s.occupied_cells));
+  if (file.is_merged()) {
+    line("  stretched", fmt::format("{}; boxes {:.3g} times their cells' own voxels (geometric mean)",
+                                    map.stretched_cells, map.mean_stretch));
+  }
   line("references", fmt::format("{}", s.references));
   line("  per occupied cell",
-       fmt::format("mean {:.2f}, stddev {:.2f}, median {:g}, 99 % {}, least {}, most {}", s.mean, s.stddev,
-                   s.median, s.p99, s.min, s.max));
+       fmt::format("mean {:.2f}, stddev {:.2f} ({:.2f} of the mean), median {:g}, "
+                   "99 % {}, least {}, most {}",
+                   s.mean, s.stddev, statistics.evenness(), s.median, s.p99, s.min, s.max));
+  line("map words by level",
+       fmt::format("{}; {:.2f} loads for a random point", fmt::join(map.words, ", "), map.loads));
+  line("expected per ray", fmt::format("{:.2f} cells, {:.2f} tests, {:.2f} voxels skipped", map.ray.cells,
+                                       map.ray.tests, map.ray.voxels_skipped));
   const Json& bytes = json["bytes"];
   line("bytes", fmt::format("{} (voxel map {}, cells {}, references {})", bytes["file"].dump(),
                             bytes["voxel_map"].dump(), bytes["cells"].dump(), bytes["references"].dump()));
-  line("merge, overlap",
-       fmt::format("{}, {}", fb::EnumNameMerge(table.merge()), fb::EnumNameOverlap(table.overlap())));
+  const std::string merge = file.is_merged() ? table.merge_rule()->str() : fb::EnumNameMerge(table.merge());
+  line("merge, overlap", fmt::format("{}, {}", merge, fb::EnumNameOverlap(table.overlap())));
   line("scene", json["scene_hash"].get<std::string>());
 }
 
-void print_histogram(const GridStatistics& s) {
+// A line for each number that counts[number] isn't 0 of, with a bar beside it.
+template <class Name>
+void print_bars(const char* head, const std::vector<std::uint64_t>& counts, const Name& name) {
   std::uint64_t most = 1;
-  for (const std::uint64_t cells : s.histogram)
-    most = std::max(most, cells);
-  fmt::print("\nreferences      cells\n");
-  for (std::size_t references = 0; references < s.histogram.size(); ++references) {
-    if (s.histogram[references] == 0) continue;
-    const auto bar = static_cast<std::size_t>(50 * static_cast<double>(s.histogram[references]) /
-                                              static_cast<double>(most));
-    fmt::print("{:10} {:10} {}\n", references, s.histogram[references], std::string(bar, '#'));
+  for (const std::uint64_t count : counts)
+    most = std::max(most, count);
+  fmt::print("\n{:>15} {:>10}\n", head, "cells");
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == 0) continue;
+    const auto bar =
+        static_cast<std::size_t>(50 * static_cast<double>(counts[i]) / static_cast<double>(most));
+    fmt::print("{:>15} {:>10} {}\n", name(i), counts[i], std::string(bar, '#'));
   }
 }
 
-struct Slice {
-  int axis;
-  std::int32_t at;
-};
-
-Slice slice_of(const std::string& text, const Vec3i& division) {
-  int at = 0, end = 0;
-  char axis = 0;
-  if (std::sscanf(text.c_str(), "%c=%d%n", &axis, &at, &end) != 2 ||
-      static_cast<std::size_t>(end) != text.size() || axis < 'x' || axis > 'z') {
-    throw Error(ErrorCode::usage, "--slice", fmt::format("'{}' isn't AXIS=K with axis x, y or z", text));
-  }
-  const int number = axis - 'x';
-  if (at < 0 || at >= division[number]) {
-    throw Error(
-        ErrorCode::usage, "--slice",
-        fmt::format("'{}' lies outside: the division has {} voxels along {}", text, division[number], axis));
-  }
-  return {number, at};
-}
-
-// White is empty; from light yellow over red to black the references double at each step.
-std::array<std::uint8_t, 3> color_of(std::uint32_t references) {
-  if (references == 0) return {255, 255, 255};
-  const double step = std::min(1.0, std::log2(static_cast<double>(references)) / 8);
-  const auto channel = [](double value) {
-    return static_cast<std::uint8_t>(255 * std::clamp(value, 0.0, 1.0));
-  };
-  return {channel(1.9 - 1.9 * step), channel(0.85 - 1.6 * step), channel(0.45 - 1.6 * step)};
-}
-
-// A layer of voxels as a picture: the second of the other two axes points up. Small grids are drawn with
-// squares, and of a large one each pixel shows the fullest of its voxels.
-void draw_slice(const GridFile& file, const Slice& slice, const std::string& path) {
-  constexpr std::int32_t wanted = 768, most = 4096;
-  const GridView<double> grid = file.view<double>();
-  const int u = slice.axis == 0 ? 1 : 0, v = slice.axis == 2 ? 1 : 2;
-  const std::int32_t columns = grid.division[u], rows = grid.division[v], longest = std::max(columns, rows);
-  const std::int32_t square = std::max(1, wanted / longest), share = (longest + most - 1) / most;
-  const std::int32_t width = (columns + share - 1) / share * square,
-                     height = (rows + share - 1) / share * square;
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  for (std::int32_t row = height - 1; row >= 0; --row) {
-    for (std::int32_t column = 0; column < width; ++column) {
-      std::uint32_t fullest = 0;
-      const std::int32_t first_u = column / square * share, first_v = row / square * share;
-      for (std::int32_t j = first_v; j < std::min(first_v + share, rows); ++j) {
-        for (std::int32_t i = first_u; i < std::min(first_u + share, columns); ++i) {
-          Vec3i voxel{};
-          voxel.set(slice.axis, slice.at);
-          voxel.set(u, i);
-          voxel.set(v, j);
-          fullest = std::max(fullest, references_in(grid, voxel));
-        }
-      }
-      const auto color = color_of(fullest);
-      rgb.insert(rgb.end(), color.begin(), color.end());
-    }
-  }
-  write_png(rgb, width, height, path);
+void print_histogram(const Statistics& statistics) {
+  print_bars("references", statistics.cells.histogram, [](std::size_t references) { return references; });
+  if (statistics.map.cells_by_size.empty()) return;
+  print_bars("voxels from", statistics.map.cells_by_size,
+             [](std::size_t log2) { return std::uint64_t{1} << log2; });
 }
 
 void inspect(const Settings& settings) {
@@ -194,11 +203,10 @@ void inspect(const Settings& settings) {
   if (!settings.slice.empty()) {
     if (settings.picture.empty())
       throw Error(ErrorCode::usage, "--slice", "needs -o PNG, the picture to write");
-    return draw_slice(file, slice_of(settings.slice, file.lattice().division), settings.picture);
+    const Lattice voxels = finer(file.lattice(), static_cast<std::int32_t>(file.table().nested_log2()));
+    return draw_slice(file, parse_slice(settings.slice, voxels.division), settings.picture);
   }
-  const GridStatistics statistics = file.is_merged()
-                                        ? grid_statistics(file.merged_view<double>(), file.cells())
-                                        : grid_statistics(file.view<double>(), file.references());
+  const Statistics statistics(file);
   const Json json = report(file, statistics, settings.histogram);
   if (settings.json) {
     fmt::print("{}\n", json.dump(2));
@@ -260,8 +268,10 @@ int main(int argc, char** argv) {
     auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
     app.add_flag("--json", settings.json, "as JSON");
     app.add_flag("--csv", settings.csv, "as a line of names and a line of values")->excludes("--json");
-    app.add_flag("--histogram", settings.histogram, "with the number of cells for each number of references");
-    app.add_option("--slice", settings.slice, "draw a layer of voxels: AXIS=K, such as z=12");
+    app.add_flag("--histogram", settings.histogram,
+                 "with the number of cells by their references, and of merged ones by size");
+    app.add_option("--slice", settings.slice,
+                   "draw a layer of the smallest voxels: AXIS=K, such as z=12, or AXIS=P%, such as z=50%");
     app.add_option("-o,--output", settings.picture, "the slice's PNG");
     auto* const study_option =
         app.add_option("--study", settings.study,

@@ -1,0 +1,173 @@
+#include "libgrid/map_statistics.h"
+
+#include "libgrid/lattice.h"
+#include "libgrid/statistics.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace masu {
+namespace {
+
+// Half the surface of a box; a ratio of two is that of their surfaces.
+double half_area(const Vec3d& w) {
+  return w.x * w.y + w.y * w.z + w.z * w.x;
+}
+
+Vec3d extent_of(const VoxelBox& box, const Vec3d& voxel) {
+  return cast<double>(box.end - box.first) * voxel;
+}
+
+// The voxels of the division that a random line meets: each plane within the space is crossed with the
+// probability of its two faces over the space's surface.
+double expected_voxels(const Vec3i& n, const Vec3d& voxel) {
+  const Vec3d w = cast<double>(n) * voxel;
+  return 1 + ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / half_area(w);
+}
+
+// act(word, first voxel of its cube, the cube's side as a power of two, level) for each word of a merged
+// grid's map that leads to something.
+template <class Real, class Act>
+class MapWords {
+public:
+  MapWords(const MergedGridView<Real>& grid, const Act& act) : grid_(grid), act_(act) {}
+
+  void visit_all() const {
+    const Vec3i n = grid_.top;
+    for (std::int32_t z = 0, i = 0; z < n.z; ++z) {
+      for (std::int32_t y = 0; y < n.y; ++y) {
+        for (std::int32_t x = 0; x < n.x; ++x, ++i) {
+          const std::int32_t log2 = grid_.nested_log2;
+          visit(grid_.voxel_map[i], {x << log2, y << log2, z << log2}, log2, 0);
+        }
+      }
+    }
+  }
+
+private:
+  void visit(std::uint32_t word, const Vec3i& first, std::int32_t side_log2, std::size_t level) const {
+    act_(word, first, side_log2, level);
+    if ((word & occupied_bit) != 0) return;
+    const auto parts_log2 = static_cast<std::int32_t>(word & nested_side_bits);
+    const std::int32_t rest = side_log2 - parts_log2, mask = (1 << parts_log2) - 1;
+    for (std::int32_t part = 0; part < 1 << (3 * parts_log2); ++part) {
+      const Vec3i at{part & mask, (part >> parts_log2) & mask, part >> (2 * parts_log2)};
+      visit(grid_.voxel_map[(word & ~nested_side_bits) + static_cast<std::uint32_t>(part)],
+            {first.x + (at.x << rest), first.y + (at.y << rest), first.z + (at.z << rest)}, rest, level + 1);
+    }
+  }
+
+  const MergedGridView<Real>& grid_;
+  const Act& act_;
+};
+
+void include(OwnVoxels& own, const Vec3i& first, std::int32_t side_log2) {
+  own.voxels += std::uint64_t{1} << (3 * side_log2);
+  for (int axis = 0; axis < 3; ++axis) {
+    own.box.first.set(axis, std::min(own.box.first[axis], first[axis]));
+    own.box.end.set(axis, std::max(own.box.end[axis], first[axis] + (1 << side_log2)));
+  }
+}
+
+double volume_of(const MergedCell& cell) {
+  const auto extent = [](std::uint32_t range) {
+    return static_cast<double>(range >> 16) - static_cast<double>(range & 0xffff);
+  };
+  return extent(cell.x) * extent(cell.y) * extent(cell.z);
+}
+
+} // namespace
+
+template <class Real>
+std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
+  std::vector<OwnVoxels> own(cells.size());
+  const auto add = [&](std::uint32_t word, const Vec3i& first, std::int32_t side_log2, std::size_t) {
+    if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, side_log2);
+  };
+  MapWords(grid, add).visit_all();
+  return own;
+}
+template std::vector<OwnVoxels> own_voxels(const MergedGridView<float>&, std::span<const MergedCell>);
+template std::vector<OwnVoxels> own_voxels(const MergedGridView<double>&, std::span<const MergedCell>);
+
+template <class Real>
+MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
+  MapStatistics statistics;
+  statistics.voxels = voxel_count(grid.division);
+  const auto voxels = static_cast<double>(statistics.voxels);
+  const Vec3d voxel = cast<double>(grid.voxel_size);
+
+  double loads = 0;
+  const auto count_word = [&](std::uint32_t, const Vec3i&, std::int32_t side_log2, std::size_t level) {
+    if (level == statistics.words.size()) statistics.words.resize(level + 1, 0);
+    ++statistics.words[level];
+    loads += static_cast<double>(std::uint64_t{1} << (3 * side_log2)); // a sum of integers: exact
+  };
+  MapWords(grid, count_word).visit_all();
+  statistics.loads = loads / voxels;
+
+  const std::vector<OwnVoxels> own = own_voxels(grid, cells);
+  double areas = 0, tested_areas = 0, log_stretch = 0;
+  std::uint64_t reached = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (own[i].voxels == 0) continue;
+    ++reached;
+    const double area = half_area(extent_of(own[i].box, voxel));
+    const std::uint32_t references = references_of(grid.references, cells[i].list);
+    areas += area;
+    tested_areas += area * references;
+    if (references > 0) statistics.occupied_voxels += own[i].voxels;
+    const auto size = static_cast<std::size_t>(std::bit_width(own[i].voxels)) - 1;
+    if (size >= statistics.cells_by_size.size()) statistics.cells_by_size.resize(size + 1, 0);
+    ++statistics.cells_by_size[size];
+    const double factor = volume_of(cells[i]) / static_cast<double>(own[i].voxels);
+    log_stretch += std::log(factor);
+    if (factor > 1) ++statistics.stretched_cells;
+  }
+  statistics.mean_stretch = std::exp(log_stretch / static_cast<double>(std::max<std::uint64_t>(reached, 1)));
+  const double space = half_area(cast<double>(grid.division) * voxel);
+  statistics.ray = {areas / space, tested_areas / space,
+                    expected_voxels(grid.division, voxel) - areas / space};
+  return statistics;
+}
+template MapStatistics map_statistics(const MergedGridView<float>&, std::span<const MergedCell>);
+template MapStatistics map_statistics(const MergedGridView<double>&, std::span<const MergedCell>);
+
+template <class Real>
+MapStatistics map_statistics(const GridView<Real>& grid, std::span<const PrimitiveIndex> references) {
+  MapStatistics statistics;
+  statistics.voxels = voxel_count(grid.division);
+  statistics.occupied_voxels = static_cast<std::uint64_t>(
+      std::count_if(references.begin(), references.end(), [](auto r) { return (r & last_bit) != 0; }));
+  statistics.words = {voxel_count(grid.blocks)};
+  const Vec3d voxel = cast<double>(grid.voxel_size);
+  const double space = half_area(cast<double>(grid.division) * voxel);
+
+  std::uint64_t in_block_maps = 0;
+  double skipped = 0;
+  const int log2 = grid.block_log2;
+  if (log2 > 0) {
+    statistics.words.resize(2, 0);
+    for_each_voxel({{0, 0, 0}, grid.blocks - Vec3i{1, 1, 1}}, [&](const Vec3i& block) {
+      Vec3i n{};
+      for (int axis = 0; axis < 3; ++axis)
+        n.set(axis, std::min(1 << log2, grid.division[axis] - (block[axis] << log2)));
+      if ((grid.voxel_map[linear_index(block, grid.blocks)] & occupied_bit) != 0) {
+        statistics.words[1] += std::uint64_t{1} << (3 * log2);
+        in_block_maps += voxel_count(n);
+      } else {
+        const double area = half_area(cast<double>(n) * voxel);
+        skipped += (expected_voxels(n, voxel) - 1) * area / space;
+      }
+    });
+  }
+  statistics.loads = 1 + static_cast<double>(in_block_maps) / static_cast<double>(statistics.voxels);
+  statistics.ray = {expected_voxels(grid.division, voxel) - skipped,
+                    static_cast<double>(references.size()) * half_area(voxel) / space, skipped};
+  return statistics;
+}
+template MapStatistics map_statistics(const GridView<float>&, std::span<const PrimitiveIndex>);
+template MapStatistics map_statistics(const GridView<double>&, std::span<const PrimitiveIndex>);
+
+} // namespace masu
