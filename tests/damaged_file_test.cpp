@@ -69,12 +69,19 @@ std::unique_ptr<T> opened(const std::string& path) {
 
 void build_and_trace(const SceneFile& scene, const std::string& path) {
   for (const Overlap overlap : {Overlap::box, Overlap::exact}) {
-    try {
-      build_a_little(scene, overlap, path);
-    } catch (const Error&) { // a space that can't be divided
-      return;
+    for (const Merge merge : {Merge::none, Merge::x, Merge::balance, Merge::irregular}) {
+      try {
+        build_a_little(scene, overlap, merge, path);
+      } catch (const Error&) { // a space that can't be divided
+        return;
+      }
+      const std::unique_ptr<GridFile> grid = opened<GridFile>(path);
+      if (grid == nullptr) { // a space too large for its own numbers
+        ASSERT_EQ(merge, Merge::none);
+        return;
+      }
+      trace_a_little(scene, grid.get());
     }
-    if (const auto grid = opened<GridFile>(path)) trace_a_little(scene, grid.get());
   }
 }
 

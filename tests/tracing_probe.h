@@ -3,6 +3,7 @@
 
 #include "libgrid/division.h"
 #include "libgrid/grid_file.h"
+#include "libgrid/merge.h"
 #include "libscene/scene_file.h"
 #include "renderer/backend.h"
 
@@ -22,16 +23,20 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
 
 // Builds a coarse grid and writes it to `path`. Throws Error where the space can't be divided.
 template <class Stored>
-void build_a_little(const SceneFile& scene, Overlap overlap, const std::string& path) {
+void build_a_little(const SceneFile& scene, Overlap overlap, Merge merge, const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();
   const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division("5x4x3"),
                                                division_statistics(view));
-  write_grid(build_uniform(view, lattice, overlap),
+  MergeRule rule;
+  rule.merge = merge;
+  rule.target = 1;
+  write_grid(merge == Merge::none ? build_uniform(view, lattice, overlap)
+                                  : build_merged(view, lattice, overlap, rule),
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, overlap, "5x4x3", ""}, path);
 }
-inline void build_a_little(const SceneFile& scene, Overlap overlap, const std::string& path) {
-  scene.is_float64() ? build_a_little<double>(scene, overlap, path)
-                     : build_a_little<float>(scene, overlap, path);
+inline void build_a_little(const SceneFile& scene, Overlap overlap, Merge merge, const std::string& path) {
+  scene.is_float64() ? build_a_little<double>(scene, overlap, merge, path)
+                     : build_a_little<float>(scene, overlap, merge, path);
 }
 
 } // namespace masu

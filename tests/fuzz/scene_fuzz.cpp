@@ -10,7 +10,8 @@ void open_and_trace(std::span<const std::uint8_t> bytes) {
     const masu::MemoryFile file(bytes);
     const masu::SceneFile scene(file.path());
     masu::trace_a_little(scene, nullptr);
-    masu::build_a_little(scene, masu::Overlap::exact, "/dev/null");
+    for (const masu::Merge merge : {masu::Merge::none, masu::Merge::balance, masu::Merge::irregular})
+      masu::build_a_little(scene, masu::Overlap::exact, merge, "/dev/null");
   } catch (const masu::Error&) {
   }
 }
