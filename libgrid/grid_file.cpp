@@ -112,24 +112,15 @@ public:
       std::uint64_t nested = 0;
       return is_good(grid_.voxel_map[i],
                      {at.x << grid_.nested_log2, at.y << grid_.nested_log2, at.z << grid_.nested_log2},
-<<<<<<< HEAD
-                     {grid_.nested_log2, grid_.nested_log2, grid_.nested_log2});
-=======
-                     grid_.nested_log2, nested) &&
+                     {grid_.nested_log2, grid_.nested_log2, grid_.nested_log2}, nested) &&
              (nested == 0 || (nested_ += nested) <= words_);
->>>>>>> merged-tests
     });
   }
 
 private:
-<<<<<<< HEAD
   // Of the box of 2^level voxels along each axis at `first`. Each division makes it smaller, so this ends.
-  bool is_good(std::uint32_t word, const Vec3i& first, const Vec3i& level) const {
-=======
-  // Of the cube of 2^level voxels a side at `first`. Each level is smaller, so this ends. Adds to `nested`
-  // how many words it looks at.
-  bool is_good(std::uint32_t word, const Vec3i& first, std::int32_t level, std::uint64_t& nested) const {
->>>>>>> merged-tests
+  // Adds to `nested` how many words it looks at.
+  bool is_good(std::uint32_t word, const Vec3i& first, const Vec3i& level, std::uint64_t& nested) const {
     if ((word & occupied_bit) != 0) {
       const std::uint32_t number = word & ~occupied_bit;
       if (number >= cells_) return false;
@@ -141,35 +132,22 @@ private:
       };
       return within(cell.x, 0) && within(cell.y, 1) && within(cell.z, 2);
     }
-<<<<<<< HEAD
     const MapDivision division = map_division(word);
     const Vec3i rest = level - division.log2, &n = division.log2;
-    if (rest.x < 0 || rest.y < 0 || rest.z < 0 || n.x + n.y + n.z < 1 ||
-        division.place + (std::uint64_t{1} << (n.x + n.y + n.z)) > words_)
-      return false;
-    for (std::int32_t z = 0; z < 1 << n.z; ++z) {
-      for (std::int32_t y = 0; y < 1 << n.y; ++y) {
-        for (std::int32_t x = 0; x < 1 << n.x; ++x) {
-          const std::uint32_t part = grid_.voxel_map[division.place + index_in_division({x, y, z}, n)];
-          if (!is_good(part, {first.x + (x << rest.x), first.y + (y << rest.y), first.z + (z << rest.z)},
-                       rest))
-            return false;
-        }
-      }
-=======
-    const auto side = static_cast<std::int32_t>(word & nested_side_bits);
-    const std::uint64_t place = word & ~nested_side_bits, count = std::uint64_t{1} << (3 * side);
+    const std::uint64_t count = std::uint64_t{1} << (n.x + n.y + n.z);
     nested += count;
-    if (side < 1 || side > level || place + count > words_ || nested > words_) return false;
-    const std::int32_t rest = level - side, mask = (1 << side) - 1;
-    for (std::uint64_t i = 0; i < count; ++i) {
-      const auto part = static_cast<std::int32_t>(i);
-      const Vec3i at{first.x + ((part & mask) << rest), first.y + (((part >> side) & mask) << rest),
-                     first.z + ((part >> (2 * side)) << rest)};
-      if (!is_good(grid_.voxel_map[place + i], at, rest, nested)) return false;
->>>>>>> merged-tests
-    }
-    return true;
+    if (rest.x < 0 || rest.y < 0 || rest.z < 0 || count < 2 || division.place + count > words_ ||
+        nested > words_)
+      return false;
+    const VoxelRange all{{0, 0, 0}, {(1 << n.x) - 1, (1 << n.y) - 1, (1 << n.z) - 1}};
+    bool good = true;
+    for_each_voxel(all, [&](const Vec3i& part) {
+      good = good && is_good(grid_.voxel_map[division.place + index_in_division(part, n)],
+                             {first.x + (part.x << rest.x), first.y + (part.y << rest.y),
+                              first.z + (part.z << rest.z)},
+                             rest, nested);
+    });
+    return good;
   }
 
   const MergedGridView<double> grid_;

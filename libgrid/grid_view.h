@@ -20,8 +20,8 @@
 //   bit 31 set    all of the cube is in one cell: the other bits are its number
 //   bit 31 clear  divided: bits 0-1, 2-3 and 4-5 are the logarithms a, b, c of how often along x, y and z,
 //   and
-//                 from bit 6 on stands half the place of 2^(a+b+c) more such words, one for each of the
-//                 boxes it is divided into, x fastest
+//                 from bit 6 on stands a quarter of the place of 2^(a+b+c) more such words, one for each of
+//                 the boxes it is divided into, x fastest
 //
 // A cell's box may reach beyond the voxels that lead to it, over others that hold nothing or nothing else
 // than it does: whoever enters it there may leave it through the box's far side.
@@ -114,15 +114,16 @@ struct MapDivision {
   Vec3i log2;
 };
 inline constexpr std::uint32_t most_division_log2 = 3;
-inline constexpr std::uint64_t most_nested_words = std::uint64_t{1} << 26;
+inline constexpr std::uint32_t place_unit_log2 = 2;
+inline constexpr std::uint64_t most_nested_words = std::uint64_t{1} << 27;
 
 MASU_HD inline MapDivision map_division(std::uint32_t word) {
-  return {word >> 6 << 1,
+  return {word >> 6 << place_unit_log2,
           {static_cast<std::int32_t>(word & 3), static_cast<std::int32_t>(word >> 2 & 3),
            static_cast<std::int32_t>(word >> 4 & 3)}};
 }
 MASU_HD inline std::uint32_t map_word(const MapDivision& division) {
-  return division.place >> 1 << 6 | static_cast<std::uint32_t>(division.log2.z) << 4 |
+  return division.place >> place_unit_log2 << 6 | static_cast<std::uint32_t>(division.log2.z) << 4 |
          static_cast<std::uint32_t>(division.log2.y) << 2 | static_cast<std::uint32_t>(division.log2.x);
 }
 // Which of the words is a box's, whose place along each axis are the lowest bits of `at`.

@@ -1,6 +1,7 @@
 #include "libgrid/map_statistics.h"
 
 #include "libgrid/lattice.h"
+#include "libgrid/overlap.h"
 #include "libgrid/statistics.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ double expected_voxels(const Vec3i& n, const Vec3d& voxel) {
   return 1 + ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / half_area(w);
 }
 
-// act(word, first voxel of its cube, the cube's side as a power of two, level) for each word of a merged
+// act(word, first voxel of its box, the box's sides as powers of two, level) for each word of a merged
 // grid's map that leads to something.
 template <class Real, class Act>
 class MapWords {
@@ -39,34 +40,38 @@ public:
       for (std::int32_t y = 0; y < n.y; ++y) {
         for (std::int32_t x = 0; x < n.x; ++x, ++i) {
           const std::int32_t log2 = grid_.nested_log2;
-          visit(grid_.voxel_map[i], {x << log2, y << log2, z << log2}, log2, 0);
+          visit(grid_.voxel_map[i], {x << log2, y << log2, z << log2}, {log2, log2, log2}, 0);
         }
       }
     }
   }
 
 private:
-  void visit(std::uint32_t word, const Vec3i& first, std::int32_t side_log2, std::size_t level) const {
-    act_(word, first, side_log2, level);
+  void visit(std::uint32_t word, const Vec3i& first, const Vec3i& sides_log2, std::size_t level) const {
+    act_(word, first, sides_log2, level);
     if ((word & occupied_bit) != 0) return;
-    const auto parts_log2 = static_cast<std::int32_t>(word & nested_side_bits);
-    const std::int32_t rest = side_log2 - parts_log2, mask = (1 << parts_log2) - 1;
-    for (std::int32_t part = 0; part < 1 << (3 * parts_log2); ++part) {
-      const Vec3i at{part & mask, (part >> parts_log2) & mask, part >> (2 * parts_log2)};
-      visit(grid_.voxel_map[(word & ~nested_side_bits) + static_cast<std::uint32_t>(part)],
-            {first.x + (at.x << rest), first.y + (at.y << rest), first.z + (at.z << rest)}, rest, level + 1);
-    }
+    const MapDivision division = map_division(word);
+    const Vec3i n = division.log2, rest = sides_log2 - n;
+    for_each_voxel({{0, 0, 0}, {(1 << n.x) - 1, (1 << n.y) - 1, (1 << n.z) - 1}}, [&](const Vec3i& part) {
+      visit(grid_.voxel_map[division.place + index_in_division(part, n)],
+            {first.x + (part.x << rest.x), first.y + (part.y << rest.y), first.z + (part.z << rest.z)}, rest,
+            level + 1);
+    });
   }
 
   const MergedGridView<Real>& grid_;
   const Act& act_;
 };
 
-void include(OwnVoxels& own, const Vec3i& first, std::int32_t side_log2) {
-  own.voxels += std::uint64_t{1} << (3 * side_log2);
+std::uint64_t voxels_of(const Vec3i& sides_log2) {
+  return std::uint64_t{1} << (sides_log2.x + sides_log2.y + sides_log2.z);
+}
+
+void include(OwnVoxels& own, const Vec3i& first, const Vec3i& sides_log2) {
+  own.voxels += voxels_of(sides_log2);
   for (int axis = 0; axis < 3; ++axis) {
     own.box.first.set(axis, std::min(own.box.first[axis], first[axis]));
-    own.box.end.set(axis, std::max(own.box.end[axis], first[axis] + (1 << side_log2)));
+    own.box.end.set(axis, std::max(own.box.end[axis], first[axis] + (1 << sides_log2[axis])));
   }
 }
 
@@ -82,8 +87,8 @@ double volume_of(const MergedCell& cell) {
 template <class Real>
 std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
   std::vector<OwnVoxels> own(cells.size());
-  const auto add = [&](std::uint32_t word, const Vec3i& first, std::int32_t side_log2, std::size_t) {
-    if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, side_log2);
+  const auto add = [&](std::uint32_t word, const Vec3i& first, const Vec3i& sides_log2, std::size_t) {
+    if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, sides_log2);
   };
   MapWords(grid, add).visit_all();
   return own;
@@ -99,10 +104,10 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
   const Vec3d voxel = cast<double>(grid.voxel_size);
 
   double loads = 0;
-  const auto count_word = [&](std::uint32_t, const Vec3i&, std::int32_t side_log2, std::size_t level) {
+  const auto count_word = [&](std::uint32_t, const Vec3i&, const Vec3i& sides_log2, std::size_t level) {
     if (level == statistics.words.size()) statistics.words.resize(level + 1, 0);
     ++statistics.words[level];
-    loads += static_cast<double>(std::uint64_t{1} << (3 * side_log2)); // a sum of integers: exact
+    loads += static_cast<double>(voxels_of(sides_log2)); // a sum of integers: exact
   };
   MapWords(grid, count_word).visit_all();
   statistics.loads = loads / voxels;

@@ -104,15 +104,16 @@ std::vector<std::uint64_t> offsets(const std::vector<GridPart>& parts, std::uint
 // Puts the rows of the top level's map together.
 void join(std::vector<GridPart>& rows, Grid& grid) {
   const auto top = offsets(rows, 0, [](const GridPart& part) { return part.top.size(); });
-  // The places of nested maps are even.
-  const auto nested =
-      offsets(rows, (top.back() + 1) / 2 * 2, [](const GridPart& part) { return part.nested.size(); });
+  // The places of nested maps are multiples of the unit.
+  constexpr std::uint64_t unit = std::uint64_t{1} << place_unit_log2;
+  const auto nested = offsets(rows, (top.back() + unit - 1) / unit * unit,
+                              [](const GridPart& part) { return part.nested.size(); });
   const auto cells = offsets(rows, 0, [](const GridPart& part) { return part.cells.size(); });
   const auto references = offsets(rows, 0, [](const GridPart& part) { return part.references.size(); });
   if (std::max(cells.back(), references.back()) > most_numbered)
     too_fine("more than 2^31 cells or references");
   if (nested.back() > most_nested_words && nested.back() > nested.front())
-    too_fine("more than 2^26 words for its map");
+    too_fine("more than 2^27 words for its map");
   grid.voxel_map.assign(nested.back(), 0);
   grid.cells.resize(cells.back());
   grid.references.resize(references.back());

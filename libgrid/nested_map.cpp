@@ -11,7 +11,7 @@ namespace {
 
 // No more words than this for each cell that they lead to, unless one step down needs them: what is left of
 // the depth takes another step.
-constexpr std::size_t words_a_cell = 8;
+constexpr std::size_t words_a_cell = 4;
 
 // 2^log2 voxels along each axis.
 struct Place {
@@ -20,6 +20,12 @@ struct Place {
 
 std::size_t boxes_of(const Vec3i& log2) {
   return std::size_t{1} << (log2.x + log2.y + log2.z);
+}
+
+// Words begin at multiples of the unit.
+std::size_t rounded_to_unit(std::size_t words) {
+  constexpr std::size_t rest = (std::size_t{1} << place_unit_log2) - 1;
+  return (words + rest) & ~rest;
 }
 
 class NestedMap {
@@ -32,7 +38,7 @@ public:
     if (inside.size() == 1) return occupied_bit | inside.front();
     const Vec3i division = division_of(place, inside), rest = place.log2 - division;
     const std::size_t begin_words = words_.size(), count = boxes_of(division);
-    words_.resize(begin_words + count);
+    words_.resize(begin_words + rounded_to_unit(count));
 
     // The cells inside each part, by counting.
     const auto for_each_part = [&](std::uint32_t cell, const auto& act) {
