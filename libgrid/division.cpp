@@ -268,6 +268,16 @@ Vec3d equal_sides(const Vec3d& extent, double voxels) {
   return {density, density, density};
 }
 
+// Voxels a primitive: few, but more of them the smaller the crowd's part of the space is.
+double nested_density(const DivisionStatistics& statistics, const Boxd& space) {
+  constexpr double least = 0.05, most = 1;
+  const auto volume = [](const Boxd& box) {
+    const Vec3d w = box.max - box.min;
+    return w.x * w.y * w.z;
+  };
+  return std::clamp(least * std::sqrt(volume(space) / volume(statistics.crowd)), least, most);
+}
+
 Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
   constexpr double tolerance = 1.05;
   constexpr int steps_an_octave = 3, most_octaves = 27; // up to 2^27 voxels
@@ -309,6 +319,8 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
     return division_of(extent, equal_sides(extent, std::max(1.0, rule.parameter * count)));
   case DivisionRule::Kind::automatic:
     return automatic_division(statistics, space);
+  case DivisionRule::Kind::nested:
+    return division_of(extent, equal_sides(extent, std::max(1.0, nested_density(statistics, space) * count)));
   }
   return {1, 1, 1};
 }

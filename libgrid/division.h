@@ -16,14 +16,17 @@ enum class SpaceRule { tight, cube };
 //   fixed          the numbers given
 //   cube_root      each axis D·∛N
 //   woo            the longest axis D·∛N, the others in proportion (Woo)
-//   heterogeneous  an axis D·w·∛(N/V) (Klimaszewski & Sederberg, "Faster Ray Tracing Using Adaptive Grids",
-//   IEEE CG&A
-//                  17(1), 1997)
-//   cleary         an axis w·∛(λN/V): λN voxels of equal sides (Cleary & Wyvill, The Visual Computer 4(2),
-//   1988) automatic      cleary with the smallest λ that the cost model below puts within a few percent of
-//   the best
+//   heterogeneous  an axis D·w·∛(N/V)
+//                  (Klimaszewski & Sederberg, "Faster Ray Tracing Using Adaptive Grids", IEEE CG&A 17(1),
+//                  1997)
+//   cleary         an axis w·∛(λN/V): λN voxels of equal sides
+//                  (Cleary & Wyvill, The Visual Computer 4(2), 1988)
+//   automatic      cleary with the smallest λ that the cost model below puts within a few percent of the best
+//   nested         cleary with a small λ, for voxels that will be divided further: from 0.05 to 1, the larger
+//   the
+//                  more of the space lies beyond where most primitives are
 struct DivisionRule {
-  enum class Kind { fixed, cube_root, woo, heterogeneous, cleary, automatic } kind = Kind::automatic;
+  enum class Kind { fixed, cube_root, woo, heterogeneous, cleary, automatic, nested } kind = Kind::automatic;
   Vec3i fixed{1, 1, 1};
   double parameter = 0; // D or λ
   std::string text = "auto";

@@ -42,10 +42,11 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
+// In parallel, so many at a time.
 template <class Good>
-bool all(std::uint64_t count, const Good& good) {
+bool all(std::uint64_t count, const Good& good, std::uint64_t grain = 1 << 16) {
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::uint64_t>(0, count, 1 << 16), true,
+      tbb::blocked_range<std::uint64_t>(0, count, grain), true,
       [&](const tbb::blocked_range<std::uint64_t>& range, bool so_far) {
         for (std::uint64_t i = range.begin(); so_far && i != range.end(); ++i)
           so_far = good(i);
@@ -104,17 +105,21 @@ public:
       : grid_(grid), words_(words), cells_(cells) {}
 
   bool top_level_good() {
-    return all(voxel_count(grid_.top), [&](std::uint64_t i) {
-      const auto x = static_cast<std::uint32_t>(grid_.top.x), y = static_cast<std::uint32_t>(grid_.top.y);
-      const Vec3<std::uint32_t> cube{static_cast<std::uint32_t>(i % x), static_cast<std::uint32_t>(i / x % y),
-                                     static_cast<std::uint32_t>(i / x / y)};
-      const Vec3i at = cast<std::int32_t>(cube);
-      std::uint64_t nested = 0;
-      return is_good(grid_.voxel_map[i],
-                     {at.x << grid_.nested_log2, at.y << grid_.nested_log2, at.z << grid_.nested_log2},
-                     {grid_.nested_log2, grid_.nested_log2, grid_.nested_log2}, nested) &&
-             (nested == 0 || (nested_ += nested) <= words_);
-    });
+    return all(
+        voxel_count(grid_.top),
+        [&](std::uint64_t i) {
+          const auto x = static_cast<std::uint32_t>(grid_.top.x), y = static_cast<std::uint32_t>(grid_.top.y);
+          const Vec3<std::uint32_t> cube{static_cast<std::uint32_t>(i % x),
+                                         static_cast<std::uint32_t>(i / x % y),
+                                         static_cast<std::uint32_t>(i / x / y)};
+          const Vec3i at = cast<std::int32_t>(cube);
+          std::uint64_t nested = 0;
+          return is_good(grid_.voxel_map[i],
+                         {at.x << grid_.nested_log2, at.y << grid_.nested_log2, at.z << grid_.nested_log2},
+                         {grid_.nested_log2, grid_.nested_log2, grid_.nested_log2}, nested) &&
+                 (nested == 0 || (nested_ += nested) <= words_);
+        },
+        256);
   }
 
 private:

@@ -73,13 +73,15 @@ private:
     set_ranges(cell, ranges);
   }
 
-  // As far as every neighbour on that side lets it; false when one doesn't.
+  // As far as every neighbour on that side lets it; false when one doesn't, or where they are very many: one
+  // of them would sooner or later.
   bool stretch_towards(unsigned direction, std::uint32_t list, const std::vector<MergedCell>& before,
                        Ranges& ranges) const {
     const unsigned axis = direction / 2, side = direction % 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
     Range& along = ranges[axis];
     if (side == 0 ? along[0] == 0 : along[1] == view_.division[static_cast<int>(axis)]) return false;
     std::int32_t reach = side == 0 ? 0 : 0xffff;
+    int seen = 0;
     Vec3i voxel{};
     voxel.set(static_cast<int>(axis), side == 0 ? along[0] - 1 : along[1]);
     for (std::int32_t j = ranges[v][0], next_j; j < ranges[v][1]; j = next_j) {
@@ -88,7 +90,8 @@ private:
       for (std::int32_t i = ranges[u][0]; i < ranges[u][1];) {
         voxel.set(static_cast<int>(u), i);
         const std::uint32_t neighbour = cell_number(view_, voxel);
-        if (!lists_all(grid_.references.data(), list, before[neighbour].list)) return false;
+        if (++seen > most_neighbours || !lists_all(grid_.references.data(), list, before[neighbour].list))
+          return false;
         const Ranges own = ranges_of(own_[neighbour]);
         const Ranges stretched = ranges_of(before[neighbour]);
         reach = side == 0 ? std::max(reach, stretched[axis][0]) : std::min(reach, stretched[axis][1]);
@@ -101,6 +104,7 @@ private:
   }
 
   static constexpr std::uint8_t all_blocked = 0x3f;
+  static constexpr int most_neighbours = 32;
   Grid& grid_;
   MergedGridView<double> view_;
   std::vector<MergedCell> own_;

@@ -44,7 +44,8 @@ MASU_HD inline WalkAxis<Real> walk_axis(const ClippedRay<Real>& near, const Vec3
   const Real min = lower[axis], voxels_per_unit = densities[axis];
   const Real plane_step = voxel_sizes[axis] * inverse;
   // A ray that takes so long from plane to plane stays, within any t, where it is but for rounding.
-  const bool runs = std::abs(plane_step) < RealTraits<Real>::largest / (1 << 20);
+  const bool runs = std::abs(inverse) < RealTraits<Real>::largest &&
+                    std::abs(plane_step) < RealTraits<Real>::largest / (1 << 20);
   const Real voxel_start = (origin - min) * voxels_per_unit;
   return {runs ? plane_step : 0,
           runs ? (min - origin) * inverse : static_cast<Real>(INFINITY),

@@ -14,13 +14,19 @@ namespace masu {
 template <class Real>
 struct ClippedRay {
   Ray<Real> ray;
-  Vec3<Real> inverse; // of the direction, component by component
+  Vec3<Real> inverse; // of the direction, component by component; finite, if need be the largest number
   Real skipped;
 };
 
+// Never infinite, so that no product with a distance of zero is NaN.
+template <class Real>
+MASU_HD inline Real finite_inverse(Real component) {
+  constexpr Real largest = RealTraits<Real>::largest;
+  return least(greatest(1 / component, -largest), largest);
+}
+
 // Whether the ray is in the box between `enter` and some larger t. The end is rounded up by more than
-// rounding can hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so `enter` down. A ray that runs
-// exactly in a face makes NaN of 0 · ∞, and misses; boxes to clip to are larger than what they hold.
+// rounding can hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so `enter` down.
 template <class Real>
 MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Vec3<Real>& inverse,
                             Real& enter) {
@@ -38,7 +44,7 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
 template <class Real>
 MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
   const Vec3<Real> d = ray.direction;
-  clipped = {ray, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+  clipped = {ray, {finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, 0};
   const Real far = 256 * largest_magnitude(box);
   for (bool again = true; again;) {
     Real enter;

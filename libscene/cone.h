@@ -36,12 +36,25 @@ MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
   return cone.base_radius < 0 || cone.apex_radius < 0;
 }
 
+// Whether a line stays farther from the axis' line than `radius`, by more than rounding: most tests end here.
+// Nearly parallel lines are never said to.
+MASU_HD inline bool passes_by(const Vec3d& from_base, const Vec3d& direction, const Vec3d& axis,
+                              double radius) {
+  const Vec3d n{direction.y * axis.z - direction.z * axis.y, direction.z * axis.x - direction.x * axis.z,
+                direction.x * axis.y - direction.y * axis.x};
+  const double square = dot(n, n), sizes = dot(direction, direction) * dot(axis, axis);
+  const double apart = std::abs(dot(from_base, n)) - 1e-13 * std::sqrt(dot(from_base, from_base) * sizes);
+  return square > 1e-12 * sizes && apart > 0 && apart * apart > radius * radius * square * (1 + 1e-9);
+}
+
 // Whether the ray meets the side at a t > 0; then `t` is the first such place.
 template <class Real, class Stored>
 MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& cone, Real& t) {
   const ConeAxis<double> c = cone_axis(cone);
   const Vec3d direction = cast<double>(ray.direction);
   const Vec3d from_base = cast<double>(ray.origin) - c.base;
+  const double widest = larger(c.base_radius, c.base_radius + c.growth);
+  if (passes_by(from_base, direction, c.axis, widest)) return false;
   // The direction, split: dz along the axis, `across` perpendicular to it.
   const double dz = dot(direction, c.axis) * c.inverse_square;
   const Vec3d across = fused(c.axis, -dz, direction);
@@ -50,7 +63,6 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
 
   // Where a hit can be: between the ends, and no farther off than they are. A ray all but across the axis
   // comes between the ends' planes only far away, where every digit would be lost.
-  const double widest = larger(c.base_radius, c.base_radius + c.growth);
   const double reach = 2 * (length(from_base) + length(c.axis) + widest) / length(direction);
   double low = -reach, high = reach;
   if (dz != 0) {

@@ -65,6 +65,11 @@ static_assert(sizeof(ListedRay) == 24);
 // then 0 or -1, its t the end of what was looked at).
 enum class Question { nearest, blocked };
 
+// How a GPU goes about its rays: a thread takes one ray through, cell by cell; or threads that are done take
+// the next ray while their neighbours go on, which pays where rays of a warp go their own ways. The hits are
+// the same.
+enum class RayLoop { cells, refill };
+
 struct RaysRequest {
   std::span<const ListedRay> rays;
   HitName hit_name = HitName::object;
@@ -72,6 +77,7 @@ struct RaysRequest {
   int repeat = 1;
   int warm_up = 0; // untimed runs before
   Question question = Question::nearest;
+  RayLoop loop = RayLoop::refill; // where rays are counted, always cells
 };
 
 struct RayHits {

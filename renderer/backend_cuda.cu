@@ -56,8 +56,13 @@ __global__ void __launch_bounds__(tile_side* tile_side)
   add(total, counts);
 }
 
+// Blocks that should fit on a multiprocessor: the compiler may spend registers only so far. Cones in double
+// need all they can get.
+template <class M>
+constexpr int resident_blocks_wanted = (M::kinds & with_cones) == 0 && sizeof(typename M::Real) == 4 ? 8 : 1;
+
 template <Question question, class M, class Grid, class C>
-__global__ void __launch_bounds__(rays_a_block)
+__global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
     trace_kernel(const SceneView<typename M::Stored> scene, const Grid grid, const ListedRay* const rays,
                  const std::uint64_t count, const HitName name, EyeHit* const hits, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
@@ -65,6 +70,70 @@ __global__ void __launch_bounds__(rays_a_block)
   C counts;
   hits[i] = trace_listed<question, M>(scene, grid, rays[i], name, counts);
   add(total, counts);
+}
+
+// Warps that live until no ray is left, a step and a test or two a turn: all lanes get on. When enough of
+// them are done they fetch as many rays at once, after
+// Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009. `next` counts rays
+// fetched.
+template <Question question, class M, class Grid>
+__global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
+    refill_kernel(const SceneView<typename M::Stored> scene, const Grid grid, const ListedRay* const rays,
+                  const std::uint64_t count, const HitName name, EyeHit* const hits,
+                  unsigned long long* const next) {
+  using Real = typename M::Real;
+  constexpr unsigned all_lanes = 0xffffffffU;
+  constexpr int enough = 12, tests_a_turn = 2;
+  const unsigned lane = threadIdx.x % 32;
+  NoCounts counts;
+  // All in variables of the kernel's own: what holds references to itself would not stay in registers.
+  RayFrame<Real> frame{};
+  VisitorFor<question, M, NoCounts> visitor{scene, frame, counts, {}};
+  Trace<Real, Grid, VisitorFor<question, M, NoCounts>> trace(grid, ClippedRay<Real>{}, visitor);
+  Real scale = 1, skipped = 0, t_max = 0;
+  bool alive = false, more = true;
+  std::uint64_t mine = 0;
+  for (;;) {
+    const unsigned idle = __ballot_sync(all_lanes, !alive);
+    if (more && __popc(idle) >= enough) {
+      unsigned long long first = 0;
+      if (lane == 0) first = atomicAdd(next, static_cast<unsigned long long>(__popc(idle)));
+      first = __shfl_sync(all_lanes, first, 0);
+      more = first + static_cast<unsigned>(__popc(idle)) < count;
+      const std::uint64_t next_ray = first + static_cast<unsigned>(__popc(idle & ((1U << lane) - 1)));
+      if (!alive && next_ray < count) {
+        mine = next_ray;
+        ScaledRay<Real> ray = scaled<Real>(rays[mine]);
+        scale = ray.scale;
+        if constexpr (question == Question::blocked) ray.ray.t_max = 1 / scale;
+        ClippedRay<Real> near{};
+        alive = clip(ray.ray, cast<Real>(scene.clip), near);
+        t_max = near.ray.t_max;
+        skipped = near.skipped;
+        reset(visitor, t_max);
+        if (alive) {
+          frame = ray_frame(near.ray.origin, near.ray.direction);
+          trace.walk = Walk<Real, Grid>(grid, near);
+          trace.next = empty_list;
+        } else {
+          hits[mine] = found_by(visitor, t_max, skipped, scale, name);
+        }
+      }
+      continue;
+    }
+    if (idle == all_lanes) return;
+    if (alive) {
+      if (!trace.testing()) trace.enter(grid);
+#pragma unroll
+      for (int test = 0; test < tests_a_turn; ++test) {
+        if (trace.testing()) trace.test(grid);
+      }
+      if (!trace.testing()) {
+        alive = trace.leave(grid);
+        if (!alive) hits[mine] = found_by(visitor, t_max, skipped, scale, name);
+      }
+    }
+  }
 }
 
 // The scene's and the grid's arrays on the device, one copy a section, as they lie in the files.
@@ -237,18 +306,31 @@ RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const Rays
   const DeviceArray<ListedRay> device_rays(rays);
   DeviceArray<EyeHit> hits(rays.size());
   const DeviceArray<Counts> total(&result.counts, request.count || grid == nullptr ? 1 : 0);
+  const DeviceArray<unsigned long long> next_ray(1);
   result.seconds.upload = watch.seconds();
   run(scene, grid, ForHits{}, request.count, result.seconds,
       [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
         if (rays.empty()) return 0.0;
-        const dim3 blocks(static_cast<unsigned>((rays.size() + rays_a_block - 1) / rays_a_block));
+        using Accelerator = std::decay_t<decltype(accelerator)>;
         double seconds = 0;
         with_question(request.question, [&]<Question question>(Asked<question>) {
-          seconds = timed_launch(
-              request.warm_up, request.repeat, [] {},
-              trace_kernel<question, M, std::decay_t<decltype(accelerator)>, C>, blocks, dim3(rays_a_block),
-              view, accelerator, device_rays.data(), rays.size(), request.hit_name, hits.data(),
-              total.data());
+          const auto timed = [&](const auto& before, auto* kernel, std::uint64_t blocks, auto* last) {
+            seconds = timed_launch(request.warm_up, request.repeat, before, kernel,
+                                   dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), view, accelerator,
+                                   device_rays.data(), rays.size(), request.hit_name, hits.data(), last);
+          };
+          const std::uint64_t all_blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
+          if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid>) {
+            if (request.loop == RayLoop::refill) {
+              auto* const kernel = refill_kernel<question, M, Accelerator>;
+              const std::uint64_t fitting = resident_blocks(kernel, rays_a_block, 0);
+              const auto reset = [&] {
+                check(cudaMemsetAsync(next_ray.data(), 0, sizeof(unsigned long long)));
+              };
+              return timed(reset, kernel, std::min(all_blocks, fitting), next_ray.data());
+            }
+          }
+          timed([] {}, trace_kernel<question, M, Accelerator, C>, all_blocks, total.data());
         });
         return seconds;
       });

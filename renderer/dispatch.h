@@ -106,6 +106,10 @@ MASU_HD inline ScaledRay<Real> scaled(const ListedRay& listed) {
           static_cast<Real>(scale)};
 }
 
+MASU_HD inline EyeHit blocked_hit(bool blocked) {
+  return {1, blocked ? 0 : -1};
+}
+
 // What a listed ray hits, or whether it is blocked.
 template <Question question, class M, class Grid, class C>
 MASU_HD inline EyeHit trace_listed(const SceneView<typename M::Stored>& scene, const Grid& grid,
@@ -116,11 +120,40 @@ MASU_HD inline EyeHit trace_listed(const SceneView<typename M::Stored>& scene, c
     ray.ray.t_max = 1 / ray.scale;
     const bool blocked = is_blocked<M::kinds>(scene, grid, ray.ray, counts);
     counts.shadow_ray(blocked);
-    return {1, blocked ? 0 : -1};
+    return blocked_hit(blocked);
   }
   const Hit<Real> hit = nearest_hit<M::kinds>(scene, grid, ray.ray, counts);
   counts.eye_ray(hit.primitive != no_primitive);
   return eye_hit(scene, hit, ray.scale, name);
+}
+
+// What looks for the answer to a question.
+template <Question question, class M, class C>
+using VisitorFor = std::conditional_t<question == Question::nearest,
+                                      NearestHit<M::kinds, typename M::Real, typename M::Stored, C>,
+                                      AnyHit<M::kinds, typename M::Real, typename M::Stored, C>>;
+
+template <unsigned kinds, class Real, class Stored, class C>
+MASU_HD inline void reset(NearestHit<kinds, Real, Stored, C>& visitor, Real t_max) {
+  visitor.hit = {t_max, 0};
+}
+template <unsigned kinds, class Real, class Stored, class C>
+MASU_HD inline void reset(AnyHit<kinds, Real, Stored, C>& visitor, Real t_max) {
+  visitor.t_max = t_max;
+  visitor.found = false;
+}
+
+// What a visitor found on a listed ray that was scaled and clipped.
+template <unsigned kinds, class Real, class Stored, class C>
+MASU_HD inline EyeHit found_by(const NearestHit<kinds, Real, Stored, C>& visitor, Real t_max, Real skipped,
+                               Real scale, HitName name) {
+  const bool met = visitor.hit.t < t_max;
+  return eye_hit(visitor.scene,
+                 Hit<Real>{visitor.hit.t + skipped, met ? visitor.hit.primitive : no_primitive}, scale, name);
+}
+template <unsigned kinds, class Real, class Stored, class C>
+MASU_HD inline EyeHit found_by(const AnyHit<kinds, Real, Stored, C>& visitor, Real, Real, Real, HitName) {
+  return blocked_hit(visitor.found);
 }
 
 } // namespace masu

@@ -224,7 +224,7 @@ TEST(GoldenFileReading, MergedGridIsRead) {
   const MergedGridView<float> view = file.merged_view<float>();
   EXPECT_EQ(view.division, (Vec3i{8, 4, 4}));
   EXPECT_EQ(view.voxel_size, (Vec3f{0.5F, 1, 0.5F}));
-  const auto cell_of = [&](const Vec3i& voxel) { return look_up(view, voxel).word; };
+  const auto cell_of = [&](const Vec3i& voxel) { return cell_number(view, voxel) | occupied_bit; };
   EXPECT_EQ(cell_of({0, 1, 1}), occupied_bit | 0);
   EXPECT_EQ(cell_of({1, 0, 1}), occupied_bit | 1);
   EXPECT_EQ(cell_of({3, 1, 3}), occupied_bit | 2);

@@ -55,12 +55,13 @@ INSTANTIATE_TEST_SUITE_P(
         map("NestedCellBeyond", 20, occupied_bit | 6), //
         map("CellElsewhere", 1, occupied_bit | 0), map("CellOfPartOfTheCube", 0, occupied_bit | 3),
         map("CellOfTheNextVoxel", 16, occupied_bit | 1), map("CellOfPartOfANestedCube", 8, occupied_bit | 0),
-        map("MapBeyond", 0, 24 | 1), map("MapFarBeyond", 0, 0x7ffffff8 | 1),
-        map("NestedMapBeyond", 8, 24 | 1), map("SideZero", 0, 8), map("NoWord", 0, 0),
-        map("NestedSideZero", 8, 16), map("SideTooLong", 0, 8 | 3), map("NestedSideTooLong", 8, 16 | 2),
-        map("LongestSide", 0, 8 | 7), map("MapOfItself", 8, 8 | 1), map("MapOfTheTop", 8, 0 | 1),
-        map("MapForASingleVoxel", 16, 8 | 1), map("MapOfItselfForASingleVoxel", 16, 16 | 1),
-        map("TheSameMapTwice", 1, 8 | 1), map_of("OneWordTooFew", 23), map_of("NothingNested", 8),
+        map("MapBeyond", 0, divided(24, 1)), map("MapFarBeyond", 0, (occupied_bit - 64) | divided(0, 1)),
+        map("NestedMapBeyond", 8, divided(24, 1)), map("SideZero", 0, divided(8, 0)), map("NoWord", 0, 0),
+        map("NestedSideZero", 8, divided(16, 0)), map("SideTooLong", 0, divided(8, 3)),
+        map("NestedSideTooLong", 8, divided(16, 2)), map("LongestSide", 0, divided(8, 3)),
+        map("MapOfItself", 8, divided(8, 1)), map("MapOfTheTop", 8, divided(0, 1)),
+        map("MapForASingleVoxel", 16, divided(8, 1)), map("MapOfItselfForASingleVoxel", 16, divided(16, 1)),
+        map("TheSameMapTwice", 1, divided(8, 1)), map_of("OneWordTooFew", 23), map_of("NothingNested", 8),
         map_of("FewerWordsThanCubes", 1), without("Missing", GridSection::voxel_map), nested("NotNested", 0),
         nested("NestedLess", 1), nested("NestedMore", 3), nested("NestedTooMuch", 15),
         nested("NestedBeyondNumbers", 16), nested("NestedBy31Bits", 31), nested("NestedBy32Bits", 32),
@@ -106,10 +107,10 @@ TEST(HostileNestedMap, ThatManyCubesShareIsRefusedAtOnce) {
   grid.nested_log2 = depth;
   grid.cells = {{range(0, side), range(0, side), range(0, side), 0}};
   grid.voxel_map.assign(8 * (depth + 1), 0);
-  grid.voxel_map[0] = 8 | 1;
+  grid.voxel_map[0] = divided(8, 1);
   for (std::uint32_t level = 1; level <= depth; ++level)
     std::fill_n(grid.voxel_map.begin() + 8 * level, 8,
-                level < depth ? 8 * (level + 1) | 1 : occupied_bit | 0);
+                level < depth ? divided(static_cast<std::uint32_t>(8 * (level + 1)), 1) : occupied_bit | 0);
   write_grid(grid, tiny_grid_origin({1, 2}, merge_rule), path);
   EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path));
 }

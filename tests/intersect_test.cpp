@@ -852,7 +852,9 @@ TYPED_TEST(RayFromAfar, ClippingKeepsTheRayAndMissesNothing) {
       continue;
     }
     if (contains(box, ray.origin)) {
-      ASSERT_TRUE(clipped.ray.origin == ray.origin && clipped.skipped == 0);
+      ASSERT_TRUE(clipped.ray.origin == ray.origin && clipped.skipped == 0)
+          << described(ray.origin, ray.direction) << " box " << described(box.min) << described(box.max)
+          << " skipped " << clipped.skipped;
       continue;
     }
     if (met.enter > met.leave) continue;

@@ -62,7 +62,7 @@ struct Cells {
     const MergedGridView<double> view = merged_view_of<double>(grid);
     std::vector<std::int64_t> counts(grid.cells.size(), 0);
     for_each_voxel_of({{0, 0, 0}, division}, [&](const Vec3i& voxel) {
-      const std::uint32_t cell = look_up(view, voxel).word & ~occupied_bit;
+      const std::uint32_t cell = cell_number(view, voxel);
       ASSERT_LT(cell, grid.cells.size());
       of_voxel[linear_index(voxel, division)] = cell;
       ++counts[cell];

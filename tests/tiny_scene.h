@@ -56,12 +56,17 @@ inline Grid tiny_grid_of_blocks() {
           {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
 }
 
+// A word of a merged grid's map that divides its box so often along each axis.
+inline std::uint32_t divided(std::uint32_t place, std::int32_t log2) {
+  return map_word({place, {log2, log2, log2}});
+}
+
 // A merged one: 2×1×1 voxels, the first of them divided into five cells, its first eighth once more than the
 // rest. The third cell is stretched over the second voxel, which is empty.
 inline Grid tiny_merged_grid() {
   constexpr std::uint32_t cell0 = occupied_bit | 0, cell1 = occupied_bit | 1, cell2 = occupied_bit | 2,
                           cell3 = occupied_bit | 3, cell4 = occupied_bit | 4, cell5 = occupied_bit | 5;
-  constexpr std::uint32_t nested0 = 8 | 1, nested1 = 16 | 1; // place, and the side's logarithm
+  const std::uint32_t nested0 = divided(8, 1), nested1 = divided(16, 1);
   const auto range = [](std::uint32_t first, std::uint32_t end) { return first | end << 16; };
   return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 1, 1}, 0.0625},
           Merge::irregular,

@@ -342,8 +342,8 @@ TEST_F(Tools, Nff2binTessellatesAndCountsObjectsAsBefore) {
 }
 
 TEST_F(Tools, GridbuildAndGridstatAgree) {
-  const auto built = json_of(
-      "gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--space", "cube", "--json"});
+  const auto built = json_of("gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--merge",
+                                           "none", "--space", "cube", "--json"});
   const auto told = json_of("gridstat", {file("b.grid"), "--json"});
   EXPECT_EQ(built["division"], (std::vector<int>{5, 4, 3}));
   EXPECT_EQ(told["division"], built["division"]);

@@ -22,6 +22,7 @@ struct Settings {
   RayOrder order = RayOrder::tiles;
   std::size_t random = std::size_t{1} << 22;
   std::uint64_t seed = 1;
+  std::vector<std::string> loops{"auto"};
   int warm_up = 5, repeat = 25;
   bool json = false;
   Threads threads;
@@ -30,29 +31,36 @@ struct Settings {
 struct RaySet {
   std::string name;
   Question question;
+  bool coherent; // neighbours go the same way
   std::vector<ListedRay> rays;
 };
+
+RayLoop loop_for(const std::string& wanted, const RaySet& set) {
+  if (wanted == "auto") return set.coherent ? RayLoop::cells : RayLoop::refill;
+  return wanted == "cells" ? RayLoop::cells : RayLoop::refill;
+}
 
 // Every grid is asked the same rays; the first one makes those that depend on what is hit.
 std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, const GridFile& grid) {
   const std::vector<ListedRay> primary = primary_rays(resized(scene.camera(), settings.size), settings.order);
   std::vector<RaySet> sets;
   for (const std::string& name : settings.sets) {
-    if (name == "primary") sets.push_back({name, Question::nearest, primary});
+    if (name == "primary") sets.push_back({name, Question::nearest, true, primary});
     if (name == "diffuse")
-      sets.push_back({name, Question::nearest, diffuse_rays(scene, grid, primary, settings.seed)});
+      sets.push_back({name, Question::nearest, false, diffuse_rays(scene, grid, primary, settings.seed)});
     if (name == "random")
-      sets.push_back({name, Question::nearest, random_rays(scene, settings.random, settings.seed)});
-    if (name == "shadow") sets.push_back({name, Question::blocked, shadow_rays(scene, grid, primary)});
+      sets.push_back({name, Question::nearest, false, random_rays(scene, settings.random, settings.seed)});
+    if (name == "shadow") sets.push_back({name, Question::blocked, true, shadow_rays(scene, grid, primary)});
   }
   return sets;
 }
 
 Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const RaySet& set,
-             bool cuda) {
+             RayLoop loop, bool cuda) {
   RaysRequest request{set.rays};
   request.hit_name = HitName::primitive;
   request.question = set.question;
+  request.loop = loop;
   const auto trace = [&] {
     return cuda ? trace_rays_cuda(scene, &grid, request) : trace_rays_cpu(scene, &grid, request);
   };
@@ -72,6 +80,7 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
           {"question", set.question == Question::nearest ? "nearest" : "blocked"},
           {"count", set.rays.size()},
           {"backend", cuda ? "cuda" : "cpu"},
+          {"loop", loop == RayLoop::cells || !cuda ? "cells" : "refill"},
           {"median_seconds", seconds},
           {"mrays_per_second", seconds > 0 ? number / seconds * 1e-6 : 0.0},
           {"hits_a_ray", a_ray(counts.eye_hits + counts.shadow_hits)},
@@ -81,8 +90,8 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
 }
 
 void print_row(const Json& row) {
-  fmt::print("{:<24} {:<8} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
-             row["grid"].get<std::string>(), row["rays"].get<std::string>(),
+  fmt::print("{:<24} {:<8} {:<6} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
+             row["grid"].get<std::string>(), row["rays"].get<std::string>(), row["loop"].get<std::string>(),
              row["count"].get<std::uint64_t>(), row["mrays_per_second"].get<double>(),
              100 * row["hits_a_ray"].get<double>(), row["tests_a_ray"].get<double>(),
              row["cells_a_ray"].get<double>(), row["empty_cells_a_ray"].get<double>());
@@ -101,15 +110,18 @@ void bench_rays(const Settings& settings) {
   const std::vector<RaySet> sets = ray_sets(settings, scene, grids.front());
   Json rows = Json::array();
   if (!settings.json) {
-    fmt::print("{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:>9} {:>9} {:>7} {:>8} {:>8} {:>8}\n",
-               cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
-               settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "count", "Mray/s", "hit %",
-               "tests", "cells", "empty");
+    fmt::print(
+        "{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:>9} {:>9} {:>7} {:>8} {:>8} {:>8}\n",
+        cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
+        settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "loop", "count", "Mray/s",
+        "hit %", "tests", "cells", "empty");
   }
   for (const GridFile& grid : grids) {
     for (const RaySet& set : sets) {
-      rows.push_back(measure(settings, scene, grid, set, cuda));
-      if (!settings.json) print_row(rows.back());
+      for (const std::string& loop : settings.loops) {
+        rows.push_back(measure(settings, scene, grid, set, loop_for(loop, set), cuda));
+        if (!settings.json) print_row(rows.back());
+      }
     }
   }
   if (settings.json) fmt::print("{}\n", rows.dump(2));
@@ -130,6 +142,11 @@ void add_rays(CLI::App& app) {
   add_backend(rays, settings.backend);
   add_choice(rays, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
              "how the eye's rays follow each other: rows, or tiles of 8x4");
+  rays.add_option("--loop", settings.loops,
+                  "how the GPU goes about it: cells (a thread a ray, cell by cell), refill (threads that are "
+                  "done take the next ray), or auto (refill for diffuse and random)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "refill"}));
   rays.add_option("--size", settings.size, "the eye's rays, WxH")->capture_default_str();
   rays.add_option("--random", settings.random, "how many random rays")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))

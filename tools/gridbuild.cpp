@@ -1,6 +1,6 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
+#include "libgrid/choose.h"
 #include "libgrid/grid_file.h"
-#include "libgrid/merge.h"
 #include "libgrid/statistics.h"
 #include "libscene/scene_file.h"
 #include "libscene/stopwatch.h"
@@ -11,8 +11,11 @@
 namespace masu {
 namespace {
 
+enum class MergeChoice { automatic, none, x, balance, irregular };
+
 struct Settings {
   std::string scene, output, division = "auto";
+  MergeChoice merge_choice = MergeChoice::automatic;
   MergeRule merge;
   SpaceRule space = SpaceRule::tight;
   Overlap overlap = Overlap::exact;
@@ -40,8 +43,8 @@ void check_memory(const Lattice& lattice, double references) {
 }
 
 // As the file tells it.
-std::string merge_text(const MergeRule& rule) {
-  switch (rule.merge) {
+std::string merge_text(Merge merge, const MergeRule& rule) {
+  switch (merge) {
   case Merge::none:
     return "";
   case Merge::x:
@@ -55,25 +58,52 @@ std::string merge_text(const MergeRule& rule) {
   return "";
 }
 
+// A division that is to be divided further starts out coarser, where it is ours to choose.
+DivisionRule nested_rule(DivisionRule rule) {
+  if (rule.kind == DivisionRule::Kind::automatic) rule.kind = DivisionRule::Kind::nested;
+  return rule;
+}
+
+template <class Stored>
+Grid build_as_asked(const Settings& settings, const SceneView<Stored>& scene, const Boxd& bounds,
+                    const DivisionRule& rule) {
+  const DivisionStatistics statistics = division_statistics(scene);
+  const auto lattice_by = [&](const DivisionRule& by) {
+    const Lattice lattice = make_lattice<Stored>(bounds, settings.space, by, statistics);
+    check_memory(lattice, expected_references(statistics.all, lattice));
+    return lattice;
+  };
+  MergeRule merge = settings.merge;
+  switch (settings.merge_choice) {
+  case MergeChoice::automatic:
+    return build_chosen(scene, lattice_by(rule), lattice_by(nested_rule(rule)), settings.overlap, merge);
+  case MergeChoice::none:
+    return build_uniform(scene, lattice_by(rule), settings.overlap);
+  case MergeChoice::x:
+    merge.merge = Merge::x;
+    return build_merged(scene, lattice_by(rule), settings.overlap, merge);
+  case MergeChoice::balance:
+    merge.merge = Merge::balance;
+    return build_merged(scene, lattice_by(rule), settings.overlap, merge);
+  case MergeChoice::irregular:
+    merge.merge = Merge::irregular;
+    return build_merged(scene, lattice_by(nested_rule(rule)), settings.overlap, merge);
+  }
+  return {};
+}
+
 template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   const Stopwatch watch;
-  DivisionRule rule = parse_division(settings.division);
-  if (settings.merge.merge == Merge::irregular && rule.kind == DivisionRule::Kind::automatic)
-    rule = parse_division("cleary:0.05");
-  const DivisionStatistics statistics = division_statistics(scene);
-  const Lattice lattice = make_lattice<Stored>(file.bounds(), settings.space, rule, statistics);
-  check_memory(lattice, expected_references(statistics.all, lattice));
-  const Grid grid = settings.merge.merge == Merge::none
-                        ? build_uniform(scene, lattice, settings.overlap)
-                        : build_merged(scene, lattice, settings.overlap, settings.merge);
+  const DivisionRule rule = parse_division(settings.division);
+  const Grid grid = build_as_asked(settings, scene, file.bounds(), rule);
   const double seconds = watch.seconds();
   write_grid(grid,
              {file.hash(), scene.primitive_count(), settings.space, settings.overlap, rule.text,
-              merge_text(settings.merge), settings.record_seconds ? seconds : -1},
+              merge_text(grid.merge, settings.merge), settings.record_seconds ? seconds : -1},
              settings.output);
-  const Vec3i n = lattice.division;
+  const Vec3i n = grid.lattice.division;
   const GridStatistics counted = grid.merge == Merge::none
                                      ? grid_statistics(view_of<double>(grid), grid.references)
                                      : grid_statistics(merged_view_of<double>(grid), grid.cells);
@@ -115,14 +145,15 @@ int main(int argc, char** argv) {
         add_choice(
             app, "--overlap", settings.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
-        add_choice(
-            app, "--merge", settings.merge.merge,
-            {{"none", Merge::none},
-             {"x", Merge::x},
-             {"balance", Merge::balance},
-             {"irregular", Merge::irregular}},
-            "which voxels share a cell: none, x (empty ones in a run along x), balance (as many as list "
-            "--target primitives), irregular (voxels are divided further, by expected cost)");
+        add_choice(app, "--merge", settings.merge_choice,
+                   {{"auto", MergeChoice::automatic},
+                    {"none", MergeChoice::none},
+                    {"x", MergeChoice::x},
+                    {"balance", MergeChoice::balance},
+                    {"irregular", MergeChoice::irregular}},
+                   "which voxels share a cell: auto (none or irregular, as a cost model says), none, x "
+                   "(empty ones in a run along x), balance (as many as list "
+                   "--target primitives), irregular (voxels are divided further, by expected cost)");
         app.add_option("--target", settings.merge.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();

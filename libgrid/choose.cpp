@@ -1,0 +1,42 @@
+#include "libgrid/choose.h"
+
+#include "libgrid/grid_file.h"
+#include "libgrid/map_statistics.h"
+
+namespace masu {
+namespace {
+
+double expected_cost(const Grid& grid, const MergeRule& rule) {
+  const ExpectedRay ray =
+      grid.merge == Merge::none
+          ? map_statistics(view_of<double>(grid), std::span<const PrimitiveIndex>(grid.references)).ray
+          : map_statistics(merged_view_of<double>(grid), std::span<const MergedCell>(grid.cells)).ray;
+  return rule.step_over_test * ray.cells + ray.tests;
+}
+
+std::size_t bytes_of(const Grid& grid) {
+  return grid.voxel_map.size() * sizeof(std::uint32_t) + grid.cells.size() * sizeof(MergedCell) +
+         grid.references.size() * sizeof(PrimitiveIndex);
+}
+
+} // namespace
+
+template <class Stored>
+Grid build_chosen(const SceneView<Stored>& scene, const Lattice& uniform, const Lattice& nested,
+                  Overlap overlap, const MergeRule& rule) {
+  constexpr double tie = 0.9;
+  MergeRule irregular = rule;
+  irregular.merge = Merge::irregular;
+  Grid plain = build_uniform(scene, uniform, overlap),
+       merged = build_merged(scene, nested, overlap, irregular);
+  const double plain_cost = expected_cost(plain, rule), merged_cost = expected_cost(merged, rule);
+  const bool clear = std::min(plain_cost, merged_cost) < tie * std::max(plain_cost, merged_cost);
+  const bool take_plain = clear ? plain_cost < merged_cost : bytes_of(plain) <= bytes_of(merged);
+  return take_plain ? std::move(plain) : std::move(merged);
+}
+template Grid build_chosen(const SceneView<float>&, const Lattice&, const Lattice&, Overlap,
+                           const MergeRule&);
+template Grid build_chosen(const SceneView<double>&, const Lattice&, const Lattice&, Overlap,
+                           const MergeRule&);
+
+} // namespace masu
