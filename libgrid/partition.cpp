@@ -264,9 +264,8 @@ private:
     const auto cost_of = [&](std::uint32_t count) {
       return count + rule_.step_over_test * (count > 0 ? 1 : 0.5);
     };
-    // Where many are listed a division may pay only after the next one.
-    const double hope = parts.size() > few ? patience : rule_.alpha;
-    const double bound = cost_of(static_cast<std::uint32_t>(parts.size())) * area * hope;
+    const auto count = static_cast<std::uint32_t>(parts.size());
+    const double now = cost_of(count) * area;
     const int apart = spacing(box, parts);
     for (int axis = 0; axis < 3; ++axis) {
       const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
@@ -274,6 +273,10 @@ private:
         const double low = (at - box.first[axis]) * size_[axis], high = (box.end[axis] - at) * size_[axis];
         const double cost =
             (u * v + low * (u + v)) * cost_of(below) + (u * v + high * (u + v)) * cost_of(above);
+        // Where many are listed a division may pay only after the next one; if it leaves one side with fewer,
+        // or what lies in the same place would be divided without end.
+        const bool may_pay_later = count > few && std::min(below, above) <= count - count / 4;
+        const double bound = now * (may_pay_later ? patience : rule_.alpha);
         if (cost < bound && cost < best.cost) best = {axis, at, cost};
       });
     }
