@@ -232,7 +232,7 @@ private:
 
   // Along one axis of a box, what begins and ends between planes.
   struct Bins {
-    std::int32_t first, count;
+    std::int32_t first = 0, count = 0;
     std::array<std::uint32_t, (1 << most_planes_log2) + 1> begins{}, ends{};
   };
 
@@ -240,7 +240,8 @@ private:
   template <class Act>
   static void for_each_plane(const VoxelBox& box, const std::vector<Part>& parts, int axis, int spacing,
                              const Act& act) {
-    Bins bins{box.first[axis] >> spacing, 0};
+    Bins bins;
+    bins.first = box.first[axis] >> spacing;
     bins.count = ((box.end[axis] - 1) >> spacing) - bins.first + 1;
     if (bins.count < 2) return;
     const auto a = static_cast<std::size_t>(axis);
