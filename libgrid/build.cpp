@@ -95,14 +95,8 @@ std::vector<Piece> emit(const SceneView<Stored>& scene, const Lattice& lattice, 
     const std::uint32_t last = std::min(count - first, primitives_a_piece) + first;
     for (std::uint32_t i = first; i != last; ++i) {
       const auto add = [&](const Vec3i& voxel) { placed.push_back({order.place(voxel), i}); };
-      const std::uint32_t sphere = i - scene.triangle_count;
-      if (i < scene.triangle_count) {
-        for_each_overlap(lattice, overlap, widened(scene.triangles[i]), add);
-      } else if (sphere < scene.sphere_count) {
-        for_each_overlap(lattice, overlap, widened(scene.spheres[sphere]), add);
-      } else {
-        for_each_overlap(lattice, overlap, widened(scene.cones[sphere - scene.sphere_count]), add);
-      }
+      with_primitive(scene, i,
+                     [&](const auto& primitive) { for_each_overlap(lattice, overlap, primitive, add); });
       if (placed.size() > most_numbered) too_fine("2^31 references");
     }
     if ((references += placed.size()) > most_numbered) too_fine("2^31 references");

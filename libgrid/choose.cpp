@@ -2,6 +2,7 @@
 
 #include "libgrid/grid_file.h"
 #include "libgrid/map_statistics.h"
+#include "libscene/error.h"
 
 namespace masu {
 namespace {
@@ -27,8 +28,13 @@ Grid build_chosen(const SceneView<Stored>& scene, const Lattice& uniform, const 
   constexpr double tie = 0.9;
   MergeRule irregular = rule;
   irregular.merge = Merge::irregular;
-  Grid plain = build_uniform(scene, uniform, overlap),
-       merged = build_merged(scene, nested, overlap, irregular);
+  Grid plain = build_uniform(scene, uniform, overlap), merged;
+  try {
+    merged = build_merged(scene, nested, overlap, irregular);
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::usage) throw;
+    return plain; // how large a merged map becomes shows only when it is made
+  }
   const double plain_cost = expected_cost(plain, rule), merged_cost = expected_cost(merged, rule);
   const bool clear = std::min(plain_cost, merged_cost) < tie * std::max(plain_cost, merged_cost);
   const bool take_plain = clear ? plain_cost < merged_cost : bytes_of(plain) <= bytes_of(merged);

@@ -18,8 +18,7 @@
 // top level has a word for each cube of 2^nested_log2 voxels a side:
 //
 //   bit 31 set    all of the cube is in one cell: the other bits are its number
-//   bit 31 clear  divided: bits 0-1, 2-3 and 4-5 are the logarithms a, b, c of how often along x, y and z,
-//   and
+//   bit 31 clear  divided: bits 0-1, 2-3 and 4-5 are the logarithms a, b and c of how often along x, y, z;
 //                 from bit 6 on stands a quarter of the place of 2^(a+b+c) more such words, one for each of
 //                 the boxes it is divided into, x fastest
 //

@@ -1,7 +1,6 @@
 // Building grids whose cells are boxes of several voxels.
 //
-//   x          the runs of empty voxels along x are joined (the adaptive division of Amanatides-style walks
-//              that motivated this project: an empty run costs one step)
+//   x          the empty voxels of a run along x are joined: it costs a ray along it one step
 //   balance    boxes of voxels that list no more than `target` primitives are one cell
 //   irregular  each voxel of a coarse division is divided further, as deep as its primitives ask for, by
 //              expected cost; cells are then stretched over neighbours (stretch.h)

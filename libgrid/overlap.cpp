@@ -63,6 +63,14 @@ bool TriangleOverlap::meets(const Vec3d& center) const {
   return true;
 }
 
+bool meets(const Triangle<double>& triangle, const Boxd& voxel, double margin) {
+  const Vec3d half = (voxel.max - voxel.min) * 0.5 + Vec3d{margin, margin, margin};
+  const Vec3d center = (voxel.min + voxel.max) * 0.5;
+  const TriangleOverlap test(triangle, half);
+  double low, high;
+  return test.column(center, low, high) && test.meets(center);
+}
+
 bool meets(const Sphere<double>& sphere, const Boxd& voxel, double margin) {
   double nearest = 0, farthest = 0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -61,6 +61,9 @@ private:
   int facing_;
 };
 
+// Whether the box meets the triangle, thickened by margin on both sides. `voxel` is not grown.
+bool meets(const Triangle<double>& triangle, const Boxd& voxel, double margin);
+
 // Whether the box meets the sphere's shell, thickened by margin on both sides. `voxel` is not grown.
 bool meets(const Sphere<double>& sphere, const Boxd& voxel, double margin);
 

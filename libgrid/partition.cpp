@@ -92,14 +92,6 @@ double breadth(const Cone<double>& cone) {
   return std::sqrt(length(cone.apex - cone.base) * (std::abs(cone.base_radius) + std::abs(cone.apex_radius)));
 }
 
-bool meets(const Triangle<double>& triangle, const Boxd& box, double margin) {
-  const Vec3d half = (box.max - box.min) * 0.5 + Vec3d{margin, margin, margin};
-  const Vec3d center = (box.min + box.max) * 0.5;
-  const TriangleOverlap test(triangle, half);
-  double low, high;
-  return test.column(center, low, high) && test.meets(center);
-}
-
 template <class Stored>
 class Partitioner {
 public:
@@ -112,7 +104,7 @@ public:
     std::vector<Part> parts;
     parts.reserve(primitives.size());
     for (const PrimitiveIndex i : primitives) {
-      with_primitive(i, [&](const auto& primitive) {
+      with_primitive(scene_, i, [&](const auto& primitive) {
         const Boxd box = overlap_ == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
         Part part{i, {}, {}, 0};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -153,18 +145,6 @@ private:
   static constexpr std::size_t few = 8;
   static constexpr double patience = 1.3;
 
-  template <class Act>
-  void with_primitive(PrimitiveIndex i, const Act& act) const {
-    const std::uint32_t sphere = i - scene_.triangle_count;
-    if (i < scene_.triangle_count) {
-      act(widened(scene_.triangles[i]));
-    } else if (sphere < scene_.sphere_count) {
-      act(widened(scene_.spheres[sphere]));
-    } else {
-      act(widened(scene_.cones[sphere - scene_.sphere_count]));
-    }
-  }
-
   // To the voxels that meet the box; false when none is left.
   bool shrink(Part& part, const Boxd& box) const {
     if (is_empty(box)) return false;
@@ -203,7 +183,7 @@ private:
       high.first[axis] = at;
       bool is_below = true, is_above = true;
       if (overlap_ == Overlap::exact) {
-        with_primitive(part.primitive, [&](const auto& primitive) {
+        with_primitive(scene_, part.primitive, [&](const auto& primitive) {
           const Sides sides = sides_of(primitive, plane.axis, place + margin, place - margin);
           is_below = !is_empty(sides.below) && shrink(low, grown(sides.below, margin));
           is_above = !is_empty(sides.above) && shrink(high, grown(sides.above, margin));
@@ -309,7 +289,7 @@ private:
     for (const Part& part : parts) {
       bool in = true;
       if (overlap_ == Overlap::exact) {
-        with_primitive(part.primitive,
+        with_primitive(scene_, part.primitive,
                        [&](const auto& primitive) { in = meets(primitive, place, lattice_.margin); });
       }
       if (in) result.references.push_back(part.primitive);

@@ -26,4 +26,17 @@ struct SceneView {
   MASU_HD std::uint32_t primitive_count() const { return triangle_count + sphere_count + cone_count; }
 };
 
+// Calls act(the primitive with this number, in double).
+template <class Stored, class Act>
+void with_primitive(const SceneView<Stored>& scene, PrimitiveIndex number, const Act& act) {
+  const std::uint32_t sphere = number - scene.triangle_count;
+  if (number < scene.triangle_count) {
+    act(widened(scene.triangles[number]));
+  } else if (sphere < scene.sphere_count) {
+    act(widened(scene.spheres[sphere]));
+  } else {
+    act(widened(scene.cones[sphere - scene.sphere_count]));
+  }
+}
+
 } // namespace masu

@@ -358,6 +358,14 @@ TEST_F(Tools, GridbuildAndGridstatAgree) {
   EXPECT_TRUE(told["build_seconds"].is_null());
 }
 
+TEST_F(Tools, GridbuildLeavesADivisionThatIsGivenAsItIs) {
+  for (const char* const merge : {"auto", "none"}) {
+    EXPECT_TRUE(succeeded(
+        run("gridbuild", {scene_, "-o", file(merge), "--division", "700x700x700", "--merge", merge})));
+  }
+  EXPECT_TRUE(read_bytes(file("auto")) == read_bytes(file("none")));
+}
+
 TEST_F(Tools, GridbenchComparesLoadingWithPlainCopies) {
   const auto told =
       json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3", "--json"});

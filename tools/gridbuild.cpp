@@ -76,6 +76,9 @@ Grid build_as_asked(const Settings& settings, const SceneView<Stored>& scene, co
   MergeRule merge = settings.merge;
   switch (settings.merge_choice) {
   case MergeChoice::automatic:
+    // Who says how many voxels there are to be means those, not ones to divide further.
+    if (rule.kind != DivisionRule::Kind::automatic)
+      return build_uniform(scene, lattice_by(rule), settings.overlap);
     return build_chosen(scene, lattice_by(rule), lattice_by(nested_rule(rule)), settings.overlap, merge);
   case MergeChoice::none:
     return build_uniform(scene, lattice_by(rule), settings.overlap);
@@ -151,8 +154,8 @@ int main(int argc, char** argv) {
                     {"x", MergeChoice::x},
                     {"balance", MergeChoice::balance},
                     {"irregular", MergeChoice::irregular}},
-                   "which voxels share a cell: auto (none or irregular, as a cost model says), none, x "
-                   "(empty ones in a run along x), balance (as many as list "
+                   "which voxels share a cell: auto (none where a division is given; else none or irregular, "
+                   "as a cost model says), none, x (empty ones in a run along x), balance (as many as list "
                    "--target primitives), irregular (voxels are divided further, by expected cost)");
         app.add_option("--target", settings.merge.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))
