@@ -11,34 +11,55 @@ namespace masu {
 // In a grid's place: every primitive is tried.
 struct NoGrid {};
 
+// When the search for the nearest hit ends: once nothing that is still to come can be nearer; or, as the
+// study did that motivated this project, with the first cell where anything is hit, wherever that hit lies:
+// sooner, and sometimes wrong.
+enum class StopRule { proven, first_cell };
+
+// How rays are traced, compiled in: the ray says by which tests (RayFrame<float>, RayFrame<double>,
+// TextbookRay), `kinds` is a set of primitive kinds.
+template <class TestRay_, unsigned kinds_, StopRule stop_ = StopRule::proven>
+struct Method {
+  using TestRay = TestRay_;
+  using Real = typename TestRay::Real;
+  static constexpr unsigned kinds = kinds_;
+  static constexpr StopRule stop = stop_;
+};
+
 // Keeps the nearest hit.
-template <unsigned kinds, class Real, class Stored, class Counts>
+template <class M, class Stored, class Counts>
 struct NearestHit {
+  using Real = typename M::Real;
   const SceneView<Stored>& scene;
-  const RayFrame<Real>& ray;
+  const typename M::TestRay& ray;
   Counts& counts;
-  Hit<Real> hit;
+  Real t_max;
+  Hit<Real> hit; // at t_max, of primitive 0, where nothing is hit yet: no primitive wins that tie
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
-    if (intersect<kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
+    if (intersect<M::kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
   }
   // Whether the trace may end, now that all cells up to t = exit have been visited.
-  MASU_HD bool done(Real exit) const { return hit.t <= exit; }
+  MASU_HD bool done(Real exit) const {
+    if constexpr (M::stop == StopRule::first_cell) return hit.t < t_max || t_max <= exit;
+    return hit.t <= exit;
+  }
 };
 
 // Ends with the first hit nearer than t_max, whichever it is.
-template <unsigned kinds, class Real, class Stored, class Counts>
+template <class M, class Stored, class Counts>
 struct AnyHit {
+  using Real = typename M::Real;
   const SceneView<Stored>& scene;
-  const RayFrame<Real>& ray;
+  const typename M::TestRay& ray;
   Counts& counts;
   Real t_max;
   bool found;
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
-    found = found || (intersect<kinds>(scene, ray, number, t, counts) && t < t_max);
+    found = found || (intersect<M::kinds>(scene, ray, number, t, counts) && t < t_max);
   }
   MASU_HD bool done(Real exit) const { return found || t_max <= exit; }
 };
@@ -98,35 +119,39 @@ MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t 
 }
 
 // The nearest hit at 0 < t < t_max, as of the ray from where it enters the scene's bounds: there t has the
-// most digits. Grid: GridView<Real>, MergedGridView<Real> or NoGrid.
-template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
-MASU_HD inline NearHit<Real> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
-                                              const Ray<Real>& ray, Counts& counts) {
+// most digits. Grid: GridView<Real>, MergedGridView<Real> or NoGrid; M: a Method.
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
+                                                             const Ray<typename M::Real>& ray,
+                                                             Counts& counts) {
+  using Real = typename M::Real;
   ClippedRay<Real> near{};
   if (!clip(ray, cast<Real>(scene.clip), near)) return {{}, {ray.t_max, no_primitive}, 0};
-  const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
-  // Primitive 0 at t_max: no primitive wins that tie.
-  NearestHit<kinds, Real, Stored, Counts> visitor{scene, frame, counts, {near.ray.t_max, 0}};
+  typename M::TestRay test_ray;
+  prepare(test_ray, near.ray.origin, near.ray.direction);
+  NearestHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, {near.ray.t_max, 0}};
   visit(grid, near, scene.primitive_count(), visitor);
   if (!(visitor.hit.t < near.ray.t_max)) visitor.hit = {ray.t_max, no_primitive};
-  return {frame, visitor.hit, near.skipped};
+  return {test_ray, visitor.hit, near.skipped};
 }
 
 // The same; the hit's t counts from the ray's own origin.
-template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
-MASU_HD inline Hit<Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
-                                     Counts& counts) {
-  return seen_from_origin(nearest_hit_near<kinds>(scene, grid, ray, counts));
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid,
+                                                 const Ray<typename M::Real>& ray, Counts& counts) {
+  return seen_from_origin(nearest_hit_near<M>(scene, grid, ray, counts));
 }
 
 // Whether any primitive is hit at 0 < t < t_max.
-template <unsigned kinds, class Real, class Stored, class Grid, class Counts>
-MASU_HD inline bool is_blocked(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
-                               Counts& counts) {
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline bool is_blocked(const SceneView<Stored>& scene, const Grid& grid,
+                               const Ray<typename M::Real>& ray, Counts& counts) {
+  using Real = typename M::Real;
   ClippedRay<Real> near{};
   if (!clip(ray, cast<Real>(scene.clip), near)) return false;
-  const RayFrame<Real> frame = ray_frame(near.ray.origin, near.ray.direction);
-  AnyHit<kinds, Real, Stored, Counts> visitor{scene, frame, counts, near.ray.t_max, false};
+  typename M::TestRay test_ray;
+  prepare(test_ray, near.ray.origin, near.ray.direction);
+  AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, false};
   visit(grid, near, scene.primitive_count(), visitor);
   return visitor.found;
 }

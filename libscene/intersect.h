@@ -6,6 +6,7 @@
 #include "libscene/fetch.h"
 #include "libscene/scene_view.h"
 #include "libscene/sphere.h"
+#include "libscene/textbook.h"
 #include "libscene/triangle.h"
 
 namespace masu {
@@ -13,10 +14,11 @@ namespace masu {
 // A set of primitive kinds.
 inline constexpr unsigned with_triangles = 1, with_spheres = 2, with_cones = 4, with_all_kinds = 7;
 
-// Whether the ray meets the primitive at a t > 0, and where. `counts` is told which test was run.
-template <unsigned kinds, class Real, class Stored, class Counts>
-MASU_HD inline bool intersect(const SceneView<Stored>& scene, const RayFrame<Real>& ray,
-                              PrimitiveIndex primitive, Real& t, Counts& counts) {
+// Whether the ray meets the primitive at a t > 0, and where. `counts` is told which test was run. What kind
+// of ray it is says by which formulas.
+template <unsigned kinds, class TestRay, class Stored, class Counts>
+MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
+                              typename TestRay::Real& t, Counts& counts) {
   if constexpr ((kinds & with_triangles) != 0) {
     if (kinds == with_triangles || primitive < scene.triangle_count) {
       counts.triangle_test();

@@ -34,9 +34,11 @@ MASU_HD inline Vec3<Real> without_traces(const Vec3<Real>& direction) {
           std::abs(direction.z) < least ? 0 : direction.z};
 }
 
-// What all tests of one ray share. across1 and across2 span the plane across the ray.
-template <class Real>
+// What all tests of one ray share, with which they lose no hit: the ray of `robust` and `double` arithmetic
+// (textbook.h has that of `fast`). across1 and across2 span the plane across the ray.
+template <class Real_>
 struct RayFrame {
+  using Real = Real_;
   Vec3<Real> origin, direction;
   Vec3<Real> across1, across2;
   Real inverse_square; // 1 / |direction|²
@@ -45,7 +47,7 @@ struct RayFrame {
 // across1 is exact: two of the direction's own components, swapped, the smallest left out. So the plane
 // deviates from perpendicular by no more than across2's rounding.
 template <class Real>
-MASU_HD inline RayFrame<Real> ray_frame(const Vec3<Real>& origin, const Vec3<Real>& along) {
+MASU_HD inline void prepare(RayFrame<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
   const Vec3<Real> direction = without_traces(along);
   const Real x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
   Vec3<Real> across{};
@@ -56,21 +58,22 @@ MASU_HD inline RayFrame<Real> ray_frame(const Vec3<Real>& origin, const Vec3<Rea
   } else {
     across = {direction.y, -direction.x, 0};
   }
-  return {origin, direction, across, cross(direction, across), Real(1) / dot(direction, direction)};
+  ray = {origin, direction, across, cross(direction, across), Real(1) / dot(direction, direction)};
 }
 
 // A hit as of the ray from where it enters the scene's bounds (clip.h): `hit.t` counts from that ray's
 // origin, `skipped` is the t before it. Primitive no_primitive where nothing is hit; then t is the whole
-// ray's t_max.
-template <class Real>
+// ray's t_max. TestRay: RayFrame<Real> or TextbookRay.
+template <class TestRay>
 struct NearHit {
-  RayFrame<Real> ray;
+  using Real = typename TestRay::Real;
+  TestRay ray;
   Hit<Real> hit;
   Real skipped;
 };
 
-template <class Real>
-MASU_HD inline Hit<Real> seen_from_origin(const NearHit<Real>& near) {
+template <class TestRay>
+MASU_HD inline Hit<typename TestRay::Real> seen_from_origin(const NearHit<TestRay>& near) {
   if (near.hit.primitive == no_primitive) return near.hit;
   return {near.hit.t + near.skipped, near.hit.primitive};
 }

@@ -8,17 +8,10 @@
 
 #include "libscene/clip.h"
 #include "libscene/intersect.h"
+#include "libscene/surface_point.h"
+#include "libscene/textbook_surface.h"
 
 namespace masu {
-
-template <class Real>
-struct SurfacePoint {
-  Vec3<Real> position;
-  Vec3<Real> normal;  // of unit length, on the front's side, perpendicular to the surface
-  Vec3<Real> shading; // the same, or interpolated from corner normals
-  Real error;         // a ray that starts this far off the surface doesn't meet it again by rounding
-  std::uint32_t material;
-};
 
 // Of a primitive that reaches `extent` from the origin: subtracting the ray's origin from a vertex and
 // projecting it moves it by less than 60 u extent (see margin.h), the point itself is off by 4 u extent.
@@ -34,7 +27,7 @@ MASU_HD inline Vec3<Real> mean(const EdgeFunctions<Real>& shares, const Vec3<Rea
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const RayFrame<Real>& ray,
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const RayFrame<Real>& ray, Real,
                                              const Triangle<Stored>& triangle) {
   const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
   const EdgeFunctions<Real> weights = edge_functions(ray, a - ray.origin, b - ray.origin, c - ray.origin);
@@ -127,15 +120,16 @@ struct Unasked {
 };
 
 // Of what a ray met.
-template <unsigned kinds, class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const NearHit<Real>& near) {
+template <unsigned kinds, class TestRay, class Stored>
+MASU_HD inline SurfacePoint<typename TestRay::Real> surface_at(const SceneView<Stored>& scene,
+                                                               const NearHit<TestRay>& near) {
   const PrimitiveIndex primitive = near.hit.primitive;
   if constexpr ((kinds & with_triangles) != 0) {
     if (kinds == with_triangles || primitive < scene.triangle_count)
-      return surface_at(scene, near.ray, scene.triangles[primitive]);
+      return surface_at(scene, near.ray, near.hit.t, scene.triangles[primitive]);
   }
   const std::uint32_t sphere = primitive - scene.triangle_count;
-  SurfacePoint<Real> point{};
+  SurfacePoint<typename TestRay::Real> point{};
   if constexpr ((kinds & with_spheres) != 0) {
     if ((kinds & with_cones) == 0 || sphere < scene.sphere_count) {
       point = surface_at(near.ray, near.hit.t, scene.spheres[sphere]);
@@ -158,9 +152,8 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
                                              const Hit<Real>& hit) {
   ClippedRay<Real> clipped{};
   clip(ray, cast<Real>(scene.clip), clipped);
-  NearHit<Real> near{ray_frame(clipped.ray.origin, clipped.ray.direction),
-                     {hit.t - clipped.skipped, hit.primitive},
-                     clipped.skipped};
+  NearHit<RayFrame<Real>> near{{}, {hit.t - clipped.skipped, hit.primitive}, clipped.skipped};
+  prepare(near.ray, clipped.ray.origin, clipped.ray.direction);
   Unasked unasked;
   intersect<kinds>(scene, near.ray, hit.primitive, near.hit.t, unasked);
   return surface_at<kinds>(scene, near);

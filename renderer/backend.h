@@ -5,6 +5,7 @@
 #include "libscene/scene_file.h"
 #include "renderer/camera.h"
 #include "renderer/counts.h"
+#include "renderer/precision.h"
 #include "renderer/render_pixel.h"
 #include "renderer/schedule.h"
 
@@ -15,16 +16,24 @@
 
 namespace masu {
 
+// How rays are to be traced.
+struct TracingRules {
+  Precision precision = Precision::automatic;
+  StopRule stop = StopRule::proven;
+  bool count = false;   // fill in counts
+  bool general = false; // by the code for every kind of primitive, whatever the scene holds
+};
+
 // What is asked for.
 struct FrameRequest {
+  TracingRules tracing{};
   Camera camera{};
   Sampling sampling = Sampling::corners;
   bool hither = false; // the eye sees nothing nearer than the camera's hither
   RenderRules rules{5, false, HitName::object};
-  bool hits = false;  // report what each eye ray met
-  bool count = false; // fill in counts
-  int repeat = 1;     // trace so many times, and report the median's seconds; counts need 1
-  int warm_up = 0;    // untimed runs before
+  bool hits = false; // report what each eye ray met
+  int repeat = 1;    // trace so many times, and report the median's seconds; counts need 1
+  int warm_up = 0;   // untimed runs before
   Schedule schedule = Schedule::hardware;
   int workers_each = 0; // a multiprocessor or thread has so many; 0: as many as it holds at once
 };
@@ -72,8 +81,8 @@ enum class RayLoop { cells, refill };
 
 struct RaysRequest {
   std::span<const ListedRay> rays;
+  TracingRules tracing{};
   HitName hit_name = HitName::object;
-  bool count = false;
   int repeat = 1;
   int warm_up = 0; // untimed runs before
   Question question = Question::nearest;
@@ -86,8 +95,8 @@ struct RayHits {
   TraceSeconds seconds;
 };
 
-// What is traced: the grid is null for brute force, which tries every primitive for every ray.
-// A scene of doubles is traced in double, one of floats in float.
+// What is traced: the grid is null for brute force, which tries every primitive for every ray. Throw
+// Error(usage) for a precision that doesn't hold the scene (precision.h).
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
 RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request);
 

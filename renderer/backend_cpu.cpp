@@ -36,9 +36,9 @@ void render_tiles(const Frame& frame, Schedule schedule, std::uint32_t worker,
   }
 }
 
-template <class M, class Grid, class C>
-void render(const SceneView<typename M::Stored>& scene, const Grid& grid, const FrameRequest& request,
-            Frame& frame, const C&) {
+template <class M, class Stored, class Grid, class C>
+void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
+            const C&) {
   const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
   tbb::combinable<Counts> totals;
   const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
@@ -74,9 +74,9 @@ void render(const SceneView<typename M::Stored>& scene, const Grid& grid, const 
   totals.combine_each([&](const Counts& part) { frame.counts += part; });
 }
 
-template <Question question, class M, class Grid, class C>
-void trace(const SceneView<typename M::Stored>& scene, const Grid& grid, const RaysRequest& request,
-           RayHits& result, const C&) {
+template <Question question, class M, class Stored, class Grid, class C>
+void trace(const SceneView<Stored>& scene, const Grid& grid, const RaysRequest& request, RayHits& result,
+           const C&) {
   tbb::combinable<Counts> totals;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, request.rays.size(), rays_a_task), [&](const auto& range) {
@@ -102,10 +102,19 @@ double timed(int warm_up, int repeat, const Act& act) {
   return median(std::move(seconds));
 }
 
-// Calls act(SceneView) with the scene's own store.
+// Calls act(SceneView, grid's view, Method, counts).
 template <class Act>
-void with_store(const SceneFile& scene, const Act& act) {
-  scene.is_float64() ? act(scene.view<double>()) : act(scene.view<float>());
+void with_everything(const SceneFile& scene, const GridFile* grid, const TracingRules& rules,
+                     const Act& act) {
+  const Precision precision = resolved(rules.precision, scene);
+  const auto with_store = [&](const auto& view) {
+    with_arithmetic(view, precision, [&]<class TestRay>(Arithmetic<TestRay>) {
+      with_method<TestRay>(view, grid, rules, [&](const auto& accelerator, auto method, auto counts) {
+        act(view, accelerator, method, counts);
+      });
+    });
+  };
+  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
 }
 
 } // namespace
@@ -115,30 +124,25 @@ Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameReques
   const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   const int each = request.schedule == Schedule::hardware ? 1 : std::max(request.workers_each, 1);
   frame.workers = static_cast<std::uint32_t>(threads * static_cast<std::size_t>(each));
-  frame.seconds.trace = timed(request.warm_up, request.repeat, [&] {
-    with_store(scene, [&](const auto& view) {
-      with_everything(view, grid, ForPictures{secondary_of(scene.table())}, request.count,
-                      [&](const auto& accelerator, auto model, auto counts) {
-                        render<decltype(model)>(view, accelerator, request, frame, counts);
-                      });
-    });
-  });
+  with_everything(
+      scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
+        frame.seconds.trace = timed(request.warm_up, request.repeat,
+                                    [&] { render<M>(view, accelerator, request, frame, counts); });
+      });
   return frame;
 }
 
 RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
   RayHits result;
   result.hits.resize(request.rays.size());
-  with_store(scene, [&](const auto& view) {
-    with_everything(view, grid, ForHits{}, request.count,
-                    [&]<class M, class C>(const auto& accelerator, M, C counts) {
-                      with_question(request.question, [&]<Question question>(Asked<question>) {
-                        result.seconds.trace = timed(request.warm_up, request.repeat, [&] {
-                          trace<question, M>(view, accelerator, request, result, counts);
-                        });
+  with_everything(scene, grid, request.tracing,
+                  [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
+                    with_question(request.question, [&]<Question question>(Asked<question>) {
+                      result.seconds.trace = timed(request.warm_up, request.repeat, [&] {
+                        trace<question, M>(view, accelerator, request, result, counts);
                       });
                     });
-  });
+                  });
   return result;
 }
 

@@ -1,251 +1,25 @@
-#include "libscene/stopwatch.h"
+#include "renderer/arithmetic.h"
 #include "renderer/backend.h"
-#include "renderer/device_memory.h"
-#include "renderer/dispatch.h"
+#include "renderer/device_scene.h"
 
 namespace masu {
+
+// backend_cuda_fast.cu, backend_cuda_robust.cu, backend_cuda_double.cu
+template <class TestRay, class Stored>
+void render_on_device(const SceneView<Stored>& scene, const GridFile* grid, const FrameRequest& request,
+                      Frame& frame);
+template <class TestRay, class Stored>
+void trace_on_device(const SceneView<Stored>& scene, const GridFile* grid, const RaysRequest& request,
+                     RayHits& result);
+
 namespace {
 
-constexpr int rays_a_block = 128;
-
-__device__ void add(Counts* total, const Counts& part) {
-  if (total == nullptr) return;
-  for (int i = 0; i < Counts::fields; ++i) {
-    if (part.begin()[i] != 0)
-      atomicAdd(reinterpret_cast<unsigned long long*>(total->begin() + i),
-                static_cast<unsigned long long>(part.begin()[i]));
-  }
-}
-__device__ void add(Counts*, const NoCounts&) {}
-
-// The next tile of a worker, a block of threads: from left.end on there is none. `next` counts what all
-// workers have fetched, where they fetch. Threads share what is left to them: they have no registers to
-// spare.
-__device__ std::uint32_t taken(TileRun& left, std::uint32_t* const next) {
-  __shared__ std::uint32_t tile;
-  __syncthreads(); // `left` is there, and all have read the last tile
-  if (threadIdx.x == 0 && threadIdx.y == 0) {
-    tile = next != nullptr ? atomicAdd(next, 1U) : left.first;
-    left.first += left.step;
-  }
-  __syncthreads();
-  return tile;
-}
-
-// A warp covers 8 × 4 rays of a tile: neighbours walk through the same cells. One kernel for all schedules,
-// so that nothing else differs.
-template <class M, class Grid, class C>
-__global__ void __launch_bounds__(tile_side* tile_side)
-    render_kernel(const SceneView<typename M::Stored> scene, const Grid grid,
-                  const EyeRays<typename M::Real> rays, const RenderRules rules, const Tiles tiles,
-                  const Schedule schedule, std::uint32_t* const next_tile, Vec3f* const colors,
-                  EyeHit* const hits, Counts* const total) {
-  __shared__ TileRun left;
-  if (threadIdx.x == 0 && threadIdx.y == 0) left = run_of(schedule, blockIdx.x, gridDim.x, tiles.count);
-  C counts;
-  for (std::uint32_t tile = taken(left, next_tile); tile < left.end; tile = taken(left, next_tile)) {
-    const auto column = static_cast<std::int32_t>(tile % tiles.columns * tile_side + threadIdx.x);
-    const auto row = static_cast<std::int32_t>(tile / tiles.columns * tile_side + threadIdx.y);
-    if (column >= rays.columns || row >= rays.rows) continue;
-    EyeHit hit{};
-    const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
-                           static_cast<std::size_t>(column);
-    colors[at] = radiance<M>(scene, grid, rules, eye_ray(rays, column, row), hit, counts);
-    if (hits != nullptr) hits[at] = hit;
-  }
-  add(total, counts);
-}
-
-// Blocks that should fit on a multiprocessor: the compiler may spend registers only so far. Cones in double
-// need all they can get.
-template <class M>
-constexpr int resident_blocks_wanted = (M::kinds & with_cones) == 0 && sizeof(typename M::Real) == 4 ? 8 : 1;
-
-template <Question question, class M, class Grid, class C>
-__global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
-    trace_kernel(const SceneView<typename M::Stored> scene, const Grid grid, const ListedRay* const rays,
-                 const std::uint64_t count, const HitName name, EyeHit* const hits, Counts* const total) {
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
-  if (i >= count) return;
-  C counts;
-  hits[i] = trace_listed<question, M>(scene, grid, rays[i], name, counts);
-  add(total, counts);
-}
-
-// Warps that live until no ray is left, a step and a test or two a turn: all lanes get on. When enough of
-// them are done they fetch as many rays at once, after
-// Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009. `next` counts rays
-// fetched.
-template <Question question, class M, class Grid>
-__global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
-    refill_kernel(const SceneView<typename M::Stored> scene, const Grid grid, const ListedRay* const rays,
-                  const std::uint64_t count, const HitName name, EyeHit* const hits,
-                  unsigned long long* const next) {
-  using Real = typename M::Real;
-  constexpr unsigned all_lanes = 0xffffffffU;
-  constexpr int enough = 12, tests_a_turn = 2;
-  const unsigned lane = threadIdx.x % 32;
-  NoCounts counts;
-  // All in variables of the kernel's own: what holds references to itself would not stay in registers.
-  RayFrame<Real> frame{};
-  VisitorFor<question, M, NoCounts> visitor{scene, frame, counts, {}};
-  Trace<Real, Grid, VisitorFor<question, M, NoCounts>> trace(grid, ClippedRay<Real>{}, visitor);
-  Real scale = 1, skipped = 0, t_max = 0;
-  bool alive = false, more = true;
-  std::uint64_t mine = 0;
-  for (;;) {
-    const unsigned idle = __ballot_sync(all_lanes, !alive);
-    if (more && __popc(idle) >= enough) {
-      unsigned long long first = 0;
-      if (lane == 0) first = atomicAdd(next, static_cast<unsigned long long>(__popc(idle)));
-      first = __shfl_sync(all_lanes, first, 0);
-      more = first + static_cast<unsigned>(__popc(idle)) < count;
-      const std::uint64_t next_ray = first + static_cast<unsigned>(__popc(idle & ((1U << lane) - 1)));
-      if (!alive && next_ray < count) {
-        mine = next_ray;
-        ScaledRay<Real> ray = scaled<Real>(rays[mine]);
-        scale = ray.scale;
-        if constexpr (question == Question::blocked) ray.ray.t_max = 1 / scale;
-        ClippedRay<Real> near{};
-        alive = clip(ray.ray, cast<Real>(scene.clip), near);
-        t_max = near.ray.t_max;
-        skipped = near.skipped;
-        reset(visitor, t_max);
-        if (alive) {
-          frame = ray_frame(near.ray.origin, near.ray.direction);
-          trace.walk = Walk<Real, Grid>(grid, near);
-          trace.next = empty_list;
-        } else {
-          hits[mine] = found_by(visitor, t_max, skipped, scale, name);
-        }
-      }
-      continue;
-    }
-    if (idle == all_lanes) return;
-    if (alive) {
-      if (!trace.testing()) trace.enter(grid);
-#pragma unroll
-      for (int test = 0; test < tests_a_turn; ++test) {
-        if (trace.testing()) trace.test(grid);
-      }
-      if (!trace.testing()) {
-        alive = trace.leave(grid);
-        if (!alive) hits[mine] = found_by(visitor, t_max, skipped, scale, name);
-      }
-    }
-  }
-}
-
-// The scene's and the grid's arrays on the device, one copy a section, as they lie in the files.
-template <class Stored>
-struct DeviceScene {
-  SceneView<Stored> view;
-  DeviceArray<Triangle<Stored>> triangles{view.triangles, view.triangle_count};
-  DeviceArray<CornerNormals<Stored>> normals{view.normals, view.normals_count};
-  DeviceArray<Sphere<Stored>> spheres{view.spheres, view.sphere_count};
-  DeviceArray<Surface> sphere_surfaces{view.sphere_surfaces, view.sphere_count};
-  DeviceArray<Cone<Stored>> cones{view.cones, view.cone_count};
-  DeviceArray<Surface> cone_surfaces{view.cone_surfaces, view.cone_count};
-  DeviceArray<Material> materials{view.materials, view.material_count};
-  DeviceArray<Light<Stored>> lights{view.lights, view.light_count};
-
-  explicit DeviceScene(const SceneView<Stored>& host) : view(host) {
-    view.triangles = triangles.data();
-    view.normals = normals.data();
-    view.spheres = spheres.data();
-    view.sphere_surfaces = sphere_surfaces.data();
-    view.cones = cones.data();
-    view.cone_surfaces = cone_surfaces.data();
-    view.materials = materials.data();
-    view.lights = lights.data();
-  }
-};
-
-struct DeviceGrid {
-  DeviceArray<std::uint32_t> voxel_map;
-  DeviceArray<MergedCell> cells;
-  DeviceArray<PrimitiveIndex> references;
-
-  explicit DeviceGrid(const GridFile* grid) {
-    if (grid == nullptr) return;
-    voxel_map = DeviceArray<std::uint32_t>(grid->voxel_map());
-    cells = DeviceArray<MergedCell>(grid->cells());
-    references = DeviceArray<PrimitiveIndex>(grid->references());
-  }
-  template <class Real>
-  GridView<Real> moved(GridView<Real> view) const {
-    view.voxel_map = voxel_map.data();
-    view.references = references.data();
-    return view;
-  }
-  template <class Real>
-  MergedGridView<Real> moved(MergedGridView<Real> view) const {
-    view.voxel_map = voxel_map.data();
-    view.cells = cells.data();
-    view.references = references.data();
-    return view;
-  }
-  NoGrid moved(NoGrid) const { return {}; }
-};
-
-// What is traced, on the device, and how many seconds getting it there took.
-template <class Stored>
-struct Uploaded {
-  Stopwatch watch;
-  DeviceScene<Stored> scene;
-  DeviceGrid grid;
-  double seconds;
-
-  Uploaded(const SceneView<Stored>& host_scene, const GridFile* host_grid)
-      : scene(host_scene), grid(host_grid) {
-    check(cudaDeviceSynchronize());
-    seconds = watch.seconds();
-  }
-};
-
-// Launches the kernel so many times and waits; its code is on the device before the time starts, and before()
-// puts what it needs onto the stream. The median's seconds.
-template <class Before, class Kernel, class... Arguments>
-double timed_launch(int warm_up, int repeat, const Before& before, Kernel* kernel, dim3 blocks, dim3 threads,
-                    const Arguments&... arguments) {
-  cudaFuncAttributes attributes;
-  check(cudaFuncGetAttributes(&attributes, kernel));
-  for (int i = 0; i < warm_up; ++i) {
-    before();
-    kernel<<<blocks, threads>>>(arguments...);
-  }
-  std::vector<double> seconds;
-  for (int i = 0; i < repeat; ++i) {
-    before();
-    const DeviceTimer timer;
-    kernel<<<blocks, threads>>>(arguments...);
-    check(cudaGetLastError());
-    seconds.push_back(timer.seconds());
-  }
-  return median(std::move(seconds));
-}
-
-// How many blocks of so many threads run at once: `each` on a multiprocessor, or for 0 as many as fit.
-template <class Kernel>
-std::uint32_t resident_blocks(Kernel* kernel, int threads, int each) {
-  int device = 0, multiprocessors = 0, fitting = 0;
-  check(cudaGetDevice(&device));
-  check(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device));
-  check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fitting, kernel, threads, 0));
-  return static_cast<std::uint32_t>(multiprocessors * std::max(each > 0 ? each : fitting, 1));
-}
-
-// Uploads, then calls launch(view on the device, grid on the device, Model, counts), which returns its
-// seconds.
-template <class WithModel, class Launch>
-void run(const SceneFile& scene, const GridFile* grid, const WithModel& with_model, bool count,
-         TraceSeconds& seconds, const Launch& launch) {
-  const auto with_store = [&]<class Stored>(const SceneView<Stored>& host) {
-    const Uploaded<Stored> device(host, grid);
-    seconds.upload += device.seconds;
-    with_everything(host, grid, with_model, count, [&](const auto& accelerator, auto model, auto counts) {
-      seconds.trace += launch(device.scene.view, device.grid.moved(accelerator), model, counts);
-    });
+// Calls act(SceneView, Arithmetic).
+template <class Act>
+void with_store_and_arithmetic(const SceneFile& scene, Precision precision, const Act& act) {
+  precision = resolved(precision, scene);
+  const auto with_store = [&](const auto& view) {
+    with_arithmetic(view, precision, [&](auto arithmetic) { act(view, arithmetic); });
   };
   scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
 }
@@ -269,75 +43,21 @@ double upload_cuda(const SceneFile& scene, const GridFile* grid) {
 Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {
   Frame frame = empty_frame(request);
   check(cudaFree(nullptr)); // sets the device up, so that uploading isn't charged for it
-  DeviceArray<Vec3f> colors(frame.radiance.size());
-  DeviceArray<EyeHit> hits(frame.hits.size());
-  const DeviceArray<std::uint32_t> next_tile(1);
-  const DeviceArray<Counts> total(&frame.counts, request.count || grid == nullptr ? 1 : 0);
-  run(scene, grid, ForPictures{secondary_of(scene.table())}, request.count, frame.seconds,
-      [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
-        const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
-        const Tiles tiles = tiles_of(frame.columns, frame.rows);
-        auto* const kernel = render_kernel<M, std::decay_t<decltype(accelerator)>, C>;
-        frame.workers =
-            request.schedule == Schedule::hardware
-                ? tiles.count
-                : std::min(tiles.count, resident_blocks(kernel, tile_side * tile_side, request.workers_each));
-        const bool fetch = request.schedule == Schedule::persistent;
-        const auto reset = [&] { check(cudaMemsetAsync(next_tile.data(), 0, sizeof(std::uint32_t))); };
-        return timed_launch(request.warm_up, request.repeat, reset, kernel, dim3(frame.workers),
-                            dim3(tile_side, tile_side), view, accelerator, rays, request.rules, tiles,
-                            request.schedule, fetch ? next_tile.data() : nullptr, colors.data(), hits.data(),
-                            total.data());
-      });
-  const Stopwatch watch;
-  colors.download(frame.radiance.data());
-  hits.download(frame.hits.data());
-  total.download(&frame.counts);
-  frame.seconds.download = watch.seconds();
+  with_store_and_arithmetic(scene, request.tracing.precision,
+                            [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+                              render_on_device<TestRay>(view, grid, request, frame);
+                            });
   return frame;
 }
 
 RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
-  const std::span<const ListedRay> rays = request.rays;
   RayHits result;
-  result.hits.resize(rays.size());
+  result.hits.resize(request.rays.size());
   check(cudaFree(nullptr));
-  Stopwatch watch;
-  const DeviceArray<ListedRay> device_rays(rays);
-  DeviceArray<EyeHit> hits(rays.size());
-  const DeviceArray<Counts> total(&result.counts, request.count || grid == nullptr ? 1 : 0);
-  const DeviceArray<unsigned long long> next_ray(1);
-  result.seconds.upload = watch.seconds();
-  run(scene, grid, ForHits{}, request.count, result.seconds,
-      [&]<class M, class C>(const auto& view, const auto& accelerator, M, C) {
-        if (rays.empty()) return 0.0;
-        using Accelerator = std::decay_t<decltype(accelerator)>;
-        double seconds = 0;
-        with_question(request.question, [&]<Question question>(Asked<question>) {
-          const auto timed = [&](const auto& before, auto* kernel, std::uint64_t blocks, auto* last) {
-            seconds = timed_launch(request.warm_up, request.repeat, before, kernel,
-                                   dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), view, accelerator,
-                                   device_rays.data(), rays.size(), request.hit_name, hits.data(), last);
-          };
-          const std::uint64_t all_blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
-          if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid>) {
-            if (request.loop == RayLoop::refill) {
-              auto* const kernel = refill_kernel<question, M, Accelerator>;
-              const std::uint64_t fitting = resident_blocks(kernel, rays_a_block, 0);
-              const auto reset = [&] {
-                check(cudaMemsetAsync(next_ray.data(), 0, sizeof(unsigned long long)));
-              };
-              return timed(reset, kernel, std::min(all_blocks, fitting), next_ray.data());
-            }
-          }
-          timed([] {}, trace_kernel<question, M, Accelerator, C>, all_blocks, total.data());
-        });
-        return seconds;
-      });
-  watch = Stopwatch();
-  hits.download(result.hits.data());
-  total.download(&result.counts);
-  result.seconds.download = watch.seconds();
+  with_store_and_arithmetic(scene, request.tracing.precision,
+                            [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+                              trace_on_device<TestRay>(view, grid, request, result);
+                            });
   return result;
 }
 

@@ -60,8 +60,7 @@ template <class Stored, class Act>
 void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const ListedRay> rays,
                   const Act& act) {
   const SceneView<Stored> scene = file.view<Stored>();
-  const RayHits hits =
-      trace_rays_cpu(file, &grid, {rays, HitName::primitive, false, 1, 0, Question::nearest});
+  const RayHits hits = trace_rays_cpu(file, &grid, {rays, {}, HitName::primitive});
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
     const EyeHit& hit = hits.hits[i];
     if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});

@@ -12,18 +12,6 @@
 
 namespace masu {
 
-// What rays a scene's surfaces can spawn.
-enum class Secondary { none, reflection, refraction };
-
-// What is compiled in: the arithmetic, the store, the kinds of primitives, the rays that surfaces spawn.
-template <class Real_, class Stored_, unsigned kinds_, Secondary secondary_>
-struct Model {
-  using Real = Real_;
-  using Stored = Stored_;
-  static constexpr unsigned kinds = kinds_;
-  static constexpr Secondary secondary = secondary_;
-};
-
 inline constexpr int largest_depth = 32;
 
 // How a hit is named in what is reported: by the NFF's object, or by the scene file's primitive.
@@ -57,16 +45,14 @@ struct PendingRay {
   std::int32_t depth;
 };
 
-// Room for the rays that wait while one is followed: at each depth, one sibling. Reflection alone never makes
-// one wait.
-template <class M>
+// Room for the rays that wait while one is followed: at each depth, one sibling.
+template <class Real>
 struct RayStack {
-  static constexpr int capacity = M::secondary == Secondary::refraction ? largest_depth : 1;
-  PendingRay<typename M::Real> rays[M::secondary == Secondary::none ? 1 : capacity];
+  PendingRay<Real> rays[largest_depth];
   int size = 0;
 
-  MASU_HD void push(const PendingRay<typename M::Real>& ray) { rays[size++] = ray; }
-  MASU_HD PendingRay<typename M::Real> pop() { return rays[--size]; }
+  MASU_HD void push(const PendingRay<Real>& ray) { rays[size++] = ray; }
+  MASU_HD PendingRay<Real> pop() { return rays[--size]; }
 };
 
 // The point's surroundings as shading needs them: everything turned to the viewer.
@@ -89,9 +75,9 @@ MASU_HD inline Vec3<Real> leaving(const SurfacePoint<Real>& point, const Vec3<Re
   return fused(point.normal, dot(direction, point.normal) < 0 ? -point.error : point.error, point.position);
 }
 
-template <class M, class Grid, class Counts>
-MASU_HD inline Vec3f direct_light(const SceneView<typename M::Stored>& scene, const Grid& grid,
-                                  const Material& material, const SurfacePoint<typename M::Real>& point,
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Grid& grid, const Material& material,
+                                  const SurfacePoint<typename M::Real>& point,
                                   const Facing<typename M::Real>& side,
                                   const Vec3<typename M::Real>& direction, Counts& counts) {
   using Real = typename M::Real;
@@ -106,7 +92,7 @@ MASU_HD inline Vec3f direct_light(const SceneView<typename M::Stored>& scene, co
     const Real distance = length(path);
     if (!(distance > 0)) continue;
     const Vec3<Real> l = path * (1 / distance);
-    const bool blocked = is_blocked<M::kinds>(scene, grid, Ray<Real>{origin, l, distance}, counts);
+    const bool blocked = is_blocked<M>(scene, grid, Ray<Real>{origin, l, distance}, counts);
     counts.shadow_ray(blocked);
     if (blocked) continue;
     const Real cosine = larger(dot(side.shading, l), Real(0));
@@ -141,22 +127,19 @@ MASU_HD inline bool refracted(const Vec3<Real>& direction, const Vec3<Real>& nor
 }
 
 // Adds the rays that the surface spawns.
-template <class M, class Counts>
-MASU_HD inline void spawn(const RenderRules& rules, const Material& material,
-                          const SurfacePoint<typename M::Real>& point, const Facing<typename M::Real>& side,
-                          const PendingRay<typename M::Real>& ray, RayStack<M>& pending, Counts& counts) {
-  using Real = typename M::Real;
+template <class Real, class Counts>
+MASU_HD inline void spawn(const RenderRules& rules, const Material& material, const SurfacePoint<Real>& point,
+                          const Facing<Real>& side, const PendingRay<Real>& ray, RayStack<Real>& pending,
+                          Counts& counts) {
   if (ray.depth >= rules.depth) return;
   const float reflected_weight = ray.weight * material.specular,
               refracted_weight = ray.weight * material.transmittance;
-  if constexpr (M::secondary == Secondary::refraction) {
-    Vec3<Real> into{};
-    const Real index = static_cast<Real>(material.refraction_index);
-    if (transmits(material) && (refracted_weight > 0 || rules.spd_rules) &&
-        refracted(ray.direction, side.shading, side.front ? 1 / index : index, into)) {
-      counts.refraction_ray();
-      pending.push({leaving(point, into), into, refracted_weight, ray.depth + 1});
-    }
+  Vec3<Real> into{};
+  const Real index = static_cast<Real>(material.refraction_index);
+  if (transmits(material) && (refracted_weight > 0 || rules.spd_rules) &&
+      refracted(ray.direction, side.shading, side.front ? 1 / index : index, into)) {
+    counts.refraction_ray();
+    pending.push({leaving(point, into), into, refracted_weight, ray.depth + 1});
   }
   if (rules.spd_rules ? reflects(material) || transmits(material) : reflected_weight > 0) {
     const Vec3<Real> off = mirrored(ray.direction, side.shading);
@@ -165,18 +148,17 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material,
   }
 }
 
-// The light that comes back along an eye ray, and what the ray met.
-template <class M, class Grid, class Counts>
-MASU_HD inline Vec3f radiance(const SceneView<typename M::Stored>& scene, const Grid& grid,
-                              const RenderRules& rules, const Ray<typename M::Real>& eye, EyeHit& first_hit,
-                              Counts& counts) {
+// The light that comes back along an eye ray, and what the ray met. M: a Method.
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, const RenderRules& rules,
+                              const Ray<typename M::Real>& eye, EyeHit& first_hit, Counts& counts) {
   using Real = typename M::Real;
   Vec3f light{0, 0, 0};
-  RayStack<M> pending;
+  RayStack<Real> pending;
   PendingRay<Real> ray{eye.origin, eye.direction, 1, 1};
   for (;;) {
     const Ray<Real> path{ray.origin, ray.direction, RealTraits<Real>::largest};
-    const NearHit<Real> hit = nearest_hit_near<M::kinds>(scene, grid, path, counts);
+    const auto hit = nearest_hit_near<M>(scene, grid, path, counts);
     const bool met = hit.hit.primitive != no_primitive;
     if (ray.depth == 1) {
       counts.eye_ray(met);
@@ -189,12 +171,10 @@ MASU_HD inline Vec3f radiance(const SceneView<typename M::Stored>& scene, const 
       const Material material = scene.materials[point.material];
       const Facing<Real> side = facing(point, ray.direction);
       light = light + direct_light<M>(scene, grid, material, point, side, ray.direction, counts) * ray.weight;
-      if constexpr (M::secondary != Secondary::none)
-        spawn<M>(rules, material, point, side, ray, pending, counts);
+      spawn(rules, material, point, side, ray, pending, counts);
     } else {
       light = light + scene.background * ray.weight;
     }
-    if constexpr (M::secondary == Secondary::none) return light;
     if (pending.size == 0) return light;
     ray = pending.pop();
   }

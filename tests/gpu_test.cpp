@@ -147,7 +147,7 @@ TEST_P(CpuAndGpu, FindTheSameRaysBlocked) {
 TEST_P(CpuAndGpu, CountTheSame) {
   const Built built = build(Store::float32, GetParam().least + 1, "33x20x5");
   FrameRequest wanted = request(built.scene, 128);
-  wanted.count = true;
+  wanted.tracing.count = true;
   const Frame cpu = render_cpu(built.scene, &built.grid, wanted),
               gpu = render_cuda(built.scene, &built.grid, wanted);
   for (int i = 0; i < Counts::fields; ++i)
@@ -185,7 +185,7 @@ TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
       expect_same_hits(none.hits, gpu.hits);
       EXPECT_EQ(std::memcmp(none.radiance.data(), gpu.radiance.data(), gpu.radiance.size() * sizeof(Vec3f)),
                 0);
-      wanted.count = true;
+      wanted.tracing.count = true;
       const Frame cpu_counted = render_cpu(built.scene, &built.grid, wanted),
                   gpu_counted = render_cuda(built.scene, &built.grid, wanted);
       for (int i = 0; i < Counts::fields; ++i)

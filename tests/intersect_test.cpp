@@ -329,7 +329,7 @@ public:
   const SceneView<Real>& view() const { return view_; }
   bool hit(const Ray<Real>& ray, Hit<Real>& found) const {
     NoCounts counts;
-    found = nearest_hit<with_all_kinds>(view_, NoGrid{}, ray, counts);
+    found = nearest_hit<Robust<Real>>(view_, NoGrid{}, ray, counts);
     return found.primitive != no_primitive;
   }
 
@@ -491,7 +491,7 @@ TYPED_TEST(RayAndMesh, TheOrderOfCornersDoesNotDecideWhetherATriangleIsHit) {
   double worst = 0;
   for (std::int64_t i = cases(200'000); i > 0; --i) {
     const auto c = random_triangle_case<Real>(chance, chance.power_of_two(-10, 20));
-    const RayFrame<Real> ray = ray_frame(c.origin, c.direction);
+    const RayFrame<Real> ray = prepared(c.origin, c.direction);
     const std::array corners{c.primitive.a, c.primitive.b, c.primitive.c};
     Real first = 0;
     const bool met = intersect(ray, c.primitive, first);
@@ -629,7 +629,7 @@ TYPED_TEST(RayAndMesh, NoRayLeavesAClosedMeshThroughItsEdgesAndCorners) {
       const Vec3<Real> a = mesh.corners[face[corner]], b = mesh.corners[face[(corner + 1) % 3]];
       const Real share = static_cast<Real>(chance.one_of({0.0, 0.0, 0.5, 0.25, chance.uniform(0, 1)}));
       const Vec3<Real> towards = sized(chance, fused(b - a, share, a) - origin);
-      const RayFrame<Real> ray = ray_frame(origin, towards);
+      const RayFrame<Real> ray = prepared(origin, towards);
       bool met = false;
       // From the face that stopped the last ray on: any order will do.
       for (std::size_t n = 0; n < triangles.size() && !met; ++n) {
@@ -650,14 +650,14 @@ template <class Real, class Primitive>
 testing::AssertionResult meets_at(const Primitive& primitive, const Vec3<Real>& origin,
                                   const Vec3<Real>& direction, double wanted) {
   Real t = 0;
-  if (!intersect(ray_frame(origin, direction), primitive, t)) return testing::AssertionFailure() << "missed";
+  if (!intersect(prepared(origin, direction), primitive, t)) return testing::AssertionFailure() << "missed";
   if (std::abs(static_cast<double>(t) - wanted) <= 1e-6) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "met at " << t << " instead of " << wanted;
 }
 template <class Real, class Primitive>
 bool misses(const Primitive& primitive, const Vec3<Real>& origin, const Vec3<Real>& direction) {
   Real t = 0;
-  return !intersect(ray_frame(origin, direction), primitive, t);
+  return !intersect(prepared(origin, direction), primitive, t);
 }
 
 template <class Real>
@@ -940,7 +940,7 @@ TYPED_TEST(RayFromAfar, FindsTheOraclesNearestHit) {
       ++answers[expected.answer];
       if (expected.answer == oracle::Answer::unsure) continue;
       NoCounts counts;
-      const Hit<Real> hit = nearest_hit<with_all_kinds>(view, NoGrid{}, ray, counts);
+      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
       const bool met = hit.primitive != no_primitive;
       bool good = met == (expected.answer == oracle::Answer::hit);
       // The t from afar is rounded once or twice more.
@@ -1101,7 +1101,7 @@ TYPED_TEST(RayFromAfar, SurfacesLieWhereTheRayMeetsThem) {
     for (int i = 0; i < 8; ++i) {
       const Ray<Real> ray = from_afar<Real>(chance, bounds, 12);
       NoCounts counts;
-      const Hit<Real> hit = nearest_hit<with_all_kinds>(view, NoGrid{}, ray, counts);
+      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
       if (hit.primitive == no_primitive) continue;
       const oracle::Line line = oracle::line(ray.origin, ray.direction);
       const SurfacePoint<Real> point = surface_at<with_all_kinds>(view, ray, hit);

@@ -28,7 +28,7 @@ public:
   FrameRequest request() const {
     FrameRequest request;
     request.camera = camera_;
-    request.hits = request.count = true;
+    request.hits = request.tracing.count = true;
     return request;
   }
   Frame frame(const FrameRequest& request) const { return render_cpu(*scene_, grid_.get(), request); }

@@ -1,6 +1,7 @@
 // Scenes put together by hand or by chance, as tracing sees them; and what chance is made of.
 #pragma once
 
+#include "libgrid/trace.h"
 #include "libscene/cone.h"
 #include "libscene/margin.h"
 #include "libscene/scene_view.h"
@@ -171,6 +172,18 @@ struct TestScene {
             0};
   }
 };
+
+// --- Tracing ---------------------------------------------------------------------------------------------
+
+template <class Real, unsigned kinds = with_all_kinds>
+using Robust = Method<RayFrame<Real>, kinds>;
+
+template <class Real>
+RayFrame<Real> prepared(const Vec3<Real>& origin, const Vec3<Real>& direction) {
+  RayFrame<Real> ray;
+  prepare(ray, origin, direction);
+  return ray;
+}
 
 // --- In words --------------------------------------------------------------------------------------------
 

@@ -17,7 +17,7 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
   request.camera = {vector(c.from()), vector(c.at()), vector(c.up()), c.angle(), c.hither(), 6, 6};
   request.hits = request.hither = true;
   static_cast<void>(render_cpu(scene, grid, request));
-  request.count = request.rules.spd_rules = true;
+  request.tracing.count = request.rules.spd_rules = true;
   static_cast<void>(render_cpu(scene, grid, request));
 }
 

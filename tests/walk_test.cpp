@@ -46,15 +46,15 @@ private:
     for (int i = 0; i < rays_to_try; ++i) {
       Ray<Real> ray = make_ray();
       NoCounts counts;
-      const Hit<Real> expected = nearest_hit<with_all_kinds>(view, NoGrid{}, ray, counts);
-      const Hit<Real> found = nearest_hit<with_all_kinds>(view, grid_view, ray, counts);
+      const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const Hit<Real> found = nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
       hits_ += expected.primitive != no_primitive;
       const bool same = found.primitive == expected.primitive && same_bits(found.t, expected.t);
       // Anything nearer than about the hit, or the whole ray.
       if (expected.primitive != no_primitive && chance.one_in(2))
         ray.t_max = chance.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
-      const bool same_shadow = is_blocked<with_all_kinds>(view, grid_view, ray, counts) ==
-                               is_blocked<with_all_kinds>(view, NoGrid{}, ray, counts);
+      const bool same_shadow = is_blocked<Robust<Real>>(view, grid_view, ray, counts) ==
+                               is_blocked<Robust<Real>>(view, NoGrid{}, ray, counts);
       if ((same && same_shadow) || ++different_ > 1) continue;
       first_ = described(ray.origin, ray.direction) + " t_max " + described(ray.t_max) + ": " +
                described(found) + ", expected " + described(expected) + "; " + described(grid) + '\n' +
@@ -186,16 +186,16 @@ TYPED_TEST(GridWalk, FindsTheSameWithoutTheCodeForAbsentKinds) {
       for (int i = 0; i < 100; ++i) {
         const Ray<Real> ray = rays.ray();
         NoCounts counts;
-        const Hit<Real> expected = nearest_hit<with_all_kinds>(view, grid_view, ray, counts);
+        const Hit<Real> expected = nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
         const auto expect_same = [&](const Hit<Real>& hit) {
           ASSERT_TRUE(hit.primitive == expected.primitive && same_bits(hit.t, expected.t));
         };
         if (scene.spheres.empty() && scene.cones.empty())
-          expect_same(nearest_hit<with_triangles>(view, grid_view, ray, counts));
+          expect_same(nearest_hit<Robust<Real, with_triangles>>(view, grid_view, ray, counts));
         if (scene.triangles.empty() && scene.cones.empty())
-          expect_same(nearest_hit<with_spheres>(view, grid_view, ray, counts));
+          expect_same(nearest_hit<Robust<Real, with_spheres>>(view, grid_view, ray, counts));
         if (scene.cones.empty())
-          expect_same(nearest_hit<with_triangles | with_spheres>(view, grid_view, ray, counts));
+          expect_same(nearest_hit<Robust<Real, with_triangles | with_spheres>>(view, grid_view, ray, counts));
       }
     });
   }
@@ -205,7 +205,7 @@ TYPED_TEST(GridWalk, FindsTheSameWithoutTheCodeForAbsentKinds) {
 template <class Real>
 Hit<Real> nearest_of_all(const SceneView<Real>& scene, const Ray<Real>& ray, std::int64_t& ties) {
   NoCounts counts;
-  const RayFrame<Real> frame = ray_frame(ray.origin, ray.direction);
+  const RayFrame<Real> frame = prepared(ray.origin, ray.direction);
   Hit<Real> nearest{ray.t_max, no_primitive};
   for (std::uint32_t p = 0; p < scene.primitive_count(); ++p) {
     Real t = 0;
@@ -220,7 +220,7 @@ template <class Real, class View>
 void expect_nearest(const SceneView<Real>& scene, const View& grid, Ray<Real> ray, std::int64_t& ties) {
   const Hit<Real> expected = nearest_of_all(scene, ray, ties);
   NoCounts counts;
-  const Hit<Real> found = nearest_hit<with_all_kinds>(scene, grid, ray, counts);
+  const Hit<Real> found = nearest_hit<Robust<Real>>(scene, grid, ray, counts);
   ASSERT_TRUE(found.primitive == expected.primitive && same_bits(found.t, expected.t))
       << described(ray.origin, ray.direction) << ": " << described(found) << ", expected "
       << described(expected);
@@ -228,10 +228,10 @@ void expect_nearest(const SceneView<Real>& scene, const View& grid, Ray<Real> ra
   // t_max itself isn't reached, by either question.
   for (const bool beyond : {false, true}) {
     ray.t_max = beyond ? nudged(expected.t, 1) : expected.t;
-    const Hit<Real> up_to = nearest_hit<with_all_kinds>(scene, grid, ray, counts);
+    const Hit<Real> up_to = nearest_hit<Robust<Real>>(scene, grid, ray, counts);
     ASSERT_EQ(up_to.primitive, beyond ? expected.primitive : no_primitive);
     ASSERT_TRUE(same_bits(up_to.t, expected.t));
-    ASSERT_EQ(is_blocked<with_all_kinds>(scene, grid, ray, counts), beyond);
+    ASSERT_EQ(is_blocked<Robust<Real>>(scene, grid, ray, counts), beyond);
   }
 }
 
@@ -415,7 +415,7 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
       for (std::int64_t i = cases(5'000); i > 0 && !this->HasFailure(); --i) {
         const Ray<Real> ray{{number(), number(), number()}, {number(), number(), number()}, number()};
         NoCounts counts;
-        nearest_hit<with_all_kinds>(view, grid_view, ray, counts);
+        nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
         const Vec3<Real>& d = ray.direction;
         const WholeWalk<Real> whole(grid_view, {ray, {1 / d.x, 1 / d.y, 1 / d.z}, 0});
         ASSERT_LE(whole.voxels, whole.most_voxels) << described(grid) << described(ray.origin, ray.direction);

@@ -1,4 +1,4 @@
-// --backend: which of the backends traces.
+// --backend, --precision and --study-rule: who traces, and how.
 #pragma once
 
 #include "renderer/backend.h"
@@ -12,6 +12,24 @@ inline void add_backend(CLI::App& app, Backend& backend) {
   add_choice(app, "--backend", backend,
              {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"cuda", Backend::cuda}},
              "auto (the GPU where there is one), cpu or cuda");
+}
+
+inline const std::map<std::string, Precision> all_precisions{{"auto", Precision::automatic},
+                                                             {"fast", Precision::fast},
+                                                             {"robust", Precision::robust},
+                                                             {"double", Precision::doubled}};
+
+inline void add_precision(CLI::App& app, Precision& precision) {
+  add_choice(app, "--precision", precision, all_precisions,
+             "auto (robust; double where the scene is stored so), fast (float32 by textbook formulas, for "
+             "comparison), robust (float32 that loses no hit) or double");
+}
+
+inline void add_study_rule(CLI::App& app, StopRule& stop) {
+  app.add_flag_callback(
+      "--study-rule", [&stop] { stop = StopRule::first_cell; },
+      "take the first hit of the first cell that has any, wherever it lies: the shortcut of a study, for "
+      "comparison");
 }
 
 // `auto` takes the GPU where there is one. Throws Error(device) where one was asked for in vain.

@@ -26,6 +26,7 @@ struct Settings {
   std::string scene, size = "1024x1024";
   std::vector<std::string> grids, schedules;
   Backend backend = Backend::automatic;
+  TracingRules tracing;
   Sampling sampling = Sampling::centers;
   RenderRules rules{5, false, HitName::object};
   int workers_each = 0, warm_up = 5, repeat = 25;
@@ -36,6 +37,7 @@ struct Settings {
 Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const std::string& name,
              Schedule schedule, bool cuda, std::vector<Vec3f>& picture) {
   FrameRequest request;
+  request.tracing = settings.tracing;
   request.camera = resized(scene.camera(), settings.size);
   request.sampling = settings.sampling;
   request.rules = settings.rules;
@@ -111,6 +113,10 @@ void add_frame(CLI::App& app) {
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
   add_backend(frame, settings.backend);
+  add_precision(frame, settings.tracing.precision);
+  add_study_rule(frame, settings.tracing.stop);
+  frame.add_flag("--general", settings.tracing.general,
+                 "by the code for every kind of primitive, whatever the scene holds");
   frame.add_option("--size", settings.size, "the picture's, WxH")->capture_default_str();
   add_choice(frame, "--sampling", settings.sampling,
              {{"corners", Sampling::corners}, {"centers", Sampling::centers}},

@@ -19,10 +19,11 @@ struct Settings {
   std::string scene, size = "1024x1024";
   std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow"};
   Backend backend = Backend::automatic;
+  TracingRules tracing;
   RayOrder order = RayOrder::tiles;
   std::size_t random = std::size_t{1} << 22;
   std::uint64_t seed = 1;
-  std::vector<std::string> loops{"auto"};
+  std::vector<std::string> loops{"auto"}, precisions{"auto"};
   int warm_up = 5, repeat = 25;
   bool json = false;
   Threads threads;
@@ -56,17 +57,18 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
 }
 
 Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const RaySet& set,
-             RayLoop loop, bool cuda) {
-  RaysRequest request{set.rays};
+             const std::string& precision, RayLoop loop, bool cuda) {
+  RaysRequest request{set.rays, settings.tracing};
+  request.tracing.precision = resolved(all_precisions.at(precision), scene);
   request.hit_name = HitName::primitive;
   request.question = set.question;
   request.loop = loop;
   const auto trace = [&] {
     return cuda ? trace_rays_cuda(scene, &grid, request) : trace_rays_cpu(scene, &grid, request);
   };
-  request.count = true;
+  request.tracing.count = true;
   const Counts counts = trace().counts;
-  request.count = false;
+  request.tracing.count = false;
   request.warm_up = settings.warm_up;
   request.repeat = settings.repeat;
   const double seconds = trace().seconds.trace;
@@ -80,6 +82,7 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
           {"question", set.question == Question::nearest ? "nearest" : "blocked"},
           {"count", set.rays.size()},
           {"backend", cuda ? "cuda" : "cpu"},
+          {"precision", name_of(request.tracing.precision)},
           {"loop", loop == RayLoop::cells || !cuda ? "cells" : "refill"},
           {"median_seconds", seconds},
           {"mrays_per_second", seconds > 0 ? number / seconds * 1e-6 : 0.0},
@@ -90,8 +93,9 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
 }
 
 void print_row(const Json& row) {
-  fmt::print("{:<24} {:<8} {:<6} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
-             row["grid"].get<std::string>(), row["rays"].get<std::string>(), row["loop"].get<std::string>(),
+  fmt::print("{:<24} {:<8} {:<6} {:<6} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
+             row["grid"].get<std::string>(), row["rays"].get<std::string>(),
+             row["precision"].get<std::string>(), row["loop"].get<std::string>(),
              row["count"].get<std::uint64_t>(), row["mrays_per_second"].get<double>(),
              100 * row["hits_a_ray"].get<double>(), row["tests_a_ray"].get<double>(),
              row["cells_a_ray"].get<double>(), row["empty_cells_a_ray"].get<double>());
@@ -110,17 +114,19 @@ void bench_rays(const Settings& settings) {
   const std::vector<RaySet> sets = ray_sets(settings, scene, grids.front());
   Json rows = Json::array();
   if (!settings.json) {
-    fmt::print(
-        "{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:>9} {:>9} {:>7} {:>8} {:>8} {:>8}\n",
-        cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
-        settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "loop", "count", "Mray/s",
-        "hit %", "tests", "cells", "empty");
+    fmt::print("{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:<6} {:>9} {:>9} {:>7} {:>8} "
+               "{:>8} {:>8}\n",
+               cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
+               settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "by", "loop", "count",
+               "Mray/s", "hit %", "tests", "cells", "empty");
   }
   for (const GridFile& grid : grids) {
     for (const RaySet& set : sets) {
-      for (const std::string& loop : settings.loops) {
-        rows.push_back(measure(settings, scene, grid, set, loop_for(loop, set), cuda));
-        if (!settings.json) print_row(rows.back());
+      for (const std::string& precision : settings.precisions) {
+        for (const std::string& loop : settings.loops) {
+          rows.push_back(measure(settings, scene, grid, set, precision, loop_for(loop, set), cuda));
+          if (!settings.json) print_row(rows.back());
+        }
       }
     }
   }
@@ -147,6 +153,13 @@ void add_rays(CLI::App& app) {
                   "done take the next ray), or auto (refill for diffuse and random)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "refill"}));
+  rays.add_option("--precision", settings.precisions,
+                  "by which arithmetic: auto, fast, robust, double (see gridrender --help)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double"}));
+  add_study_rule(rays, settings.tracing.stop);
+  rays.add_flag("--general", settings.tracing.general,
+                "by the code for every kind of primitive, whatever the scene holds");
   rays.add_option("--size", settings.size, "the eye's rays, WxH")->capture_default_str();
   rays.add_option("--random", settings.random, "how many random rays")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))

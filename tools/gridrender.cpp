@@ -16,6 +16,7 @@ namespace {
 struct Settings {
   std::string scene, grid, output, size, stats, times, rays, hits;
   Backend backend = Backend::automatic;
+  TracingRules tracing;
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
   int depth = 5, repeat = 1;
@@ -118,7 +119,8 @@ void render(const Settings& settings) {
     seconds.validate += grid->load_seconds().validate;
     grid->check_scene(scene.hash(), scene.primitive_count());
   }
-  const bool count = !settings.stats.empty();
+  TracingRules tracing = settings.tracing;
+  tracing.count = !settings.stats.empty();
   Counts counts;
   const auto finish = [&](const auto& result, const auto& write) {
     counts = result.counts;
@@ -129,12 +131,12 @@ void render(const Settings& settings) {
     seconds.write = watch.seconds();
   };
   if (settings.rays.empty()) {
-    FrameRequest request{resized(scene.camera(), settings.size),
+    FrameRequest request{tracing,
+                         resized(scene.camera(), settings.size),
                          settings.sampling,
                          settings.hither,
                          {settings.depth, settings.spd_rules, settings.hit_name},
                          !settings.hits.empty(),
-                         count,
                          settings.repeat};
     const Frame frame =
         cuda ? render_cuda(scene, grid.get(), request) : render_cpu(scene, grid.get(), request);
@@ -144,7 +146,7 @@ void render(const Settings& settings) {
     });
   } else {
     const std::vector<ListedRay> rays = read_rays(settings.rays);
-    const RaysRequest request{rays, settings.hit_name, count, settings.repeat};
+    const RaysRequest request{rays, tracing, settings.hit_name, settings.repeat};
     const RayHits hits =
         cuda ? trace_rays_cuda(scene, grid.get(), request) : trace_rays_cpu(scene, grid.get(), request);
     finish(hits, [] {});
@@ -172,6 +174,8 @@ int main(int argc, char** argv) {
         app.add_option("GRID", settings.grid, "grid file, from gridbuild");
         app.add_option("-o,--output", settings.output, "picture: .png, or .pfm for linear floats");
         add_backend(app, settings.backend);
+        add_precision(app, settings.tracing.precision);
+        add_study_rule(app, settings.tracing.stop);
         app.add_option("--size", settings.size, "WxH pixels instead of the scene's own");
         app.add_option("--depth", settings.depth, "depth of the last rays; the eye's have 1")
             ->check(CLI::Range(1, largest_depth))

@@ -1,0 +1,33 @@
+// From a precision to the rays that trace with it.
+#pragma once
+
+#include "libscene/scene_view.h"
+#include "libscene/textbook.h"
+#include "renderer/precision.h"
+
+namespace masu {
+
+// The ray of an arithmetic, as a type.
+template <class TestRay_>
+struct Arithmetic {
+  using TestRay = TestRay_;
+};
+
+// Calls act(Arithmetic) with the precision's ray; `precision` is resolved.
+template <class Act>
+void with_arithmetic(const SceneView<float>&, Precision precision, const Act& act) {
+  switch (precision) {
+  case Precision::fast:
+    return act(Arithmetic<TextbookRay>{});
+  case Precision::doubled:
+    return act(Arithmetic<RayFrame<double>>{});
+  default:
+    return act(Arithmetic<RayFrame<float>>{});
+  }
+}
+template <class Act>
+void with_arithmetic(const SceneView<double>&, Precision, const Act& act) {
+  act(Arithmetic<RayFrame<double>>{});
+}
+
+} // namespace masu

@@ -1,0 +1,14 @@
+#include "renderer/tracing_cuda.h"
+
+namespace masu {
+
+template void render_on_device<RayFrame<double>>(const SceneView<float>&, const GridFile*,
+                                                 const FrameRequest&, Frame&);
+template void trace_on_device<RayFrame<double>>(const SceneView<float>&, const GridFile*, const RaysRequest&,
+                                                RayHits&);
+template void render_on_device<RayFrame<double>>(const SceneView<double>&, const GridFile*,
+                                                 const FrameRequest&, Frame&);
+template void trace_on_device<RayFrame<double>>(const SceneView<double>&, const GridFile*, const RaysRequest&,
+                                                RayHits&);
+
+} // namespace masu

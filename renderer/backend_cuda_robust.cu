@@ -1,0 +1,10 @@
+#include "renderer/tracing_cuda.h"
+
+namespace masu {
+
+template void render_on_device<RayFrame<float>>(const SceneView<float>&, const GridFile*, const FrameRequest&,
+                                                Frame&);
+template void trace_on_device<RayFrame<float>>(const SceneView<float>&, const GridFile*, const RaysRequest&,
+                                               RayHits&);
+
+} // namespace masu

@@ -1,0 +1,41 @@
+// Which arithmetic traces.
+#pragma once
+
+#include "libscene/error.h"
+#include "libscene/scene_file.h"
+
+namespace masu {
+
+// fast: float32 by textbook formulas (libscene/textbook.h), to be measured against. robust: float32 that
+// loses no hit beyond the bound of libscene/margin.h. doubled: the same in float64. automatic: what the
+// scene's store asks for, robust for float32 and doubled for float64.
+enum class Precision { automatic, fast, robust, doubled };
+
+// The one that `automatic` stands for; others stay. Throws Error(usage) for float32 arithmetic on a scene
+// whose coordinates don't fit it: it would answer wrongly without a word.
+inline Precision resolved(Precision precision, const SceneFile& scene) {
+  if (precision == Precision::automatic) return scene.is_float64() ? Precision::doubled : Precision::robust;
+  if (scene.is_float64() && precision != Precision::doubled) {
+    throw Error(ErrorCode::usage, "--precision",
+                scene.path() +
+                    " holds float64 coordinates, which float32 arithmetic would round: take double, "
+                    "or make the scene with nff2bin --store float32");
+  }
+  return precision;
+}
+
+inline const char* name_of(Precision precision) {
+  switch (precision) {
+  case Precision::automatic:
+    return "auto";
+  case Precision::fast:
+    return "fast";
+  case Precision::robust:
+    return "robust";
+  case Precision::doubled:
+    return "double";
+  }
+  return "";
+}
+
+} // namespace masu
