@@ -63,12 +63,11 @@ inline double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// A ray as a file lists it: origin, then direction of any length but zero. t counts in the direction's
-// length.
+// A ray of a list: origin, then direction of any length but zero. t counts in the direction's length. Float32
+// arithmetic rounds it.
 struct ListedRay {
-  Vec3f origin, direction;
+  Vec3d origin, direction;
 };
-static_assert(sizeof(ListedRay) == 24);
 
 // What is asked of a ray: its nearest hit; or whether anything blocks it between 0 < t < 1 (the hit's name is
 // then 0 or -1, its t the end of what was looked at).

@@ -78,13 +78,14 @@ template <Question question, class M, class Stored, class Grid, class C>
 void trace(const SceneView<Stored>& scene, const Grid& grid, const RaysRequest& request, RayHits& result,
            const C&) {
   tbb::combinable<Counts> totals;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, request.rays.size(), rays_a_task), [&](const auto& range) {
-        C counts;
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          result.hits[i] = trace_listed<question, M>(scene, grid, request.rays[i], request.hit_name, counts);
-        add(totals.local(), counts);
-      });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, request.rays.size(), rays_a_task),
+                    [&](const auto& range) {
+                      C counts;
+                      for (std::size_t i = range.begin(); i != range.end(); ++i)
+                        result.hits[i] = trace_listed<question, M>(
+                            scene, grid, typed<typename M::Real>(request.rays[i]), request.hit_name, counts);
+                      add(totals.local(), counts);
+                    });
   totals.combine_each([&](const Counts& part) { result.counts += part; });
 }
 

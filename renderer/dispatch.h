@@ -58,6 +58,18 @@ void with_question(Question question, const Act& act) {
   question == Question::nearest ? act(Asked<Question::nearest>{}) : act(Asked<Question::blocked>{});
 }
 
+// A listed ray as one arithmetic has it.
+template <class Real>
+struct TypedRay {
+  Vec3<Real> origin, direction;
+};
+static_assert(sizeof(TypedRay<float>) == 24 && sizeof(TypedRay<double>) == 48);
+
+template <class Real>
+TypedRay<Real> typed(const ListedRay& ray) {
+  return {cast<Real>(ray.origin), cast<Real>(ray.direction)};
+}
+
 // A listed ray scaled by a power of two, so that its direction's largest component is between 1 and 2 and
 // nothing overflows on the way; t is scaled back by `scale`. Exact.
 template <class Real>
@@ -67,10 +79,9 @@ struct ScaledRay {
 };
 
 template <class Real>
-MASU_HD inline ScaledRay<Real> scaled(const ListedRay& listed) {
-  const float scale = inverse_power_of_two(largest_magnitude(listed.direction));
-  return {{cast<Real>(listed.origin), cast<Real>(listed.direction * scale), RealTraits<Real>::largest},
-          static_cast<Real>(scale)};
+MASU_HD inline ScaledRay<Real> scaled(const TypedRay<Real>& listed) {
+  const Real scale = inverse_power_of_two(static_cast<float>(largest_magnitude(listed.direction)));
+  return {{listed.origin, listed.direction * scale, RealTraits<Real>::largest}, scale};
 }
 
 MASU_HD inline EyeHit blocked_hit(bool blocked) {
@@ -79,10 +90,10 @@ MASU_HD inline EyeHit blocked_hit(bool blocked) {
 
 // What a listed ray hits, or whether it is blocked.
 template <Question question, class M, class Stored, class Grid, class C>
-MASU_HD inline EyeHit trace_listed(const SceneView<Stored>& scene, const Grid& grid, const ListedRay& listed,
-                                   HitName name, C& counts) {
+MASU_HD inline EyeHit trace_listed(const SceneView<Stored>& scene, const Grid& grid,
+                                   const TypedRay<typename M::Real>& listed, HitName name, C& counts) {
   using Real = typename M::Real;
-  ScaledRay<Real> ray = scaled<Real>(listed);
+  ScaledRay<Real> ray = scaled(listed);
   if constexpr (question == Question::blocked) {
     ray.ray.t_max = 1 / ray.scale;
     const bool blocked = is_blocked<M>(scene, grid, ray.ray, counts);

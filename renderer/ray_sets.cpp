@@ -48,10 +48,12 @@ BoundingSphere sphere_around(const SceneFile& scene) {
   return {center, length(box.max - center)};
 }
 
+// Coordinates that the scene's own store holds: all arithmetics see the same ray.
+template <class Stored>
 ListedRay random_ray(const BoundingSphere& sphere, Random& random) {
   const Vec3d from = fused(direction_of(random), sphere.radius, sphere.center);
   const Vec3d to = fused(direction_of(random), sphere.radius, sphere.center);
-  return {cast<float>(from), cast<float>(to - from)};
+  return {cast<double>(cast<Stored>(from)), cast<double>(cast<Stored>(to - from))};
 }
 
 // Calls act(ray's number, the point it hits, which way it came) for each ray, in parallel; the point is null
@@ -81,7 +83,7 @@ std::vector<ListedRay> diffuse(const SceneFile& file, const GridFile& grid, std:
                        [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& came) {
                          Random random(seed, i);
                          if (point == nullptr) {
-                           bounced[i] = random_ray(sphere, random);
+                           bounced[i] = random_ray<Stored>(sphere, random);
                            return;
                          }
                          // A point of the unit sphere that touches the surface: the cosine's distribution
@@ -89,7 +91,7 @@ std::vector<ListedRay> diffuse(const SceneFile& file, const GridFile& grid, std:
                          const Vec3d normal = cast<double>(facing(*point, came).normal);
                          const Vec3d towards = normal + direction_of(random) * (1 - 1e-6);
                          const Vec3<Stored> direction = cast<Stored>(normalized(towards));
-                         bounced[i] = {cast<float>(leaving(*point, direction)), cast<float>(direction)};
+                         bounced[i] = {cast<double>(leaving(*point, direction)), cast<double>(direction)};
                        });
   return bounced;
 }
@@ -105,7 +107,7 @@ std::vector<ListedRay> shadow(const SceneFile& file, const GridFile& grid, std::
                          if (point == nullptr) return;
                          const Vec3<Stored> light = scene.lights[i % scene.light_count].position;
                          const Vec3<Stored> origin = leaving(*point, light - point->position);
-                         all[i] = {cast<float>(origin), cast<float>(light - origin)};
+                         all[i] = {cast<double>(origin), cast<double>(light - origin)};
                          present[i] = 1;
                        });
   std::vector<ListedRay> kept;
@@ -115,16 +117,15 @@ std::vector<ListedRay> shadow(const SceneFile& file, const GridFile& grid, std::
   return kept;
 }
 
-} // namespace
-
-std::vector<ListedRay> primary_rays(const Camera& camera, RayOrder order) {
+template <class Stored>
+std::vector<ListedRay> primary(const Camera& camera, RayOrder order) {
   constexpr std::int32_t tile_columns = 8, tile_rows = 4;
-  const EyeRays<float> eye = eye_rays<float>(camera, Sampling::centers, false);
+  const EyeRays<Stored> eye = eye_rays<Stored>(camera, Sampling::centers, false);
   std::vector<ListedRay> rays;
   rays.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   const auto add = [&](std::int32_t column, std::int32_t row) {
-    const Ray<float> ray = eye_ray(eye, column, row);
-    rays.push_back({ray.origin, ray.direction});
+    const Ray<Stored> ray = eye_ray(eye, column, row);
+    rays.push_back({cast<double>(ray.origin), cast<double>(ray.direction)});
   };
   const std::int32_t columns = order == RayOrder::tiles ? tile_columns : camera.width;
   const std::int32_t rows = order == RayOrder::tiles ? tile_rows : 1;
@@ -139,6 +140,12 @@ std::vector<ListedRay> primary_rays(const Camera& camera, RayOrder order) {
   return rays;
 }
 
+} // namespace
+
+std::vector<ListedRay> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order) {
+  return scene.is_float64() ? primary<double>(camera, order) : primary<float>(camera, order);
+}
+
 std::vector<ListedRay> diffuse_rays(const SceneFile& scene, const GridFile& grid,
                                     std::span<const ListedRay> rays, std::uint64_t seed) {
   return scene.is_float64() ? diffuse<double>(scene, grid, rays, seed)
@@ -150,7 +157,7 @@ std::vector<ListedRay> random_rays(const SceneFile& scene, std::size_t count, st
   std::vector<ListedRay> rays(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     Random random(seed, i);
-    rays[i] = random_ray(sphere, random);
+    rays[i] = scene.is_float64() ? random_ray<double>(sphere, random) : random_ray<float>(sphere, random);
   });
   return rays;
 }

@@ -1,4 +1,6 @@
 // Sets of rays to measure tracing by: of the eye, bounced off what it sees, and through the whole scene.
+// Their coordinates are numbers that the scene's store holds, so that every arithmetic is given the same
+// rays.
 #pragma once
 
 #include "renderer/backend.h"
@@ -11,7 +13,7 @@ namespace masu {
 enum class RayOrder { rows, tiles };
 
 // A ray through every pixel's centre.
-std::vector<ListedRay> primary_rays(const Camera& camera, RayOrder order);
+std::vector<ListedRay> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order);
 
 // From where each of `rays` hits, one ray each into a direction drawn by the cosine about the surface's
 // normal; a ray that hits nothing is replaced by one between random points of the scene's bounding sphere.

@@ -66,7 +66,7 @@ constexpr int resident_blocks_wanted = (M::kinds & with_cones) == 0 && sizeof(ty
 
 template <Question question, class M, class Stored, class Grid, class C>
 __global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
-    trace_kernel(const SceneView<Stored> scene, const Grid grid, const ListedRay* const rays,
+    trace_kernel(const SceneView<Stored> scene, const Grid grid, const TypedRay<typename M::Real>* const rays,
                  const std::uint64_t count, const HitName name, EyeHit* const hits, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
   if (i >= count) return;
@@ -81,9 +81,9 @@ __global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
 // fetched.
 template <Question question, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
-    refill_kernel(const SceneView<Stored> scene, const Grid grid, const ListedRay* const rays,
-                  const std::uint64_t count, const HitName name, EyeHit* const hits,
-                  unsigned long long* const next) {
+    refill_kernel(const SceneView<Stored> scene, const Grid grid,
+                  const TypedRay<typename M::Real>* const rays, const std::uint64_t count, const HitName name,
+                  EyeHit* const hits, unsigned long long* const next) {
   using Real = typename M::Real;
   constexpr unsigned all_lanes = 0xffffffffU;
   constexpr int enough = 12, tests_a_turn = 2;
@@ -106,7 +106,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
       const std::uint64_t next_ray = first + static_cast<unsigned>(__popc(idle & ((1U << lane) - 1)));
       if (!alive && next_ray < count) {
         mine = next_ray;
-        ScaledRay<Real> ray = scaled<Real>(rays[mine]);
+        ScaledRay<Real> ray = scaled(rays[mine]);
         scale = ray.scale;
         if constexpr (question == Question::blocked) ray.ray.t_max = 1 / scale;
         ClippedRay<Real> near{};
@@ -207,9 +207,11 @@ void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_
 template <class TestRay, class Stored>
 void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_grid,
                      const RaysRequest& request, RayHits& result) {
-  const std::span<const ListedRay> rays = request.rays;
+  using Real = typename TestRay::Real;
+  std::vector<TypedRay<Real>> rays(request.rays.size());
+  std::transform(request.rays.begin(), request.rays.end(), rays.begin(), typed<Real>);
   Stopwatch watch;
-  const DeviceArray<ListedRay> device_rays(rays);
+  const DeviceArray<TypedRay<Real>> device_rays(rays.data(), rays.size());
   DeviceArray<EyeHit> hits(rays.size());
   const DeviceArray<Counts> total(&result.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
   const DeviceArray<unsigned long long> next_ray(1);

@@ -122,7 +122,7 @@ TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
   std::vector<ListedRay> rays(1'000'000);
   for (ListedRay& ray : rays) {
     const Vec3f from = on_sphere();
-    ray = {from, on_sphere() - from};
+    ray = {cast<double>(from), cast<double>(on_sphere() - from)};
   }
   RaysRequest wanted{rays};
   wanted.hit_name = HitName::primitive;

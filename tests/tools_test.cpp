@@ -216,6 +216,24 @@ TEST_F(Tools, ListedRaysHitWhatTheEyesRaysHit) {
   EXPECT_EQ(objects, (std::set<std::int32_t>{-1, 0, 1})); // the sky, the floor, the ball
 }
 
+TEST_F(Tools, ListedRaysMayBeDoubles) {
+  // Far off, where floats are two apart: a ball of radius 1, met by every other ray.
+  const std::string far = scene("far.scene", nff("far.nff", "f 1 1 1 1 0 0 0 1\ns 20000000.25 0 0 1\n"));
+  const std::string far_grid = grid("far.grid", far);
+  std::vector<double> rays;
+  for (const double aside : {0.0, 1.5, -0.5, -1.125, 1.2, 1.3})
+    rays.insert(rays.end(), {20000000 + aside, -3, 0, 0, 1, 0});
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 8 * rays.size()});
+  EXPECT_TRUE(succeeded(run("gridrender", {far, far_grid, "--rays", file("rays"), "--ray-store", "float64",
+                                           "--hits", file("hits")})));
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  ASSERT_EQ(hits.size(), 6U);
+  const std::array<bool, 6> met{true, false, true, false, true, false};
+  for (std::size_t i = 0; i < met.size(); ++i)
+    EXPECT_EQ(hits[i].object, met[i] ? 0 : -1) << "ray " << i;
+  EXPECT_EQ(hits[0].t, static_cast<float>(3 - std::sqrt(1 - 0.0625)));
+}
+
 TEST_F(Tools, ListedRaysMayHaveAnyLengthAndStart) {
   const std::vector<float> rays{
       0,     0, 5,    0, 0, -1,      // down on the ball's top: 4 away

@@ -43,7 +43,8 @@ RayLoop loop_for(const std::string& wanted, const RaySet& set) {
 
 // Every grid is asked the same rays; the first one makes those that depend on what is hit.
 std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, const GridFile& grid) {
-  const std::vector<ListedRay> primary = primary_rays(resized(scene.camera(), settings.size), settings.order);
+  const std::vector<ListedRay> primary =
+      primary_rays(scene, resized(scene.camera(), settings.size), settings.order);
   std::vector<RaySet> sets;
   for (const std::string& name : settings.sets) {
     if (name == "primary") sets.push_back({name, Question::nearest, true, primary});

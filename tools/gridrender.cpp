@@ -19,6 +19,7 @@ struct Settings {
   TracingRules tracing;
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
+  Store ray_store = Store::float32;
   int depth = 5, repeat = 1;
   bool spd_rules = false, hither = false, srgb = false, brute_force = false;
   Threads threads;
@@ -66,24 +67,32 @@ void write_hits(const std::vector<EyeHit>& hits, const std::string& path) {
   file.commit();
 }
 
-// Rays that can be followed: finite, with a direction, and not so far off that t overflows.
+// Rays that can be followed: finite, with a direction, and not so far off that t overflows. Number: float or
+// double, as the file holds them.
+template <class Number>
 std::vector<ListedRay> read_rays(const std::string& path) {
+  struct Stored {
+    Vec3<Number> origin, direction;
+  };
   const MappedFile file(path);
-  if (file.bytes().size() % sizeof(ListedRay) != 0) {
+  const std::size_t count = file.bytes().size() / sizeof(Stored);
+  if (file.bytes().size() != count * sizeof(Stored)) {
     throw Error(ErrorCode::input, path,
-                fmt::format("holds {} bytes, not a whole number of rays: a ray is six 32-bit floats",
-                            file.bytes().size()));
+                fmt::format("holds {} bytes, not a whole number of rays: a ray is six {}-bit floats",
+                            file.bytes().size(), 8 * sizeof(Number)));
   }
-  std::vector<ListedRay> rays(file.bytes().size() / sizeof(ListedRay));
-  if (!rays.empty()) std::memcpy(rays.data(), file.bytes().data(), file.bytes().size());
-  constexpr float reach = 1e15F;
-  const auto held = [&](const Vec3f& v) {
+  std::vector<ListedRay> rays(count);
+  constexpr double reach = 1e15;
+  const auto held = [&](const Vec3d& v) {
     return std::abs(v.x) <= reach && std::abs(v.y) <= reach && std::abs(v.z) <= reach;
   };
-  for (std::size_t i = 0; i < rays.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Stored stored;
+    std::memcpy(&stored, file.bytes().data() + i * sizeof(Stored), sizeof(Stored));
+    rays[i] = {cast<double>(stored.origin), cast<double>(stored.direction)};
     const char* const wrong = !held(rays[i].origin)      ? "an origin that isn't within 1e15 of zero"
                               : !held(rays[i].direction) ? "a direction that isn't finite, or beyond 1e15"
-                              : !(largest_magnitude(rays[i].direction) >= 1e-15F)
+                              : !(largest_magnitude(rays[i].direction) >= 1e-15)
                                   ? "a direction of no length (below 1e-15)"
                                   : nullptr;
     if (wrong != nullptr) throw Error(ErrorCode::input, path, fmt::format("ray {} has {}", i, wrong));
@@ -145,7 +154,9 @@ void render(const Settings& settings) {
         write_image(image_of(frame, settings.sampling), settings.output, settings.srgb);
     });
   } else {
-    const std::vector<ListedRay> rays = read_rays(settings.rays);
+    const std::vector<ListedRay> rays = settings.ray_store == Store::float64
+                                            ? read_rays<double>(settings.rays)
+                                            : read_rays<float>(settings.rays);
     const RaysRequest request{rays, tracing, settings.hit_name, settings.repeat};
     const RayHits hits =
         cuda ? trace_rays_cuda(scene, grid.get(), request) : trace_rays_cpu(scene, grid.get(), request);
@@ -199,6 +210,8 @@ int main(int argc, char** argv) {
             ->excludes(stats);
         app.add_option("--rays", settings.rays,
                        "trace a list of rays (6 floats each: origin, direction) instead of the camera's");
+        add_choice(app, "--ray-store", settings.ray_store,
+                   {{"float32", Store::float32}, {"float64", Store::float64}}, "what --rays holds");
         app.add_option("--hits", settings.hits, "write what each ray hits: float t, int32 object (-1: none)");
         add_choice(app, "--hit-name", settings.hit_name,
                    {{"object", HitName::object}, {"primitive", HitName::primitive}},
