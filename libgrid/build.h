@@ -23,7 +23,7 @@ enum class Merge { none, x, balance, irregular };
 
 // In host memory; see grid_view.h for what the arrays hold.
 struct Grid {
-  Lattice lattice; // a merged grid's smallest voxels are 2^nested_log2 times smaller
+  Lattice lattice{}; // a merged grid's smallest voxels are 2^nested_log2 times smaller
   Merge merge = Merge::none;
   std::int32_t block_log2 = 0;  // of uniform grids
   std::int32_t nested_log2 = 0; // of merged ones

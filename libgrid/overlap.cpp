@@ -178,7 +178,7 @@ bool cut_face(const ConeSolid& cone, double end, const std::array<Vec3d, 4>& fac
 } // namespace
 
 bool meets(const Cone<double>& cone, const Boxd& voxel, double margin) {
-  ConeSolid solid{cone_axis(cone), 0, 0};
+  ConeSolid solid{cone_axis<double>(cone), 0, 0};
   const double inverse_length = std::sqrt(solid.axis.inverse_square);
   // side() changes by no more than this a unit of length: most voxels are decided by their centre.
   const double steepest = std::hypot(1.0, solid.axis.growth * inverse_length);

@@ -1,10 +1,11 @@
 // Ray and the side of a cut-off cone or a cylinder; its bounds.
 //
 // With z from 0 (base) to 1 (apex) along the axis, the side is where the distance ρ from the axis equals the
-// radius R(z). The quadratic ρ² = R² is set up about the place on the ray where ρ² + R² is least of those
-// that can matter: there every term is of the size of what is solved for, so nothing cancels however far the
-// origin is, however slight the taper, however near a pointed end. It is solved in double: nearly parallel
-// sides square their small differences.
+// radius R(z). Distances from the axis are lengths of cross products with it, whose components keep their
+// digits (Kahan's differences of products) however nearly parallel the ray runs. The quadratic ρ² = R² is set
+// up about the place between the ends where ρ² + R² is least: there every term is of the size of what is
+// solved for, so that nothing cancels however far the origin is, however slight the taper, however near a
+// pointed end.
 #pragma once
 
 #include "libscene/ray.h"
@@ -13,21 +14,20 @@
 
 namespace masu {
 
-// The cone as the quadratic needs it. Radii are magnitudes.
-template <class Wide>
+// The cone as its surface needs it. Radii are magnitudes.
+template <class Real>
 struct ConeAxis {
-  Vec3<Wide> base, axis; // axis: from base to apex
-  Wide inverse_square;   // 1 / |axis|²
-  Wide base_radius, growth;
+  Vec3<Real> base, axis; // axis: from base to apex
+  Real inverse_square;   // 1 / |axis|²
+  Real base_radius, growth;
 };
 
-template <class Stored>
-MASU_HD inline ConeAxis<double> cone_axis(const Cone<Stored>& cone) {
-  const Vec3d base = cast<double>(cone.base);
-  const Vec3d axis = cast<double>(cone.apex) - base;
-  const double base_radius = std::abs(static_cast<double>(cone.base_radius));
-  const double apex_radius = std::abs(static_cast<double>(cone.apex_radius));
-  return {base, axis, 1.0 / dot(axis, axis), base_radius, apex_radius - base_radius};
+template <class Real, class Stored>
+MASU_HD inline ConeAxis<Real> cone_axis(const Cone<Stored>& cone) {
+  const Vec3<Real> base = cast<Real>(cone.base), axis = cast<Real>(cone.apex) - base;
+  const Real base_radius = std::abs(static_cast<Real>(cone.base_radius));
+  return {base, axis, 1 / dot(axis, axis), base_radius,
+          std::abs(static_cast<Real>(cone.apex_radius)) - base_radius};
 }
 
 // Only the inside shows.
@@ -36,89 +36,77 @@ MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
   return cone.base_radius < 0 || cone.apex_radius < 0;
 }
 
-// Whether a line stays farther from the axis' line than `radius`, by more than rounding: most tests end here.
-// Nearly parallel lines are never said to.
-MASU_HD inline bool passes_by(const Vec3d& from_base, const Vec3d& direction, const Vec3d& axis,
-                              double radius) {
-  const Vec3d n{direction.y * axis.z - direction.z * axis.y, direction.z * axis.x - direction.x * axis.z,
-                direction.x * axis.y - direction.y * axis.x};
-  const double square = dot(n, n), sizes = dot(direction, direction) * dot(axis, axis);
-  const double apart = std::abs(dot(from_base, n)) - 1e-13 * std::sqrt(dot(from_base, from_base) * sizes);
-  return square > 1e-12 * sizes && apart > 0 && apart * apart > radius * radius * square * (1 + 1e-9);
-}
-
 // Whether the ray meets the side at a t > 0; then `t` is the first such place.
 template <class Real, class Stored>
 MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& cone, Real& t) {
-  const ConeAxis<double> c = cone_axis(cone);
-  const Vec3d direction = cast<double>(ray.direction);
-  const Vec3d from_base = cast<double>(ray.origin) - c.base;
-  const double widest = larger(c.base_radius, c.base_radius + c.growth);
-  if (passes_by(from_base, direction, c.axis, widest)) return false;
-  // The direction, split: dz along the axis, `across` perpendicular to it.
-  const double dz = dot(direction, c.axis) * c.inverse_square;
-  const Vec3d across = fused(c.axis, -dz, direction);
-  const double across_square = dot(across, across);
-  const double z_origin = dot(from_base, c.axis) * c.inverse_square;
+  const Vec3<Real> whole = cast<Real>(cone.apex) - cast<Real>(cone.base);
+  const Vec3<Real> origin = ray.origin - cast<Real>(cone.base);
+  const Real base = std::abs(static_cast<Real>(cone.base_radius)),
+             apex = std::abs(static_cast<Real>(cone.apex_radius));
+  // Scaled by powers of two, so that no product leaves the range: the axis, and later all lengths.
+  const Vec3<Real> axis = whole * inverse_power_of_two(largest_magnitude(whole));
 
-  // Where a hit can be: between the ends, and no farther off than they are. A ray all but across the axis
-  // comes between the ends' planes only far away, where every digit would be lost.
-  const double reach = 2 * (length(from_base) + length(c.axis) + widest) / length(direction);
-  double low = -reach, high = reach;
-  if (dz != 0) {
-    const double to_base = -z_origin / dz, to_apex = (1 - z_origin) / dz;
-    low = larger(low, smaller(to_base, to_apex));
-    high = smaller(high, larger(to_base, to_apex));
-  }
-  if (!(low <= high)) return false;
+  // How far apart the ray's line and the axis' are: most tests end here.
+  const Vec3<Real> turn = cross(ray.direction, axis);
+  const Real turn_square = dot(turn, turn), apart = dot(origin, turn), widest = larger(base, apex);
+  if (apart * apart > widest * widest * turn_square) return false;
 
-  // a s² + 2 b s + c = 0 for the step s from the place where its terms are least, which may lie beyond the
-  // ends.
-  const double radius_slope = c.growth * dz;
-  const double qa = fused(-radius_slope, radius_slope, across_square);
-  double start = 0, z = 0, radius = 0, qb = 0, least = RealTraits<double>::largest;
-  Vec3d off_axis{};
-  const auto look_from = [&](double at) {
-    const Vec3d there = fused(direction, at, from_base);
-    const double z_there = dot(there, c.axis) * c.inverse_square;
-    const Vec3d off = fused(c.axis, -z_there, there);
-    const double radius_there = fused(c.growth, z_there, c.base_radius);
-    const double size = fused(radius_there, radius_there, dot(off, off));
-    if (!(size < least)) return;
-    least = size;
-    start = at;
-    z = z_there;
-    off_axis = off;
-    radius = radius_there;
-    qb = fused(-radius_slope, radius, dot(off_axis, across));
-  };
-  look_from(low);
-  look_from(high);
-  const double nearest = across_square > 0 ? -dot(from_base, across) / across_square : 0;
-  if (std::abs(nearest) <= reach) look_from(nearest);
-  const double middle = start - qb / qa; // between the two roots; near a pointed end, both lie by it
-  if (std::abs(middle) <= reach) look_from(middle);
-  const double qc = fused(-radius, radius, dot(off_axis, off_axis));
-  const double discriminant = difference_of_products(qb, qb, qa, qc);
+  const Real unit =
+      inverse_power_of_two(larger(largest_magnitude(origin), larger(largest_magnitude(whole), widest)));
+  const Vec3<Real> from_base = origin * unit;
+  const Real base_radius = base * unit, growth = apex * unit - base_radius;
+
+  // At t the height along the axis is z + t dz, from 0 (base) to `top` (apex); the distance ρ from the axis
+  // is |from_base × axis + t turn| / |axis|, and the cone's radius R is r + t dr.
+  const Real square = dot(axis, axis), top = dot(whole, axis) * unit, slope = growth / top;
+  const Real z = dot(from_base, axis), dz = dot(ray.direction, axis);
+  const Real r = fused(slope, z, base_radius), dr = slope * dz, dr_square = square * dr;
+
+  // Where ρ² + R² is least between the ends, give or take a rounding of heights: where it is least anywhere
+  // (Lagrange's identity gives the product of the cross products), or else at the nearer end.
+  const Real distance = sum_of_magnitudes(from_base);
+  const Real doubt = 64 * RealTraits<Real>::unit_roundoff * (distance + top), lowest = -doubt,
+             highest = top + doubt;
+  const Real bend = fused(dr_square, dr, turn_square);
+  const Real pull = fused(dr_square, r, difference_of_products(dot(from_base, ray.direction), square, z, dz));
+  const Real z_bend = difference_of_products(z, bend, pull, dz);
+  const bool below = z_bend<lowest * bend, above = z_bend> highest * bend;
+  const Real start = (below ? lowest - z : above ? highest - z : -pull) / (below || above ? dz : bend);
+  // A ray all but across the axis comes between the ends' planes only far away, where every digit is lost;
+  // but neither a hit nor that place is farther off than the cone and √2 times its radius.
+  const Real reach = Real(1.5) * fused(sum_of_magnitudes(whole) + widest, unit, distance);
+  const Real speed = largest_magnitude(ray.direction);
+  if (!(std::abs(start) * speed <= reach)) return false;
+
+  // From there, a s² + 2 b s + c = 0.
+  const Vec3<Real> there = fused(ray.direction, start, from_base);
+  const Vec3<Real> off = cross(there, axis);
+  const Real height = dot(there, axis), radius = fused(slope, height, base_radius);
+  const Real a = fused(-dr_square, dr, turn_square), b = fused(-radius, dr_square, dot(off, turn)),
+             c = fused(-square * radius, radius, dot(off, off));
+  const Real discriminant = difference_of_products(b, b, a, c);
   if (!(discriminant >= 0)) return false;
-  const double q = -(qb + std::copysign(std::sqrt(discriminant), qb));
-  const double root1 = q / qa, root2 = qc / q;
-  const bool inside_only = is_inside_out(cone);
-  bool met = false;
-  double first = RealTraits<double>::largest;
-  for (int root = 0; root < 2; ++root) {
-    const double s = root == 0 ? root1 : root2;
-    const double along = start + s;
-    const double height = fused(s, dz, z);
-    // Positive where the ray leaves the solid.
-    const bool leaving = fused(qa, s, qb) > 0;
-    if (!(along > 0) || !(along < first) || !(height >= 0 && height <= 1) || (inside_only && !leaving))
-      continue;
-    first = along;
-    met = true;
-  }
-  t = static_cast<Real>(first);
-  return met && t > 0;
+  const Real root = std::copysign(std::sqrt(discriminant), b);
+  const Real q = -(b + root);
+  const Real step1 = q / a, step2 = c / q;
+
+  // A flat cone's ends are told apart by their radii, of which the quadratic knows the squares: rounding may
+  // leave more of a height than it is high.
+  const bool flat = growth * growth * square > top * top;
+  const auto shows = [&](Real step, bool leaves) {
+    const Real at = start + step, up = fused(step, dz, height);
+    bool between = up >= (flat ? lowest : 0) && up <= (flat ? highest : top);
+    if (flat) {
+      const Real rho = length(fused(turn, step, off)) / std::sqrt(square);
+      const Real share = (std::copysign(rho, fused(step, dr, radius)) - base_radius) / growth;
+      between = between && share >= 0 && share <= 1;
+    }
+    return at > 0 && at * speed <= reach && between && (leaves || !is_inside_out(cone));
+  };
+  // The ray leaves the solid where a s + b > 0, which is -root after one step and root after the other.
+  const bool shows1 = shows(step1, std::signbit(root)), shows2 = shows(step2, !std::signbit(root));
+  t = (start + (shows1 && (!shows2 || step1 < step2) ? step1 : step2)) * inverse_power_of_two(unit);
+  return (shows1 || shows2) && t > 0;
 }
 
 // Both end discs', exactly but for rounding, which is made good outwards.

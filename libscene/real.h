@@ -43,7 +43,7 @@ MASU_HD inline Real difference_of_products(Real a, Real b, Real c, Real d) {
   return fused(a, b, -cd) + lost;
 }
 
-// A float's bits, and back.
+// A number's bits, and back.
 MASU_HD inline std::uint32_t bits_of(float value) {
 #ifdef __CUDA_ARCH__
   return __float_as_uint(value);
@@ -56,6 +56,20 @@ MASU_HD inline float float_of(std::uint32_t bits) {
   return __uint_as_float(bits);
 #else
   return std::bit_cast<float>(bits);
+#endif
+}
+MASU_HD inline std::uint64_t bits_of(double value) {
+#ifdef __CUDA_ARCH__
+  return static_cast<std::uint64_t>(__double_as_longlong(value));
+#else
+  return std::bit_cast<std::uint64_t>(value);
+#endif
+}
+MASU_HD inline double double_of(std::uint64_t bits) {
+#ifdef __CUDA_ARCH__
+  return __longlong_as_double(static_cast<long long>(bits));
+#else
+  return std::bit_cast<double>(bits);
 #endif
 }
 
@@ -96,6 +110,12 @@ MASU_HD inline float inverse_power_of_two(float magnitude) {
                                                     : exponent > 253 ? 253
                                                                      : exponent))
                   << 23);
+}
+
+MASU_HD inline double inverse_power_of_two(double magnitude) {
+  const auto exponent = static_cast<std::int64_t>(bits_of(magnitude) >> 52 & 0x7ff);
+  const std::int64_t inverse = 2046 - (exponent < 1 ? 1 : exponent > 2045 ? 2045 : exponent);
+  return double_of(static_cast<std::uint64_t>(inverse) << 52);
 }
 
 // The least and the greatest of numbers that are never NaN, in one instruction; of -0 and +0 either.

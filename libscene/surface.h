@@ -34,9 +34,11 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
   // Where the weights all underflow the middle is as good as any place.
   const Real sum = weights.a + weights.b + weights.c;
   const Real third = Real(1) / 3;
+  const Real inverse = 1 / sum;
   const EdgeFunctions<Real> shares =
-      sum != 0 ? EdgeFunctions<Real>{weights.a / sum, weights.b / sum, weights.c / sum}
-               : EdgeFunctions<Real>{third, third, third};
+      std::abs(inverse) <= RealTraits<Real>::largest
+          ? EdgeFunctions<Real>{weights.a * inverse, weights.b * inverse, weights.c * inverse}
+          : EdgeFunctions<Real>{third, third, third};
   SurfacePoint<Real> point{};
   point.position = mean(shares, a, b, c);
   // A needle so thin that its edges, rounded, are parallel faces the ray.
@@ -74,41 +76,40 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t,
 
 template <class Real, class Stored>
 MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t, const Cone<Stored>& cone) {
-  const ConeAxis<double> c = cone_axis(cone);
-  const Vec3d from_base =
-      fused(cast<double>(ray.direction), static_cast<double>(t), cast<double>(ray.origin) - c.base);
-  const double anywhere = dot(from_base, c.axis) * c.inverse_square;
-  Vec3d off_axis = fused(c.axis, -anywhere, from_base);
-  double distance = length(off_axis);
-  const double doubt = 16 * static_cast<double>(RealTraits<Real>::unit_roundoff) *
-                       (length(from_base) + largest_magnitude(c.base) + largest_magnitude(c.base + c.axis));
+  const ConeAxis<Real> c = cone_axis<Real>(cone);
+  const Vec3<Real> from_base = fused(ray.direction, t, ray.origin - c.base);
+  const Real anywhere = dot(from_base, c.axis) * c.inverse_square;
+  Vec3<Real> off_axis = fused(c.axis, -anywhere, from_base);
+  Real distance = length(off_axis);
+  const Real doubt = 16 * RealTraits<Real>::unit_roundoff *
+                     (length(from_base) + largest_magnitude(c.base) + largest_magnitude(c.base + c.axis));
   // By a pointed end rounding leaves no direction: the side that the ray comes to is as good as any.
   if (distance <= doubt) {
-    const Vec3d against = -cast<double>(ray.direction);
+    const Vec3<Real> against = -ray.direction;
     off_axis = fused(c.axis, -dot(against, c.axis) * c.inverse_square, against);
-    if (!(dot(off_axis, off_axis) > 1e-12 * dot(against, against)))
-      off_axis = std::abs(c.axis.x) < std::abs(c.axis.y) ? Vec3d{0, c.axis.z, -c.axis.y}
-                                                         : Vec3d{-c.axis.z, 0, c.axis.x};
+    if (!(dot(off_axis, off_axis) > Real(1e-6) * dot(against, against)))
+      off_axis = std::abs(c.axis.x) < std::abs(c.axis.y) ? Vec3<Real>{0, c.axis.z, -c.axis.y}
+                                                         : Vec3<Real>{-c.axis.z, 0, c.axis.x};
     distance = 0;
   }
-  const Vec3d aside = normalized(off_axis);
+  const Vec3<Real> aside = normalized(off_axis);
   // Once more, for what rounding left along the axis.
-  const Vec3d away = normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside));
+  const Vec3<Real> away = normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside));
   // The nearest place of the side, a segment as seen over the axis: t is rounded, and what that moves a flat
   // cone's point along the axis may be more than its length.
-  const double square = dot(c.axis, c.axis);
-  const double place =
+  const Real square = dot(c.axis, c.axis);
+  const Real place =
       ((distance - c.base_radius) * c.growth + anywhere * square) / fused(c.growth, c.growth, square);
-  const double z = larger(smaller(place, 1.0), 0.0);
-  const double radius = fused(c.growth, z, c.base_radius);
-  const Vec3d outwards = normalized(fused(c.axis, -c.growth * c.inverse_square, away));
+  const Real z = larger(smaller(place, Real(1)), Real(0));
+  const Real radius = fused(c.growth, z, c.base_radius);
+  const Vec3<Real> outwards = normalized(fused(c.axis, -c.growth * c.inverse_square, away));
   SurfacePoint<Real> point{};
-  point.position = cast<Real>(c.base + fused(away, radius, c.axis * z));
-  point.normal = cast<Real>(is_inside_out(cone) ? -outwards : outwards);
+  point.position = c.base + fused(away, radius, c.axis * z);
+  point.normal = is_inside_out(cone) ? -outwards : outwards;
   point.shading = point.normal;
   point.error = surface_error(
       larger(largest_magnitude(cast<Real>(cone.base)), largest_magnitude(cast<Real>(cone.apex))) +
-      static_cast<Real>(larger(c.base_radius, c.base_radius + c.growth)));
+      larger(c.base_radius, c.base_radius + c.growth));
   return point;
 }
 

@@ -72,11 +72,15 @@ template <class T>
 MASU_HD inline T largest_magnitude(const Vec3<T>& v) {
   return larger(std::abs(v.x), larger(std::abs(v.y), std::abs(v.z)));
 }
+template <class T>
+MASU_HD inline T sum_of_magnitudes(const Vec3<T>& v) {
+  return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
 // Of unit length; v must not be zero. Brought to size first: the square of a large or small one leaves the
 // range.
 template <class T>
 MASU_HD inline Vec3<T> normalized(const Vec3<T>& v) {
-  const Vec3<T> sized = v * (T(1) / largest_magnitude(v));
+  const Vec3<T> sized = v * inverse_power_of_two(largest_magnitude(v));
   return sized * (T(1) / length(sized));
 }
 

@@ -43,6 +43,11 @@ struct TraceSeconds {
   double upload = 0, trace = 0, download = 0;
 };
 
+// What the CUDA kernel takes of the machine, a thread: registers, and bytes of local memory.
+struct KernelSize {
+  std::int32_t registers = 0, local_bytes = 0;
+};
+
 // The lattice of eye rays, row by row from the top.
 struct Frame {
   std::int32_t columns = 0, rows = 0;
@@ -51,6 +56,7 @@ struct Frame {
   Counts counts;
   TraceSeconds seconds;
   std::uint32_t workers = 0; // that shared the picture; of the CPU's own scheduler, threads
+  KernelSize kernel{};
 };
 
 // Of the right size, still black.
@@ -92,6 +98,7 @@ struct RayHits {
   std::vector<EyeHit> hits;
   Counts counts;
   TraceSeconds seconds;
+  KernelSize kernel{};
 };
 
 // What is traced: the grid is null for brute force, which tries every primitive for every ray. Throw

@@ -35,10 +35,15 @@ __device__ inline std::uint32_t taken(TileRun& left, std::uint32_t* const next) 
   return tile;
 }
 
+// Threads that should fit on a multiprocessor: the compiler may spend registers only so far. Double takes
+// twice as many.
+template <class M>
+constexpr int resident_threads_wanted = sizeof(typename M::Real) == 4 ? 1024 : 512;
+
 // A warp covers 8 × 4 rays of a tile: neighbours walk through the same cells. One kernel for all schedules,
 // so that nothing else differs.
 template <class M, class Stored, class Grid, class C>
-__global__ void __launch_bounds__(tile_side* tile_side)
+__global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
     render_kernel(const SceneView<Stored> scene, const Grid grid, const EyeRays<typename M::Real> rays,
                   const RenderRules rules, const Tiles tiles, const Schedule schedule,
                   std::uint32_t* const next_tile, Vec3f* const colors, EyeHit* const hits,
@@ -59,13 +64,8 @@ __global__ void __launch_bounds__(tile_side* tile_side)
   add(total, counts);
 }
 
-// Blocks that should fit on a multiprocessor: the compiler may spend registers only so far. Cones in double
-// need all they can get.
-template <class M>
-constexpr int resident_blocks_wanted = (M::kinds & with_cones) == 0 && sizeof(typename M::Real) == 4 ? 8 : 1;
-
 template <Question question, class M, class Stored, class Grid, class C>
-__global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
+__global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     trace_kernel(const SceneView<Stored> scene, const Grid grid, const TypedRay<typename M::Real>* const rays,
                  const std::uint64_t count, const HitName name, EyeHit* const hits, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
@@ -80,7 +80,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
 // Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009. `next` counts rays
 // fetched.
 template <Question question, class M, class Stored, class Grid>
-__global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
+__global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     refill_kernel(const SceneView<Stored> scene, const Grid grid,
                   const TypedRay<typename M::Real>* const rays, const std::uint64_t count, const HitName name,
                   EyeHit* const hits, unsigned long long* const next) {
@@ -142,10 +142,11 @@ __global__ void __launch_bounds__(rays_a_block, resident_blocks_wanted<M>)
 // Launches the kernel so many times and waits; its code is on the device before the time starts, and before()
 // puts what it needs onto the stream. The median's seconds.
 template <class Before, class Kernel, class... Arguments>
-double timed_launch(int warm_up, int repeat, const Before& before, Kernel* kernel, dim3 blocks, dim3 threads,
-                    const Arguments&... arguments) {
+double timed_launch(KernelSize& size, int warm_up, int repeat, const Before& before, Kernel* kernel,
+                    dim3 blocks, dim3 threads, const Arguments&... arguments) {
   cudaFuncAttributes attributes;
   check(cudaFuncGetAttributes(&attributes, kernel));
+  size = {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};
   for (int i = 0; i < warm_up; ++i) {
     before();
     kernel<<<blocks, threads>>>(arguments...);
@@ -225,9 +226,9 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
     with_question(request.question, [&]<Question question>(Asked<question>) {
       const auto timed = [&](const auto& before, auto* kernel, std::uint64_t blocks, auto* last) {
         result.seconds.trace =
-            timed_launch(request.warm_up, request.repeat, before, kernel, dim3(static_cast<unsigned>(blocks)),
-                         dim3(rays_a_block), device.scene.view, grid, device_rays.data(), rays.size(),
-                         request.hit_name, hits.data(), last);
+            timed_launch(result.kernel, request.warm_up, request.repeat, before, kernel,
+                         dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), device.scene.view, grid,
+                         device_rays.data(), rays.size(), request.hit_name, hits.data(), last);
       };
       const std::uint64_t all_blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid>) {

@@ -56,8 +56,11 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
           {"workers", frame.workers},
           {"rays", {frame.columns, frame.rows}},
           {"backend", cuda ? "cuda" : "cpu"},
+          {"precision", name_of(resolved(settings.tracing.precision, scene))},
+          {"general", settings.tracing.general},
           {"repeat", settings.repeat},
-          {"median_seconds", frame.seconds.trace}};
+          {"median_seconds", frame.seconds.trace},
+          {"kernel", {{"registers", frame.kernel.registers}, {"local_bytes", frame.kernel.local_bytes}}}};
 }
 
 void print_row(const Json& row) {

@@ -72,7 +72,8 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
   request.tracing.count = false;
   request.warm_up = settings.warm_up;
   request.repeat = settings.repeat;
-  const double seconds = trace().seconds.trace;
+  const RayHits timed = trace();
+  const double seconds = timed.seconds.trace;
   const auto number = static_cast<double>(set.rays.size());
   const auto a_ray = [&](std::uint64_t total) {
     return number > 0 ? static_cast<double>(total) / number : 0.0;
@@ -87,6 +88,7 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
           {"loop", loop == RayLoop::cells || !cuda ? "cells" : "refill"},
           {"median_seconds", seconds},
           {"mrays_per_second", seconds > 0 ? number / seconds * 1e-6 : 0.0},
+          {"kernel", {{"registers", timed.kernel.registers}, {"local_bytes", timed.kernel.local_bytes}}},
           {"hits_a_ray", a_ray(counts.eye_hits + counts.shadow_hits)},
           {"tests_a_ray", a_ray(counts.triangle_tests + counts.sphere_tests + counts.cone_tests)},
           {"cells_a_ray", a_ray(counts.cells_visited)},
