@@ -194,8 +194,8 @@ void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_
     const bool fetch = request.schedule == Schedule::persistent;
     const auto reset = [&] { check(cudaMemsetAsync(next_tile.data(), 0, sizeof(std::uint32_t))); };
     frame.seconds.trace = timed_launch(
-        request.warm_up, request.repeat, reset, kernel, dim3(frame.workers), dim3(tile_side, tile_side),
-        device.scene.view, grid, rays, request.rules, tiles, request.schedule,
+        frame.kernel, request.warm_up, request.repeat, reset, kernel, dim3(frame.workers),
+        dim3(tile_side, tile_side), device.scene.view, grid, rays, request.rules, tiles, request.schedule,
         fetch ? next_tile.data() : nullptr, colors.data(), hits.data(), total.data());
   });
   const Stopwatch watch;
