@@ -114,45 +114,60 @@ public:
                                          static_cast<std::uint32_t>(i / x / y)};
           const Vec3i at = cast<std::int32_t>(cube);
           std::uint64_t nested = 0;
-          return is_good(grid_.voxel_map[i],
-                         {at.x << grid_.nested_log2, at.y << grid_.nested_log2, at.z << grid_.nested_log2},
-                         {grid_.nested_log2, grid_.nested_log2, grid_.nested_log2}, nested) &&
+          const Vec3i side{grid_.nested_log2, grid_.nested_log2, grid_.nested_log2};
+          return is_good(grid_.voxel_map[i], {{at.x << side.x, at.y << side.y, at.z << side.z}, side},
+                         nested) &&
                  (nested == 0 || (nested_ += nested) <= words_);
         },
         256);
   }
 
 private:
-  // Of the box of 2^level voxels along each axis at `first`. Each division makes it smaller, so this ends.
-  // Adds to `nested` how many words it looks at.
-  bool is_good(std::uint32_t word, const Vec3i& first, const Vec3i& level, std::uint64_t& nested) const {
+  // The box of 2^log2 voxels along each axis at `first`.
+  struct Place {
+    Vec3i first, log2;
+  };
+
+  // A word that ends here: the cell it names holds the box.
+  bool leads_home(std::uint32_t number, const Vec3i& first, const Vec3i& end) const {
+    if (number >= cells_) return false;
+    const MergedCell& cell = grid_.cells[number];
+    const auto low = [](std::uint32_t range) { return static_cast<std::int32_t>(range & 0xffff); };
+    const auto high = [](std::uint32_t range) { return static_cast<std::int32_t>(range >> 16); };
+    // One branch for all: whatever is too small has its sign bit set.
+    return ((first.x - low(cell.x)) | (high(cell.x) - end.x) | (first.y - low(cell.y)) |
+            (high(cell.y) - end.y) | (first.z - low(cell.z)) | (high(cell.z) - end.z)) >= 0;
+  }
+
+  // Each division makes the box smaller, so this ends. Adds to `nested` how many words it looks at.
+  bool is_good(std::uint32_t word, const Place& place, std::uint64_t& nested) const {
     if ((word & occupied_bit) != 0) {
-      const std::uint32_t number = word & ~occupied_bit;
-      if (number >= cells_) return false;
-      const MergedCell& cell = grid_.cells[number];
-      const auto within = [&](std::uint32_t range, int axis) {
-        const auto low = static_cast<std::int32_t>(range & 0xffff),
-                   high = static_cast<std::int32_t>(range >> 16);
-        return low <= first[axis] && first[axis] + (1 << level[axis]) <= high && high <= grid_.division[axis];
-      };
-      return within(cell.x, 0) && within(cell.y, 1) && within(cell.z, 2);
+      const Vec3i size{1 << place.log2.x, 1 << place.log2.y, 1 << place.log2.z};
+      return leads_home(word & ~occupied_bit, place.first, place.first + size);
     }
     const MapDivision division = map_division(word);
-    const Vec3i rest = level - division.log2, &n = division.log2;
+    const Vec3i rest = place.log2 - division.log2, &n = division.log2;
     const std::uint64_t count = std::uint64_t{1} << (n.x + n.y + n.z);
     nested += count;
     if (rest.x < 0 || rest.y < 0 || rest.z < 0 || count < 2 || division.place + count > words_ ||
         nested > words_)
       return false;
-    const VoxelRange all{{0, 0, 0}, {(1 << n.x) - 1, (1 << n.y) - 1, (1 << n.z) - 1}};
-    bool good = true;
-    for_each_voxel(all, [&](const Vec3i& part) {
-      good = good && is_good(grid_.voxel_map[division.place + index_in_division(part, n)],
-                             {first.x + (part.x << rest.x), first.y + (part.y << rest.y),
-                              first.z + (part.z << rest.z)},
-                             rest, nested);
-    });
-    return good;
+    const std::uint32_t* next = grid_.voxel_map + division.place;
+    const Vec3i step{1 << rest.x, 1 << rest.y, 1 << rest.z},
+        end{place.first.x + (step.x << n.x), place.first.y + (step.y << n.y),
+            place.first.z + (step.z << n.z)};
+    Vec3i at{};
+    for (at.z = place.first.z; at.z != end.z; at.z += step.z) {
+      for (at.y = place.first.y; at.y != end.y; at.y += step.y) {
+        for (at.x = place.first.x; at.x != end.x; at.x += step.x) {
+          const std::uint32_t part = *next++;
+          const bool good = (part & occupied_bit) != 0 ? leads_home(part & ~occupied_bit, at, at + step)
+                                                       : is_good(part, {at, rest}, nested);
+          if (!good) return false;
+        }
+      }
+    }
+    return true;
   }
 
   const MergedGridView<double> grid_;
@@ -226,11 +241,17 @@ void GridFile::check_merged(const Check& check) const {
             voxel_map().size() >= voxel_count(n) && voxel_map().size() <= most_numbered + 1,
         "its voxel map has the wrong size");
   const auto boxes = cells();
+  const auto finest = cast<std::uint32_t>(merged_view<double>().division);
   const std::uint64_t lists = references().size();
-  check(boxes.size() <= most_numbered &&
-            all(boxes.size(),
-                [&](std::uint64_t i) { return boxes[i].list == empty_list || boxes[i].list < lists; }),
-        "its cells name a list that isn't there");
+  check(boxes.size() <= most_numbered && all(boxes.size(),
+                                             [&](std::uint64_t i) {
+                                               const MergedCell& cell = boxes[i];
+                                               return (cell.list == empty_list || cell.list < lists) &&
+                                                      (cell.x >> 16) <= finest.x &&
+                                                      (cell.y >> 16) <= finest.y &&
+                                                      (cell.z >> 16) <= finest.z;
+                                             }),
+        "its cells leave the space, or name a list that isn't there");
   check(MapCheck(merged_view<double>(), voxel_map().size(), boxes.size()).top_level_good(),
         "its voxel map leads astray");
 }

@@ -5,31 +5,36 @@
 #include "libgrid/trace.h"
 #include "libscene/scene_view.h"
 #include "libscene/stopwatch.h"
-#include "renderer/device_memory.h"
+#include "renderer/upload.h"
 
 namespace masu {
 
 template <class Stored>
 struct DeviceScene {
   SceneView<Stored> view;
-  DeviceArray<Triangle<Stored>> triangles{view.triangles, view.triangle_count};
-  DeviceArray<CornerNormals<Stored>> normals{view.normals, view.normals_count};
-  DeviceArray<Sphere<Stored>> spheres{view.spheres, view.sphere_count};
-  DeviceArray<Surface> sphere_surfaces{view.sphere_surfaces, view.sphere_count};
-  DeviceArray<Cone<Stored>> cones{view.cones, view.cone_count};
-  DeviceArray<Surface> cone_surfaces{view.cone_surfaces, view.cone_count};
-  DeviceArray<Material> materials{view.materials, view.material_count};
-  DeviceArray<Light<Stored>> lights{view.lights, view.light_count};
+  DeviceArray<Triangle<Stored>> triangles;
+  DeviceArray<CornerNormals<Stored>> normals;
+  DeviceArray<Sphere<Stored>> spheres;
+  DeviceArray<Surface> sphere_surfaces;
+  DeviceArray<Cone<Stored>> cones;
+  DeviceArray<Surface> cone_surfaces;
+  DeviceArray<Material> materials;
+  DeviceArray<Light<Stored>> lights;
 
-  explicit DeviceScene(const SceneView<Stored>& host) : view(host) {
-    view.triangles = triangles.data();
-    view.normals = normals.data();
-    view.spheres = spheres.data();
-    view.sphere_surfaces = sphere_surfaces.data();
-    view.cones = cones.data();
-    view.cone_surfaces = cone_surfaces.data();
-    view.materials = materials.data();
-    view.lights = lights.data();
+  DeviceScene(const SceneView<Stored>& host, Upload& upload) : view(host) {
+    const auto moved = [&]<class T>(const T*& records, std::uint32_t count) {
+      DeviceArray<T> array = upload.array(std::span(records, count));
+      records = array.data();
+      return array;
+    };
+    triangles = moved(view.triangles, view.triangle_count);
+    normals = moved(view.normals, view.normals_count);
+    spheres = moved(view.spheres, view.sphere_count);
+    sphere_surfaces = moved(view.sphere_surfaces, view.sphere_count);
+    cones = moved(view.cones, view.cone_count);
+    cone_surfaces = moved(view.cone_surfaces, view.cone_count);
+    materials = moved(view.materials, view.material_count);
+    lights = moved(view.lights, view.light_count);
   }
 };
 
@@ -38,11 +43,11 @@ struct DeviceGrid {
   DeviceArray<MergedCell> cells;
   DeviceArray<PrimitiveIndex> references;
 
-  explicit DeviceGrid(const GridFile* grid) {
+  DeviceGrid(const GridFile* grid, Upload& upload) {
     if (grid == nullptr) return;
-    voxel_map = DeviceArray<std::uint32_t>(grid->voxel_map());
-    cells = DeviceArray<MergedCell>(grid->cells());
-    references = DeviceArray<PrimitiveIndex>(grid->references());
+    voxel_map = upload.array(grid->voxel_map());
+    cells = upload.array(grid->cells());
+    references = upload.array(grid->references());
   }
   template <class Real>
   GridView<Real> moved(GridView<Real> view) const {
@@ -64,13 +69,14 @@ struct DeviceGrid {
 template <class Stored>
 struct Uploaded {
   Stopwatch watch;
+  Upload upload;
   DeviceScene<Stored> scene;
   DeviceGrid grid;
   double seconds;
 
   Uploaded(const SceneView<Stored>& host_scene, const GridFile* host_grid)
-      : scene(host_scene), grid(host_grid) {
-    check(cudaDeviceSynchronize());
+      : scene(host_scene, upload), grid(host_grid, upload) {
+    upload.run();
     seconds = watch.seconds();
   }
 };
