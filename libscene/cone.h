@@ -68,8 +68,8 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   const Real doubt = 64 * RealTraits<Real>::unit_roundoff * (distance + top), lowest = -doubt,
              highest = top + doubt;
   const Real bend = fused(dr_square, dr, turn_square);
-  const Real pull = fused(dr_square, r, difference_of_products(dot(from_base, ray.direction), square, z, dz));
-  const Real z_bend = difference_of_products(z, bend, pull, dz);
+  const Real pull = fused(dr_square, r, fused(dot(from_base, ray.direction), square, -(z * dz)));
+  const Real z_bend = fused(z, bend, -(pull * dz));
   const bool below = z_bend<lowest * bend, above = z_bend> highest * bend;
   const Real start = (below ? lowest - z : above ? highest - z : -pull) / (below || above ? dz : bend);
   // A ray all but across the axis comes between the ends' planes only far away, where every digit is lost;
@@ -80,11 +80,11 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
 
   // From there, a s² + 2 b s + c = 0.
   const Vec3<Real> there = fused(ray.direction, start, from_base);
-  const Vec3<Real> off = cross(there, axis);
+  const Vec3<Real> off = rough_cross(there, axis);
   const Real height = dot(there, axis), radius = fused(slope, height, base_radius);
   const Real a = fused(-dr_square, dr, turn_square), b = fused(-radius, dr_square, dot(off, turn)),
              c = fused(-square * radius, radius, dot(off, off));
-  const Real discriminant = difference_of_products(b, b, a, c);
+  const Real discriminant = fused(b, b, -(a * c));
   if (!(discriminant >= 0)) return false;
   const Real root = std::copysign(std::sqrt(discriminant), b);
   const Real q = -(b + root);

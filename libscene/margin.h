@@ -10,7 +10,8 @@
 //    on the moved triangle up to 9 u 2√3 M along the ray. In all below 89 u M (searched for: 16).
 //  - Spheres (sphere.h): the same subtraction and projection, and a square root: below 60 u M (searched for:
 //    15).
-//  - Cones (cone.h) are solved about the place where their terms are least: below 60 u M (millions of hard cases
+//  - Cones (cone.h) are solved about the place where their terms are least: below 60 u M (millions of hard
+//  cases
 //    found none worse).
 //  - The walk (libgrid/walk.h): plane i's distance along the ray is one fused multiply-add of two factors
 //    rounded thrice, below 14 u M along that axis; the voxel reached at an exit another, below 14 u M too.

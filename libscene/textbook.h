@@ -38,10 +38,6 @@ MASU_HD inline float quick_root(float v) {
 #endif
 }
 
-MASU_HD inline Vec3f textbook_cross(const Vec3f& a, const Vec3f& b) {
-  return {fused(a.y, b.z, -(a.z * b.y)), fused(a.z, b.x, -(a.x * b.z)), fused(a.x, b.y, -(a.y * b.x))};
-}
-
 // Where a ray's line meets a triangle's plane, and the shares that corners b and c have in that place.
 struct PlaneHit {
   float t, b_share, c_share;
@@ -51,11 +47,11 @@ template <class Stored>
 MASU_HD inline PlaneHit plane_hit(const TextbookRay& ray, const Triangle<Stored>& triangle) {
   const Vec3f a = cast<float>(triangle.a);
   const Vec3f to_b = cast<float>(triangle.b) - a, to_c = cast<float>(triangle.c) - a;
-  const Vec3f p = textbook_cross(ray.direction, to_c);
+  const Vec3f p = rough_cross(ray.direction, to_c);
   const float inverse =
       quick_inverse(dot(to_b, p)); // infinite for a ray in the plane: no share is then in range
   const Vec3f from_a = ray.origin - a;
-  const Vec3f q = textbook_cross(from_a, to_b);
+  const Vec3f q = rough_cross(from_a, to_b);
   return {dot(to_c, q) * inverse, dot(from_a, p) * inverse, dot(ray.direction, q) * inverse};
 }
 

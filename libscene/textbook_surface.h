@@ -20,7 +20,7 @@ MASU_HD inline SurfacePoint<float> surface_at(const SceneView<Stored>& scene, co
   const PlaneHit hit = plane_hit(ray, triangle);
   const Vec3f a = cast<float>(triangle.a);
   SurfacePoint<float> point = textbook_point(
-      ray, hit.t, normalized(textbook_cross(cast<float>(triangle.b) - a, cast<float>(triangle.c) - a)));
+      ray, hit.t, normalized(rough_cross(cast<float>(triangle.b) - a, cast<float>(triangle.c) - a)));
   if (triangle.normals != no_normals) {
     const CornerNormals<Stored>& n = scene.normals[triangle.normals];
     const Vec3f at_a = normalized(cast<float>(n.a)) * (1 - hit.b_share - hit.c_share);

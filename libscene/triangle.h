@@ -42,14 +42,12 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>&
   // All of one sign: the sum cancels nothing.
   const Real sum = e.a + e.b + e.c;
   if (sum == 0) return false;
-  // A mean of the corners' distances, by shares of the sum; brought to size first, where its inverse would
-  // leave the range.
-  const Real size = sum < 0x1p-100F && sum > -0x1p-100F ? Real(0x1p100F) : Real(1);
-  const Real inverse = size / (sum * size);
-  const Real weighted =
-      fused(e.a * inverse, dot(ray.direction, a),
-            fused(e.b * inverse, dot(ray.direction, b), e.c * inverse * dot(ray.direction, c)));
-  t = weighted * ray.inverse_square;
+  // A mean of the corners' distances along the ray, each weighted by its share of the sum; which is brought
+  // to size first, where products with it would leave the range.
+  const Real size = sum < 0x1p-60F && sum > -0x1p-60F ? Real(0x1p60F) : Real(1);
+  const Real weighted = fused(e.a * size, dot(ray.direction, a),
+                              fused(e.b * size, dot(ray.direction, b), e.c * size * dot(ray.direction, c)));
+  t = weighted / (sum * size) * ray.inverse_square;
   return true;
 }
 

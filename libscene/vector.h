@@ -58,6 +58,11 @@ MASU_HD inline Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
+// The same to within roundings of |a||b|, in half the operations.
+template <class T>
+MASU_HD inline Vec3<T> rough_cross(const Vec3<T>& a, const Vec3<T>& b) {
+  return {fused(a.y, b.z, -(a.z * b.y)), fused(a.z, b.x, -(a.x * b.z)), fused(a.x, b.y, -(a.y * b.x))};
+}
 // a + b*s, rounded once a component.
 template <class T>
 MASU_HD inline Vec3<T> fused(const Vec3<T>& b, T s, const Vec3<T>& a) {
