@@ -168,15 +168,15 @@ TEST_F(Tradeoff, AForeignOrDamagedFileIsRefusedAndLeftAsItIs) {
   };
   EXPECT_EQ(measured_little().code, 0);
   const std::string whole = read_text(csv());
-  const std::size_t head = whole.find('\n') + 1;
+  const std::size_t head = whole.find('\n') + 1, next_line = rows().size() + 2;
   refused("name,value\nballs,3\n", csv() + ":1", "isn't the head");
   refused("name,value", csv() + ":1", "isn't the head");
   refused(whole.substr(0, head) + "balls,3\n", csv() + ":2", "is missing");
-  refused(whole + whole.substr(head, 30) + "\n", csv() + ":" + std::to_string(rows().size() + 2), "damaged");
+  refused(whole + whole.substr(head, 30) + "\n", csv() + ":" + std::to_string(next_line), "damaged");
   std::string with_word = whole;
   with_word.replace(whole.find("24x18,500") + 6, 3, "5x0");
   refused(with_word, csv() + ":2", "'5x0'");
-  refused(whole.substr(0, whole.size() - 1) + ",1\n", csv(), "");
+  refused(whole.substr(0, whole.size() - 1) + ",1\n", csv() + ":" + std::to_string(next_line - 1), "goes on");
 }
 
 TEST_F(Tradeoff, TheTableIsTheFrontOfTheRows) {
@@ -249,9 +249,11 @@ TEST_F(Tradeoff, WhatMakesNoSenseIsRefused) {
   refused({"--divisions", "0"}, "--division");
   refused({"--curve", "many"}, "--division");
   refused({"--precisions", "quick"}, "command line");
-  refused({"--size", "24"}, "--size");
-  refused({scene_}, scene_); // twice
+  refused({"--seed", "1", scene_}, scene_); // twice
   refused({"--charts-only"}, "--charts-only");
+  EXPECT_TRUE(failed(run("gridbench", {"tradeoff", scene_, "-o", folder(), "--size", "24"}), 1, "gridbench",
+                     "--size"));
+  EXPECT_FALSE(std::filesystem::exists(folder()));
   EXPECT_TRUE(failed(run("gridbench", {"tradeoff", "-o", folder()}), 1, "gridbench", "SCENE"));
   EXPECT_TRUE(failed(run("gridbench", {"tradeoff", "-o", folder(), "--charts-only"}), 2, "gridbench", csv()));
 }

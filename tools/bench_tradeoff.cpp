@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <ranges>
 #include <set>
 #include <vector>
 
@@ -108,10 +109,8 @@ GridFile built(const SceneFile& scene, const GridPlan& plan, const std::string& 
   const Grid grid = scene.is_float64() ? build_grid(scene.view<double>(), scene.bounds(), recipe)
                                        : build_grid(scene.view<float>(), scene.bounds(), recipe);
   const std::string path = fmt::format("{}/building-{}.grid", folder, getpid());
-  struct Removal {
-    const std::string& path;
-    ~Removal() { unlink(path.c_str()); }
-  } const removal{path};
+  const auto remove = [](const std::string* file) { unlink(file->c_str()); };
+  const std::unique_ptr<const std::string, decltype(remove)> removal(&path, remove);
   write_grid(grid, origin_of(grid, recipe, scene.hash(), scene.primitive_count()), path);
   return GridFile(path);
 }
@@ -143,7 +142,9 @@ public:
     if (shown_) fmt::print(stderr, "\r\033[K");
   }
   Progress(const Progress&) = delete;
+  Progress(Progress&&) = delete;
   Progress& operator=(const Progress&) = delete;
+  Progress& operator=(Progress&&) = delete;
 
   void tell(const std::string& what) {
     ++done_;
@@ -195,8 +196,8 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
 // Of each scene's name the rows of the file measured last, by one setup: what can be compared.
 std::vector<TradeoffRow> comparable(const std::vector<TradeoffRow>& rows, const TradeoffSetup& setup,
                                     std::map<std::string, std::string> hashes) {
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    if (row->setup == setup) hashes.emplace(row->scene, row->scene_hash); // unless it is there
+  for (const TradeoffRow& row : std::views::reverse(rows)) {
+    if (row.setup == setup) hashes.emplace(row.scene, row.scene_hash); // unless it is there
   }
   std::vector<TradeoffRow> kept;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const TradeoffRow& row) {

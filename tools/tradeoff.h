@@ -11,14 +11,14 @@ namespace masu {
 
 // What is the same for all rows of a chart: rows of another setup can't be compared.
 struct TradeoffSetup {
-  std::string backend;    // cpu, cuda
-  std::uint64_t threads;  // of the CPU; of cuda 0
-  std::string size;       // of the primary rays, WxH
-  std::uint64_t random;   // random rays
-  std::uint64_t compared; // rays of each of the two sets that are compared with brute force, at most
-  std::string picture;    // its size, WxH
-  std::uint64_t seed;     // of the random rays
-  std::uint64_t repeat;   // the median of so many runs
+  std::string backend;        // cpu, cuda
+  std::uint64_t threads = 0;  // of the CPU; of cuda 0
+  std::string size;           // of the primary rays, WxH
+  std::uint64_t random = 0;   // random rays
+  std::uint64_t compared = 0; // rays of each of the two sets that are compared with brute force, at most
+  std::string picture;        // its size, WxH
+  std::uint64_t seed = 0;     // of the random rays
+  std::uint64_t repeat = 0;   // the median of so many runs
   friend bool operator==(const TradeoffSetup&, const TradeoffSetup&) = default;
 };
 

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <ranges>
 
 namespace masu {
 namespace {
@@ -93,8 +95,7 @@ std::string speed_ticks(double low, double high) {
 // Moves places apart, each at least `gap` from the next, within 0 to 1 where they fit; their order stays.
 std::vector<double> spread(const std::vector<double>& places, double gap) {
   std::vector<std::size_t> order(places.size());
-  for (std::size_t i = 0; i < order.size(); ++i)
-    order[i] = i;
+  std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
   std::vector<double> moved = places;
   double free_from = 0;
@@ -103,9 +104,9 @@ std::vector<double> spread(const std::vector<double>& places, double gap) {
     free_from = moved[i] + gap;
   }
   double free_to = 1;
-  for (auto i = order.rbegin(); i != order.rend(); ++i) {
-    moved[*i] = std::min(moved[*i], free_to);
-    free_to = moved[*i] - gap;
+  for (const std::size_t i : std::views::reverse(order)) {
+    moved[i] = std::min(moved[i], free_to);
+    free_to = moved[i] - gap;
   }
   return moved;
 }
@@ -123,9 +124,9 @@ struct LabelAt {
 
 // Texts right of the plot, each at its point's height or near it, with a line that leads there.
 void write_labels(Script out, const Scale& y, const std::vector<LabelAt>& labels, double gap) {
-  std::vector<double> places;
-  for (const LabelAt& label : labels)
-    places.push_back(y.place(label.y));
+  std::vector<double> places(labels.size());
+  std::transform(labels.begin(), labels.end(), places.begin(),
+                 [&](const LabelAt& label) { return y.place(label.y); });
   const std::vector<double> moved = spread(places, gap);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     fmt::format_to(out, "set arrow from first {:g},{:g} to graph 1.0,{:.4f} nohead lw 0.8 lc rgb '#999999'\n",
@@ -238,8 +239,8 @@ void write_panel(Script out, const Panel& panel, double bottom, double top, cons
     write_points(out, panel, fmt::format("{}{}", panel.name, method),
                  [&](std::size_t i) { return method_place(panel.rows[i].configuration) == method; });
   fmt::format_to(out, "${}_front << END\n", panel.name);
-  for (auto i = front.rbegin(); i != front.rend(); ++i)
-    fmt::format_to(out, "{:g} {:g}\n", drawn(panel, *i).speed, drawn(panel, *i).error);
+  for (const std::size_t i : std::views::reverse(front))
+    fmt::format_to(out, "{:g} {:g}\n", drawn(panel, i).speed, drawn(panel, i).error);
   fmt::format_to(out, "END\nplot ");
   constexpr std::array<const char*, 6> titles{
       "fast", "fast, study''s rule", "robust", "robust, study''s rule", "double", "double, study''s rule"};
@@ -247,7 +248,7 @@ void write_panel(Script out, const Panel& panel, double bottom, double top, cons
     fmt::format_to(out, "${}{} with points pt {} ps 1.3 lw 1.6 lc rgb '{}' title '{}', \\\n     ", panel.name,
                    method, method_looks[method].point, method_looks[method].color, titles[method]);
   fmt::format_to(out,
-                 "${0}_front with fsteps lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front (ringed)', \\\n"
+                 "${0}_front with fsteps lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \\\n"
                  "     ${0}_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle\n",
                  panel.name);
 }
@@ -417,7 +418,7 @@ std::string charts_script(const std::vector<TradeoffRow>& rows) {
   }
   const std::vector<TradeoffRow> all = over_all_scenes(rows);
   if (scenes.size() > 1 && !all.empty())
-    write_tradeoff(out, "tradeoff", fmt::format("all {} scenes", scenes.size()), all);
+    write_tradeoff(out, "tradeoff", fmt::format("mean of {} scenes", scenes.size()), all);
   write_division(out, rows);
   return text;
 }
