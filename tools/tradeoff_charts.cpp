@@ -248,7 +248,8 @@ void write_panel(Script out, const Panel& panel, double bottom, double top, cons
     fmt::format_to(out, "${}{} with points pt {} ps 1.3 lw 1.6 lc rgb '{}' title '{}', \\\n     ", panel.name,
                    method, method_looks[method].point, method_looks[method].color, titles[method]);
   fmt::format_to(out,
-                 "${0}_front with fsteps lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \\\n"
+                 "NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \\\n"
+                 "     ${0}_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \\\n"
                  "     ${0}_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle\n",
                  panel.name);
 }
@@ -298,7 +299,7 @@ void write_tradeoff(Script out, const std::string& name, const std::string& titl
   for (const char* const kind : {"svg", "pngcairo"}) {
     write_terminal(out, kind, name, tradeoff_height);
     fmt::format_to(out, "set multiplot\nset key at screen 0.05, screen 0.925 left top Left reverse vertical "
-                        "maxrows 2 width 1\n");
+                        "maxrows 2 samplen 2\n");
     const auto heading = [&] {
       write_heading(
           out, tradeoff_height, fmt::format("{}: speed against accuracy ({})", title, backend_of(setup)),
@@ -374,8 +375,8 @@ void write_division(Script out, const std::vector<TradeoffRow>& rows) {
     write_terminal(out, kind, "division", division_height);
     write_heading(
         out, division_height, fmt::format("Time against division ({})", backend_of(setup)),
-        fmt::format("uniform grids, exact overlap, {}; pictures of {} with shadows and mirrors; ringed: the "
-                    "division that gridbuild chooses",
+        fmt::format("uniform grids, exact overlap, {}; pictures of {} with shadows and mirrors; ringed: "
+                    "--division auto",
                     name_of(lines.front().precision), setup.picture));
     fmt::format_to(
         out,
