@@ -100,7 +100,7 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   return plan;
 }
 
-// A grid's file is there only until it is mapped: nothing is left behind, however the run ends.
+// A grid's file is there only until it is mapped, so that a run which is stopped leaves none behind.
 GridFile built(const SceneFile& scene, const GridPlan& plan, const std::string& folder) {
   GridRecipe recipe;
   recipe.division = parse_division(plan.division);

@@ -75,15 +75,15 @@ void compare_hits(const TradeoffTask::Truth& truth, const std::vector<EyeHit>& h
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const EyeHit &is = hits[i], &should = truth.hits[i];
     if (is.name < 0 && should.name < 0) continue;
-    const bool tie = is.name >= 0 && is.name != should.name && same(truth.rays[i], is.t, should.t);
+    const bool other = is.name != should.name;
     if (is.name < 0) {
       ++accuracy.missed;
     } else if (should.name < 0) {
       ++accuracy.imagined;
-    } else if (is.name != should.name && !tie) {
+    } else if (!std::isfinite(is.t) || (other && !same(truth.rays[i], is.t, should.t))) {
       ++accuracy.mistaken;
     } else {
-      accuracy.ties += tie ? 1 : 0;
+      accuracy.ties += other ? 1 : 0;
       errors.push_back(std::abs(static_cast<double>(is.t) - should.t) / should.t);
     }
   }
