@@ -16,7 +16,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <ranges>
 #include <set>
 #include <vector>
 
@@ -196,8 +195,8 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
 // Of each scene's name the rows of the file measured last, by one setup: what can be compared.
 std::vector<TradeoffRow> comparable(const std::vector<TradeoffRow>& rows, const TradeoffSetup& setup,
                                     std::map<std::string, std::string> hashes) {
-  for (const TradeoffRow& row : std::views::reverse(rows)) {
-    if (row.setup == setup) hashes.emplace(row.scene, row.scene_hash); // unless it is there
+  for (std::size_t i = rows.size(); i-- > 0;) {
+    if (rows[i].setup == setup) hashes.emplace(rows[i].scene, rows[i].scene_hash); // unless it is there
   }
   std::vector<TradeoffRow> kept;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const TradeoffRow& row) {

@@ -10,7 +10,6 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <ranges>
 
 namespace masu {
 namespace {
@@ -104,9 +103,10 @@ std::vector<double> spread(const std::vector<double>& places, double gap) {
     free_from = moved[i] + gap;
   }
   double free_to = 1;
-  for (const std::size_t i : std::views::reverse(order)) {
-    moved[i] = std::min(moved[i], free_to);
-    free_to = moved[i] - gap;
+  for (std::size_t k = order.size(); k-- > 0;) {
+    double& place = moved[order[k]];
+    place = std::min(place, free_to);
+    free_to = place - gap;
   }
   return moved;
 }
@@ -239,8 +239,8 @@ void write_panel(Script out, const Panel& panel, double bottom, double top, cons
     write_points(out, panel, fmt::format("{}{}", panel.name, method),
                  [&](std::size_t i) { return method_place(panel.rows[i].configuration) == method; });
   fmt::format_to(out, "${}_front << END\n", panel.name);
-  for (const std::size_t i : std::views::reverse(front))
-    fmt::format_to(out, "{:g} {:g}\n", drawn(panel, i).speed, drawn(panel, i).error);
+  for (std::size_t k = front.size(); k-- > 0;) // to the right
+    fmt::format_to(out, "{:g} {:g}\n", drawn(panel, front[k]).speed, drawn(panel, front[k]).error);
   fmt::format_to(out, "END\nplot ");
   constexpr std::array<const char*, 6> titles{
       "fast", "fast, study''s rule", "robust", "robust, study''s rule", "double", "double, study''s rule"};
