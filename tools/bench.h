@@ -8,5 +8,6 @@ namespace masu {
 void add_frame(CLI::App& app);
 void add_rays(CLI::App& app);
 void add_load(CLI::App& app);
+void add_tradeoff(CLI::App& app);
 
 } // namespace masu

@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
                     add_frame(app);
                     add_rays(app);
                     add_load(app);
+                    add_tradeoff(app);
                     app.require_subcommand(1);
                     parse();
                   });

@@ -14,8 +14,8 @@ install_missing() { # package…
   DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-install_missing build-essential cmake flatbuffers-compiler libflatbuffers-dev libcli11-dev libfmt-dev libgtest-dev libpng-dev \
-  libtbb-dev libxxhash-dev nlohmann-json3-dev
+install_missing build-essential cmake flatbuffers-compiler gnuplot-nox libflatbuffers-dev libcli11-dev libfmt-dev libgtest-dev \
+  libpng-dev libtbb-dev libxxhash-dev nlohmann-json3-dev
 
 # CUDA's own installer leaves nvcc off the PATH.
 if ! command -v nvcc >/dev/null && [ -x /usr/local/cuda/bin/nvcc ] && [ "${MASU_CUDA:-AUTO}" != OFF ]; then
