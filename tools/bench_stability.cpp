@@ -55,7 +55,7 @@ Json to_json(const Row& row) {
   const Tally& t = row.tally;
   return {{"sweep", row.sweep},   {"knob", row.knob},
           {"step", row.step},     {"store", row.float64 ? "float64" : "float32"},
-          {"way", row.way.name},  {"asserted", row.asserted},
+          {"way", row.way.name},  {"within_envelope", row.within},
           {"rays", t.rays},       {"unsure", t.unsure},
           {"missed", t.missed},   {"false", t.false_hit},
           {"wrong", t.wrong},     {"misplaced", t.misplaced},
@@ -72,7 +72,7 @@ void print_row(const Row& row) {
   fmt::print("{:<15} {:>8.3g} {:<7} {:<6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
              row.step, row.float64 ? "float64" : "float32", row.way.name, t.rays, share(t.unsure),
              share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
-             t.worst_t, row.asserted && t.failures() > 0 ? "  FAILS" : "");
+             t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
   static_cast<void>(std::fflush(stdout));
 }
 

@@ -158,7 +158,7 @@ Tally judged_refraction(const SceneView<Stored>& scene, const Trial<Stored>& tri
     NoCounts counts;
     const Ray<Real> ray = unit_ray<Real>(trial.rays[i]);
     const auto near = nearest_hit_near<M>(scene, NoGrid{}, ray, counts);
-    if (near.hit.primitive == no_primitive) return void(++tally.missed);
+    if (near.hit.primitive == no_primitive) return void(++tally.unsure); // passed by the edge-on surface
     const SurfacePoint<Real> point = surface_at<with_all_kinds>(scene, near);
     const Facing<Real> side = facing(point, ray.direction);
     const Real index = static_cast<Real>(scene.materials[point.material].refraction_index);
@@ -173,7 +173,8 @@ Tally judged_refraction(const SceneView<Stored>& scene, const Trial<Stored>& tri
     const Wide cosine = oracle::magnitude(facing_by), r = side.front ? 1 / Wide(index) : Wide(index);
     const Wide rest = 1 - r * r * (1 - cosine * cosine);
     const double allowed = 32 * u * (1 + static_cast<double>(r * r));
-    if (oracle::magnitude(rest) <= allowed) return void(++tally.unsure);
+    // Nearly total, or nearly along the surface, where either side may be the front.
+    if (oracle::magnitude(rest) <= allowed || cosine <= 16 * u) return void(++tally.unsure);
     if (passes != (rest > 0)) return void(++(passes ? tally.false_hit : tally.missed));
     if (!passes) return;
     const Wide lift = r * cosine - oracle::root(rest);

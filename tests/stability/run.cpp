@@ -136,10 +136,9 @@ std::vector<Tally> judged_by(Judge judge, const SceneView<Stored>& view, const B
   return tallies;
 }
 
-bool is_asserted(const Sweep& sweep, const Way& way, bool float64, double step) {
+bool is_within(const Sweep& sweep, const Way& way, bool float64, double step) {
   if (float64) return sweep.doubled64.holds(step);
-  if (way.precision == Precision::doubled) return sweep.doubled.holds(step);
-  return way.precision == Precision::robust && way.stop == StopRule::proven && sweep.robust.holds(step);
+  return (way.precision == Precision::doubled ? sweep.doubled : sweep.robust).holds(step);
 }
 
 template <class Stored>
@@ -151,9 +150,12 @@ void run_step(const Sweep& sweep, Trial<Stored> trial, double step,
   const std::vector<Way> ways = ways_for<Stored>(sweep.judge);
   const std::vector<Tally> tallies =
       judged_by(sweep.judge, view, bounds, build(view, bounds, trial.grids), trial, ways);
-  for (std::size_t i = 0; i < ways.size(); ++i)
-    tell({sweep.name, sweep.knob, step, ways[i], float64, is_asserted(sweep, ways[i], float64, step),
-          tallies[i]});
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Way& way = ways[i];
+    const bool promised = way.precision != Precision::fast && way.stop == StopRule::proven;
+    tell({sweep.name, sweep.knob, step, way, float64, promised,
+          promised && is_within(sweep, way, float64, step), tallies[i]});
+  }
 }
 
 } // namespace

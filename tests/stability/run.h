@@ -27,7 +27,8 @@ struct Row {
   double step;
   Way way;
   bool float64;  // the store
-  bool asserted; // within the envelope
+  bool promised; // robust or double: it must not fail
+  bool within;   // and tells most rays' answer: the step is within its envelope
   Tally tally;
 };
 

@@ -123,8 +123,8 @@ Trial<Stored> refracted_by(Chance& chance, double index, double from_critical, s
   const auto corner = [&](double x, double y) { return cast<Stored>(u * x + v * y); };
   trial.scene.triangles = {triangle_of<Stored>(corner(-8, -8), corner(8, -8), corner(0, 8))};
   for (std::size_t i = 0; i < rays; ++i) {
-    const double sine = std::min(1.0, (1 + chance.sign() * from_critical) /
-                                          static_cast<double>(trial.scene.material.refraction_index));
+    const double sine = std::min(0.9999, (1 + chance.sign() * from_critical) /
+                                             static_cast<double>(trial.scene.material.refraction_index));
     const double turn = chance.uniform(0, 6.283185307179586);
     const Vec3d along = u * std::cos(turn) + v * std::sin(turn);
     const Vec3d direction = along * sine + up * std::sqrt(1 - sine * sine);
@@ -158,9 +158,17 @@ std::vector<Sweep> body_sweeps() {
       {"leaving-scaled", "size of the scene whose surfaces rays leave", Judge::leaving, 1,
        powers_of_ten(-8, 12, 2), powers_of_ten(-80, 80, 20), left_scaled<float>, left_scaled<double>,
        everywhere, everywhere, everywhere},
-      {"leaving-moved", "distance from the origin of a scene of size 1", Judge::leaving, 1,
-       powers_of_ten(0, 6), powers_of_ten(0, 14, 2), left_moved<float>, left_moved<double>, everywhere,
-       everywhere, everywhere},
+      {"leaving-moved",
+       "distance from the origin of a scene of size 1",
+       Judge::leaving,
+       1,
+       powers_of_ten(0, 6),
+       powers_of_ten(0, 14, 2),
+       left_moved<float>,
+       left_moved<double>,
+       {0, 1e3},
+       everywhere,
+       {0, 1e12}},
       {"glass",
        "index of refraction, depth 8",
        Judge::glass,
@@ -183,9 +191,17 @@ std::vector<Sweep> body_sweeps() {
        everywhere,
        everywhere,
        everywhere},
-      {"critical-angle", "distance of the sine from the critical angle's, relative", Judge::refraction, 2,
-       powers_of_ten(-8, -1), powers_of_ten(-16, -1, 3), near_critical<float>, near_critical<double>,
-       everywhere, everywhere, everywhere},
+      {"critical-angle",
+       "distance of the sine from the critical angle's, relative",
+       Judge::refraction,
+       2,
+       powers_of_ten(-8, -1),
+       powers_of_ten(-16, -1, 3),
+       near_critical<float>,
+       near_critical<double>,
+       {1e-5, 1},
+       everywhere,
+       {1e-13, 1}},
       {"nearly-air",
        "index of refraction less 1",
        Judge::refraction,
@@ -194,7 +210,7 @@ std::vector<Sweep> body_sweeps() {
        {},
        nearly_no_glass<float>,
        nullptr,
-       everywhere,
+       {1e-5, 1},
        everywhere,
        everywhere},
   };

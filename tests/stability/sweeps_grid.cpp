@@ -167,7 +167,7 @@ std::vector<Sweep> grid_sweeps() {
        {},
        flattened<float>,
        nullptr,
-       everywhere,
+       {1e-4, 1},
        everywhere,
        everywhere},
   };
