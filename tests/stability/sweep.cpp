@@ -1,8 +1,13 @@
 #include "tests/stability/sweep.h"
 
 #include <cmath>
+#include <ostream>
 
 namespace masu::stability {
+
+void PrintTo(const Sweep& sweep, std::ostream* out) {
+  *out << sweep.name;
+}
 
 std::vector<Sweep> all_sweeps() {
   std::vector<Sweep> all = place_sweeps();

@@ -6,6 +6,7 @@
 #include "renderer/backend.h"
 #include "tests/test_scene.h"
 
+#include <iosfwd>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,6 +64,9 @@ struct Sweep {
   Envelope robust, doubled;                                                // of the float32 store
   Envelope doubled64;                                                      // of the float64 store
 };
+
+// How tests name it.
+void PrintTo(const Sweep& sweep, std::ostream* out);
 
 // All of them, in the order of docs/stability.md.
 std::vector<Sweep> all_sweeps();

@@ -89,11 +89,11 @@ Trial<Stored> divided_by(Chance& chance, double knob, std::size_t rays) {
   const auto voxels = static_cast<std::int32_t>(knob);
   Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
-  const std::int32_t few = std::min(voxels, 256);
+  const std::int32_t few = std::min(voxels, 128), many = std::min(voxels, 512);
   trial.grids = {{{voxels, 5, 3}, Merge::none},
                  {{2, voxels, 7}, Merge::x},
                  {{few, few, few}, Merge::none},
-                 {{voxels, 4, voxels}, Merge::none},
+                 {{many, 4, many}, Merge::none},
                  {{few / 2 + 1, few / 4 + 1, few / 8 + 1}, Merge::irregular}};
   return trial;
 }
