@@ -16,7 +16,7 @@ TEST_P(Stability, RobustAndDoubleFailNowhere) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   std::uint64_t rays = 0, unsure = 0;
-  run(GetParam(), {static_cast<std::size_t>(cases(400)), seed.value()}, [&](const Row& row) {
+  run(GetParam(), {static_cast<std::size_t>(cases(1500)), seed.value()}, [&](const Row& row) {
     if (!row.promised) return;
     const Tally& t = row.tally;
     rays += row.within ? t.rays : 0;

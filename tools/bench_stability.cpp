@@ -41,6 +41,8 @@ public:
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
+  Folder(Folder&&) = delete;
+  Folder& operator=(Folder&&) = delete;
   const std::string& path() const { return path_; }
 
 private:

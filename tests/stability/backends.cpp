@@ -3,9 +3,9 @@
 #include "libgrid/division.h"
 #include "libgrid/merge.h"
 #include "libscene/scene_file.h"
+#include "tests/stability/same_bits.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace masu::stability {
 namespace {
@@ -54,7 +54,7 @@ std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<
     request.loop = loop;
     const RayHits gpu = trace_rays_cuda(scene, &grid, request);
     for (std::size_t i = 0; i < rays.size(); ++i)
-      different += std::memcmp(&cpu.hits[i], &gpu.hits[i], sizeof(EyeHit)) == 0 ? 0 : 1;
+      different += same_bits(cpu.hits[i], gpu.hits[i]) ? 0 : 1;
   }
   return different;
 }

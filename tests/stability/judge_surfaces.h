@@ -5,13 +5,12 @@
 #include "libscene/surface.h"
 #include "renderer/counts.h"
 #include "renderer/dispatch.h"
+#include "tests/stability/same_bits.h"
 #include "tests/stability/sweep.h"
 #include "tests/stability/tally.h"
 
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
-
-#include <cstring>
 
 namespace masu::stability {
 
@@ -81,7 +80,7 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
     NoCounts counts;
     const auto compare = [&](const auto& view) {
       const Hit<Real> other = nearest_hit<M>(scene, view, ray, counts);
-      same = same && other.primitive == hit.primitive && std::memcmp(&other.t, &hit.t, sizeof(Real)) == 0;
+      same = same && other.primitive == hit.primitive && same_bits(other.t, hit.t);
     };
     for (const Grid& grid : grids)
       grid.merge == Merge::none ? compare(view_of<Real>(grid)) : compare(merged_view_of<Real>(grid));
@@ -133,7 +132,7 @@ Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, cons
       good = good && channel >= 0 && channel <= 1 + 1e-5F; // nor NaN
     const auto compare = [&](const auto& view) {
       const Vec3f other = radiance<M>(scene, view, rules, ray, first, counts);
-      same = same && std::memcmp(&other, &light, sizeof(Vec3f)) == 0;
+      same = same && same_bits(other, light);
     };
     for (const Grid& grid : grids)
       grid.merge == Merge::none ? compare(view_of<Real>(grid)) : compare(merged_view_of<Real>(grid));

@@ -4,10 +4,9 @@
 #include "libgrid/merge.h"
 #include "renderer/dispatch.h"
 #include "tests/stability/judge_surfaces.h"
+#include "tests/stability/same_bits.h"
 
 #include <tbb/parallel_for.h>
-
-#include <cstring>
 
 namespace masu::stability {
 namespace {
@@ -24,8 +23,8 @@ Hit<typename M::Real> find(const SceneView<Stored>& scene, const Accelerator& ac
 }
 
 template <class Real>
-bool same_bits(const Hit<Real>& a, const Hit<Real>& b) {
-  return a.primitive == b.primitive && std::memcmp(&a.t, &b.t, sizeof(Real)) == 0;
+bool same_hit(const Hit<Real>& a, const Hit<Real>& b) {
+  return a.primitive == b.primitive && same_bits(a.t, b.t);
 }
 
 template <class Real, class Act>
@@ -58,7 +57,7 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>
   for (const Grid& grid : grids) {
     with_view<Real>(grid, [&](const auto& view) {
       for_each_ray([&](std::size_t i) {
-        found[i].same = found[i].same && same_bits(find<Proven>(scene, view, rays[i]), first[i]);
+        found[i].same = found[i].same && same_hit(find<Proven>(scene, view, rays[i]), first[i]);
       });
     });
   }

@@ -151,7 +151,7 @@ Trial<Stored> duplicated(Chance& chance, double knob, std::size_t rays) {
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
   const auto multiply = [&](auto& primitives) {
     const auto once = primitives;
-    for (double copies = 1; copies < knob; ++copies)
+    for (int copies = 1; copies < static_cast<int>(knob); ++copies)
       primitives.insert(primitives.end(), once.begin(), once.end());
     std::shuffle(primitives.begin(), primitives.end(), chance.engine());
   };
