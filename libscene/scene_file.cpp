@@ -153,6 +153,14 @@ void write_stored(const Scene& scene, const std::string& path) {
       section(SceneSection::cones, cones),
       section(SceneSection::cone_surfaces, scene.cone_surfaces),
   };
+  // Such a cone would have no bounds.
+  const auto flattened =
+      std::count_if(cones.begin(), cones.end(), [](const auto& cone) { return cone.base == cone.apex; });
+  if (flattened > 0) {
+    throw Error(ErrorCode::input, path,
+                fmt::format("{} cone(s) lose their length in {}: {}", flattened, store_name<Stored>,
+                            std::is_same_v<Stored, float> ? "store it as float64" : "make them longer"));
+  }
   const Boxd box = join(join(bounds_of(triangles), bounds_of(spheres)), bounds_of(cones));
   if (!reaches_within<Stored>(box)) {
     throw Error(ErrorCode::input, path,

@@ -25,7 +25,7 @@ bool fits_float32(const Scene& scene, Store store);
 
 // Writes `scene` to `path`, whole or not at all. Throws Error(output) when it can't, Error(input) when
 // coordinates don't fit the store asked for (the farthest one from 1e-10 to 1e12 for float32, from
-// 1e-90 to 1e100 for float64).
+// 1e-90 to 1e100 for float64), or leave a cone no length.
 void write_scene(const Scene& scene, Store store, const std::string& path);
 
 // A mapped scene file, checked in full: every index and range in it can be followed.

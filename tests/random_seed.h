@@ -18,6 +18,8 @@ public:
       value_ = std::random_device{}();
   }
 
+  explicit RandomSeed(std::uint64_t value) : value_(value) {}
+
   std::uint64_t value() const { return value_; }
   std::mt19937_64 engine() const { return std::mt19937_64(value_); }
   std::string trace() const { return "run again with MASU_TEST_SEED=" + std::to_string(value_); }

@@ -119,6 +119,38 @@ TEST_F(ToolErrors, ASceneTooWideForItsStoreIsRefused) {
       fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
 }
 
+TEST_F(ToolErrors, AConeThatLosesItsLengthInItsStoreIsRefused) {
+  const std::string path =
+      nff("flat.nff", "c 100000000.25 0 0 1 100000001.25 0 0 1\nc 100000000 0 0 1 100000800 0 0 1\n");
+  EXPECT_TRUE(
+      fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
+}
+
+// Where float32 holds the numbers, but its arithmetic can't tell things apart: the scene is written, and a
+// line says what to do.
+TEST_F(ToolErrors, AScenePoorlyServedByFloat32IsWarnedOf) {
+  const auto warned = [&](const std::string& text, const Arguments& more, const std::string& of) {
+    const std::string path = nff("far.nff", text);
+    Arguments arguments{path, "-o", file("far.scene")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run("nff2bin", arguments);
+    if (of.empty()) return succeeded(result);
+    const bool good = result.code == 0 && result.err.starts_with("nff2bin: " + path + ": warning: ") &&
+                      result.err.find(of) != std::string::npos &&
+                      std::count(result.err.begin(), result.err.end(), '\n') == 1;
+    return good ? testing::AssertionSuccess()
+                : testing::AssertionFailure() << "exit code " << result.code << ", stderr: " << result.err;
+  };
+  const std::string far = "s 1000000 0 0 1\ns 1000004 0 0 1\n", small = "s 0 0 0 1000\ns 0 0 1000 0.0001\n",
+                    digits = "s 0.123456789012 0 0 1\n";
+  EXPECT_TRUE(warned(far, {}, "6 across"));
+  EXPECT_TRUE(warned(far, {"--store", "float64"}, ""));
+  EXPECT_TRUE(warned(small, {}, "1 object(s)"));
+  EXPECT_TRUE(warned(small, {"--store", "float64"}, ""));
+  EXPECT_TRUE(warned(digits, {"--store", "float32"}, "lose digits"));
+  EXPECT_TRUE(warned(digits, {}, "")); // which takes float64
+}
+
 // A text cut anywhere is another text or none: never a crash, never half a scene.
 TEST_F(ToolErrors, TextCutShortIsReadOrRefused) {
   const RandomSeed seed;

@@ -483,5 +483,30 @@ TEST_F(Tools, TheScenesScaleNeverShows) {
   }
 }
 
+TEST_F(Tools, GridbenchTellsWhereEachPrecisionBreaks) {
+  const auto rows = json_of("gridbench", {"stability", "--sweep", "closed-ball,leaving-scaled", "--rays",
+                                          "200", "--seed", "7", "--json"});
+  std::set<std::string> sweeps, failing;
+  for (const auto& row : rows) {
+    sweeps.insert(row["sweep"]);
+    if (row["missed"].get<int>() + row["false"].get<int>() > 0) failing.insert(row["way"]);
+  }
+  EXPECT_EQ(sweeps, (std::set<std::string>{"closed-ball", "leaving-scaled"}));
+  EXPECT_EQ(failing, std::set<std::string>{"fast"});
+}
+
+TEST_F(Tools, GridbenchJudgesRandomRaysByTheOracle) {
+  const auto rows = json_of("gridbench", {"oracle", scene_, grid_, "--rays", "2000", "--precision",
+                                          "fast,robust,double", "--json"});
+  ASSERT_EQ(rows.size(), 3U);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row["rays"], 2000);
+    EXPECT_LT(row["unsure"].get<int>(), 200);
+    if (row["precision"] == "fast") continue;
+    for (const char* const failure : {"missed", "false", "wrong", "misplaced"})
+      EXPECT_EQ(row[failure], 0) << failure;
+  }
+}
+
 } // namespace
 } // namespace masu

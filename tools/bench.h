@@ -9,5 +9,7 @@ void add_frame(CLI::App& app);
 void add_rays(CLI::App& app);
 void add_load(CLI::App& app);
 void add_tradeoff(CLI::App& app);
+void add_stability(CLI::App& app);
+void add_oracle(CLI::App& app);
 
 } // namespace masu
