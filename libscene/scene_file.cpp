@@ -2,6 +2,7 @@
 
 #include "libscene/cone.h"
 #include "libscene/error.h"
+#include "libscene/float32_doubt.h"
 #include "libscene/margin.h"
 #include "libscene/stopwatch.h"
 
@@ -201,7 +202,7 @@ std::span<const fb::Section> section_list(const fb::Scene& table) {
 
 bool fits_float32(const Scene& scene, Store store) {
   if (store != Store::automatic) return store == Store::float32;
-  return scene.float32_suffices && reaches_within<float>(bounds(scene));
+  return scene.float32_suffices && reaches_within<float>(bounds(scene)) && !float32_doubt(scene).any();
 }
 
 Boxd bounds(const Scene& scene) {

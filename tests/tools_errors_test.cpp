@@ -126,8 +126,8 @@ TEST_F(ToolErrors, AConeThatLosesItsLengthInItsStoreIsRefused) {
       fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
 }
 
-// Where float32 holds the numbers, but its arithmetic can't tell things apart: the scene is written, and a
-// line says what to do.
+// Where float32 holds the numbers, but its arithmetic can't tell things apart, and is asked for all the same:
+// the scene is written, and a line says what to do.
 TEST_F(ToolErrors, AScenePoorlyServedByFloat32IsWarnedOf) {
   const auto warned = [&](const std::string& text, const Arguments& more, const std::string& of) {
     const std::string path = nff("far.nff", text);
@@ -143,12 +143,12 @@ TEST_F(ToolErrors, AScenePoorlyServedByFloat32IsWarnedOf) {
   };
   const std::string far = "s 1000000 0 0 1\ns 1000004 0 0 1\n", small = "s 0 0 0 1000\ns 0 0 1000 0.0001\n",
                     digits = "s 0.123456789012 0 0 1\n";
-  EXPECT_TRUE(warned(far, {}, "6 across"));
-  EXPECT_TRUE(warned(far, {"--store", "float64"}, ""));
-  EXPECT_TRUE(warned(small, {}, "1 object(s)"));
-  EXPECT_TRUE(warned(small, {"--store", "float64"}, ""));
+  EXPECT_TRUE(warned(far, {"--store", "float32"}, "6 across"));
+  EXPECT_TRUE(warned(far, {}, "")); // which takes float64, here and below
+  EXPECT_TRUE(warned(small, {"--store", "float32"}, "1 object(s)"));
+  EXPECT_TRUE(warned(small, {}, ""));
   EXPECT_TRUE(warned(digits, {"--store", "float32"}, "lose digits"));
-  EXPECT_TRUE(warned(digits, {}, "")); // which takes float64
+  EXPECT_TRUE(warned(digits, {}, ""));
 }
 
 // A text cut anywhere is another text or none: never a crash, never half a scene.

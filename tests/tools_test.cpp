@@ -434,6 +434,11 @@ TEST_F(Tools, DoubleIsStoredWhereTheDigitsNeedIt) {
   EXPECT_EQ(store("s 0.123456789 0 0 1\n"), "float64");
   EXPECT_EQ(store("s 16777217 0 0 1\n"), "float64");
   EXPECT_EQ(store("s 1e20 0 0 1\n"), "float64");
+  // Of numbers that float32 holds: too far off for their size, too small, too flat.
+  EXPECT_EQ(store("s 1000000 0 0 1\n"), "float64");
+  EXPECT_EQ(store("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "float64");
+  EXPECT_EQ(store("c 1 0 0 1 1.000000001 0 0 2\n"), "float64");
+  EXPECT_EQ(store("s 1000 0 0 16\n"), "float32");
 }
 
 TEST_F(Tools, EqualBuildsAreEqualFilesUnlessSecondsAreRecorded) {

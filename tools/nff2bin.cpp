@@ -1,7 +1,7 @@
 // nff2bin: makes a scene file of an NFF text, and tells what either holds.
 #include "libscene/cone.h"
+#include "libscene/float32_doubt.h"
 #include "libscene/mapped_file.h"
-#include "libscene/margin.h"
 #include "libscene/nff.h"
 #include "libscene/scene_file.h"
 #include "libscene/tessellate.h"
@@ -186,45 +186,20 @@ void print_warnings(const SceneWarnings& warnings, const std::string& place) {
   line(warnings.self_crossing_polygons, "polygon(s) cross themselves: covered as well as can be");
 }
 
-// How many objects are smaller than what float32 arithmetic may be off by. (Triangles of one may be: they
-// have no gaps.)
-std::uint64_t count_lost(const Scene& scene, double margin) {
-  const auto is_lost = [margin](const Boxd& box) {
-    return largest_magnitude(box.max - box.min) < 2 * margin;
-  };
-  std::uint64_t lost = 0;
-  for (std::size_t i = 0; i < scene.triangles.size();) {
-    const auto object = scene.triangles[i].object;
-    Boxd box = empty_box<double>();
-    for (; i < scene.triangles.size() && scene.triangles[i].object == object; ++i)
-      box = join(box, bounds(scene.triangles[i]));
-    lost += is_lost(box) ? 1 : 0;
-  }
-  for (const auto& sphere : scene.spheres)
-    lost += is_lost(bounds(sphere)) ? 1 : 0;
-  for (const auto& cone : scene.cones)
-    lost += is_lost(bounds(cone)) ? 1 : 0;
-  return lost;
-}
-
-// Where float32 holds a scene, but not well: far from the origin for its size, small things in a large scene,
-// or because it was asked for.
+// What is lost where float32 was asked for: far from the origin for its size, small things in a large scene,
+// or digits.
 void warn_of_float32(const Scene& scene, Store store, const std::string& place) {
-  const Boxd box = bounds(scene);
-  if (is_empty(box) || !fits_float32(scene, store)) return;
+  if (store != Store::float32) return;
   const auto warn = [&](const std::string& what) {
     fmt::print(stderr, "nff2bin: {}: warning: {}: take --store float64\n", place, what);
   };
-  // Beyond that most rays' answers are in doubt (docs/stability.md).
-  constexpr double margins_across = 256;
-  const double margin = rounding_margin<float>(box), across = largest_magnitude(box.max - box.min);
-  const std::uint64_t lost = count_lost(scene, margin);
-  if (across < margins_across * margin)
-    warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and the scene is {:.2g} across", margin,
-                     across));
-  else if (lost > 0)
+  const Float32Doubt doubt = float32_doubt(scene);
+  if (doubt.is_far())
+    warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and the scene is {:.2g} across",
+                     doubt.margin, doubt.across));
+  else if (doubt.lost > 0)
     warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and {} object(s) are hardly larger",
-                     margin, lost));
+                     doubt.margin, doubt.lost));
   else if (!scene.float32_suffices)
     warn("coordinates lose digits in float32");
 }

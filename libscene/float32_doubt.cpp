@@ -1,0 +1,44 @@
+#include "libscene/float32_doubt.h"
+
+#include "libscene/cone.h"
+#include "libscene/margin.h"
+#include "libscene/scene_file.h"
+
+#include <algorithm>
+
+namespace masu {
+namespace {
+
+std::uint64_t count_lost(const Scene& scene, double margin) {
+  const auto is_lost = [margin](const Boxd& box) {
+    return largest_magnitude(box.max - box.min) < 2 * margin;
+  };
+  std::uint64_t lost = 0;
+  for (std::size_t i = 0; i < scene.triangles.size();) {
+    const auto object = scene.triangles[i].object;
+    Boxd box = empty_box<double>();
+    for (; i < scene.triangles.size() && scene.triangles[i].object == object; ++i)
+      box = join(box, bounds(scene.triangles[i]));
+    lost += is_lost(box) ? 1 : 0;
+  }
+  for (const auto& sphere : scene.spheres)
+    lost += is_lost(bounds(sphere)) ? 1 : 0;
+  for (const auto& cone : scene.cones)
+    lost += is_lost(bounds(cone)) ? 1 : 0;
+  return lost;
+}
+
+} // namespace
+
+Float32Doubt float32_doubt(const Scene& scene) {
+  const Boxd box = bounds(scene);
+  if (is_empty(box)) return {0, 1, 0, 0};
+  const double margin = rounding_margin<float>(box);
+  const auto flattened = std::count_if(scene.cones.begin(), scene.cones.end(), [](const Cone<double>& cone) {
+    return cast<float>(cone.base) == cast<float>(cone.apex);
+  });
+  return {margin, largest_magnitude(box.max - box.min), count_lost(scene, margin),
+          static_cast<std::uint64_t>(flattened)};
+}
+
+} // namespace masu
