@@ -87,7 +87,7 @@ std::vector<ListedRay> read_rays(const std::string& path) {
     return std::abs(v.x) <= reach && std::abs(v.y) <= reach && std::abs(v.z) <= reach;
   };
   for (std::size_t i = 0; i < count; ++i) {
-    Stored stored;
+    Stored stored{};
     std::memcpy(&stored, file.bytes().data() + i * sizeof(Stored), sizeof(Stored));
     rays[i] = {cast<double>(stored.origin), cast<double>(stored.direction)};
     const char* const wrong = !held(rays[i].origin)      ? "an origin that isn't within 1e15 of zero"
