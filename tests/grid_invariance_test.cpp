@@ -96,6 +96,17 @@ TEST_P(GridInvariance, NoMergedGridShows) {
   }
 }
 
+// The store's own arithmetic is the default; double shows no grid on float32 stores either.
+TEST_P(GridInvariance, NoGridShowsInDouble) {
+  const bool is_float32 = std::string_view(GetParam().store) == "float32";
+  const std::string uniform = built("16", {"--merge", "none"}),
+                    merged = built("auto", {"--merge", "irregular"});
+  EXPECT_TRUE(rendered({uniform}) == rendered({uniform, "--precision", is_float32 ? "robust" : "double"}));
+  const Answer expected = rendered({"--brute-force", "--precision", "double"});
+  for (const std::string& path : {uniform, merged})
+    EXPECT_TRUE(rendered({path, "--precision", "double"}) == expected);
+}
+
 constexpr std::array<Case, 16> cases{{
     {"balls", 2, "float32"},
     {"balls", 1, "float64"},

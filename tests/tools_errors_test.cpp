@@ -119,6 +119,16 @@ TEST_F(ToolErrors, ASceneTooWideForItsStoreIsRefused) {
       fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
 }
 
+TEST_F(ToolErrors, Float32ArithmeticOnFloat64CoordinatesIsRefused) {
+  const std::string path = scene("a.scene", nff("a.nff", small_nff), {"--store", "float64"});
+  for (const char* const precision : {"fast", "robust"}) {
+    EXPECT_TRUE(
+        fails(1, "gridrender",
+              {path, "--brute-force", "-o", file("a.png"), "--backend", "cpu", "--precision", precision},
+              "--precision", "double"));
+  }
+}
+
 TEST_F(ToolErrors, AConeThatLosesItsLengthInItsStoreIsRefused) {
   const std::string path =
       nff("flat.nff", "c 100000000.25 0 0 1 100000001.25 0 0 1\nc 100000000 0 0 1 100000800 0 0 1\n");

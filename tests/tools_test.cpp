@@ -216,6 +216,32 @@ TEST_F(Tools, ListedRaysHitWhatTheEyesRaysHit) {
   EXPECT_EQ(objects, (std::set<std::int32_t>{-1, 0, 1})); // the sky, the floor, the ball
 }
 
+TEST_F(Tools, TheStudysRuleStopsAtTheFirstCellThatHasAHit) {
+  // One voxel holds all: its first hit is the nearest. In two a floor that reaches into both is hit in the
+  // first, where it is listed, though a ball of the second stands before it.
+  const std::string before = scene(
+      "b.scene", nff("b.nff", "v\nfrom -9 0 2\nat 9 0 -2\nup 0 0 1\nangle 10\nhither 1\nresolution 9 9\n"
+                              "f 1 1 1 1 0 0 0 1\np 4\n-9 -9 -1\n9 -9 -1\n9 9 -1\n-9 9 -1\ns 3 0 0 0.9\n"));
+  const auto objects = [&](const char* division, const Arguments& how) {
+    Arguments arguments{before, grid("b.grid", before, division), "--backend", "cpu", "--hits", file("hits")};
+    arguments.insert(arguments.end(), how.begin(), how.end());
+    EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+    std::vector<std::int32_t> found;
+    for (const Hit& hit : hits_in(file("hits")))
+      found.push_back(hit.object);
+    return found;
+  };
+  const auto right = objects("2x1x1", {}), wrong = objects("2x1x1", {"--study-rule"});
+  EXPECT_EQ(objects("1", {"--study-rule"}), right);
+  ASSERT_EQ(wrong.size(), right.size());
+  int overlooked = 0;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    overlooked += right[i] == 1 && wrong[i] == 0 ? 1 : 0;
+    EXPECT_TRUE(right[i] == wrong[i] || (right[i] == 1 && wrong[i] == 0)) << "ray " << i;
+  }
+  EXPECT_GT(overlooked, 0);
+}
+
 TEST_F(Tools, ListedRaysMayBeDoubles) {
   // Far off, where floats are two apart: a ball of radius 1, met by every other ray.
   const std::string far = scene("far.scene", nff("far.nff", "f 1 1 1 1 0 0 0 1\ns 20000000.25 0 0 1\n"));
