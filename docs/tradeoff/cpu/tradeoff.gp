@@ -2022,710 +2022,6 @@ unset output
 
 reset
 set terminal svg size 1100,1240 font 'DejaVu Sans,15' noenhanced background rgb 'white'
-set output 'rings.svg'
-set encoding utf8
-set logscale xy
-set border 3 lc rgb '#444444'
-set tics nomirror
-set grid lc rgb '#d4d4d4' lw 1 dt 1
-set multiplot
-set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 samplen 2
-
-unset label; unset arrow; unset object
-set lmargin at screen 0.115; set rmargin at screen 0.735
-set bmargin at screen 0.5; set tmargin at screen 0.855
-set xrange [0.399353:5.271]; set yrange [3.05176e-06:0.0588608]
-set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
-set label 'rings: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
-set label '256x256 primary and 65,536 random rays a scene; 65,536 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
-set xtics ('0.5' 0.5, '0.7' 0.7, '1' 1, '1.5' 1.5, '2' 2, '3' 3, '5' 5)
-set ytics ("none of\n65,536" 7.62939e-06, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
-set object rectangle from graph 0, graph 0 to graph 1, first 1.297e-05 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 4.3925,0.00840759 to graph 1.0,0.8028 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8028 to graph 1.015,0.8028 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.8028 left
-set arrow from first 4.1877,0.000259399 to graph 1.0,0.4502 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4502 to graph 1.015,0.4502 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.4502 left
-set arrow from first 3.46728,7.62939e-06 to graph 1.0,0.0929 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.0929 to graph 1.015,0.0929 nohead lw 0.8 lc rgb '#999999'
-set label 'robust: irregular exact' at graph 1.02,0.0929 left
-$hits0 << END
-0.932105 0.000259399
-1.16 0.000259399
-1.88139 0.000259399
-2.9143 0.000259399
-2.01838 0.000259399
-3.04281 0.000259399
-1.03437 0.000259399
-1.35901 0.000259399
-1.49963 0.000259399
-1.88341 0.000259399
-1.67405 0.000259399
-2.19101 0.000259399
-0.830264 0.000259399
-1.25035 0.000259399
-0.704137 0.000259399
-0.961827 0.000259399
-0.752392 0.000259399
-1.00268 0.000259399
-2.97202 0.000259399
-4.1877 0.000259399
-END
-$hits1 << END
-0.986568 0.00686646
-1.39451 0.00610352
-2.1693 0.0235443
-3.03467 0.00991821
-2.20601 0.0219116
-3.22493 0.0118256
-0.95235 0.00686646
-1.41952 0.00610352
-1.53528 0.0235443
-1.9151 0.00991821
-1.73128 0.0219116
-2.20341 0.0118256
-1.04806 0.00785828
-1.30712 0.00624084
-0.702989 0.0185242
-0.984289 0.0170288
-0.78521 0.0169067
-1.03419 0.0122986
-3.61075 0.0161591
-4.3925 0.00840759
-END
-$hits2 << END
-1.02779 7.62939e-06
-1.21946 7.62939e-06
-1.7502 7.62939e-06
-2.5635 7.62939e-06
-1.82774 7.62939e-06
-2.50124 7.62939e-06
-0.940909 7.62939e-06
-1.14941 7.62939e-06
-1.19412 7.62939e-06
-1.6923 7.62939e-06
-1.49179 7.62939e-06
-1.99646 7.62939e-06
-0.894063 7.62939e-06
-0.947511 7.62939e-06
-0.659401 7.62939e-06
-0.897956 7.62939e-06
-0.749692 7.62939e-06
-0.934677 7.62939e-06
-2.79213 7.62939e-06
-3.46728 7.62939e-06
-0.479224 7.62939e-06
-2.23822 7.62939e-06
-0.948476 7.62939e-06
-1.63916 7.62939e-06
-END
-$hits3 << END
-1.10164 0.00662231
-1.34542 0.00582886
-2.04978 0.0233154
-2.76615 0.00970459
-2.0503 0.021698
-2.87597 0.0115967
-0.957962 0.00662231
-1.26676 0.00582886
-1.53392 0.0233154
-1.82337 0.00970459
-1.70618 0.021698
-2.10922 0.0115967
-0.989216 0.00762939
-1.19879 0.00596619
-0.75973 0.0183563
-0.953082 0.016861
-0.77871 0.0166779
-1.01491 0.0120697
-3.1567 0.0159454
-3.44739 0.00816345
-END
-$hits4 << END
-1.08817 5.6514e-06
-1.33147 5.6514e-06
-1.7049 5.6514e-06
-2.51751 5.6514e-06
-1.80643 5.6514e-06
-2.21406 5.6514e-06
-1.06367 5.6514e-06
-1.19566 5.6514e-06
-1.3854 5.6514e-06
-1.71 5.6514e-06
-1.47599 5.6514e-06
-1.97595 5.6514e-06
-0.761809 5.6514e-06
-1.15073 5.6514e-06
-0.729523 5.6514e-06
-0.873069 5.6514e-06
-0.740082 5.6514e-06
-1.01795 5.6514e-06
-2.73089 5.6514e-06
-3.04044 5.6514e-06
-END
-$hits5 << END
-0.973485 0.00662231
-1.43365 0.00582886
-2.06174 0.0233154
-2.77081 0.00971985
-2.05143 0.021698
-2.65012 0.0115967
-1.13545 0.00662231
-1.38194 0.00582886
-1.51616 0.0233154
-1.68344 0.00970459
-1.54901 0.021698
-2.13416 0.0115967
-1.07072 0.00762939
-1.10396 0.00596619
-0.797248 0.0183716
-0.937527 0.0168762
-0.812669 0.0166779
-1.0726 0.0120697
-3.18146 0.0159454
-3.3221 0.00816345
-END
-$hits_front << END
-3.46728 7.62939e-06
-4.1877 0.000259399
-4.3925 0.00840759
-END
-plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
-     $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
-     $hits2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
-     $hits3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
-     $hits4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
-     $hits5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
-     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
-     $hits_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
-     $hits_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
-unset key
-
-unset label; unset arrow; unset object
-set lmargin at screen 0.115; set rmargin at screen 0.735
-set bmargin at screen 0.065; set tmargin at screen 0.42
-set xrange [3.12819:32.367]; set yrange [3.10347e-05:0.137335]
-set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
-set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30)
-set ytics ("same\nbits" 7.75869e-05, '10⁻³' 1e-3, '10⁻²' 1e-2, '10⁻¹' 1e-1)
-set object rectangle from graph 0, graph 0 to graph 1, first 0.000131898 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 26.9725,0.0245364 to graph 1.0,0.7948 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.7948 to graph 1.015,0.7948 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.7948 left
-set arrow from first 19.0421,0.000620695 to graph 1.0,0.3568 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.3568 to graph 1.015,0.3568 nohead lw 0.8 lc rgb '#999999'
-set label 'robust: irregular exact' at graph 1.02,0.3568 left
-set arrow from first 18.38,5.74718e-05 to graph 1.0,0.0734 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.0734 to graph 1.015,0.0734 nohead lw 0.8 lc rgb '#999999'
-set label 'double: irregular exact' at graph 1.02,0.0734 left
-$picture0 << END
-8.65501 0.0245364
-10.2548 0.0245364
-14.1264 0.0245364
-22.8273 0.0245364
-15.3722 0.0245364
-22.5062 0.0245364
-8.14518 0.0245364
-10.666 0.0245364
-12.2346 0.0245364
-15.6743 0.0245364
-13.4447 0.0245364
-16.9504 0.0245364
-7.62497 0.0245364
-9.62723 0.0245364
-6.879 0.0245364
-9.7028 0.0245364
-7.11308 0.0245364
-9.10846 0.0245364
-20.8967 0.0245364
-26.9725 0.0245364
-END
-$picture1 << END
-7.82148 0.0325508
-10.13 0.0309071
-15.783 0.0549339
-22.5432 0.0378815
-16.3774 0.0510347
-23.4119 0.0400518
-6.88753 0.0325508
-11.0043 0.0309071
-12.4616 0.0549339
-15.797 0.0378815
-12.6687 0.0510347
-17.0412 0.0400518
-8.1894 0.0325536
-10.0912 0.0309071
-6.67664 0.0430481
-9.64618 0.0427342
-7.13277 0.0450924
-9.65176 0.0387693
-21.8625 0.0460561
-26.3993 0.0366085
-END
-$picture2 << END
-7.50785 0.000620695
-9.43975 0.000620695
-11.8695 0.000620695
-17.9081 0.000620695
-12.4795 0.000620695
-15.8486 0.000620695
-7.84461 0.000620695
-9.16868 0.000620695
-9.34221 0.000620695
-13.0347 0.000620695
-11.1378 0.000620695
-14.9523 0.000620695
-7.04632 0.000620695
-8.3545 0.000620695
-6.56776 0.000620695
-8.25205 0.000620695
-6.36829 0.000620695
-8.40583 0.000620695
-16.7034 0.000620695
-19.0421 0.000620695
-3.75382 0.000620695
-14.7575 0.000620695
-12.6778 0.000620695
-12.696 0.000620695
-END
-$picture3 << END
-7.64514 0.0224827
-9.8096 0.0197052
-12.8847 0.0500993
-18.69 0.0290846
-13.2305 0.0457429
-18.3324 0.0323343
-7.38727 0.0224827
-9.01681 0.0197052
-11.1791 0.0500993
-13.4878 0.0290846
-11.7782 0.0457429
-14.8507 0.0323343
-4.85256 0.0224868
-8.12381 0.0197052
-7.10778 0.0360746
-8.70618 0.0357275
-6.94497 0.0385451
-9.00479 0.0307349
-17.526 0.0400437
-19.2551 0.0278029
-END
-$picture4 << END
-7.78834 5.74718e-05
-9.68701 5.74718e-05
-12.2841 5.74718e-05
-17.4943 5.74718e-05
-12.3472 5.74718e-05
-16.6991 5.74718e-05
-8.24844 5.74718e-05
-9.62038 5.74718e-05
-10.2698 5.74718e-05
-13.2481 5.74718e-05
-10.6214 5.74718e-05
-14.5266 5.74718e-05
-7.25631 5.74718e-05
-8.61839 5.74718e-05
-6.22301 5.74718e-05
-6.98983 5.74718e-05
-6.06704 5.74718e-05
-8.85724 5.74718e-05
-16.3125 5.74718e-05
-18.38 5.74718e-05
-END
-$picture5 << END
-5.50406 0.0224738
-10.2337 0.0196934
-13.3034 0.0500977
-18.381 0.0290847
-13.2197 0.0457408
-18.0537 0.0323289
-8.28096 0.0224738
-9.95619 0.0196934
-11.0471 0.0500977
-12.9726 0.0290894
-11.5761 0.0457408
-15.2978 0.0323289
-7.55721 0.0224779
-9.22756 0.0196934
-7.00128 0.0360477
-5.91401 0.0358389
-6.99526 0.0385421
-9.10266 0.0307286
-17.288 0.0400428
-19.7921 0.0277958
-END
-$picture_front << END
-18.38 5.74718e-05
-19.0421 0.000620695
-26.9725 0.0245364
-END
-plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
-     $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
-     $picture2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
-     $picture3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
-     $picture4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
-     $picture5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
-     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
-     $picture_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
-     $picture_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
-unset multiplot
-unset output
-
-reset
-set terminal pngcairo size 1100,1240 font 'DejaVu Sans,12' noenhanced background rgb 'white'
-set output 'rings.png'
-set encoding utf8
-set logscale xy
-set border 3 lc rgb '#444444'
-set tics nomirror
-set grid lc rgb '#d4d4d4' lw 1 dt 1
-set multiplot
-set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 samplen 2
-
-unset label; unset arrow; unset object
-set lmargin at screen 0.115; set rmargin at screen 0.735
-set bmargin at screen 0.5; set tmargin at screen 0.855
-set xrange [0.399353:5.271]; set yrange [3.05176e-06:0.0588608]
-set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
-set label 'rings: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
-set label '256x256 primary and 65,536 random rays a scene; 65,536 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
-set xtics ('0.5' 0.5, '0.7' 0.7, '1' 1, '1.5' 1.5, '2' 2, '3' 3, '5' 5)
-set ytics ("none of\n65,536" 7.62939e-06, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
-set object rectangle from graph 0, graph 0 to graph 1, first 1.297e-05 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 4.3925,0.00840759 to graph 1.0,0.8028 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8028 to graph 1.015,0.8028 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.8028 left
-set arrow from first 4.1877,0.000259399 to graph 1.0,0.4502 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4502 to graph 1.015,0.4502 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.4502 left
-set arrow from first 3.46728,7.62939e-06 to graph 1.0,0.0929 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.0929 to graph 1.015,0.0929 nohead lw 0.8 lc rgb '#999999'
-set label 'robust: irregular exact' at graph 1.02,0.0929 left
-$hits0 << END
-0.932105 0.000259399
-1.16 0.000259399
-1.88139 0.000259399
-2.9143 0.000259399
-2.01838 0.000259399
-3.04281 0.000259399
-1.03437 0.000259399
-1.35901 0.000259399
-1.49963 0.000259399
-1.88341 0.000259399
-1.67405 0.000259399
-2.19101 0.000259399
-0.830264 0.000259399
-1.25035 0.000259399
-0.704137 0.000259399
-0.961827 0.000259399
-0.752392 0.000259399
-1.00268 0.000259399
-2.97202 0.000259399
-4.1877 0.000259399
-END
-$hits1 << END
-0.986568 0.00686646
-1.39451 0.00610352
-2.1693 0.0235443
-3.03467 0.00991821
-2.20601 0.0219116
-3.22493 0.0118256
-0.95235 0.00686646
-1.41952 0.00610352
-1.53528 0.0235443
-1.9151 0.00991821
-1.73128 0.0219116
-2.20341 0.0118256
-1.04806 0.00785828
-1.30712 0.00624084
-0.702989 0.0185242
-0.984289 0.0170288
-0.78521 0.0169067
-1.03419 0.0122986
-3.61075 0.0161591
-4.3925 0.00840759
-END
-$hits2 << END
-1.02779 7.62939e-06
-1.21946 7.62939e-06
-1.7502 7.62939e-06
-2.5635 7.62939e-06
-1.82774 7.62939e-06
-2.50124 7.62939e-06
-0.940909 7.62939e-06
-1.14941 7.62939e-06
-1.19412 7.62939e-06
-1.6923 7.62939e-06
-1.49179 7.62939e-06
-1.99646 7.62939e-06
-0.894063 7.62939e-06
-0.947511 7.62939e-06
-0.659401 7.62939e-06
-0.897956 7.62939e-06
-0.749692 7.62939e-06
-0.934677 7.62939e-06
-2.79213 7.62939e-06
-3.46728 7.62939e-06
-0.479224 7.62939e-06
-2.23822 7.62939e-06
-0.948476 7.62939e-06
-1.63916 7.62939e-06
-END
-$hits3 << END
-1.10164 0.00662231
-1.34542 0.00582886
-2.04978 0.0233154
-2.76615 0.00970459
-2.0503 0.021698
-2.87597 0.0115967
-0.957962 0.00662231
-1.26676 0.00582886
-1.53392 0.0233154
-1.82337 0.00970459
-1.70618 0.021698
-2.10922 0.0115967
-0.989216 0.00762939
-1.19879 0.00596619
-0.75973 0.0183563
-0.953082 0.016861
-0.77871 0.0166779
-1.01491 0.0120697
-3.1567 0.0159454
-3.44739 0.00816345
-END
-$hits4 << END
-1.08817 5.6514e-06
-1.33147 5.6514e-06
-1.7049 5.6514e-06
-2.51751 5.6514e-06
-1.80643 5.6514e-06
-2.21406 5.6514e-06
-1.06367 5.6514e-06
-1.19566 5.6514e-06
-1.3854 5.6514e-06
-1.71 5.6514e-06
-1.47599 5.6514e-06
-1.97595 5.6514e-06
-0.761809 5.6514e-06
-1.15073 5.6514e-06
-0.729523 5.6514e-06
-0.873069 5.6514e-06
-0.740082 5.6514e-06
-1.01795 5.6514e-06
-2.73089 5.6514e-06
-3.04044 5.6514e-06
-END
-$hits5 << END
-0.973485 0.00662231
-1.43365 0.00582886
-2.06174 0.0233154
-2.77081 0.00971985
-2.05143 0.021698
-2.65012 0.0115967
-1.13545 0.00662231
-1.38194 0.00582886
-1.51616 0.0233154
-1.68344 0.00970459
-1.54901 0.021698
-2.13416 0.0115967
-1.07072 0.00762939
-1.10396 0.00596619
-0.797248 0.0183716
-0.937527 0.0168762
-0.812669 0.0166779
-1.0726 0.0120697
-3.18146 0.0159454
-3.3221 0.00816345
-END
-$hits_front << END
-3.46728 7.62939e-06
-4.1877 0.000259399
-4.3925 0.00840759
-END
-plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
-     $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
-     $hits2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
-     $hits3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
-     $hits4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
-     $hits5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
-     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
-     $hits_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
-     $hits_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
-unset key
-
-unset label; unset arrow; unset object
-set lmargin at screen 0.115; set rmargin at screen 0.735
-set bmargin at screen 0.065; set tmargin at screen 0.42
-set xrange [3.12819:32.367]; set yrange [3.10347e-05:0.137335]
-set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
-set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30)
-set ytics ("same\nbits" 7.75869e-05, '10⁻³' 1e-3, '10⁻²' 1e-2, '10⁻¹' 1e-1)
-set object rectangle from graph 0, graph 0 to graph 1, first 0.000131898 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 26.9725,0.0245364 to graph 1.0,0.7948 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.7948 to graph 1.015,0.7948 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.7948 left
-set arrow from first 19.0421,0.000620695 to graph 1.0,0.3568 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.3568 to graph 1.015,0.3568 nohead lw 0.8 lc rgb '#999999'
-set label 'robust: irregular exact' at graph 1.02,0.3568 left
-set arrow from first 18.38,5.74718e-05 to graph 1.0,0.0734 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.0734 to graph 1.015,0.0734 nohead lw 0.8 lc rgb '#999999'
-set label 'double: irregular exact' at graph 1.02,0.0734 left
-$picture0 << END
-8.65501 0.0245364
-10.2548 0.0245364
-14.1264 0.0245364
-22.8273 0.0245364
-15.3722 0.0245364
-22.5062 0.0245364
-8.14518 0.0245364
-10.666 0.0245364
-12.2346 0.0245364
-15.6743 0.0245364
-13.4447 0.0245364
-16.9504 0.0245364
-7.62497 0.0245364
-9.62723 0.0245364
-6.879 0.0245364
-9.7028 0.0245364
-7.11308 0.0245364
-9.10846 0.0245364
-20.8967 0.0245364
-26.9725 0.0245364
-END
-$picture1 << END
-7.82148 0.0325508
-10.13 0.0309071
-15.783 0.0549339
-22.5432 0.0378815
-16.3774 0.0510347
-23.4119 0.0400518
-6.88753 0.0325508
-11.0043 0.0309071
-12.4616 0.0549339
-15.797 0.0378815
-12.6687 0.0510347
-17.0412 0.0400518
-8.1894 0.0325536
-10.0912 0.0309071
-6.67664 0.0430481
-9.64618 0.0427342
-7.13277 0.0450924
-9.65176 0.0387693
-21.8625 0.0460561
-26.3993 0.0366085
-END
-$picture2 << END
-7.50785 0.000620695
-9.43975 0.000620695
-11.8695 0.000620695
-17.9081 0.000620695
-12.4795 0.000620695
-15.8486 0.000620695
-7.84461 0.000620695
-9.16868 0.000620695
-9.34221 0.000620695
-13.0347 0.000620695
-11.1378 0.000620695
-14.9523 0.000620695
-7.04632 0.000620695
-8.3545 0.000620695
-6.56776 0.000620695
-8.25205 0.000620695
-6.36829 0.000620695
-8.40583 0.000620695
-16.7034 0.000620695
-19.0421 0.000620695
-3.75382 0.000620695
-14.7575 0.000620695
-12.6778 0.000620695
-12.696 0.000620695
-END
-$picture3 << END
-7.64514 0.0224827
-9.8096 0.0197052
-12.8847 0.0500993
-18.69 0.0290846
-13.2305 0.0457429
-18.3324 0.0323343
-7.38727 0.0224827
-9.01681 0.0197052
-11.1791 0.0500993
-13.4878 0.0290846
-11.7782 0.0457429
-14.8507 0.0323343
-4.85256 0.0224868
-8.12381 0.0197052
-7.10778 0.0360746
-8.70618 0.0357275
-6.94497 0.0385451
-9.00479 0.0307349
-17.526 0.0400437
-19.2551 0.0278029
-END
-$picture4 << END
-7.78834 5.74718e-05
-9.68701 5.74718e-05
-12.2841 5.74718e-05
-17.4943 5.74718e-05
-12.3472 5.74718e-05
-16.6991 5.74718e-05
-8.24844 5.74718e-05
-9.62038 5.74718e-05
-10.2698 5.74718e-05
-13.2481 5.74718e-05
-10.6214 5.74718e-05
-14.5266 5.74718e-05
-7.25631 5.74718e-05
-8.61839 5.74718e-05
-6.22301 5.74718e-05
-6.98983 5.74718e-05
-6.06704 5.74718e-05
-8.85724 5.74718e-05
-16.3125 5.74718e-05
-18.38 5.74718e-05
-END
-$picture5 << END
-5.50406 0.0224738
-10.2337 0.0196934
-13.3034 0.0500977
-18.381 0.0290847
-13.2197 0.0457408
-18.0537 0.0323289
-8.28096 0.0224738
-9.95619 0.0196934
-11.0471 0.0500977
-12.9726 0.0290894
-11.5761 0.0457408
-15.2978 0.0323289
-7.55721 0.0224779
-9.22756 0.0196934
-7.00128 0.0360477
-5.91401 0.0358389
-6.99526 0.0385421
-9.10266 0.0307286
-17.288 0.0400428
-19.7921 0.0277958
-END
-$picture_front << END
-18.38 5.74718e-05
-19.0421 0.000620695
-26.9725 0.0245364
-END
-plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
-     $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
-     $picture2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
-     $picture3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
-     $picture4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
-     $picture5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
-     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
-     $picture_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
-     $picture_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
-unset multiplot
-unset output
-
-reset
-set terminal svg size 1100,1240 font 'DejaVu Sans,15' noenhanced background rgb 'white'
 set output 'teapot.svg'
 set encoding utf8
 set logscale xy
@@ -4114,7 +3410,7 @@ unset output
 
 reset
 set terminal svg size 1100,1240 font 'DejaVu Sans,15' noenhanced background rgb 'white'
-set output 'tree.svg'
+set output 'rings.svg'
 set encoding utf8
 set logscale xy
 set border 3 lc rgb '#444444'
@@ -4126,104 +3422,158 @@ set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 sa
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.5; set tmargin at screen 0.855
-set xrange [0.301111:8.57143]; set yrange [3.05176e-06:0.0325394]
+set xrange [0.62153:6.17652]; set yrange [3.05176e-06:0.0588608]
 set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
-set label 'tree: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
+set label 'rings: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
 set label '256x256 primary and 65,536 random rays a scene; 65,536 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
-set xtics ('0.5' 0.5, '1' 1, '2' 2, '5' 5)
+set xtics ('0.7' 0.7, '1' 1, '1.5' 1.5, '2' 2, '3' 3, '5' 5)
 set ytics ("none of\n65,536" 7.62939e-06, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
 set object rectangle from graph 0, graph 0 to graph 1, first 1.297e-05 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 7.14286,0.0129852 to graph 1.0,0.9397 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.9397 to graph 1.015,0.9397 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.9397 left
-set arrow from first 6.58795,0.0117035 to graph 1.0,0.8897 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8897 to graph 1.015,0.8897 nohead lw 0.8 lc rgb '#999999'
-set label 'robust, study: irregular exact' at graph 1.02,0.8897 left
-set arrow from first 6.27687,0.00128174 to graph 1.0,0.6513 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.6513 to graph 1.015,0.6513 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.6513 left
-set arrow from first 5.53402,7.62939e-06 to graph 1.0,0.0988 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.0988 to graph 1.015,0.0988 nohead lw 0.8 lc rgb '#999999'
-set label 'robust: irregular exact' at graph 1.02,0.0988 left
+set arrow from first 5.1471,0.00816345 to graph 1.0,0.7998 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.7998 to graph 1.015,0.7998 nohead lw 0.8 lc rgb '#999999'
+set label 'double, study: irregular exact' at graph 1.02,0.7998 left
+set arrow from first 5.03734,5.6514e-06 to graph 1.0,0.0624 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.0624 to graph 1.015,0.0624 nohead lw 0.8 lc rgb '#999999'
+set label 'double: irregular exact' at graph 1.02,0.0624 left
 $hits0 << END
-0.404468 0.00128174
-1.24053 0.00128174
-1.36193 0.00128174
-0.377472 0.00128174
-0.401969 0.00128174
-1.09063 0.00128174
-1.26748 0.00128174
-1.17078 0.00128174
-1.30628 0.00128174
-5.80731 0.00128174
-6.27687 0.00128174
+1.20764 0.000259399
+1.46687 0.000259399
+1.91014 0.000259399
+2.70174 0.000259399
+2.07016 0.000259399
+3.20495 0.000259399
+1.19534 0.000259399
+1.49012 0.000259399
+1.62447 0.000259399
+2.03465 0.000259399
+1.78143 0.000259399
+2.3879 0.000259399
+1.18044 0.000259399
+1.46722 0.000259399
+0.855196 0.000259399
+1.1489 0.000259399
+0.80521 0.000259399
+1.02106 0.000259399
+3.49389 0.000259399
+4.58288 0.000259399
 END
 $hits1 << END
-1.41676 0.00260925
-1.4258 0.00228882
-0.361333 0.00209045
-0.366995 0.00218201
-1.34641 0.00260925
-1.3778 0.00228882
-1.18015 0.00184631
-1.27974 0.00163269
-6.7489 0.0130157
-7.14286 0.0129852
+1.18065 0.00686646
+1.49247 0.00610352
+2.27279 0.0235443
+2.99246 0.00991821
+2.22604 0.0219116
+3.32898 0.0118256
+1.21919 0.00686646
+1.50408 0.00610352
+1.73572 0.0235443
+2.1662 0.00991821
+1.88531 0.0219116
+2.51303 0.0118256
+1.21315 0.00785828
+1.47628 0.00624084
+0.880852 0.0185242
+1.17042 0.0170288
+0.832603 0.0169067
+1.10216 0.0122986
+3.65415 0.0161591
+4.85522 0.00840759
 END
 $hits2 << END
-1.11389 7.62939e-06
-1.24578 7.62939e-06
-0.362886 7.62939e-06
-1.15899 7.62939e-06
-1.04304 7.62939e-06
-1.15586 7.62939e-06
-1.23741 7.62939e-06
-5.05178 7.62939e-06
-5.53402 7.62939e-06
-0.586129 7.62939e-06
-0.891096 7.62939e-06
+1.52509 7.62939e-06
+1.79774 7.62939e-06
+2.3418 7.62939e-06
+3.03131 7.62939e-06
+2.22832 7.62939e-06
+3.30227 7.62939e-06
+1.50934 7.62939e-06
+1.79773 7.62939e-06
+1.73963 7.62939e-06
+2.1041 7.62939e-06
+1.95299 7.62939e-06
+2.30496 7.62939e-06
+1.51326 7.62939e-06
+1.79994 7.62939e-06
+1.22909 7.62939e-06
+1.53725 7.62939e-06
+1.15174 7.62939e-06
+1.45853 7.62939e-06
+3.93457 7.62939e-06
+4.84323 7.62939e-06
+0.745836 7.62939e-06
+3.38374 7.62939e-06
+2.12292 7.62939e-06
+2.59483 7.62939e-06
 END
 $hits3 << END
-1.33754 0.00132751
-1.44554 0.00100708
-0.365162 0.000823975
-0.367147 0.000930786
-1.31729 0.00132751
-1.3644 0.00100708
-1.18649 0.000564575
-1.20349 0.000350952
-5.98673 0.011734
-6.58795 0.0117035
+1.606 0.00662231
+1.93673 0.00582886
+2.58373 0.0233154
+3.1268 0.00970459
+2.70004 0.021698
+3.52264 0.0115967
+1.63333 0.00662231
+1.92181 0.00582886
+1.84376 0.0233154
+2.16619 0.00970459
+2.11318 0.021698
+2.55153 0.0115967
+1.61623 0.00762939
+1.88488 0.00596619
+1.31691 0.0183563
+1.61792 0.016861
+1.21326 0.0166779
+1.52515 0.0120697
+4.24117 0.0159454
+5.06876 0.00816345
 END
 $hits4 << END
-1.17571 5.6514e-06
-1.28861 5.6514e-06
-0.42789 5.6514e-06
-0.440372 5.6514e-06
-0.879628 5.6514e-06
-1.19473 5.6514e-06
-1.14666 5.6514e-06
-1.2191 5.6514e-06
-5.00002 5.6514e-06
-5.2523 5.6514e-06
+1.98431 5.6514e-06
+2.40919 5.6514e-06
+2.46724 5.6514e-06
+3.02067 5.6514e-06
+2.49264 5.6514e-06
+3.42338 5.6514e-06
+1.99307 5.6514e-06
+2.30282 5.6514e-06
+1.7665 5.6514e-06
+2.00258 5.6514e-06
+1.7586 5.6514e-06
+2.44942 5.6514e-06
+1.97954 5.6514e-06
+1.98581 5.6514e-06
+1.48078 5.6514e-06
+1.77288 5.6514e-06
+1.32658 5.6514e-06
+1.69655 5.6514e-06
+4.29496 5.6514e-06
+5.03734 5.6514e-06
 END
 $hits5 << END
-1.32794 0.00132751
-1.45195 0.00100708
-0.449881 0.000823975
-0.412315 0.000930786
-1.30875 0.00132751
-1.39989 0.00100708
-1.18467 0.000564575
-1.2263 0.000350952
-6.09665 0.011734
-5.88178 0.0117035
+2.20897 0.00662231
+2.55984 0.00582886
+2.73372 0.0233154
+3.22156 0.00971985
+2.97087 0.021698
+3.63718 0.0115967
+1.87865 0.00662231
+2.40828 0.00582886
+1.92697 0.0233154
+2.14379 0.00970459
+2.20621 0.021698
+2.51067 0.0115967
+2.08925 0.00762939
+2.33701 0.00596619
+1.57108 0.0183716
+1.89456 0.0168762
+1.45501 0.0166779
+1.79753 0.0120697
+4.67385 0.0159454
+5.1471 0.00816345
 END
 $hits_front << END
-5.53402 7.62939e-06
-6.27687 0.00128174
-6.58795 0.0117035
-7.14286 0.0129852
+5.03734 5.6514e-06
+5.1471 0.00816345
 END
 plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -4239,102 +3589,740 @@ unset key
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.065; set tmargin at screen 0.42
-set xrange [1.8729:67.4597]; set yrange [5.2625e-05:0.105812]
+set xrange [4.78658:37.5266]; set yrange [3.11188e-05:0.137365]
 set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
-set xtics ('2' 2, '5' 5, '10' 10, '20' 20, '50' 50)
-set ytics ("same\nbits" 0.000131563, '10⁻³' 1e-3, '10⁻²' 1e-2, '10⁻¹' 1e-1)
-set object rectangle from graph 0, graph 0 to graph 1, first 0.000223656 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 56.2164,0.0422911 to graph 1.0,0.8794 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8794 to graph 1.015,0.8794 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.8794 left
-set arrow from first 55.7013,0.019766 to graph 1.0,0.7794 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.7794 to graph 1.015,0.7794 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.7794 left
-set arrow from first 44.171,0.0010525 to graph 1.0,0.3939 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.3939 to graph 1.015,0.3939 nohead lw 0.8 lc rgb '#999999'
-set label 'robust: irregular exact' at graph 1.02,0.3939 left
-set arrow from first 38.0496,9.74537e-05 to graph 1.0,0.0810 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.0810 to graph 1.015,0.0810 nohead lw 0.8 lc rgb '#999999'
-set label 'double: irregular box' at graph 1.02,0.0810 left
+set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30)
+set ytics ("same\nbits" 7.7797e-05, '10⁻³' 1e-3, '10⁻²' 1e-2, '10⁻¹' 1e-1)
+set object rectangle from graph 0, graph 0 to graph 1, first 0.000132255 fs solid noborder fc rgb '#eeeeee' behind
+set arrow from first 31.2722,0.0277958 to graph 1.0,0.8096 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8096 to graph 1.015,0.8096 nohead lw 0.8 lc rgb '#999999'
+set label 'double, study: irregular exact' at graph 1.02,0.8096 left
+set arrow from first 29.4577,5.76274e-05 to graph 1.0,0.0734 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.0734 to graph 1.015,0.0734 nohead lw 0.8 lc rgb '#999999'
+set label 'double: irregular exact' at graph 1.02,0.0734 left
 $picture0 << END
-2.63596 0.019766
-13.725 0.019766
-14.5089 0.019766
-2.42402 0.019766
-2.56884 0.019766
-10.8508 0.019766
-11.5937 0.019766
-9.21362 0.019766
-10.3437 0.019766
-51.5642 0.019766
-55.7013 0.019766
+9.52435 0.0245371
+11.4049 0.0245371
+15.9565 0.0245371
+23.2434 0.0245371
+15.6636 0.0245371
+23.7545 0.0245371
+9.46772 0.0245371
+11.5769 0.0245371
+13.065 0.0245371
+17.7804 0.0245371
+14.6517 0.0245371
+19.7375 0.0245371
+9.52807 0.0245371
+11.5368 0.0245371
+8.32092 0.0245371
+10.9989 0.0245371
+7.72929 0.0245371
+8.90996 0.0245371
+22.1189 0.0245371
+28.9948 0.0245371
 END
 $picture1 << END
-13.0482 0.0209234
-14.6405 0.0207884
-2.27512 0.0200973
-2.24748 0.0202549
-6.97418 0.0209234
-11.8313 0.0207884
-8.54328 0.0200827
-10.4897 0.0199778
-50.8732 0.0423247
-56.2164 0.0422911
+9.31932 0.0325512
+11.6215 0.0309071
+16.8672 0.0549459
+23.8083 0.0378821
+16.3997 0.0510349
+24.5901 0.0400682
+9.68908 0.0325512
+11.6751 0.0309071
+13.7316 0.0549459
+17.8923 0.0378821
+13.2938 0.0510349
+20.0829 0.0400682
+9.52644 0.032554
+11.6189 0.0309071
+8.5197 0.0430485
+10.903 0.0427337
+7.73365 0.0450922
+10.471 0.0387855
+23.0803 0.0460561
+30.0906 0.036609
 END
 $picture2 << END
-11.6734 0.0010525
-12.7322 0.0010525
-2.57241 0.0010525
-8.95271 0.0010525
-7.18282 0.0010525
-8.73645 0.0010525
-9.54718 0.0010525
-39.8414 0.0010525
-44.171 0.0010525
-3.00227 0.0010525
-4.70228 0.0010525
+11.4562 0.000622376
+12.8123 0.000622376
+16.512 0.000622376
+22.4356 0.000622376
+17.4277 0.000622376
+23.288 0.000622376
+11.5667 0.000622376
+13.1351 0.000622376
+13.6375 0.000622376
+17.2204 0.000622376
+14.9254 0.000622376
+18.195 0.000622376
+11.4323 0.000622376
+13.2742 0.000622376
+11.1803 0.000622376
+13.4178 0.000622376
+9.97466 0.000622376
+12.7037 0.000622376
+24.0672 0.000622376
+28.2473 0.000622376
+5.74389 0.000622376
+23.0861 0.000622376
+16.9422 0.000622376
+19.0409 0.000622376
 END
 $picture3 << END
-12.1781 0.00698046
-13.3106 0.0064093
-2.31151 0.00394034
-2.42117 0.00466028
-10.5376 0.00698046
-11.345 0.0064093
-8.38385 0.00375491
-9.16086 0.00280699
-42.311 0.0374531
-45.92 0.0374263
+11.9172 0.0224824
+13.7751 0.0197051
+17.8764 0.0500996
+22.9448 0.0290847
+18.4406 0.045743
+24.6634 0.032335
+11.962 0.0224824
+13.6515 0.0197051
+14.5405 0.0500996
+17.4992 0.0290847
+15.9322 0.045743
+19.7091 0.032335
+12.0374 0.0224865
+13.6819 0.0197051
+11.5442 0.0360748
+13.9651 0.0357277
+10.3925 0.0385456
+13.0732 0.0307357
+25.6219 0.040044
+30.0122 0.0278026
 END
 $picture4 << END
-11.7061 9.74537e-05
-12.864 9.74537e-05
-2.58492 9.74537e-05
-2.68201 9.74537e-05
-7.78507 9.74537e-05
-8.04706 9.74537e-05
-8.35715 9.74537e-05
-9.18907 9.74537e-05
-38.0496 9.74537e-05
-37.2327 9.74537e-05
+14.9142 5.76274e-05
+15.6396 5.76274e-05
+17.9021 5.76274e-05
+22.6657 5.76274e-05
+18.3876 5.76274e-05
+24.5178 5.76274e-05
+14.7015 5.76274e-05
+16.3824 5.76274e-05
+14.1412 5.76274e-05
+16.7286 5.76274e-05
+15.5037 5.76274e-05
+19.4944 5.76274e-05
+14.6505 5.76274e-05
+15.7748 5.76274e-05
+12.8155 5.76274e-05
+15.4106 5.76274e-05
+12.0289 5.76274e-05
+14.4872 5.76274e-05
+25.8248 5.76274e-05
+29.4577 5.76274e-05
 END
 $picture5 << END
-12.0945 0.00690066
-13.2161 0.00632229
-2.70118 0.00379718
-2.62163 0.00453988
-7.68604 0.00690066
-11.6977 0.00632229
-8.60015 0.00360438
-9.4061 0.0026022
-41.9419 0.0374423
-43.4214 0.0374155
+15.3479 0.0224738
+17.6718 0.0196934
+19.286 0.0500977
+23.4791 0.0290847
+20.2169 0.0457408
+25.4249 0.0323289
+13.4668 0.0224738
+14.8552 0.0196934
+14.658 0.0500977
+17.268 0.0290894
+16.9575 0.0457408
+19.9854 0.0323289
+15.0631 0.0224779
+16.9637 0.0196934
+13.5033 0.0360477
+15.9452 0.0358389
+12.3992 0.0385421
+14.964 0.0307286
+27.4443 0.0400428
+31.2722 0.0277958
 END
 $picture_front << END
-38.0496 9.74537e-05
-44.171 0.0010525
-55.7013 0.019766
-56.2164 0.0422911
+29.4577 5.76274e-05
+31.2722 0.0277958
+END
+plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
+     $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
+     $picture2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
+     $picture3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
+     $picture4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
+     $picture5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
+     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
+     $picture_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
+     $picture_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
+unset multiplot
+unset output
+
+reset
+set terminal pngcairo size 1100,1240 font 'DejaVu Sans,12' noenhanced background rgb 'white'
+set output 'rings.png'
+set encoding utf8
+set logscale xy
+set border 3 lc rgb '#444444'
+set tics nomirror
+set grid lc rgb '#d4d4d4' lw 1 dt 1
+set multiplot
+set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 samplen 2
+
+unset label; unset arrow; unset object
+set lmargin at screen 0.115; set rmargin at screen 0.735
+set bmargin at screen 0.5; set tmargin at screen 0.855
+set xrange [0.62153:6.17652]; set yrange [3.05176e-06:0.0588608]
+set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
+set label 'rings: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
+set label '256x256 primary and 65,536 random rays a scene; 65,536 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
+set xtics ('0.7' 0.7, '1' 1, '1.5' 1.5, '2' 2, '3' 3, '5' 5)
+set ytics ("none of\n65,536" 7.62939e-06, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
+set object rectangle from graph 0, graph 0 to graph 1, first 1.297e-05 fs solid noborder fc rgb '#eeeeee' behind
+set arrow from first 5.1471,0.00816345 to graph 1.0,0.7998 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.7998 to graph 1.015,0.7998 nohead lw 0.8 lc rgb '#999999'
+set label 'double, study: irregular exact' at graph 1.02,0.7998 left
+set arrow from first 5.03734,5.6514e-06 to graph 1.0,0.0624 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.0624 to graph 1.015,0.0624 nohead lw 0.8 lc rgb '#999999'
+set label 'double: irregular exact' at graph 1.02,0.0624 left
+$hits0 << END
+1.20764 0.000259399
+1.46687 0.000259399
+1.91014 0.000259399
+2.70174 0.000259399
+2.07016 0.000259399
+3.20495 0.000259399
+1.19534 0.000259399
+1.49012 0.000259399
+1.62447 0.000259399
+2.03465 0.000259399
+1.78143 0.000259399
+2.3879 0.000259399
+1.18044 0.000259399
+1.46722 0.000259399
+0.855196 0.000259399
+1.1489 0.000259399
+0.80521 0.000259399
+1.02106 0.000259399
+3.49389 0.000259399
+4.58288 0.000259399
+END
+$hits1 << END
+1.18065 0.00686646
+1.49247 0.00610352
+2.27279 0.0235443
+2.99246 0.00991821
+2.22604 0.0219116
+3.32898 0.0118256
+1.21919 0.00686646
+1.50408 0.00610352
+1.73572 0.0235443
+2.1662 0.00991821
+1.88531 0.0219116
+2.51303 0.0118256
+1.21315 0.00785828
+1.47628 0.00624084
+0.880852 0.0185242
+1.17042 0.0170288
+0.832603 0.0169067
+1.10216 0.0122986
+3.65415 0.0161591
+4.85522 0.00840759
+END
+$hits2 << END
+1.52509 7.62939e-06
+1.79774 7.62939e-06
+2.3418 7.62939e-06
+3.03131 7.62939e-06
+2.22832 7.62939e-06
+3.30227 7.62939e-06
+1.50934 7.62939e-06
+1.79773 7.62939e-06
+1.73963 7.62939e-06
+2.1041 7.62939e-06
+1.95299 7.62939e-06
+2.30496 7.62939e-06
+1.51326 7.62939e-06
+1.79994 7.62939e-06
+1.22909 7.62939e-06
+1.53725 7.62939e-06
+1.15174 7.62939e-06
+1.45853 7.62939e-06
+3.93457 7.62939e-06
+4.84323 7.62939e-06
+0.745836 7.62939e-06
+3.38374 7.62939e-06
+2.12292 7.62939e-06
+2.59483 7.62939e-06
+END
+$hits3 << END
+1.606 0.00662231
+1.93673 0.00582886
+2.58373 0.0233154
+3.1268 0.00970459
+2.70004 0.021698
+3.52264 0.0115967
+1.63333 0.00662231
+1.92181 0.00582886
+1.84376 0.0233154
+2.16619 0.00970459
+2.11318 0.021698
+2.55153 0.0115967
+1.61623 0.00762939
+1.88488 0.00596619
+1.31691 0.0183563
+1.61792 0.016861
+1.21326 0.0166779
+1.52515 0.0120697
+4.24117 0.0159454
+5.06876 0.00816345
+END
+$hits4 << END
+1.98431 5.6514e-06
+2.40919 5.6514e-06
+2.46724 5.6514e-06
+3.02067 5.6514e-06
+2.49264 5.6514e-06
+3.42338 5.6514e-06
+1.99307 5.6514e-06
+2.30282 5.6514e-06
+1.7665 5.6514e-06
+2.00258 5.6514e-06
+1.7586 5.6514e-06
+2.44942 5.6514e-06
+1.97954 5.6514e-06
+1.98581 5.6514e-06
+1.48078 5.6514e-06
+1.77288 5.6514e-06
+1.32658 5.6514e-06
+1.69655 5.6514e-06
+4.29496 5.6514e-06
+5.03734 5.6514e-06
+END
+$hits5 << END
+2.20897 0.00662231
+2.55984 0.00582886
+2.73372 0.0233154
+3.22156 0.00971985
+2.97087 0.021698
+3.63718 0.0115967
+1.87865 0.00662231
+2.40828 0.00582886
+1.92697 0.0233154
+2.14379 0.00970459
+2.20621 0.021698
+2.51067 0.0115967
+2.08925 0.00762939
+2.33701 0.00596619
+1.57108 0.0183716
+1.89456 0.0168762
+1.45501 0.0166779
+1.79753 0.0120697
+4.67385 0.0159454
+5.1471 0.00816345
+END
+$hits_front << END
+5.03734 5.6514e-06
+5.1471 0.00816345
+END
+plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
+     $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
+     $hits2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
+     $hits3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
+     $hits4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
+     $hits5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
+     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
+     $hits_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
+     $hits_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
+unset key
+
+unset label; unset arrow; unset object
+set lmargin at screen 0.115; set rmargin at screen 0.735
+set bmargin at screen 0.065; set tmargin at screen 0.42
+set xrange [4.78658:37.5266]; set yrange [3.11188e-05:0.137365]
+set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
+set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30)
+set ytics ("same\nbits" 7.7797e-05, '10⁻³' 1e-3, '10⁻²' 1e-2, '10⁻¹' 1e-1)
+set object rectangle from graph 0, graph 0 to graph 1, first 0.000132255 fs solid noborder fc rgb '#eeeeee' behind
+set arrow from first 31.2722,0.0277958 to graph 1.0,0.8096 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8096 to graph 1.015,0.8096 nohead lw 0.8 lc rgb '#999999'
+set label 'double, study: irregular exact' at graph 1.02,0.8096 left
+set arrow from first 29.4577,5.76274e-05 to graph 1.0,0.0734 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.0734 to graph 1.015,0.0734 nohead lw 0.8 lc rgb '#999999'
+set label 'double: irregular exact' at graph 1.02,0.0734 left
+$picture0 << END
+9.52435 0.0245371
+11.4049 0.0245371
+15.9565 0.0245371
+23.2434 0.0245371
+15.6636 0.0245371
+23.7545 0.0245371
+9.46772 0.0245371
+11.5769 0.0245371
+13.065 0.0245371
+17.7804 0.0245371
+14.6517 0.0245371
+19.7375 0.0245371
+9.52807 0.0245371
+11.5368 0.0245371
+8.32092 0.0245371
+10.9989 0.0245371
+7.72929 0.0245371
+8.90996 0.0245371
+22.1189 0.0245371
+28.9948 0.0245371
+END
+$picture1 << END
+9.31932 0.0325512
+11.6215 0.0309071
+16.8672 0.0549459
+23.8083 0.0378821
+16.3997 0.0510349
+24.5901 0.0400682
+9.68908 0.0325512
+11.6751 0.0309071
+13.7316 0.0549459
+17.8923 0.0378821
+13.2938 0.0510349
+20.0829 0.0400682
+9.52644 0.032554
+11.6189 0.0309071
+8.5197 0.0430485
+10.903 0.0427337
+7.73365 0.0450922
+10.471 0.0387855
+23.0803 0.0460561
+30.0906 0.036609
+END
+$picture2 << END
+11.4562 0.000622376
+12.8123 0.000622376
+16.512 0.000622376
+22.4356 0.000622376
+17.4277 0.000622376
+23.288 0.000622376
+11.5667 0.000622376
+13.1351 0.000622376
+13.6375 0.000622376
+17.2204 0.000622376
+14.9254 0.000622376
+18.195 0.000622376
+11.4323 0.000622376
+13.2742 0.000622376
+11.1803 0.000622376
+13.4178 0.000622376
+9.97466 0.000622376
+12.7037 0.000622376
+24.0672 0.000622376
+28.2473 0.000622376
+5.74389 0.000622376
+23.0861 0.000622376
+16.9422 0.000622376
+19.0409 0.000622376
+END
+$picture3 << END
+11.9172 0.0224824
+13.7751 0.0197051
+17.8764 0.0500996
+22.9448 0.0290847
+18.4406 0.045743
+24.6634 0.032335
+11.962 0.0224824
+13.6515 0.0197051
+14.5405 0.0500996
+17.4992 0.0290847
+15.9322 0.045743
+19.7091 0.032335
+12.0374 0.0224865
+13.6819 0.0197051
+11.5442 0.0360748
+13.9651 0.0357277
+10.3925 0.0385456
+13.0732 0.0307357
+25.6219 0.040044
+30.0122 0.0278026
+END
+$picture4 << END
+14.9142 5.76274e-05
+15.6396 5.76274e-05
+17.9021 5.76274e-05
+22.6657 5.76274e-05
+18.3876 5.76274e-05
+24.5178 5.76274e-05
+14.7015 5.76274e-05
+16.3824 5.76274e-05
+14.1412 5.76274e-05
+16.7286 5.76274e-05
+15.5037 5.76274e-05
+19.4944 5.76274e-05
+14.6505 5.76274e-05
+15.7748 5.76274e-05
+12.8155 5.76274e-05
+15.4106 5.76274e-05
+12.0289 5.76274e-05
+14.4872 5.76274e-05
+25.8248 5.76274e-05
+29.4577 5.76274e-05
+END
+$picture5 << END
+15.3479 0.0224738
+17.6718 0.0196934
+19.286 0.0500977
+23.4791 0.0290847
+20.2169 0.0457408
+25.4249 0.0323289
+13.4668 0.0224738
+14.8552 0.0196934
+14.658 0.0500977
+17.268 0.0290894
+16.9575 0.0457408
+19.9854 0.0323289
+15.0631 0.0224779
+16.9637 0.0196934
+13.5033 0.0360477
+15.9452 0.0358389
+12.3992 0.0385421
+14.964 0.0307286
+27.4443 0.0400428
+31.2722 0.0277958
+END
+$picture_front << END
+29.4577 5.76274e-05
+31.2722 0.0277958
+END
+plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
+     $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
+     $picture2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
+     $picture3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
+     $picture4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
+     $picture5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
+     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
+     $picture_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
+     $picture_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
+unset multiplot
+unset output
+
+reset
+set terminal svg size 1100,1240 font 'DejaVu Sans,15' noenhanced background rgb 'white'
+set output 'tree.svg'
+set encoding utf8
+set logscale xy
+set border 3 lc rgb '#444444'
+set tics nomirror
+set grid lc rgb '#d4d4d4' lw 1 dt 1
+set multiplot
+set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 samplen 2
+
+unset label; unset arrow; unset object
+set lmargin at screen 0.115; set rmargin at screen 0.735
+set bmargin at screen 0.5; set tmargin at screen 0.855
+set xrange [0.710753:18.9485]; set yrange [3.05176e-06:0.0325012]
+set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
+set label 'tree: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
+set label '256x256 primary and 65,536 random rays a scene; 65,536 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10)
+set ytics ("none of\n65,536" 7.62939e-06, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
+set object rectangle from graph 0, graph 0 to graph 1, first 1.297e-05 fs solid noborder fc rgb '#eeeeee' behind
+set arrow from first 15.7904,0.01297 to graph 1.0,0.9899 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.9899 to graph 1.015,0.9899 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular exact' at graph 1.02,0.9899 left
+set arrow from first 13.743,0.011734 to graph 1.0,0.9399 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.9399 to graph 1.015,0.9399 nohead lw 0.8 lc rgb '#999999'
+set label 'robust, study: irregular box' at graph 1.02,0.9399 left
+set arrow from first 13.682,0.0117035 to graph 1.0,0.8899 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8899 to graph 1.015,0.8899 nohead lw 0.8 lc rgb '#999999'
+set label 'robust, study: irregular exact' at graph 1.02,0.8899 left
+set arrow from first 12.2363,7.62939e-06 to graph 1.0,0.0988 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.0988 to graph 1.015,0.0988 nohead lw 0.8 lc rgb '#999999'
+set label 'robust: irregular exact' at graph 1.02,0.0988 left
+$hits0 << END
+2.25718 0.00125122
+2.69874 0.00125122
+1.27287 0.00125122
+1.33843 0.00125122
+2.33915 0.00125122
+2.5784 0.00125122
+11.1497 0.00125122
+11.6437 0.00125122
+END
+$hits1 << END
+2.66891 0.00257874
+2.79709 0.0022583
+1.37642 0.00257874
+1.43012 0.0022583
+2.39047 0.00180054
+2.58252 0.00158691
+14.6231 0.0130005
+15.7904 0.01297
+END
+$hits2 << END
+2.46488 7.62939e-06
+2.79292 7.62939e-06
+1.30518 7.62939e-06
+1.38827 7.62939e-06
+2.75303 7.62939e-06
+2.98796 7.62939e-06
+11.5293 7.62939e-06
+12.2363 7.62939e-06
+1.53787 7.62939e-06
+2.1979 7.62939e-06
+END
+$hits3 << END
+2.87053 0.00132751
+2.98455 0.00100708
+1.42213 0.00132751
+1.44499 0.00100708
+2.76106 0.000564575
+2.96195 0.000350952
+13.743 0.011734
+13.682 0.0117035
+END
+$hits4 << END
+0.902084 5.6514e-06
+0.932235 5.6514e-06
+2.70411 5.6514e-06
+2.82339 5.6514e-06
+0.852904 5.6514e-06
+0.854117 5.6514e-06
+1.31202 5.6514e-06
+1.3571 5.6514e-06
+0.911159 5.6514e-06
+0.959304 5.6514e-06
+3.15034 5.6514e-06
+3.24077 5.6514e-06
+11.3063 5.6514e-06
+11.7922 5.6514e-06
+END
+$hits5 << END
+0.921964 0.000823975
+0.942135 0.000930786
+3.0849 0.00132751
+3.12798 0.00100708
+0.853073 0.000823975
+0.876795 0.000930786
+1.49317 0.00132751
+1.51376 0.00100708
+0.969216 0.000823975
+0.979988 0.000793457
+3.04738 0.000564575
+3.26138 0.000350952
+12.9232 0.011734
+13.0429 0.0117035
+END
+$hits_front << END
+12.2363 7.62939e-06
+13.682 0.0117035
+13.743 0.011734
+15.7904 0.01297
+END
+plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
+     $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
+     $hits2 with points pt 5 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust', \
+     $hits3 with points pt 4 ps 1.3 lw 1.6 lc rgb '#0072b2' title 'robust, study''s rule', \
+     $hits4 with points pt 9 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double', \
+     $hits5 with points pt 8 ps 1.3 lw 1.6 lc rgb '#009e73' title 'double, study''s rule', \
+     NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
+     $hits_front with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
+     $hits_front with points pt 6 ps 2.6 lw 1.6 lc rgb '#222222' notitle
+unset key
+
+unset label; unset arrow; unset object
+set lmargin at screen 0.115; set rmargin at screen 0.735
+set bmargin at screen 0.065; set tmargin at screen 0.42
+set xrange [4.11084:136.573]; set yrange [5.2625e-05:0.10563]
+set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
+set xtics ('5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
+set ytics ("same\nbits" 0.000131563, '10⁻³' 1e-3, '10⁻²' 1e-2, '10⁻¹' 1e-1)
+set object rectangle from graph 0, graph 0 to graph 1, first 0.000223656 fs solid noborder fc rgb '#eeeeee' behind
+set arrow from first 113.811,0.042252 to graph 1.0,0.9295 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.9295 to graph 1.015,0.9295 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular box' at graph 1.02,0.9295 left
+set arrow from first 110.632,0.0422346 to graph 1.0,0.8795 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8795 to graph 1.015,0.8795 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular exact' at graph 1.02,0.8795 left
+set arrow from first 105.23,0.0196098 to graph 1.0,0.7786 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.7786 to graph 1.015,0.7786 nohead lw 0.8 lc rgb '#999999'
+set label 'fast: irregular exact' at graph 1.02,0.7786 left
+set arrow from first 96.4683,0.0010525 to graph 1.0,0.3939 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.3939 to graph 1.015,0.3939 nohead lw 0.8 lc rgb '#999999'
+set label 'robust: irregular exact' at graph 1.02,0.3939 left
+set arrow from first 93.1949,9.74537e-05 to graph 1.0,0.0810 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.0810 to graph 1.015,0.0810 nohead lw 0.8 lc rgb '#999999'
+set label 'double: irregular exact' at graph 1.02,0.0810 left
+$picture0 << END
+25.4378 0.0196098
+23.8777 0.0196098
+11.7128 0.0196098
+12.2229 0.0196098
+17.4915 0.0196098
+19.936 0.0196098
+99.1444 0.0196098
+105.23 0.0196098
+END
+$picture1 << END
+26.9848 0.0207304
+28.5408 0.0205941
+11.9281 0.0207304
+12.4352 0.0205941
+17.7972 0.0198815
+19.8314 0.0197756
+113.811 0.042252
+110.632 0.0422346
+END
+$picture2 << END
+25.1181 0.0010525
+27.3715 0.0010525
+11.515 0.0010525
+12.1314 0.0010525
+21.7003 0.0010525
+22.7429 0.0010525
+89.0551 0.0010525
+96.4683 0.0010525
+7.73455 0.0010525
+12.0368 0.0010525
+END
+$picture3 << END
+26.5472 0.00698046
+28.2131 0.0064093
+11.7047 0.00698046
+12.2513 0.0064093
+21.2475 0.00375491
+22.7282 0.00280699
+92.8333 0.0374531
+98.342 0.0374263
+END
+$picture4 << END
+5.8339 9.74537e-05
+6.13926 9.74537e-05
+26.5671 9.74537e-05
+28.7214 9.74537e-05
+5.10743 9.74537e-05
+5.17406 9.74537e-05
+11.6266 9.74537e-05
+11.817 9.74537e-05
+5.82303 9.74537e-05
+6.19026 9.74537e-05
+23.6726 9.74537e-05
+25.0344 9.74537e-05
+88.0786 9.74537e-05
+93.1949 9.74537e-05
+END
+$picture5 << END
+5.91919 0.00379718
+6.06586 0.00453988
+27.8347 0.00690066
+28.9498 0.00632229
+4.93301 0.00379718
+5.13163 0.00453988
+11.659 0.00690066
+11.8447 0.00632229
+6.08843 0.00379718
+6.18686 0.00391266
+23.6251 0.00360438
+25.1519 0.0026022
+89.769 0.0374423
+96.2094 0.0374155
+END
+$picture_front << END
+93.1949 9.74537e-05
+96.4683 0.0010525
+105.23 0.0196098
+110.632 0.0422346
+113.811 0.042252
 END
 plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -4362,104 +4350,104 @@ set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 sa
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.5; set tmargin at screen 0.855
-set xrange [0.301111:8.57143]; set yrange [3.05176e-06:0.0325394]
+set xrange [0.710753:18.9485]; set yrange [3.05176e-06:0.0325012]
 set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
 set label 'tree: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
 set label '256x256 primary and 65,536 random rays a scene; 65,536 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
-set xtics ('0.5' 0.5, '1' 1, '2' 2, '5' 5)
+set xtics ('1' 1, '2' 2, '5' 5, '10' 10)
 set ytics ("none of\n65,536" 7.62939e-06, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
 set object rectangle from graph 0, graph 0 to graph 1, first 1.297e-05 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 7.14286,0.0129852 to graph 1.0,0.9397 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.9397 to graph 1.015,0.9397 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.9397 left
-set arrow from first 6.58795,0.0117035 to graph 1.0,0.8897 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8897 to graph 1.015,0.8897 nohead lw 0.8 lc rgb '#999999'
-set label 'robust, study: irregular exact' at graph 1.02,0.8897 left
-set arrow from first 6.27687,0.00128174 to graph 1.0,0.6513 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.6513 to graph 1.015,0.6513 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.6513 left
-set arrow from first 5.53402,7.62939e-06 to graph 1.0,0.0988 nohead lw 0.8 lc rgb '#999999'
+set arrow from first 15.7904,0.01297 to graph 1.0,0.9899 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.9899 to graph 1.015,0.9899 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular exact' at graph 1.02,0.9899 left
+set arrow from first 13.743,0.011734 to graph 1.0,0.9399 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.9399 to graph 1.015,0.9399 nohead lw 0.8 lc rgb '#999999'
+set label 'robust, study: irregular box' at graph 1.02,0.9399 left
+set arrow from first 13.682,0.0117035 to graph 1.0,0.8899 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8899 to graph 1.015,0.8899 nohead lw 0.8 lc rgb '#999999'
+set label 'robust, study: irregular exact' at graph 1.02,0.8899 left
+set arrow from first 12.2363,7.62939e-06 to graph 1.0,0.0988 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.0988 to graph 1.015,0.0988 nohead lw 0.8 lc rgb '#999999'
 set label 'robust: irregular exact' at graph 1.02,0.0988 left
 $hits0 << END
-0.404468 0.00128174
-1.24053 0.00128174
-1.36193 0.00128174
-0.377472 0.00128174
-0.401969 0.00128174
-1.09063 0.00128174
-1.26748 0.00128174
-1.17078 0.00128174
-1.30628 0.00128174
-5.80731 0.00128174
-6.27687 0.00128174
+2.25718 0.00125122
+2.69874 0.00125122
+1.27287 0.00125122
+1.33843 0.00125122
+2.33915 0.00125122
+2.5784 0.00125122
+11.1497 0.00125122
+11.6437 0.00125122
 END
 $hits1 << END
-1.41676 0.00260925
-1.4258 0.00228882
-0.361333 0.00209045
-0.366995 0.00218201
-1.34641 0.00260925
-1.3778 0.00228882
-1.18015 0.00184631
-1.27974 0.00163269
-6.7489 0.0130157
-7.14286 0.0129852
+2.66891 0.00257874
+2.79709 0.0022583
+1.37642 0.00257874
+1.43012 0.0022583
+2.39047 0.00180054
+2.58252 0.00158691
+14.6231 0.0130005
+15.7904 0.01297
 END
 $hits2 << END
-1.11389 7.62939e-06
-1.24578 7.62939e-06
-0.362886 7.62939e-06
-1.15899 7.62939e-06
-1.04304 7.62939e-06
-1.15586 7.62939e-06
-1.23741 7.62939e-06
-5.05178 7.62939e-06
-5.53402 7.62939e-06
-0.586129 7.62939e-06
-0.891096 7.62939e-06
+2.46488 7.62939e-06
+2.79292 7.62939e-06
+1.30518 7.62939e-06
+1.38827 7.62939e-06
+2.75303 7.62939e-06
+2.98796 7.62939e-06
+11.5293 7.62939e-06
+12.2363 7.62939e-06
+1.53787 7.62939e-06
+2.1979 7.62939e-06
 END
 $hits3 << END
-1.33754 0.00132751
-1.44554 0.00100708
-0.365162 0.000823975
-0.367147 0.000930786
-1.31729 0.00132751
-1.3644 0.00100708
-1.18649 0.000564575
-1.20349 0.000350952
-5.98673 0.011734
-6.58795 0.0117035
+2.87053 0.00132751
+2.98455 0.00100708
+1.42213 0.00132751
+1.44499 0.00100708
+2.76106 0.000564575
+2.96195 0.000350952
+13.743 0.011734
+13.682 0.0117035
 END
 $hits4 << END
-1.17571 5.6514e-06
-1.28861 5.6514e-06
-0.42789 5.6514e-06
-0.440372 5.6514e-06
-0.879628 5.6514e-06
-1.19473 5.6514e-06
-1.14666 5.6514e-06
-1.2191 5.6514e-06
-5.00002 5.6514e-06
-5.2523 5.6514e-06
+0.902084 5.6514e-06
+0.932235 5.6514e-06
+2.70411 5.6514e-06
+2.82339 5.6514e-06
+0.852904 5.6514e-06
+0.854117 5.6514e-06
+1.31202 5.6514e-06
+1.3571 5.6514e-06
+0.911159 5.6514e-06
+0.959304 5.6514e-06
+3.15034 5.6514e-06
+3.24077 5.6514e-06
+11.3063 5.6514e-06
+11.7922 5.6514e-06
 END
 $hits5 << END
-1.32794 0.00132751
-1.45195 0.00100708
-0.449881 0.000823975
-0.412315 0.000930786
-1.30875 0.00132751
-1.39989 0.00100708
-1.18467 0.000564575
-1.2263 0.000350952
-6.09665 0.011734
-5.88178 0.0117035
+0.921964 0.000823975
+0.942135 0.000930786
+3.0849 0.00132751
+3.12798 0.00100708
+0.853073 0.000823975
+0.876795 0.000930786
+1.49317 0.00132751
+1.51376 0.00100708
+0.969216 0.000823975
+0.979988 0.000793457
+3.04738 0.000564575
+3.26138 0.000350952
+12.9232 0.011734
+13.0429 0.0117035
 END
 $hits_front << END
-5.53402 7.62939e-06
-6.27687 0.00128174
-6.58795 0.0117035
-7.14286 0.0129852
+12.2363 7.62939e-06
+13.682 0.0117035
+13.743 0.011734
+15.7904 0.01297
 END
 plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -4475,102 +4463,106 @@ unset key
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.065; set tmargin at screen 0.42
-set xrange [1.8729:67.4597]; set yrange [5.2625e-05:0.105812]
+set xrange [4.11084:136.573]; set yrange [5.2625e-05:0.10563]
 set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
-set xtics ('2' 2, '5' 5, '10' 10, '20' 20, '50' 50)
+set xtics ('5' 5, '10' 10, '20' 20, '50' 50, '100' 100)
 set ytics ("same\nbits" 0.000131563, '10⁻³' 1e-3, '10⁻²' 1e-2, '10⁻¹' 1e-1)
 set object rectangle from graph 0, graph 0 to graph 1, first 0.000223656 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 56.2164,0.0422911 to graph 1.0,0.8794 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8794 to graph 1.015,0.8794 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.8794 left
-set arrow from first 55.7013,0.019766 to graph 1.0,0.7794 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.7794 to graph 1.015,0.7794 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular exact' at graph 1.02,0.7794 left
-set arrow from first 44.171,0.0010525 to graph 1.0,0.3939 nohead lw 0.8 lc rgb '#999999'
+set arrow from first 113.811,0.042252 to graph 1.0,0.9295 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.9295 to graph 1.015,0.9295 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular box' at graph 1.02,0.9295 left
+set arrow from first 110.632,0.0422346 to graph 1.0,0.8795 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8795 to graph 1.015,0.8795 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular exact' at graph 1.02,0.8795 left
+set arrow from first 105.23,0.0196098 to graph 1.0,0.7786 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.7786 to graph 1.015,0.7786 nohead lw 0.8 lc rgb '#999999'
+set label 'fast: irregular exact' at graph 1.02,0.7786 left
+set arrow from first 96.4683,0.0010525 to graph 1.0,0.3939 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.3939 to graph 1.015,0.3939 nohead lw 0.8 lc rgb '#999999'
 set label 'robust: irregular exact' at graph 1.02,0.3939 left
-set arrow from first 38.0496,9.74537e-05 to graph 1.0,0.0810 nohead lw 0.8 lc rgb '#999999'
+set arrow from first 93.1949,9.74537e-05 to graph 1.0,0.0810 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.0810 to graph 1.015,0.0810 nohead lw 0.8 lc rgb '#999999'
-set label 'double: irregular box' at graph 1.02,0.0810 left
+set label 'double: irregular exact' at graph 1.02,0.0810 left
 $picture0 << END
-2.63596 0.019766
-13.725 0.019766
-14.5089 0.019766
-2.42402 0.019766
-2.56884 0.019766
-10.8508 0.019766
-11.5937 0.019766
-9.21362 0.019766
-10.3437 0.019766
-51.5642 0.019766
-55.7013 0.019766
+25.4378 0.0196098
+23.8777 0.0196098
+11.7128 0.0196098
+12.2229 0.0196098
+17.4915 0.0196098
+19.936 0.0196098
+99.1444 0.0196098
+105.23 0.0196098
 END
 $picture1 << END
-13.0482 0.0209234
-14.6405 0.0207884
-2.27512 0.0200973
-2.24748 0.0202549
-6.97418 0.0209234
-11.8313 0.0207884
-8.54328 0.0200827
-10.4897 0.0199778
-50.8732 0.0423247
-56.2164 0.0422911
+26.9848 0.0207304
+28.5408 0.0205941
+11.9281 0.0207304
+12.4352 0.0205941
+17.7972 0.0198815
+19.8314 0.0197756
+113.811 0.042252
+110.632 0.0422346
 END
 $picture2 << END
-11.6734 0.0010525
-12.7322 0.0010525
-2.57241 0.0010525
-8.95271 0.0010525
-7.18282 0.0010525
-8.73645 0.0010525
-9.54718 0.0010525
-39.8414 0.0010525
-44.171 0.0010525
-3.00227 0.0010525
-4.70228 0.0010525
+25.1181 0.0010525
+27.3715 0.0010525
+11.515 0.0010525
+12.1314 0.0010525
+21.7003 0.0010525
+22.7429 0.0010525
+89.0551 0.0010525
+96.4683 0.0010525
+7.73455 0.0010525
+12.0368 0.0010525
 END
 $picture3 << END
-12.1781 0.00698046
-13.3106 0.0064093
-2.31151 0.00394034
-2.42117 0.00466028
-10.5376 0.00698046
-11.345 0.0064093
-8.38385 0.00375491
-9.16086 0.00280699
-42.311 0.0374531
-45.92 0.0374263
+26.5472 0.00698046
+28.2131 0.0064093
+11.7047 0.00698046
+12.2513 0.0064093
+21.2475 0.00375491
+22.7282 0.00280699
+92.8333 0.0374531
+98.342 0.0374263
 END
 $picture4 << END
-11.7061 9.74537e-05
-12.864 9.74537e-05
-2.58492 9.74537e-05
-2.68201 9.74537e-05
-7.78507 9.74537e-05
-8.04706 9.74537e-05
-8.35715 9.74537e-05
-9.18907 9.74537e-05
-38.0496 9.74537e-05
-37.2327 9.74537e-05
+5.8339 9.74537e-05
+6.13926 9.74537e-05
+26.5671 9.74537e-05
+28.7214 9.74537e-05
+5.10743 9.74537e-05
+5.17406 9.74537e-05
+11.6266 9.74537e-05
+11.817 9.74537e-05
+5.82303 9.74537e-05
+6.19026 9.74537e-05
+23.6726 9.74537e-05
+25.0344 9.74537e-05
+88.0786 9.74537e-05
+93.1949 9.74537e-05
 END
 $picture5 << END
-12.0945 0.00690066
-13.2161 0.00632229
-2.70118 0.00379718
-2.62163 0.00453988
-7.68604 0.00690066
-11.6977 0.00632229
-8.60015 0.00360438
-9.4061 0.0026022
-41.9419 0.0374423
-43.4214 0.0374155
+5.91919 0.00379718
+6.06586 0.00453988
+27.8347 0.00690066
+28.9498 0.00632229
+4.93301 0.00379718
+5.13163 0.00453988
+11.659 0.00690066
+11.8447 0.00632229
+6.08843 0.00379718
+6.18686 0.00391266
+23.6251 0.00360438
+25.1519 0.0026022
+89.769 0.0374423
+96.2094 0.0374155
 END
 $picture_front << END
-38.0496 9.74537e-05
-44.171 0.0010525
-55.7013 0.019766
-56.2164 0.0422911
+93.1949 9.74537e-05
+96.4683 0.0010525
+105.23 0.0196098
+110.632 0.0422346
+113.811 0.042252
 END
 plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -4598,158 +4590,158 @@ set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 sa
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.5; set tmargin at screen 0.855
-set xrange [0.399653:7.6612]; set yrange [4.35965e-07:0.0195639]
+set xrange [0.494293:8.70418]; set yrange [4.35965e-07:0.0195639]
 set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
 set label 'mean of 7 scenes: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
 set label '256x256 primary and 65,536 random rays a scene; 458,752 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
 set xtics ('0.5' 0.5, '0.7' 0.7, '1' 1, '1.5' 1.5, '2' 2, '3' 3, '5' 5, '7' 7)
 set ytics ("none of\n458,752" 1.08991e-06, '0.001 %%' 1e-5, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
 set object rectangle from graph 0, graph 0 to graph 1, first 1.85285e-06 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 6.38433,0.0032741 to graph 1.0,0.8331 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8331 to graph 1.015,0.8331 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.8331 left
-set arrow from first 6.16821,1.08991e-06 to graph 1.0,0.0855 nohead lw 0.8 lc rgb '#999999'
+set arrow from first 7.25349,0.00327192 to graph 1.0,0.8330 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8330 to graph 1.015,0.8330 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular exact' at graph 1.02,0.8330 left
+set arrow from first 7.24643,1.08991e-06 to graph 1.0,0.0855 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.0855 to graph 1.015,0.0855 nohead lw 0.8 lc rgb '#999999'
 set label 'robust: irregular exact' at graph 1.02,0.0855 left
 $hits0 << END
-0.962407 0.000237601
-1.14537 0.000237601
-1.84453 0.000237601
-1.78628 0.000237601
-2.71163 0.000237601
-3.06413 0.000237601
-1.10403 0.000237601
-1.16858 0.000237601
-1.18827 0.000237601
-1.4504 0.000237601
-2.09282 0.000237601
-2.27356 0.000237601
-1.18491 0.000237601
-1.18896 0.000237601
-1.20974 0.000237601
-1.22615 0.000237601
-1.79339 0.000237601
-1.72952 0.000237601
-5.19387 0.000237601
-5.27459 0.000237601
+1.11257 0.000233241
+1.2124 0.000233241
+1.87067 0.000233241
+1.93186 0.000233241
+2.96441 0.000233241
+3.40374 0.000233241
+1.24619 0.000233241
+1.20953 0.000233241
+1.21718 0.000233241
+1.48212 0.000233241
+2.15862 0.000233241
+2.31966 0.000233241
+1.26764 0.000233241
+1.34506 0.000233241
+1.36207 0.000233241
+1.37598 0.000233241
+1.99905 0.000233241
+1.91091 0.000233241
+5.83441 0.000233241
+5.83604 0.000233241
 END
 $hits1 << END
-0.785026 0.00527954
-0.937491 0.00514875
-1.84619 0.00782558
-1.85547 0.00444249
-2.78236 0.00573077
-3.07794 0.00241307
-0.757181 0.00527954
-0.935274 0.00514875
-1.22066 0.00782558
-1.349 0.00444249
-2.128 0.00573077
-2.35637 0.00241307
-0.852997 0.00543867
-0.912656 0.00518145
-1.10881 0.00716073
-1.01167 0.00560652
-1.48237 0.00576346
-1.3239 0.00290353
-5.28659 0.00581796
-6.38433 0.0032741
+0.8913 0.00527518
+0.961659 0.00514439
+1.91022 0.00782558
+1.99653 0.00444249
+3.04976 0.00572641
+3.40437 0.00240871
+0.861423 0.00527518
+0.948678 0.00514439
+1.26554 0.00782558
+1.40366 0.00444249
+2.16086 0.00572641
+2.41387 0.00240871
+0.952196 0.00543431
+1.01637 0.00517709
+1.24695 0.00716073
+1.12868 0.00560652
+1.65343 0.00575692
+1.47695 0.00289699
+5.91411 0.00581578
+7.25349 0.00327192
 END
 $hits2 << END
-0.92429 1.08991e-06
-1.03966 1.08991e-06
-1.41987 1.08991e-06
-1.68399 1.08991e-06
-2.39475 1.08991e-06
-3.08262 1.08991e-06
-0.904834 1.08991e-06
-1.01183 1.08991e-06
-1.16369 1.08991e-06
-1.44262 1.08991e-06
-2.26305 1.08991e-06
-2.32221 1.08991e-06
-0.94298 1.08991e-06
-0.952875 1.08991e-06
-1.10125 1.08991e-06
-1.14033 1.08991e-06
-1.66891 1.08991e-06
-1.52853 1.08991e-06
-4.60137 1.08991e-06
-6.16821 1.08991e-06
-0.479584 1.08991e-06
-1.31329 1.08991e-06
-1.10434 1.08991e-06
-1.67462 1.08991e-06
+1.13557 1.08991e-06
+1.1563 1.08991e-06
+1.68874 1.08991e-06
+1.95595 1.08991e-06
+2.75952 1.08991e-06
+3.59953 1.08991e-06
+1.11076 1.08991e-06
+1.13518 1.08991e-06
+1.31112 1.08991e-06
+1.57876 1.08991e-06
+2.39209 1.08991e-06
+2.4692 1.08991e-06
+1.16191 1.08991e-06
+1.20017 1.08991e-06
+1.3747 1.08991e-06
+1.38285 1.08991e-06
+2.0087 1.08991e-06
+1.84747 1.08991e-06
+5.43703 1.08991e-06
+7.24643 1.08991e-06
+0.593151 1.08991e-06
+1.61347 1.08991e-06
+1.42212 1.08991e-06
+2.03436 1.08991e-06
 END
 $hits3 << END
-0.736733 0.00504848
-0.801239 0.00491333
-1.56152 0.00759888
-1.69757 0.00421797
-2.60002 0.00550188
-2.79981 0.00217983
-0.707533 0.00504848
-0.760988 0.00491333
-1.21937 0.00759888
-1.49691 0.00421797
-2.06485 0.00550188
-2.57963 0.00217983
-0.763514 0.00520979
-0.818693 0.00494603
-1.09718 0.00694275
-0.791659 0.00538853
-1.50561 0.0055324
-1.49258 0.00267029
-5.41595 0.00558908
-5.27289 0.00303868
+0.902496 0.00504848
+0.892362 0.00491333
+1.8424 0.00759888
+1.93496 0.00421797
+3.01602 0.00550188
+3.19661 0.00217983
+0.857823 0.00504848
+0.851424 0.00491333
+1.3289 0.00759888
+1.63092 0.00421797
+2.15234 0.00550188
+2.67257 0.00217983
+0.934497 0.00520979
+0.999873 0.00494603
+1.35553 0.00694275
+0.968665 0.00538853
+1.80978 0.0055324
+1.79921 0.00267029
+6.36139 0.00558908
+6.18454 0.00303868
 END
 $hits4 << END
-0.84016 8.07343e-07
-1.02309 8.07343e-07
-1.63137 8.07343e-07
-1.5593 8.07343e-07
-2.4684 8.07343e-07
-2.69283 8.07343e-07
-0.98129 8.07343e-07
-1.04025 8.07343e-07
-1.24941 8.07343e-07
-1.38606 8.07343e-07
-1.90502 8.07343e-07
-2.25802 8.07343e-07
-0.904141 8.07343e-07
-1.00823 8.07343e-07
-1.23268 8.07343e-07
-1.0322 8.07343e-07
-1.60544 8.07343e-07
-1.6925 8.07343e-07
-4.61495 8.07343e-07
-4.73947 8.07343e-07
+1.12488 8.07343e-07
+1.22501 8.07343e-07
+2.04081 8.07343e-07
+1.88075 8.07343e-07
+2.91117 8.07343e-07
+3.20561 8.07343e-07
+1.18866 8.07343e-07
+1.28088 8.07343e-07
+1.4275 8.07343e-07
+1.55841 8.07343e-07
+2.06812 8.07343e-07
+2.37116 8.07343e-07
+1.25484 8.07343e-07
+1.31964 8.07343e-07
+1.60913 8.07343e-07
+1.34201 8.07343e-07
+2.01606 8.07343e-07
+2.09352 8.07343e-07
+5.532 8.07343e-07
+5.71782 8.07343e-07
 END
 $hits5 << END
-0.803704 0.00504848
-0.96682 0.00491333
-1.71382 0.00759888
-1.69109 0.00422015
-2.59964 0.00550188
-2.8824 0.00217983
-0.936216 0.00504848
-0.911792 0.00491333
-1.35282 0.00759888
-1.53489 0.00421797
-2.31882 0.00550188
-2.58109 0.00217983
-0.882066 0.00520979
-0.89658 0.00494603
-1.24299 0.00694493
-0.909498 0.00539071
-1.57232 0.0055324
-1.57659 0.00267029
-5.4289 0.00558908
-5.03991 0.00303868
+1.06826 0.00504848
+1.18059 0.00491333
+2.11015 0.00759888
+2.02931 0.00422015
+3.0916 0.00550188
+3.36521 0.00217983
+1.11835 0.00504848
+1.10961 0.00491333
+1.53396 0.00759888
+1.76964 0.00421797
+2.48535 0.00550188
+2.67137 0.00217983
+1.17488 0.00520979
+1.21524 0.00494603
+1.61311 0.00694493
+1.18804 0.00539071
+1.95567 0.0055324
+1.95182 0.00267029
+6.38538 0.00558908
+6.01169 0.00303868
 END
 $hits_front << END
-6.16821 1.08991e-06
-6.38433 0.0032741
+7.24643 1.08991e-06
+7.25349 0.00327192
 END
 plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -4765,160 +4757,156 @@ unset key
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.065; set tmargin at screen 0.42
-set xrange [3.5713:66.5595]; set yrange [4.86891e-05:0.0711211]
+set xrange [4.3839:76.5062]; set yrange [4.86967e-05:0.0711001]
 set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
-set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30, '50' 50)
-set ytics ("same\nbits" 0.000121723, '10⁻³' 1e-3, '10⁻²' 1e-2)
-set object rectangle from graph 0, graph 0 to graph 1, first 0.000206928 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 55.4662,0.0125579 to graph 1.0,0.7620 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.7620 to graph 1.015,0.7620 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular box' at graph 1.02,0.7620 left
-set arrow from first 53.8996,0.000973781 to graph 1.0,0.4111 nohead lw 0.8 lc rgb '#999999'
+set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30, '50' 50, '70' 70)
+set ytics ("same\nbits" 0.000121742, '10⁻³' 1e-3, '10⁻²' 1e-2)
+set object rectangle from graph 0, graph 0 to graph 1, first 0.000206961 fs solid noborder fc rgb '#eeeeee' behind
+set arrow from first 63.7552,0.000973934 to graph 1.0,0.4111 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.4111 to graph 1.015,0.4111 nohead lw 0.8 lc rgb '#999999'
 set label 'robust: irregular exact' at graph 1.02,0.4111 left
-set arrow from first 45.0382,9.01649e-05 to graph 1.0,0.0846 nohead lw 0.8 lc rgb '#999999'
+set arrow from first 54.925,9.01791e-05 to graph 1.0,0.0846 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.0846 to graph 1.015,0.0846 nohead lw 0.8 lc rgb '#999999'
 set label 'double: irregular exact' at graph 1.02,0.0846 left
 $picture0 << END
-11.0109 0.0125579
-12.0504 0.0125579
-18.469 0.0125579
-17.9214 0.0125579
-30.8655 0.0125579
-40.2784 0.0125579
-11.7804 0.0125579
-12.6285 0.0125579
-13.7849 0.0125579
-15.0389 0.0125579
-25.3713 0.0125579
-24.8725 0.0125579
-11.5517 0.0125579
-12.6239 0.0125579
-15.4795 0.0125579
-13.482 0.0125579
-20.8222 0.0125579
-20.8754 0.0125579
-55.4662 0.0125579
-54.3014 0.0125579
+12.438 0.0125231
+12.483 0.0125231
+18.9902 0.0125231
+19.9601 0.0125231
+33.8002 0.0125231
+43.5842 0.0125231
+13.3062 0.0125231
+12.9299 0.0125231
+14.06 0.0125231
+15.4815 0.0125231
+25.9668 0.0125231
+25.612 0.0125231
+12.941 0.0125231
+14.2527 0.0125231
+17.7719 0.0125231
+15.3304 0.0125231
+23.0915 0.0125231
+22.8548 0.0125231
+61.3925 0.0125231
+60.0848 0.0125231
 END
 $picture1 << END
-10.1893 0.0226925
-10.6818 0.0223137
-19.2589 0.0284485
-20.2133 0.0216827
-30.3068 0.024411
-36.5697 0.0182369
-10.0356 0.0226925
-12.2111 0.0223137
-15.639 0.0284485
-16.1542 0.0216827
-22.7885 0.024411
-32.843 0.0182369
-10.6819 0.0226931
-11.6676 0.0223137
-13.6768 0.0253211
-13.0171 0.0228675
-19.2756 0.0237841
-19.4163 0.0184577
-49.4702 0.0262083
-53.2701 0.0218186
+11.5969 0.0226732
+11.1005 0.022294
+19.6663 0.02844
+22.5285 0.0216674
+33.6284 0.0243876
+40.512 0.0182106
+11.6728 0.0226732
+12.4023 0.022294
+16.2001 0.02844
+16.9215 0.0216674
+24.7743 0.0243876
+33.8626 0.0182106
+11.951 0.0226738
+13.1173 0.022294
+15.8485 0.025308
+14.6906 0.0228528
+21.655 0.0237599
+21.5146 0.0184314
+55.9323 0.0261916
+59.7869 0.0218031
 END
 $picture2 << END
-8.19779 0.000973781
-9.59998 0.000973781
-14.5672 0.000973781
-16.8582 0.000973781
-28.5062 0.000973781
-31.6097 0.000973781
-8.82279 0.000973781
-9.66765 0.000973781
-11.9566 0.000973781
-16.1953 0.000973781
-22.4624 0.000973781
-22.7829 0.000973781
-8.16671 0.000973781
-9.18281 0.000973781
-11.0631 0.000973781
-10.1455 0.000973781
-16.8944 0.000973781
-17.8073 0.000973781
-45.8941 0.000973781
-53.8996 0.000973781
-4.28556 0.000973781
-13.8564 0.000973781
-14.9877 0.000973781
-14.3589 0.000973781
+10.1345 0.000973934
+10.6164 0.000973934
+17.9565 0.000973934
+20.1843 0.000973934
+33.3581 0.000973934
+37.2549 0.000973934
+10.7946 0.000973934
+10.7587 0.000973934
+13.3229 0.000973934
+17.6894 0.000973934
+24.2791 0.000973934
+25.2524 0.000973934
+10.0567 0.000973934
+11.2187 0.000973934
+13.8965 0.000973934
+12.5455 0.000973934
+20.513 0.000973934
+21.3832 0.000973934
+54.2401 0.000973934
+63.7552 0.000973934
+5.26067 0.000973934
+16.9887 0.000973934
+17.8828 0.000973934
+17.4013 0.000973934
 END
 $picture3 << END
-6.80607 0.0192262
-7.77082 0.0187285
-15.1343 0.0258922
-15.9997 0.0178553
-27.5945 0.0212966
-27.7727 0.0134849
-7.97219 0.0192262
-8.99995 0.0187285
-13.7001 0.0258922
-14.8926 0.0178553
-23.3557 0.0212966
-27.6923 0.0134849
-7.3954 0.0192269
-8.19728 0.0187285
-11.2289 0.0222703
-9.5333 0.0194222
-15.7729 0.0204615
-15.7078 0.0137796
-43.0166 0.023308
-44.3774 0.0179994
+8.37699 0.0192262
+8.62034 0.0187285
+18.3347 0.0258923
+19.0813 0.0178553
+32.3422 0.0212966
+32.2575 0.0134852
+8.96713 0.0192262
+10.0784 0.0187285
+15.1381 0.0258923
+16.3559 0.0178553
+24.7544 0.0212966
+29.1533 0.0134852
+9.62152 0.0192269
+10.1916 0.0187285
+13.9179 0.0222704
+11.8239 0.0194222
+19.0815 0.0204616
+18.8635 0.0137798
+50.8098 0.0233081
+52.7164 0.0179993
 END
 $picture4 << END
-8.47371 9.01649e-05
-9.68947 9.01649e-05
-16.4386 9.01649e-05
-18.0554 9.01649e-05
-29.7601 9.01649e-05
-28.0955 9.01649e-05
-9.71941 9.01649e-05
-8.6407 9.01649e-05
-13.5573 9.01649e-05
-14.9046 9.01649e-05
-22.2182 9.01649e-05
-24.9052 9.01649e-05
-9.50446 9.01649e-05
-10.3479 9.01649e-05
-12.9332 9.01649e-05
-9.53675 9.01649e-05
-16.335 9.01649e-05
-17.4309 9.01649e-05
-41.3051 9.01649e-05
-45.0382 9.01649e-05
+11.3946 9.01791e-05
+11.4714 9.01791e-05
+20.9551 9.01791e-05
+22.7838 9.01791e-05
+35.4153 9.01791e-05
+33.2886 9.01791e-05
+11.7532 9.01791e-05
+10.3931 9.01791e-05
+15.6412 9.01791e-05
+16.9262 9.01791e-05
+24.8347 9.01791e-05
+27.4396 9.01791e-05
+12.7606 9.01791e-05
+13.7985 9.01791e-05
+17.2012 9.01791e-05
+12.9246 9.01791e-05
+20.9017 9.01791e-05
+21.5788 9.01791e-05
+49.7256 9.01791e-05
+54.925 9.01791e-05
 END
 $picture5 << END
-8.43401 0.0192032
-10.3118 0.0187046
-16.3368 0.0258798
-17.3478 0.0178357
-25.4589 0.0212768
-32.1541 0.0134492
-9.89901 0.0192032
-8.72527 0.0187046
-13.3149 0.0258798
-15.6092 0.0178368
-20.7024 0.0212768
-30.458 0.0134492
-10.3009 0.0192039
-10.3094 0.0187046
-12.7537 0.0222503
-9.07068 0.0194335
-16.6991 0.0204423
-17.9173 0.0137465
-43.1026 0.0232902
-46.0316 0.0179742
+10.7984 0.0192032
+12.3848 0.0187046
+20.8328 0.0258798
+21.6055 0.0178357
+30.4726 0.0212768
+37.7683 0.0134492
+11.7346 0.0192032
+10.7229 0.0187046
+15.1095 0.0258798
+17.8976 0.0178368
+23.2037 0.0212768
+31.7 0.0134492
+13.8423 0.0192039
+13.7139 0.0187046
+16.9295 0.0222503
+12.6479 0.0194335
+20.9363 0.0204423
+22.1379 0.0137465
+51.3318 0.0232902
+55.0549 0.0179742
 END
 $picture_front << END
-45.0382 9.01649e-05
-53.8996 0.000973781
-55.4662 0.0125579
+54.925 9.01791e-05
+63.7552 0.000973934
 END
 plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -4946,158 +4934,158 @@ set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 sa
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.5; set tmargin at screen 0.855
-set xrange [0.399653:7.6612]; set yrange [4.35965e-07:0.0195639]
+set xrange [0.494293:8.70418]; set yrange [4.35965e-07:0.0195639]
 set xlabel 'million nearest hits a second  (more is better)'; set ylabel 'wrong hits  (less is better)' offset -1.5
 set label 'mean of 7 scenes: speed against accuracy (CPU, 2 threads)' at screen 0.02, screen 0.9774 font ',20'
 set label '256x256 primary and 65,536 random rays a scene; 458,752 in all compared with brute force in double; pictures of 128x128' at screen 0.02, screen 0.9516
 set xtics ('0.5' 0.5, '0.7' 0.7, '1' 1, '1.5' 1.5, '2' 2, '3' 3, '5' 5, '7' 7)
 set ytics ("none of\n458,752" 1.08991e-06, '0.001 %%' 1e-5, '0.01 %%' 1e-4, '0.1 %%' 1e-3, '1 %%' 1e-2)
 set object rectangle from graph 0, graph 0 to graph 1, first 1.85285e-06 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 6.38433,0.0032741 to graph 1.0,0.8331 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.8331 to graph 1.015,0.8331 nohead lw 0.8 lc rgb '#999999'
-set label 'fast, study: irregular exact' at graph 1.02,0.8331 left
-set arrow from first 6.16821,1.08991e-06 to graph 1.0,0.0855 nohead lw 0.8 lc rgb '#999999'
+set arrow from first 7.25349,0.00327192 to graph 1.0,0.8330 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.8330 to graph 1.015,0.8330 nohead lw 0.8 lc rgb '#999999'
+set label 'fast, study: irregular exact' at graph 1.02,0.8330 left
+set arrow from first 7.24643,1.08991e-06 to graph 1.0,0.0855 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.0855 to graph 1.015,0.0855 nohead lw 0.8 lc rgb '#999999'
 set label 'robust: irregular exact' at graph 1.02,0.0855 left
 $hits0 << END
-0.962407 0.000237601
-1.14537 0.000237601
-1.84453 0.000237601
-1.78628 0.000237601
-2.71163 0.000237601
-3.06413 0.000237601
-1.10403 0.000237601
-1.16858 0.000237601
-1.18827 0.000237601
-1.4504 0.000237601
-2.09282 0.000237601
-2.27356 0.000237601
-1.18491 0.000237601
-1.18896 0.000237601
-1.20974 0.000237601
-1.22615 0.000237601
-1.79339 0.000237601
-1.72952 0.000237601
-5.19387 0.000237601
-5.27459 0.000237601
+1.11257 0.000233241
+1.2124 0.000233241
+1.87067 0.000233241
+1.93186 0.000233241
+2.96441 0.000233241
+3.40374 0.000233241
+1.24619 0.000233241
+1.20953 0.000233241
+1.21718 0.000233241
+1.48212 0.000233241
+2.15862 0.000233241
+2.31966 0.000233241
+1.26764 0.000233241
+1.34506 0.000233241
+1.36207 0.000233241
+1.37598 0.000233241
+1.99905 0.000233241
+1.91091 0.000233241
+5.83441 0.000233241
+5.83604 0.000233241
 END
 $hits1 << END
-0.785026 0.00527954
-0.937491 0.00514875
-1.84619 0.00782558
-1.85547 0.00444249
-2.78236 0.00573077
-3.07794 0.00241307
-0.757181 0.00527954
-0.935274 0.00514875
-1.22066 0.00782558
-1.349 0.00444249
-2.128 0.00573077
-2.35637 0.00241307
-0.852997 0.00543867
-0.912656 0.00518145
-1.10881 0.00716073
-1.01167 0.00560652
-1.48237 0.00576346
-1.3239 0.00290353
-5.28659 0.00581796
-6.38433 0.0032741
+0.8913 0.00527518
+0.961659 0.00514439
+1.91022 0.00782558
+1.99653 0.00444249
+3.04976 0.00572641
+3.40437 0.00240871
+0.861423 0.00527518
+0.948678 0.00514439
+1.26554 0.00782558
+1.40366 0.00444249
+2.16086 0.00572641
+2.41387 0.00240871
+0.952196 0.00543431
+1.01637 0.00517709
+1.24695 0.00716073
+1.12868 0.00560652
+1.65343 0.00575692
+1.47695 0.00289699
+5.91411 0.00581578
+7.25349 0.00327192
 END
 $hits2 << END
-0.92429 1.08991e-06
-1.03966 1.08991e-06
-1.41987 1.08991e-06
-1.68399 1.08991e-06
-2.39475 1.08991e-06
-3.08262 1.08991e-06
-0.904834 1.08991e-06
-1.01183 1.08991e-06
-1.16369 1.08991e-06
-1.44262 1.08991e-06
-2.26305 1.08991e-06
-2.32221 1.08991e-06
-0.94298 1.08991e-06
-0.952875 1.08991e-06
-1.10125 1.08991e-06
-1.14033 1.08991e-06
-1.66891 1.08991e-06
-1.52853 1.08991e-06
-4.60137 1.08991e-06
-6.16821 1.08991e-06
-0.479584 1.08991e-06
-1.31329 1.08991e-06
-1.10434 1.08991e-06
-1.67462 1.08991e-06
+1.13557 1.08991e-06
+1.1563 1.08991e-06
+1.68874 1.08991e-06
+1.95595 1.08991e-06
+2.75952 1.08991e-06
+3.59953 1.08991e-06
+1.11076 1.08991e-06
+1.13518 1.08991e-06
+1.31112 1.08991e-06
+1.57876 1.08991e-06
+2.39209 1.08991e-06
+2.4692 1.08991e-06
+1.16191 1.08991e-06
+1.20017 1.08991e-06
+1.3747 1.08991e-06
+1.38285 1.08991e-06
+2.0087 1.08991e-06
+1.84747 1.08991e-06
+5.43703 1.08991e-06
+7.24643 1.08991e-06
+0.593151 1.08991e-06
+1.61347 1.08991e-06
+1.42212 1.08991e-06
+2.03436 1.08991e-06
 END
 $hits3 << END
-0.736733 0.00504848
-0.801239 0.00491333
-1.56152 0.00759888
-1.69757 0.00421797
-2.60002 0.00550188
-2.79981 0.00217983
-0.707533 0.00504848
-0.760988 0.00491333
-1.21937 0.00759888
-1.49691 0.00421797
-2.06485 0.00550188
-2.57963 0.00217983
-0.763514 0.00520979
-0.818693 0.00494603
-1.09718 0.00694275
-0.791659 0.00538853
-1.50561 0.0055324
-1.49258 0.00267029
-5.41595 0.00558908
-5.27289 0.00303868
+0.902496 0.00504848
+0.892362 0.00491333
+1.8424 0.00759888
+1.93496 0.00421797
+3.01602 0.00550188
+3.19661 0.00217983
+0.857823 0.00504848
+0.851424 0.00491333
+1.3289 0.00759888
+1.63092 0.00421797
+2.15234 0.00550188
+2.67257 0.00217983
+0.934497 0.00520979
+0.999873 0.00494603
+1.35553 0.00694275
+0.968665 0.00538853
+1.80978 0.0055324
+1.79921 0.00267029
+6.36139 0.00558908
+6.18454 0.00303868
 END
 $hits4 << END
-0.84016 8.07343e-07
-1.02309 8.07343e-07
-1.63137 8.07343e-07
-1.5593 8.07343e-07
-2.4684 8.07343e-07
-2.69283 8.07343e-07
-0.98129 8.07343e-07
-1.04025 8.07343e-07
-1.24941 8.07343e-07
-1.38606 8.07343e-07
-1.90502 8.07343e-07
-2.25802 8.07343e-07
-0.904141 8.07343e-07
-1.00823 8.07343e-07
-1.23268 8.07343e-07
-1.0322 8.07343e-07
-1.60544 8.07343e-07
-1.6925 8.07343e-07
-4.61495 8.07343e-07
-4.73947 8.07343e-07
+1.12488 8.07343e-07
+1.22501 8.07343e-07
+2.04081 8.07343e-07
+1.88075 8.07343e-07
+2.91117 8.07343e-07
+3.20561 8.07343e-07
+1.18866 8.07343e-07
+1.28088 8.07343e-07
+1.4275 8.07343e-07
+1.55841 8.07343e-07
+2.06812 8.07343e-07
+2.37116 8.07343e-07
+1.25484 8.07343e-07
+1.31964 8.07343e-07
+1.60913 8.07343e-07
+1.34201 8.07343e-07
+2.01606 8.07343e-07
+2.09352 8.07343e-07
+5.532 8.07343e-07
+5.71782 8.07343e-07
 END
 $hits5 << END
-0.803704 0.00504848
-0.96682 0.00491333
-1.71382 0.00759888
-1.69109 0.00422015
-2.59964 0.00550188
-2.8824 0.00217983
-0.936216 0.00504848
-0.911792 0.00491333
-1.35282 0.00759888
-1.53489 0.00421797
-2.31882 0.00550188
-2.58109 0.00217983
-0.882066 0.00520979
-0.89658 0.00494603
-1.24299 0.00694493
-0.909498 0.00539071
-1.57232 0.0055324
-1.57659 0.00267029
-5.4289 0.00558908
-5.03991 0.00303868
+1.06826 0.00504848
+1.18059 0.00491333
+2.11015 0.00759888
+2.02931 0.00422015
+3.0916 0.00550188
+3.36521 0.00217983
+1.11835 0.00504848
+1.10961 0.00491333
+1.53396 0.00759888
+1.76964 0.00421797
+2.48535 0.00550188
+2.67137 0.00217983
+1.17488 0.00520979
+1.21524 0.00494603
+1.61311 0.00694493
+1.18804 0.00539071
+1.95567 0.0055324
+1.95182 0.00267029
+6.38538 0.00558908
+6.01169 0.00303868
 END
 $hits_front << END
-6.16821 1.08991e-06
-6.38433 0.0032741
+7.24643 1.08991e-06
+7.25349 0.00327192
 END
 plot $hits0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $hits1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -5113,160 +5101,156 @@ unset key
 unset label; unset arrow; unset object
 set lmargin at screen 0.115; set rmargin at screen 0.735
 set bmargin at screen 0.065; set tmargin at screen 0.42
-set xrange [3.5713:66.5595]; set yrange [4.86891e-05:0.0711211]
+set xrange [4.3839:76.5062]; set yrange [4.86967e-05:0.0711001]
 set xlabel 'pictures a second  (more is better)'; set ylabel 'picture: RMSE of a channel  (less is better)' offset -1.5
-set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30, '50' 50)
-set ytics ("same\nbits" 0.000121723, '10⁻³' 1e-3, '10⁻²' 1e-2)
-set object rectangle from graph 0, graph 0 to graph 1, first 0.000206928 fs solid noborder fc rgb '#eeeeee' behind
-set arrow from first 55.4662,0.0125579 to graph 1.0,0.7620 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.7620 to graph 1.015,0.7620 nohead lw 0.8 lc rgb '#999999'
-set label 'fast: irregular box' at graph 1.02,0.7620 left
-set arrow from first 53.8996,0.000973781 to graph 1.0,0.4111 nohead lw 0.8 lc rgb '#999999'
+set xtics ('5' 5, '7' 7, '10' 10, '15' 15, '20' 20, '30' 30, '50' 50, '70' 70)
+set ytics ("same\nbits" 0.000121742, '10⁻³' 1e-3, '10⁻²' 1e-2)
+set object rectangle from graph 0, graph 0 to graph 1, first 0.000206961 fs solid noborder fc rgb '#eeeeee' behind
+set arrow from first 63.7552,0.000973934 to graph 1.0,0.4111 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.4111 to graph 1.015,0.4111 nohead lw 0.8 lc rgb '#999999'
 set label 'robust: irregular exact' at graph 1.02,0.4111 left
-set arrow from first 45.0382,9.01649e-05 to graph 1.0,0.0846 nohead lw 0.8 lc rgb '#999999'
+set arrow from first 54.925,9.01791e-05 to graph 1.0,0.0846 nohead lw 0.8 lc rgb '#999999'
 set arrow from graph 1.0,0.0846 to graph 1.015,0.0846 nohead lw 0.8 lc rgb '#999999'
 set label 'double: irregular exact' at graph 1.02,0.0846 left
 $picture0 << END
-11.0109 0.0125579
-12.0504 0.0125579
-18.469 0.0125579
-17.9214 0.0125579
-30.8655 0.0125579
-40.2784 0.0125579
-11.7804 0.0125579
-12.6285 0.0125579
-13.7849 0.0125579
-15.0389 0.0125579
-25.3713 0.0125579
-24.8725 0.0125579
-11.5517 0.0125579
-12.6239 0.0125579
-15.4795 0.0125579
-13.482 0.0125579
-20.8222 0.0125579
-20.8754 0.0125579
-55.4662 0.0125579
-54.3014 0.0125579
+12.438 0.0125231
+12.483 0.0125231
+18.9902 0.0125231
+19.9601 0.0125231
+33.8002 0.0125231
+43.5842 0.0125231
+13.3062 0.0125231
+12.9299 0.0125231
+14.06 0.0125231
+15.4815 0.0125231
+25.9668 0.0125231
+25.612 0.0125231
+12.941 0.0125231
+14.2527 0.0125231
+17.7719 0.0125231
+15.3304 0.0125231
+23.0915 0.0125231
+22.8548 0.0125231
+61.3925 0.0125231
+60.0848 0.0125231
 END
 $picture1 << END
-10.1893 0.0226925
-10.6818 0.0223137
-19.2589 0.0284485
-20.2133 0.0216827
-30.3068 0.024411
-36.5697 0.0182369
-10.0356 0.0226925
-12.2111 0.0223137
-15.639 0.0284485
-16.1542 0.0216827
-22.7885 0.024411
-32.843 0.0182369
-10.6819 0.0226931
-11.6676 0.0223137
-13.6768 0.0253211
-13.0171 0.0228675
-19.2756 0.0237841
-19.4163 0.0184577
-49.4702 0.0262083
-53.2701 0.0218186
+11.5969 0.0226732
+11.1005 0.022294
+19.6663 0.02844
+22.5285 0.0216674
+33.6284 0.0243876
+40.512 0.0182106
+11.6728 0.0226732
+12.4023 0.022294
+16.2001 0.02844
+16.9215 0.0216674
+24.7743 0.0243876
+33.8626 0.0182106
+11.951 0.0226738
+13.1173 0.022294
+15.8485 0.025308
+14.6906 0.0228528
+21.655 0.0237599
+21.5146 0.0184314
+55.9323 0.0261916
+59.7869 0.0218031
 END
 $picture2 << END
-8.19779 0.000973781
-9.59998 0.000973781
-14.5672 0.000973781
-16.8582 0.000973781
-28.5062 0.000973781
-31.6097 0.000973781
-8.82279 0.000973781
-9.66765 0.000973781
-11.9566 0.000973781
-16.1953 0.000973781
-22.4624 0.000973781
-22.7829 0.000973781
-8.16671 0.000973781
-9.18281 0.000973781
-11.0631 0.000973781
-10.1455 0.000973781
-16.8944 0.000973781
-17.8073 0.000973781
-45.8941 0.000973781
-53.8996 0.000973781
-4.28556 0.000973781
-13.8564 0.000973781
-14.9877 0.000973781
-14.3589 0.000973781
+10.1345 0.000973934
+10.6164 0.000973934
+17.9565 0.000973934
+20.1843 0.000973934
+33.3581 0.000973934
+37.2549 0.000973934
+10.7946 0.000973934
+10.7587 0.000973934
+13.3229 0.000973934
+17.6894 0.000973934
+24.2791 0.000973934
+25.2524 0.000973934
+10.0567 0.000973934
+11.2187 0.000973934
+13.8965 0.000973934
+12.5455 0.000973934
+20.513 0.000973934
+21.3832 0.000973934
+54.2401 0.000973934
+63.7552 0.000973934
+5.26067 0.000973934
+16.9887 0.000973934
+17.8828 0.000973934
+17.4013 0.000973934
 END
 $picture3 << END
-6.80607 0.0192262
-7.77082 0.0187285
-15.1343 0.0258922
-15.9997 0.0178553
-27.5945 0.0212966
-27.7727 0.0134849
-7.97219 0.0192262
-8.99995 0.0187285
-13.7001 0.0258922
-14.8926 0.0178553
-23.3557 0.0212966
-27.6923 0.0134849
-7.3954 0.0192269
-8.19728 0.0187285
-11.2289 0.0222703
-9.5333 0.0194222
-15.7729 0.0204615
-15.7078 0.0137796
-43.0166 0.023308
-44.3774 0.0179994
+8.37699 0.0192262
+8.62034 0.0187285
+18.3347 0.0258923
+19.0813 0.0178553
+32.3422 0.0212966
+32.2575 0.0134852
+8.96713 0.0192262
+10.0784 0.0187285
+15.1381 0.0258923
+16.3559 0.0178553
+24.7544 0.0212966
+29.1533 0.0134852
+9.62152 0.0192269
+10.1916 0.0187285
+13.9179 0.0222704
+11.8239 0.0194222
+19.0815 0.0204616
+18.8635 0.0137798
+50.8098 0.0233081
+52.7164 0.0179993
 END
 $picture4 << END
-8.47371 9.01649e-05
-9.68947 9.01649e-05
-16.4386 9.01649e-05
-18.0554 9.01649e-05
-29.7601 9.01649e-05
-28.0955 9.01649e-05
-9.71941 9.01649e-05
-8.6407 9.01649e-05
-13.5573 9.01649e-05
-14.9046 9.01649e-05
-22.2182 9.01649e-05
-24.9052 9.01649e-05
-9.50446 9.01649e-05
-10.3479 9.01649e-05
-12.9332 9.01649e-05
-9.53675 9.01649e-05
-16.335 9.01649e-05
-17.4309 9.01649e-05
-41.3051 9.01649e-05
-45.0382 9.01649e-05
+11.3946 9.01791e-05
+11.4714 9.01791e-05
+20.9551 9.01791e-05
+22.7838 9.01791e-05
+35.4153 9.01791e-05
+33.2886 9.01791e-05
+11.7532 9.01791e-05
+10.3931 9.01791e-05
+15.6412 9.01791e-05
+16.9262 9.01791e-05
+24.8347 9.01791e-05
+27.4396 9.01791e-05
+12.7606 9.01791e-05
+13.7985 9.01791e-05
+17.2012 9.01791e-05
+12.9246 9.01791e-05
+20.9017 9.01791e-05
+21.5788 9.01791e-05
+49.7256 9.01791e-05
+54.925 9.01791e-05
 END
 $picture5 << END
-8.43401 0.0192032
-10.3118 0.0187046
-16.3368 0.0258798
-17.3478 0.0178357
-25.4589 0.0212768
-32.1541 0.0134492
-9.89901 0.0192032
-8.72527 0.0187046
-13.3149 0.0258798
-15.6092 0.0178368
-20.7024 0.0212768
-30.458 0.0134492
-10.3009 0.0192039
-10.3094 0.0187046
-12.7537 0.0222503
-9.07068 0.0194335
-16.6991 0.0204423
-17.9173 0.0137465
-43.1026 0.0232902
-46.0316 0.0179742
+10.7984 0.0192032
+12.3848 0.0187046
+20.8328 0.0258798
+21.6055 0.0178357
+30.4726 0.0212768
+37.7683 0.0134492
+11.7346 0.0192032
+10.7229 0.0187046
+15.1095 0.0258798
+17.8976 0.0178368
+23.2037 0.0212768
+31.7 0.0134492
+13.8423 0.0192039
+13.7139 0.0187046
+16.9295 0.0222503
+12.6479 0.0194335
+20.9363 0.0204423
+22.1379 0.0137465
+51.3318 0.0232902
+55.0549 0.0179742
 END
 $picture_front << END
-45.0382 9.01649e-05
-53.8996 0.000973781
-55.4662 0.0125579
+54.925 9.01791e-05
+63.7552 0.000973934
 END
 plot $picture0 with points pt 7 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast', \
      $picture1 with points pt 6 ps 1.3 lw 1.6 lc rgb '#d55e00' title 'fast, study''s rule', \
@@ -5322,20 +5306,6 @@ $chosen2 << END
 43.323 36.1176
 END
 $line3 << END
-1 7938.22
-2 1618.85
-4 746.946
-8 266.395
-16 105.935
-32 67.762
-64 55.8408
-128 78.878
-256 78.7647
-END
-$chosen3 << END
-50.6645 63.0972
-END
-$line4 << END
 1 3035.67
 2 771.849
 4 213.637
@@ -5346,10 +5316,10 @@ $line4 << END
 128 41.1492
 256 52.0632
 END
-$chosen4 << END
+$chosen3 << END
 50.4685 35.915
 END
-$line5 << END
+$line4 << END
 1 393.612
 2 111.243
 4 49.3049
@@ -5360,22 +5330,36 @@ $line5 << END
 128 10.1755
 256 17.6402
 END
-$chosen5 << END
+$chosen4 << END
 30 4.18896
 END
+$line5 << END
+1 5583.63
+2 1113.27
+4 519.545
+8 174.098
+16 78.0502
+32 43.3161
+64 44.572
+128 59.0243
+256 52.5184
+END
+$chosen5 << END
+50.6645 42.9406
+END
 $line6 << END
-1 15464.9
-2 5472.75
-4 4369.97
-8 3592.85
-16 1352.54
-32 1344.52
-64 703.285
-128 333.081
-256 212.663
+1 5829.32
+2 1834.64
+4 1565.15
+8 1308.99
+16 907.52
+32 505.071
+64 249.802
+128 129.29
+256 83.0789
 END
 $chosen6 << END
-278.218 78.5411
+278.218 36.5344
 END
 
 reset
@@ -5390,33 +5374,33 @@ set label 'Time against division (CPU, 2 threads)' at screen 0.02, screen 0.9632
 set label 'uniform grids, exact overlap, robust; pictures of 128x128 with shadows and mirrors; ringed: --division auto' at screen 0.02, screen 0.9211
 set lmargin at screen 0.09; set rmargin at screen 0.88; set bmargin at screen 0.10; set tmargin at screen 0.89
 unset key
-set xrange [0.909091:306.04]; set yrange [3.22228:20104.4]
+set xrange [0.909091:306.04]; set yrange [3.22228:19193.2]
 set xlabel 'voxels an axis'; set ylabel 'ms a picture'
 set xtics (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)
 set ytics ('10' 10, '100' 100, '1000' 1000, '10000' 10000)
 set arrow from first 16, graph 0 to first 16, graph 1 nohead lw 1.5 dt '-' lc rgb '#444444'
 set label '16: what the founding study found enough' at first 16, graph 0.97 offset 1,0 left
-set arrow from first 256,102.562 to graph 1.0,0.4984 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4984 to graph 1.015,0.4984 nohead lw 0.8 lc rgb '#999999'
-set label 'balls' at graph 1.02,0.4984 left
-set arrow from first 256,73.8281 to graph 1.0,0.4084 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4084 to graph 1.015,0.4084 nohead lw 0.8 lc rgb '#999999'
-set label 'gears' at graph 1.02,0.4084 left
-set arrow from first 256,68.2151 to graph 1.0,0.3634 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.3634 to graph 1.015,0.3634 nohead lw 0.8 lc rgb '#999999'
-set label 'mount' at graph 1.02,0.3634 left
-set arrow from first 256,78.7647 to graph 1.0,0.4534 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4534 to graph 1.015,0.4534 nohead lw 0.8 lc rgb '#999999'
-set label 'rings' at graph 1.02,0.4534 left
-set arrow from first 256,52.0632 to graph 1.0,0.3184 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.3184 to graph 1.015,0.3184 nohead lw 0.8 lc rgb '#999999'
-set label 'teapot' at graph 1.02,0.3184 left
-set arrow from first 256,17.6402 to graph 1.0,0.1945 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.1945 to graph 1.015,0.1945 nohead lw 0.8 lc rgb '#999999'
-set label 'tetra' at graph 1.02,0.1945 left
-set arrow from first 256,212.663 to graph 1.0,0.5434 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.5434 to graph 1.015,0.5434 nohead lw 0.8 lc rgb '#999999'
-set label 'tree' at graph 1.02,0.5434 left
+set arrow from first 256,102.562 to graph 1.0,0.5451 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.5451 to graph 1.015,0.5451 nohead lw 0.8 lc rgb '#999999'
+set label 'balls' at graph 1.02,0.5451 left
+set arrow from first 256,73.8281 to graph 1.0,0.4551 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.4551 to graph 1.015,0.4551 nohead lw 0.8 lc rgb '#999999'
+set label 'gears' at graph 1.02,0.4551 left
+set arrow from first 256,68.2151 to graph 1.0,0.4101 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.4101 to graph 1.015,0.4101 nohead lw 0.8 lc rgb '#999999'
+set label 'mount' at graph 1.02,0.4101 left
+set arrow from first 256,52.0632 to graph 1.0,0.3201 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.3201 to graph 1.015,0.3201 nohead lw 0.8 lc rgb '#999999'
+set label 'teapot' at graph 1.02,0.3201 left
+set arrow from first 256,17.6402 to graph 1.0,0.1956 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.1956 to graph 1.015,0.1956 nohead lw 0.8 lc rgb '#999999'
+set label 'tetra' at graph 1.02,0.1956 left
+set arrow from first 256,52.5184 to graph 1.0,0.3651 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.3651 to graph 1.015,0.3651 nohead lw 0.8 lc rgb '#999999'
+set label 'rings' at graph 1.02,0.3651 left
+set arrow from first 256,83.0789 to graph 1.0,0.5001 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.5001 to graph 1.015,0.5001 nohead lw 0.8 lc rgb '#999999'
+set label 'tree' at graph 1.02,0.5001 left
 plot $line0 with linespoints pt 7 ps 1.2 lw 2 dt 1 lc rgb '#000000', \
      $chosen0 with points pt 7 ps 1.2 lc rgb '#000000', \
      $chosen0 with points pt 6 ps 2.8 lw 2 lc rgb '#000000', \
@@ -5452,33 +5436,33 @@ set label 'Time against division (CPU, 2 threads)' at screen 0.02, screen 0.9632
 set label 'uniform grids, exact overlap, robust; pictures of 128x128 with shadows and mirrors; ringed: --division auto' at screen 0.02, screen 0.9211
 set lmargin at screen 0.09; set rmargin at screen 0.88; set bmargin at screen 0.10; set tmargin at screen 0.89
 unset key
-set xrange [0.909091:306.04]; set yrange [3.22228:20104.4]
+set xrange [0.909091:306.04]; set yrange [3.22228:19193.2]
 set xlabel 'voxels an axis'; set ylabel 'ms a picture'
 set xtics (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)
 set ytics ('10' 10, '100' 100, '1000' 1000, '10000' 10000)
 set arrow from first 16, graph 0 to first 16, graph 1 nohead lw 1.5 dt '-' lc rgb '#444444'
 set label '16: what the founding study found enough' at first 16, graph 0.97 offset 1,0 left
-set arrow from first 256,102.562 to graph 1.0,0.4984 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4984 to graph 1.015,0.4984 nohead lw 0.8 lc rgb '#999999'
-set label 'balls' at graph 1.02,0.4984 left
-set arrow from first 256,73.8281 to graph 1.0,0.4084 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4084 to graph 1.015,0.4084 nohead lw 0.8 lc rgb '#999999'
-set label 'gears' at graph 1.02,0.4084 left
-set arrow from first 256,68.2151 to graph 1.0,0.3634 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.3634 to graph 1.015,0.3634 nohead lw 0.8 lc rgb '#999999'
-set label 'mount' at graph 1.02,0.3634 left
-set arrow from first 256,78.7647 to graph 1.0,0.4534 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.4534 to graph 1.015,0.4534 nohead lw 0.8 lc rgb '#999999'
-set label 'rings' at graph 1.02,0.4534 left
-set arrow from first 256,52.0632 to graph 1.0,0.3184 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.3184 to graph 1.015,0.3184 nohead lw 0.8 lc rgb '#999999'
-set label 'teapot' at graph 1.02,0.3184 left
-set arrow from first 256,17.6402 to graph 1.0,0.1945 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.1945 to graph 1.015,0.1945 nohead lw 0.8 lc rgb '#999999'
-set label 'tetra' at graph 1.02,0.1945 left
-set arrow from first 256,212.663 to graph 1.0,0.5434 nohead lw 0.8 lc rgb '#999999'
-set arrow from graph 1.0,0.5434 to graph 1.015,0.5434 nohead lw 0.8 lc rgb '#999999'
-set label 'tree' at graph 1.02,0.5434 left
+set arrow from first 256,102.562 to graph 1.0,0.5451 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.5451 to graph 1.015,0.5451 nohead lw 0.8 lc rgb '#999999'
+set label 'balls' at graph 1.02,0.5451 left
+set arrow from first 256,73.8281 to graph 1.0,0.4551 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.4551 to graph 1.015,0.4551 nohead lw 0.8 lc rgb '#999999'
+set label 'gears' at graph 1.02,0.4551 left
+set arrow from first 256,68.2151 to graph 1.0,0.4101 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.4101 to graph 1.015,0.4101 nohead lw 0.8 lc rgb '#999999'
+set label 'mount' at graph 1.02,0.4101 left
+set arrow from first 256,52.0632 to graph 1.0,0.3201 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.3201 to graph 1.015,0.3201 nohead lw 0.8 lc rgb '#999999'
+set label 'teapot' at graph 1.02,0.3201 left
+set arrow from first 256,17.6402 to graph 1.0,0.1956 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.1956 to graph 1.015,0.1956 nohead lw 0.8 lc rgb '#999999'
+set label 'tetra' at graph 1.02,0.1956 left
+set arrow from first 256,52.5184 to graph 1.0,0.3651 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.3651 to graph 1.015,0.3651 nohead lw 0.8 lc rgb '#999999'
+set label 'rings' at graph 1.02,0.3651 left
+set arrow from first 256,83.0789 to graph 1.0,0.5001 nohead lw 0.8 lc rgb '#999999'
+set arrow from graph 1.0,0.5001 to graph 1.015,0.5001 nohead lw 0.8 lc rgb '#999999'
+set label 'tree' at graph 1.02,0.5001 left
 plot $line0 with linespoints pt 7 ps 1.2 lw 2 dt 1 lc rgb '#000000', \
      $chosen0 with points pt 7 ps 1.2 lc rgb '#000000', \
      $chosen0 with points pt 6 ps 2.8 lw 2 lc rgb '#000000', \
