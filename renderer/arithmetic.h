@@ -30,4 +30,14 @@ void with_arithmetic(const SceneView<double>&, Precision, const Act& act) {
   act(Arithmetic<RayFrame<double>>{});
 }
 
+// Calls act(SceneView of the scene's own store, Arithmetic). Throws Error(usage) as resolved() does.
+template <class Act>
+void with_store_and_arithmetic(const SceneFile& scene, Precision precision, const Act& act) {
+  precision = resolved(precision, scene);
+  const auto with_store = [&](const auto& view) {
+    with_arithmetic(view, precision, [&](auto arithmetic) { act(view, arithmetic); });
+  };
+  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
+}
+
 } // namespace masu

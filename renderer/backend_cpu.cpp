@@ -107,15 +107,12 @@ double timed(int warm_up, int repeat, const Act& act) {
 template <class Act>
 void with_everything(const SceneFile& scene, const GridFile* grid, const TracingRules& rules,
                      const Act& act) {
-  const Precision precision = resolved(rules.precision, scene);
-  const auto with_store = [&](const auto& view) {
-    with_arithmetic(view, precision, [&]<class TestRay>(Arithmetic<TestRay>) {
-      with_method<TestRay>(view, grid, rules, [&](const auto& accelerator, auto method, auto counts) {
-        act(view, accelerator, method, counts);
+  with_store_and_arithmetic(
+      scene, rules.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+        with_method<TestRay>(view, grid, rules, [&](const auto& accelerator, auto method, auto counts) {
+          act(view, accelerator, method, counts);
+        });
       });
-    });
-  };
-  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
 }
 
 } // namespace

@@ -12,20 +12,6 @@ template <class TestRay, class Stored>
 void trace_on_device(const SceneView<Stored>& scene, const GridFile* grid, const RaysRequest& request,
                      RayHits& result);
 
-namespace {
-
-// Calls act(SceneView, Arithmetic).
-template <class Act>
-void with_store_and_arithmetic(const SceneFile& scene, Precision precision, const Act& act) {
-  precision = resolved(precision, scene);
-  const auto with_store = [&](const auto& view) {
-    with_arithmetic(view, precision, [&](auto arithmetic) { act(view, arithmetic); });
-  };
-  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
-}
-
-} // namespace
-
 bool cuda_available(std::string& why) {
   int devices = 0;
   const cudaError_t error = cudaGetDeviceCount(&devices);
