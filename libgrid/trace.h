@@ -86,10 +86,11 @@ struct Trace {
   MASU_HD bool testing() const { return next != empty_list; }
   MASU_HD void test(const Grid& grid) {
     const PrimitiveIndex now = reference;
-    const bool last = (now & last_bit) != 0;
-    next = last ? next : next + 1;
-    reference = grid.references[next];
-    next = last ? empty_list : next;
+    if ((now & last_bit) != 0) {
+      next = empty_list;
+    } else {
+      reference = grid.references[++next];
+    }
     visitor.primitive(now & ~last_bit);
   }
   MASU_HD bool leave(const Grid& grid) {

@@ -79,10 +79,11 @@ struct ListedRay {
 // then 0 or -1, its t the end of what was looked at).
 enum class Question { nearest, blocked };
 
-// How a GPU goes about its rays: a thread takes one ray through, cell by cell; or threads that are done take
-// the next ray while their neighbours go on, which pays where rays of a warp go their own ways. The hits are
-// the same.
-enum class RayLoop { cells, refill };
+// How a GPU goes about its rays: a thread takes one ray through, cell by cell, and its warp's threads wait
+// for each other at every cell; or they go on by turns of a step and a few tests, which pays where some lists
+// are long; or, besides, those that are done take the next ray, which pays where rays of a warp go their own
+// ways. The hits are the same.
+enum class RayLoop { cells, turns, refill };
 
 struct RaysRequest {
   std::span<const ListedRay> rays;

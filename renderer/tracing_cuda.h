@@ -75,51 +75,59 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   add(total, counts);
 }
 
-// Warps that live until no ray is left, a step and a test or two a turn: all lanes get on. When enough of
-// them are done they fetch as many rays at once, after
-// Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009. `next` counts rays
-// fetched.
-template <Question question, class M, class Stored, class Grid>
+// What a ray's hit is told with when it is found, and where: kept in shared memory, since it is needed once.
+template <class Real>
+struct RayEnds {
+  Real scale, skipped, t_max;
+  std::uint64_t number;
+};
+
+// Warps whose lanes take a step and a few tests each a turn: one with a long list doesn't hold up the others.
+// Lanes that are done wait for the last one of their warp; or, if it `refills`, warps live until no ray is
+// left, and when enough lanes are done they fetch as many rays at once, after Aila & Laine, "Understanding
+// the Efficiency of Ray Traversal on GPUs", HPG 2009. `next` counts rays fetched.
+template <bool refills, Question question, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
-    refill_kernel(const SceneView<Stored> scene, const Grid grid,
-                  const TypedRay<typename M::Real>* const rays, const std::uint64_t count, const HitName name,
-                  EyeHit* const hits, unsigned long long* const next) {
+    turns_kernel(const SceneView<Stored> scene, const Grid grid, const TypedRay<typename M::Real>* const rays,
+                 const std::uint64_t count, const HitName name, EyeHit* const hits,
+                 unsigned long long* const next) {
   using Real = typename M::Real;
   constexpr unsigned all_lanes = 0xffffffffU;
-  constexpr int enough = 12, tests_a_turn = 2;
+  constexpr int enough = refills ? 12 : 32, tests_a_turn = refills ? 3 : 8;
   const unsigned lane = threadIdx.x % 32;
+  __shared__ RayEnds<Real> ends[rays_a_block];
+  RayEnds<Real>& own = ends[threadIdx.x];
   NoCounts counts;
   // All in variables of the kernel's own: what holds references to itself would not stay in registers.
   typename M::TestRay test_ray{};
   VisitorFor<question, M, Stored, NoCounts> visitor{scene, test_ray, counts, {}, {}};
   Trace<Real, Grid, VisitorFor<question, M, Stored, NoCounts>> trace(grid, ClippedRay<Real>{}, visitor);
-  Real scale = 1, skipped = 0, t_max = 0;
   bool alive = false, more = true;
-  std::uint64_t mine = 0;
   for (;;) {
     const unsigned idle = __ballot_sync(all_lanes, !alive);
     if (more && __popc(idle) >= enough) {
-      unsigned long long first = 0;
-      if (lane == 0) first = atomicAdd(next, static_cast<unsigned long long>(__popc(idle)));
-      first = __shfl_sync(all_lanes, first, 0);
-      more = first + static_cast<unsigned>(__popc(idle)) < count;
-      const std::uint64_t next_ray = first + static_cast<unsigned>(__popc(idle & ((1U << lane) - 1)));
-      if (!alive && next_ray < count) {
-        mine = next_ray;
-        ScaledRay<Real> ray = scaled(rays[mine]);
-        scale = ray.scale;
-        if constexpr (question == Question::blocked) ray.ray.t_max = 1 / scale;
+      std::uint64_t number = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
+      more = false;
+      if constexpr (refills) {
+        unsigned long long first = 0;
+        if (lane == 0) first = atomicAdd(next, static_cast<unsigned long long>(__popc(idle)));
+        first = __shfl_sync(all_lanes, first, 0);
+        more = first + static_cast<unsigned>(__popc(idle)) < count;
+        number = first + static_cast<unsigned>(__popc(idle & ((1U << lane) - 1)));
+      }
+      if (!alive && number < count) {
+        ScaledRay<Real> ray = scaled(rays[number]);
+        if constexpr (question == Question::blocked) ray.ray.t_max = 1 / ray.scale;
         ClippedRay<Real> near{};
         alive = clip(ray.ray, cast<Real>(scene.clip), near);
-        t_max = near.ray.t_max;
-        skipped = near.skipped;
-        reset(visitor, t_max);
+        own = {ray.scale, near.skipped, near.ray.t_max, number};
+        reset(visitor, near.ray.t_max);
         if (alive) {
           prepare(test_ray, near.ray.origin, near.ray.direction);
           trace.walk = Walk<Real, Grid>(grid, near);
           trace.next = empty_list;
         } else {
-          hits[mine] = found_by(visitor, t_max, skipped, scale, name);
+          hits[number] = found_by(visitor, own.t_max, own.skipped, own.scale, name);
         }
       }
       continue;
@@ -127,13 +135,12 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
     if (idle == all_lanes) return;
     if (alive) {
       if (!trace.testing()) trace.enter(grid);
-#pragma unroll
-      for (int test = 0; test < tests_a_turn; ++test) {
-        if (trace.testing()) trace.test(grid);
-      }
+#pragma unroll 1
+      for (int test = 0; test < tests_a_turn && trace.testing(); ++test)
+        trace.test(grid);
       if (!trace.testing()) {
         alive = trace.leave(grid);
-        if (!alive) hits[mine] = found_by(visitor, t_max, skipped, scale, name);
+        if (!alive) hits[own.number] = found_by(visitor, own.t_max, own.skipped, own.scale, name);
       }
     }
   }
@@ -232,8 +239,11 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
       };
       const std::uint64_t all_blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid>) {
+        if (request.loop == RayLoop::turns)
+          return timed([] {}, turns_kernel<false, question, M, Stored, Accelerator>, all_blocks,
+                       next_ray.data());
         if (request.loop == RayLoop::refill) {
-          auto* const kernel = refill_kernel<question, M, Stored, Accelerator>;
+          auto* const kernel = turns_kernel<true, question, M, Stored, Accelerator>;
           const std::uint64_t fitting = resident_blocks(kernel, rays_a_block, 0);
           const auto reset = [&] { check(cudaMemsetAsync(next_ray.data(), 0, sizeof(unsigned long long))); };
           return timed(reset, kernel, std::min(all_blocks, fitting), next_ray.data());

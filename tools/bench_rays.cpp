@@ -36,9 +36,13 @@ struct RaySet {
   std::vector<ListedRay> rays;
 };
 
-RayLoop loop_for(const std::string& wanted, const RaySet& set) {
-  if (wanted == "auto") return set.coherent ? RayLoop::cells : RayLoop::refill;
-  return wanted == "cells" ? RayLoop::cells : RayLoop::refill;
+const std::map<std::string, RayLoop> all_loops{
+    {"cells", RayLoop::cells}, {"turns", RayLoop::turns}, {"refill", RayLoop::refill}};
+
+// The loop's name: `auto` is the one for the set of rays.
+std::string loop_for(const std::string& wanted, const RaySet& set) {
+  if (wanted != "auto") return wanted;
+  return set.coherent ? "cells" : "refill";
 }
 
 // Every grid is asked the same rays; the first one makes those that depend on what is hit.
@@ -58,12 +62,12 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
 }
 
 Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const RaySet& set,
-             const std::string& precision, RayLoop loop, bool cuda) {
+             const std::string& precision, const std::string& loop, bool cuda) {
   RaysRequest request{set.rays, settings.tracing};
   request.tracing.precision = resolved(all_precisions.at(precision), scene);
   request.hit_name = HitName::primitive;
   request.question = set.question;
-  request.loop = loop;
+  request.loop = all_loops.at(loop);
   const auto trace = [&] {
     return cuda ? trace_rays_cuda(scene, &grid, request) : trace_rays_cpu(scene, &grid, request);
   };
@@ -85,7 +89,7 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
           {"count", set.rays.size()},
           {"backend", cuda ? "cuda" : "cpu"},
           {"precision", name_of(request.tracing.precision)},
-          {"loop", loop == RayLoop::cells || !cuda ? "cells" : "refill"},
+          {"loop", cuda ? loop : "cells"},
           {"median_seconds", seconds},
           {"mrays_per_second", seconds > 0 ? number / seconds * 1e-6 : 0.0},
           {"kernel", {{"registers", timed.kernel.registers}, {"local_bytes", timed.kernel.local_bytes}}},
@@ -151,11 +155,13 @@ void add_rays(CLI::App& app) {
   add_backend(rays, settings.backend);
   add_choice(rays, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
              "how the eye's rays follow each other: rows, or tiles of 8x4");
-  rays.add_option("--loop", settings.loops,
-                  "how the GPU goes about it: cells (a thread a ray, cell by cell), refill (threads that are "
-                  "done take the next ray), or auto (refill for diffuse and random)")
+  rays.add_option(
+          "--loop", settings.loops,
+          "how the GPU goes about it: cells (a thread a ray, cell by cell), turns (a step and a few tests "
+          "at a time), refill (by turns, and threads that are done take the next ray), or auto "
+          "(refill for diffuse and random, else cells)")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "refill"}));
+      ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "turns", "refill"}));
   rays.add_option("--precision", settings.precisions,
                   "by which arithmetic: auto, fast, robust, double (see gridrender --help)")
       ->delimiter(',')
