@@ -35,10 +35,9 @@ inline std::uint64_t voxel_count(const Vec3i& division) {
          static_cast<std::uint64_t>(division.z);
 }
 
-// The closed voxels that the closed box meets; what lies outside the space goes to the outermost, NaN to the
-// first.
-inline VoxelRange voxels_met(const Lattice& lattice, const Boxd& box) {
-  const Vec3d size = voxel_size(lattice);
+// The closed voxels, of size voxel_size(lattice), that the closed box meets; what lies outside the space goes
+// to the outermost, NaN to the first.
+inline VoxelRange voxels_met(const Lattice& lattice, const Vec3d& size, const Boxd& box) {
   VoxelRange range{};
   for (int axis = 0; axis < 3; ++axis) {
     const double last = lattice.division[axis] - 1;
@@ -52,6 +51,9 @@ inline VoxelRange voxels_met(const Lattice& lattice, const Boxd& box) {
     range.last.set(axis, held(std::floor(high)));
   }
   return range;
+}
+inline VoxelRange voxels_met(const Lattice& lattice, const Boxd& box) {
+  return voxels_met(lattice, voxel_size(lattice), box);
 }
 
 } // namespace masu

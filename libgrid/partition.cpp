@@ -118,24 +118,30 @@ public:
     return parts;
   }
 
-  void divide(const VoxelBox& box, std::vector<Part> parts, Partition& result) const {
-    const Plane plane = rule_.by_cost ? cheapest_plane(box, parts) : middle_plane(box, parts);
-    if (plane.cost == std::numeric_limits<double>::max()) return add_leaf(box, parts, result);
+  // What parts[begin] and those after it are of; they are gone afterwards.
+  void divide(const VoxelBox& box, std::vector<Part>& parts, std::size_t begin, Partition& result) const {
+    const std::span<const Part> own(parts.data() + begin, parts.data() + parts.size());
+    const Plane plane = rule_.by_cost ? cheapest_plane(box, own) : middle_plane(box, own);
+    if (plane.cost == std::numeric_limits<double>::max()) {
+      add_leaf(box, own, result);
+      parts.resize(begin);
+      return;
+    }
     VoxelBox below = box, above = box;
     below.end.set(plane.axis, plane.at);
     above.first.set(plane.axis, plane.at);
-    std::vector<Part> parts_below, parts_above;
-    split(plane, parts, parts_below, parts_above);
-    const bool large = parts.size() >= parts_a_task;
-    std::vector<Part>().swap(parts);
+    const bool large = own.size() >= parts_a_task;
+    const std::size_t begin_below = split(plane, parts, begin);
     if (large) {
+      std::vector<Part> parts_below(parts.begin() + static_cast<std::ptrdiff_t>(begin_below), parts.end());
+      parts.resize(begin_below);
       Partition above_result;
-      tbb::parallel_invoke([&] { divide(below, std::move(parts_below), result); },
-                           [&] { divide(above, std::move(parts_above), above_result); });
+      tbb::parallel_invoke([&] { divide(below, parts_below, 0, result); },
+                           [&] { divide(above, parts, begin, above_result); });
       append(above_result, result);
     } else {
-      divide(below, std::move(parts_below), result);
-      divide(above, std::move(parts_above), result);
+      divide(below, parts, begin_below, result);
+      divide(above, parts, begin, result);
     }
   }
 
@@ -148,7 +154,7 @@ private:
   // To the voxels that meet the box; false when none is left.
   bool shrink(Part& part, const Boxd& box) const {
     if (is_empty(box)) return false;
-    const VoxelRange range = voxels_met(lattice_, box);
+    const VoxelRange range = voxels_met(lattice_, size_, box);
     bool some = true;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
@@ -163,19 +169,23 @@ private:
     return lattice_.space.min[axis] + plane * size_[axis];
   }
 
-  void split(const Plane& plane, const std::vector<Part>& parts, std::vector<Part>& below,
-             std::vector<Part>& above) const {
+  // Leaves those from `begin` on that are above the plane, and behind them puts those below; returns where
+  // these begin. Both keep their order.
+  std::size_t split(const Plane& plane, std::vector<Part>& parts, std::size_t begin) const {
     const auto axis = static_cast<std::size_t>(plane.axis);
     const auto at = static_cast<std::uint16_t>(plane.at);
     // Cutting rounds a little more than the margin foresees.
     const double margin = lattice_.margin * 1.0625, place = plane_at(plane.axis, plane.at);
-    for (const Part& part : parts) {
+    const std::size_t end = parts.size();
+    std::size_t above = begin;
+    for (std::size_t i = begin; i != end; ++i) {
+      const Part part = parts[i];
       if (part.last[axis] < at) {
-        below.push_back(part);
+        parts.push_back(part);
         continue;
       }
       if (part.first[axis] >= at) {
-        above.push_back(part);
+        parts[above++] = part;
         continue;
       }
       Part low = part, high = part;
@@ -189,15 +199,18 @@ private:
           is_above = !is_empty(sides.above) && shrink(high, grown(sides.above, margin));
         });
       }
-      if (is_below) below.push_back(low);
-      if (is_above) above.push_back(high);
+      if (is_below) parts.push_back(low);
+      if (is_above) parts[above++] = high;
     }
+    parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(above),
+                parts.begin() + static_cast<std::ptrdiff_t>(end));
+    return above;
   }
 
   // Planes of a box are 2^spacing voxels apart: few along its longest side, since the map needs the more
   // words the finer they are for its size, and not much closer than the primitives are large, since cells
   // smaller than what they hold gain little.
-  int spacing(const VoxelBox& box, const std::vector<Part>& parts) const {
+  int spacing(const VoxelBox& box, std::span<const Part> parts) const {
     const Vec3i w = box.end - box.first;
     const std::int32_t longest = std::max({w.x, w.y, w.z});
     double inverse_breadths = 0;
@@ -218,7 +231,7 @@ private:
 
   // act(plane, parts below it, parts above it) for each plane of the spacing within the box.
   template <class Act>
-  static void for_each_plane(const VoxelBox& box, const std::vector<Part>& parts, int axis, int spacing,
+  static void for_each_plane(const VoxelBox& box, std::span<const Part> parts, int axis, int spacing,
                              const Act& act) {
     Bins bins;
     bins.first = box.first[axis] >> spacing;
@@ -237,7 +250,7 @@ private:
     }
   }
 
-  Plane cheapest_plane(const VoxelBox& box, const std::vector<Part>& parts) const {
+  Plane cheapest_plane(const VoxelBox& box, std::span<const Part> parts) const {
     Plane best;
     if (parts.empty()) return best;
     const Vec3d w = cast<double>(box.end - box.first) * size_;
@@ -266,7 +279,7 @@ private:
 
   // The most even division; of equally even ones the one across the longest side. Each axis has a few planes:
   // where all of them cut all that the box lists, no other leaves less on both sides.
-  Plane middle_plane(const VoxelBox& box, const std::vector<Part>& parts) const {
+  Plane middle_plane(const VoxelBox& box, std::span<const Part> parts) const {
     Plane best;
     if (parts.size() <= rule_.target) return best;
     for (int axis = 0; axis < 3; ++axis) {
@@ -282,7 +295,7 @@ private:
     return best;
   }
 
-  void add_leaf(const VoxelBox& box, const std::vector<Part>& parts, Partition& result) const {
+  void add_leaf(const VoxelBox& box, std::span<const Part> parts, Partition& result) const {
     Leaf leaf{box, static_cast<std::uint32_t>(result.references.size()), 0};
     const Boxd place{{plane_at(0, box.first.x), plane_at(1, box.first.y), plane_at(2, box.first.z)},
                      {plane_at(0, box.end.x), plane_at(1, box.end.y), plane_at(2, box.end.z)}};
@@ -323,7 +336,8 @@ Partition partition(const SceneView<Stored>& scene, const Lattice& lattice, Over
                     std::span<const PrimitiveIndex> primitives) {
   const Partitioner<Stored> partitioner(scene, lattice, overlap, rule);
   Partition result;
-  partitioner.divide(root, partitioner.parts_in(root, primitives), result);
+  std::vector<Part> parts = partitioner.parts_in(root, primitives);
+  partitioner.divide(root, parts, 0, result);
   return result;
 }
 template Partition partition(const SceneView<float>&, const Lattice&, Overlap, const PartitionRule&,

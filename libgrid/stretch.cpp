@@ -1,6 +1,7 @@
 #include "libgrid/stretch.h"
 
 #include "libgrid/grid_file.h"
+#include "libgrid/list.h"
 
 #include <tbb/parallel_for.h>
 
@@ -10,113 +11,249 @@
 namespace masu {
 namespace {
 
-using Range = std::array<std::int32_t, 2>; // first and end along an axis
-using Ranges = std::array<Range, 3>;
-
-Ranges ranges_of(const MergedCell& cell) {
-  const auto range = [](std::uint32_t packed) {
-    return Range{static_cast<std::int32_t>(packed & 0xffff), static_cast<std::int32_t>(packed >> 16)};
-  };
-  return {range(cell.x), range(cell.y), range(cell.z)};
+// A box's extent along an axis, as cells have it.
+std::int32_t first_of(std::uint32_t range) {
+  return static_cast<std::int32_t>(range & 0xffff);
+}
+std::int32_t end_of(std::uint32_t range) {
+  return static_cast<std::int32_t>(range >> 16);
 }
 
-void set_ranges(MergedCell& cell, const Ranges& ranges) {
-  const auto packed = [](const Range& range) {
-    return static_cast<std::uint32_t>(range[0]) | static_cast<std::uint32_t>(range[1]) << 16;
-  };
-  cell.x = packed(ranges[0]);
-  cell.y = packed(ranges[1]);
-  cell.z = packed(ranges[2]);
+template <unsigned axis>
+std::uint32_t& range_of(MergedCell& cell) {
+  return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
 }
 
-// Whether all that `part` lists is listed by `whole`.
-bool lists_all(const PrimitiveIndex* references, std::uint32_t whole, std::uint32_t part) {
-  if (part == empty_list) return true;
-  if (whole == empty_list) return false;
-  for (;;) {
-    const PrimitiveIndex wanted = references[part], found = references[whole];
-    if ((wanted & ~last_bit) == (found & ~last_bit)) {
-      if ((wanted & last_bit) != 0) return true;
-      ++part;
-    } else if ((wanted & ~last_bit) < (found & ~last_bit)) {
-      return false;
-    }
-    if ((found & last_bit) != 0) return false;
-    ++whole;
-  }
-}
+// What a cell that wants to stretch needs to know of a neighbour: one half of a cache line.
+struct alignas(32) Neighbour {
+  std::array<std::uint32_t, 3> own;       // the voxels that lead to it
+  std::array<std::uint32_t, 3> stretched; // its box after the pass before
+  std::uint32_t signature;
+};
 
-class Stretcher {
+// A merged grid that is being stretched: the grid's cells are as this pass leaves them.
+struct Stretching {
+  Grid& grid;
+  MergedGridView<double> view;
+  std::vector<Neighbour> before;
+  std::vector<std::uint8_t> blocked; // a cell's bit for each of its sides
+};
+
+// Stretches cells towards one side.
+//
+// A face is moved by looking at its neighbours one after another, each found through the map: a chain of
+// loads, and branches that nobody can foretell. So many faces advance side by side, a neighbour a round, and
+// all decisions but the last are arithmetic. Each has a lane.
+template <unsigned axis, unsigned side>
+class FaceLanes {
 public:
-  explicit Stretcher(Grid& grid) : grid_(grid), view_(merged_view_of<double>(grid)), own_(grid.cells) {}
+  // For the cells from `begin` to before `end`.
+  FaceLanes(Stretching& stretching, std::size_t begin, std::size_t end)
+      : s_(stretching), next_cell_(begin), end_(end) {
+    // Lanes without a face go round in voxel 0.
+    u_end_.fill(1);
+    v_end_.fill(1);
+  }
 
-  void pass() {
-    const std::vector<MergedCell> before(grid_.cells);
-    blocked_.resize(before.size(), 0);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, before.size(), 1024), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
-        stretch_cell(i, before);
-    });
+  void stretch() {
+    while (live_ < lanes && take_face(live_))
+      ++live_;
+    while (live_ > 0) {
+      find_neighbours();
+      judge_neighbours();
+    }
   }
 
 private:
-  void stretch_cell(std::size_t number, const std::vector<MergedCell>& before) {
-    if (blocked_[number] == all_blocked) return;
-    MergedCell& cell = grid_.cells[number];
-    Ranges ranges = ranges_of(cell);
-    for (unsigned direction = 0; direction < 6; ++direction) {
-      // What is in the way stays in the way: the face only grows.
-      if ((blocked_[number] & (1U << direction)) != 0) continue;
-      if (!stretch_towards(direction, cell.list, before, ranges))
-        blocked_[number] = static_cast<std::uint8_t>(blocked_[number] | (1U << direction));
+  static constexpr unsigned lanes = 32;
+  static constexpr unsigned u = (axis + 1) % 3, v = (axis + 2) % 3;
+  static constexpr std::uint8_t side_bit = 1U << (2 * axis + side);
+  static constexpr std::int32_t most_neighbours = 32;
+  using Lane = std::array<std::int32_t, lanes>;
+
+  // The next cell's whose face isn't blocked; false when there is none.
+  bool take_face(unsigned lane) {
+    const std::int32_t limit = s_.view.division[static_cast<int>(axis)];
+    for (; next_cell_ != end_; ++next_cell_) {
+      if ((s_.blocked[next_cell_] & side_bit) != 0) continue;
+      MergedCell& cell = s_.grid.cells[next_cell_];
+      const std::uint32_t along = range_of<axis>(cell);
+      if (side == 0 ? first_of(along) == 0 : end_of(along) == limit) {
+        block(next_cell_);
+        continue;
+      }
+      cell_[lane] = next_cell_;
+      signature_[lane] = s_.before[next_cell_].signature;
+      plane_[lane] = side == 0 ? first_of(along) - 1 : end_of(along);
+      i_[lane] = u_first_[lane] = first_of(range_of<u>(cell));
+      u_end_[lane] = end_of(range_of<u>(cell));
+      j_[lane] = first_of(range_of<v>(cell));
+      next_j_[lane] = v_end_[lane] = end_of(range_of<v>(cell));
+      reach_[lane] = side == 0 ? 0 : 0xffff;
+      seen_[lane] = 0;
+      ++next_cell_;
+      return true;
     }
-    set_ranges(cell, ranges);
+    return false;
   }
 
-  // As far as every neighbour on that side lets it; false when one doesn't, or where they are very many: one
-  // of them would sooner or later.
-  bool stretch_towards(unsigned direction, std::uint32_t list, const std::vector<MergedCell>& before,
-                       Ranges& ranges) const {
-    const unsigned axis = direction / 2, side = direction % 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
-    Range& along = ranges[axis];
-    if (side == 0 ? along[0] == 0 : along[1] == view_.division[static_cast<int>(axis)]) return false;
-    std::int32_t reach = side == 0 ? 0 : 0xffff;
-    int seen = 0;
-    Vec3i voxel{};
-    voxel.set(static_cast<int>(axis), side == 0 ? along[0] - 1 : along[1]);
-    for (std::int32_t j = ranges[v][0], next_j; j < ranges[v][1]; j = next_j) {
-      voxel.set(static_cast<int>(v), j);
-      next_j = ranges[v][1];
-      for (std::int32_t i = ranges[u][0]; i < ranges[u][1];) {
-        voxel.set(static_cast<int>(u), i);
-        const std::uint32_t neighbour = cell_number(view_, voxel);
-        if (++seen > most_neighbours || !lists_all(grid_.references.data(), list, before[neighbour].list))
-          return false;
-        const Ranges own = ranges_of(own_[neighbour]);
-        const Ranges stretched = ranges_of(before[neighbour]);
-        reach = side == 0 ? std::max(reach, stretched[axis][0]) : std::min(reach, stretched[axis][1]);
-        next_j = std::min(next_j, own[v][1]);
-        i = own[u][1];
+  // What is in the way stays in the way: the face only grows.
+  void block(std::size_t cell) { s_.blocked[cell] = static_cast<std::uint8_t>(s_.blocked[cell] | side_bit); }
+
+  // cell_number (grid_view.h) for every lane.
+  void find_neighbours() {
+    const std::uint32_t* const map = s_.view.voxel_map;
+    const Lane &x = axis == 0 ? plane_
+                    : u == 0  ? i_
+                              : j_,
+               &y = axis == 1 ? plane_
+                    : u == 1  ? i_
+                              : j_,
+               &z = axis == 2 ? plane_
+                    : u == 2  ? i_
+                              : j_;
+    const std::int32_t log2 = s_.view.nested_log2;
+    const Vec3i top = s_.view.top;
+    std::uint32_t word[lanes];
+    std::int32_t x_log2[lanes], y_log2[lanes], z_log2[lanes];
+    for (unsigned l = 0; l < lanes; ++l) {
+      const std::int32_t place = ((z[l] >> log2) * top.y + (y[l] >> log2)) * top.x + (x[l] >> log2);
+      word[l] = map[static_cast<std::uint32_t>(place)];
+      x_log2[l] = y_log2[l] = z_log2[l] = log2;
+    }
+    for (;;) {
+      std::uint32_t all = occupied_bit;
+      for (const std::uint32_t w : word)
+        all &= w;
+      if (all != 0) break;
+      for (unsigned l = 0; l < lanes; ++l) {
+        // Lanes that have arrived divide their box by nothing, and keep their word.
+        const auto arrived = static_cast<std::uint32_t>(static_cast<std::int32_t>(word[l]) >> 31);
+        const MapDivision division = map_division(word[l] & ~arrived);
+        x_log2[l] -= division.log2.x;
+        y_log2[l] -= division.log2.y;
+        z_log2[l] -= division.log2.z;
+        const Vec3i at{x[l] >> x_log2[l], y[l] >> y_log2[l], z[l] >> z_log2[l]};
+        const std::uint32_t next = map[division.place + index_in_division(at, division.log2)];
+        word[l] = (word[l] & arrived) | (next & ~arrived);
       }
     }
-    along[side] = reach;
+    for (unsigned l = 0; l < lanes; ++l)
+      neighbour_[l] = word[l] & ~occupied_bit;
+  }
+
+  // Goes on along u to where the neighbour ends, or along v to where the first of this row's neighbours ends.
+  // A lane comes to an end at the face's end, at what is in the way, or after very many neighbours: one more
+  // of them would sooner or later be in the way.
+  void judge_neighbours() {
+    std::uint32_t signature[lanes], ended[lanes], ending[lanes];
+    std::int32_t bound[lanes], u_own[lanes], v_own[lanes];
+    for (unsigned l = 0; l < lanes; ++l) {
+      const Neighbour& neighbour = s_.before[neighbour_[l]];
+      signature[l] = neighbour.signature;
+      bound[l] = side == 0 ? first_of(neighbour.stretched[axis]) : end_of(neighbour.stretched[axis]);
+      u_own[l] = end_of(neighbour.own[u]);
+      v_own[l] = end_of(neighbour.own[v]);
+    }
+    for (unsigned l = 0; l < lanes; ++l) {
+      const bool in_the_way = (signature[l] & ~signature_[l]) != 0 || seen_[l] == most_neighbours;
+      ++seen_[l];
+      reach_[l] = side == 0 ? std::max(reach_[l], bound[l]) : std::min(reach_[l], bound[l]);
+      const std::int32_t next_j = std::min(next_j_[l], v_own[l]);
+      const bool row_ends = u_own[l] >= u_end_[l], face_ends = row_ends && next_j >= v_end_[l];
+      i_[l] = row_ends ? u_first_[l] : u_own[l];
+      j_[l] = row_ends && !face_ends ? next_j : j_[l];
+      next_j_[l] = row_ends ? v_end_[l] : next_j;
+      ended[l] = (in_the_way ? blocked : 0U) | (face_ends ? moved : 0U) | (signature[l] != 0 ? doubted : 0U);
+    }
+    unsigned count = 0;
+    for (unsigned l = 0; l < live_; ++l) {
+      ending[count] = l;
+      count += ended[l] != 0 ? 1 : 0;
+    }
+    // From the last lane on, so that what moves into another's place has been judged.
+    while (count > 0) {
+      const unsigned l = ending[--count];
+      if (!ends(l, ended[l])) continue;
+      if (!take_face(l)) move_lane(--live_, l);
+    }
+  }
+
+  // Why a lane is looked at: `doubted` that the neighbour lists nothing else, since signatures only say so
+  // where it does.
+  static constexpr std::uint32_t blocked = 1, moved = 2, doubted = 4;
+
+  bool ends(unsigned l, std::uint32_t why) {
+    const std::vector<MergedCell>& cells = s_.grid.cells;
+    MergedCell& cell = s_.grid.cells[cell_[l]];
+    if ((why & blocked) != 0 || ((why & doubted) != 0 && !lists_all(s_.grid.references.data(), cell.list,
+                                                                    cells[neighbour_[l]].list))) {
+      block(cell_[l]);
+      return true;
+    }
+    if ((why & moved) == 0) return false;
+    std::uint32_t& along = range_of<axis>(cell);
+    const auto reach = static_cast<std::uint32_t>(reach_[l]);
+    along = side == 0 ? (along & 0xffff0000U) | reach : (along & 0xffffU) | reach << 16;
     return true;
   }
 
-  static constexpr std::uint8_t all_blocked = 0x3f;
-  static constexpr int most_neighbours = 32;
-  Grid& grid_;
-  MergedGridView<double> view_;
-  std::vector<MergedCell> own_;
-  std::vector<std::uint8_t> blocked_;
+  void move_lane(unsigned from, unsigned to) {
+    cell_[to] = cell_[from];
+    signature_[to] = signature_[from];
+    for (Lane* lane : {&plane_, &i_, &j_, &next_j_, &u_first_, &u_end_, &v_end_, &reach_, &seen_})
+      (*lane)[to] = (*lane)[from];
+  }
+
+  Stretching& s_;
+  std::size_t next_cell_, end_;
+  unsigned live_ = 0; // lanes that have a face: the first ones
+  std::array<std::size_t, lanes> cell_{};
+  std::array<std::uint32_t, lanes> signature_{}, neighbour_{};
+  // The voxel looked at: plane_ along the axis, i_ along u, j_ along v. It runs over the face, which is from
+  // u_first_ to u_end_ and up to v_end_; the next row is at next_j_.
+  Lane plane_{}, i_{}, j_{}, next_j_{}, u_first_{}, u_end_{}, v_end_{};
+  Lane reach_{}, seen_{};
 };
+
+template <class Act>
+void for_all_cells(const Grid& grid, const Act& act) {
+  constexpr std::size_t cells_a_task = 4096;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.cells.size(), cells_a_task),
+                    [&](const auto& range) { act(range.begin(), range.end()); });
+}
+
+void pass(Stretching& stretching) {
+  for_all_cells(stretching.grid, [&](std::size_t begin, std::size_t end) {
+    FaceLanes<0, 0>(stretching, begin, end).stretch();
+    FaceLanes<0, 1>(stretching, begin, end).stretch();
+    FaceLanes<1, 0>(stretching, begin, end).stretch();
+    FaceLanes<1, 1>(stretching, begin, end).stretch();
+    FaceLanes<2, 0>(stretching, begin, end).stretch();
+    FaceLanes<2, 1>(stretching, begin, end).stretch();
+  });
+}
 
 } // namespace
 
 void stretch(Grid& grid, int passes) {
-  Stretcher stretcher(grid);
-  for (int i = 0; i < passes; ++i)
-    stretcher.pass();
+  if (passes == 0) return;
+  Stretching stretching{grid, merged_view_of<double>(grid), std::vector<Neighbour>(grid.cells.size()),
+                        std::vector<std::uint8_t>(grid.cells.size(), 0)};
+  for_all_cells(grid, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i) {
+      const MergedCell& cell = grid.cells[i];
+      const std::array own{cell.x, cell.y, cell.z};
+      stretching.before[i] = {own, own, signature_of(grid.references.data(), cell.list)};
+    }
+  });
+  for (int i = 0; i < passes; ++i) {
+    pass(stretching);
+    for_all_cells(grid, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c != end; ++c)
+        stretching.before[c].stretched = {grid.cells[c].x, grid.cells[c].y, grid.cells[c].z};
+    });
+  }
 }
 
 } // namespace masu
