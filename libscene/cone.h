@@ -50,6 +50,19 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   const Vec3<Real> turn = cross(ray.direction, axis);
   const Real turn_square = dot(turn, turn), apart = dot(origin, turn), widest = larger(base, apex);
   if (apart * apart > widest * widest * turn_square) return false;
+  // Of the rest, most end with one more look: the ray is outside and moves away from the axis, as where it
+  // leaves this very surface; or its line passes by the ball around the cone, with room for rounding, as
+  // where it passes one end.
+  const Real square = dot(axis, axis);
+  const Vec3<Real> beside = rough_cross(origin, axis);
+  if (dot(beside, turn) >= 0 && dot(beside, beside) > widest * widest * square) return false;
+  constexpr Real roundings = 64 * RealTraits<Real>::unit_roundoff;
+  const Vec3<Real> from_middle = fused(whole, Real(-0.5), origin);
+  const Vec3<Real> past =
+      fused(ray.direction, -(dot(from_middle, ray.direction) * ray.inverse_square), from_middle);
+  const Real ball = fused(widest, widest, dot(whole, whole) / 4);
+  if (dot(past, past) > fused(roundings * roundings, dot(from_middle, from_middle), ball + ball / 256))
+    return false;
 
   const Real unit =
       inverse_power_of_two(larger(largest_magnitude(origin), larger(largest_magnitude(whole), widest)));
@@ -58,7 +71,7 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
 
   // At t the height along the axis is z + t dz, from 0 (base) to `top` (apex); the distance ρ from the axis
   // is |from_base × axis + t turn| / |axis|, and the cone's radius R is r + t dr.
-  const Real square = dot(axis, axis), top = dot(whole, axis) * unit, slope = growth / top;
+  const Real top = dot(whole, axis) * unit, slope = growth / top;
   const Real z = dot(from_base, axis), dz = dot(ray.direction, axis);
   const Real r = fused(slope, z, base_radius), dr = slope * dz, dr_square = square * dr;
 
