@@ -50,9 +50,9 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Cone<Stored>& con
   const Vec3<Real> turn = cross(ray.direction, axis);
   const Real turn_square = dot(turn, turn), apart = dot(origin, turn), widest = larger(base, apex);
   if (apart * apart > widest * widest * turn_square) return false;
-  // Of the rest, most end with one more look: the ray is outside and moves away from the axis, as where it
-  // leaves this very surface; or its line passes by the ball around the cone, with room for rounding, as
-  // where it passes one end.
+  // Of the rest, most end with one more look. The ray is outside and moves away from the axis, as where it
+  // leaves this very surface: whoever is taken for outside by a rounding alone is within the margin of it. Or
+  // its line passes by the ball around the cone, with room for rounding, as where it passes one end.
   const Real square = dot(axis, axis);
   const Vec3<Real> beside = rough_cross(origin, axis);
   if (dot(beside, turn) >= 0 && dot(beside, beside) > widest * widest * square) return false;

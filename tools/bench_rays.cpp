@@ -6,8 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <memory>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace masu {

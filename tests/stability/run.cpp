@@ -186,17 +186,14 @@ std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
   TracingRules rules;
   rules.precision = way.precision;
   rules.stop = way.stop;
-  const auto with_store = [&](const auto& view) {
-    with_arithmetic(view, way.precision, [&]<class TestRay>(Arithmetic<TestRay>) {
-      with_method<TestRay>(view, &grid, rules, [&]<class M>(const auto& accelerator, M, const auto&) {
-        tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
-          const auto hit = find<M>(view, accelerator, rays[i]);
-          found[i] = {static_cast<double>(hit.t), hit.primitive, true};
-        });
+  with_store_and_arithmetic(scene, way.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+    with_method<TestRay>(view, &grid, rules, [&]<class M>(const auto& accelerator, M, const auto&) {
+      tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+        const auto hit = find<M>(view, accelerator, rays[i]);
+        found[i] = {static_cast<double>(hit.t), hit.primitive, true};
       });
     });
-  };
-  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
+  });
   return found;
 }
 
