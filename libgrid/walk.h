@@ -64,6 +64,8 @@ struct Walk {
   Vec3<Real> crossings; // where the ray crosses the cell's far planes
   Real exit;            // the first of them: where the ray leaves the cell
 
+  Walk() = default;
+
   // `near` begins in the space, or just before it.
   MASU_HD Walk(const Grid& grid, const ClippedRay<Real>& near)
       : x(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 0)),
@@ -89,6 +91,25 @@ struct Walk {
     const bool in_x = is_within(x.voxel, grid.division.x), in_y = is_within(y.voxel, grid.division.y),
                in_z = is_within(z.voxel, grid.division.z);
     return in_x & in_y & in_z;
+  }
+
+  // Where the ray leaves the space.
+  MASU_HD Real end(const Grid& grid) const {
+    return least(x.crossing(x.rising * grid.division.x),
+                 least(y.crossing(y.rising * grid.division.y), z.crossing(z.rising * grid.division.z)));
+  }
+
+  // How many voxels along the axis where they are most the ray passes from t to t + 1.
+  MASU_HD Real speed() const {
+    return greatest(std::abs(x.voxel_step), greatest(std::abs(y.voxel_step), std::abs(z.voxel_step)));
+  }
+
+  // Goes on from t, a place on the ray's way through the space.
+  MASU_HD void begin_at(const Grid& grid, Real t) {
+    x.voxel = held(x.voxel_at(t), 0, grid.division.x - 1);
+    y.voxel = held(y.voxel_at(t), 0, grid.division.y - 1);
+    z.voxel = held(z.voxel_at(t), 0, grid.division.z - 1);
+    exit = t;
   }
 
   // How many voxels `voxel` is away: so many steps a walk from voxel to voxel would have taken from there.

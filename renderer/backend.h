@@ -80,10 +80,10 @@ struct ListedRay {
 enum class Question { nearest, blocked };
 
 // How a GPU goes about its rays: a thread takes one ray through, cell by cell, and its warp's threads wait
-// for each other at every cell; or they go on by turns of a step and a few tests, which pays where some lists
-// are long; or, besides, those that are done take the next ray, which pays where rays of a warp go their own
-// ways. The hits are the same.
-enum class RayLoop { cells, turns, refill };
+// for each other at every cell; or a warp's threads share out what its rays have to test; or, besides, those
+// that are done take the next ray, which pays where rays of a warp go their own ways
+// (renderer/warp_tracing_cuda.h). The hits are the same.
+enum class RayLoop { cells, warp, refill };
 
 struct RaysRequest {
   std::span<const ListedRay> rays;
@@ -92,7 +92,7 @@ struct RaysRequest {
   int repeat = 1;
   int warm_up = 0; // untimed runs before
   Question question = Question::nearest;
-  RayLoop loop = RayLoop::refill; // where rays are counted, always cells
+  RayLoop loop = RayLoop::refill; // always cells where rays are counted or stop by the study's rule
 };
 
 struct RayHits {

@@ -5,6 +5,7 @@
 #include "libgrid/trace.h"
 #include "libscene/scene_view.h"
 #include "libscene/stopwatch.h"
+#include "renderer/kernel_cuda.h"
 #include "renderer/upload.h"
 
 namespace masu {
@@ -47,7 +48,7 @@ struct DeviceGrid {
     if (grid == nullptr) return;
     voxel_map = upload.array(grid->voxel_map());
     cells = upload.array(grid->cells());
-    references = upload.array(grid->references());
+    references = upload.array(grid->references(), references_read_ahead);
   }
   template <class Real>
   GridView<Real> moved(GridView<Real> view) const {

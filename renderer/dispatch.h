@@ -105,33 +105,19 @@ MASU_HD inline EyeHit trace_listed(const SceneView<Stored>& scene, const Grid& g
   return eye_hit(scene, hit, ray.scale, name);
 }
 
-// What looks for the answer to a question.
-template <Question question, class M, class Stored, class C>
-using VisitorFor =
-    std::conditional_t<question == Question::nearest, NearestHit<M, Stored, C>, AnyHit<M, Stored, C>>;
-
-template <class M, class Stored, class C>
-MASU_HD inline void reset(NearestHit<M, Stored, C>& visitor, typename M::Real t_max) {
-  visitor.t_max = t_max;
-  visitor.hit = {t_max, 0};
-}
-template <class M, class Stored, class C>
-MASU_HD inline void reset(AnyHit<M, Stored, C>& visitor, typename M::Real t_max) {
-  visitor.t_max = t_max;
-  visitor.found = false;
+// The answer for a listed ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
+template <Question question, class Real, class Stored>
+MASU_HD inline EyeHit answer(const SceneView<Stored>& scene, const Hit<Real>& nearest, Real t_max,
+                             Real skipped, Real scale, HitName name) {
+  const bool met = nearest.t < t_max;
+  if constexpr (question == Question::blocked) return blocked_hit(met);
+  return eye_hit(scene, Hit<Real>{nearest.t + skipped, met ? nearest.primitive : no_primitive}, scale, name);
 }
 
-// What a visitor found on a listed ray that was scaled and clipped.
-template <class M, class Stored, class C, class Real>
-MASU_HD inline EyeHit found_by(const NearestHit<M, Stored, C>& visitor, Real t_max, Real skipped, Real scale,
-                               HitName name) {
-  const bool met = visitor.hit.t < t_max;
-  return eye_hit(visitor.scene,
-                 Hit<Real>{visitor.hit.t + skipped, met ? visitor.hit.primitive : no_primitive}, scale, name);
-}
-template <class M, class Stored, class C, class Real>
-MASU_HD inline EyeHit found_by(const AnyHit<M, Stored, C>& visitor, Real, Real, Real, HitName) {
-  return blocked_hit(visitor.found);
+// Whether the search may end once all up to t = exit has been tested.
+template <Question question, class Real>
+MASU_HD inline bool is_answered(const Hit<Real>& nearest, Real t_max, Real exit) {
+  return nearest.t <= exit || (question == Question::blocked && nearest.t < t_max);
 }
 
 } // namespace masu

@@ -11,9 +11,11 @@ namespace masu {
 // the bus carries; a few threads that fill page-locked memory by turns keep the bus busy.
 class Upload {
 public:
+  // With room for so many records more behind, which are all zero.
   template <class T>
-  DeviceArray<T> array(std::span<const T> host) {
-    DeviceArray<T> device(host.size());
+  DeviceArray<T> array(std::span<const T> host, std::size_t room = 0) {
+    DeviceArray<T> device(host.size() + room);
+    if (room > 0) check(cudaMemset(device.data() + host.size(), 0, room * sizeof(T)));
     if (!host.empty()) copies_.push_back({device.data(), host.data(), host.size_bytes()});
     return device;
   }

@@ -39,12 +39,12 @@ struct RaySet {
 };
 
 const std::map<std::string, RayLoop> all_loops{
-    {"cells", RayLoop::cells}, {"turns", RayLoop::turns}, {"refill", RayLoop::refill}};
+    {"cells", RayLoop::cells}, {"warp", RayLoop::warp}, {"refill", RayLoop::refill}};
 
 // The loop's name: `auto` is the one for the set of rays.
 std::string loop_for(const std::string& wanted, const RaySet& set) {
   if (wanted != "auto") return wanted;
-  return set.coherent ? "cells" : "refill";
+  return set.coherent ? "warp" : "refill";
 }
 
 // Every grid is asked the same rays; the first one makes those that depend on what is hit.
@@ -157,13 +157,14 @@ void add_rays(CLI::App& app) {
   add_backend(rays, settings.backend);
   add_choice(rays, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
              "how the eye's rays follow each other: rows, or tiles of 8x4");
-  rays.add_option(
-          "--loop", settings.loops,
-          "how the GPU goes about it: cells (a thread a ray, cell by cell), turns (a step and a few tests "
-          "at a time), refill (by turns, and threads that are done take the next ray), or auto "
-          "(refill for diffuse and random, else cells)")
+  rays.add_option("--loop", settings.loops,
+                  "how the GPU goes about it: cells (a thread a ray, cell by cell), warp (32 threads share "
+                  "what their "
+                  "rays have to test), refill (besides, threads that are done take the next ray), or auto "
+                  "(refill for "
+                  "diffuse and random, else warp)")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "turns", "refill"}));
+      ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "warp", "refill"}));
   rays.add_option("--precision", settings.precisions,
                   "by which arithmetic: auto, fast, robust, double (see gridrender --help)")
       ->delimiter(',')

@@ -50,7 +50,7 @@ std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<
   request.hit_name = HitName::primitive;
   const RayHits cpu = trace_rays_cpu(scene, &grid, request);
   std::uint64_t different = 0;
-  for (const RayLoop loop : {RayLoop::cells, RayLoop::turns, RayLoop::refill}) {
+  for (const RayLoop loop : {RayLoop::cells, RayLoop::warp, RayLoop::refill}) {
     request.loop = loop;
     const RayHits gpu = trace_rays_cuda(scene, &grid, request);
     for (std::size_t i = 0; i < rays.size(); ++i)

@@ -1,0 +1,56 @@
+// How kernels are sized, launched and timed. CUDA sources only.
+#pragma once
+
+#include "renderer/backend.h"
+#include "renderer/device_memory.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace masu {
+
+inline constexpr int lanes_a_warp = 32;
+inline constexpr unsigned all_lanes = 0xffffffffU;
+
+// A warp may read so many references beyond a list's end, to no effect: their array is longer by them.
+inline constexpr std::size_t references_read_ahead = lanes_a_warp - 1;
+
+// Threads that should fit on a multiprocessor: the compiler may spend registers only so far. Double takes
+// twice as many.
+template <class M>
+constexpr int resident_threads_wanted = sizeof(typename M::Real) == 4 ? 1024 : 512;
+
+// Launches the kernel so many times and waits; its code is on the device before the time starts, and before()
+// puts what it needs onto the stream. The median's seconds.
+template <class Before, class Kernel, class... Arguments>
+double timed_launch(KernelSize& size, int warm_up, int repeat, const Before& before, Kernel* kernel,
+                    dim3 blocks, dim3 threads, const Arguments&... arguments) {
+  cudaFuncAttributes attributes;
+  check(cudaFuncGetAttributes(&attributes, kernel));
+  size = {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};
+  for (int i = 0; i < warm_up; ++i) {
+    before();
+    kernel<<<blocks, threads>>>(arguments...);
+  }
+  std::vector<double> seconds;
+  for (int i = 0; i < repeat; ++i) {
+    before();
+    const DeviceTimer timer;
+    kernel<<<blocks, threads>>>(arguments...);
+    check(cudaGetLastError());
+    seconds.push_back(timer.seconds());
+  }
+  return median(std::move(seconds));
+}
+
+// How many blocks of so many threads run at once: `each` on a multiprocessor, or for 0 as many as fit.
+template <class Kernel>
+std::uint32_t resident_blocks(Kernel* kernel, int threads, int each) {
+  int device = 0, multiprocessors = 0, fitting = 0;
+  check(cudaGetDevice(&device));
+  check(cudaDeviceGetAttribute(&multiprocessors, cudaDevAttrMultiProcessorCount, device));
+  check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fitting, kernel, threads, 0));
+  return static_cast<std::uint32_t>(multiprocessors * std::max(each > 0 ? each : fitting, 1));
+}
+
+} // namespace masu
