@@ -85,6 +85,13 @@ enum class Question { nearest, blocked };
 // (renderer/warp_tracing_cuda.h). The hits are the same.
 enum class RayLoop { cells, warp, refill };
 
+// Which loop is fastest, as a rule, for a scene and a grid of so many bytes; coherent: neighbours in the list
+// go the same way. What fits into a GPU's caches is there soon, and then sharing costs more than waiting.
+inline RayLoop usual_loop(bool coherent, std::uint64_t bytes) {
+  constexpr std::uint64_t near = std::uint64_t{32} << 20;
+  return !coherent ? RayLoop::refill : bytes > near ? RayLoop::warp : RayLoop::cells;
+}
+
 struct RaysRequest {
   std::span<const ListedRay> rays;
   TracingRules tracing{};

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
@@ -41,10 +42,14 @@ struct RaySet {
 const std::map<std::string, RayLoop> all_loops{
     {"cells", RayLoop::cells}, {"warp", RayLoop::warp}, {"refill", RayLoop::refill}};
 
-// The loop's name: `auto` is the one for the set of rays.
-std::string loop_for(const std::string& wanted, const RaySet& set) {
+// The loop's name: `auto` is the usual one for the rays and the files.
+std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
+                     const GridFile& grid) {
   if (wanted != "auto") return wanted;
-  return set.coherent ? "warp" : "refill";
+  const RayLoop usual = usual_loop(set.coherent, scene.bytes() + grid.bytes());
+  return std::find_if(all_loops.begin(), all_loops.end(),
+                      [&](const auto& loop) { return loop.second == usual; })
+      ->first;
 }
 
 // Every grid is asked the same rays; the first one makes those that depend on what is hit.
@@ -133,7 +138,8 @@ void bench_rays(const Settings& settings) {
     for (const RaySet& set : sets) {
       for (const std::string& precision : settings.precisions) {
         for (const std::string& loop : settings.loops) {
-          rows.push_back(measure(settings, scene, grid, set, precision, loop_for(loop, set), cuda));
+          rows.push_back(
+              measure(settings, scene, grid, set, precision, loop_for(loop, set, scene, grid), cuda));
           if (!settings.json) print_row(rows.back());
         }
       }
@@ -162,7 +168,7 @@ void add_rays(CLI::App& app) {
                   "what their "
                   "rays have to test), refill (besides, threads that are done take the next ray), or auto "
                   "(refill for "
-                  "diffuse and random, else warp)")
+                  "diffuse and random; else warp, or cells while the files are small)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "warp", "refill"}));
   rays.add_option("--precision", settings.precisions,
