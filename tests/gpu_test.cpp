@@ -33,6 +33,12 @@ void build_grid(const SceneFile& scene, const std::string& division, const Merge
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""}, path);
 }
 
+MergeRule merged_by(Merge merge) {
+  MergeRule rule;
+  rule.merge = merge;
+  return rule;
+}
+
 class CpuAndGpu : public testing::TestWithParam<SpdInfo> {
 protected:
   void SetUp() override {
@@ -130,6 +136,38 @@ TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
                    trace_rays_cuda(built.scene, &built.grid, wanted).hits);
 }
 
+// Of few rays and of many, through cells that list next to nothing and through such as list nearly all.
+TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  for (const auto& [division, merge] :
+       {std::pair{"2", Merge::none}, std::pair{"auto", Merge::none}, std::pair{"4", Merge::irregular}}) {
+    SCOPED_TRACE(std::string(division) + (merge == Merge::none ? "" : " irregular"));
+    const Built built = build(Store::float32, GetParam().least + 1, division, merged_by(merge));
+    std::vector<ListedRay> rays = random_rays(built.scene, 4000, seed.engine()());
+    const std::vector<ListedRay> eye =
+        primary_rays(built.scene, request(built.scene, 64).camera, RayOrder::tiles);
+    rays.insert(rays.end(), eye.begin(), eye.end());
+    for (const std::size_t count : {std::size_t{1}, std::size_t{33}, rays.size()}) {
+      SCOPED_TRACE(count);
+      for (const Question question : {Question::nearest, Question::blocked}) {
+        for (const Precision precision : {Precision::robust, Precision::doubled}) {
+          RaysRequest wanted{std::span(rays).last(count)};
+          wanted.tracing.precision = precision;
+          wanted.question = question;
+          wanted.hit_name = HitName::primitive;
+          const RayHits cpu = trace_rays_cpu(built.scene, &built.grid, wanted);
+          for (const RayLoop loop : {RayLoop::cells, RayLoop::warp, RayLoop::refill}) {
+            SCOPED_TRACE(static_cast<int>(loop));
+            wanted.loop = loop;
+            expect_same_hits(cpu.hits, trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST_P(CpuAndGpu, FindTheSameRaysBlocked) {
   const Built built = build(Store::float32, GetParam().standard, "auto");
   const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
@@ -163,12 +201,6 @@ TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
   expect_same_hits(cpu.hits, grid.hits);
   expect_same_hits(grid.hits, none.hits);
   EXPECT_EQ(std::memcmp(grid.radiance.data(), none.radiance.data(), grid.radiance.size() * sizeof(Vec3f)), 0);
-}
-
-MergeRule merged_by(Merge merge) {
-  MergeRule rule;
-  rule.merge = merge;
-  return rule;
 }
 
 TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
