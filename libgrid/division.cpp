@@ -176,16 +176,19 @@ Boxd crowd_of(const SceneView<Stored>& scene) {
 template <class Stored>
 DivisionStatistics division_statistics(const SceneView<Stored>& scene) {
   const Boxd crowd = crowd_of(scene);
-  return over_primitives(
-      scene, DivisionStatistics{{}, {}, crowd},
+  DivisionStatistics result = over_primitives(
+      scene, DivisionStatistics{{}, {}, crowd, 0},
       [&](DivisionStatistics& statistics, const auto& primitive, const Boxd& box) {
         const SurfaceSums own = measured(primitive, box);
         statistics.all = sum(statistics.all, own);
         if (contains(crowd, center_of(box))) statistics.crowded = sum(statistics.crowded, own);
       },
       [](const DivisionStatistics& a, const DivisionStatistics& b) {
-        return DivisionStatistics{sum(a.all, b.all), sum(a.crowded, b.crowded), a.crowd};
+        return DivisionStatistics{sum(a.all, b.all), sum(a.crowded, b.crowded), a.crowd, 0};
       });
+  if (scene.primitive_count() > 0)
+    result.cone_share = static_cast<double>(scene.cone_count) / scene.primitive_count();
+  return result;
 }
 template DivisionStatistics division_statistics(const SceneView<float>&);
 template DivisionStatistics division_statistics(const SceneView<double>&);
@@ -268,14 +271,19 @@ Vec3d equal_sides(const Vec3d& extent, double voxels) {
   return {density, density, density};
 }
 
-// Voxels a primitive: few, but more of them the smaller the crowd's part of the space is.
+// A quarter of what a merged grid's map may be (merge.h): the rest is for what they are divided into.
+constexpr double most_nested = 0x1p26;
+
+// Voxels a primitive: few, but more of them the smaller the crowd's part of the space is; and many for cones,
+// whose tests are long: finer voxels save near misses, and lists that a long cone would otherwise be in.
 double nested_density(const DivisionStatistics& statistics, const Boxd& space) {
-  constexpr double least = 0.05, most = 1;
+  constexpr double least = 0.05, most = 1, of_cones = 32;
   const auto volume = [](const Boxd& box) {
     const Vec3d w = box.max - box.min;
     return w.x * w.y * w.z;
   };
-  return std::clamp(least * std::sqrt(volume(space) / volume(statistics.crowd)), least, most);
+  const double usual = std::clamp(least * std::sqrt(volume(space) / volume(statistics.crowd)), least, most);
+  return std::max(usual, of_cones * statistics.cone_share);
 }
 
 Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
@@ -320,7 +328,8 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
   case DivisionRule::Kind::automatic:
     return automatic_division(statistics, space);
   case DivisionRule::Kind::nested:
-    return division_of(extent, equal_sides(extent, std::max(1.0, nested_density(statistics, space) * count)));
+    return division_of(
+        extent, equal_sides(extent, std::clamp(nested_density(statistics, space) * count, 1.0, most_nested)));
   }
   return {1, 1, 1};
 }

@@ -22,9 +22,10 @@ enum class SpaceRule { tight, cube };
 //   cleary         an axis w·∛(λN/V): λN voxels of equal sides
 //                  (Cleary & Wyvill, The Visual Computer 4(2), 1988)
 //   automatic      cleary with the smallest λ that the cost model below puts within a few percent of the best
-//   nested         cleary with a small λ, for voxels that will be divided further: from 0.05 to 1, the larger
-//   the
-//                  more of the space lies beyond where most primitives are
+//   nested         cleary for voxels that will be divided further: λ is from 0.05 to 1, the larger the more
+//   of
+//                  the space lies beyond where most primitives are; or, if that is more, 32 times the cones'
+//                  share of the primitives
 struct DivisionRule {
   enum class Kind { fixed, cube_root, woo, heterogeneous, cleary, automatic, nested } kind = Kind::automatic;
   Vec3i fixed{1, 1, 1};
@@ -51,6 +52,7 @@ struct SurfaceSums {
 struct DivisionStatistics {
   SurfaceSums all, crowded; // crowded: those whose box is centred in `crowd`
   Boxd crowd{};
+  double cone_share = 0; // of all primitives
 };
 
 template <class Stored>

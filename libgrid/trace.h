@@ -16,7 +16,7 @@ struct NoGrid {};
 // sooner, and sometimes wrong.
 enum class StopRule { proven, first_cell };
 
-// How rays are traced, compiled in: the ray says by which tests (RayFrame<float>, RayFrame<double>,
+// How rays are traced, compiled in: the ray says by which tests (RayLine<Real>, RayFrame<Real>,
 // TextbookRay), `kinds` is a set of primitive kinds.
 template <class TestRay_, unsigned kinds_, StopRule stop_ = StopRule::proven>
 struct Method {

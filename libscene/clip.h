@@ -38,14 +38,27 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
   return enter <= leave * (1 + slack) && enter <= ray.t_max;
 }
 
-// False when the ray misses the box. The new origin is rounded once a coordinate: it stays on the ray to an
-// ulp of the box's coordinates. It is held back by the entry's own rounding, and so may lie before the box;
-// from very far off the entry is coarse, and is looked for once more from nearby.
+// Whether the ray moves away from all that lies at least `padding` inside the box: it starts beyond, as where
+// it leaves a scene's outermost face.
+template <class Real>
+MASU_HD inline bool departs(const Box<Real>& box, const Ray<Real>& ray, Real padding) {
+  const Vec3<Real> above = ray.origin - box.min, below = box.max - ray.origin, d = ray.direction;
+  return least(d.x > 0 ? below.x : above.x, least(d.y > 0 ? below.y : above.y, d.z > 0 ? below.z : above.z)) <
+         padding;
+}
+
+// False when the ray misses the box, a scene's padded bounds (margin.h), or leaves the bounds for good. The
+// new origin is rounded once a coordinate: it stays on the ray to an ulp of the box's coordinates. It is held
+// back by the entry's own rounding, and so may lie before the box; from very far off the entry is coarse, and
+// is looked for once more from nearby.
 template <class Real>
 MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
   const Vec3<Real> d = ray.direction;
   clipped = {ray, {finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, 0};
-  const Real far = 256 * largest_magnitude(box);
+  const Real largest = largest_magnitude(box), far = 256 * largest;
+  // What is in the padding is off the bounds by no more than the box' own rounding.
+  constexpr Real padding = (256 - 16) * RealTraits<Real>::unit_roundoff;
+  if (departs(box, ray, padding * largest)) return false;
   for (bool again = true; again;) {
     Real enter;
     if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;

@@ -35,35 +35,54 @@ MASU_HD inline Vec3<Real> without_traces(const Vec3<Real>& direction) {
 }
 
 // What all tests of one ray share, with which they lose no hit: the ray of `robust` and `double` arithmetic
-// (textbook.h has that of `fast`). across1 and across2 span the plane across the ray.
+// (textbook.h has that of `fast`).
 template <class Real_>
-struct RayFrame {
+struct RayLine {
   using Real = Real_;
   Vec3<Real> origin, direction;
-  Vec3<Real> across1, across2;
   Real inverse_square; // 1 / |direction|²
+};
+
+// The same with two vectors that span the plane across the ray: what each test of a triangle needs, and so
+// worth its registers where there are many.
+template <class Real_>
+struct RayFrame : RayLine<Real_> {
+  Vec3<Real_> across1, across2;
 };
 
 // across1 is exact: two of the direction's own components, swapped, the smallest left out. So the plane
 // deviates from perpendicular by no more than across2's rounding.
 template <class Real>
-MASU_HD inline void prepare(RayFrame<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
-  const Vec3<Real> direction = without_traces(along);
-  const Real x = std::abs(direction.x), y = std::abs(direction.y), z = std::abs(direction.z);
+MASU_HD inline RayFrame<Real> framed(const RayLine<Real>& ray) {
+  const Vec3<Real> d = ray.direction;
+  const Real x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
   Vec3<Real> across{};
   if (x <= y && x <= z) {
-    across = {0, direction.z, -direction.y};
+    across = {0, d.z, -d.y};
   } else if (y <= z) {
-    across = {-direction.z, 0, direction.x};
+    across = {-d.z, 0, d.x};
   } else {
-    across = {direction.y, -direction.x, 0};
+    across = {d.y, -d.x, 0};
   }
-  ray = {origin, direction, across, cross(direction, across), Real(1) / dot(direction, direction)};
+  return {ray, across, cross(d, across)};
+}
+
+template <class Real>
+MASU_HD inline void prepare(RayLine<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
+  const Vec3<Real> direction = without_traces(along);
+  ray = {origin, direction, quotient(Real(1), dot(direction, direction))};
+}
+template <class Real>
+MASU_HD inline void prepare(RayFrame<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
+  RayLine<Real> line{};
+  prepare(line, origin, along);
+  ray = framed(line);
 }
 
 // A hit as of the ray from where it enters the scene's bounds (clip.h): `hit.t` counts from that ray's
 // origin, `skipped` is the t before it. Primitive no_primitive where nothing is hit; then t is the whole
-// ray's t_max. TestRay: RayFrame<Real> or TextbookRay.
+// ray's t_max. TestRay: RayLine<Real>, RayFrame<Real> or
+// TextbookRay.
 template <class TestRay>
 struct NearHit {
   using Real = typename TestRay::Real;

@@ -73,6 +73,21 @@ MASU_HD inline double double_of(std::uint64_t bits) {
 #endif
 }
 
+// a / b: rounded as division is, for |b| from 2^-126 to 2^125 and while what it leaves is a normal number;
+// beyond, whatever it is, the same on host and device. Without a branch, where the device's own division has
+// a slow path that costs all code around it registers. Newton's iteration, from a guess by the exponent.
+MASU_HD inline float quotient(float a, float b) {
+  const float guess = float_of(0x7ef311c7U - bits_of(b)); // off by up to an eighth
+  const float lacks = fused(-b, guess, 1.0F);
+  const float better = fused(fused(lacks, lacks, lacks), guess, guess);
+  const float inverse = fused(fused(-b, better, 1.0F), better, better);
+  const float rough = a * inverse;
+  return fused(fused(-b, rough, a), inverse, rough);
+}
+MASU_HD inline double quotient(double a, double b) {
+  return a / b;
+}
+
 // Rounded towards zero; beyond 2^30, where nothing here depends on it, to a number as large or
 // larger; NaN to 0 (as the device's own conversion has it).
 MASU_HD inline std::int32_t truncated(float v) {

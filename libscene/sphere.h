@@ -10,7 +10,7 @@ namespace masu {
 // Whether the ray meets the shell at a t > 0; then `t` is the first such place. Of a negative radius only the
 // inside is there: where the ray leaves.
 template <class Real, class Stored>
-MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
+MASU_HD inline bool intersect(const RayLine<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
   const Real radius = static_cast<Real>(sphere.radius);
   const Vec3<Real> to_center = cast<Real>(sphere.center) - ray.origin;
   const Real nearest = dot(to_center, ray.direction) * ray.inverse_square;

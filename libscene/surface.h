@@ -59,8 +59,13 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t,
-                                             const Sphere<Stored>& sphere) {
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const RayLine<Real>& ray, Real t,
+                                             const Triangle<Stored>& triangle) {
+  return surface_at(scene, framed(ray), t, triangle);
+}
+
+template <class Real, class Stored>
+MASU_HD inline SurfacePoint<Real> surface_at(const RayLine<Real>& ray, Real t, const Sphere<Stored>& sphere) {
   const Vec3<Real> center = cast<Real>(sphere.center);
   const Real radius = std::abs(static_cast<Real>(sphere.radius));
   const Vec3<Real> from_center = fused(ray.direction, t, ray.origin) - center;
@@ -75,7 +80,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t,
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const RayFrame<Real>& ray, Real t, const Cone<Stored>& cone) {
+MASU_HD inline SurfacePoint<Real> surface_at(const RayLine<Real>& ray, Real t, const Cone<Stored>& cone) {
   const ConeAxis<Real> c = cone_axis<Real>(cone);
   const Vec3<Real> from_base = fused(ray.direction, t, ray.origin - c.base);
   const Real anywhere = dot(from_base, c.axis) * c.inverse_square;

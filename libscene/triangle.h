@@ -47,8 +47,13 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>&
   const Real size = sum < 0x1p-60F && sum > -0x1p-60F ? Real(0x1p60F) : Real(1);
   const Real weighted = fused(e.a * size, dot(ray.direction, a),
                               fused(e.b * size, dot(ray.direction, b), e.c * size * dot(ray.direction, c)));
-  t = weighted / (sum * size) * ray.inverse_square;
+  t = quotient(weighted, sum * size) * ray.inverse_square;
   return true;
+}
+
+template <class Real, class Stored>
+MASU_HD inline bool intersect(const RayLine<Real>& ray, const Triangle<Stored>& triangle, Real& t) {
+  return intersect(framed(ray), triangle, t);
 }
 
 } // namespace masu

@@ -72,10 +72,10 @@ template <class T>
 MASU_HD inline T length(const Vec3<T>& a) {
   return std::sqrt(dot(a, a));
 }
-// The largest component's magnitude.
+// The largest component's magnitude; v has no NaN.
 template <class T>
 MASU_HD inline T largest_magnitude(const Vec3<T>& v) {
-  return larger(std::abs(v.x), larger(std::abs(v.y), std::abs(v.z)));
+  return greatest(std::abs(v.x), greatest(std::abs(v.y), std::abs(v.z)));
 }
 template <class T>
 MASU_HD inline T sum_of_magnitudes(const Vec3<T>& v) {
@@ -86,7 +86,7 @@ MASU_HD inline T sum_of_magnitudes(const Vec3<T>& v) {
 template <class T>
 MASU_HD inline Vec3<T> normalized(const Vec3<T>& v) {
   const Vec3<T> sized = v * inverse_power_of_two(largest_magnitude(v));
-  return sized * (T(1) / length(sized));
+  return sized * quotient(T(1), length(sized));
 }
 
 } // namespace masu

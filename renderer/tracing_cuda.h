@@ -33,6 +33,19 @@ __device__ inline std::uint32_t taken(TileRun& left, std::uint32_t* const next) 
   return tile;
 }
 
+// The method as kernels have it. The same bits, but where there are cones, whose test leaves no registers for
+// the plane across the ray, each triangle's test finds that for itself.
+template <class M>
+struct DeviceMethod {
+  using type = M;
+};
+template <StopRule stop>
+struct DeviceMethod<Method<RayFrame<float>, with_all_kinds, stop>> {
+  using type = Method<RayLine<float>, with_all_kinds, stop>;
+};
+template <class M>
+using OnDevice = typename DeviceMethod<M>::type;
+
 // A warp covers 8 × 4 rays of a tile: neighbours walk through the same cells. One kernel for all schedules,
 // so that nothing else differs.
 template <class M, class Stored, class Grid, class C>
@@ -82,7 +95,7 @@ void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_
     const auto grid = device.grid.moved(view);
     const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
     const Tiles tiles = tiles_of(frame.columns, frame.rows);
-    auto* const kernel = render_kernel<M, Stored, std::decay_t<decltype(grid)>, C>;
+    auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(grid)>, C>;
     frame.workers =
         request.schedule == Schedule::hardware
             ? tiles.count
@@ -130,16 +143,16 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
                     M::stop == StopRule::proven) {
         if (request.loop == RayLoop::warp)
-          return timed([] {}, warp_kernel<false, question, M, Stored, Accelerator>, all_blocks,
+          return timed([] {}, warp_kernel<false, question, OnDevice<M>, Stored, Accelerator>, all_blocks,
                        next_ray.data());
         if (request.loop == RayLoop::refill) {
-          auto* const kernel = warp_kernel<true, question, M, Stored, Accelerator>;
+          auto* const kernel = warp_kernel<true, question, OnDevice<M>, Stored, Accelerator>;
           const std::uint64_t fitting = resident_blocks(kernel, rays_a_block, 0);
           const auto reset = [&] { check(cudaMemsetAsync(next_ray.data(), 0, sizeof(unsigned long long))); };
           return timed(reset, kernel, std::min(all_blocks, fitting), next_ray.data());
         }
       }
-      timed([] {}, trace_kernel<question, M, Stored, Accelerator, C>, all_blocks, total.data());
+      timed([] {}, trace_kernel<question, OnDevice<M>, Stored, Accelerator, C>, all_blocks, total.data());
     });
   });
   watch = Stopwatch();

@@ -1,0 +1,42 @@
+// Arithmetic by itself.
+#include "libscene/real.h"
+#include "tests/random_seed.h"
+#include "tests/test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace masu {
+namespace {
+
+class Quotient : public testing::Test {
+protected:
+  RandomSeed seed_;
+};
+
+TEST_F(Quotient, IsRoundedAsDivisionIs) {
+  SCOPED_TRACE(seed_.trace());
+  Chance chance(seed_);
+  std::int64_t others = 0;
+  const std::int64_t tries = cases(1'000'000);
+  for (std::int64_t i = tries; i > 0; --i) {
+    const float over = static_cast<float>(chance.uniform(-1, 1) * chance.power_of_two(-30, 30)),
+                by = static_cast<float>(chance.uniform(-1, 1) * chance.power_of_two(-60, 60));
+    if (over == 0 || by == 0) continue;
+    const float is = quotient(over, by), should = over / by;
+    others += is != should;
+    ASSERT_TRUE(is == should || std::nextafter(is, should) == should) << over << " / " << by;
+  }
+  EXPECT_LE(others, tries / 100'000);
+}
+
+TEST_F(Quotient, ByNothingIsNoNumberThatCounts) {
+  for (const float over : {0.0F, 1.0F, -1.0F, 1e-30F, 1e30F}) {
+    for (const float by : {0.0F, -0.0F, std::numeric_limits<float>::denorm_min()})
+      EXPECT_FALSE(std::abs(quotient(over, by)) <= 1e30F) << over << " / " << by;
+  }
+}
+
+} // namespace
+} // namespace masu
