@@ -23,9 +23,8 @@ enum class SpaceRule { tight, cube };
 //                  (Cleary & Wyvill, The Visual Computer 4(2), 1988)
 //   automatic      cleary with the smallest λ that the cost model below puts within a few percent of the best
 //   nested         cleary for voxels that will be divided further: λ is from 0.05 to 1, the larger the more
-//   of
-//                  the space lies beyond where most primitives are; or, if that is more, 32 times the cones'
-//                  share of the primitives
+//                  of the space lies beyond where most primitives are; or, if that is more, 32 times the
+//                  cones' share of the primitives
 struct DivisionRule {
   enum class Kind { fixed, cube_root, woo, heterogeneous, cleary, automatic, nested } kind = Kind::automatic;
   Vec3i fixed{1, 1, 1};

@@ -81,8 +81,8 @@ MASU_HD inline void prepare(RayFrame<Real>& ray, const Vec3<Real>& origin, const
 
 // A hit as of the ray from where it enters the scene's bounds (clip.h): `hit.t` counts from that ray's
 // origin, `skipped` is the t before it. Primitive no_primitive where nothing is hit; then t is the whole
-// ray's t_max. TestRay: RayLine<Real>, RayFrame<Real> or
-// TextbookRay.
+// ray's t_max. TestRay: RayLine<Real>, RayFrame<Real>
+// or TextbookRay.
 template <class TestRay>
 struct NearHit {
   using Real = typename TestRay::Real;

@@ -73,9 +73,10 @@ MASU_HD inline double double_of(std::uint64_t bits) {
 #endif
 }
 
-// a / b: rounded as division is, for |b| from 2^-126 to 2^125 and while what it leaves is a normal number;
-// beyond, whatever it is, the same on host and device. Without a branch, where the device's own division has
-// a slow path that costs all code around it registers. Newton's iteration, from a guess by the exponent.
+// a / b, for |b| from 2^-126 to 2^125 and while what it leaves is a normal number: rounded as division is, or
+// once in a hundred thousand to the number beside; beyond, whatever it is, the same on host and device.
+// Without a branch, where the device's own division has a slow path that costs all code around it registers.
+// Newton's iteration, from a guess by the exponent.
 MASU_HD inline float quotient(float a, float b) {
   const float guess = float_of(0x7ef311c7U - bits_of(b)); // off by up to an eighth
   const float lacks = fused(-b, guess, 1.0F);
