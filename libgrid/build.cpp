@@ -14,10 +14,6 @@
 namespace masu {
 namespace {
 
-// A map of single voxels up to this many: 32 MiB.
-constexpr std::uint64_t dense_voxels = std::uint64_t{1} << 23;
-constexpr std::int32_t sparse_block_log2 = 3;
-
 constexpr std::uint32_t primitives_a_piece = 4096;
 constexpr std::uint64_t most_buckets = 1024;
 
@@ -28,28 +24,16 @@ struct Pair {
 };
 
 // The order in which the map stores voxels, cut into buckets of equal size.
-struct StorageOrder {
-  Vec3i division, blocks;
-  std::int32_t block_log2;
-  std::uint32_t bucket_log2; // voxels a bucket; whole blocks
+struct BucketOrder : StorageOrder {
+  std::uint32_t bucket_log2 = 12; // voxels a bucket; whole blocks
   std::uint64_t buckets;
 
-  std::uint64_t place(const Vec3i& voxel) const {
-    if (block_log2 == 0) return linear_index(voxel, division);
-    const Vec3i block{voxel.x >> block_log2, voxel.y >> block_log2, voxel.z >> block_log2};
-    return (linear_index(block, blocks) << (3 * block_log2)) + index_in_block(voxel, block_log2);
+  explicit BucketOrder(const Vec3i& voxels) : StorageOrder(voxels, block_log2_for(voxels)) {
+    while ((places() >> bucket_log2) >= most_buckets)
+      ++bucket_log2;
+    buckets = (places() >> bucket_log2) + 1;
   }
 };
-
-StorageOrder storage_order(const Vec3i& division) {
-  const std::int32_t block_log2 = block_log2_for(division);
-  const Vec3i blocks = blocks_of(division, block_log2);
-  const std::uint64_t places = voxel_count(blocks) << (3 * block_log2);
-  std::uint32_t bucket_log2 = 12;
-  while ((places >> bucket_log2) >= most_buckets)
-    ++bucket_log2;
-  return {division, blocks, block_log2, bucket_log2, (places >> bucket_log2) + 1};
-}
 
 // The pairs of some consecutive primitives; bucket b's are pairs[begin[b]] … pairs[begin[b + 1] - 1], in the
 // primitives' order.
@@ -63,7 +47,7 @@ struct PlacedPair {
   PrimitiveIndex primitive;
 };
 
-Piece sorted_by_bucket(const std::vector<PlacedPair>& placed, const StorageOrder& order) {
+Piece sorted_by_bucket(const std::vector<PlacedPair>& placed, const BucketOrder& order) {
   Piece piece;
   piece.begin.assign(order.buckets + 1, 0);
   for (const PlacedPair& pair : placed)
@@ -79,13 +63,9 @@ Piece sorted_by_bucket(const std::vector<PlacedPair>& placed, const StorageOrder
   return piece;
 }
 
-[[noreturn]] void too_fine(const char* what) {
-  throw Error(ErrorCode::usage, "--division", fmt::format("makes more than {}: choose a coarser one", what));
-}
-
 template <class Stored>
 std::vector<Piece> emit(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
-                        const StorageOrder& order) {
+                        const BucketOrder& order) {
   const std::uint32_t count = scene.primitive_count();
   std::vector<Piece> pieces((count + std::uint64_t{primitives_a_piece} - 1) / primitives_a_piece);
   std::atomic<std::uint64_t> references = 0;
@@ -97,9 +77,9 @@ std::vector<Piece> emit(const SceneView<Stored>& scene, const Lattice& lattice, 
       const auto add = [&](const Vec3i& voxel) { placed.push_back({order.place(voxel), i}); };
       with_primitive(scene, i,
                      [&](const auto& primitive) { for_each_overlap(lattice, overlap, primitive, add); });
-      if (placed.size() > most_numbered) too_fine("2^31 references");
+      if (placed.size() > most_numbered) too_fine("more than 2^31 references");
     }
-    if ((references += placed.size()) > most_numbered) too_fine("2^31 references");
+    if ((references += placed.size()) > most_numbered) too_fine("more than 2^31 references");
     pieces[number] = sorted_by_bucket(placed, order);
   });
   return pieces;
@@ -160,7 +140,7 @@ std::vector<BucketCell> sort_bucket(const std::vector<Piece>& pieces, std::uint6
 }
 
 // The bucket's words of the map.
-void write_map(const StorageOrder& order, std::uint64_t bucket, const std::vector<BucketCell>& bucket_cells,
+void write_map(const BucketOrder& order, std::uint64_t bucket, const std::vector<BucketCell>& bucket_cells,
                std::uint64_t first_block, Grid& grid) {
   const std::uint64_t first_place = bucket << order.bucket_log2;
   const std::int32_t block_bits = 3 * order.block_log2;
@@ -194,8 +174,13 @@ std::uint64_t blocks_in(const std::vector<BucketCell>& cells, std::int32_t block
 
 } // namespace
 
-std::int32_t block_log2_for(const Vec3i& division) {
-  return voxel_count(division) <= dense_voxels ? 0 : sparse_block_log2;
+void too_fine(const char* makes) {
+  throw Error(ErrorCode::usage, "--division", fmt::format("makes {}: choose a coarser one", makes));
+}
+
+void check_primitives(std::uint64_t count) {
+  if (count > most_numbered)
+    throw Error(ErrorCode::input, "scene", "holds more than 2^31 primitives: grids can't number so many");
 }
 
 double expected_build_bytes(const Lattice& lattice, double references) {
@@ -208,10 +193,8 @@ double expected_build_bytes(const Lattice& lattice, double references) {
 
 template <class Stored>
 Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap) {
-  if (scene.primitive_count() > most_numbered) {
-    throw Error(ErrorCode::input, "scene", "holds more than 2^31 primitives: grids can't number so many");
-  }
-  const StorageOrder order = storage_order(lattice.division);
+  check_primitives(scene.primitive_count());
+  const BucketOrder order(lattice.division);
   std::vector<Piece> pieces = emit(scene, lattice, overlap, order);
 
   Grid grid{lattice, Merge::none, order.block_log2, 0, {}, {}, {}};

@@ -12,6 +12,7 @@
 #include "libgrid/grid_view.h"
 #include "libgrid/lattice.h"
 #include "libgrid/overlap.h"
+#include "libgrid/storage_order.h"
 #include "libscene/scene_view.h"
 
 #include <vector>
@@ -32,19 +33,16 @@ struct Grid {
   std::vector<PrimitiveIndex> references;
 };
 
-// How large the map's blocks are: single voxels while a word each costs little.
-std::int32_t block_log2_for(const Vec3i& division);
-
-inline Vec3i blocks_of(const Vec3i& division, std::int32_t block_log2) {
-  const std::int32_t round = (1 << block_log2) - 1;
-  return {(division.x + round) >> block_log2, (division.y + round) >> block_log2,
-          (division.z + round) >> block_log2};
-}
-
 // About how many bytes building takes at its peak, for so many references.
 double expected_build_bytes(const Lattice& lattice, double references);
 
-// Throws Error(usage, "--division", …) past most_numbered references or primitives.
+// Throws Error(usage, "--division", "makes …").
+[[noreturn]] void too_fine(const char* makes);
+
+// Throws Error(input) for more primitives than grids can number.
+void check_primitives(std::uint64_t count);
+
+// Throws Error(usage, "--division", …) past most_numbered references, Error(input) past as many primitives.
 template <class Stored>
 Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap);
 

@@ -19,25 +19,25 @@ struct VoxelRange {
   Vec3i first, last;
 };
 
-inline Vec3d voxel_size(const Lattice& lattice) {
+MASU_HD inline Vec3d voxel_size(const Lattice& lattice) {
   const Vec3d extent = lattice.space.max - lattice.space.min;
   return {extent.x / lattice.division.x, extent.y / lattice.division.y, extent.z / lattice.division.z};
 }
 
 // The same space divided 2^bits times finer.
-inline Lattice finer(const Lattice& lattice, std::int32_t bits) {
+MASU_HD inline Lattice finer(const Lattice& lattice, std::int32_t bits) {
   const Vec3i& n = lattice.division;
   return {lattice.space, {n.x << bits, n.y << bits, n.z << bits}, lattice.margin};
 }
 
-inline std::uint64_t voxel_count(const Vec3i& division) {
+MASU_HD inline std::uint64_t voxel_count(const Vec3i& division) {
   return static_cast<std::uint64_t>(division.x) * static_cast<std::uint64_t>(division.y) *
          static_cast<std::uint64_t>(division.z);
 }
 
 // The closed voxels, of size voxel_size(lattice), that the closed box meets; what lies outside the space goes
 // to the outermost, NaN to the first.
-inline VoxelRange voxels_met(const Lattice& lattice, const Vec3d& size, const Boxd& box) {
+MASU_HD inline VoxelRange voxels_met(const Lattice& lattice, const Vec3d& size, const Boxd& box) {
   VoxelRange range{};
   for (int axis = 0; axis < 3; ++axis) {
     const double last = lattice.division[axis] - 1;
@@ -52,7 +52,7 @@ inline VoxelRange voxels_met(const Lattice& lattice, const Vec3d& size, const Bo
   }
   return range;
 }
-inline VoxelRange voxels_met(const Lattice& lattice, const Boxd& box) {
+MASU_HD inline VoxelRange voxels_met(const Lattice& lattice, const Boxd& box) {
   return voxels_met(lattice, voxel_size(lattice), box);
 }
 

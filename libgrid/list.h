@@ -6,7 +6,7 @@
 namespace masu {
 
 // Whether all that the list `part` holds is in the list `whole`.
-inline bool lists_all(const PrimitiveIndex* references, std::uint32_t whole, std::uint32_t part) {
+MASU_HD inline bool lists_all(const PrimitiveIndex* references, std::uint32_t whole, std::uint32_t part) {
   if (part == empty_list) return true;
   if (whole == empty_list) return false;
   for (;;) {
@@ -24,7 +24,7 @@ inline bool lists_all(const PrimitiveIndex* references, std::uint32_t whole, std
 
 // A bit for each primitive of a list, several to a bit: 0 for an empty list alone, and a part's bits are
 // among the whole's.
-inline std::uint32_t signature_of(const PrimitiveIndex* references, std::uint32_t list) {
+MASU_HD inline std::uint32_t signature_of(const PrimitiveIndex* references, std::uint32_t list) {
   if (list == empty_list) return 0;
   std::uint32_t signature = 0;
   for (bool last = false; !last; ++list) {

@@ -3,9 +3,7 @@
 #include "libgrid/grid_file.h"
 #include "libgrid/nested_map.h"
 #include "libgrid/stretch.h"
-#include "libscene/error.h"
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -13,19 +11,6 @@
 
 namespace masu {
 namespace {
-
-constexpr std::int32_t largest_plane = 65535; // a cell's box has 16 bits for it
-
-[[noreturn]] void too_fine(const std::string& what) {
-  throw Error(ErrorCode::usage, "--division", fmt::format("makes {}: choose a coarser one", what));
-}
-
-MergedCell packed(const VoxelBox& box, std::uint32_t list) {
-  const auto range = [&](int axis) {
-    return static_cast<std::uint32_t>(box.first[axis]) | static_cast<std::uint32_t>(box.end[axis]) << 16;
-  };
-  return {range(0), range(1), range(2), list};
-}
 
 // A part of a grid on its own: places and numbers in it count from its own beginning. `top` are words of the
 // map's top level, `nested` what they lead to.
@@ -104,16 +89,11 @@ std::vector<std::uint64_t> offsets(const std::vector<GridPart>& parts, std::uint
 // Puts the rows of the top level's map together.
 void join(std::vector<GridPart>& rows, Grid& grid) {
   const auto top = offsets(rows, 0, [](const GridPart& part) { return part.top.size(); });
-  // The places of nested maps are multiples of the unit.
-  constexpr std::uint64_t unit = std::uint64_t{1} << place_unit_log2;
-  const auto nested = offsets(rows, (top.back() + unit - 1) / unit * unit,
-                              [](const GridPart& part) { return part.nested.size(); });
+  const auto nested =
+      offsets(rows, rounded_to_unit(top.back()), [](const GridPart& part) { return part.nested.size(); });
   const auto cells = offsets(rows, 0, [](const GridPart& part) { return part.cells.size(); });
   const auto references = offsets(rows, 0, [](const GridPart& part) { return part.references.size(); });
-  if (std::max(cells.back(), references.back()) > most_numbered)
-    too_fine("more than 2^31 cells or references");
-  if (nested.back() > most_nested_words && nested.back() > nested.front())
-    too_fine("more than 2^27 words for its map");
+  check_merged_sizes(cells.back(), references.back(), nested.front(), nested.back());
   grid.voxel_map.assign(nested.back(), 0);
   grid.cells.resize(cells.back());
   grid.references.resize(references.back());
@@ -122,6 +102,7 @@ void join(std::vector<GridPart>& rows, Grid& grid) {
     const auto cell = static_cast<std::uint32_t>(cells[i]), place = static_cast<std::uint32_t>(nested[i]),
                list = static_cast<std::uint32_t>(references[i]);
     const auto moved = [&](std::uint32_t word) {
+      if (word == 0) return word; // fills a unit up
       if ((word & occupied_bit) != 0) return word + cell;
       const MapDivision division = map_division(word);
       return map_word({division.place + place, division.log2});
@@ -170,12 +151,30 @@ void merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const Parti
 
 } // namespace
 
+void check_mergeable(const Vec3i& division) {
+  if (std::max({division.x, division.y, division.z}) > largest_plane ||
+      voxel_count(division) > most_merged_voxels)
+    too_fine("more than 2^28 voxels to merge");
+}
+
+void check_merged_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
+                        std::uint64_t words) {
+  if (std::max(cells, references) > most_numbered) too_fine("more than 2^31 cells or references");
+  if (words > most_nested_words && words > top_words) too_fine("more than 2^27 words for its map");
+}
+
+std::int32_t nested_log2_for(const Vec3i& division, const MergeRule& rule) {
+  const std::int32_t longest = std::max({division.x, division.y, division.z});
+  std::int32_t nested_log2 = 0;
+  while (nested_log2 < rule.nested_log2 && (longest << (nested_log2 + 1)) <= largest_plane)
+    ++nested_log2;
+  return nested_log2;
+}
+
 template <class Stored>
 Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
                   const MergeRule& rule) {
-  const std::int32_t longest = std::max({lattice.division.x, lattice.division.y, lattice.division.z});
-  if (longest > largest_plane || voxel_count(lattice.division) > most_merged_voxels)
-    too_fine("more than 2^28 voxels to merge");
+  check_mergeable(lattice.division);
   Grid grid{lattice, rule.merge, 0, 0, {}, {}, {}};
   if (rule.merge == Merge::balance) {
     merge_balanced(scene, overlap, {false, 0, 0, 1, rule.target}, grid);
@@ -189,10 +188,9 @@ Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overla
     });
     return grid;
   }
-  while (grid.nested_log2 < rule.nested_log2 && (longest << (grid.nested_log2 + 1)) <= largest_plane)
-    ++grid.nested_log2;
+  grid.nested_log2 = nested_log2_for(lattice.division, rule);
   const Lattice finest = finer(lattice, grid.nested_log2);
-  const PartitionRule by_cost{true, rule.step_over_test, rule.alpha, rule.detail, 0};
+  const PartitionRule by_cost = partition_rule(rule);
   merge_rows(uniform, grid, [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
     return partition(scene, finest, overlap, by_cost, box, primitives);
   });

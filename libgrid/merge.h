@@ -24,6 +24,34 @@ struct MergeRule {
 // The most voxels of a division whose grid is to be merged: its map has a word for each.
 inline constexpr std::uint64_t most_merged_voxels = std::uint64_t{1} << 28;
 
+inline constexpr std::int32_t largest_plane = 65535; // a cell's box has 16 bits for it
+
+MASU_HD inline MergedCell packed(const VoxelBox& box, std::uint32_t list) {
+  const auto range = [&](int axis) {
+    return static_cast<std::uint32_t>(box.first[axis]) | static_cast<std::uint32_t>(box.end[axis]) << 16;
+  };
+  return {range(0), range(1), range(2), list};
+}
+
+// The voxels of a merged grid's cell.
+MASU_HD inline VoxelBox box_of(const MergedCell& cell) {
+  const auto low = [](std::uint32_t range) { return static_cast<std::int32_t>(range & 0xffff); };
+  const auto high = [](std::uint32_t range) { return static_cast<std::int32_t>(range >> 16); };
+  return {{low(cell.x), low(cell.y), low(cell.z)}, {high(cell.x), high(cell.y), high(cell.z)}};
+}
+
+// How an irregular grid's voxels are divided further: as often as planes can be numbered.
+std::int32_t nested_log2_for(const Vec3i& division, const MergeRule& rule);
+inline PartitionRule partition_rule(const MergeRule& rule) {
+  return {true, rule.step_over_test, rule.alpha, rule.detail, 0};
+}
+
+// Throw Error(usage, "--division", …): before building, for too many voxels; and for what has become too
+// large, the map being of `words` words, the first top_words of them its top level.
+void check_mergeable(const Vec3i& division);
+void check_merged_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
+                        std::uint64_t words);
+
 // Doesn't depend on the number of threads. Throws Error(usage, "--division", …) for divisions that are too
 // fine.
 template <class Stored>

@@ -6,72 +6,42 @@
 // Everything is computed in double.
 #pragma once
 
+#include "libgrid/cone_overlap.h"
 #include "libgrid/lattice.h"
-#include "libscene/cone.h"
-#include "libscene/primitives.h"
+#include "libgrid/triangle_overlap.h"
 
 namespace masu {
 
 enum class Overlap { box, exact };
 
-inline Boxd box_for_overlap(const Triangle<double>& triangle) {
+MASU_HD inline Boxd box_for_overlap(const Triangle<double>& triangle) {
   return bounds(triangle);
 }
-inline Boxd box_for_overlap(const Sphere<double>& sphere) {
+MASU_HD inline Boxd box_for_overlap(const Sphere<double>& sphere) {
   return bounds(sphere);
 }
-inline Boxd box_for_overlap(const Cone<double>& cone) {
+MASU_HD inline Boxd box_for_overlap(const Cone<double>& cone) {
   const double radius = std::max(std::abs(cone.base_radius), std::abs(cone.apex_radius));
   return grown(join(Boxd{cone.base, cone.base}, cone.apex), radius);
 }
 
-// Triangle and box by separating axes, after Akenine-Möller, "Fast 3D Triangle-Box Overlap Testing", JGT
-// 6(1), 2001, with all that is the same for every voxel computed once, as Schwarz & Seidel, "Fast Parallel
-// Surface and Solid Voxelization on GPUs", 2010, do: an axis leaves an interval in which the voxel's centre
-// must lie.
-class TriangleOverlap {
-public:
-  // half: half the voxel's size, margin included.
-  TriangleOverlap(const Triangle<double>& triangle, const Vec3d& half);
-
-  // The axis that the triangle faces most.
-  int facing() const { return facing_; }
-
-  // Where along facing() the centres of a column's voxels may lie, for the column through `center` (whose
-  // coordinate along facing() doesn't matter). False when the column passes the triangle by.
-  bool column(const Vec3d& center, double& low, double& high) const;
-
-  // Whether the voxel about `center` meets the triangle, given that its column and its bounding box do.
-  bool meets(const Vec3d& center) const;
-
-private:
-  // The axis edge × unit vector of `dropped`, as a line in the plane of the other two axes: low ≤ u·center[i]
-  // + v·center[j] ≤ high.
-  struct EdgeAxis {
-    double u, v, low, high;
-  };
-  static bool within(const EdgeAxis& axis, double i, double j) {
-    const double at = axis.u * i + axis.v * j;
-    return at >= axis.low && at <= axis.high;
-  }
-
-  Vec3d normal_{};
-  double plane_low_, plane_high_; // interval of normal · center
-  EdgeAxis axes_[3][3];           // [dropped axis][edge]
-  int facing_;
-};
-
-// Whether the box meets the triangle, thickened by margin on both sides. `voxel` is not grown.
-bool meets(const Triangle<double>& triangle, const Boxd& voxel, double margin);
-
 // Whether the box meets the sphere's shell, thickened by margin on both sides. `voxel` is not grown.
-bool meets(const Sphere<double>& sphere, const Boxd& voxel, double margin);
-
-// Whether the box meets the cone's side, thickened by margin. `voxel` is not grown.
-bool meets(const Cone<double>& cone, const Boxd& voxel, double margin);
+MASU_HD inline bool meets(const Sphere<double>& sphere, const Boxd& voxel, double margin) {
+  double nearest = 0, farthest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double below = voxel.min[axis] - sphere.center[axis], above = sphere.center[axis] - voxel.max[axis];
+    const double gap = std::max(0.0, std::max(below, above));
+    const double far = std::max(std::abs(below), std::abs(above));
+    nearest += gap * gap;
+    farthest += far * far;
+  }
+  const double radius = std::abs(sphere.radius);
+  const double outer = radius + margin, inner = std::max(0.0, radius - margin);
+  return nearest <= outer * outer && farthest >= inner * inner;
+}
 
 template <class Emit>
-void for_each_voxel(const VoxelRange& range, const Emit& emit) {
+MASU_HD void for_each_voxel(const VoxelRange& range, const Emit& emit) {
   for (std::int32_t z = range.first.z; z <= range.last.z; ++z)
     for (std::int32_t y = range.first.y; y <= range.last.y; ++y)
       for (std::int32_t x = range.first.x; x <= range.last.x; ++x)
@@ -79,68 +49,126 @@ void for_each_voxel(const VoxelRange& range, const Emit& emit) {
 }
 
 // A connected primitive whose box meets just a line of voxels meets each of them.
-inline bool is_line(const VoxelRange& range) {
+MASU_HD inline bool is_line(const VoxelRange& range) {
   const int thick =
       (range.first.x != range.last.x) + (range.first.y != range.last.y) + (range.first.z != range.last.z);
   return thick <= 1;
 }
 
-// Calls emit(voxel) once for each voxel that the primitive is listed in.
-template <class Emit>
-void for_each_overlap(const Lattice& lattice, Overlap overlap, const Triangle<double>& triangle,
-                      const Emit& emit) {
+// The voxels among which a primitive's are, as rows along an axis w, so that some of them can be gone through
+// by themselves: one row after the other along u, then v.
+struct VoxelRows {
+  VoxelRange range;
+  int w, u, v;
+
+  MASU_HD VoxelRows(const VoxelRange& voxels, int along)
+      : range(voxels), w(along), u((along + 1) % 3), v((along + 2) % 3) {}
+
+  MASU_HD std::uint64_t count() const {
+    return width() * (static_cast<std::uint64_t>(range.last[v] - range.first[v]) + 1);
+  }
+  // act(i, j): the places along u and v of rows first … end - 1.
+  template <class Act>
+  MASU_HD void for_each(std::uint64_t first, std::uint64_t end, const Act& act) const {
+    std::int32_t i = range.first[u] + static_cast<std::int32_t>(first % width());
+    std::int32_t j = range.first[v] + static_cast<std::int32_t>(first / width());
+    for (std::uint64_t row = first; row < end; ++row) {
+      act(i, j);
+      if (i != range.last[u]) {
+        ++i;
+        continue;
+      }
+      i = range.first[u];
+      ++j;
+    }
+  }
+  MASU_HD Vec3i voxel(std::int32_t i, std::int32_t j, std::int32_t k) const {
+    Vec3i at{};
+    at.set(u, i);
+    at.set(v, j);
+    at.set(w, k);
+    return at;
+  }
+
+private:
+  MASU_HD std::uint64_t width() const {
+    return static_cast<std::uint64_t>(range.last[u] - range.first[u]) + 1;
+  }
+};
+
+// A triangle's rows run along the axis that it faces: they hold few voxels of it each, however large it is.
+MASU_HD inline VoxelRows overlap_rows(const Lattice& lattice, Overlap overlap,
+                                      const Triangle<double>& triangle) {
   const VoxelRange range = voxels_met(lattice, grown(bounds(triangle), lattice.margin));
-  if (overlap == Overlap::box || is_line(range)) {
-    for_each_voxel(range, emit);
+  const bool all = overlap == Overlap::box || is_line(range);
+  return {range, all ? 0 : facing_axis(plane_normal(triangle))};
+}
+// Spheres' and cones'.
+template <class Primitive>
+MASU_HD VoxelRows overlap_rows(const Lattice& lattice, Overlap overlap, const Primitive& primitive) {
+  const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
+  return {voxels_met(lattice, grown(box, lattice.margin)), 0};
+}
+
+// Calls emit(voxel) once for each voxel of rows first … end - 1 that the primitive is listed in.
+template <class Emit>
+MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Triangle<double>& triangle,
+                              const VoxelRows& rows, std::uint64_t first, std::uint64_t end,
+                              const Emit& emit) {
+  const int w = rows.w;
+  if (overlap == Overlap::box || is_line(rows.range)) {
+    rows.for_each(first, end, [&](std::int32_t i, std::int32_t j) {
+      for (std::int32_t k = rows.range.first[w]; k <= rows.range.last[w]; ++k)
+        emit(rows.voxel(i, j, k));
+    });
     return;
   }
   const Vec3d size = voxel_size(lattice);
   const TriangleOverlap test(triangle, size * 0.5 + Vec3d{lattice.margin, lattice.margin, lattice.margin});
-  // Columns along the axis the triangle faces hold few voxels of it each, however large it is.
-  const int w = test.facing(), u = (w + 1) % 3, v = (w + 2) % 3;
   const auto center = [&](int axis, std::int32_t voxel) {
     return lattice.space.min[axis] + (voxel + 0.5) * size[axis];
   };
-  for (std::int32_t j = range.first[v]; j <= range.last[v]; ++j) {
-    for (std::int32_t i = range.first[u]; i <= range.last[u]; ++i) {
-      Vec3d at{};
-      at.set(u, center(u, i));
-      at.set(v, center(v, j));
-      double low, high;
-      if (!test.column(at, low, high)) continue;
-      const auto voxel_below = [&](double coordinate) {
-        return (coordinate - lattice.space.min[w]) / size[w] - 0.5;
-      };
-      // The interval is of centres; a voxel more on both sides makes good its rounding, meets() decides.
-      const double from = std::max(std::floor(voxel_below(low)), static_cast<double>(range.first[w]));
-      const double to = std::min(std::ceil(voxel_below(high)), static_cast<double>(range.last[w]));
-      for (std::int32_t k = static_cast<std::int32_t>(from); k <= to; ++k) {
-        at.set(w, center(w, k));
-        if (!test.meets(at)) continue;
-        Vec3i voxel{};
-        voxel.set(u, i);
-        voxel.set(v, j);
-        voxel.set(w, k);
-        emit(voxel);
-      }
+  rows.for_each(first, end, [&](std::int32_t i, std::int32_t j) {
+    Vec3d at{};
+    at.set(rows.u, center(rows.u, i));
+    at.set(rows.v, center(rows.v, j));
+    double low, high;
+    if (!test.column(at, low, high)) return;
+    const auto voxel_below = [&](double coordinate) {
+      return (coordinate - lattice.space.min[w]) / size[w] - 0.5;
+    };
+    // The interval is of centres; a voxel more on both sides makes good its rounding, meets() decides.
+    const double from = std::max(std::floor(voxel_below(low)), static_cast<double>(rows.range.first[w]));
+    const double to = std::min(std::ceil(voxel_below(high)), static_cast<double>(rows.range.last[w]));
+    if (!(from <= to)) return;
+    for (std::int32_t k = static_cast<std::int32_t>(from); k <= to; ++k) {
+      at.set(w, center(w, k));
+      if (test.meets(at)) emit(rows.voxel(i, j, k));
     }
-  }
+  });
 }
 
 // Spheres and cones.
 template <class Primitive, class Emit>
-void for_each_overlap(const Lattice& lattice, Overlap overlap, const Primitive& primitive, const Emit& emit) {
-  const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
-  const VoxelRange range = voxels_met(lattice, grown(box, lattice.margin));
-  if (overlap == Overlap::box) {
-    for_each_voxel(range, emit);
-    return;
-  }
+MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Primitive& primitive,
+                              const VoxelRows& rows, std::uint64_t first, std::uint64_t end,
+                              const Emit& emit) {
   const Vec3d size = voxel_size(lattice);
-  for_each_voxel(range, [&](const Vec3i& voxel) {
-    const Vec3d low = lattice.space.min + cast<double>(voxel) * size;
-    if (meets(primitive, Boxd{low, low + size}, lattice.margin)) emit(voxel);
+  rows.for_each(first, end, [&](std::int32_t i, std::int32_t j) {
+    for (std::int32_t k = rows.range.first[rows.w]; k <= rows.range.last[rows.w]; ++k) {
+      const Vec3i voxel = rows.voxel(i, j, k);
+      const Vec3d low = lattice.space.min + cast<double>(voxel) * size;
+      if (overlap == Overlap::box || meets(primitive, Boxd{low, low + size}, lattice.margin)) emit(voxel);
+    }
   });
+}
+
+// Of all rows.
+template <class Primitive, class Emit>
+MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Primitive& primitive,
+                              const Emit& emit) {
+  const VoxelRows rows = overlap_rows(lattice, overlap, primitive);
+  for_each_overlap(lattice, overlap, primitive, rows, 0, rows.count(), emit);
 }
 
 } // namespace masu

@@ -1,7 +1,7 @@
 #include "libgrid/stretch.h"
 
 #include "libgrid/grid_file.h"
-#include "libgrid/list.h"
+#include "libgrid/neighbour.h"
 
 #include <tbb/parallel_for.h>
 
@@ -11,25 +11,10 @@
 namespace masu {
 namespace {
 
-// A box's extent along an axis, as cells have it.
-std::int32_t first_of(std::uint32_t range) {
-  return static_cast<std::int32_t>(range & 0xffff);
-}
-std::int32_t end_of(std::uint32_t range) {
-  return static_cast<std::int32_t>(range >> 16);
-}
-
 template <unsigned axis>
 std::uint32_t& range_of(MergedCell& cell) {
   return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
 }
-
-// What a cell that wants to stretch needs to know of a neighbour: one half of a cache line.
-struct alignas(32) Neighbour {
-  std::array<std::uint32_t, 3> own;       // the voxels that lead to it
-  std::array<std::uint32_t, 3> stretched; // its box after the pass before
-  std::uint32_t signature;
-};
 
 // A merged grid that is being stretched: the grid's cells are as this pass leaves them.
 struct Stretching {
@@ -68,7 +53,6 @@ private:
   static constexpr unsigned lanes = 32;
   static constexpr unsigned u = (axis + 1) % 3, v = (axis + 2) % 3;
   static constexpr std::uint8_t side_bit = 1U << (2 * axis + side);
-  static constexpr std::int32_t most_neighbours = 32;
   using Lane = std::array<std::int32_t, lanes>;
 
   // The next cell's whose face isn't blocked; false when there is none.
@@ -143,8 +127,7 @@ private:
   }
 
   // Goes on along u to where the neighbour ends, or along v to where the first of this row's neighbours ends.
-  // A lane comes to an end at the face's end, at what is in the way, or after very many neighbours: one more
-  // of them would sooner or later be in the way.
+  // A lane comes to an end at the face's end, at what is in the way, or after very many neighbours.
   void judge_neighbours() {
     std::uint32_t signature[lanes], ended[lanes], ending[lanes];
     std::int32_t bound[lanes], u_own[lanes], v_own[lanes];
@@ -184,10 +167,9 @@ private:
   static constexpr std::uint32_t blocked = 1, moved = 2, doubted = 4;
 
   bool ends(unsigned l, std::uint32_t why) {
-    const std::vector<MergedCell>& cells = s_.grid.cells;
     MergedCell& cell = s_.grid.cells[cell_[l]];
     if ((why & blocked) != 0 || ((why & doubted) != 0 && !lists_all(s_.grid.references.data(), cell.list,
-                                                                    cells[neighbour_[l]].list))) {
+                                                                    s_.before[neighbour_[l]].list))) {
       block(cell_[l]);
       return true;
     }
@@ -242,16 +224,14 @@ void stretch(Grid& grid, int passes) {
                         std::vector<std::uint8_t>(grid.cells.size(), 0)};
   for_all_cells(grid, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i != end; ++i) {
-      const MergedCell& cell = grid.cells[i];
-      const std::array own{cell.x, cell.y, cell.z};
-      stretching.before[i] = {own, own, signature_of(grid.references.data(), cell.list)};
+      stretching.before[i] = as_neighbour(grid.cells[i], grid.references.data());
     }
   });
   for (int i = 0; i < passes; ++i) {
     pass(stretching);
     for_all_cells(grid, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c != end; ++c)
-        stretching.before[c].stretched = {grid.cells[c].x, grid.cells[c].y, grid.cells[c].z};
+        set_stretched(stretching.before[c], grid.cells[c]);
     });
   }
 }

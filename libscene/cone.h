@@ -144,7 +144,7 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
 
 // Both end discs', exactly but for rounding, which is made good outwards.
 template <class Stored>
-inline Boxd bounds(const Cone<Stored>& cone) {
+MASU_HD inline Boxd bounds(const Cone<Stored>& cone) {
   const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex);
   const Vec3d axis = apex - base;
   const double square = dot(axis, axis);

@@ -28,7 +28,7 @@ struct SceneView {
 
 // Calls act(the primitive with this number, in double).
 template <class Stored, class Act>
-void with_primitive(const SceneView<Stored>& scene, PrimitiveIndex number, const Act& act) {
+MASU_HD void with_primitive(const SceneView<Stored>& scene, PrimitiveIndex number, const Act& act) {
   const std::uint32_t sphere = number - scene.triangle_count;
   if (number < scene.triangle_count) {
     act(widened(scene.triangles[number]));

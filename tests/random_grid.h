@@ -83,13 +83,6 @@ inline Lattice finest_lattice(const Grid& grid) {
   return finer(grid.lattice, grid.nested_log2);
 }
 
-// The voxels of a merged grid's cell.
-inline VoxelBox box_of(const MergedCell& cell) {
-  const auto low = [](std::uint32_t range) { return static_cast<std::int32_t>(range & 0xffff); };
-  const auto high = [](std::uint32_t range) { return static_cast<std::int32_t>(range >> 16); };
-  return {{low(cell.x), low(cell.y), low(cell.z)}, {high(cell.x), high(cell.y), high(cell.z)}};
-}
-
 inline std::string described(const Grid& grid) {
   const Boxd& s = grid.lattice.space;
   const Vec3i n = grid.lattice.division;
