@@ -1,0 +1,56 @@
+// Building by passes: each does the same to every one of many things, in any order or all at once. What runs
+// them (a `Passes`) is a template parameter: DevicePasses (device_passes.h) has CUDA kernels for it; the
+// tests have plain loops, and so follow every pass without a device. A Passes has
+//
+//   Array<T>                      in its memory: data(), size(); moves, doesn't copy
+//   array<T>(count)               of any content;  zeros<T>(count)
+//   for_each(count, act)          act(i) for i = 0 … count - 1
+//   for_each_by_lanes(count, work)  work(lanes, scratch, i): several lanes (lanes.h) to each i, more where
+//                                 work.size(i) is large; they share a Work::Scratch
+//   scan(values)                  values[i] becomes the sum of all before it
+//   value(values, i)              one value, for the host
+//   sort(keys, values, bits)      by the lowest bits of the keys; stable
+#pragma once
+
+#include "libscene/portable.h"
+
+#include <cstdint>
+
+// What a pass does to a thing is a lambda marked so: compiled for the device where nvcc reads it.
+#ifdef __CUDACC__
+#define MASU_PASS __device__
+#else
+#define MASU_PASS
+#endif
+
+namespace masu {
+
+// The last i with offsets[i] <= at, of rising offsets that begin with 0: whose part of the whole it is.
+template <class Offset>
+MASU_HD std::uint64_t owner_of(const Offset* offsets, std::uint64_t count, std::uint64_t at) {
+  std::uint64_t low = 0, high = count;
+  while (high - low > 1) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (offsets[middle] <= at ? low : high) = middle;
+  }
+  return low;
+}
+
+// Counts `by` more; returns what it was before. Of all who count at once each gets another number.
+MASU_HD inline std::uint32_t counted(std::uint32_t& counter, std::uint32_t by) {
+#ifdef __CUDA_ARCH__
+  return atomicAdd(&counter, by);
+#else
+  const std::uint32_t before = counter;
+  counter += by;
+  return before;
+#endif
+}
+
+template <class Passes, class T>
+using ArrayOf = typename Passes::template Array<T>;
+
+// Work that needs nothing to share.
+struct NoScratch {};
+
+} // namespace masu
