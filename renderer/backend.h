@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/grid_file.h"
+#include "libscene/cuda_device.h"
 #include "libscene/scene_file.h"
 #include "renderer/camera.h"
 #include "renderer/counts.h"
@@ -113,9 +114,6 @@ struct RayHits {
 // Error(usage) for a precision that doesn't hold the scene (precision.h).
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
 RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request);
-
-// Whether this program has the CUDA backend and a device to run it on; if not, `why`.
-bool cuda_available(std::string& why);
 
 // The same on the first CUDA device. Throw Error(device).
 Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);

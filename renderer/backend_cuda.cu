@@ -12,14 +12,6 @@ template <class TestRay, class Stored>
 void trace_on_device(const SceneView<Stored>& scene, const GridFile* grid, const RaysRequest& request,
                      RayHits& result);
 
-bool cuda_available(std::string& why) {
-  int devices = 0;
-  const cudaError_t error = cudaGetDeviceCount(&devices);
-  if (error == cudaSuccess && devices > 0) return true;
-  why = error == cudaSuccess ? "there is no CUDA device" : cudaGetErrorString(error);
-  return false;
-}
-
 double upload_cuda(const SceneFile& scene, const GridFile* grid) {
   check(cudaFree(nullptr)); // sets the device up, so that uploading isn't charged for it
   return scene.is_float64() ? Uploaded<double>(scene.view<double>(), grid).seconds

@@ -7,19 +7,14 @@
 namespace masu {
 namespace {
 
-constexpr const char* reason = "this program was built without CUDA";
-
 [[noreturn]] void refuse() {
-  throw Error(ErrorCode::device, "cuda",
-              std::string(reason) + ": use --backend cpu, or build where nvcc is on the PATH");
+  std::string why;
+  static_cast<void>(cuda_available(why));
+  throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu, or build where nvcc is on the PATH");
 }
 
 } // namespace
 
-bool cuda_available(std::string& why) {
-  why = reason;
-  return false;
-}
 Frame render_cuda(const SceneFile&, const GridFile*, const FrameRequest&) {
   refuse();
 }

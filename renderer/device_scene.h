@@ -5,8 +5,8 @@
 #include "libgrid/trace.h"
 #include "libscene/scene_view.h"
 #include "libscene/stopwatch.h"
+#include "libscene/transfer.h"
 #include "renderer/kernel_cuda.h"
-#include "renderer/upload.h"
 
 namespace masu {
 
@@ -22,7 +22,7 @@ struct DeviceScene {
   DeviceArray<Material> materials;
   DeviceArray<Light<Stored>> lights;
 
-  DeviceScene(const SceneView<Stored>& host, Upload& upload) : view(host) {
+  DeviceScene(const SceneView<Stored>& host, Transfer& upload) : view(host) {
     const auto moved = [&]<class T>(const T*& records, std::uint32_t count) {
       DeviceArray<T> array = upload.array(std::span(records, count));
       records = array.data();
@@ -44,7 +44,7 @@ struct DeviceGrid {
   DeviceArray<MergedCell> cells;
   DeviceArray<PrimitiveIndex> references;
 
-  DeviceGrid(const GridFile* grid, Upload& upload) {
+  DeviceGrid(const GridFile* grid, Transfer& upload) {
     if (grid == nullptr) return;
     voxel_map = upload.array(grid->voxel_map());
     cells = upload.array(grid->cells());
@@ -70,7 +70,7 @@ struct DeviceGrid {
 template <class Stored>
 struct Uploaded {
   Stopwatch watch;
-  Upload upload;
+  Transfer upload;
   DeviceScene<Stored> scene;
   DeviceGrid grid;
   double seconds;

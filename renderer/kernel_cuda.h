@@ -1,8 +1,8 @@
 // How kernels are sized, launched and timed. CUDA sources only.
 #pragma once
 
+#include "libscene/device_memory.h"
 #include "renderer/backend.h"
-#include "renderer/device_memory.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,6 +1,6 @@
+#include "libscene/device_memory.h"
 #include "libscene/mapped_file.h"
 #include "libscene/stopwatch.h"
-#include "renderer/device_memory.h"
 #include "renderer/file_reader.h"
 #include "renderer/plain_copy.h"
 

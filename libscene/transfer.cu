@@ -1,4 +1,4 @@
-#include "renderer/upload.h"
+#include "libscene/transfer.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -26,15 +26,21 @@ private:
   cudaStream_t stream_ = nullptr;
 };
 
-// A thread's own: while one half is on its way to the device the other is filled.
+// A thread's own. Upwards one half is on its way to the device while the other is filled.
 class Lane {
 public:
-  void copy(void* device, const void* host, std::size_t bytes) {
+  void upload(void* device, const void* host, std::size_t bytes) {
     Half& half = halves_[turn_];
     turn_ = 1 - turn_;
     check(cudaStreamSynchronize(half.stream));
     std::memcpy(half.buffer.bytes().data(), host, bytes);
     check(cudaMemcpyAsync(device, half.buffer.bytes().data(), bytes, cudaMemcpyHostToDevice, half.stream));
+  }
+  void download(void* host, const void* device, std::size_t bytes) {
+    Half& half = halves_[0];
+    check(cudaMemcpyAsync(half.buffer.bytes().data(), device, bytes, cudaMemcpyDeviceToHost, half.stream));
+    check(cudaStreamSynchronize(half.stream));
+    std::memcpy(host, half.buffer.bytes().data(), bytes);
   }
 
 private:
@@ -48,25 +54,28 @@ private:
 
 } // namespace
 
-void Upload::run() {
+void Transfer::run() {
   std::vector<Copy> pieces;
   std::size_t all = 0;
   for (const Copy& copy : copies_) {
     all += copy.bytes;
     for (std::size_t at = 0; at < copy.bytes; at += piece_bytes)
-      pieces.push_back({static_cast<std::uint8_t*>(copy.device) + at,
-                        static_cast<const std::uint8_t*>(copy.host) + at,
-                        std::min(piece_bytes, copy.bytes - at)});
+      pieces.push_back({static_cast<std::uint8_t*>(copy.to) + at,
+                        static_cast<const std::uint8_t*>(copy.from) + at,
+                        std::min(piece_bytes, copy.bytes - at), copy.direction});
   }
+  check(cudaDeviceSynchronize());
   if (all < small) {
     for (const Copy& copy : copies_)
-      check(cudaMemcpy(copy.device, copy.host, copy.bytes, cudaMemcpyHostToDevice));
+      check(cudaMemcpy(copy.to, copy.from, copy.bytes, copy.direction));
   } else {
     tbb::enumerable_thread_specific<Lane> own;
     tbb::task_arena arena(lanes);
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
-        own.local().copy(pieces[i].device, pieces[i].host, pieces[i].bytes);
+        const Copy& piece = pieces[i];
+        piece.direction == cudaMemcpyHostToDevice ? own.local().upload(piece.to, piece.from, piece.bytes)
+                                                  : own.local().download(piece.to, piece.from, piece.bytes);
       });
     });
     check(cudaDeviceSynchronize());

@@ -1,5 +1,4 @@
-// What the CUDA backend needs of the runtime: checked calls, arrays on the device, a timer. CUDA sources
-// only.
+// What CUDA sources need of the runtime: checked calls, arrays on the device, a timer.
 #pragma once
 
 #include "libscene/error.h"
@@ -17,8 +16,8 @@ namespace masu {
 // Throws Error(device) with the place of the call.
 inline void check(cudaError_t error, const std::source_location& where = std::source_location::current()) {
   if (error == cudaSuccess) return;
-  const char* const advice = error == cudaErrorMemoryAllocation ? ": choose a coarser grid, or --backend cpu"
-                                                                : ": try --backend cpu";
+  const char* const advice =
+      error == cudaErrorMemoryAllocation ? ": choose a coarser grid, or use the CPU" : ": try the CPU";
   throw Error(ErrorCode::device, "cuda",
               std::string(cudaGetErrorString(error)) + " (" + where.file_name() + ":" +
                   std::to_string(where.line()) + ")" + advice);
