@@ -23,14 +23,14 @@ std::size_t bytes_of(const Grid& grid) {
 } // namespace
 
 template <class Stored>
-Grid build_chosen(const SceneView<Stored>& scene, const Lattice& uniform, const Lattice& nested,
+Grid build_chosen(GridBuilder<Stored>& builder, const Lattice& uniform, const Lattice& nested,
                   Overlap overlap, const MergeRule& rule) {
   constexpr double tie = 0.9;
   MergeRule irregular = rule;
   irregular.merge = Merge::irregular;
-  Grid plain = build_uniform(scene, uniform, overlap), merged;
+  Grid plain = builder.uniform(uniform, overlap), merged;
   try {
-    merged = build_merged(scene, nested, overlap, irregular);
+    merged = builder.merged(nested, overlap, irregular);
   } catch (const Error& error) {
     if (error.code() != ErrorCode::usage) throw;
     return plain; // how large a merged map becomes shows only when it is made
@@ -40,9 +40,7 @@ Grid build_chosen(const SceneView<Stored>& scene, const Lattice& uniform, const 
   const bool take_plain = clear ? plain_cost < merged_cost : bytes_of(plain) <= bytes_of(merged);
   return take_plain ? std::move(plain) : std::move(merged);
 }
-template Grid build_chosen(const SceneView<float>&, const Lattice&, const Lattice&, Overlap,
-                           const MergeRule&);
-template Grid build_chosen(const SceneView<double>&, const Lattice&, const Lattice&, Overlap,
-                           const MergeRule&);
+template Grid build_chosen(GridBuilder<float>&, const Lattice&, const Lattice&, Overlap, const MergeRule&);
+template Grid build_chosen(GridBuilder<double>&, const Lattice&, const Lattice&, Overlap, const MergeRule&);
 
 } // namespace masu

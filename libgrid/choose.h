@@ -1,7 +1,7 @@
 // Choosing how to merge for somebody who doesn't care.
 #pragma once
 
-#include "libgrid/merge.h"
+#include "libgrid/builder.h"
 
 namespace masu {
 
@@ -9,9 +9,9 @@ namespace masu {
 // expected to be through with sooner (map_statistics.h), a step costing rule.step_over_test tests; or the
 // smaller one where that makes less than a tenth's difference. What rays will come isn't asked: where most
 // of them stop early, both meet less. A scene whose irregular grid would be too large gets the uniform one.
-// Throws as build_uniform does.
+// Throws as the builder does.
 template <class Stored>
-Grid build_chosen(const SceneView<Stored>& scene, const Lattice& uniform, const Lattice& nested,
+Grid build_chosen(GridBuilder<Stored>& builder, const Lattice& uniform, const Lattice& nested,
                   Overlap overlap, const MergeRule& rule);
 
 } // namespace masu

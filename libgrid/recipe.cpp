@@ -54,9 +54,9 @@ DivisionRule nested_rule(DivisionRule rule) {
 } // namespace
 
 template <class Stored>
-Grid build_grid(const SceneView<Stored>& scene, const Boxd& bounds, const GridRecipe& recipe) {
+Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const GridRecipe& recipe) {
   const DivisionRule& rule = recipe.division;
-  const DivisionStatistics statistics = division_statistics(scene);
+  const DivisionStatistics statistics = division_statistics(builder.scene());
   const auto lattice_by = [&](const DivisionRule& by) {
     const Lattice lattice = make_lattice<Stored>(bounds, recipe.space, by, statistics);
     check_memory(lattice, expected_references(statistics.all, lattice));
@@ -66,25 +66,24 @@ Grid build_grid(const SceneView<Stored>& scene, const Boxd& bounds, const GridRe
   switch (recipe.choice) {
   case MergeChoice::automatic:
     // Who says how many voxels there are to be means those, not ones to divide further.
-    if (rule.kind != DivisionRule::Kind::automatic)
-      return build_uniform(scene, lattice_by(rule), recipe.overlap);
-    return build_chosen(scene, lattice_by(rule), lattice_by(nested_rule(rule)), recipe.overlap, merge);
+    if (rule.kind != DivisionRule::Kind::automatic) return builder.uniform(lattice_by(rule), recipe.overlap);
+    return build_chosen(builder, lattice_by(rule), lattice_by(nested_rule(rule)), recipe.overlap, merge);
   case MergeChoice::none:
-    return build_uniform(scene, lattice_by(rule), recipe.overlap);
+    return builder.uniform(lattice_by(rule), recipe.overlap);
   case MergeChoice::x:
     merge.merge = Merge::x;
-    return build_merged(scene, lattice_by(rule), recipe.overlap, merge);
+    return builder.merged(lattice_by(rule), recipe.overlap, merge);
   case MergeChoice::balance:
     merge.merge = Merge::balance;
-    return build_merged(scene, lattice_by(rule), recipe.overlap, merge);
+    return builder.merged(lattice_by(rule), recipe.overlap, merge);
   case MergeChoice::irregular:
     merge.merge = Merge::irregular;
-    return build_merged(scene, lattice_by(nested_rule(rule)), recipe.overlap, merge);
+    return builder.merged(lattice_by(nested_rule(rule)), recipe.overlap, merge);
   }
   return {};
 }
-template Grid build_grid(const SceneView<float>&, const Boxd&, const GridRecipe&);
-template Grid build_grid(const SceneView<double>&, const Boxd&, const GridRecipe&);
+template Grid build_grid(GridBuilder<float>&, const Boxd&, const GridRecipe&);
+template Grid build_grid(GridBuilder<double>&, const Boxd&, const GridRecipe&);
 
 GridOrigin origin_of(const Grid& grid, const GridRecipe& recipe, const Hash& scene_hash,
                      std::uint64_t primitives) {

@@ -1,6 +1,7 @@
 // Building a grid as somebody asks for it: from words to a grid, and to what its file tells of it.
 #pragma once
 
+#include "libgrid/builder.h"
 #include "libgrid/division.h"
 #include "libgrid/grid_file.h"
 #include "libgrid/merge.h"
@@ -19,10 +20,10 @@ struct GridRecipe {
   Overlap overlap = Overlap::exact;
 };
 
-// `bounds` is that of all primitives. Throws Error(usage, "--division", …) where the machine hasn't the
-// memory, and as build_uniform and build_merged do.
+// Of the builder's scene; `bounds` is that of all its primitives. Throws Error(usage, "--division", …) where
+// the machine hasn't the memory, and as the builder does.
 template <class Stored>
-Grid build_grid(const SceneView<Stored>& scene, const Boxd& bounds, const GridRecipe& recipe);
+Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const GridRecipe& recipe);
 
 // As the grid's file is to tell it.
 GridOrigin origin_of(const Grid& grid, const GridRecipe& recipe, const Hash& scene_hash,

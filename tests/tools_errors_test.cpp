@@ -473,6 +473,8 @@ TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
                     "--backend cpu", blind));
   EXPECT_TRUE(
       fails(4, "gridbench", {"load", scene_, grid_, "--backend", "cuda"}, "cuda", "--backend cpu", blind));
+  EXPECT_TRUE(fails(4, "gridbuild", {scene_, "-o", file("new.grid"), "--device", "cuda"}, "cuda",
+                    "--device cpu", blind));
   EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("new.png")}, blind)));
 }
 

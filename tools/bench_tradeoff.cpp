@@ -105,8 +105,9 @@ GridFile built(const SceneFile& scene, const GridPlan& plan, const std::string& 
   recipe.division = parse_division(plan.division);
   recipe.choice = plan.merge;
   recipe.overlap = plan.overlap;
-  const Grid grid = scene.is_float64() ? build_grid(scene.view<double>(), scene.bounds(), recipe)
-                                       : build_grid(scene.view<float>(), scene.bounds(), recipe);
+  const Grid grid = scene.is_float64()
+                        ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), recipe)
+                        : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), recipe);
   const std::string path = fmt::format("{}/building-{}.grid", folder, getpid());
   const auto remove = [](const std::string* file) { unlink(file->c_str()); };
   const std::unique_ptr<const std::string, decltype(remove)> removal(&path, remove);

@@ -8,9 +8,12 @@
 namespace masu {
 namespace {
 
+enum class Device { cpu, cuda };
+
 struct Settings {
   std::string scene, output, division = "auto";
   GridRecipe recipe;
+  Device device = Device::cpu;
   bool record_seconds = false, json = false;
   Threads threads;
 };
@@ -18,8 +21,9 @@ struct Settings {
 template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
+  const auto builder = settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene);
   const Stopwatch watch;
-  const Grid grid = build_grid(scene, file.bounds(), settings.recipe);
+  const Grid grid = build_grid(*builder, file.bounds(), settings.recipe);
   const double seconds = watch.seconds();
   GridOrigin origin = origin_of(grid, settings.recipe, file.hash(), scene.primitive_count());
   if (settings.record_seconds) origin.build_seconds = seconds;
@@ -29,14 +33,25 @@ void build(const Settings& settings, const SceneFile& file) {
                                      ? grid_statistics(view_of<double>(grid), grid.references)
                                      : grid_statistics(merged_view_of<double>(grid), grid.cells);
   const std::uint64_t cells = counted.occupied_cells;
+  const DeviceSeconds on_device = builder->device_seconds();
   if (settings.json) {
-    fmt::print("{{\"division\": [{}, {}, {}], \"occupied_cells\": {}, \"references\": {}, \"build_seconds\": "
-               "{:.6f}, \"total_seconds\": {:.6f}}}\n",
-               n.x, n.y, n.z, cells, grid.references.size(), seconds, watch.seconds());
+    const std::string device =
+        settings.device == Device::cpu
+            ? ""
+            : fmt::format("\"device_seconds\": {{\"set_up\": {:.6f}, \"upload\": {:.6f}, \"build\": {:.6f}, "
+                          "\"download\": {:.6f}}}, ",
+                          on_device.set_up, on_device.upload, on_device.build, on_device.download);
+    fmt::print(
+        "{{\"division\": [{}, {}, {}], \"occupied_cells\": {}, \"references\": {}, {}\"build_seconds\": "
+        "{:.6f}, \"total_seconds\": {:.6f}}}\n",
+        n.x, n.y, n.z, cells, grid.references.size(), device, seconds, watch.seconds());
   } else {
     const std::string merged = grid.merge == Merge::none ? "" : fmt::format("{} cells, ", counted.cells);
     fmt::print("{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n", n.x,
                n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
+    if (settings.device == Device::cuda)
+      fmt::print("on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
+                 on_device.set_up, on_device.upload, on_device.build, on_device.download);
   }
 }
 
@@ -100,6 +115,8 @@ int main(int argc, char** argv) {
                        "irregular: passes that stretch cells over neighbours that list nothing else")
             ->check(CLI::Range(0, 64))
             ->capture_default_str();
+        add_choice(app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
+                   "who builds: cpu, or cuda (not for --merge x and balance); the file is the same");
         app.add_flag("--record-seconds", settings.record_seconds,
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");

@@ -1,0 +1,111 @@
+// Grids built on the GPU against the CPU's, byte for byte. Skipped, and said so, where there is no CUDA
+// device.
+#include "libgrid/builder.h"
+#include "libscene/cuda_device.h"
+#include "libscene/error.h"
+#include "tests/random_grid.h"
+#include "tests/random_scene.h"
+#include "tests/same_grid.h"
+
+namespace masu {
+namespace {
+
+template <class Stored>
+class BuiltOnTheGpu : public testing::Test {
+protected:
+  void SetUp() override {
+    std::string why;
+    if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was compared: " << why;
+  }
+  RandomSeed seed_;
+};
+using Stores = testing::Types<float, double>;
+TYPED_TEST_SUITE(BuiltOnTheGpu, Stores);
+
+TYPED_TEST(BuiltOnTheGpu, AUniformGridIsTheSameBytes) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(150); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+    const Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
+    expect_same(cpu_builder(scene.view())->uniform(lattice, overlap),
+                cuda_builder(scene.view())->uniform(lattice, overlap));
+    ASSERT_FALSE(this->HasFailure()) << described(scene);
+  }
+}
+
+TYPED_TEST(BuiltOnTheGpu, AUniformGridOfBlocksIsTheSameBytes) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(3); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
+    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
+    lattice.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
+    expect_same(cpu_builder(scene.view())->uniform(lattice, Overlap::exact),
+                cuda_builder(scene.view())->uniform(lattice, Overlap::exact));
+  }
+}
+
+TYPED_TEST(BuiltOnTheGpu, AnIrregularGridIsTheSameBytes) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(150); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
+    lattice.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
+    MergeRule rule = random_merge_rule(chance);
+    rule.merge = Merge::irregular;
+    const Grid grid = cpu_builder(scene.view())->merged(lattice, overlap, rule);
+    expect_same(grid, cuda_builder(scene.view())->merged(lattice, overlap, rule));
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+}
+
+// Boxes of so many parts that a block of threads divides them, and not a warp.
+TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene;
+  for (int i = 0; i < 30'000; ++i) {
+    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.1 : 1.0);
+    const auto near = [&] { return cast<TypeParam>(at + chance.in_cube(0.02)); };
+    scene.triangles.push_back(triangle_of(near(), near(), near()));
+    if (i % 10 == 0) scene.spheres.push_back(sphere_of<TypeParam>(at, 0.01));
+    if (i % 10 == 1)
+      scene.cones.push_back(cone_of<TypeParam>(at, 0.01, at + chance.direction() * 0.02, 0.005));
+  }
+  MergeRule rule;
+  rule.merge = Merge::irregular;
+  for (const Vec3i& division : {Vec3i{1, 1, 1}, Vec3i{3, 2, 1}, Vec3i{20, 20, 20}}) {
+    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
+    lattice.division = division;
+    const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
+    for (const Overlap overlap : {Overlap::exact, Overlap::box}) {
+      expect_same(cpu->uniform(lattice, overlap), gpu->uniform(lattice, overlap));
+      expect_same(cpu->merged(lattice, overlap, rule), gpu->merged(lattice, overlap, rule));
+    }
+  }
+}
+
+TYPED_TEST(BuiltOnTheGpu, GridsMergedByXOrBalanceAreRefused) {
+  TestScene<TypeParam> scene;
+  const Lattice lattice{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
+  const auto gpu = cuda_builder(scene.view());
+  for (const Merge merge : {Merge::x, Merge::balance})
+    EXPECT_THROW(gpu->merged(lattice, Overlap::exact, {merge}), Error);
+}
+
+TYPED_TEST(BuiltOnTheGpu, AGridOfNothingIsTheSameBytes) {
+  TestScene<TypeParam> scene;
+  const Lattice lattice{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
+  MergeRule rule;
+  rule.merge = Merge::irregular;
+  const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
+  expect_same(cpu->uniform(lattice, Overlap::exact), gpu->uniform(lattice, Overlap::exact));
+  expect_same(cpu->merged(lattice, Overlap::exact, rule), gpu->merged(lattice, Overlap::exact, rule));
+}
+
+} // namespace
+} // namespace masu
