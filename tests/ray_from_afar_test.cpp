@@ -1,0 +1,260 @@
+// Rays that begin far off: clipping them to the scene, and what they hit then.
+#include "libscene/surface.h"
+#include "tests/ray_case.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace masu {
+namespace {
+
+using Arithmetics = testing::Types<float, double>;
+
+// What can be asked of clip.h, in u M.
+constexpr double clip_error = 8;
+
+struct Interval {
+  oracle::Wide enter, leave;
+};
+
+Interval slabs(const oracle::Line& line, const Boxd& box) {
+  Interval interval{0, std::numeric_limits<double>::max()};
+  const oracle::Wide origin[]{line.origin.x, line.origin.y, line.origin.z},
+      direction[]{line.direction.x, line.direction.y, line.direction.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0) {
+      if (origin[axis] < box.min[axis] || origin[axis] > box.max[axis]) return {1, 0};
+      continue;
+    }
+    const oracle::Wide t0 = (box.min[axis] - origin[axis]) / direction[axis],
+                       t1 = (box.max[axis] - origin[axis]) / direction[axis];
+    interval.enter = oracle::most(interval.enter, oracle::least(t0, t1));
+    interval.leave = oracle::least(interval.leave, oracle::most(t0, t1));
+  }
+  return interval;
+}
+
+// Whether the ray starts beyond the box on a side that it doesn't come back to.
+template <class Real>
+bool starts_beyond(const Boxd& box, const Ray<Real>& ray) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto origin = static_cast<double>(ray.origin[axis]);
+    if (ray.direction[axis] >= 0 && origin > box.max[axis]) return true;
+    if (ray.direction[axis] <= 0 && origin < box.min[axis]) return true;
+  }
+  return false;
+}
+
+// From up to 2^`distance` times the box's size away, aimed at what's in it or by its side.
+template <class Real>
+Ray<Real> from_afar(Chance& chance, const Boxd& box, double distance) {
+  const double size = largest_magnitude(box.max - box.min);
+  Vec3d target = chance.in_box(box);
+  const int axis = chance.whole(0, 2);
+  switch (chance.whole(0, 3)) {
+  case 0: // on a face
+    target.set(axis, chance.one_in(2) ? box.min[axis] : box.max[axis]);
+    break;
+  case 1: // a corner
+    target = {chance.one_in(2) ? box.min.x : box.max.x, chance.one_in(2) ? box.min.y : box.max.y,
+              chance.one_in(2) ? box.min.z : box.max.z};
+    break;
+  case 2:
+    target = target + chance.in_cube(size);
+    break;
+  default:
+    break;
+  }
+  const Vec3d back = chance.direction() * (size * chance.power_of_two(-2, distance));
+  Vec3<Real> origin = cast<Real>(target + back), aim = cast<Real>(target);
+  if (chance.one_in(4)) origin.set(axis, aim[axis]);
+  if (chance.one_in(8)) origin.set((axis + 1) % 3, aim[(axis + 1) % 3]);
+  if (origin == aim) origin.x += static_cast<Real>(size);
+  return {origin, sized(chance, aim - origin), RealTraits<Real>::largest};
+}
+
+template <class Real>
+class RayFromAfar : public testing::Test {
+protected:
+  RandomSeed seed_;
+};
+TYPED_TEST_SUITE(RayFromAfar, Arithmetics);
+
+template <class Real>
+Boxd random_bounds(Chance& chance) {
+  const double scale = chance.power_of_two(-10, 20);
+  const Vec3d at = chance.in_cube(chance.one_of({0.0, scale, 100 * scale}));
+  Boxd box{at, at};
+  box = join(box, at + chance.in_cube(scale));
+  if (chance.one_in(4)) box.max.set(2, box.min.z);
+  return kept<Real>(box);
+}
+
+TYPED_TEST(RayFromAfar, ClippingKeepsTheRayAndMissesNothing) {
+  using Real = TypeParam;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  double worst_off = 0, worst_late = 0, worst_outside = 0;
+  std::string worst_case;
+  for (std::int64_t i = cases(200'000); i > 0; --i) {
+    const Boxd bounds = random_bounds<Real>(chance);
+    const Box<Real> box = cast<Real>(padded_bounds<Real>(bounds));
+    const Boxd wide = cast<double>(box);
+    const Ray<Real> ray = from_afar<Real>(chance, wide, 23.25);
+    const double unit = static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(wide);
+    const oracle::Line line = oracle::line(ray.origin, ray.direction);
+    // Where hits can lie: the padding beyond may be entered late, or missed.
+    const Interval met = slabs(line, grown(bounds, rounding_margin<Real>(bounds)));
+    ClippedRay<Real> clipped;
+    if (!clip(ray, box, clipped)) {
+      ASSERT_TRUE(starts_beyond(bounds, ray) || met.enter > met.leave)
+          << "missed by " << described(ray.origin, ray.direction) << " box " << described(box.min)
+          << described(box.max);
+      continue;
+    }
+    if (contains(box, ray.origin)) {
+      ASSERT_TRUE(clipped.ray.origin == ray.origin && clipped.skipped == 0)
+          << described(ray.origin, ray.direction) << " box " << described(box.min) << described(box.max)
+          << " skipped " << clipped.skipped;
+      continue;
+    }
+    if (met.enter > met.leave) continue;
+    const oracle::Wide square = oracle::inner(line.direction, line.direction);
+    const oracle::Point at = oracle::point(clipped.ray.origin);
+    const oracle::Wide along = oracle::inner(at - line.origin, line.direction) / square;
+    const double off = static_cast<double>(oracle::norm(at - line.at(along))) / unit;
+    const double late = static_cast<double>((along - met.enter) * oracle::root(square)) / unit;
+    double outside = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double c = static_cast<double>(clipped.ray.origin[axis]);
+      outside = std::max(outside, std::max(wide.min[axis] - c, c - wide.max[axis]) / unit);
+    }
+    if (off > worst_off) worst_case = described(ray.origin, ray.direction);
+    worst_off = std::max(worst_off, off);
+    worst_late = std::max(worst_late, late);
+    worst_outside = std::max(worst_outside, outside);
+  }
+  this->RecordProperty("worst_distance_from_the_ray_in_uM", std::to_string(worst_off));
+  this->RecordProperty("worst_distance_beyond_the_entry_in_uM", std::to_string(worst_late));
+  this->RecordProperty("worst_distance_before_the_box_in_uM", std::to_string(worst_outside));
+  // Rounded once a coordinate from nearby, and once before that from a few times the box's size.
+  EXPECT_LE(worst_off, clip_error) << worst_case;
+  EXPECT_LE(worst_late, clip_error);
+  // From up to 256 times the box's size it is looked for once, and held back by 8 roundings of that, with 4
+  // of its own: of the difference, the inverse, their product, and that held back. Then the origin is
+  // rounded.
+  EXPECT_LE(worst_outside, (8 + 4) * 256 + 1);
+}
+
+// What the oracle expects of a scene: nothing where any primitive leaves it unsure.
+template <class Real>
+oracle::Expected expect_nearest(const oracle::Line& line, const TestScene<Real>& scene, double slack) {
+  oracle::Expected nearest{oracle::Answer::miss, 0, 0};
+  const auto look = [&](const auto& primitives) {
+    for (const auto& primitive : primitives) {
+      const oracle::Expected one = oracle::expect(line, primitive, slack);
+      if (one.answer == oracle::Answer::miss || nearest.answer == oracle::Answer::unsure) continue;
+      if (one.answer == oracle::Answer::unsure || nearest.answer == oracle::Answer::miss) {
+        nearest = one;
+        continue;
+      }
+      nearest.low = oracle::least(nearest.low, one.low);
+      nearest.high = oracle::least(nearest.high, one.high);
+    }
+  };
+  look(scene.triangles);
+  look(scene.spheres);
+  look(scene.cones);
+  return nearest;
+}
+
+template <class Real>
+TestScene<Real> small_scene(Chance& chance) {
+  const double scale = chance.power_of_two(-10, 20);
+  TestScene<Real> scene;
+  for (int i = chance.whole(1, 3); i > 0; --i) {
+    const Vec3d at = chance.in_cube(scale);
+    const auto corner = [&] { return at + chance.in_cube(scale / 2); };
+    scene.triangles.push_back(
+        triangle_of<Real>(cast<Real>(corner()), cast<Real>(corner()), cast<Real>(corner())));
+    scene.spheres.push_back(sphere_of<Real>(chance.in_cube(scale), scale * chance.uniform(0.05, 0.5)));
+    scene.cones.push_back(cone_of<Real>(corner(), scale * chance.uniform(0.1, 0.3), corner(),
+                                        scale * chance.uniform(0.1, 0.3)));
+  }
+  return scene;
+}
+
+TYPED_TEST(RayFromAfar, FindsTheOraclesNearestHit) {
+  using Real = TypeParam;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::map<oracle::Answer, std::int64_t> answers;
+  std::int64_t wrong = 0;
+  std::string first;
+  for (std::int64_t s = cases(1500); s > 0; --s) {
+    TestScene<Real> scene = small_scene<Real>(chance);
+    const SceneView<Real> view = scene.view();
+    const Boxd bounds = scene.bounds();
+    for (int i = 0; i < 8; ++i) {
+      const Ray<Real> ray = from_afar<Real>(chance, bounds, 23.25);
+      const auto expected =
+          expect_nearest(oracle::line(ray.origin, ray.direction), scene, rounding_margin<Real>(bounds));
+      ++answers[expected.answer];
+      if (expected.answer == oracle::Answer::unsure) continue;
+      NoCounts counts;
+      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const bool met = hit.primitive != no_primitive;
+      bool good = met == (expected.answer == oracle::Answer::hit);
+      // The t from afar is rounded once or twice more.
+      const oracle::Wide rounding = 4 * oracle::Wide(hit.t) * RealTraits<Real>::unit_roundoff;
+      if (good && met) good = hit.t >= expected.low - rounding && hit.t <= expected.high + rounding;
+      if (good || ++wrong > 1) continue;
+      std::ostringstream out;
+      out << described(ray.origin, ray.direction) << ": " << (met ? described(hit.t) : "missed")
+          << ", expected " << (expected.answer == oracle::Answer::hit ? "a hit between " : "a miss ")
+          << static_cast<double>(expected.low) << " and " << static_cast<double>(expected.high);
+      first = out.str();
+    }
+  }
+  EXPECT_EQ(wrong, 0) << first;
+  EXPECT_GT(answers[oracle::Answer::hit], cases(500));
+  EXPECT_GT(answers[oracle::Answer::miss], cases(500));
+}
+
+// The eye may be far off: what it sees must be placed as well as from nearby.
+TYPED_TEST(RayFromAfar, SurfacesLieWhereTheRayMeetsThem) {
+  using Real = TypeParam;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  double worst = 0;
+  std::string worst_case;
+  for (std::int64_t s = cases(5000); s > 0; --s) {
+    TestScene<Real> scene = small_scene<Real>(chance);
+    const SceneView<Real> view = scene.view();
+    const Boxd bounds = scene.bounds();
+    for (int i = 0; i < 8; ++i) {
+      const Ray<Real> ray = from_afar<Real>(chance, bounds, 12);
+      NoCounts counts;
+      const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      if (hit.primitive == no_primitive) continue;
+      const oracle::Line line = oracle::line(ray.origin, ray.direction);
+      const SurfacePoint<Real> point = surface_at<with_all_kinds>(view, ray, hit);
+      const oracle::Point at = oracle::point(point.position), n = oracle::point(point.normal);
+      // Off the ray, that is; what a rounding moves a surface met aslant counts for little.
+      const oracle::Wide square = oracle::inner(line.direction, line.direction);
+      const oracle::Wide along = oracle::inner(at - line.origin, line.direction) / square;
+      const oracle::Wide cosine = oracle::magnitude(oracle::inner(n, line.direction)) / oracle::root(square);
+      const double off =
+          static_cast<double>(oracle::norm(at - line.at(along)) * cosine / rounding_margin<Real>(bounds));
+      if (off <= worst) continue;
+      worst = off;
+      worst_case = "primitive " + std::to_string(hit.primitive) + "; " +
+                   described(ray.origin, ray.direction) + " at " + described(point.position);
+    }
+  }
+  EXPECT_LE(worst, 1) << "margins: " << worst_case;
+}
+
+} // namespace
+} // namespace masu
