@@ -59,10 +59,10 @@ MASU_HD inline WalkAxis<Real> walk_axis(const ClippedRay<Real>& near, const Vec3
 // warp's lanes stay together.
 template <class Real, class Grid>
 struct Walk {
-  WalkAxis<Real> x, y, z;
-  CellView cell;
-  Vec3<Real> crossings; // where the ray crosses the cell's far planes
-  Real exit;            // the first of them: where the ray leaves the cell
+  WalkAxis<Real> x{}, y{}, z{};
+  CellView cell{};
+  Vec3<Real> crossings{}; // where the ray crosses the cell's far planes
+  Real exit = 0;          // the first of them: where the ray leaves the cell
 
   Walk() = default;
 
@@ -70,8 +70,7 @@ struct Walk {
   MASU_HD Walk(const Grid& grid, const ClippedRay<Real>& near)
       : x(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 0)),
         y(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 1)),
-        z(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 2)), cell{},
-        crossings{}, exit(0) {}
+        z(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 2)) {}
 
   // Looks up the cell that the ray is in.
   MASU_HD void enter(const Grid& grid) {

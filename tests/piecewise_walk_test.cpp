@@ -48,7 +48,7 @@ Hit<Real> found_in_pieces(Chance& chance, const SceneView<Real>& scene, const Vi
   using M = Robust<Real>;
   ClippedRay<Real> near{};
   if (!clip(ray, scene.clip, near)) return {ray.t_max, no_primitive};
-  RayFrame<Real> frame;
+  RayFrame<Real> frame{};
   prepare(frame, near.ray.origin, near.ray.direction);
   NoCounts counts;
   const Hit<Real> nothing{near.ray.t_max, 0};

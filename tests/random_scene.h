@@ -195,7 +195,9 @@ private:
       for (int x = 0; x <= side; ++x)
         corners.push_back(at_ + Vec3d{(2.0 * x / side - 1) * scale_, (2.0 * y / side - 1) * scale_,
                                       chance_.uniform(-0.2, 0.2) * scale_});
-    const auto number = [&](int x, int y) { return static_cast<std::size_t>(y * (side + 1) + x); };
+    const auto number = [&](int x, int y) {
+      return static_cast<std::size_t>(y) * static_cast<std::size_t>(side + 1) + static_cast<std::size_t>(x);
+    };
     for (int y = 0; y < side; ++y) {
       for (int x = 0; x < side; ++x) {
         add_triangle(scene, corners[number(x, y)], corners[number(x + 1, y)], corners[number(x + 1, y + 1)]);

@@ -106,7 +106,7 @@ TYPED_TEST(RayFromAfar, ClippingKeepsTheRayAndMissesNothing) {
     const oracle::Line line = oracle::line(ray.origin, ray.direction);
     // Where hits can lie: the padding beyond may be entered late, or missed.
     const Interval met = slabs(line, grown(bounds, rounding_margin<Real>(bounds)));
-    ClippedRay<Real> clipped;
+    ClippedRay<Real> clipped{};
     if (!clip(ray, box, clipped)) {
       ASSERT_TRUE(starts_beyond(bounds, ray) || met.enter > met.leave)
           << "missed by " << described(ray.origin, ray.direction) << " box " << described(box.min)

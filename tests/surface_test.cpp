@@ -84,7 +84,7 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
   for (std::int64_t i = cases(tries); i > 0; --i) {
     const auto c = draw(chance);
     const Alone alone(c);
-    Hit<Real> found;
+    Hit<Real> found{};
     if (!alone.hit(c.ray(), found)) continue;
     ++hits;
     const SurfacePoint<Real> point = surface_at<with_all_kinds>(alone.view(), c.ray(), found);
@@ -115,7 +115,7 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
       if (dot(towards, n) == 0) continue;
       const Real by = dot(towards, n) < 0 ? -point.error : point.error;
       const Vec3<Real> origin = fused(n, by, point.position);
-      Hit<Real> again;
+      Hit<Real> again{};
       if (alone.hit({origin, towards, RealTraits<Real>::largest}, again) && ++self_hits == 1)
         self_case = case_described(c) + " left by " + described(origin, towards) + " met again at " +
                     described(again.t);
