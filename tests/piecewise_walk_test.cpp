@@ -34,7 +34,8 @@ std::vector<Real> cuts(Chance& chance, const View& grid, const ClippedRay<Real>&
     Walk<Real, View> walk(grid, near);
     do {
       walk.enter(grid);
-      if (chance.one_in(3)) at.push_back(chance.one_in(2) ? walk.exit : nudged(walk.exit, chance.one_in(2) ? 1 : -1));
+      if (chance.one_in(3))
+        at.push_back(chance.one_in(2) ? walk.exit : nudged(walk.exit, chance.one_in(2) ? 1 : -1));
     } while (walk.leave(grid));
   }
   std::erase_if(at, [&](Real t) { return !(t > 0 && t < to); });
