@@ -132,11 +132,9 @@ private:
   bool leads_home(std::uint32_t number, const Vec3i& first, const Vec3i& end) const {
     if (number >= cells_) return false;
     const MergedCell& cell = grid_.cells[number];
-    const auto low = [](std::uint32_t range) { return static_cast<std::int32_t>(range & 0xffff); };
-    const auto high = [](std::uint32_t range) { return static_cast<std::int32_t>(range >> 16); };
     // One branch for all: whatever is too small has its sign bit set.
-    return ((first.x - low(cell.x)) | (high(cell.x) - end.x) | (first.y - low(cell.y)) |
-            (high(cell.y) - end.y) | (first.z - low(cell.z)) | (high(cell.z) - end.z)) >= 0;
+    return ((first.x - first_of(cell.x)) | (end_of(cell.x) - end.x) | (first.y - first_of(cell.y)) |
+            (end_of(cell.y) - end.y) | (first.z - first_of(cell.z)) | (end_of(cell.z) - end.z)) >= 0;
   }
 
   // Each division makes the box smaller, so this ends. Adds to `nested` how many words it looks at.

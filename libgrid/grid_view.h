@@ -57,6 +57,14 @@ struct alignas(16) MergedCell {
 };
 static_assert(sizeof(MergedCell) == 16);
 
+// The ends of a cell's box along an axis.
+MASU_HD inline std::int32_t first_of(std::uint32_t range) {
+  return static_cast<std::int32_t>(range & 0xffff);
+}
+MASU_HD inline std::int32_t end_of(std::uint32_t range) {
+  return static_cast<std::int32_t>(range >> 16);
+}
+
 template <class Real>
 struct MergedGridView {
   const std::uint32_t* voxel_map;

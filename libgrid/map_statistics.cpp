@@ -77,7 +77,7 @@ void include(OwnVoxels& own, const Vec3i& first, const Vec3i& sides_log2) {
 
 double volume_of(const MergedCell& cell) {
   const auto extent = [](std::uint32_t range) {
-    return static_cast<double>(range >> 16) - static_cast<double>(range & 0xffff);
+    return static_cast<double>(end_of(range) - first_of(range));
   };
   return extent(cell.x) * extent(cell.y) * extent(cell.z);
 }

@@ -35,9 +35,8 @@ MASU_HD inline MergedCell packed(const VoxelBox& box, std::uint32_t list) {
 
 // The voxels of a merged grid's cell.
 MASU_HD inline VoxelBox box_of(const MergedCell& cell) {
-  const auto low = [](std::uint32_t range) { return static_cast<std::int32_t>(range & 0xffff); };
-  const auto high = [](std::uint32_t range) { return static_cast<std::int32_t>(range >> 16); };
-  return {{low(cell.x), low(cell.y), low(cell.z)}, {high(cell.x), high(cell.y), high(cell.z)}};
+  return {{first_of(cell.x), first_of(cell.y), first_of(cell.z)},
+          {end_of(cell.x), end_of(cell.y), end_of(cell.z)}};
 }
 
 // How an irregular grid's voxels are divided further: as often as planes can be numbered.

@@ -174,13 +174,9 @@ void write_nested_maps(Passes& passes, const Vec3i& division, const ArrayOf<Pass
   std::uint32_t* const box_of_cell = entries.box_of.data();
   const std::uint64_t box_count = all.children;
   passes.for_each(all.entries, [=] MASU_PASS(std::uint64_t i) {
-    std::uint64_t low = 0, high = box_count;
-    while (high - low > 1) {
-      const std::uint64_t middle = low + (high - low) / 2;
-      (boxes[middle].begin <= i ? low : high) = middle;
-    }
-    cell[i] = starts[boxes[low].parent_word].leaves + static_cast<std::uint32_t>(i) - boxes[low].begin;
-    box_of_cell[i] = static_cast<std::uint32_t>(low);
+    const std::uint64_t box = owner_by([=](std::uint64_t b) { return boxes[b].begin; }, box_count, i);
+    cell[i] = starts[boxes[box].parent_word].leaves + static_cast<std::uint32_t>(i) - boxes[box].begin;
+    box_of_cell[i] = static_cast<std::uint32_t>(box);
   });
   std::uint64_t words = top_words;
   while (levels.back().boxes.size() > 0) {

@@ -5,14 +5,6 @@
 
 namespace masu {
 
-// A box's extent along an axis, as cells have it.
-MASU_HD inline std::int32_t first_of(std::uint32_t range) {
-  return static_cast<std::int32_t>(range & 0xffff);
-}
-MASU_HD inline std::int32_t end_of(std::uint32_t range) {
-  return static_cast<std::int32_t>(range >> 16);
-}
-
 // The most neighbours a face looks at: one more of them would sooner or later be in the way.
 inline constexpr std::int32_t most_neighbours = 32;
 

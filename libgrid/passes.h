@@ -25,15 +25,18 @@
 
 namespace masu {
 
-// The last i with offsets[i] <= at, of rising offsets that begin with 0: whose part of the whole it is.
-template <class Offset>
-MASU_HD std::uint64_t owner_of(const Offset* offsets, std::uint64_t count, std::uint64_t at) {
+// The last i with begin(i) <= at, of `count` that rise from 0: whose part of the whole it is.
+template <class Begin>
+MASU_HD std::uint64_t owner_by(const Begin& begin, std::uint64_t count, std::uint64_t at) {
   std::uint64_t low = 0, high = count;
   while (high - low > 1) {
     const std::uint64_t middle = low + (high - low) / 2;
-    (offsets[middle] <= at ? low : high) = middle;
+    (begin(middle) <= at ? low : high) = middle;
   }
   return low;
+}
+MASU_HD inline std::uint64_t owner_of(const std::uint64_t* begins, std::uint64_t count, std::uint64_t at) {
+  return owner_by([begins](std::uint64_t i) { return begins[i]; }, count, at);
 }
 
 // Counts `by` more; returns what it was before. Of all who count at once each gets another number.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "libscene/box.h"
+#include "libscene/margin.h"
 #include "libscene/ray.h"
 
 namespace masu {
@@ -57,7 +58,7 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
   clipped = {ray, {finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, 0};
   const Real largest = largest_magnitude(box), far = 256 * largest;
   // What is in the padding is off the bounds by no more than the box' own rounding.
-  constexpr Real padding = (256 - 16) * RealTraits<Real>::unit_roundoff;
+  constexpr Real padding = (2 * margin_roundings - 16) * RealTraits<Real>::unit_roundoff;
   if (departs(box, ray, padding * largest)) return false;
   for (bool again = true; again;) {
     Real enter;

@@ -11,8 +11,7 @@
 //  - Spheres (sphere.h): the same subtraction and projection, and a square root: below 60 u M (searched for:
 //    15).
 //  - Cones (cone.h) are solved about the place where their terms are least: below 60 u M (millions of hard
-//  cases
-//    found none worse).
+//    cases found none worse).
 //  - The walk (libgrid/walk.h): plane i's distance along the ray is one fused multiply-add of two factors
 //    rounded thrice, below 14 u M along that axis; the voxel reached at an exit another, below 14 u M too.
 // 128 u M covers their sum. The space that is divided, and the box that rays are clipped to, reach twice that
@@ -24,10 +23,12 @@
 
 namespace masu {
 
+inline constexpr int margin_roundings = 128; // in u M
+
 // For arithmetic of type Real on primitives within `bounds` (not empty).
 template <class Real>
 inline double rounding_margin(const Boxd& bounds) {
-  return 128.0 * static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
+  return margin_roundings * static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds);
 }
 
 // What rays are clipped to, and what the tight space divides. A scene without primitives gets a box all the

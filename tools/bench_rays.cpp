@@ -42,6 +42,13 @@ struct RaySet {
 const std::map<std::string, RayLoop> all_loops{
     {"cells", RayLoop::cells}, {"warp", RayLoop::warp}, {"refill", RayLoop::refill}};
 
+std::set<std::string> loop_names() {
+  std::set<std::string> names{"auto"};
+  for (const auto& [name, loop] : all_loops)
+    names.insert(name);
+  return names;
+}
+
 // The loop's name: `auto` is the usual one for the rays and the files.
 std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
                      const GridFile& grid) {
@@ -170,7 +177,7 @@ void add_rays(CLI::App& app) {
                   "(refill for "
                   "diffuse and random; else warp, or cells while the files are small)")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"auto", "cells", "warp", "refill"}));
+      ->check(CLI::IsMember(loop_names()));
   rays.add_option("--precision", settings.precisions,
                   "by which arithmetic: auto, fast, robust, double (see gridrender --help)")
       ->delimiter(',')
