@@ -70,8 +70,7 @@ struct Partitioner {
     bool some = false;
     with_primitive(scene, number, [&](const auto& primitive) {
       const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
-      const double voxels = std::clamp(breadth(primitive) / side, 1.0, 65535.0);
-      part.inverse_breadth = 0x80000000U / static_cast<std::uint32_t>(voxels);
+      part.inverse_breadth = 0x80000000U / breadth_in_voxels(breadth(primitive));
       some = shrink(part, grown(box, lattice.margin));
     });
     return some;
@@ -181,6 +180,12 @@ private:
       some = some && part.first[axis] <= part.last[axis];
     }
     return some;
+  }
+
+  // From 1 to 65535. 1 where areas or volumes leave what a double holds and their quotient is no number.
+  MASU_HD std::uint32_t breadth_in_voxels(double breadth) const {
+    const double voxels = breadth / side;
+    return voxels > 1 ? static_cast<std::uint32_t>(std::min(voxels, 65535.0)) : 1;
   }
 
   MASU_HD double plane_at(int axis, std::int32_t plane) const {
