@@ -52,11 +52,7 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridIsTheSameBytes) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
-    lattice.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
-    MergeRule rule = random_merge_rule(chance);
-    rule.merge = Merge::irregular;
+    const auto [lattice, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
     const Grid grid = cpu_builder(scene.view())->merged(lattice, overlap, rule);
     expect_same(grid, cuda_builder(scene.view())->merged(lattice, overlap, rule));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);

@@ -50,11 +50,7 @@ TYPED_TEST(Passes, BuildTheSameIrregularGrid) {
   std::int64_t divided = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
-    lattice.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
-    MergeRule rule = random_merge_rule(chance);
-    rule.merge = Merge::irregular;
+    const auto [lattice, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
     const Grid grid = build_merged(scene.view(), lattice, overlap, rule);
     divided += grid.voxel_map.size() > voxel_count(lattice.division) + 3;
     expect_same(grid, as_grid(irregular_by_passes(passes, scene.view(), lattice, overlap, rule)));

@@ -56,6 +56,21 @@ inline MergeRule random_merge_rule(Chance& chance) {
           chance.one_of({0, 1, 6})};
 }
 
+// What an irregular grid is built by: few voxels, which are divided further.
+struct IrregularCase {
+  Lattice lattice;
+  Overlap overlap;
+  MergeRule rule;
+};
+template <class Stored>
+IrregularCase random_irregular_case(Chance& chance, const Boxd& bounds) {
+  IrregularCase by{random_lattice<Stored>(chance, bounds), chance.one_in(2) ? Overlap::exact : Overlap::box,
+                   random_merge_rule(chance)};
+  by.lattice.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
+  by.rule.merge = Merge::irregular;
+  return by;
+}
+
 template <class Stored>
 Grid random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
   const MergeRule rule = random_merge_rule(chance);
