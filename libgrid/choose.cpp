@@ -7,12 +7,18 @@
 namespace masu {
 namespace {
 
-double expected_cost(const Grid& grid, const MergeRule& rule) {
-  const ExpectedRay ray =
-      grid.merge == Merge::none
-          ? map_statistics(view_of<double>(grid), std::span<const PrimitiveIndex>(grid.references)).ray
-          : map_statistics(merged_view_of<double>(grid), std::span<const MergedCell>(grid.cells)).ray;
+double cost_of(const ExpectedRay& ray, const MergeRule& rule) {
   return rule.step_over_test * ray.cells + ray.tests;
+}
+double expected_cost_of_uniform(const Grid& grid, const MergeRule& rule) {
+  return cost_of(map_statistics(view_of<double>(grid), std::span<const PrimitiveIndex>(grid.references)).ray,
+                 rule);
+}
+double expected_cost_of_irregular(const Grid& grid, const MergeRule& rule) {
+  const MergedGridView<double> view = merged_view_of<double>(grid);
+  const std::span<const MergedCell> cells(grid.cells);
+  const std::vector<OwnVoxels> own = own_voxels_of_rows(view, cells);
+  return cost_of(expected_ray(view, cells, std::span<const OwnVoxels>(own)), rule);
 }
 
 std::size_t bytes_of(const Grid& grid) {
@@ -35,7 +41,8 @@ Grid build_chosen(GridBuilder<Stored>& builder, const Lattice& uniform, const La
     if (error.code() != ErrorCode::usage) throw;
     return plain; // how large a merged map becomes shows only when it is made
   }
-  const double plain_cost = expected_cost(plain, rule), merged_cost = expected_cost(merged, rule);
+  const double plain_cost = expected_cost_of_uniform(plain, rule),
+               merged_cost = expected_cost_of_irregular(merged, rule);
   const bool clear = std::min(plain_cost, merged_cost) < tie * std::max(plain_cost, merged_cost);
   const bool take_plain = clear ? plain_cost < merged_cost : bytes_of(plain) <= bytes_of(merged);
   return take_plain ? std::move(plain) : std::move(merged);

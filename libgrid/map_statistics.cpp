@@ -4,6 +4,10 @@
 #include "libgrid/overlap.h"
 #include "libgrid/statistics.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -34,16 +38,22 @@ class MapWords {
 public:
   MapWords(const MergedGridView<Real>& grid, const Act& act) : grid_(grid), act_(act) {}
 
-  void visit_all() const {
+  std::uint64_t rows() const {
+    return static_cast<std::uint64_t>(grid_.top.y) * static_cast<std::uint64_t>(grid_.top.z);
+  }
+  // Of voxels along x.
+  void visit_row(std::uint64_t row) const {
     const Vec3i n = grid_.top;
-    for (std::int32_t z = 0, i = 0; z < n.z; ++z) {
-      for (std::int32_t y = 0; y < n.y; ++y) {
-        for (std::int32_t x = 0; x < n.x; ++x, ++i) {
-          const std::int32_t log2 = grid_.nested_log2;
-          visit(grid_.voxel_map[i], {x << log2, y << log2, z << log2}, {log2, log2, log2}, 0);
-        }
-      }
-    }
+    const auto y = static_cast<std::int32_t>(row % static_cast<std::uint64_t>(n.y)),
+               z = static_cast<std::int32_t>(row / static_cast<std::uint64_t>(n.y));
+    const std::int32_t log2 = grid_.nested_log2;
+    for (std::int32_t x = 0; x < n.x; ++x)
+      visit(grid_.voxel_map[linear_index({x, y, z}, n)], {x << log2, y << log2, z << log2},
+            {log2, log2, log2}, 0);
+  }
+  void visit_all() const {
+    for (std::uint64_t row = 0; row < rows(); ++row)
+      visit_row(row);
   }
 
 private:
@@ -82,26 +92,74 @@ double volume_of(const MergedCell& cell) {
   return extent(cell.x) * extent(cell.y) * extent(cell.z);
 }
 
+// visit(MapWords): goes through the map.
+template <class Real, class Visit>
+std::vector<OwnVoxels> own_voxels_by(const MergedGridView<Real>& grid, std::size_t cells,
+                                     const Visit& visit) {
+  std::vector<OwnVoxels> own(cells);
+  const auto add = [&](std::uint32_t word, const Vec3i& first, const Vec3i& sides_log2, std::size_t) {
+    if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, sides_log2);
+  };
+  visit(MapWords(grid, add));
+  return own;
+}
+
 } // namespace
 
 template <class Real>
 std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
-  std::vector<OwnVoxels> own(cells.size());
-  const auto add = [&](std::uint32_t word, const Vec3i& first, const Vec3i& sides_log2, std::size_t) {
-    if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, sides_log2);
-  };
-  MapWords(grid, add).visit_all();
-  return own;
+  return own_voxels_by(grid, cells.size(), [](const auto& words) { words.visit_all(); });
 }
 template std::vector<OwnVoxels> own_voxels(const MergedGridView<float>&, std::span<const MergedCell>);
 template std::vector<OwnVoxels> own_voxels(const MergedGridView<double>&, std::span<const MergedCell>);
+
+template <class Real>
+std::vector<OwnVoxels> own_voxels_of_rows(const MergedGridView<Real>& grid,
+                                          std::span<const MergedCell> cells) {
+  return own_voxels_by(grid, cells.size(), [](const auto& words) {
+    tbb::parallel_for(std::uint64_t{0}, words.rows(), [&](std::uint64_t row) { words.visit_row(row); });
+  });
+}
+template std::vector<OwnVoxels> own_voxels_of_rows(const MergedGridView<float>&, std::span<const MergedCell>);
+template std::vector<OwnVoxels> own_voxels_of_rows(const MergedGridView<double>&,
+                                                   std::span<const MergedCell>);
+
+template <class Real>
+ExpectedRay expected_ray(const MergedGridView<Real>& grid, std::span<const MergedCell> cells,
+                         std::span<const OwnVoxels> own) {
+  struct Areas {
+    double visited = 0, tested = 0;
+  };
+  const Vec3d voxel = cast<double>(grid.voxel_size);
+  // The same sums for any number of threads: the choice of a grid depends on them.
+  const Areas areas = tbb::parallel_deterministic_reduce(
+      tbb::blocked_range<std::size_t>(0, cells.size(), 1 << 14), Areas{},
+      [&](const tbb::blocked_range<std::size_t>& range, Areas sum) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          if (own[i].voxels == 0) continue;
+          const double area = half_area(extent_of(own[i].box, voxel));
+          sum.visited += area;
+          sum.tested += area * references_of(grid.references, cells[i].list);
+        }
+        return sum;
+      },
+      [](const Areas& a, const Areas& b) {
+        return Areas{a.visited + b.visited, a.tested + b.tested};
+      });
+  const double space = half_area(cast<double>(grid.division) * voxel);
+  return {areas.visited / space, areas.tested / space,
+          expected_voxels(grid.division, voxel) - areas.visited / space};
+}
+template ExpectedRay expected_ray(const MergedGridView<float>&, std::span<const MergedCell>,
+                                  std::span<const OwnVoxels>);
+template ExpectedRay expected_ray(const MergedGridView<double>&, std::span<const MergedCell>,
+                                  std::span<const OwnVoxels>);
 
 template <class Real>
 MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
   MapStatistics statistics;
   statistics.voxels = voxel_count(grid.division);
   const auto voxels = static_cast<double>(statistics.voxels);
-  const Vec3d voxel = cast<double>(grid.voxel_size);
 
   double loads = 0;
   const auto count_word = [&](std::uint32_t, const Vec3i&, const Vec3i& sides_log2, std::size_t level) {
@@ -113,16 +171,12 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
   statistics.loads = loads / voxels;
 
   const std::vector<OwnVoxels> own = own_voxels(grid, cells);
-  double areas = 0, tested_areas = 0, log_stretch = 0;
+  double log_stretch = 0;
   std::uint64_t reached = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (own[i].voxels == 0) continue;
     ++reached;
-    const double area = half_area(extent_of(own[i].box, voxel));
-    const std::uint32_t references = references_of(grid.references, cells[i].list);
-    areas += area;
-    tested_areas += area * references;
-    if (references > 0) statistics.occupied_voxels += own[i].voxels;
+    if (cells[i].list != empty_list) statistics.occupied_voxels += own[i].voxels;
     const auto size = static_cast<std::size_t>(std::bit_width(own[i].voxels)) - 1;
     if (size >= statistics.cells_by_size.size()) statistics.cells_by_size.resize(size + 1, 0);
     ++statistics.cells_by_size[size];
@@ -131,9 +185,7 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
     if (factor > 1) ++statistics.stretched_cells;
   }
   statistics.mean_stretch = std::exp(log_stretch / static_cast<double>(std::max<std::uint64_t>(reached, 1)));
-  const double space = half_area(cast<double>(grid.division) * voxel);
-  statistics.ray = {areas / space, tested_areas / space,
-                    expected_voxels(grid.division, voxel) - areas / space};
+  statistics.ray = expected_ray(grid, cells, std::span<const OwnVoxels>(own));
   return statistics;
 }
 template MapStatistics map_statistics(const MergedGridView<float>&, std::span<const MergedCell>);
