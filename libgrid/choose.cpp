@@ -11,14 +11,11 @@ double cost_of(const ExpectedRay& ray, const MergeRule& rule) {
   return rule.step_over_test * ray.cells + ray.tests;
 }
 double expected_cost_of_uniform(const Grid& grid, const MergeRule& rule) {
-  return cost_of(map_statistics(view_of<double>(grid), std::span<const PrimitiveIndex>(grid.references)).ray,
-                 rule);
+  return cost_of(map_statistics(view_of<double>(grid), grid.references).ray, rule);
 }
 double expected_cost_of_irregular(const Grid& grid, const MergeRule& rule) {
   const MergedGridView<double> view = merged_view_of<double>(grid);
-  const std::span<const MergedCell> cells(grid.cells);
-  const std::vector<OwnVoxels> own = own_voxels_of_rows(view, cells);
-  return cost_of(expected_ray(view, cells, std::span<const OwnVoxels>(own)), rule);
+  return cost_of(expected_ray(view, grid.cells, own_voxels_of_rows(view, grid.cells)), rule);
 }
 
 std::size_t bytes_of(const Grid& grid) {

@@ -185,7 +185,7 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
     if (factor > 1) ++statistics.stretched_cells;
   }
   statistics.mean_stretch = std::exp(log_stretch / static_cast<double>(std::max<std::uint64_t>(reached, 1)));
-  statistics.ray = expected_ray(grid, cells, std::span<const OwnVoxels>(own));
+  statistics.ray = expected_ray(grid, cells, own);
   return statistics;
 }
 template MapStatistics map_statistics(const MergedGridView<float>&, std::span<const MergedCell>);

@@ -5,9 +5,8 @@
 //    the lanes have a list, each list is tested by several lanes at once.
 //  - Rays. Lanes whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency of Ray
 //    Traversal on GPUs", HPG 2009.
-//  - Ways. Once no ray is left to fetch, the ways that the last rays have still to go are cut into pieces,
-//  and
-//    each piece is walked by a lane of its own.
+//  - Ways. Once no ray is left to fetch, the ways that the last rays have still to go are cut into pieces, of
+//    which each is walked by a lane of its own.
 //
 // None of it shows: which hit is nearest, ties included, depends neither on the order of tests nor on who
 // makes them, and a walk may begin anywhere on the ray's way (libgrid/walk.h).
