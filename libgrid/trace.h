@@ -64,53 +64,35 @@ struct AnyHit {
   MASU_HD bool done(Real exit) const { return found || t_max <= exit; }
 };
 
-// A ray on its way through the grid. Its turns are enter() a cell; test() while it is testing(); then
-// leave(), which is false at the end. Who calls them in which order for many rays is the loop's shape: the
-// rays' results don't depend on it.
+// Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the
+// end.
 template <class Real, class Grid, class Visitor>
-struct Trace {
-  Visitor& visitor;
-  Walk<Real, Grid> walk;
-  std::uint32_t next = empty_list; // the place of the reference to test next
-  PrimitiveIndex reference = 0;    // which is this one: fetched ahead
-
-  MASU_HD Trace(const Grid& grid, const ClippedRay<Real>& near, Visitor& visitor_)
-      : visitor(visitor_), walk(grid, near) {}
-
-  MASU_HD void enter(const Grid& grid) {
-    walk.enter(grid);
-    next = walk.cell.list;
-    visitor.counts.cell(next == empty_list);
-    if (next != empty_list) reference = grid.references[next];
-  }
-  MASU_HD bool testing() const { return next != empty_list; }
-  MASU_HD void test(const Grid& grid) {
-    const PrimitiveIndex now = reference;
-    if ((now & last_bit) != 0) {
+MASU_HD inline bool visit_cell(const Grid& grid, Walk<Real, Grid>& walk, Visitor& visitor) {
+  walk.enter(grid);
+  std::uint32_t next = walk.cell.list;
+  visitor.counts.cell(next == empty_list);
+  PrimitiveIndex ahead = next != empty_list ? grid.references[next] : 0; // references[next]
+  while (next != empty_list) {
+    const PrimitiveIndex reference = ahead;
+    if ((reference & last_bit) != 0) {
       next = empty_list;
     } else {
-      reference = grid.references[++next];
+      ahead = grid.references[++next];
     }
-    visitor.primitive(now & ~last_bit);
+    visitor.primitive(reference & ~last_bit);
   }
-  MASU_HD bool leave(const Grid& grid) {
-    if (visitor.done(walk.exit)) return false;
-    const Vec3i from{walk.x.voxel, walk.y.voxel, walk.z.voxel};
-    const bool inside = walk.leave(grid);
-    if (inside) visitor.counts.skipped(walk.voxels_from(from) - 1);
-    return inside;
-  }
-};
+  if (visitor.done(walk.exit)) return false;
+  const Vec3i from{walk.x.voxel, walk.y.voxel, walk.z.voxel};
+  const bool inside = walk.leave(grid);
+  if (inside) visitor.counts.skipped(walk.voxels_from(from) - 1);
+  return inside;
+}
 
-// Cell by cell.
 template <class Grid, class Real, class Visitor>
 MASU_HD inline void visit(const Grid& grid, const ClippedRay<Real>& near, std::uint32_t, Visitor& visitor) {
-  Trace<Real, Grid, Visitor> trace(grid, near, visitor);
-  do {
-    trace.enter(grid);
-    while (trace.testing())
-      trace.test(grid);
-  } while (trace.leave(grid));
+  Walk<Real, Grid> walk(grid, near);
+  while (visit_cell(grid, walk, visitor)) {
+  }
 }
 template <class Real, class Visitor>
 MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t primitives,

@@ -59,13 +59,10 @@ Hit<Real> found_in_pieces(Chance& chance, const SceneView<Real>& scene, const Vi
   at.insert(at.begin(), Real(0));
   for (std::size_t i = 0; i < at.size(); ++i) {
     NearestHit<M, Real, NoCounts> visitor{scene, frame, counts, near.ray.t_max, nothing};
-    Trace<Real, View, NearestHit<M, Real, NoCounts>> trace(grid, near, visitor);
-    if (i > 0) trace.walk.begin_at(grid, at[i]);
-    do {
-      trace.enter(grid);
-      while (trace.testing())
-        trace.test(grid);
-    } while (trace.leave(grid) && (i + 1 == at.size() || trace.walk.exit < at[i + 1]));
+    Walk<Real, View> walk(grid, near);
+    if (i > 0) walk.begin_at(grid, at[i]);
+    while (visit_cell(grid, walk, visitor) && (i + 1 == at.size() || walk.exit < at[i + 1])) {
+    }
     if (is_nearer(visitor.hit.t, visitor.hit.primitive, nearest)) nearest = visitor.hit;
   }
   if (!(nearest.t < near.ray.t_max)) return {ray.t_max, no_primitive};

@@ -332,14 +332,14 @@ struct Wayfarer {
 
   template <class Real, class View>
   Wayfarer(const View& grid, const ClippedRay<Real>& ray) {
-    Trace<Real, View, Wayfarer> trace(grid, ray, *this);
+    Walk<Real, View> walk(grid, ray);
     Vec3i from{};
     do {
-      trace.enter(grid);
-      from = {trace.walk.x.voxel, trace.walk.y.voxel, trace.walk.z.voxel};
-    } while (trace.leave(grid));
-    in_last_cell = trace.walk.voxels_from(from) - 1;
+      from = {walk.x.voxel, walk.y.voxel, walk.z.voxel};
+    } while (visit_cell(grid, walk, *this));
+    in_last_cell = walk.voxels_from(from) - 1;
   }
+  void primitive(PrimitiveIndex) {}
   template <class Real>
   bool done(Real) const {
     return false;
