@@ -185,13 +185,11 @@ void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& p
   write_container(path, grid_file_kind, grid_table(grid, origin, layout), sections, layout);
 }
 
-GridFile::GridFile(const std::string& path) : GridFile(path, Stopwatch()) {}
+GridFile::GridFile(const std::string& path, Checks checks) : GridFile(path, checks, Stopwatch()) {}
 
-GridFile::GridFile(const std::string& path, const Stopwatch& watch) : container_(path, grid_file_kind) {
+GridFile::GridFile(const std::string& path, Checks checks, const Stopwatch& watch)
+    : container_(path, grid_file_kind) {
   seconds_.map = watch.seconds();
-  const auto check = [&](bool good, const char* what) {
-    if (!good) throw Error(ErrorCode::input, path, std::string(what) + ": make the file again");
-  };
   const auto bytes = container_.table();
   flatbuffers::Verifier verifier(bytes.data(), bytes.size());
   check(fb::VerifyGridBuffer(verifier), "its table is damaged");
@@ -203,24 +201,46 @@ GridFile::GridFile(const std::string& path, const Stopwatch& watch) : container_
   check(table_->block_log2() <= 5, "its blocks are impossible");
   check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
+  check_sizes();
+  if (checks == Checks::all) check_records();
+  seconds_.validate = watch.seconds() - seconds_.map;
+}
 
+void GridFile::check(bool good, const char* what) const {
+  if (!good) throw Error(ErrorCode::input, path(), std::string(what) + ": make the file again");
+}
+
+void GridFile::check_sizes() const {
+  const std::uint64_t words = voxel_map().size();
+  const Vec3i n = lattice().division;
+  bool good = false;
+  if (is_merged()) {
+    const auto nested_log2 = table_->nested_log2();
+    check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
+    good = nested_log2 <= 15 && (std::max({n.x, n.y, n.z}) << nested_log2) <= largest_division &&
+           words >= voxel_count(n) && words <= most_numbered + 1;
+  } else {
+    const auto block_log2 = static_cast<std::int32_t>(table_->block_log2());
+    const std::uint64_t blocks = voxel_count(blocks_of(n, block_log2));
+    good = words >= blocks && (words - blocks) % (std::uint64_t{1} << (3 * block_log2)) == 0 &&
+           (block_log2 > 0 || words == blocks);
+  }
+  check(good, "its voxel map has the wrong size");
+}
+
+void GridFile::check_records() const {
   const std::uint64_t primitives = table_->primitives();
   const auto listed = references();
   check(listed.size() <= most_numbered && (listed.empty() || (listed.back() & last_bit) != 0) &&
             all(listed.size(), [&](std::uint64_t i) { return (listed[i] & ~last_bit) < primitives; }),
         "it lists a primitive that isn't there");
-  is_merged() ? check_merged(check) : check_uniform(check);
-  seconds_.validate = watch.seconds() - seconds_.map;
+  is_merged() ? check_merged() : check_uniform();
 }
 
-template <class Check>
-void GridFile::check_uniform(const Check& check) const {
+void GridFile::check_uniform() const {
   const auto map = voxel_map();
   const auto block_log2 = static_cast<std::int32_t>(table_->block_log2());
   const std::uint64_t blocks = voxel_count(blocks_of(lattice().division, block_log2));
-  check(map.size() >= blocks && (map.size() - blocks) % (std::uint64_t{1} << (3 * block_log2)) == 0 &&
-            (block_log2 > 0 || map.size() == blocks),
-        "its voxel map has the wrong size");
   const std::uint64_t block_maps = (map.size() - blocks) >> (3 * block_log2), lists = references().size();
   check(all(map.size(),
             [&](std::uint64_t i) {
@@ -230,14 +250,7 @@ void GridFile::check_uniform(const Check& check) const {
         "its voxel map names a list that isn't there");
 }
 
-template <class Check>
-void GridFile::check_merged(const Check& check) const {
-  check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
-  const auto nested_log2 = table_->nested_log2();
-  const Vec3i n = lattice().division;
-  check(nested_log2 <= 15 && (std::max({n.x, n.y, n.z}) << nested_log2) <= largest_division &&
-            voxel_map().size() >= voxel_count(n) && voxel_map().size() <= most_numbered + 1,
-        "its voxel map has the wrong size");
+void GridFile::check_merged() const {
   const auto boxes = cells();
   const auto finest = cast<std::uint32_t>(merged_view<double>().division);
   const std::uint64_t lists = references().size();

@@ -27,11 +27,13 @@ struct GridOrigin {
 // Writes the grid to `path`, whole or not at all. Throws Error(output).
 void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path);
 
-// A mapped grid file, checked in full: every index in it can be followed.
+// A mapped grid file, checked: every index in it can be followed.
 class GridFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
-  explicit GridFile(const std::string& path);
+  explicit GridFile(const std::string& path, Checks checks = Checks::all);
+  // What Checks::table leaves out. Throws Error(input, path, …).
+  void check_records() const;
 
   const fb::Grid& table() const { return *table_; }
   const std::string& path() const { return container_.path(); }
@@ -53,11 +55,11 @@ public:
   MergedGridView<Real> merged_view() const;
 
 private:
-  GridFile(const std::string& path, const Stopwatch& watch);
-  template <class Check>
-  void check_uniform(const Check& check) const;
-  template <class Check>
-  void check_merged(const Check& check) const;
+  GridFile(const std::string& path, Checks checks, const Stopwatch& watch);
+  void check(bool good, const char* what) const;
+  void check_sizes() const;
+  void check_uniform() const;
+  void check_merged() const;
 
   ContainerFile container_;
   const fb::Grid* table_;

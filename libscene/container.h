@@ -75,6 +75,10 @@ inline bool is_aligned(std::span<const fb::Section> sections) {
   return reinterpret_cast<std::uintptr_t>(sections.data()) % alignof(fb::Section) == 0;
 }
 
+// What is checked when a file is opened: all of it; or its table, so that its sections can be told apart and
+// copied, while check_records() is still to be called before anything in them is followed.
+enum class Checks { all, table };
+
 // What opening a file took: mapping it and checking its head; checking all the rest.
 struct LoadSeconds {
   double map = 0, validate = 0;

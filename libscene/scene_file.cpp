@@ -253,9 +253,10 @@ void check_indices(const SceneView<Stored>& view, std::uint64_t objects, const s
 
 } // namespace
 
-SceneFile::SceneFile(const std::string& path) : SceneFile(path, Stopwatch()) {}
+SceneFile::SceneFile(const std::string& path, Checks checks) : SceneFile(path, checks, Stopwatch()) {}
 
-SceneFile::SceneFile(const std::string& path, const Stopwatch& watch) : container_(path, scene_file_kind) {
+SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& watch)
+    : container_(path, scene_file_kind) {
   seconds_.map = watch.seconds();
   const auto check = [&](bool good, const char* what) {
     if (!good) throw Error(ErrorCode::input, path, std::string(what) + ": make the file again");
@@ -280,13 +281,18 @@ SceneFile::SceneFile(const std::string& path, const Stopwatch& watch) : containe
   check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
             counted.cones() < limit,
         "it counts impossibly many objects");
-  const std::uint64_t objects = counted.polygons() + counted.patches() + counted.spheres() + counted.cones();
-  if (is_float64()) {
-    check_indices(view<double>(), objects, path);
-  } else {
-    check_indices(view<float>(), objects, path);
-  }
+  if (checks == Checks::all) check_records();
   seconds_.validate = watch.seconds() - seconds_.map;
+}
+
+void SceneFile::check_records() const {
+  is_float64() ? check_indices(view<double>(), object_count(), path())
+               : check_indices(view<float>(), object_count(), path());
+}
+
+std::uint64_t SceneFile::object_count() const {
+  const fb::ObjectCounts& counted = *table_->objects();
+  return counted.polygons() + counted.patches() + counted.spheres() + counted.cones();
 }
 
 Camera SceneFile::camera() const {

@@ -29,11 +29,13 @@ bool fits_float32(const Scene& scene, Store store);
 // 1e-90 to 1e100 for float64), or leave a cone no length.
 void write_scene(const Scene& scene, Store store, const std::string& path);
 
-// A mapped scene file, checked in full: every index and range in it can be followed.
+// A mapped scene file, checked: every index and range in it can be followed.
 class SceneFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
-  explicit SceneFile(const std::string& path);
+  explicit SceneFile(const std::string& path, Checks checks = Checks::all);
+  // What Checks::table leaves out. Throws Error(input, path, …).
+  void check_records() const;
 
   const fb::Scene& table() const { return *table_; }
   const Hash& hash() const { return container_.hash(); }
@@ -50,7 +52,8 @@ public:
   SceneView<Stored> view() const;
 
 private:
-  SceneFile(const std::string& path, const Stopwatch& watch);
+  SceneFile(const std::string& path, Checks checks, const Stopwatch& watch);
+  std::uint64_t object_count() const;
 
   ContainerFile container_;
   const fb::Scene* table_;

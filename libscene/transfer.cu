@@ -2,6 +2,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -54,7 +55,11 @@ private:
 
 } // namespace
 
-void Transfer::run() {
+void Transfer::run(const std::function<void()>& meanwhile) {
+  tbb::parallel_invoke([&] { copy_all(); }, meanwhile);
+}
+
+void Transfer::copy_all() {
   std::vector<Copy> pieces;
   std::size_t all = 0;
   for (const Copy& copy : copies_) {

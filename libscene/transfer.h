@@ -3,6 +3,7 @@
 
 #include "libscene/device_memory.h"
 
+#include <functional>
 #include <vector>
 
 namespace masu {
@@ -26,10 +27,13 @@ public:
     to_device(device.data(), host.data(), host.size_bytes());
     return device;
   }
-  // Waits until all is there. Throws Error(device).
-  void run();
+  // Waits until all is there, and meanwhile() has been done. Throws Error(device), and what meanwhile()
+  // throws.
+  void run(const std::function<void()>& meanwhile = [] {});
 
 private:
+  void copy_all();
+
   struct Copy {
     void* to;
     const void* from;

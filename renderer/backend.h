@@ -11,6 +11,7 @@
 #include "renderer/schedule.h"
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +26,10 @@ struct TracingRules {
   bool general = false; // by the code for every kind of primitive, whatever the scene holds
 };
 
+// Done before any record of the files is read but to be copied; by a GPU while they are. Files that were
+// opened with Checks::table are checked here. Its seconds count as uploading.
+using BeforeTracing = std::function<void()>;
+
 // What is asked for.
 struct FrameRequest {
   TracingRules tracing{};
@@ -37,6 +42,7 @@ struct FrameRequest {
   int warm_up = 0;   // untimed runs before
   Schedule schedule = Schedule::hardware;
   int workers_each = 0; // a multiprocessor or thread has so many; 0: as many as it holds at once
+  BeforeTracing before_tracing = [] {};
 };
 
 // Wall-clock seconds; the CPU backend reads the mapping in place: nothing is uploaded or downloaded.
@@ -101,6 +107,7 @@ struct RaysRequest {
   int warm_up = 0; // untimed runs before
   Question question = Question::nearest;
   RayLoop loop = RayLoop::refill; // always cells where rays are counted or stop by the study's rule
+  BeforeTracing before_tracing = [] {};
 };
 
 struct RayHits {
@@ -119,7 +126,8 @@ RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysR
 Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
 RayHits trace_rays_cuda(const SceneFile& scene, const GridFile* grid, const RaysRequest& request);
 
-// Seconds of uploading what they upload, which is then thrown away. Throws Error(device).
-double upload_cuda(const SceneFile& scene, const GridFile* grid);
+// Seconds of uploading what they upload, which is then thrown away, and of meanwhile(). Throws Error(device),
+// and what meanwhile() throws.
+double upload_cuda(const SceneFile& scene, const GridFile* grid, const std::function<void()>& meanwhile);
 
 } // namespace masu

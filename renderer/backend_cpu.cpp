@@ -89,17 +89,21 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RaysRequest& 
   totals.combine_each([&](const Counts& part) { result.counts += part; });
 }
 
+template <class Act>
+double seconds_of(const Act& act) {
+  const Stopwatch watch;
+  act();
+  return watch.seconds();
+}
+
 // Seconds of act(), the median of so many, after some that don't count.
 template <class Act>
 double timed(int warm_up, int repeat, const Act& act) {
   for (int i = 0; i < warm_up; ++i)
     act();
   std::vector<double> seconds;
-  for (int i = 0; i < repeat; ++i) {
-    const Stopwatch watch;
-    act();
-    seconds.push_back(watch.seconds());
-  }
+  for (int i = 0; i < repeat; ++i)
+    seconds.push_back(seconds_of(act));
   return median(std::move(seconds));
 }
 
@@ -122,6 +126,7 @@ Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameReques
   const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   const int each = request.schedule == Schedule::hardware ? 1 : std::max(request.workers_each, 1);
   frame.workers = static_cast<std::uint32_t>(threads * static_cast<std::size_t>(each));
+  frame.seconds.upload = seconds_of(request.before_tracing);
   with_everything(
       scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
         frame.seconds.trace = timed(request.warm_up, request.repeat,
@@ -133,6 +138,7 @@ Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameReques
 RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
   RayHits result;
   result.hits.resize(request.rays.size());
+  result.seconds.upload = seconds_of(request.before_tracing);
   with_everything(scene, grid, request.tracing,
                   [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
                     with_question(request.question, [&]<Question question>(Asked<question>) {

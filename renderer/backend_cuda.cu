@@ -12,10 +12,10 @@ template <class TestRay, class Stored>
 void trace_on_device(const SceneView<Stored>& scene, const GridFile* grid, const RaysRequest& request,
                      RayHits& result);
 
-double upload_cuda(const SceneFile& scene, const GridFile* grid) {
+double upload_cuda(const SceneFile& scene, const GridFile* grid, const std::function<void()>& meanwhile) {
   check(cudaFree(nullptr)); // sets the device up, so that uploading isn't charged for it
-  return scene.is_float64() ? Uploaded<double>(scene.view<double>(), grid).seconds
-                            : Uploaded<float>(scene.view<float>(), grid).seconds;
+  return scene.is_float64() ? Uploaded<double>(scene.view<double>(), grid, meanwhile).seconds
+                            : Uploaded<float>(scene.view<float>(), grid, meanwhile).seconds;
 }
 
 Frame render_cuda(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {

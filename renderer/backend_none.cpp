@@ -21,7 +21,7 @@ Frame render_cuda(const SceneFile&, const GridFile*, const FrameRequest&) {
 RayHits trace_rays_cuda(const SceneFile&, const GridFile*, const RaysRequest&) {
   refuse();
 }
-double upload_cuda(const SceneFile&, const GridFile*) {
+double upload_cuda(const SceneFile&, const GridFile*, const std::function<void()>&) {
   refuse();
 }
 double copy_seconds_cuda(const std::string&, CopyFrom) {

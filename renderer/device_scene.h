@@ -75,9 +75,11 @@ struct Uploaded {
   DeviceGrid grid;
   double seconds;
 
-  Uploaded(const SceneView<Stored>& host_scene, const GridFile* host_grid)
+  // Copies, and follows no index until meanwhile() has been done.
+  Uploaded(const SceneView<Stored>& host_scene, const GridFile* host_grid,
+           const std::function<void()>& meanwhile)
       : scene(host_scene, upload), grid(host_grid, upload) {
-    upload.run();
+    upload.run(meanwhile);
     seconds = watch.seconds();
   }
 };

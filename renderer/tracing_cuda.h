@@ -89,7 +89,7 @@ void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_
   DeviceArray<EyeHit> hits(frame.hits.size());
   const DeviceArray<std::uint32_t> next_tile(1);
   const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
-  const Uploaded<Stored> device(host_scene, host_grid);
+  const Uploaded<Stored> device(host_scene, host_grid, request.before_tracing);
   frame.seconds.upload = device.seconds;
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = device.grid.moved(view);
@@ -126,7 +126,7 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
   const DeviceArray<Counts> total(&result.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
   const DeviceArray<unsigned long long> next_ray(1);
   result.seconds.upload = watch.seconds();
-  const Uploaded<Stored> device(host_scene, host_grid);
+  const Uploaded<Stored> device(host_scene, host_grid, request.before_tracing);
   result.seconds.upload += device.seconds;
   if (rays.empty()) return;
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {

@@ -8,6 +8,7 @@
 #include "renderer/ray_sets.h"
 #include "tests/random_seed.h"
 #include "tests/temporary_folder.h"
+#include "tests/unchecked_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -236,6 +237,12 @@ TEST_P(CpuAndGpu, FindTheSameForRandomRaysThroughAnIrregularGrid) {
     expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
                      trace_rays_cuda(built.scene, &built.grid, wanted).hits);
   }
+}
+
+TEST(UncheckedGrid, IsRefusedByTheGpuBeforeAnythingIsTraced) {
+  std::string why;
+  if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was refused: " << why;
+  EXPECT_TRUE(is_refused_while_rendering(render_cuda));
 }
 
 INSTANTIATE_TEST_SUITE_P(Spd, CpuAndGpu, testing::ValuesIn(spd_scenes().begin(), spd_scenes().end()),

@@ -1,6 +1,5 @@
 // Files whose every hash is right and whose contents are not: each gets an error, none a fault.
 #include "tests/hostile_files.h"
-#include "tests/refused.h"
 #include "tests/tiny_scene.h"
 
 #include <cmath>
@@ -28,7 +27,7 @@ TEST_P(HostileScene, IsRefused) {
   ASSERT_NO_THROW(const SceneFile unspoilt(path));
   GetParam().spoil(parts);
   parts.write(path);
-  EXPECT_TRUE(is_refused([](const std::string& name) { const SceneFile file(name); }, path));
+  EXPECT_TRUE(is_refused_as<SceneFile>(path));
 }
 
 fb::Camera with_from(const fb::Camera& c, const fb::Vec3& from) {
@@ -259,7 +258,7 @@ TEST(HostileTable, AMisalignedListOfSectionsIsRefused) {
   SceneParts parts(path);
   parts.damage_table = misalign_sections;
   parts.write(path);
-  EXPECT_TRUE(is_refused([](const std::string& name) { const SceneFile file(name); }, path));
+  EXPECT_TRUE(is_refused_as<SceneFile>(path));
 }
 
 TEST(HostileFloat64Scene, IndicesBeyond32BitsAreRefused) {
@@ -275,7 +274,7 @@ TEST(HostileFloat64Scene, IndicesBeyond32BitsAreRefused) {
     SceneParts spoilt = parts;
     spoilt.section(SceneSection::triangles).edit<Triangle<double>>(1, changes[i]);
     spoilt.write(path);
-    EXPECT_TRUE(is_refused([](const std::string& name) { const SceneFile file(name); }, path)) << i;
+    EXPECT_TRUE(is_refused_as<SceneFile>(path)) << i;
   }
 }
 
@@ -290,7 +289,7 @@ protected:
     ASSERT_NO_THROW(const GridFile unspoilt(path));
     GetParam().spoil(parts);
     parts.write(path);
-    EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path));
+    EXPECT_TRUE(is_refused_as<GridFile>(path));
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include "libgrid/grid_file.h"
 #include "libscene/scene_file.h"
+#include "tests/refused.h"
 #include "tests/temporary_folder.h"
 
 #include <cstring>
@@ -175,6 +176,17 @@ inline WrongGrid division(const char* name, std::uint32_t x, std::uint32_t y, st
 }
 inline WrongGrid blocks(const char* name, std::uint32_t log2) {
   return {name, [log2](GridParts& p) { p.block_log2 = log2; }};
+}
+
+// Refused when it is checked as it is opened, and when its records are checked later.
+template <class File>
+testing::AssertionResult is_refused_as(const std::string& path) {
+  const auto at_once = is_refused([](const std::string& name) { const File file(name); }, path);
+  const auto later = [](const std::string& name) {
+    const File file(name, Checks::table);
+    file.check_records();
+  };
+  return at_once ? is_refused(later, path) : at_once;
 }
 
 } // namespace masu

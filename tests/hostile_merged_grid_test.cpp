@@ -1,9 +1,7 @@
 // Merged grids whose every hash is right and whose contents are not: each gets an error; none leads a walk
 // out of its arrays, or round and round.
-#include "tests/hostile_files.h"
-#include "tests/refused.h"
-#include "tests/tiny_scene.h"
 #include "tests/tracing_probe.h"
+#include "tests/unchecked_grid.h"
 
 namespace masu {
 namespace {
@@ -23,7 +21,11 @@ TEST_P(HostileMergedGrid, IsRefused) {
   ASSERT_NO_THROW(const GridFile unspoilt(path));
   GetParam().spoil(parts);
   parts.write(path);
-  EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path));
+  EXPECT_TRUE(is_refused_as<GridFile>(path));
+}
+
+TEST(UncheckedGrid, IsRefusedByTheCpuBeforeAnythingIsTraced) {
+  EXPECT_TRUE(is_refused_while_rendering(render_cpu));
 }
 
 WrongGrid map(const char* name, std::size_t i, std::uint32_t value) {
@@ -112,7 +114,7 @@ TEST(HostileNestedMap, ThatManyCubesShareIsRefusedAtOnce) {
     std::fill_n(grid.voxel_map.begin() + 8 * level, 8,
                 level < depth ? divided(static_cast<std::uint32_t>(8 * (level + 1)), 1) : occupied_bit | 0);
   write_grid(grid, tiny_grid_origin({1, 2}, merge_rule), path);
-  EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path));
+  EXPECT_TRUE(is_refused_as<GridFile>(path));
 }
 
 // Whatever still opens can be walked to the end.

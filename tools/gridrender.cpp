@@ -118,16 +118,22 @@ void render(const Settings& settings) {
   check(settings);
   const bool cuda = use_cuda(settings.backend);
   Seconds seconds;
-  const SceneFile scene(settings.scene);
+  const Checks checks = cuda ? Checks::table : Checks::all; // the rest while the GPU gets its copy
+  const SceneFile scene(settings.scene, checks);
   seconds.map += scene.load_seconds().map;
   seconds.validate += scene.load_seconds().validate;
   std::unique_ptr<const GridFile> grid;
   if (!settings.brute_force) {
-    grid = std::make_unique<const GridFile>(settings.grid);
+    grid = std::make_unique<const GridFile>(settings.grid, checks);
     seconds.map += grid->load_seconds().map;
     seconds.validate += grid->load_seconds().validate;
     grid->check_scene(scene.hash(), scene.primitive_count());
   }
+  const auto check_rest = [&] {
+    if (checks == Checks::all) return;
+    scene.check_records();
+    if (grid) grid->check_records();
+  };
   TracingRules tracing = settings.tracing;
   tracing.count = !settings.stats.empty();
   Counts counts;
@@ -147,6 +153,7 @@ void render(const Settings& settings) {
                          {settings.depth, settings.spd_rules, settings.hit_name},
                          !settings.hits.empty(),
                          settings.repeat};
+    request.before_tracing = check_rest;
     const Frame frame =
         cuda ? render_cuda(scene, grid.get(), request) : render_cpu(scene, grid.get(), request);
     finish(frame, [&] {
@@ -157,7 +164,8 @@ void render(const Settings& settings) {
     const std::vector<ListedRay> rays = settings.ray_store == Store::float64
                                             ? read_rays<double>(settings.rays)
                                             : read_rays<float>(settings.rays);
-    const RaysRequest request{rays, tracing, settings.hit_name, settings.repeat};
+    RaysRequest request{rays, tracing, settings.hit_name, settings.repeat};
+    request.before_tracing = check_rest;
     const RayHits hits =
         cuda ? trace_rays_cuda(scene, grid.get(), request) : trace_rays_cpu(scene, grid.get(), request);
     finish(hits, [] {});
