@@ -11,9 +11,9 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t piece_bytes = std::size_t{2} << 20;
-constexpr int lanes = 8;                       // threads that copy: about what it takes to fill the bus
-constexpr std::size_t small = 4 * piece_bytes; // less isn't worth the page-locked memory
+constexpr std::size_t piece_bytes = std::size_t{1} << 20;
+constexpr int lanes = 4;                       // threads that copy: about what it takes to fill the bus
+constexpr std::size_t small = 8 * piece_bytes; // less isn't worth the page-locked memory
 
 class Stream {
 public:
