@@ -124,7 +124,6 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
   const DeviceArray<TypedRay<Real>> device_rays(rays.data(), rays.size());
   DeviceArray<EyeHit> hits(rays.size());
   const DeviceArray<Counts> total(&result.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
-  const DeviceArray<unsigned long long> next_ray(1);
   result.seconds.upload = watch.seconds();
   const Uploaded<Stored> device(host_scene, host_grid, request.before_tracing);
   result.seconds.upload += device.seconds;
@@ -133,7 +132,7 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
     const auto grid = device.grid.moved(view);
     using Accelerator = std::decay_t<decltype(grid)>;
     with_question(request.question, [&]<Question question>(Asked<question>) {
-      const auto timed = [&](const auto& before, auto* kernel, std::uint64_t blocks, auto* last) {
+      const auto timed = [&](const auto& before, auto* kernel, std::uint64_t blocks, const auto& last) {
         result.seconds.trace =
             timed_launch(result.kernel, request.warm_up, request.repeat, before, kernel,
                          dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), device.scene.view, grid,
@@ -144,12 +143,13 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
                     M::stop == StopRule::proven) {
         if (request.loop == RayLoop::warp)
           return timed([] {}, warp_kernel<false, question, OnDevice<M>, Stored, Accelerator>, all_blocks,
-                       next_ray.data());
+                       WayPool{});
         if (request.loop == RayLoop::refill) {
           auto* const kernel = warp_kernel<true, question, OnDevice<M>, Stored, Accelerator>;
-          const std::uint64_t fitting = resident_blocks(kernel, rays_a_block, 0);
-          const auto reset = [&] { check(cudaMemsetAsync(next_ray.data(), 0, sizeof(unsigned long long))); };
-          return timed(reset, kernel, std::min(all_blocks, fitting), next_ray.data());
+          const auto blocks = static_cast<std::uint32_t>(
+              std::min<std::uint64_t>(all_blocks, resident_blocks(kernel, rays_a_block, 0)));
+          const WayPoolMemory pool(blocks, rays_a_block / lanes_a_warp);
+          return timed([&] { pool.reset(); }, kernel, blocks, pool.view());
         }
       }
       timed([] {}, trace_kernel<question, OnDevice<M>, Stored, Accelerator, C>, all_blocks, total.data());

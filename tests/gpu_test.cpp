@@ -169,6 +169,29 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
   }
 }
 
+// Nearly all warps have nothing to do while a few have long ways: pieces of which they give away.
+TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  const Built built = build(Store::float32, GetParam().least + 1, "300");
+  const Box<double> box = cast<double>(built.scene.view<float>().clip);
+  const Vec3<double> away = box.max - box.min;
+  std::vector<ListedRay> rays(60'000, ListedRay{box.max + away, away});
+  const std::vector<ListedRay> crossing = random_rays(built.scene, 1000, seed.engine()());
+  for (const std::size_t at : {std::size_t{0}, rays.size() / 2, rays.size()})
+    rays.insert(rays.begin() + static_cast<std::ptrdiff_t>(at), crossing.begin(), crossing.end());
+  for (const Question question : {Question::nearest, Question::blocked}) {
+    for (const Precision precision : {Precision::robust, Precision::doubled}) {
+      RaysRequest wanted{rays};
+      wanted.tracing.precision = precision;
+      wanted.question = question;
+      wanted.hit_name = HitName::primitive;
+      expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
+                       trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+    }
+  }
+}
+
 TEST_P(CpuAndGpu, FindTheSameRaysBlocked) {
   const Built built = build(Store::float32, GetParam().standard, "auto");
   const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);

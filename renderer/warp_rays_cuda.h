@@ -1,0 +1,121 @@
+// What the lanes of a warp share: rays, the walks along their ways, and how these are divided (CUDA sources
+// only).
+#pragma once
+
+#include "libgrid/walk.h"
+#include "renderer/way_pool_cuda.h"
+
+namespace masu {
+
+inline constexpr int rays_a_block = 128;
+
+// Of so many lanes that have something to be shared out, each gets 2^n lanes for it.
+__device__ inline int lanes_log2_for_each(int having) {
+  return having > lanes_a_warp / 2 ? 0 : __clz(having - 1) - 27;
+}
+
+// What is needed of a ray when it is begun and ended.
+template <class Real>
+struct RayEnds {
+  Real scale, skipped, t_max;
+  std::uint32_t shared; // as which of the pool's rays, or not_shared
+  std::uint64_t number; // in the list
+};
+
+// What a lane has for others to help with: a list of its ray's, or a way.
+struct SharedOut {
+  std::uint32_t ray, list;
+};
+
+// The rays of a warp, in shared memory: any lane may work on any of them. A lane's own ray has the lane's
+// number.
+template <class TestRay>
+struct WarpRays {
+  using Real = typename TestRay::Real;
+  TestRay tests[lanes_a_warp];
+  Hit<Real> nearest[lanes_a_warp]; // so far; as NearestHit (libgrid/trace.h) has it
+  RayEnds<Real> ends[lanes_a_warp];
+  SharedOut shared_out[lanes_a_warp]; // one after another
+};
+
+// A lane's walk: along the whole way of its own ray, or a piece of any ray's.
+template <class Real, class Grid>
+struct LaneWalk {
+  Walk<Real, Grid> walk;
+  Real end;          // of the piece
+  std::uint32_t ray; // whose way it is
+  bool under_way;
+
+  // What is left to go, as far as a hit may still be nearer, in so many pieces of equal length. They are
+  // worth being walked apart if none is shorter than a voxel.
+  template <class TestRay>
+  __device__ Real piece_length(const Grid& grid, const WarpRays<TestRay>& rays, int pieces) const {
+    const Real to = least(end, least(walk.end(grid), rays.nearest[ray].t));
+    return (to - walk.exit) / static_cast<Real>(pieces);
+  }
+  __device__ bool is_worth_while(Real piece) const { return piece * walk.speed() > 1; }
+};
+
+template <class T>
+__device__ inline T from_lane(const T& value, int lane) {
+  struct Words {
+    std::uint32_t words[sizeof(T) / 4];
+  };
+  static_assert(sizeof(Words) == sizeof(T));
+  Words moved = __builtin_bit_cast(Words, value);
+#pragma unroll
+  for (std::uint32_t& word : moved.words)
+    word = __shfl_sync(all_lanes, word, lane);
+  return __builtin_bit_cast(T, moved);
+}
+
+// Cuts what the walks under way have still to go, of which there are at most half as many as lanes, into as
+// many pieces of equal length as there are lanes for each; but into none shorter than a voxel.
+template <class TestRay, class Grid>
+__device__ inline void cut_ways(const Grid& grid, unsigned under_way, WarpRays<TestRay>& rays,
+                                LaneWalk<typename TestRay::Real, Grid>& own) {
+  using Real = typename TestRay::Real;
+  const unsigned lane = threadIdx.x % lanes_a_warp;
+  const int ways = __popc(under_way), log2 = lanes_log2_for_each(ways);
+  __syncwarp(); // what was shared out before has been read
+  if (own.under_way) rays.shared_out[__popc(under_way & ((1U << lane) - 1))].ray = lane;
+  __syncwarp();
+  const int way = static_cast<int>(lane) >> log2, piece = static_cast<int>(lane) & ((1 << log2) - 1);
+  const int source = static_cast<int>(rays.shared_out[way < ways ? way : 0].ray);
+  Walk<Real, Grid>& walk = own.walk;
+  own.ray = __shfl_sync(all_lanes, own.ray, source);
+  own.end = from_lane(own.end, source);
+  walk.x = from_lane(walk.x, source);
+  walk.y = from_lane(walk.y, source);
+  walk.z = from_lane(walk.z, source);
+  walk.exit = from_lane(walk.exit, source);
+  own.under_way = way < ways;
+  const Real from = walk.exit, step = own.piece_length(grid, rays, 1 << log2);
+  if (!own.is_worth_while(step)) {
+    own.under_way = own.under_way && piece == 0;
+    return;
+  }
+  if (piece + 1 < 1 << log2) own.end = fused(step, static_cast<Real>(piece + 1), from);
+  if (piece > 0) walk.begin_at(grid, fused(step, static_cast<Real>(piece), from));
+}
+
+// Gives pieces of the ways under way to other warps.
+template <class TestRay, class Grid>
+__device__ inline void give_ways(const Grid& grid, const WayPool& pool, bool has_ray, WarpRays<TestRay>& rays,
+                                 LaneWalk<float, Grid>& own) {
+  const unsigned lane = threadIdx.x % lanes_a_warp;
+  if (has_ray && rays.ends[lane].shared == not_shared) {
+    const std::uint32_t thread = blockIdx.x * blockDim.x + threadIdx.x;
+    pool.rays[thread] = {rays.ends[lane].number, hit_key(rays.nearest[lane]), 1};
+    rays.ends[lane].shared = thread;
+  }
+  __syncwarp();
+  const float from = own.walk.exit, step = own.piece_length(grid, rays, pieces_of_given_way);
+  const bool gives = own.under_way && own.is_worth_while(step);
+  const unsigned givers = __ballot_sync(all_lanes, gives);
+  if (givers == 0) return;
+  give_ways(pool, givers, rays.ends[own.ray].shared, from, step, own.end);
+  if (gives) own.end = from + step;
+}
+
+} // namespace masu
