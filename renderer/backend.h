@@ -88,7 +88,7 @@ enum class Question { nearest, blocked };
 
 // How a GPU goes about its rays: a thread takes one ray through, cell by cell, and its warp's threads wait
 // for each other at every cell; or a warp's threads share out what its rays have to test; or, besides, those
-// that are done take the next ray, which pays where rays of a warp go their own ways
+// that are done take the next ray, and warps that are done take over ways of others
 // (renderer/warp_tracing_cuda.h). The hits are the same.
 enum class RayLoop { cells, warp, refill };
 
@@ -96,7 +96,7 @@ enum class RayLoop { cells, warp, refill };
 // go the same way. What fits into a GPU's caches is there soon, and then sharing costs more than waiting.
 inline RayLoop usual_loop(bool coherent, std::uint64_t bytes) {
   constexpr std::uint64_t near = std::uint64_t{32} << 20;
-  return !coherent ? RayLoop::refill : bytes > near ? RayLoop::warp : RayLoop::cells;
+  return coherent && bytes <= near ? RayLoop::cells : RayLoop::refill;
 }
 
 struct RaysRequest {
