@@ -102,6 +102,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   bool more = true, has_ray = false, own_rays = true;
   int turn = 0;
   PoolWatch watch;
+  if constexpr (shares) start(pool);
   const auto tell = [&] {
     const RayEnds<Real>& ends = rays.ends[lane];
     hits[ends.number] =

@@ -44,6 +44,7 @@ inline constexpr std::uint32_t most_bundles_given = pieces_of_given_way - 1; // 
 struct PoolState {
   std::uint64_t given_and_taken; // bundles given, and 2^32 for each warp that waits or has waited
   std::uint32_t finished;        // warps that are done with rays of their own, and bundles
+  std::uint32_t blocks;          // that have started
   std::uint64_t next_ray;        // that no warp has fetched yet
 };
 inline constexpr std::uint64_t one_taken = std::uint64_t{1} << 32;
@@ -53,8 +54,8 @@ struct WayPool {
   SharedRay* rays;    // one for each thread
   WayBundle* bundles; // bundle n is at n modulo their number
   std::uint32_t bundle_count;
-  std::uint32_t warps; // in all
-  std::int32_t enough; // must wait, so that it pays to give
+  std::uint32_t blocks, warps; // in all
+  std::int32_t enough;         // must wait, so that it pays to give
 };
 
 // Owns what a kernel of so many blocks needs.
@@ -71,9 +72,13 @@ public:
   void reset() const { check(cudaMemsetAsync(state_.data(), 0, sizeof(PoolState))); }
   // Of each block one warp waits: so many are enough, and their questions slow nobody.
   WayPool view() const {
-    return {state_.data(),   rays_.data(),
-            bundles_.data(), static_cast<std::uint32_t>(bundles_.size()),
-            warps_,          static_cast<std::int32_t>(blocks_ / 2)};
+    return {state_.data(),
+            rays_.data(),
+            bundles_.data(),
+            static_cast<std::uint32_t>(bundles_.size()),
+            blocks_,
+            warps_,
+            static_cast<std::int32_t>((blocks_ + 1) / 2)};
   }
 
 private:
@@ -105,6 +110,12 @@ __device__ inline bool settle(SharedRay& ray, Hit<float>& nearest) {
   if (DeviceAtomic<std::uint32_t>(ray.pieces).fetch_sub(1, cuda::memory_order_acq_rel) != 1) return false;
   nearest = nearest_of(ray);
   return true;
+}
+
+// For all threads of a block, before anything else.
+__device__ inline void start(const WayPool& pool) {
+  if (threadIdx.x == 0)
+    DeviceAtomic<std::uint32_t>(pool.state->blocks).fetch_add(1, cuda::memory_order_relaxed);
 }
 
 // Lane 0's view of who waits, a few turns old: what is asked for now has come when it is looked at next.
@@ -148,7 +159,9 @@ inline __device__ __noinline__ WayBundle* next_bundle(WayPool pool, bool waits) 
       return static_cast<std::uint32_t>(given_and_taken.load(cuda::memory_order_relaxed));
     };
     finished.fetch_add(1, cuda::memory_order_release);
-    if (waits) {
+    // A block that has not started may have to wait for this one to end.
+    const DeviceAtomic<std::uint32_t> started(pool.state->blocks);
+    if (waits && started.load(cuda::memory_order_relaxed) == pool.blocks) {
       const auto number =
           static_cast<std::uint32_t>(given_and_taken.fetch_add(one_taken, cuda::memory_order_relaxed) >> 32);
       WayBundle& own = pool.bundles[number % pool.bundle_count];
