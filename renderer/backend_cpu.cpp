@@ -101,9 +101,9 @@ template <class Act>
 double timed(int warm_up, int repeat, const Act& act) {
   for (int i = 0; i < warm_up; ++i)
     act();
-  std::vector<double> seconds;
-  for (int i = 0; i < repeat; ++i)
-    seconds.push_back(seconds_of(act));
+  std::vector<double> seconds(static_cast<std::size_t>(repeat));
+  for (double& one : seconds)
+    one = seconds_of(act);
   return median(std::move(seconds));
 }
 
