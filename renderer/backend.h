@@ -30,6 +30,12 @@ struct TracingRules {
 // opened with Checks::table are checked here. Its seconds count as uploading.
 using BeforeTracing = std::function<void()>;
 
+// What Checks::table leaves out, of both files.
+inline void check_records(const SceneFile& scene, const GridFile* grid) {
+  scene.check_records();
+  if (grid != nullptr) grid->check_records();
+}
+
 // What is asked for.
 struct FrameRequest {
   TracingRules tracing{};

@@ -82,8 +82,8 @@ struct Begun {
   PooledWay way;        // the whole way, where its ray is not_shared
 };
 
-// A block's warps trace rays: its own, or if it `refills`, as many as there are, which `next` counts. M: with
-// StopRule::proven.
+// A block's warps trace rays: its own, or if it `refills`, as many as there are; then it needs the pool. M:
+// with StopRule::proven.
 template <bool refills, Question question, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid,

@@ -22,10 +22,7 @@ testing::AssertionResult is_refused_while_rendering(const Render& render) {
     const GridFile grid(path, Checks::table);
     FrameRequest request;
     request.camera = scene.camera();
-    request.before_tracing = [&] {
-      scene.check_records();
-      grid.check_records();
-    };
+    request.before_tracing = [&] { check_records(scene, &grid); };
     render(scene, &grid, request);
   };
   return is_refused(open_and_render, grid_path);

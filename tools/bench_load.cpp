@@ -36,12 +36,8 @@ std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
   grid.check_scene(scene.hash(), scene.primitive_count());
   runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
   runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
-  const auto check_rest = [&] {
-    scene.check_records();
-    grid.check_records();
-  };
-  runs.upload.push_back(cuda ? upload_cuda(scene, &grid, check_rest)
-                             : 0); // the CPU reads the mapping in place
+  // The CPU reads the mapping in place.
+  runs.upload.push_back(cuda ? upload_cuda(scene, &grid, [&] { check_records(scene, &grid); }) : 0);
   runs.load.push_back(runs.map.back() + runs.validate.back() + runs.upload.back());
   return scene.bytes() + grid.bytes();
 }

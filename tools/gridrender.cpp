@@ -130,9 +130,7 @@ void render(const Settings& settings) {
     grid->check_scene(scene.hash(), scene.primitive_count());
   }
   const auto check_rest = [&] {
-    if (checks == Checks::all) return;
-    scene.check_records();
-    if (grid) grid->check_records();
+    if (checks == Checks::table) check_records(scene, grid.get());
   };
   TracingRules tracing = settings.tracing;
   tracing.count = !settings.stats.empty();
