@@ -26,6 +26,7 @@
 // than it does: whoever enters it there may leave it through the box's far side.
 #pragma once
 
+#include "libgrid/bits.h"
 #include "libscene/fetch.h"
 #include "libscene/primitives.h"
 
@@ -147,12 +148,17 @@ MASU_HD inline std::uint32_t cell_number(const MergedGridView<Real>& grid, const
   const Vec3i top = shifted(voxel, grid.nested_log2);
   std::uint32_t word =
       grid.voxel_map[static_cast<std::uint32_t>((top.z * grid.top.y + top.y) * grid.top.x + top.x)];
-  Vec3i level{grid.nested_log2, grid.nested_log2, grid.nested_log2};
+  // What the map has not asked for yet of the voxel's place in the cube, from the highest bit on.
+  std::uint32_t x = moved_to_top(voxel.x, grid.nested_log2), y = moved_to_top(voxel.y, grid.nested_log2),
+                z = moved_to_top(voxel.z, grid.nested_log2);
   while ((word & occupied_bit) == 0) {
     const MapDivision division = map_division(word);
-    level = level - division.log2;
-    const Vec3i at{voxel.x >> level.x, voxel.y >> level.y, voxel.z >> level.z};
-    word = grid.voxel_map[division.place + index_in_division(at, division.log2)];
+    const Vec3i& log2 = division.log2; // index_in_division(), bit by bit
+    const std::uint32_t index = appended(appended(appended(0, z, log2.z), y, log2.y), x, log2.x);
+    x <<= log2.x;
+    y <<= log2.y;
+    z <<= log2.z;
+    word = grid.voxel_map[division.place + index];
   }
   return word & ~occupied_bit;
 }
@@ -164,28 +170,25 @@ struct CellView {
   bool one_voxel;
 };
 
-// `rising` is 1 along an axis on which the walk goes up, else 0.
+// `reversed` is -1 along an axis on which the walk goes down, else 0.
 template <class Real>
-MASU_HD inline CellView cell_at(const GridView<Real>& grid, const Vec3i& voxel, const Vec3i& rising) {
+MASU_HD inline CellView cell_at(const GridView<Real>& grid, const Vec3i& voxel, const Vec3i& reversed) {
   const MapEntry entry = look_up(grid, voxel);
   const int side = entry.side_log2;
-  const auto far = [side](std::int32_t at, std::int32_t up, std::int32_t division) {
-    const std::int32_t plane = ((at >> side) + up) << side;
+  const auto far = [side](std::int32_t at, std::int32_t back, std::int32_t division) {
+    const std::int32_t plane = ((at >> side) + 1 + back) << side;
     return plane < division ? plane : division;
   };
   return {(entry.word & occupied_bit) != 0 ? entry.word & ~occupied_bit : empty_list,
-          {far(voxel.x, rising.x, grid.division.x), far(voxel.y, rising.y, grid.division.y),
-           far(voxel.z, rising.z, grid.division.z)},
+          {far(voxel.x, reversed.x, grid.division.x), far(voxel.y, reversed.y, grid.division.y),
+           far(voxel.z, reversed.z, grid.division.z)},
           side == 0};
 }
 
 template <class Real>
-MASU_HD inline CellView cell_at(const MergedGridView<Real>& grid, const Vec3i& voxel, const Vec3i& rising) {
+MASU_HD inline CellView cell_at(const MergedGridView<Real>& grid, const Vec3i& voxel, const Vec3i& reversed) {
   const MergedCell cell = fetched(grid.cells + cell_number(grid, voxel));
-  const auto far = [](std::uint32_t range, std::int32_t up) {
-    return static_cast<std::int32_t>((range >> (16 * up)) & 0xffff);
-  };
-  return {cell.list, {far(cell.x, rising.x), far(cell.y, rising.y), far(cell.z, rising.z)}, false};
+  return {cell.list, {half(cell.x, reversed.x), half(cell.y, reversed.y), half(cell.z, reversed.z)}, false};
 }
 
 } // namespace masu

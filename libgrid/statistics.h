@@ -40,7 +40,7 @@ inline std::uint32_t references_of(const PrimitiveIndex* references, std::uint32
 // References of the voxel's cell; 0 when it is empty.
 template <class Grid>
 std::uint32_t references_in(const Grid& grid, const Vec3i& voxel) {
-  return references_of(grid.references, cell_at(grid, voxel, {1, 1, 1}).list);
+  return references_of(grid.references, cell_at(grid, voxel, {0, 0, 0}).list);
 }
 
 // How many of the lattice's voxels hold a primitive.

@@ -81,11 +81,11 @@ MASU_HD inline bool visit_cell(const Grid& grid, Walk<Real, Grid>& walk, Visitor
     }
     visitor.primitive(reference & ~last_bit);
   }
-  if (visitor.done(walk.exit)) return false;
-  const Vec3i from{walk.x.voxel, walk.y.voxel, walk.z.voxel};
-  const bool inside = walk.leave(grid);
-  if (inside) visitor.counts.skipped(walk.voxels_from(from) - 1);
-  return inside;
+  const bool done = visitor.done(walk.exit);
+  const Vec3i from = walk.voxel();
+  const bool goes_on = walk.leave(grid) & !done; // without a branch: most go on
+  if (goes_on) visitor.counts.skipped(walk.voxels_from(from) - 1);
+  return goes_on;
 }
 
 template <class Grid, class Real, class Visitor>

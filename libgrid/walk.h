@@ -21,9 +21,12 @@ template <class Real>
 struct WalkAxis {
   Real plane_step, plane_start;
   Real voxel_step, voxel_start;
-  std::int32_t voxel;
-  std::int32_t rising; // 1 or 0
+  std::int32_t reversed; // 0, or -1 where the ray runs towards lower numbers
+  std::int32_t at;       // the voxel as along() has it
 
+  // Numbers along the ray: n, or -1 - n where it is reversed. So a walk only ever counts up.
+  MASU_HD std::int32_t along(std::int32_t voxel) const { return voxel ^ reversed; }
+  MASU_HD std::int32_t voxel() const { return at ^ reversed; }
   MASU_HD Real crossing(std::int32_t plane) const {
     return fused(static_cast<Real>(plane), plane_step, plane_start);
   }
@@ -34,11 +37,10 @@ MASU_HD inline std::int32_t held(std::int32_t value, std::int32_t low, std::int3
   return smaller(larger(value, low), high);
 }
 
-// From outside the space the walk starts in the nearest voxel.
 template <class Real>
 MASU_HD inline WalkAxis<Real> walk_axis(const ClippedRay<Real>& near, const Vec3<Real>& lower,
                                         const Vec3<Real>& voxel_sizes, const Vec3<Real>& densities,
-                                        const Vec3i& divisions, int axis) {
+                                        int axis) {
   const Real origin = near.ray.origin[axis], direction = near.ray.direction[axis],
              inverse = near.inverse[axis];
   const Real min = lower[axis], voxels_per_unit = densities[axis];
@@ -51,8 +53,8 @@ MASU_HD inline WalkAxis<Real> walk_axis(const ClippedRay<Real>& near, const Vec3
           runs ? (min - origin) * inverse : static_cast<Real>(INFINITY),
           runs ? direction * voxels_per_unit : 0,
           voxel_start,
-          held(truncated(voxel_start), 0, divisions[axis] - 1),
-          direction > 0 ? 1 : 0};
+          direction > 0 ? 0 : -1,
+          0};
 }
 
 // A walk under way. Call enter(), and after it leave() until that is false. No branch depends on the ray: a
@@ -68,13 +70,15 @@ struct Walk {
 
   // `near` begins in the space, or just before it.
   MASU_HD Walk(const Grid& grid, const ClippedRay<Real>& near)
-      : x(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 0)),
-        y(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 1)),
-        z(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, grid.division, 2)) {}
+      : x(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, 0)),
+        y(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, 1)),
+        z(walk_axis(near, grid.min, grid.voxel_size, grid.voxels_per_unit, 2)) {
+    begin_at(grid, 0);
+  }
 
   // Looks up the cell that the ray is in.
   MASU_HD void enter(const Grid& grid) {
-    cell = cell_at(grid, {x.voxel, y.voxel, z.voxel}, {x.rising, y.rising, z.rising});
+    cell = cell_at(grid, voxel(), {x.reversed, y.reversed, z.reversed});
     crossings = {x.crossing(cell.far.x), y.crossing(cell.far.y), z.crossing(cell.far.z)};
     exit = least(crossings.x, least(crossings.y, crossings.z));
   }
@@ -84,18 +88,19 @@ struct Walk {
     const bool by_x = crossings.x == exit;
     const bool by_y = !by_x & (crossings.y == exit);
     const bool by_z = !by_x & !by_y;
-    x.voxel = next_voxel(x, cell.far.x, by_x);
-    y.voxel = next_voxel(y, cell.far.y, by_y);
-    z.voxel = next_voxel(z, cell.far.z, by_z);
-    const bool in_x = is_within(x.voxel, grid.division.x), in_y = is_within(y.voxel, grid.division.y),
-               in_z = is_within(z.voxel, grid.division.z);
+    x.at = next_along(x, cell.far.x, by_x);
+    y.at = next_along(y, cell.far.y, by_y);
+    z.at = next_along(z, cell.far.z, by_z);
+    const Vec3i now = voxel();
+    const bool in_x = is_within(now.x, grid.division.x), in_y = is_within(now.y, grid.division.y),
+               in_z = is_within(now.z, grid.division.z);
     return in_x & in_y & in_z;
   }
 
   // Where the ray leaves the space.
   MASU_HD Real end(const Grid& grid) const {
-    return least(x.crossing(x.rising * grid.division.x),
-                 least(y.crossing(y.rising * grid.division.y), z.crossing(z.rising * grid.division.z)));
+    return least(x.crossing(grid.division.x & ~x.reversed),
+                 least(y.crossing(grid.division.y & ~y.reversed), z.crossing(grid.division.z & ~z.reversed)));
   }
 
   // How many voxels along the axis where they are most the ray passes from t to t + 1.
@@ -103,27 +108,29 @@ struct Walk {
     return greatest(std::abs(x.voxel_step), greatest(std::abs(y.voxel_step), std::abs(z.voxel_step)));
   }
 
-  // Goes on from t, a place on the ray's way through the space.
+  // Goes on from t, a place on the ray's way through the space; from outside in the nearest voxel.
   MASU_HD void begin_at(const Grid& grid, Real t) {
-    x.voxel = held(x.voxel_at(t), 0, grid.division.x - 1);
-    y.voxel = held(y.voxel_at(t), 0, grid.division.y - 1);
-    z.voxel = held(z.voxel_at(t), 0, grid.division.z - 1);
+    x.at = x.along(held(x.voxel_at(t), 0, grid.division.x - 1));
+    y.at = y.along(held(y.voxel_at(t), 0, grid.division.y - 1));
+    z.at = z.along(held(z.voxel_at(t), 0, grid.division.z - 1));
     exit = t;
   }
 
-  // How many voxels `voxel` is away: so many steps a walk from voxel to voxel would have taken from there.
-  MASU_HD std::int32_t voxels_from(const Vec3i& voxel) const {
-    return std::abs(x.voxel - voxel.x) + std::abs(y.voxel - voxel.y) + std::abs(z.voxel - voxel.z);
+  MASU_HD Vec3i voxel() const { return {x.voxel(), y.voxel(), z.voxel()}; }
+
+  // How many voxels `from` is away: so many steps a walk from voxel to voxel would have taken from there.
+  MASU_HD std::int32_t voxels_from(const Vec3i& from) const {
+    const Vec3i now = voxel();
+    return std::abs(now.x - from.x) + std::abs(now.y - from.y) + std::abs(now.z - from.z);
   }
 
 private:
   // Across the far plane; or as far as the ray has moved on within the cell, held there and never behind the
   // voxel it came from, so that every walk ends.
-  MASU_HD std::int32_t next_voxel(const WalkAxis<Real>& axis, std::int32_t far, bool crosses) const {
-    const std::int32_t beyond = far - 1 + axis.rising, last = far - axis.rising;
-    if (cell.one_voxel) return crosses ? beyond : axis.voxel;
-    const std::int32_t reached =
-        held(axis.voxel_at(exit), smaller(axis.voxel, last), larger(axis.voxel, last));
+  MASU_HD std::int32_t next_along(const WalkAxis<Real>& axis, std::int32_t far, bool crosses) const {
+    const std::int32_t beyond = axis.along(far) - axis.reversed; // of the plane: its two voxels are 1 apart
+    if (cell.one_voxel) return crosses ? beyond : axis.at;
+    const std::int32_t reached = larger(smaller(axis.along(axis.voxel_at(exit)), beyond - 1), axis.at);
     return crosses ? beyond : reached;
   }
   MASU_HD static bool is_within(std::int32_t voxel, std::int32_t division) {

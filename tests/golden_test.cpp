@@ -231,7 +231,7 @@ TEST(GoldenFileReading, MergedGridIsRead) {
   EXPECT_EQ(cell_of({1, 2, 0}), occupied_bit | 3);
   EXPECT_EQ(cell_of({1, 1, 2}), occupied_bit | 4);
   EXPECT_EQ(cell_of({4, 0, 0}), occupied_bit | 5);
-  const CellView up = cell_at(view, {2, 0, 0}, {1, 1, 1}), down = cell_at(view, {2, 0, 0}, {0, 0, 0});
+  const CellView up = cell_at(view, {2, 0, 0}, {0, 0, 0}), down = cell_at(view, {2, 0, 0}, {-1, -1, -1});
   EXPECT_EQ(up.list, 1U);
   EXPECT_EQ(up.far, (Vec3i{8, 2, 4}));
   EXPECT_EQ(down.far, (Vec3i{2, 0, 0}));

@@ -285,7 +285,7 @@ struct WholeWalk {
       if (walk.exit < last)
         largest_fall = std::max(largest_fall, static_cast<double>(last) - static_cast<double>(walk.exit));
       last = walk.exit;
-      const Vec3i from{walk.x.voxel, walk.y.voxel, walk.z.voxel};
+      const Vec3i from = walk.voxel();
       inside = walk.leave(grid);
       const std::int64_t moved = walk.voxels_from(from);
       EXPECT_GE(moved, 1);
@@ -335,7 +335,7 @@ struct Wayfarer {
     Walk<Real, View> walk(grid, ray);
     Vec3i from{};
     do {
-      from = {walk.x.voxel, walk.y.voxel, walk.z.voxel};
+      from = walk.voxel();
     } while (visit_cell(grid, walk, *this));
     in_last_cell = walk.voxels_from(from) - 1;
   }
