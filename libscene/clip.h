@@ -15,16 +15,9 @@ namespace masu {
 template <class Real>
 struct ClippedRay {
   Ray<Real> ray;
-  Vec3<Real> inverse; // of the direction, component by component; finite, if need be the largest number
+  Vec3<Real> inverse; // of the direction, component by component; finite
   Real skipped;
 };
-
-// Never infinite, so that no product with a distance of zero is NaN.
-template <class Real>
-MASU_HD inline Real finite_inverse(Real component) {
-  constexpr Real largest = RealTraits<Real>::largest;
-  return least(greatest(1 / component, -largest), largest);
-}
 
 // Whether the ray is in the box between `enter` and some larger t. The end is rounded up by more than
 // rounding can hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so `enter` down.

@@ -24,4 +24,22 @@ MASU_HD inline Record fetched(const Record* at) {
 #endif
 }
 
+// The same of a record that is read but once, and shall not stay in a cache; in 8-byte loads.
+template <class Record>
+MASU_HD inline Record streamed(const Record* at) {
+#ifdef __CUDA_ARCH__
+  static_assert(sizeof(Record) % sizeof(uint2) == 0 && alignof(Record) >= sizeof(uint2));
+  union {
+    uint2 parts[sizeof(Record) / sizeof(uint2)];
+    Record record;
+  } copy;
+#pragma unroll
+  for (unsigned i = 0; i < sizeof(Record) / sizeof(uint2); ++i)
+    copy.parts[i] = __ldcs(reinterpret_cast<const uint2*>(at) + i);
+  return copy.record;
+#else
+  return *at;
+#endif
+}
+
 } // namespace masu

@@ -56,14 +56,16 @@ template <class Real>
 MASU_HD inline RayFrame<Real> framed(const RayLine<Real>& ray) {
   const Vec3<Real> d = ray.direction;
   const Real x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-  Vec3<Real> across{};
-  if (x <= y && x <= z) {
-    across = {0, d.z, -d.y};
-  } else if (y <= z) {
-    across = {-d.z, 0, d.x};
-  } else {
-    across = {d.y, -d.x, 0};
-  }
+  const bool no_x = (x <= y) & (x <= z), no_y = !no_x & (y <= z);
+  const Vec3<Real> across{no_x   ? 0
+                          : no_y ? -d.z
+                                 : d.y,
+                          no_x   ? d.z
+                          : no_y ? 0
+                                 : -d.x,
+                          no_x   ? -d.y
+                          : no_y ? d.x
+                                 : 0};
   return {ray, across, cross(d, across)};
 }
 

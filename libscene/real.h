@@ -89,6 +89,25 @@ MASU_HD inline double quotient(double a, double b) {
   return a / b;
 }
 
+// The smaller and the larger of two numbers, spelled out so that host and device agree on NaN: it never wins
+// over `b`.
+template <class T>
+MASU_HD inline T smaller(T a, T b) {
+  return a < b ? a : b;
+}
+template <class T>
+MASU_HD inline T larger(T a, T b) {
+  return a > b ? a : b;
+}
+
+// 1 / v for |v| up to 2^125, never infinite, so that no product with a distance of 0 is NaN: where it would
+// be, the largest number, of either sign.
+template <class Real>
+MASU_HD inline Real finite_inverse(Real v) {
+  constexpr Real largest = RealTraits<Real>::largest;
+  return smaller(larger(quotient(Real(1), v), -largest), largest); // of 0 the quotient is NaN
+}
+
 // Rounded towards zero; beyond 2^30, where nothing here depends on it, to a number as large or
 // larger; NaN to 0 (as the device's own conversion has it).
 MASU_HD inline std::int32_t truncated(float v) {
@@ -106,17 +125,6 @@ MASU_HD inline std::int32_t truncated(double v) {
   constexpr double most = 0x1p30;
   return v != v ? 0 : static_cast<std::int32_t>(v < -most ? -most : v > most ? most : v);
 #endif
-}
-
-// The smaller and the larger of two numbers, spelled out so that host and device agree on NaN: it never wins
-// over `b`.
-template <class T>
-MASU_HD inline T smaller(T a, T b) {
-  return a < b ? a : b;
-}
-template <class T>
-MASU_HD inline T larger(T a, T b) {
-  return a > b ? a : b;
 }
 
 // 2^-e for a number of magnitude 2^e to 2^(e+1); the nearest power that is a normal number.

@@ -38,10 +38,9 @@ MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>&
   const Vec3<Real> b = cast<Real>(triangle.b) - ray.origin;
   const Vec3<Real> c = cast<Real>(triangle.c) - ray.origin;
   const EdgeFunctions<Real> e = edge_functions(ray, a, b, c);
-  if (least(e.a, least(e.b, e.c)) < 0 && greatest(e.a, greatest(e.b, e.c)) > 0) return false;
-  // All of one sign: the sum cancels nothing.
-  const Real sum = e.a + e.b + e.c;
-  if (sum == 0) return false;
+  const bool outside = (least(e.a, least(e.b, e.c)) < 0) & (greatest(e.a, greatest(e.b, e.c)) > 0);
+  const Real sum = e.a + e.b + e.c; // inside all are of one sign, and it cancels nothing
+  if (outside | (sum == 0)) return false;
   // A mean of the corners' distances along the ray, each weighted by its share of the sum; which is brought
   // to size first, where products with it would leave the range.
   const Real size = sum < 0x1p-60F && sum > -0x1p-60F ? Real(0x1p60F) : Real(1);

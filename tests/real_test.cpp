@@ -38,5 +38,26 @@ TEST_F(Quotient, ByNothingIsNoNumberThatCounts) {
   }
 }
 
+TEST_F(Quotient, OfOneIsNeverInfinite) {
+  SCOPED_TRACE(seed_.trace());
+  Chance chance(seed_);
+  constexpr float largest = RealTraits<float>::largest;
+  for (const float nothing : {0.0F, std::numeric_limits<float>::denorm_min()}) {
+    EXPECT_EQ(std::abs(finite_inverse(nothing)), largest);
+    EXPECT_EQ(std::abs(finite_inverse(-nothing)), largest);
+  }
+  EXPECT_EQ(std::abs(finite_inverse(0.0)), RealTraits<double>::largest);
+  for (std::int64_t i = cases(1'000'000); i > 0; --i) {
+    const float v = static_cast<float>(chance.uniform(-1, 1) * chance.power_of_two(-149, 125));
+    const float is = finite_inverse(v), should = 1 / v;
+    if (std::abs(v) >= RealTraits<float>::smallest_normal) {
+      ASSERT_TRUE(is == should || std::nextafter(is, should) == should) << v;
+    } else {
+      ASSERT_GE(std::abs(is), 0x1p125F) << v;
+      ASSERT_LE(std::abs(is), largest) << v;
+    }
+  }
+}
+
 } // namespace
 } // namespace masu
