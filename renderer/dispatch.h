@@ -60,7 +60,7 @@ void with_question(Question question, const Act& act) {
 
 // A listed ray as one arithmetic has it.
 template <class Real>
-struct TypedRay {
+struct alignas(8) TypedRay {
   Vec3<Real> origin, direction;
 };
 static_assert(sizeof(TypedRay<float>) == 24 && sizeof(TypedRay<double>) == 48);
@@ -84,6 +84,30 @@ MASU_HD inline ScaledRay<Real> scaled(const TypedRay<Real>& listed) {
   return {{listed.origin, listed.direction * scale, RealTraits<Real>::largest}, scale};
 }
 
+// A listed ray scaled, as far as the question goes.
+template <Question question, class Real>
+MASU_HD inline ScaledRay<Real> asked(const TypedRay<Real>& listed) {
+  ScaledRay<Real> ray = scaled(listed);
+  if constexpr (question == Question::blocked) ray.ray.t_max = 1 / ray.scale;
+  return ray;
+}
+
+// The same from where it enters the bounds.
+template <class Real>
+struct ListedNear {
+  ClippedRay<Real> near;
+  Real scale; // of the ray
+  bool meets; // the bounds; false: only near.ray.t_max and near.skipped are meant
+};
+
+template <Question question, class Real, class Stored>
+MASU_HD inline ListedNear<Real> clipped(const SceneView<Stored>& scene, const TypedRay<Real>& listed) {
+  const ScaledRay<Real> ray = asked<question>(listed);
+  ListedNear<Real> result{{}, ray.scale, false};
+  result.meets = clip(ray.ray, cast<Real>(scene.clip), result.near);
+  return result;
+}
+
 MASU_HD inline EyeHit blocked_hit(bool blocked) {
   return {1, blocked ? 0 : -1};
 }
@@ -93,9 +117,8 @@ template <Question question, class M, class Stored, class Grid, class C>
 MASU_HD inline EyeHit trace_listed(const SceneView<Stored>& scene, const Grid& grid,
                                    const TypedRay<typename M::Real>& listed, HitName name, C& counts) {
   using Real = typename M::Real;
-  ScaledRay<Real> ray = scaled(listed);
+  const ScaledRay<Real> ray = asked<question>(listed);
   if constexpr (question == Question::blocked) {
-    ray.ray.t_max = 1 / ray.scale;
     const bool blocked = is_blocked<M>(scene, grid, ray.ray, counts);
     counts.shadow_ray(blocked);
     return blocked_hit(blocked);

@@ -20,23 +20,27 @@ inline constexpr std::size_t references_read_ahead = lanes_a_warp - 1;
 template <class M>
 constexpr int resident_threads_wanted = sizeof(typename M::Real) == 4 ? 1024 : 512;
 
-// Launches the kernel so many times and waits; its code is on the device before the time starts, and before()
-// puts what it needs onto the stream. The median's seconds.
-template <class Before, class Kernel, class... Arguments>
-double timed_launch(KernelSize& size, int warm_up, int repeat, const Before& before, Kernel* kernel,
-                    dim3 blocks, dim3 threads, const Arguments&... arguments) {
+// Its code is on the device from then on.
+template <class Kernel>
+KernelSize kernel_size(Kernel* kernel) {
   cudaFuncAttributes attributes;
   check(cudaFuncGetAttributes(&attributes, kernel));
-  size = {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};
+  return {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};
+}
+
+// Launches so many times and waits; before() puts what launch() needs onto the stream, untimed. The median's
+// seconds.
+template <class Before, class Launch>
+double timed_launches(int warm_up, int repeat, const Before& before, const Launch& launch) {
   for (int i = 0; i < warm_up; ++i) {
     before();
-    kernel<<<blocks, threads>>>(arguments...);
+    launch();
   }
   std::vector<double> seconds;
   for (int i = 0; i < repeat; ++i) {
     before();
     const DeviceTimer timer;
-    kernel<<<blocks, threads>>>(arguments...);
+    launch();
     check(cudaGetLastError());
     seconds.push_back(timer.seconds());
   }

@@ -24,7 +24,7 @@ struct RenderRules {
 };
 
 // What an eye ray met: t, and the name of the object or primitive; infinity and -1 for nothing.
-struct EyeHit {
+struct alignas(8) EyeHit {
   float t;
   std::int32_t name;
 };

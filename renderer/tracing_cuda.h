@@ -77,7 +77,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
   if (i >= count) return;
   C counts;
-  hits[i] = trace_listed<question, M>(scene, grid, rays[i], name, counts);
+  hits[i] = trace_listed<question, M>(scene, grid, streamed(rays + i), name, counts);
   add(total, counts);
 }
 
@@ -102,10 +102,12 @@ void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_
             : std::min(tiles.count, resident_blocks(kernel, tile_side * tile_side, request.workers_each));
     const bool fetch = request.schedule == Schedule::persistent;
     const auto reset = [&] { check(cudaMemsetAsync(next_tile.data(), 0, sizeof(std::uint32_t))); };
-    frame.seconds.trace = timed_launch(
-        frame.kernel, request.warm_up, request.repeat, reset, kernel, dim3(frame.workers),
-        dim3(tile_side, tile_side), device.scene.view, grid, rays, request.rules, tiles, request.schedule,
-        fetch ? next_tile.data() : nullptr, colors.data(), hits.data(), total.data());
+    frame.kernel = kernel_size(kernel);
+    frame.seconds.trace = timed_launches(request.warm_up, request.repeat, reset, [&] {
+      kernel<<<frame.workers, dim3(tile_side, tile_side)>>>(
+          device.scene.view, grid, rays, request.rules, tiles, request.schedule,
+          fetch ? next_tile.data() : nullptr, colors.data(), hits.data(), total.data());
+    });
   });
   const Stopwatch watch;
   colors.download(frame.radiance.data());
@@ -132,27 +134,54 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
     const auto grid = device.grid.moved(view);
     using Accelerator = std::decay_t<decltype(grid)>;
     with_question(request.question, [&]<Question question>(Asked<question>) {
-      const auto timed = [&](const auto& before, auto* kernel, std::uint64_t blocks, const auto& last) {
-        result.seconds.trace =
-            timed_launch(result.kernel, request.warm_up, request.repeat, before, kernel,
-                         dim3(static_cast<unsigned>(blocks)), dim3(rays_a_block), device.scene.view, grid,
-                         device_rays.data(), rays.size(), request.hit_name, hits.data(), last);
+      const auto& scene = device.scene.view;
+      const HitName name = request.hit_name;
+      const auto timed = [&](auto* kernel, const auto& before, const auto& launch) {
+        result.kernel = kernel_size(kernel);
+        result.seconds.trace = timed_launches(request.warm_up, request.repeat, before, launch);
       };
-      const std::uint64_t all_blocks = (rays.size() + rays_a_block - 1) / rays_a_block;
+      const auto blocks_of = [&](int threads) {
+        return static_cast<unsigned>((rays.size() + static_cast<unsigned>(threads) - 1) /
+                                     static_cast<unsigned>(threads));
+      };
+      const unsigned all_blocks = blocks_of(rays_a_block);
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
                     M::stop == StopRule::proven) {
-        if (request.loop == RayLoop::warp)
-          return timed([] {}, warp_kernel<false, question, OnDevice<M>, Stored, Accelerator>, all_blocks,
-                       WayPool{});
-        if (request.loop == RayLoop::refill) {
+        RayList<Real> list{device_rays.data(), rays.size(), nullptr, nullptr};
+        const bool numbered = rays.size() <= most_rays_by_warps;
+        if (request.loop == RayLoop::warp && numbered) {
+          auto* const kernel = warp_kernel<false, question, OnDevice<M>, Stored, Accelerator>;
+          return timed(
+              kernel, [] {},
+              [&] { kernel<<<all_blocks, rays_a_block>>>(scene, grid, list, name, hits.data(), WayPool{}); });
+        }
+        if (request.loop == RayLoop::refill && numbered) {
           auto* const kernel = warp_kernel<true, question, OnDevice<M>, Stored, Accelerator>;
-          const auto blocks = static_cast<std::uint32_t>(
-              std::min<std::uint64_t>(all_blocks, resident_blocks(kernel, rays_a_block, 0)));
+          const unsigned blocks = std::min(all_blocks, resident_blocks(kernel, rays_a_block, 0));
           const WayPoolMemory pool(blocks, rays_a_block / lanes_a_warp);
-          return timed([&] { pool.reset(); }, kernel, blocks, pool.view());
+          const bool culls = often_misses<question, Real>(host_scene, rays);
+          const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
+          const DeviceArray<std::uint64_t> chosen_count(1);
+          if (culls) list = {list.rays, list.count, chosen.data(), chosen_count.data()};
+          const auto reset = [&] {
+            pool.reset();
+            check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint64_t)));
+          };
+          return timed(kernel, reset, [&] {
+            if (culls)
+              cull_kernel<question, Real, Stored><<<blocks_of(rays_a_culling_block), rays_a_culling_block>>>(
+                  scene, list.rays, list.count, name, hits.data(), chosen.data(), chosen_count.data());
+            kernel<<<blocks, rays_a_block>>>(scene, grid, list, name, hits.data(), pool.view());
+          });
         }
       }
-      timed([] {}, trace_kernel<question, OnDevice<M>, Stored, Accelerator, C>, all_blocks, total.data());
+      auto* const kernel = trace_kernel<question, OnDevice<M>, Stored, Accelerator, C>;
+      timed(
+          kernel, [] {},
+          [&] {
+            kernel<<<all_blocks, rays_a_block>>>(scene, grid, device_rays.data(), rays.size(), name,
+                                                 hits.data(), total.data());
+          });
     });
   });
   watch = Stopwatch();

@@ -14,17 +14,52 @@ __device__ inline int lanes_log2_for_each(int having) {
   return having > lanes_a_warp / 2 ? 0 : __clz(having - 1) - 27;
 }
 
+inline constexpr std::uint64_t most_rays_by_warps = 0xffffffff; // so many have a number of 32 bits
+
 // What is needed of a ray when it is begun and ended.
 template <class Real>
 struct RayEnds {
   Real scale, skipped, t_max;
   std::uint32_t shared; // as which of the pool's rays, or not_shared
-  std::uint64_t number; // in the list
+  std::uint32_t number; // in the list
 };
 
 // What a lane has for others to help with: a list of its ray's, or a way.
 struct SharedOut {
   std::uint32_t ray, list;
+};
+
+// A ray's nearest hit so far, in shared memory: as NearestHit (libgrid/trace.h) has it.
+template <class Real>
+class SharedHit {
+public:
+  __device__ Hit<Real> get() const { return hit_; }
+  __device__ void set(const Hit<Real>& hit) { hit_ = hit; }
+  // For all lanes of a warp at once, of which several may have hit with one ray: the nearest hit remains.
+  __device__ void lower(bool has_hit, const Hit<Real>& hit) {
+    for (unsigned left = __ballot_sync(all_lanes, has_hit); left != 0; left &= left - 1) {
+      if (static_cast<int>(threadIdx.x % lanes_a_warp) == __ffs(left) - 1 &&
+          is_nearer(hit.t, hit.primitive, hit_))
+        hit_ = hit;
+      __syncwarp();
+    }
+  }
+
+private:
+  Hit<Real> hit_;
+};
+template <>
+class SharedHit<float> {
+public:
+  __device__ Hit<float> get() const { return hit_of(key_); }
+  __device__ void set(const Hit<float>& hit) { key_ = hit_key(hit); }
+  __device__ void lower(bool has_hit, const Hit<float>& hit) {
+    if (has_hit) atomicMin(&key_, static_cast<unsigned long long>(hit_key(hit)));
+    __syncwarp();
+  }
+
+private:
+  unsigned long long key_;
 };
 
 // The rays of a warp, in shared memory: any lane may work on any of them. A lane's own ray has the lane's
@@ -33,7 +68,7 @@ template <class TestRay>
 struct WarpRays {
   using Real = typename TestRay::Real;
   TestRay tests[lanes_a_warp];
-  Hit<Real> nearest[lanes_a_warp]; // so far; as NearestHit (libgrid/trace.h) has it
+  SharedHit<Real> nearest[lanes_a_warp];
   RayEnds<Real> ends[lanes_a_warp];
   SharedOut shared_out[lanes_a_warp]; // one after another
 };
@@ -50,7 +85,7 @@ struct LaneWalk {
   // worth being walked apart if none is shorter than a voxel.
   template <class TestRay>
   __device__ Real piece_length(const Grid& grid, const WarpRays<TestRay>& rays, int pieces) const {
-    const Real to = least(end, least(walk.end(grid), rays.nearest[ray].t));
+    const Real to = least(end, least(walk.end(grid), rays.nearest[ray].get().t));
     return (to - walk.exit) / static_cast<Real>(pieces);
   }
   __device__ bool is_worth_while(Real piece) const { return piece * walk.speed() > 1; }
@@ -106,7 +141,7 @@ __device__ inline void give_ways(const Grid& grid, const WayPool& pool, bool has
   const unsigned lane = threadIdx.x % lanes_a_warp;
   if (has_ray && rays.ends[lane].shared == not_shared) {
     const std::uint32_t thread = blockIdx.x * blockDim.x + threadIdx.x;
-    pool.rays[thread] = {rays.ends[lane].number, hit_key(rays.nearest[lane]), 1};
+    pool.rays[thread] = {rays.ends[lane].number, hit_key(rays.nearest[lane].get()), 1};
     rays.ends[lane].shared = thread;
   }
   __syncwarp();

@@ -13,7 +13,7 @@
 // makes them, and a walk may begin anywhere on the ray's way (libgrid/walk.h).
 #pragma once
 
-#include "renderer/dispatch.h"
+#include "renderer/culling_cuda.h"
 #include "renderer/warp_rays_cuda.h"
 
 namespace masu {
@@ -61,16 +61,11 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
     const PrimitiveIndex primitive = reference & ~last_bit;
     Real t = 0;
     const bool nearer = tests && intersect<M::kinds>(scene, rays.tests[part.ray], primitive, t, counts) &&
-                        is_nearer(t, primitive, rays.nearest[part.ray]);
-    if (alone) {
-      if (nearer) rays.nearest[lane] = {t, primitive};
-      continue;
-    }
-    // One lane after another: they may have hit with the same ray.
-    for (unsigned left = __ballot_sync(all_lanes, nearer); left != 0; left &= left - 1) {
-      if (static_cast<int>(lane) == __ffs(left) - 1 && is_nearer(t, primitive, rays.nearest[part.ray]))
-        rays.nearest[part.ray] = {t, primitive};
-      __syncwarp();
+                        is_nearer(t, primitive, rays.nearest[part.ray].get());
+    if (!alone) {
+      rays.nearest[part.ray].lower(nearer, {t, primitive});
+    } else if (nearer) {
+      rays.nearest[lane].set({t, primitive});
     }
   }
 }
@@ -86,13 +81,12 @@ struct Begun {
 // with StopRule::proven.
 template <bool refills, Question question, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
-    warp_kernel(const SceneView<Stored> scene, const Grid grid,
-                const TypedRay<typename M::Real>* const listed, const std::uint64_t count, const HitName name,
-                EyeHit* const hits, const WayPool pool) {
+    warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayList<typename M::Real> list,
+                const HitName name, EyeHit* const hits, const WayPool pool) {
   static_assert(M::stop == StopRule::proven);
   using Real = typename M::Real;
   // So many lanes fetch at once, so that it pays to stop for it; and so often ways are divided, in turns.
-  constexpr int enough = refills ? 12 : lanes_a_warp, divided_every = 2;
+  constexpr int enough = refills ? 12 : lanes_a_warp, divided_every = 2, few_lists = 6;
   constexpr bool shares = refills && sizeof(Real) == sizeof(float); // as SharedRay needs it
   __shared__ WarpRays<typename M::TestRay> block_rays[rays_a_block / lanes_a_warp];
   WarpRays<typename M::TestRay>& rays = block_rays[threadIdx.x / lanes_a_warp];
@@ -102,11 +96,12 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   bool more = true, has_ray = false, own_rays = true;
   int turn = 0;
   PoolWatch watch;
+  const std::uint64_t count = list.size();
   if constexpr (shares) start(pool);
   const auto tell = [&] {
     const RayEnds<Real>& ends = rays.ends[lane];
     hits[ends.number] =
-        answer<question>(scene, rays.nearest[lane], ends.t_max, ends.skipped, ends.scale, name);
+        answer<question>(scene, rays.nearest[lane].get(), ends.t_max, ends.skipped, ends.scale, name);
   };
   for (;;) {
     const unsigned idle = __ballot_sync(all_lanes, !own.under_way);
@@ -126,12 +121,16 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
           next.number = first + static_cast<unsigned>(__popc(idle & ((1U << lane) - 1)));
         }
         next.any = next.number < count;
+        if (next.any) next.number = list.number(next.number);
         if (!own.under_way && has_ray) tell();
       } else {
         bool told = has_ray;
         if constexpr (shares) {
-          if (has_ray && rays.ends[lane].shared != not_shared)
-            told = settle(pool.rays[rays.ends[lane].shared], rays.nearest[lane]);
+          if (has_ray && rays.ends[lane].shared != not_shared) {
+            Hit<Real> nearest = rays.nearest[lane].get();
+            told = settle(pool.rays[rays.ends[lane].shared], nearest);
+            rays.nearest[lane].set(nearest);
+          }
         }
         if (told) tell();
         if constexpr (!shares) return;
@@ -145,12 +144,11 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
       if (!own.under_way) {
         has_ray = next.any;
         if (has_ray) {
-          ScaledRay<Real> ray = scaled(listed[next.number]);
-          if constexpr (question == Question::blocked) ray.ray.t_max = 1 / ray.scale;
-          ClippedRay<Real> near{};
-          own.under_way = clip(ray.ray, cast<Real>(scene.clip), near);
-          rays.ends[lane] = {ray.scale, near.skipped, near.ray.t_max, next.way.ray, next.number};
-          rays.nearest[lane] = {near.ray.t_max, 0};
+          const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + next.number));
+          own.under_way = meets;
+          rays.ends[lane] = {scale, near.skipped, near.ray.t_max, next.way.ray,
+                             static_cast<std::uint32_t>(next.number)};
+          rays.nearest[lane].set({near.ray.t_max, 0});
           if (own.under_way) {
             prepare(rays.tests[lane], near.ray.origin, near.ray.direction);
             own.walk = Walk<Real, Grid>(grid, near);
@@ -158,7 +156,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
           }
           if constexpr (shares) {
             if (next.way.ray != not_shared) {
-              rays.nearest[lane] = nearest_of(pool.rays[next.way.ray]);
+              rays.nearest[lane].set(nearest_of(pool.rays[next.way.ray]));
               own.walk.begin_at(grid, next.way.from);
               own.end = next.way.to;
             }
@@ -177,13 +175,21 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
         watch.ask(pool);
       }
     }
+    const auto go_on = [&] {
+      const bool answered =
+          is_answered<question>(rays.nearest[own.ray].get(), rays.ends[own.ray].t_max, own.walk.exit);
+      own.under_way = own.walk.leave(grid) & !answered & (own.walk.exit < own.end);
+    };
     if (own.under_way) own.walk.enter(grid);
-    test_lists<M>(scene, grid, own.ray, own.under_way ? own.walk.cell.list : empty_list, own_rays, rays);
-    if (own.under_way) {
-      own.under_way =
-          !is_answered<question>(rays.nearest[own.ray], rays.ends[own.ray].t_max, own.walk.exit) &&
-          own.walk.leave(grid) && own.walk.exit < own.end;
+    // So few lists are better tested with those that others find one step further.
+    const bool has_list = own.under_way && own.walk.cell.list != empty_list;
+    if (__popc(__ballot_sync(all_lanes, has_list)) < few_lists && own.under_way && !has_list) {
+      go_on();
+      if (own.under_way) own.walk.enter(grid);
     }
+    __syncwarp();
+    test_lists<M>(scene, grid, own.ray, own.under_way ? own.walk.cell.list : empty_list, own_rays, rays);
+    if (own.under_way) go_on();
   }
 }
 
