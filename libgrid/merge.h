@@ -14,7 +14,7 @@ namespace masu {
 struct MergeRule {
   Merge merge = Merge::none;
   std::uint32_t target = 8;     // balance: the most references of a cell, where voxels allow it
-  double alpha = 1;             // irregular: how much a division must save to be made; see partition.h
+  double alpha = 0.95;          // irregular: how much a division must save to be made; see partition.h
   double step_over_test = 5;    // irregular: what a step costs, in tests
   double detail = 3;            // irregular: how much finer than its primitives a place is divided
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis

@@ -1,24 +1,31 @@
-// Reading a record whole.
+// Reading a record whole, where a GPU's compiler would fetch member by member what is used of it.
 #pragma once
 
 #include "libscene/portable.h"
 
 namespace masu {
 
-// The record at `at`: on the device in 16-byte loads through the cache for what doesn't change, where the
-// compiler would fetch member by member what is used of it.
-template <class Record>
-MASU_HD inline Record fetched(const Record* at) {
-#ifdef __CUDA_ARCH__
-  static_assert(sizeof(Record) % sizeof(uint4) == 0 && alignof(Record) >= sizeof(uint4));
+#ifdef __CUDACC__
+// The record at `at`, read in loads of a Part each.
+template <class Part, class Record, class Load>
+__device__ inline Record read_in_parts(const Record* at, const Load& load) {
+  static_assert(sizeof(Record) % sizeof(Part) == 0 && alignof(Record) >= sizeof(Part));
   union {
-    uint4 parts[sizeof(Record) / sizeof(uint4)];
+    Part parts[sizeof(Record) / sizeof(Part)];
     Record record;
   } copy;
 #pragma unroll
-  for (unsigned i = 0; i < sizeof(Record) / sizeof(uint4); ++i)
-    copy.parts[i] = __ldg(reinterpret_cast<const uint4*>(at) + i);
+  for (unsigned i = 0; i < sizeof(Record) / sizeof(Part); ++i)
+    copy.parts[i] = load(reinterpret_cast<const Part*>(at) + i);
   return copy.record;
+}
+#endif
+
+// The record at `at`: on the device in 16-byte loads through the cache for what doesn't change.
+template <class Record>
+MASU_HD inline Record fetched(const Record* at) {
+#ifdef __CUDA_ARCH__
+  return read_in_parts<uint4>(at, [](const uint4* part) { return __ldg(part); });
 #else
   return *at;
 #endif
@@ -28,15 +35,7 @@ MASU_HD inline Record fetched(const Record* at) {
 template <class Record>
 MASU_HD inline Record streamed(const Record* at) {
 #ifdef __CUDA_ARCH__
-  static_assert(sizeof(Record) % sizeof(uint2) == 0 && alignof(Record) >= sizeof(uint2));
-  union {
-    uint2 parts[sizeof(Record) / sizeof(uint2)];
-    Record record;
-  } copy;
-#pragma unroll
-  for (unsigned i = 0; i < sizeof(Record) / sizeof(uint2); ++i)
-    copy.parts[i] = __ldcs(reinterpret_cast<const uint2*>(at) + i);
-  return copy.record;
+  return read_in_parts<uint2>(at, [](const uint2* part) { return __ldcs(part); });
 #else
   return *at;
 #endif

@@ -95,7 +95,8 @@ enum class Question { nearest, blocked };
 // How a GPU goes about its rays: a thread takes one ray through, cell by cell, and its warp's threads wait
 // for each other at every cell; or a warp's threads share out what its rays have to test; or, besides, those
 // that are done take the next ray, and warps that are done take over ways of others
-// (renderer/warp_tracing_cuda.h). The hits are the same.
+// (renderer/warp_tracing_cuda.h), and of rays that mostly miss the scene those that do are answered first
+// (renderer/culling_cuda.h). The hits are the same.
 enum class RayLoop { cells, warp, refill };
 
 // Which loop is fastest, as a rule, for a scene and a grid of so many bytes; coherent: neighbours in the list

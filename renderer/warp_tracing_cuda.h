@@ -2,7 +2,8 @@
 // a warp takes as long as the lane that has most: so what there is to do is shared out among its lanes.
 //
 //  - Tests. Lists of cells differ in length, and many rays are in cells that have none. Where at most half of
-//    the lanes have a list, each list is tested by several lanes at once.
+//    the lanes have a list, each list is tested by several lanes at once; where next to none have, the others
+//    go one step further first.
 //  - Rays. Lanes whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency of Ray
 //    Traversal on GPUs", HPG 2009.
 //  - Ways. Once no ray is left to fetch, the ways that the last rays have still to go are cut into pieces, of
