@@ -27,45 +27,45 @@ struct RealTraits<double> {
 };
 
 // a*b + c, rounded once.
-MASU_HD inline float fused(float a, float b, float c) {
+MASU_SMALL float fused(float a, float b, float c) {
   return std::fma(a, b, c);
 }
-MASU_HD inline double fused(double a, double b, double c) {
+MASU_SMALL double fused(double a, double b, double c) {
   return std::fma(a, b, c);
 }
 
 // a*b - c*d to within 1.5 ulp of the result, whatever cancels, so that its sign is exact short of underflow.
 // Kahan's algorithm; the bound is by Jeannerod, Louvet & Muller, Mathematics of Computation 82(284), 2013.
 template <class Real>
-MASU_HD inline Real difference_of_products(Real a, Real b, Real c, Real d) {
+MASU_SMALL Real difference_of_products(Real a, Real b, Real c, Real d) {
   const Real cd = c * d;
   const Real lost = fused(-c, d, cd);
   return fused(a, b, -cd) + lost;
 }
 
 // A number's bits, and back.
-MASU_HD inline std::uint32_t bits_of(float value) {
+MASU_SMALL std::uint32_t bits_of(float value) {
 #ifdef __CUDA_ARCH__
   return __float_as_uint(value);
 #else
   return std::bit_cast<std::uint32_t>(value);
 #endif
 }
-MASU_HD inline float float_of(std::uint32_t bits) {
+MASU_SMALL float float_of(std::uint32_t bits) {
 #ifdef __CUDA_ARCH__
   return __uint_as_float(bits);
 #else
   return std::bit_cast<float>(bits);
 #endif
 }
-MASU_HD inline std::uint64_t bits_of(double value) {
+MASU_SMALL std::uint64_t bits_of(double value) {
 #ifdef __CUDA_ARCH__
   return static_cast<std::uint64_t>(__double_as_longlong(value));
 #else
   return std::bit_cast<std::uint64_t>(value);
 #endif
 }
-MASU_HD inline double double_of(std::uint64_t bits) {
+MASU_SMALL double double_of(std::uint64_t bits) {
 #ifdef __CUDA_ARCH__
   return __longlong_as_double(static_cast<long long>(bits));
 #else
@@ -77,7 +77,7 @@ MASU_HD inline double double_of(std::uint64_t bits) {
 // once in a hundred thousand to the number beside; beyond, whatever it is, the same on host and device.
 // Without a branch, where the device's own division has a slow path that costs all code around it registers.
 // Newton's iteration, from a guess by the exponent.
-MASU_HD inline float quotient(float a, float b) {
+MASU_SMALL float quotient(float a, float b) {
   const float guess = float_of(0x7ef311c7U - bits_of(b)); // off by up to an eighth
   const float lacks = fused(-b, guess, 1.0F);
   const float better = fused(fused(lacks, lacks, lacks), guess, guess);
@@ -85,32 +85,32 @@ MASU_HD inline float quotient(float a, float b) {
   const float rough = a * inverse;
   return fused(fused(-b, rough, a), inverse, rough);
 }
-MASU_HD inline double quotient(double a, double b) {
+MASU_SMALL double quotient(double a, double b) {
   return a / b;
 }
 
 // The smaller and the larger of two numbers, spelled out so that host and device agree on NaN: it never wins
 // over `b`.
 template <class T>
-MASU_HD inline T smaller(T a, T b) {
+MASU_SMALL T smaller(T a, T b) {
   return a < b ? a : b;
 }
 template <class T>
-MASU_HD inline T larger(T a, T b) {
+MASU_SMALL T larger(T a, T b) {
   return a > b ? a : b;
 }
 
 // 1 / v for |v| up to 2^125, never infinite, so that no product with a distance of 0 is NaN: where it would
 // be, the largest number, of either sign.
 template <class Real>
-MASU_HD inline Real finite_inverse(Real v) {
+MASU_SMALL Real finite_inverse(Real v) {
   constexpr Real largest = RealTraits<Real>::largest;
   return smaller(larger(quotient(Real(1), v), -largest), largest); // of 0 the quotient is NaN
 }
 
 // Rounded towards zero; beyond 2^30, where nothing here depends on it, to a number as large or
 // larger; NaN to 0 (as the device's own conversion has it).
-MASU_HD inline std::int32_t truncated(float v) {
+MASU_SMALL std::int32_t truncated(float v) {
 #ifdef __CUDA_ARCH__
   return __float2int_rz(v);
 #else
@@ -118,7 +118,7 @@ MASU_HD inline std::int32_t truncated(float v) {
   return v != v ? 0 : static_cast<std::int32_t>(v < -most ? -most : v > most ? most : v);
 #endif
 }
-MASU_HD inline std::int32_t truncated(double v) {
+MASU_SMALL std::int32_t truncated(double v) {
 #ifdef __CUDA_ARCH__
   return __double2int_rz(v);
 #else
@@ -128,7 +128,7 @@ MASU_HD inline std::int32_t truncated(double v) {
 }
 
 // 2^-e for a number of magnitude 2^e to 2^(e+1); the nearest power that is a normal number.
-MASU_HD inline float inverse_power_of_two(float magnitude) {
+MASU_SMALL float inverse_power_of_two(float magnitude) {
   const auto exponent = static_cast<std::int32_t>(bits_of(magnitude) >> 23 & 0xff);
   return float_of(static_cast<std::uint32_t>(254 - (exponent < 1     ? 1
                                                     : exponent > 253 ? 253
@@ -136,31 +136,31 @@ MASU_HD inline float inverse_power_of_two(float magnitude) {
                   << 23);
 }
 
-MASU_HD inline double inverse_power_of_two(double magnitude) {
+MASU_SMALL double inverse_power_of_two(double magnitude) {
   const auto exponent = static_cast<std::int64_t>(bits_of(magnitude) >> 52 & 0x7ff);
   const std::int64_t inverse = 2046 - (exponent < 1 ? 1 : exponent > 2045 ? 2045 : exponent);
   return double_of(static_cast<std::uint64_t>(inverse) << 52);
 }
 
 // The least and the greatest of numbers that are never NaN, in one instruction; of -0 and +0 either.
-MASU_HD inline float least(float a, float b) {
+MASU_SMALL float least(float a, float b) {
 #ifdef __CUDA_ARCH__
   return fminf(a, b);
 #else
   return smaller(a, b);
 #endif
 }
-MASU_HD inline float greatest(float a, float b) {
+MASU_SMALL float greatest(float a, float b) {
 #ifdef __CUDA_ARCH__
   return fmaxf(a, b);
 #else
   return larger(a, b);
 #endif
 }
-MASU_HD inline double least(double a, double b) {
+MASU_SMALL double least(double a, double b) {
   return smaller(a, b);
 }
-MASU_HD inline double greatest(double a, double b) {
+MASU_SMALL double greatest(double a, double b) {
   return larger(a, b);
 }
 

@@ -21,8 +21,8 @@ struct EdgeFunctions {
 };
 
 template <class Real>
-MASU_HD inline EdgeFunctions<Real> edge_functions(const RayFrame<Real>& ray, const Vec3<Real>& a,
-                                                  const Vec3<Real>& b, const Vec3<Real>& c) {
+MASU_SMALL EdgeFunctions<Real> edge_functions(const RayFrame<Real>& ray, const Vec3<Real>& a,
+                                              const Vec3<Real>& b, const Vec3<Real>& c) {
   const Real ax = dot(ray.across1, a), ay = dot(ray.across2, a);
   const Real bx = dot(ray.across1, b), by = dot(ray.across2, b);
   const Real cx = dot(ray.across1, c), cy = dot(ray.across2, c);
@@ -33,7 +33,7 @@ MASU_HD inline EdgeFunctions<Real> edge_functions(const RayFrame<Real>& ray, con
 // Whether the ray's line meets the triangle, edges and corners included, from either side; then `t` is where.
 // A triangle seen exactly edge-on isn't met: its neighbours are.
 template <class Real, class Stored>
-MASU_HD inline bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>& triangle, Real& t) {
+MASU_SMALL bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>& triangle, Real& t) {
   const Vec3<Real> a = cast<Real>(triangle.a) - ray.origin;
   const Vec3<Real> b = cast<Real>(triangle.b) - ray.origin;
   const Vec3<Real> c = cast<Real>(triangle.c) - ray.origin;
