@@ -113,7 +113,8 @@ struct RaysRequest {
   int repeat = 1;
   int warm_up = 0; // untimed runs before
   Question question = Question::nearest;
-  RayLoop loop = RayLoop::refill; // always cells where rays are counted or stop by the study's rule
+  // Always cells where rays are counted, stop by the study's rule, or are 2^32 or more.
+  RayLoop loop = RayLoop::refill;
   BeforeTracing before_tracing = [] {};
 };
 

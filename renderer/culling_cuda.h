@@ -1,7 +1,7 @@
 // Rays that miss the scene's bounds, answered before the others are traced (CUDA sources only).
 //
 // Where most rays miss, a kernel that traces them mostly waits for rays to fetch. One that only clips them
-// needs few registers, so four times as many are under way, and leaves a list of those that are worth it.
+// needs few registers, so twice as many are under way, and leaves a list of those that are worth it.
 #pragma once
 
 #include "renderer/dispatch.h"
@@ -29,7 +29,7 @@ inline constexpr int rays_a_culling_block = 512;
 
 // Chooses the rays that meet the bounds, and answers the others. `chosen_count` is 0 at first.
 template <Question question, class Real, class Stored>
-__global__ void __launch_bounds__(rays_a_culling_block, 2048 / rays_a_culling_block)
+__global__ void __launch_bounds__(rays_a_culling_block)
     cull_kernel(const SceneView<Stored> scene, const TypedRay<Real>* const rays, const std::uint64_t count,
                 const HitName name, EyeHit* const hits, std::uint32_t* const chosen,
                 std::uint64_t* const chosen_count) {
