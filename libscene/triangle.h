@@ -38,7 +38,8 @@ MASU_SMALL bool intersect(const RayFrame<Real>& ray, const Triangle<Stored>& tri
   const Vec3<Real> b = cast<Real>(triangle.b) - ray.origin;
   const Vec3<Real> c = cast<Real>(triangle.c) - ray.origin;
   const EdgeFunctions<Real> e = edge_functions(ray, a, b, c);
-  const bool outside = (least(e.a, least(e.b, e.c)) < 0) & (greatest(e.a, greatest(e.b, e.c)) > 0);
+  const Real lowest = least(e.a, least(e.b, e.c)), highest = greatest(e.a, greatest(e.b, e.c));
+  const bool outside = (lowest < 0) & (highest > 0);
   const Real sum = e.a + e.b + e.c; // inside all are of one sign, and it cancels nothing
   if (outside | (sum == 0)) return false;
   // A mean of the corners' distances along the ray, each weighted by its share of the sum; which is brought
