@@ -20,7 +20,7 @@ inline constexpr std::size_t references_read_ahead = lanes_a_warp - 1;
 template <class M>
 constexpr int resident_threads_wanted = sizeof(typename M::Real) == 4 ? 1024 : 512;
 
-// Its code is on the device from then on.
+// A kernel's registers and local memory. Its code is on the device from then on, so no launch waits for it.
 template <class Kernel>
 KernelSize kernel_size(Kernel* kernel) {
   cudaFuncAttributes attributes;

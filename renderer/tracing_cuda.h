@@ -162,14 +162,18 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
           const bool culls = often_misses<question, Real>(host_scene, rays);
           const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
           const DeviceArray<std::uint64_t> chosen_count(1);
-          if (culls) list = {list.rays, list.count, chosen.data(), chosen_count.data()};
+          auto* const cull = cull_kernel<question, Real, Stored>;
+          if (culls) {
+            list = {list.rays, list.count, chosen.data(), chosen_count.data()};
+            kernel_size(cull);
+          }
           const auto reset = [&] {
             pool.reset();
             check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint64_t)));
           };
           return timed(kernel, reset, [&] {
             if (culls)
-              cull_kernel<question, Real, Stored><<<blocks_of(rays_a_culling_block), rays_a_culling_block>>>(
+              cull<<<blocks_of(rays_a_culling_block), rays_a_culling_block>>>(
                   scene, list.rays, list.count, name, hits.data(), chosen.data(), chosen_count.data());
             kernel<<<blocks, rays_a_block>>>(scene, grid, list, name, hits.data(), pool.view());
           });
