@@ -116,6 +116,50 @@ void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_
   frame.seconds.download = watch.seconds();
 }
 
+// So many blocks have a thread for each ray.
+inline unsigned blocks_of(int threads, std::size_t rays) {
+  const auto each = static_cast<std::size_t>(threads);
+  return static_cast<unsigned>((rays + each - 1) / each);
+}
+
+// Traces a list of rays by warp or refill (RayLoop). `rays` are those on the device, for a look at them.
+template <Question question, class M, class Stored, class Grid>
+void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>& scene, const Grid& grid,
+                    std::span<const TypedRay<typename M::Real>> rays,
+                    const DeviceArray<TypedRay<typename M::Real>>& device_rays, const RaysRequest& request,
+                    DeviceArray<EyeHit>& hits, RayHits& result) {
+  using Real = typename M::Real;
+  const bool refills = request.loop == RayLoop::refill;
+  auto* const cull = cull_kernel<question, Real, Stored>;
+  auto* const trace = warp_kernel<false, question, OnDevice<M>, Stored, Grid>;
+  auto* const finish = warp_kernel<true, question, OnDevice<M>, Stored, Grid>;
+  const unsigned blocks =
+                     std::min(blocks_of(rays_a_block, rays.size()), resident_blocks(trace, rays_a_block, 0)),
+                 finishing = std::max(blocks, resident_blocks(finish, rays_a_block, 0));
+  const LeftRaysMemory<Real> left(blocks * (rays_a_block / lanes_a_warp));
+  const bool culls = refills && often_misses<question, Real>(host_scene, rays);
+  const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
+  const DeviceArray<std::uint64_t> chosen_count(1);
+  RayList<Real> list{device_rays.data(), rays.size(), nullptr, nullptr};
+  if (culls) list = {list.rays, list.count, chosen.data(), chosen_count.data()};
+  kernel_size(cull);
+  kernel_size(finish);
+  result.kernel = kernel_size(trace);
+  const auto reset = [&] {
+    left.reset();
+    check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint64_t)));
+  };
+  result.seconds.trace = timed_launches(request.warm_up, request.repeat, reset, [&] {
+    const HitName name = request.hit_name;
+    if (culls)
+      cull<<<blocks_of(rays_a_culling_block, rays.size()), rays_a_culling_block>>>(
+          scene, list.rays, list.count, name, hits.data(), chosen.data(), chosen_count.data());
+    trace<<<blocks, rays_a_block>>>(scene, grid, list, refills ? lanes_to_refill : lanes_a_warp, name,
+                                    hits.data(), left.view());
+    finish<<<finishing, rays_a_block>>>(scene, grid, list, lanes_a_warp, name, hits.data(), left.view());
+  });
+}
+
 template <class TestRay, class Stored>
 void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_grid,
                      const RaysRequest& request, RayHits& result) {
@@ -135,57 +179,19 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
     using Accelerator = std::decay_t<decltype(grid)>;
     with_question(request.question, [&]<Question question>(Asked<question>) {
       const auto& scene = device.scene.view;
-      const HitName name = request.hit_name;
-      const auto timed = [&](auto* kernel, const auto& before, const auto& launch) {
-        result.kernel = kernel_size(kernel);
-        result.seconds.trace = timed_launches(request.warm_up, request.repeat, before, launch);
-      };
-      const auto blocks_of = [&](int threads) {
-        return static_cast<unsigned>((rays.size() + static_cast<unsigned>(threads) - 1) /
-                                     static_cast<unsigned>(threads));
-      };
-      const unsigned all_blocks = blocks_of(rays_a_block);
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
                     M::stop == StopRule::proven) {
-        RayList<Real> list{device_rays.data(), rays.size(), nullptr, nullptr};
-        const bool numbered = rays.size() <= most_rays_by_warps;
-        if (request.loop == RayLoop::warp && numbered) {
-          auto* const kernel = warp_kernel<false, question, OnDevice<M>, Stored, Accelerator>;
-          return timed(
-              kernel, [] {},
-              [&] { kernel<<<all_blocks, rays_a_block>>>(scene, grid, list, name, hits.data(), WayPool{}); });
-        }
-        if (request.loop == RayLoop::refill && numbered) {
-          auto* const kernel = warp_kernel<true, question, OnDevice<M>, Stored, Accelerator>;
-          const unsigned blocks = std::min(all_blocks, resident_blocks(kernel, rays_a_block, 0));
-          const WayPoolMemory pool(blocks, rays_a_block / lanes_a_warp);
-          const bool culls = often_misses<question, Real>(host_scene, rays);
-          const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
-          const DeviceArray<std::uint64_t> chosen_count(1);
-          auto* const cull = cull_kernel<question, Real, Stored>;
-          if (culls) {
-            list = {list.rays, list.count, chosen.data(), chosen_count.data()};
-            kernel_size(cull);
-          }
-          const auto reset = [&] {
-            pool.reset();
-            check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint64_t)));
-          };
-          return timed(kernel, reset, [&] {
-            if (culls)
-              cull<<<blocks_of(rays_a_culling_block), rays_a_culling_block>>>(
-                  scene, list.rays, list.count, name, hits.data(), chosen.data(), chosen_count.data());
-            kernel<<<blocks, rays_a_block>>>(scene, grid, list, name, hits.data(), pool.view());
-          });
-        }
+        if (request.loop != RayLoop::cells && rays.size() <= most_rays_by_warps)
+          return trace_by_warps<question, M>(host_scene, scene, grid, rays, device_rays, request, hits,
+                                             result);
       }
       auto* const kernel = trace_kernel<question, OnDevice<M>, Stored, Accelerator, C>;
-      timed(
-          kernel, [] {},
-          [&] {
-            kernel<<<all_blocks, rays_a_block>>>(scene, grid, device_rays.data(), rays.size(), name,
-                                                 hits.data(), total.data());
-          });
+      result.kernel = kernel_size(kernel);
+      const auto nothing = [] {};
+      result.seconds.trace = timed_launches(request.warm_up, request.repeat, nothing, [&] {
+        kernel<<<blocks_of(rays_a_block, rays.size()), rays_a_block>>>(
+            scene, grid, device_rays.data(), rays.size(), request.hit_name, hits.data(), total.data());
+      });
     });
   });
   watch = Stopwatch();

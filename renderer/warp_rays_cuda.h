@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/walk.h"
-#include "renderer/way_pool_cuda.h"
+#include "renderer/kernel_cuda.h"
 
 namespace masu {
 
@@ -16,11 +16,18 @@ __device__ inline int lanes_log2_for_each(int having) {
 
 inline constexpr std::uint64_t most_rays_by_warps = 0xffffffff; // so many have a number of 32 bits
 
+// A hit in the order of is_nearer: t is not negative, so its bits rise with it.
+__device__ inline std::uint64_t hit_key(const Hit<float>& hit) {
+  return std::uint64_t{__float_as_uint(hit.t)} << 32 | hit.primitive;
+}
+__device__ inline Hit<float> hit_of(std::uint64_t key) {
+  return {__uint_as_float(static_cast<std::uint32_t>(key >> 32)), static_cast<PrimitiveIndex>(key)};
+}
+
 // What is needed of a ray when it is begun and ended.
 template <class Real>
 struct RayEnds {
   Real scale, skipped, t_max;
-  std::uint32_t shared; // as which of the pool's rays, or not_shared
   std::uint32_t number; // in the list
 };
 
@@ -132,25 +139,6 @@ __device__ inline void cut_ways(const Grid& grid, unsigned under_way, WarpRays<T
   }
   if (piece + 1 < 1 << log2) own.end = fused(step, static_cast<Real>(piece + 1), from);
   if (piece > 0) walk.begin_at(grid, fused(step, static_cast<Real>(piece), from));
-}
-
-// Gives pieces of the ways under way to other warps.
-template <class TestRay, class Grid>
-__device__ inline void give_ways(const Grid& grid, const WayPool& pool, bool has_ray, WarpRays<TestRay>& rays,
-                                 LaneWalk<float, Grid>& own) {
-  const unsigned lane = threadIdx.x % lanes_a_warp;
-  if (has_ray && rays.ends[lane].shared == not_shared) {
-    const std::uint32_t thread = blockIdx.x * blockDim.x + threadIdx.x;
-    pool.rays[thread] = {rays.ends[lane].number, hit_key(rays.nearest[lane].get()), 1};
-    rays.ends[lane].shared = thread;
-  }
-  __syncwarp();
-  const float from = own.walk.exit, step = own.piece_length(grid, rays, pieces_of_given_way);
-  const bool gives = own.under_way && own.is_worth_while(step);
-  const unsigned givers = __ballot_sync(all_lanes, gives);
-  if (givers == 0) return;
-  give_ways(pool, givers, rays.ends[own.ray].shared, from, step, own.end);
-  if (gives) own.end = from + step;
 }
 
 } // namespace masu

@@ -5,16 +5,16 @@
 //    the lanes have a list, each list is tested by several lanes at once; where next to none have, the others
 //    go one step further first.
 //  - Rays. Lanes whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency of Ray
-//    Traversal on GPUs", HPG 2009.
-//  - Ways. Once no ray is left to fetch, the ways that the last rays have still to go are cut into pieces, of
-//    which each is walked by a lane of its own: of the same warp, or while most lanes are busy, of others
-//    that have run out (renderer/way_pool_cuda.h).
+//    Traversal on GPUs", HPG 2009: soon where rays side by side have little in common, else all at once.
+//  - Ways. The last rays are dealt out to all warps (renderer/left_rays_cuda.h), and the ways that they have
+//    still to go are cut into pieces, of which each is walked by a lane of its own.
 //
 // None of it shows: which hit is nearest, ties included, depends neither on the order of tests nor on who
 // makes them, and a walk may begin anywhere on the ray's way (libgrid/walk.h).
 #pragma once
 
 #include "renderer/culling_cuda.h"
+#include "renderer/left_rays_cuda.h"
 #include "renderer/warp_rays_cuda.h"
 
 namespace masu {
@@ -71,110 +71,99 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
   }
 }
 
-// A ray for a lane to begin, or a piece of a shared one's way.
-struct Begun {
-  bool any;
-  std::uint64_t number; // of the ray in the list
-  PooledWay way;        // the whole way, where its ray is not_shared
-};
+// How often a warp looks up from its rays, in turns: it watches the others' progress when it has not fetched
+// any for a while; and it divides the ways that are left.
+inline constexpr int watches_after = 6, divides_every = 2;
 
-// A block's warps trace rays: its own, or if it `refills`, as many as there are; then it needs the pool. M:
-// with StopRule::proven.
-template <bool refills, Question question, class M, class Stored, class Grid>
+// Where fewer lanes found a list, the others first go one step further.
+inline constexpr int few_lists = 6;
+
+// So many lanes fetch rays at once where these have little in common: as it pays to stop for it.
+inline constexpr int lanes_to_refill = 12;
+
+// The first kernel of two traces rays of the list: whenever so many lanes are idle, `fetches_at`, they fetch
+// the next ones. It leaves some, which the second one `finishes`. M: with StopRule::proven.
+template <bool finishes, Question question, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayList<typename M::Real> list,
-                const HitName name, EyeHit* const hits, const WayPool pool) {
+                const int fetches_at, const HitName name, EyeHit* const hits,
+                const LeftRays<typename M::Real> left) {
   static_assert(M::stop == StopRule::proven);
   using Real = typename M::Real;
-  // So many lanes fetch at once, so that it pays to stop for it; and so often ways are divided, in turns.
-  constexpr int enough = refills ? 12 : lanes_a_warp, divided_every = 2, few_lists = 6;
-  constexpr bool shares = refills && sizeof(Real) == sizeof(float); // as SharedRay needs it
-  __shared__ WarpRays<typename M::TestRay> block_rays[rays_a_block / lanes_a_warp];
-  WarpRays<typename M::TestRay>& rays = block_rays[threadIdx.x / lanes_a_warp];
-  const unsigned lane = threadIdx.x % lanes_a_warp;
+  constexpr unsigned warps_a_block = rays_a_block / lanes_a_warp;
+  __shared__ WarpRays<typename M::TestRay> block_rays[warps_a_block];
+  const unsigned warp = threadIdx.x / lanes_a_warp, lane = threadIdx.x % lanes_a_warp;
+  WarpRays<typename M::TestRay>& rays = block_rays[warp];
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
-  LaneWalk<Real, Grid> own{{}, 0, lane, false};
-  bool more = true, has_ray = false, own_rays = true;
+  LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
+  bool has_ray = false, more = !finishes, own_rays = true;
   int turn = 0;
-  PoolWatch watch;
-  const std::uint64_t count = list.size();
-  if constexpr (shares) start(pool);
+  ProgressWatch watch;
+  const auto begin = [&](std::uint32_t number) {
+    const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + number));
+    has_ray = true;
+    own.under_way = meets;
+    rays.ends[lane] = {scale, near.skipped, near.ray.t_max, number};
+    rays.nearest[lane].set({near.ray.t_max, 0});
+    if (!meets) return;
+    prepare(rays.tests[lane], near.ray.origin, near.ray.direction);
+    own.walk = Walk<Real, Grid>(grid, near);
+  };
   const auto tell = [&] {
+    if (!has_ray) return;
     const RayEnds<Real>& ends = rays.ends[lane];
     hits[ends.number] =
         answer<question>(scene, rays.nearest[lane].get(), ends.t_max, ends.skipped, ends.scale, name);
+    has_ray = false;
   };
+  const auto lanes_below = [&](unsigned lanes) {
+    return static_cast<unsigned>(__popc(lanes & ((1U << lane) - 1)));
+  };
+  if constexpr (finishes) {
+    const unsigned at = (lane * gridDim.x + blockIdx.x) * warps_a_block + warp;
+    if (at < left.progress->left) {
+      const LeftRay<Real> ray = left.rays[at];
+      begin(ray.number);
+      rays.nearest[lane].set(ray.nearest);
+      own.walk.begin_at(grid, ray.from);
+    }
+  }
   for (;;) {
     const unsigned idle = __ballot_sync(all_lanes, !own.under_way);
-    const bool fetches = more && __popc(idle) >= enough;
-    if (fetches || idle == all_lanes) {
-      Begun next{false, 0, {not_shared, 0, 0}};
-      if (fetches) {
-        next.number = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
-        more = false;
-        if constexpr (refills) {
-          std::uint64_t first = 0;
-          if (lane == 0)
-            first = DeviceAtomic<std::uint64_t>(pool.state->next_ray)
-                        .fetch_add(static_cast<unsigned>(__popc(idle)), cuda::memory_order_relaxed);
-          first = __shfl_sync(all_lanes, first, 0);
-          more = first + static_cast<unsigned>(__popc(idle)) < count;
-          next.number = first + static_cast<unsigned>(__popc(idle & ((1U << lane) - 1)));
-        }
-        next.any = next.number < count;
-        if (next.any) next.number = list.number(next.number);
-        if (!own.under_way && has_ray) tell();
-      } else {
-        bool told = has_ray;
-        if constexpr (shares) {
-          if (has_ray && rays.ends[lane].shared != not_shared) {
-            Hit<Real> nearest = rays.nearest[lane].get();
-            told = settle(pool.rays[rays.ends[lane].shared], nearest);
-            rays.nearest[lane].set(nearest);
-          }
-        }
-        if (told) tell();
-        if constexpr (!shares) return;
-        WayBundle* const bundle = next_bundle(pool, threadIdx.x < lanes_a_warp);
-        if (bundle == nullptr) return;
-        next.any = take_way(*bundle, next.way);
-        if (next.any) next.number = pool.rays[next.way.ray].number;
-        own_rays = true;
-        own.ray = lane;
-      }
+    if (more && __popc(idle) >= fetches_at) {
+      const std::uint64_t count = list.size(),
+                          number = add_for_warp(left.progress->next_ray, __popc(idle)) + lanes_below(idle);
+      more = __shfl_sync(all_lanes, number, 31 - __clz(idle)) + 1 < count;
       if (!own.under_way) {
-        has_ray = next.any;
-        if (has_ray) {
-          const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + next.number));
-          own.under_way = meets;
-          rays.ends[lane] = {scale, near.skipped, near.ray.t_max, next.way.ray,
-                             static_cast<std::uint32_t>(next.number)};
-          rays.nearest[lane].set({near.ray.t_max, 0});
-          if (own.under_way) {
-            prepare(rays.tests[lane], near.ray.origin, near.ray.direction);
-            own.walk = Walk<Real, Grid>(grid, near);
-            own.end = RealTraits<Real>::largest;
-          }
-          if constexpr (shares) {
-            if (next.way.ray != not_shared) {
-              rays.nearest[lane].set(nearest_of(pool.rays[next.way.ray]));
-              own.walk.begin_at(grid, next.way.from);
-              own.end = next.way.to;
-            }
-          }
-        }
+        tell();
+        if (number < count) begin(static_cast<std::uint32_t>(list.number(number)));
       }
+      turn = 0;
+      watch = {};
       continue;
     }
-    if (refills && !more && ++turn >= divided_every) {
-      turn = 0;
-      if (__popc(idle) >= lanes_a_warp / 2) {
+    if (idle == all_lanes) {
+      tell();
+      if (!finishes) add_for_warp(left.progress->run_out, 1);
+      return;
+    }
+    ++turn;
+    if constexpr (finishes) {
+      if (turn % divides_every == 1 && __popc(idle) >= lanes_a_warp / 2) {
         cut_ways(grid, ~idle, rays, own);
         own_rays = false;
-      } else if constexpr (shares) {
-        if (watch.enough_waited(pool)) give_ways(grid, pool, has_ray, rays, own);
-        watch.ask(pool);
       }
+    } else if (turn >= watches_after) {
+      if (watch.enough_run_out(left)) {
+        const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + lanes_below(~idle);
+        if (own.under_way) {
+          left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
+        } else {
+          tell();
+        }
+        return;
+      }
+      watch.ask(*left.progress);
     }
     const auto go_on = [&] {
       const bool answered =

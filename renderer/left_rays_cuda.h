@@ -1,0 +1,83 @@
+// Rays that a kernel leaves to the next one (CUDA sources only).
+//
+// Of rays that are worked off in the order of a list, those that graze a surface take many times as long as
+// most, and they lie side by side: the last few warps would keep the others waiting for as long as all the
+// rest took. So once half of the warps have run out of rays, the others leave theirs, and a second kernel
+// deals them out to all warps evenly: few to each, so that most of its lanes can help.
+#pragma once
+
+#include "renderer/kernel_cuda.h"
+
+#include <cuda/atomic>
+
+namespace masu {
+
+// A ray that was followed to t = from.
+template <class Real>
+struct LeftRay {
+  Hit<Real> nearest; // so far
+  Real from;
+  std::uint32_t number; // in the list
+};
+
+// What a kernel's warps tell each other. All 0 at first.
+struct WarpProgress {
+  std::uint64_t next_ray; // that no warp has fetched yet
+  std::uint32_t run_out;  // warps that have no ray any more
+  std::uint32_t left;     // rays
+};
+
+template <class Real>
+struct LeftRays {
+  WarpProgress* progress;
+  LeftRay<Real>* rays;  // room for one a thread
+  std::uint32_t enough; // warps must have run out for others to leave their rays
+};
+
+// Owns what a kernel of so many warps leaves.
+template <class Real>
+class LeftRaysMemory {
+public:
+  explicit LeftRaysMemory(std::uint32_t warps)
+      : warps_(warps), progress_(1), rays_(std::size_t{warps} * lanes_a_warp) {}
+  // Before each start.
+  void reset() const { check(cudaMemsetAsync(progress_.data(), 0, sizeof(WarpProgress))); }
+  LeftRays<Real> view() const { return {progress_.data(), rays_.data(), (warps_ + 1) / 2}; }
+
+private:
+  std::uint32_t warps_;
+  DeviceArray<WarpProgress> progress_;
+  DeviceArray<LeftRay<Real>> rays_;
+};
+
+template <class T>
+using DeviceAtomic = cuda::atomic_ref<T, cuda::thread_scope_device>;
+
+// Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
+template <class T>
+__device__ inline T add_for_warp(T& sum, int added) {
+  T before = 0;
+  if (threadIdx.x % lanes_a_warp == 0)
+    before = DeviceAtomic<T>(sum).fetch_add(static_cast<T>(added), cuda::memory_order_relaxed);
+  return __shfl_sync(all_lanes, before, 0);
+}
+
+// Lane 0's view of how many warps have run out, a turn old: what is asked for now has come when it is looked
+// at next.
+class ProgressWatch {
+public:
+  // Whether enough had when ask() was called last. For all lanes of a warp.
+  template <class Real>
+  __device__ bool enough_run_out(const LeftRays<Real>& left) const {
+    return __shfl_sync(all_lanes, run_out_ >= left.enough, 0);
+  }
+  __device__ void ask(WarpProgress& progress) {
+    if (threadIdx.x % lanes_a_warp == 0)
+      run_out_ = DeviceAtomic<std::uint32_t>(progress.run_out).load(cuda::memory_order_relaxed);
+  }
+
+private:
+  std::uint32_t run_out_ = 0;
+};
+
+} // namespace masu
