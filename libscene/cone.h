@@ -36,8 +36,9 @@ MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
   return cone.base_radius < 0 || cone.apex_radius < 0;
 }
 
-// Whether the ray meets the side at a t > 0; then `t` is the first such place.
-template <class Real, class Stored>
+// Whether the ray meets the side at a t > 0; then `t` is the first such place. A cone that doesn't taper, a
+// cylinder, takes less.
+template <bool may_taper = true, class Real, class Stored>
 MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone, Real& t) {
   const Vec3<Real> whole = cast<Real>(cone.apex) - cast<Real>(cone.base);
   const Vec3<Real> origin = ray.origin - cast<Real>(cone.base);
@@ -57,35 +58,45 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
   const Real square = dot(axis, axis);
   const Vec3<Real> beside = rough_cross(origin, axis);
   const Real parting = dot(beside, turn);
-  if (parting >= 0 && dot(beside, beside) > widest * widest * square) return false;
+  const bool leaves = (parting >= 0) & (dot(beside, beside) > widest * widest * square);
   constexpr Real roundings = 64 * RealTraits<Real>::unit_roundoff;
   const Vec3<Real> from_middle = fused(whole, Real(-0.5), origin);
   const Vec3<Real> past =
       fused(ray.direction, -(dot(from_middle, ray.direction) * ray.inverse_square), from_middle);
   const Real ball = fused(widest, widest, dot(whole, whole) / 4);
-  if (dot(past, past) > fused(roundings * roundings, dot(from_middle, from_middle), ball + ball / 256))
-    return false;
-
-  const Real unit = inverse_power_of_two(greatest(longest, widest));
-  const Vec3<Real> from_base = origin * unit;
-  const Real base_radius = base * unit, growth = apex * unit - base_radius;
+  const bool passes =
+      dot(past, past) > fused(roundings * roundings, dot(from_middle, from_middle), ball + ball / 256);
+  if (leaves | passes) return false;
 
   // At t the height along the axis is z + t dz, from 0 (base) to `top` (apex); the distance ρ from the axis
   // is |from_base × axis + t turn| / |axis|, and the cone's radius R is (r + t dr) / rise. What R grows by
-  // over the height, and that height, are brought to size together.
-  const Real top = dot(whole, axis) * unit;
-  const Real size = inverse_power_of_two(greatest(top, std::abs(growth)));
-  const Real rise = top * size, widening = growth * size, rise_square = rise * rise;
+  // over the height, and that height, are brought to size together. A cylinder's doesn't grow, and `rise` is
+  // 1: then the code for cones computes the same bits as that for cylinders alone.
+  const Real unit = inverse_power_of_two(greatest(longest, widest));
+  const Vec3<Real> from_base = origin * unit;
+  const Real base_radius = base * unit, top = dot(whole, axis) * unit;
   const Real z = dot(from_base, axis), dz = dot(ray.direction, axis);
-  const Real base_rise = base_radius * rise, turn_rise = turn_square * rise_square;
-  const Real r = fused(widening, z, base_rise), dr = widening * dz, dr_square = square * dr;
+  Real rise_square = 1, base_rise = base_radius, turn_rise = turn_square;
+  Real widening = 0, dr = 0, dr_square = 0;
+  Real bend = turn_square, pull = parting * unit;
+  if constexpr (may_taper) {
+    const Real growth = apex * unit - base_radius;
+    const Real size = inverse_power_of_two(greatest(top, std::abs(growth)));
+    const Real rise = growth != 0 ? top * size : 1;
+    rise_square = rise * rise;
+    base_rise = base_radius * rise;
+    turn_rise = turn_square * rise_square;
+    widening = growth * size;
+    dr = widening * dz;
+    dr_square = square * dr;
+    bend = fused(dr_square, dr, turn_rise);
+    pull = fused(dr_square, fused(widening, z, base_rise), rise_square * pull);
+  }
 
   // Where ρ² + R² is least between the ends, give or take a rounding of heights: where it is least anywhere,
   // which is pull / bend before t = 0, or else at the nearer end.
   const Real distance = sum_of_magnitudes(from_base);
   const Real middle = top / 2, within = fused(roundings, distance + top, middle);
-  const Real bend = fused(dr_square, dr, turn_rise);
-  const Real pull = fused(dr_square, r, rise_square * (parting * unit));
   const Real above_middle = fused(z - middle, bend, -(pull * dz)); // times bend
   const bool beyond = std::abs(above_middle) > within * bend;
   const Real start =
@@ -95,26 +106,31 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
   // component) and √2 times its radius.
   const Real reach = Real(1.5) * fused(2 * longest + widest, unit, distance);
   const Real speed = largest_magnitude(ray.direction);
-  if (!(std::abs(start) * speed <= reach)) return false;
 
   // From there, a s² + 2 b s + c = 0.
   const Vec3<Real> there = fused(ray.direction, start, from_base);
   const Vec3<Real> off = rough_cross(there, axis);
-  const Real height = dot(there, axis), radius = fused(widening, height, base_rise);
-  const Real a = fused(-dr_square, dr, turn_rise),
-             b = fused(-radius, dr_square, rise_square * dot(off, turn)),
-             c = fused(-square * radius, radius, rise_square * dot(off, off));
+  const Real height = dot(there, axis);
+  Real radius = base_radius, a = turn_square, b = dot(off, turn), c = dot(off, off);
+  if constexpr (may_taper) {
+    radius = fused(widening, height, base_rise);
+    a = fused(-dr_square, dr, turn_rise);
+    b = fused(-radius, dr_square, rise_square * b);
+    c = rise_square * c;
+  }
+  c = fused(-square * radius, radius, c);
   const Real discriminant = fused(b, b, -(a * c));
-  if (!(discriminant >= 0)) return false;
-  const Real root = std::copysign(std::sqrt(discriminant), b);
+  if (!((discriminant >= 0) & (std::abs(start) * speed <= reach))) return false;
+  const Real magnitude = std::sqrt(discriminant);
+  const Real root = b < 0 ? -magnitude : magnitude; // as for 0, so for -0
   const Real q = -(b + root);
 
   // A flat cone's ends are told apart by their radii, of which the quadratic knows the squares: rounding may
   // leave more of a height than it is high.
-  const bool flat = widening * widening * square > rise_square;
+  const bool flat = may_taper && widening * widening * square > rise_square;
   const auto shows = [&](Real step) {
     const Real at = start + step, up = fused(step, dz, height);
-    bool between = up >= 0 && up <= top;
+    bool between = (up >= 0) & (up <= top);
     if (flat) {
       const Vec3<Real> out = fused(turn, step, off);
       const Real rho_square = dot(out, out); // times |axis|²
@@ -122,7 +138,7 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
       between = std::abs(up - middle) <= within && fused(step, dr, radius) >= 0 &&
                 rho_square >= narrow * narrow * square && rho_square <= wide * wide * square;
     }
-    return at > 0 && at * speed <= reach && between;
+    return (at > 0) & (at * speed <= reach) & between;
   };
   // The roots are q / a and c / q, tried as they come along the ray. It leaves the solid where a s + b > 0,
   // which is -root after the one and root after the other.

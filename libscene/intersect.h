@@ -11,8 +11,9 @@
 
 namespace masu {
 
-// A set of primitive kinds.
-inline constexpr unsigned with_triangles = 1, with_spheres = 2, with_cones = 4, with_all_kinds = 7;
+// A set of primitive kinds. Cylinders are cones; with_tapers: there are cones that aren't cylinders.
+inline constexpr unsigned with_triangles = 1, with_spheres = 2, with_cones = 4, with_tapers = 8,
+                          with_all_kinds = 15;
 
 // Whether the ray meets the primitive at a t > 0, and where. `counts` is told which test was run. What kind
 // of ray it is says by which formulas.
@@ -34,7 +35,8 @@ MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray
   }
   if constexpr ((kinds & with_cones) != 0) {
     counts.cone_test();
-    return intersect(ray, fetched(scene.cones + (sphere - scene.sphere_count)), t);
+    return intersect<(kinds & with_tapers) != 0>(ray, fetched(scene.cones + (sphere - scene.sphere_count)),
+                                                 t);
   }
   return false;
 }

@@ -69,6 +69,11 @@ struct CornerNormals {
   Vec3<Stored> a, b, c;
 };
 
+template <class Stored>
+MASU_HD inline bool tapers(const Cone<Stored>& cone) {
+  return std::abs(cone.base_radius) != std::abs(cone.apex_radius);
+}
+
 static_assert(sizeof(Triangle<float>) == 48 && sizeof(Triangle<double>) == 96);
 static_assert(sizeof(Sphere<float>) == 16 && sizeof(Sphere<double>) == 32);
 static_assert(sizeof(Cone<float>) == 32 && sizeof(Cone<double>) == 64);

@@ -129,11 +129,11 @@ MASU_SMALL std::int32_t truncated(double v) {
 
 // 2^-e for a number of magnitude 2^e to 2^(e+1); the nearest power that is a normal number.
 MASU_SMALL float inverse_power_of_two(float magnitude) {
-  const auto exponent = static_cast<std::int32_t>(bits_of(magnitude) >> 23 & 0xff);
-  return float_of(static_cast<std::uint32_t>(254 - (exponent < 1     ? 1
-                                                    : exponent > 253 ? 253
-                                                                     : exponent))
-                  << 23);
+  constexpr std::int32_t one = 1 << 23; // of the exponent
+  const auto power = static_cast<std::int32_t>(bits_of(magnitude) & 0x7f800000U);
+  return float_of(static_cast<std::uint32_t>(254 * one - (power < one         ? one
+                                                          : power > 253 * one ? 253 * one
+                                                                              : power)));
 }
 
 MASU_SMALL double inverse_power_of_two(double magnitude) {

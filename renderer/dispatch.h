@@ -5,6 +5,9 @@
 #include "renderer/backend.h"
 #include "renderer/render_pixel.h"
 
+#include <algorithm>
+#include <span>
+
 namespace masu {
 
 // A set of kinds as a type.
@@ -17,7 +20,11 @@ struct Kinds {
 // rest too; scenes of doubles are rare.
 template <class Act>
 void with_kinds(const SceneView<float>& scene, const Act& act) {
-  if (scene.cone_count > 0) return act(Kinds<with_all_kinds>{});
+  if (scene.cone_count > 0) {
+    const std::span cones(scene.cones, scene.cone_count);
+    return std::ranges::any_of(cones, tapers<float>) ? act(Kinds<with_all_kinds>{})
+                                                     : act(Kinds<with_all_kinds & ~with_tapers>{});
+  }
   if (scene.sphere_count == 0) return act(Kinds<with_triangles>{});
   if (scene.triangle_count == 0) return act(Kinds<with_spheres>{});
   return act(Kinds<with_triangles | with_spheres>{});

@@ -39,9 +39,9 @@ template <class M>
 struct DeviceMethod {
   using type = M;
 };
-template <StopRule stop>
-struct DeviceMethod<Method<RayFrame<float>, with_all_kinds, stop>> {
-  using type = Method<RayLine<float>, with_all_kinds, stop>;
+template <unsigned kinds, StopRule stop>
+requires((kinds & with_cones) != 0) struct DeviceMethod<Method<RayFrame<float>, kinds, stop>> {
+  using type = Method<RayLine<float>, kinds, stop>;
 };
 template <class M>
 using OnDevice = typename DeviceMethod<M>::type;

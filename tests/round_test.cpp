@@ -86,6 +86,28 @@ TYPED_TEST(RayAndRound, ARayThatPassesBeyondTheEndsMisses) {
   EXPECT_EQ(hits, 0) << first;
 }
 
+// Scenes whose cones are all cylinders are traced by code for these, and any other scene's by that for all
+// cones: an extra cone must not show.
+TYPED_TEST(RayAndRound, ACylinderIsMetTheSameWhereAllConesAre) {
+  using Real = TypeParam;
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  std::int64_t hits = 0;
+  for (std::int64_t i = cases(100'000); i > 0; --i) {
+    Case<Real, Cone<Real>> c = random_case<Real, Cone>(chance, chance.power_of_two(-10, 20));
+    c.primitive.apex_radius = c.primitive.base_radius;
+    RayLine<Real> ray{};
+    prepare(ray, c.origin, c.direction);
+    Real as_cone = 0, as_cylinder = 0;
+    const bool met = intersect<true>(ray, c.primitive, as_cone);
+    ASSERT_EQ(met, intersect<false>(ray, c.primitive, as_cylinder)) << case_described(c);
+    ASSERT_EQ(bits_of(as_cone), bits_of(as_cylinder)) << case_described(c);
+    hits += met ? 1 : 0;
+  }
+  EXPECT_GT(hits, cases(100'000) / 10);
+}
+
 // The scene is clipped to this box, and voxels list the cone by it: no point of the side may lie outside.
 TYPED_TEST(RayAndRound, BoundsHoldTheWholeCone) {
   using Real = TypeParam;
