@@ -138,6 +138,7 @@ void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>
                  finishing = std::max(blocks, resident_blocks(finish, rays_a_block, 0));
   const LeftRaysMemory<Real> left(blocks * (rays_a_block / lanes_a_warp));
   const bool culls = refills && often_misses<question, Real>(host_scene, rays);
+  const Pace pace = culls ? chosen_pace : refills ? refill_pace : warp_pace;
   const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
   const DeviceArray<std::uint64_t> chosen_count(1);
   RayList<Real> list{device_rays.data(), rays.size(), nullptr, nullptr};
@@ -154,9 +155,8 @@ void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>
     if (culls)
       cull<<<blocks_of(rays_a_culling_block, rays.size()), rays_a_culling_block>>>(
           scene, list.rays, list.count, name, hits.data(), chosen.data(), chosen_count.data());
-    trace<<<blocks, rays_a_block>>>(scene, grid, list, refills ? lanes_to_refill : lanes_a_warp, name,
-                                    hits.data(), left.view());
-    finish<<<finishing, rays_a_block>>>(scene, grid, list, lanes_a_warp, name, hits.data(), left.view());
+    trace<<<blocks, rays_a_block>>>(scene, grid, list, pace, name, hits.data(), left.view());
+    finish<<<finishing, rays_a_block>>>(scene, grid, list, finishing_pace, name, hits.data(), left.view());
   });
 }
 

@@ -71,22 +71,26 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
   }
 }
 
-// How often a warp looks up from its rays, in turns: it watches the others' progress when it has not fetched
-// any for a while; and it divides the ways that are left.
-inline constexpr int watches_after = 6, divides_every = 2;
+// When a warp looks up from its rays. Told at run time: the compiler takes loops apart by numbers that it
+// knows, and makes them 3 % slower.
+struct Pace {
+  int fetches_at;  // so many idle lanes fetch rays
+  int looks_after; // so many turns without that it looks at the others' progress, or at ways to be cut
+};
+// Where rays side by side have much in common; where not; where rays were chosen, so that fetching one takes
+// two loads, one after the other; and for the last rays of all these.
+inline constexpr Pace warp_pace{lanes_a_warp, 6}, refill_pace{12, 4}, chosen_pace{16, 4},
+    finishing_pace{lanes_a_warp, 1};
 
 // Where fewer lanes found a list, the others first go one step further.
 inline constexpr int few_lists = 6;
 
-// So many lanes fetch rays at once where these have little in common: as it pays to stop for it.
-inline constexpr int lanes_to_refill = 12;
-
-// The first kernel of two traces rays of the list: whenever so many lanes are idle, `fetches_at`, they fetch
-// the next ones. It leaves some, which the second one `finishes`. M: with StopRule::proven.
+// The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`. M: with
+// StopRule::proven.
 template <bool finishes, Question question, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayList<typename M::Real> list,
-                const int fetches_at, const HitName name, EyeHit* const hits,
+                const Pace pace, const HitName name, EyeHit* const hits,
                 const LeftRays<typename M::Real> left) {
   static_assert(M::stop == StopRule::proven);
   using Real = typename M::Real;
@@ -96,9 +100,10 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   WarpRays<typename M::TestRay>& rays = block_rays[warp];
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
-  bool has_ray = false, more = !finishes, own_rays = true;
+  bool has_ray = false, more = true, own_rays = true;
   int turn = 0;
   ProgressWatch watch;
+  const std::uint64_t count = list.size();
   const auto begin = [&](std::uint32_t number) {
     const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + number));
     has_ray = true;
@@ -130,40 +135,44 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   }
   for (;;) {
     const unsigned idle = __ballot_sync(all_lanes, !own.under_way);
-    if (more && __popc(idle) >= fetches_at) {
-      const std::uint64_t count = list.size(),
-                          number = add_for_warp(left.progress->next_ray, __popc(idle)) + lanes_below(idle);
-      more = __shfl_sync(all_lanes, number, 31 - __clz(idle)) + 1 < count;
-      if (!own.under_way) {
-        tell();
-        if (number < count) begin(static_cast<std::uint32_t>(list.number(number)));
+    if constexpr (!finishes) {
+      if (more && __popc(idle) >= pace.fetches_at) {
+        const std::uint64_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
+                            number = first + lanes_below(idle);
+        more = first + static_cast<unsigned>(__popc(idle)) < count;
+        if (!own.under_way) {
+          tell();
+          if (number < count) begin(static_cast<std::uint32_t>(list.number(number)));
+        }
+        turn = 0;
+        watch = {};
+        continue;
       }
-      turn = 0;
-      watch = {};
-      continue;
     }
     if (idle == all_lanes) {
       tell();
       if (!finishes) add_for_warp(left.progress->run_out, 1);
       return;
     }
-    ++turn;
-    if constexpr (finishes) {
-      if (turn % divides_every == 1 && __popc(idle) >= lanes_a_warp / 2) {
-        cut_ways(grid, ~idle, rays, own);
-        own_rays = false;
-      }
-    } else if (turn >= watches_after) {
-      if (watch.enough_run_out(left)) {
-        const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + lanes_below(~idle);
-        if (own.under_way) {
-          left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
-        } else {
-          tell();
+    if (++turn >= pace.looks_after) {
+      if constexpr (finishes) {
+        turn = 0;
+        if (__popc(idle) >= lanes_a_warp / 2) {
+          cut_ways(grid, ~idle, rays, own);
+          own_rays = false;
         }
-        return;
+      } else {
+        if (watch.enough_run_out(left)) {
+          const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + lanes_below(~idle);
+          if (own.under_way) {
+            left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
+          } else {
+            tell();
+          }
+          return;
+        }
+        watch.ask(*left.progress);
       }
-      watch.ask(*left.progress);
     }
     const auto go_on = [&] {
       const bool answered =
