@@ -169,8 +169,8 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
   }
 }
 
-// Nearly all warps have next to nothing to do while a few have long ways: pieces of which they give away. The
-// many miss the bounds, or cut a corner of them.
+// Nearly all warps have next to nothing to do while a few have long ways: those rays are left to the kernel
+// that finishes. The many miss the bounds, or cut a corner of them.
 TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());

@@ -170,12 +170,11 @@ void add_rays(CLI::App& app) {
   add_backend(rays, settings.backend);
   add_choice(rays, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
              "how the eye's rays follow each other: rows, or tiles of 8x4");
-  rays.add_option("--loop", settings.loops,
-                  "how the GPU goes about it: cells (a thread a ray, cell by cell), warp (32 threads share "
-                  "what their "
-                  "rays have to test), refill (besides, threads that are done take the next ray), or auto "
-                  "(refill for "
-                  "diffuse and random; else warp, or cells while the files are small)")
+  rays.add_option(
+          "--loop", settings.loops,
+          "how the GPU goes about it: cells (a thread a ray, cell by cell), warp (32 threads share "
+          "what their rays have to test), refill (besides, threads that are done take the next ray), or "
+          "auto (refill for diffuse and random; else warp, or cells while the files are small)")
       ->delimiter(',')
       ->check(CLI::IsMember(loop_names()));
   rays.add_option("--precision", settings.precisions,
