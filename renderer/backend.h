@@ -99,13 +99,14 @@ enum class Question { nearest, blocked };
 // to all warps (renderer/left_rays_cuda.h). The hits are the same.
 enum class RayLoop { cells, warp, refill };
 
-// Which loop is fastest, as a rule, for a scene and a grid of so many bytes; coherent: neighbours in the list
-// go the same way. What is mostly in a GPU's nearest caches is there soon, and then sharing costs more than
-// waiting: measured on an H200, up to about 10 MB.
-inline RayLoop usual_loop(bool coherent, std::uint64_t bytes) {
-  constexpr std::uint64_t near = std::uint64_t{10} << 20;
+// Which loop is fastest, as a rule; coherent: neighbours in the list go the same way. What is mostly in a
+// GPU's nearest caches is there soon, and then sharing costs more than waiting: measured on an H200, up to
+// about 10 MB of scene and irregular grid; through other grids, where most steps meet nothing to share, up to
+// 32 MB.
+inline RayLoop usual_loop(bool coherent, const SceneFile& scene, const GridFile& grid) {
   if (!coherent) return RayLoop::refill;
-  return bytes <= near ? RayLoop::cells : RayLoop::warp;
+  const std::uint64_t near = grid.table().merge() == fb::Merge::irregular ? 10 : 32;
+  return scene.bytes() + grid.bytes() <= near << 20 ? RayLoop::cells : RayLoop::warp;
 }
 
 struct RaysRequest {

@@ -53,7 +53,7 @@ std::set<std::string> loop_names() {
 std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
                      const GridFile& grid) {
   if (wanted != "auto") return wanted;
-  const RayLoop usual = usual_loop(set.coherent, scene.bytes() + grid.bytes());
+  const RayLoop usual = usual_loop(set.coherent, scene, grid);
   return std::find_if(all_loops.begin(), all_loops.end(),
                       [&](const auto& loop) { return loop.second == usual; })
       ->first;

@@ -133,7 +133,7 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;
   // On a GPU each set by the loop that suits it.
-  const auto loop = [&](bool coherent) { return usual_loop(coherent, task.scene.bytes() + grid.bytes()); };
+  const auto loop = [&](bool coherent) { return usual_loop(coherent, task.scene, grid); };
   const RayHits primary = trace(task, &grid, rules, task.primary, loop(true), repeat);
   const RayHits random = trace(task, &grid, rules, task.random, loop(false), repeat);
   const Frame frame = render(task, &grid, rules, repeat);
