@@ -90,7 +90,8 @@ MASU_HD inline ConeHeights cone_heights(const Cone<Stored>& cone) {
           std::abs(static_cast<float>(cone.apex_radius)) - base_radius};
 }
 
-template <bool may_taper = true, class Stored>
+// Whether it may taper is no matter here.
+template <bool = true, class Stored>
 MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, float& t) {
   const ConeHeights c = cone_heights(cone);
   const Vec3f from_base = ray.origin - c.base;

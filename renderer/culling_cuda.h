@@ -7,8 +7,6 @@
 #include "renderer/dispatch.h"
 #include "renderer/kernel_cuda.h"
 
-#include <cuda/atomic>
-
 #include <span>
 
 namespace masu {
@@ -57,13 +55,10 @@ __global__ void __launch_bounds__(rays_a_culling_block)
       warps_rays = sum;
       sum += own;
     }
-    first = cuda::atomic_ref<std::uint64_t, cuda::thread_scope_device>(*chosen_count)
-                .fetch_add(sum, cuda::memory_order_relaxed);
+    first = DeviceAtomic<std::uint64_t>(*chosen_count).fetch_add(sum, cuda::memory_order_relaxed);
   }
   __syncthreads();
-  if (meets)
-    chosen[first + before[warp] + static_cast<unsigned>(__popc(meeting & ((1U << lane) - 1)))] =
-        static_cast<std::uint32_t>(number);
+  if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = static_cast<std::uint32_t>(number);
 }
 
 // Whether so many rays miss the bounds that choosing the others pays: measured on an H200, from 9 of 20 on.

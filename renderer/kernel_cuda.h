@@ -4,6 +4,8 @@
 #include "libscene/device_memory.h"
 #include "renderer/backend.h"
 
+#include <cuda/atomic>
+
 #include <algorithm>
 #include <vector>
 
@@ -11,6 +13,14 @@ namespace masu {
 
 inline constexpr int lanes_a_warp = 32;
 inline constexpr unsigned all_lanes = 0xffffffffU;
+
+// How many of a warp's `lanes`, a bit each, come before `lane`.
+__device__ inline unsigned rank_among(unsigned lanes, unsigned lane) {
+  return static_cast<unsigned>(__popc(lanes & ((1U << lane) - 1)));
+}
+
+template <class T>
+using DeviceAtomic = cuda::atomic_ref<T, cuda::thread_scope_device>;
 
 // A warp may read so many references beyond a list's end, to no effect: their array is longer by them.
 inline constexpr std::size_t references_read_ahead = lanes_a_warp - 1;

@@ -8,8 +8,6 @@
 
 #include "renderer/kernel_cuda.h"
 
-#include <cuda/atomic>
-
 namespace masu {
 
 // A ray that was followed to t = from.
@@ -49,9 +47,6 @@ private:
   DeviceArray<WarpProgress> progress_;
   DeviceArray<LeftRay<Real>> rays_;
 };
-
-template <class T>
-using DeviceAtomic = cuda::atomic_ref<T, cuda::thread_scope_device>;
 
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
 template <class T>

@@ -120,7 +120,7 @@ __device__ inline void cut_ways(const Grid& grid, unsigned under_way, WarpRays<T
   const unsigned lane = threadIdx.x % lanes_a_warp;
   const int ways = __popc(under_way), log2 = lanes_log2_for_each(ways);
   __syncwarp(); // what was shared out before has been read
-  if (own.under_way) rays.shared_out[__popc(under_way & ((1U << lane) - 1))].ray = lane;
+  if (own.under_way) rays.shared_out[rank_among(under_way, lane)].ray = lane;
   __syncwarp();
   const int way = static_cast<int>(lane) >> log2, piece = static_cast<int>(lane) & ((1 << log2) - 1);
   const int source = static_cast<int>(rays.shared_out[way < ways ? way : 0].ray);
