@@ -30,9 +30,10 @@ inline constexpr std::size_t references_read_ahead = lanes_a_warp - 1;
 template <class M>
 constexpr int resident_threads_wanted = sizeof(typename M::Real) == 4 ? 1024 : 512;
 
-// A kernel's registers and local memory. Its code is on the device from then on, so no launch waits for it.
+// Has a kernel's code on the device from now on, so that no launch waits for it, and tells its registers and
+// local memory.
 template <class Kernel>
-KernelSize kernel_size(Kernel* kernel) {
+KernelSize load(Kernel* kernel) {
   cudaFuncAttributes attributes;
   check(cudaFuncGetAttributes(&attributes, kernel));
   return {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};

@@ -20,30 +20,33 @@ struct LeftRay {
 
 // What a kernel's warps tell each other. All 0 at first.
 struct WarpProgress {
+  // Thousands of warps ask at every turn whether to leave their rays: at one place in memory they would queue
+  // up.
+  struct alignas(128) Signal {
+    std::uint32_t given;
+  };
   std::uint64_t next_ray; // that no warp has fetched yet
   std::uint32_t run_out;  // warps that have no ray any more
   std::uint32_t left;     // rays
+  Signal leave[lanes_a_warp];
 };
 
 template <class Real>
 struct LeftRays {
   WarpProgress* progress;
-  LeftRay<Real>* rays;  // room for one a thread
-  std::uint32_t enough; // warps must have run out for others to leave their rays
+  LeftRay<Real>* rays; // room for one a thread
 };
 
 // Owns what a kernel of so many warps leaves.
 template <class Real>
 class LeftRaysMemory {
 public:
-  explicit LeftRaysMemory(std::uint32_t warps)
-      : warps_(warps), progress_(1), rays_(std::size_t{warps} * lanes_a_warp) {}
+  explicit LeftRaysMemory(std::uint32_t warps) : progress_(1), rays_(std::size_t{warps} * lanes_a_warp) {}
   // Before each start.
   void reset() const { check(cudaMemsetAsync(progress_.data(), 0, sizeof(WarpProgress))); }
-  LeftRays<Real> view() const { return {progress_.data(), rays_.data(), (warps_ + 1) / 2}; }
+  LeftRays<Real> view() const { return {progress_.data(), rays_.data()}; }
 
 private:
-  std::uint32_t warps_;
   DeviceArray<WarpProgress> progress_;
   DeviceArray<LeftRay<Real>> rays_;
 };
@@ -57,22 +60,27 @@ __device__ inline T add_for_warp(T& sum, int added) {
   return __shfl_sync(all_lanes, before, 0);
 }
 
-// Lane 0's view of how many warps have run out, a turn old: what is asked for now has come when it is looked
-// at next.
-class ProgressWatch {
+// Told by each of `warps` that has no ray any more: by the one in the middle, the others learn to leave theirs.
+__device__ inline void tell_run_out(WarpProgress& progress, std::uint32_t warps) {
+  if (add_for_warp(progress.run_out, 1) + 1 == (warps + 1) / 2)
+    DeviceAtomic<std::uint32_t>(progress.leave[threadIdx.x % lanes_a_warp].given)
+        .store(1, cuda::memory_order_relaxed);
+}
+
+// Whether a warp is to leave its rays, as lane 0 knew a turn ago: what is asked for now has come when it is
+// looked at next.
+class LeaveWatch {
 public:
-  // Whether enough had when ask() was called last. For all lanes of a warp.
-  template <class Real>
-  __device__ bool enough_run_out(const LeftRays<Real>& left) const {
-    return __shfl_sync(all_lanes, run_out_ >= left.enough, 0);
-  }
+  // As ask() found it last. For all lanes of a warp.
+  __device__ bool leaves() const { return __shfl_sync(all_lanes, given_, 0) != 0; }
   __device__ void ask(WarpProgress& progress) {
     if (threadIdx.x % lanes_a_warp == 0)
-      run_out_ = DeviceAtomic<std::uint32_t>(progress.run_out).load(cuda::memory_order_relaxed);
+      given_ = DeviceAtomic<std::uint32_t>(progress.leave[blockIdx.x % lanes_a_warp].given)
+                   .load(cuda::memory_order_relaxed);
   }
 
 private:
-  std::uint32_t run_out_ = 0;
+  std::uint32_t given_ = 0;
 };
 
 } // namespace masu

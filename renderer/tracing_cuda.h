@@ -102,7 +102,7 @@ void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_
             : std::min(tiles.count, resident_blocks(kernel, tile_side * tile_side, request.workers_each));
     const bool fetch = request.schedule == Schedule::persistent;
     const auto reset = [&] { check(cudaMemsetAsync(next_tile.data(), 0, sizeof(std::uint32_t))); };
-    frame.kernel = kernel_size(kernel);
+    frame.kernel = load(kernel);
     frame.seconds.trace = timed_launches(request.warm_up, request.repeat, reset, [&] {
       kernel<<<frame.workers, dim3(tile_side, tile_side)>>>(
           device.scene.view, grid, rays, request.rules, tiles, request.schedule,
@@ -138,14 +138,14 @@ void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>
                  finishing = std::max(blocks, resident_blocks(finish, rays_a_block, 0));
   const LeftRaysMemory<Real> left(blocks * (rays_a_block / lanes_a_warp));
   const bool culls = refills && often_misses<question, Real>(host_scene, rays);
-  const Pace pace = culls ? chosen_pace : refills ? refill_pace : warp_pace;
+  const int fetches_at = culls ? some_fetch_chosen : refills ? some_fetch : all_fetch;
   const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
   const DeviceArray<std::uint64_t> chosen_count(1);
   RayList<Real> list{device_rays.data(), rays.size(), nullptr, nullptr};
   if (culls) list = {list.rays, list.count, chosen.data(), chosen_count.data()};
-  kernel_size(cull);
-  kernel_size(finish);
-  result.kernel = kernel_size(trace);
+  load(cull);
+  load(finish);
+  result.kernel = load(trace);
   const auto reset = [&] {
     left.reset();
     check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint64_t)));
@@ -155,8 +155,8 @@ void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>
     if (culls)
       cull<<<blocks_of(rays_a_culling_block, rays.size()), rays_a_culling_block>>>(
           scene, list.rays, list.count, name, hits.data(), chosen.data(), chosen_count.data());
-    trace<<<blocks, rays_a_block>>>(scene, grid, list, pace, name, hits.data(), left.view());
-    finish<<<finishing, rays_a_block>>>(scene, grid, list, finishing_pace, name, hits.data(), left.view());
+    trace<<<blocks, rays_a_block>>>(scene, grid, list, fetches_at, name, hits.data(), left.view());
+    finish<<<finishing, rays_a_block>>>(scene, grid, list, fetches_at, name, hits.data(), left.view());
   });
 }
 
@@ -186,7 +186,7 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
                                              result);
       }
       auto* const kernel = trace_kernel<question, OnDevice<M>, Stored, Accelerator, C>;
-      result.kernel = kernel_size(kernel);
+      result.kernel = load(kernel);
       const auto nothing = [] {};
       result.seconds.trace = timed_launches(request.warm_up, request.repeat, nothing, [&] {
         kernel<<<blocks_of(rays_a_block, rays.size()), rays_a_block>>>(

@@ -71,16 +71,10 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
   }
 }
 
-// When a warp looks up from its rays. Told at run time: the compiler takes loops apart by numbers that it
-// knows, and makes them 3 % slower.
-struct Pace {
-  int fetches_at;  // so many idle lanes fetch rays
-  int looks_after; // so many turns without that it looks at the others' progress, or at ways to be cut
-};
-// Where rays side by side have much in common; where not; where rays were chosen, so that fetching one takes
-// two loads, one after the other; and for the last rays of all these.
-inline constexpr Pace warp_pace{lanes_a_warp, 6}, refill_pace{12, 4}, chosen_pace{16, 4},
-    finishing_pace{lanes_a_warp, 1};
+// So many idle lanes fetch rays: where rays side by side have much in common; where not; where rays were
+// chosen, so that fetching one takes two loads, one after the other. Told at run time: the compiler takes
+// loops apart by a number that it knows, and makes them 3 % slower.
+inline constexpr int all_fetch = lanes_a_warp, some_fetch = 12, some_fetch_chosen = 16;
 
 // Where fewer lanes found a list, the others first go one step further.
 inline constexpr int few_lists = 6;
@@ -90,7 +84,7 @@ inline constexpr int few_lists = 6;
 template <bool finishes, Question question, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayList<typename M::Real> list,
-                const Pace pace, const HitName name, EyeHit* const hits,
+                const int fetches_at, const HitName name, EyeHit* const hits,
                 const LeftRays<typename M::Real> left) {
   static_assert(M::stop == StopRule::proven);
   using Real = typename M::Real;
@@ -101,8 +95,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
   bool has_ray = false, more = true, own_rays = true;
-  int turn = 0;
-  ProgressWatch watch;
+  LeaveWatch watch;
   const std::uint64_t count = list.size();
   const auto begin = [&](std::uint32_t number) {
     const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + number));
@@ -121,9 +114,6 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
         answer<question>(scene, rays.nearest[lane].get(), ends.t_max, ends.skipped, ends.scale, name);
     has_ray = false;
   };
-  const auto lanes_below = [&](unsigned lanes) {
-    return static_cast<unsigned>(__popc(lanes & ((1U << lane) - 1)));
-  };
   if constexpr (finishes) {
     const unsigned at = (lane * gridDim.x + blockIdx.x) * warps_a_block + warp;
     if (at < left.progress->left) {
@@ -136,43 +126,38 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   for (;;) {
     const unsigned idle = __ballot_sync(all_lanes, !own.under_way);
     if constexpr (!finishes) {
-      if (more && __popc(idle) >= pace.fetches_at) {
+      if (more && __popc(idle) >= fetches_at) {
         const std::uint64_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
-                            number = first + lanes_below(idle);
+                            number = first + rank_among(idle, lane);
         more = first + static_cast<unsigned>(__popc(idle)) < count;
         if (!own.under_way) {
           tell();
           if (number < count) begin(static_cast<std::uint32_t>(list.number(number)));
         }
-        turn = 0;
-        watch = {};
         continue;
       }
     }
     if (idle == all_lanes) {
       tell();
-      if (!finishes) add_for_warp(left.progress->run_out, 1);
+      if (!finishes) tell_run_out(*left.progress, gridDim.x * warps_a_block);
       return;
     }
-    if (++turn >= pace.looks_after) {
-      if constexpr (finishes) {
-        turn = 0;
-        if (__popc(idle) >= lanes_a_warp / 2) {
-          cut_ways(grid, ~idle, rays, own);
-          own_rays = false;
-        }
-      } else {
-        if (watch.enough_run_out(left)) {
-          const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + lanes_below(~idle);
-          if (own.under_way) {
-            left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
-          } else {
-            tell();
-          }
-          return;
-        }
-        watch.ask(*left.progress);
+    if constexpr (finishes) {
+      if (__popc(idle) >= lanes_a_warp / 2) {
+        cut_ways(grid, ~idle, rays, own);
+        own_rays = false;
       }
+    } else {
+      if (watch.leaves()) {
+        const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + rank_among(~idle, lane);
+        if (own.under_way) {
+          left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
+        } else {
+          tell();
+        }
+        return;
+      }
+      watch.ask(*left.progress);
     }
     const auto go_on = [&] {
       const bool answered =
