@@ -95,7 +95,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
   bool has_ray = false, more = true, own_rays = true;
-  LeaveWatch watch;
+  RunOutWatch run_out;
   const std::uint64_t count = list.size();
   const auto begin = [&](std::uint32_t number) {
     const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + number));
@@ -125,7 +125,20 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   }
   for (;;) {
     const unsigned idle = __ballot_sync(all_lanes, !own.under_way);
-    if constexpr (!finishes) {
+    if constexpr (finishes) {
+      if (idle == all_lanes) return tell();
+      if (__popc(idle) >= lanes_a_warp / 2) {
+        cut_ways(grid, ~idle, rays, own);
+        own_rays = false;
+      }
+    } else {
+      if (run_out.one_has()) {
+        const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + rank_among(~idle, lane);
+        if (!own.under_way) return tell();
+        left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
+        return;
+      }
+      run_out.ask(*left.progress);
       if (more && __popc(idle) >= fetches_at) {
         const std::uint64_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
                             number = first + rank_among(idle, lane);
@@ -136,28 +149,10 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
         }
         continue;
       }
-    }
-    if (idle == all_lanes) {
-      tell();
-      if (!finishes) tell_run_out(*left.progress, gridDim.x * warps_a_block);
-      return;
-    }
-    if constexpr (finishes) {
-      if (__popc(idle) >= lanes_a_warp / 2) {
-        cut_ways(grid, ~idle, rays, own);
-        own_rays = false;
+      if (idle == all_lanes) {
+        RunOutWatch::tell(*left.progress);
+        return tell();
       }
-    } else {
-      if (watch.leaves()) {
-        const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + rank_among(~idle, lane);
-        if (own.under_way) {
-          left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
-        } else {
-          tell();
-        }
-        return;
-      }
-      watch.ask(*left.progress);
     }
     const auto go_on = [&] {
       const bool answered =
