@@ -11,16 +11,19 @@
 
 namespace masu {
 
+// Rays have numbers of 32 bits, and each warp may once ask for more than there are.
+inline constexpr std::uint64_t most_rays_by_warps = 0x7fffffff;
+
 // Rays to be traced: all of them, or those that were chosen.
 template <class Real>
 struct RayList {
   const TypedRay<Real>* rays;
-  std::uint64_t count;
+  std::uint32_t count;
   const std::uint32_t* chosen; // numbers of rays, near their order; null: all are
-  const std::uint64_t* chosen_count;
+  const std::uint32_t* chosen_count;
 
-  __device__ std::uint64_t size() const { return chosen != nullptr ? *chosen_count : count; }
-  __device__ std::uint64_t number(std::uint64_t i) const { return chosen != nullptr ? chosen[i] : i; }
+  __device__ std::uint32_t size() const { return chosen != nullptr ? *chosen_count : count; }
+  __device__ std::uint32_t number(std::uint32_t i) const { return chosen != nullptr ? chosen[i] : i; }
 };
 
 inline constexpr int rays_a_culling_block = 512;
@@ -28,14 +31,14 @@ inline constexpr int rays_a_culling_block = 512;
 // Chooses the rays that meet the bounds, and answers the others. `chosen_count` is 0 at first.
 template <Question question, class Real, class Stored>
 __global__ void __launch_bounds__(rays_a_culling_block)
-    cull_kernel(const SceneView<Stored> scene, const TypedRay<Real>* const rays, const std::uint64_t count,
+    cull_kernel(const SceneView<Stored> scene, const TypedRay<Real>* const rays, const std::uint32_t count,
                 const HitName name, EyeHit* const hits, std::uint32_t* const chosen,
-                std::uint64_t* const chosen_count) {
+                std::uint32_t* const chosen_count) {
   constexpr int warps = rays_a_culling_block / lanes_a_warp;
   __shared__ unsigned before[warps]; // rays chosen by the warps before each
-  __shared__ std::uint64_t first;
+  __shared__ std::uint32_t first;
   const unsigned lane = threadIdx.x % lanes_a_warp, warp = threadIdx.x / lanes_a_warp;
-  const std::uint64_t number = std::uint64_t{blockIdx.x} * rays_a_culling_block + threadIdx.x;
+  const std::uint32_t number = blockIdx.x * rays_a_culling_block + threadIdx.x;
   bool meets = false;
   if (number < count) {
     const ListedNear<Real> ray = clipped<question>(scene, streamed(rays + number));
@@ -55,10 +58,10 @@ __global__ void __launch_bounds__(rays_a_culling_block)
       warps_rays = sum;
       sum += own;
     }
-    first = DeviceAtomic<std::uint64_t>(*chosen_count).fetch_add(sum, cuda::memory_order_relaxed);
+    first = DeviceAtomic<std::uint32_t>(*chosen_count).fetch_add(sum, cuda::memory_order_relaxed);
   }
   __syncthreads();
-  if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = static_cast<std::uint32_t>(number);
+  if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = number;
 }
 
 // Whether so many rays miss the bounds that choosing the others pays: measured on an H200, from 9 of 20 on.

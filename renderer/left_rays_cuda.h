@@ -25,7 +25,7 @@ struct WarpProgress {
   struct alignas(128) Signal {
     std::uint32_t given;
   };
-  std::uint64_t next_ray; // that no warp has fetched yet
+  std::uint32_t next_ray; // that no warp has fetched yet
   std::uint32_t left;     // rays
   Signal run_out[lanes_a_warp];
 };
@@ -51,11 +51,11 @@ private:
 };
 
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
-template <class T>
-__device__ inline T add_for_warp(T& sum, int added) {
-  T before = 0;
+__device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
+  std::uint32_t before = 0;
   if (threadIdx.x % lanes_a_warp == 0)
-    before = DeviceAtomic<T>(sum).fetch_add(static_cast<T>(added), cuda::memory_order_relaxed);
+    before = DeviceAtomic<std::uint32_t>(sum).fetch_add(static_cast<std::uint32_t>(added),
+                                                        cuda::memory_order_relaxed);
   return __shfl_sync(all_lanes, before, 0);
 }
 

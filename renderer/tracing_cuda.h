@@ -140,15 +140,15 @@ void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>
   const bool culls = refills && often_misses<question, Real>(host_scene, rays);
   const int fetches_at = culls ? some_fetch_chosen : refills ? some_fetch : all_fetch;
   const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
-  const DeviceArray<std::uint64_t> chosen_count(1);
-  RayList<Real> list{device_rays.data(), rays.size(), nullptr, nullptr};
+  const DeviceArray<std::uint32_t> chosen_count(1);
+  RayList<Real> list{device_rays.data(), static_cast<std::uint32_t>(rays.size()), nullptr, nullptr};
   if (culls) list = {list.rays, list.count, chosen.data(), chosen_count.data()};
   load(cull);
   load(finish);
   result.kernel = load(trace);
   const auto reset = [&] {
     left.reset();
-    check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint64_t)));
+    check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint32_t)));
   };
   result.seconds.trace = timed_launches(request.warm_up, request.repeat, reset, [&] {
     const HitName name = request.hit_name;

@@ -14,8 +14,6 @@ __device__ inline int lanes_log2_for_each(int having) {
   return having > lanes_a_warp / 2 ? 0 : __clz(having - 1) - 27;
 }
 
-inline constexpr std::uint64_t most_rays_by_warps = 0xffffffff; // so many have a number of 32 bits
-
 // A hit in the order of is_nearer: t is not negative, so its bits rise with it.
 __device__ inline std::uint64_t hit_key(const Hit<float>& hit) {
   return std::uint64_t{__float_as_uint(hit.t)} << 32 | hit.primitive;

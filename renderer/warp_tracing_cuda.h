@@ -96,7 +96,6 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
   bool has_ray = false, more = true, own_rays = true;
   RunOutWatch run_out;
-  const std::uint64_t count = list.size();
   const auto begin = [&](std::uint32_t number) {
     const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + number));
     has_ray = true;
@@ -140,12 +139,13 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
       }
       run_out.ask(*left.progress);
       if (more && __popc(idle) >= fetches_at) {
-        const std::uint64_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
+        const std::uint32_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
                             number = first + rank_among(idle, lane);
+        const std::uint32_t count = list.size(); // known all along it would take up a register
         more = first + static_cast<unsigned>(__popc(idle)) < count;
         if (!own.under_way) {
           tell();
-          if (number < count) begin(static_cast<std::uint32_t>(list.number(number)));
+          if (number < count) begin(list.number(number));
         }
         continue;
       }
