@@ -3,7 +3,7 @@
 // Of rays that are worked off in the order of a list, those that graze a surface take many times as long as
 // most, and they lie side by side: the last few warps would keep the others waiting for as long as all the
 // rest took. So once a warp has run out of rays, the others leave theirs, and a second kernel deals them
-// out to all warps evenly: few to each, so that its idle lanes can help.
+// out to all warps evenly, so that neighbours part and idle lanes can help.
 #pragma once
 
 #include "renderer/kernel_cuda.h"
