@@ -190,7 +190,8 @@ Vec3d read_normal(Lexer& lexer) {
   const Vec3d normal = read_bounded(lexer, syntax_patch);
   const double size = largest_magnitude(normal);
   if (size == 0) fail(lexer.text(), at, "the patch's normal has no length: give it a direction");
-  return size > 1e-12 && size < 1e12 ? normal : normal * (1 / size);
+  if (size > 1e-12 && size < 1e12) return normal;
+  return {normal.x / size, normal.y / size, normal.z / size}; // 1 / size would overflow for the smallest
 }
 
 std::uint64_t read_vertex_count(Lexer& lexer, std::uint64_t numbers_each, const char* syntax) {

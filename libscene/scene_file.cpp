@@ -95,16 +95,8 @@ bool is_held(const Vec3<T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 template <class T>
-bool is_held(const Triangle<T>& t) {
-  return is_held(t.a) && is_held(t.b) && is_held(t.c);
-}
-template <class T>
 bool is_held(const CornerNormals<T>& n) {
   return is_held(n.a) && is_held(n.b) && is_held(n.c);
-}
-template <class T>
-bool is_held(const Sphere<T>& s) {
-  return is_held(s.center) && std::isfinite(s.radius);
 }
 template <class T>
 bool is_held(const Cone<T>& c) {
@@ -169,9 +161,12 @@ void write_stored(const Scene& scene, const std::string& path) {
                             store_name<Stored>, reach_of<Stored>.least, reach_of<Stored>.most,
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
-  const bool lights_held =
-      std::all_of(lights.begin(), lights.end(), [](const auto& light) { return is_held(light); });
-  if (!lights_held)
+  const auto all_held = [](const auto& records) {
+    return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_held(record); });
+  };
+  if (!all_held(normals))
+    throw Error(ErrorCode::input, path, "a corner's normal isn't finite: give it a length near 1");
+  if (!all_held(lights))
     throw Error(ErrorCode::input, path,
                 fmt::format("a light is too far off for {}: move it closer", store_name<Stored>));
   const auto layout = lay_out(sections);
@@ -215,9 +210,18 @@ void write_scene(const Scene& scene, Store store, const std::string& path) {
 
 namespace {
 
-// Every number in the file that is an index must lead somewhere.
+// Bounds that the store's arithmetic can take, or none.
 template <class Stored>
-void check_indices(const SceneView<Stored>& view, std::uint64_t objects, const std::string& path) {
+bool are_possible(const Boxd& box) {
+  return is_empty(box) ? box.min == empty_box<double>().min && box.max == empty_box<double>().max
+                       : reaches_within<Stored>(box);
+}
+
+// Every coordinate must lie within the file's bounds, which are within the store's reach, and every number
+// that is an index must lead somewhere.
+template <class Stored>
+void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::uint64_t objects,
+                      const std::string& path) {
   const auto all = [](std::uint32_t count, const auto& good) {
     return tbb::parallel_reduce(
         tbb::blocked_range<std::uint32_t>(0, count), true,
@@ -231,12 +235,24 @@ void check_indices(const SceneView<Stored>& view, std::uint64_t objects, const s
   const auto surface_good = [&](const Surface& s) {
     return s.material < view.material_count && s.object < objects;
   };
-  const bool held = all(view.triangle_count, [&](std::uint32_t i) { return is_held(view.triangles[i]); }) &&
-                    all(view.normals_count, [&](std::uint32_t i) { return is_held(view.normals[i]); }) &&
-                    all(view.sphere_count, [&](std::uint32_t i) { return is_held(view.spheres[i]); }) &&
-                    all(view.cone_count, [&](std::uint32_t i) { return is_held(view.cones[i]); }) &&
-                    all(view.light_count, [&](std::uint32_t i) { return is_held(view.lights[i]); });
-  if (!held) throw Error(ErrorCode::input, path, "a coordinate isn't a finite number: make the file again");
+  // The bounds are those of the stored numbers: to compare with them needs no rounding.
+  const Box<Stored> corners = cast<Stored>(bounds);
+  const auto within = [&](const auto& box) { return contains(bounds, box.min) && contains(bounds, box.max); };
+  const bool held =
+      all(view.triangle_count,
+          [&](std::uint32_t i) {
+            const auto& t = view.triangles[i];
+            return contains(corners, t.a) && contains(corners, t.b) && contains(corners, t.c);
+          }) &&
+      all(view.normals_count, [&](std::uint32_t i) { return is_held(view.normals[i]); }) &&
+      all(view.sphere_count,
+          [&](std::uint32_t i) { return within(cast<double>(masu::bounds(view.spheres[i]))); }) &&
+      all(view.cone_count,
+          [&](std::uint32_t i) { return is_held(view.cones[i]) && within(masu::bounds(view.cones[i])); }) &&
+      all(view.light_count, [&](std::uint32_t i) { return is_held(view.lights[i]); });
+  if (!held)
+    throw Error(ErrorCode::input, path,
+                "a coordinate isn't a number within the scene's bounds: make the file again");
   const bool good =
       all(view.triangle_count,
           [&](std::uint32_t i) {
@@ -272,7 +288,8 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
             camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
             camera.height() <= 65536 && std::isfinite(camera.hither()) && has_direction(camera),
         "its camera is impossible");
-  check(finite(table_->bounds()->min()) && finite(table_->bounds()->max()), "its bounds aren't finite");
+  check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
+        "its bounds are impossible");
   check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
 
@@ -286,8 +303,8 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
 }
 
 void SceneFile::check_records() const {
-  is_float64() ? check_indices(view<double>(), object_count(), path())
-               : check_indices(view<float>(), object_count(), path());
+  is_float64() ? check_primitives(view<double>(), bounds(), object_count(), path())
+               : check_primitives(view<float>(), bounds(), object_count(), path());
 }
 
 std::uint64_t SceneFile::object_count() const {

@@ -126,6 +126,18 @@ INSTANTIATE_TEST_SUITE_P(
                    [](SceneParts& p) {
                      p.bounds = {{0, 0, 0}, {1, infinity, 1}};
                    }},
+        WrongScene{"BoundsBeyondFloat32",
+                   [](SceneParts& p) {
+                     p.bounds = {{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
+                   }},
+        WrongScene{"BoundsInsideOut",
+                   [](SceneParts& p) {
+                     p.bounds = {{1, -10, -10}, {-1, 10, 10}};
+                   }},
+        WrongScene{"BoundsTooSmall",
+                   [](SceneParts& p) {
+                     p.bounds = {{0, 0, 0}, {1e-3, 1e-3, 1e-3}};
+                   }},
         objects("NoObjects", {0, 0, 0, 0}), objects("FewerObjects", {1, 1, 1, 0}),
         objects("ObjectsBeyond31Bits", {std::uint64_t{1} << 31, 1, 1, 1}),
         objects("ObjectsThatOverflow", {std::uint64_t{1} << 63, std::uint64_t{1} << 63, 4, 0}),
@@ -171,6 +183,13 @@ INSTANTIATE_TEST_SUITE_P(
         lacking("NoConeSurfaces", SceneSection::cone_surfaces),
         triangle("VertexNaN", [](Triangle<float>& r) { r.b.y = std::nanf(""); }),
         triangle("VertexInfinite", [](Triangle<float>& r) { r.c.z = -HUGE_VALF; }),
+        triangle("VertexBeyondTheBounds", [](Triangle<float>& r) { r.a.x = 1e6F; }),
+        triangle("VertexFarBeyond", [](Triangle<float>& r) { r.a.x = -3e38F; }),
+        sphere("CentreBeyondTheBounds", [](Sphere<float>& s) { s.center.z = 1e6F; }),
+        sphere("RadiusBeyondTheBounds", [](Sphere<float>& s) { s.radius = -1e30F; }),
+        cone("ConesEndBeyondTheBounds", [](Cone<float>& c) { c.apex.y = 1e6F; }),
+        cone("ConesRadiusBeyondTheBounds", [](Cone<float>& c) { c.apex_radius = 1e6F; }),
+        cone("ConeWithoutLength", [](Cone<float>& c) { c.apex = c.base; }),
         sphere("CentreNaN", [](Sphere<float>& s) { s.center.x = std::nanf(""); }),
         sphere("CentreInfinite", [](Sphere<float>& s) { s.center.x = HUGE_VALF; }),
         sphere("RadiusNaN", [](Sphere<float>& s) { s.radius = std::nanf(""); }),
