@@ -1,6 +1,5 @@
 // The stability sweeps' rays on the CPU and on the GPU, bit for bit.
 #include "tests/stability/backends.h"
-#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +13,7 @@ TEST_P(StabilityOnGpu, RobustAndDoubleAreTheSameBits) {
   if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was compared: " << why;
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
-  const TemporaryFolder folder;
-  compare_backends(GetParam(), {static_cast<std::size_t>(cases(2000)), seed.value()}, folder.path().string(),
+  compare_backends(GetParam(), {static_cast<std::size_t>(cases(2000)), seed.value()},
                    [](const Difference& difference) {
                      if (difference.way.precision == Precision::fast) return;
                      EXPECT_EQ(difference.differing, 0U)

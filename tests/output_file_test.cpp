@@ -2,6 +2,8 @@
 #include "libscene/output_file.h"
 
 #include "libscene/error.h"
+#include "libscene/memory_file.h"
+#include "libscene/same_file.h"
 #include "tests/temporary_folder.h"
 
 #include <sys/stat.h>
@@ -20,8 +22,9 @@ void put(OutputFile& file, std::string_view text) {
   file.write(text.data(), text.size());
 }
 
-void write_whole(const std::string& path, std::string_view text) {
-  OutputFile file(path);
+void write_whole(const std::string& path, std::string_view text,
+                 UntilCommit until_commit = UntilCommit::unnamed) {
+  OutputFile file(path, until_commit);
   put(file, text);
   file.commit();
 }
@@ -122,9 +125,7 @@ TEST(OutputFile, KilledHalfWayNoNewFileAppears) {
     _exit(0);
   }
   ASSERT_EQ(waitpid(child, nullptr, 0), child);
-  EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_NO_THROW(write_whole(path, "new")); // what the killed one left is in nobody's way
-  EXPECT_EQ(read_text(path), "new");
+  EXPECT_TRUE(folder.listing().empty());
 }
 
 TEST(OutputFile, WhereNoFileCanBeIsAnOutputError) {
@@ -205,12 +206,193 @@ TEST(OutputFile, ASymbolicLinkStaysAndItsTargetIsReplaced) {
   EXPECT_EQ(read_text(folder.file("elsewhere/target")), "new");
 }
 
+TEST(OutputFile, ADanglingLinkStaysAndItsTargetIsMade) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("elsewhere"));
+  std::filesystem::create_symlink("elsewhere/target", folder.file("inner"));
+  std::filesystem::create_symlink("inner", folder.file("outer"));
+  write_whole(folder.file("outer"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("outer")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("inner")));
+  EXPECT_EQ(read_text(folder.file("elsewhere/target")), "new");
+}
+
+TEST(OutputFile, ACircleOfLinksIsAnOutputError) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.file("a"));
+  std::filesystem::create_symlink("a", folder.file("b"));
+  EXPECT_TRUE(fails_as_output(folder.file("a"), [&] { write_whole(folder.file("a"), "new"); }));
+}
+
+TEST(OutputFile, ALongNameIsAName) {
+  const TemporaryFolder folder;
+  for (const std::size_t length : {252U, 255U}) {
+    for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
+      const std::string path = folder.file(std::string(length, 'a'));
+      write_whole(path, "old", until_commit);
+      write_whole(path, "new", until_commit);
+      EXPECT_EQ(read_text(path), "new");
+      std::filesystem::remove(path);
+    }
+  }
+  EXPECT_TRUE(fails_as_output(folder.file(std::string(256, 'a')),
+                              [&] { const OutputFile file(folder.file(std::string(256, 'a'))); }));
+  EXPECT_TRUE(folder.listing().empty());
+}
+
+TEST(OutputFile, UntilItIsCommittedNothingHasAName) {
+  const TemporaryFolder folder;
+  write_text(folder.file("a"), "old");
+  OutputFile replacing(folder.file("a")), creating(folder.file("b"));
+  put(replacing, std::string(100000, 'x'));
+  put(creating, std::string(100000, 'x'));
+  EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
+}
+
+TEST(OutputFile, AReplacedFileKeepsItsPermissions) {
+  const TemporaryFolder folder;
+  for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
+    for (const unsigned mode : {0600U, 0755U, 0666U, 0640U}) {
+      write_text(folder.file("a"), "old");
+      std::filesystem::permissions(folder.file("a"), std::filesystem::perms(mode));
+      write_whole(folder.file("a"), "new", until_commit);
+      EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(), std::filesystem::perms(mode));
+    }
+  }
+}
+
+TEST(OutputFile, TwoWritersOfOneFileDoNotMeet) {
+  const TemporaryFolder folder;
+  for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
+    OutputFile first(folder.file("a"), until_commit), second(folder.file("a"), until_commit);
+    put(first, "first");
+    put(second, "second");
+    first.commit();
+    EXPECT_EQ(read_text(folder.file("a")), "first");
+    second.commit();
+    EXPECT_EQ(read_text(folder.file("a")), "second");
+    EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
+  }
+}
+
+// Names that a file has on its way are known: whoever may write to the folder can put something there first.
+std::string first_temporary_name(const TemporaryFolder& folder, const std::string& name) {
+  const OutputFile file(folder.file(name), UntilCommit::named);
+  for (const std::string& there : folder.listing()) {
+    if (there.starts_with(".masu-")) return folder.file(there);
+  }
+  return {};
+}
+
+TEST(OutputFile, APlantedLinkIsNotFollowed) {
+  const TemporaryFolder folder;
+  const std::string planted = first_temporary_name(folder, "a");
+  ASSERT_FALSE(planted.empty());
+  write_text(folder.file("victim"), "precious");
+  std::filesystem::create_symlink("victim", planted);
+  for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
+    write_text(folder.file("a"), "old");
+    write_whole(folder.file("a"), "new", until_commit);
+    EXPECT_EQ(read_text(folder.file("a")), "new");
+    EXPECT_EQ(read_text(folder.file("victim")), "precious");
+    EXPECT_TRUE(std::filesystem::is_symlink(planted));
+  }
+}
+
+// Runs act in a process of its own, which it must end by that signal.
+void expect_ended_by(int signal, const std::function<void()>& act) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    act();
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+}
+
+TEST(OutputFile, ASignalRemovesWhatHasATemporaryName) {
+  const TemporaryFolder folder;
+  write_text(folder.file("a"), "old");
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    expect_ended_by(signal, [&] {
+      remove_temporary_names_on_signals();
+      OutputFile replacing(folder.file("a"), UntilCommit::named),
+          creating(folder.file("b"), UntilCommit::named);
+      put(replacing, std::string(100000, 'x'));
+      std::raise(signal);
+    });
+    EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
+    EXPECT_EQ(read_text(folder.file("a")), "old");
+  }
+}
+
+TEST(OutputFile, WhatAKilledProcessLeftIsRemovedByTheNextThatWritesTheFile) {
+  const TemporaryFolder folder;
+  for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
+    expect_ended_by(SIGKILL, [&] {
+      OutputFile file(folder.file("a"), UntilCommit::named);
+      put(file, std::string(100000, 'x'));
+      std::raise(SIGKILL);
+    });
+    EXPECT_FALSE(std::filesystem::exists(folder.file("a")));
+    write_text(folder.file("a"), "old");
+    EXPECT_EQ(folder.listing().size(), 2U); // and what was left
+    write_whole(folder.file("a"), "new", until_commit);
+    EXPECT_EQ(read_text(folder.file("a")), "new");
+    EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
+    std::filesystem::remove(folder.file("a"));
+  }
+}
+
+TEST(OutputFile, WhatAnotherProcessIsWritingStays) {
+  const TemporaryFolder folder;
+  OutputFile other(folder.file("a"), UntilCommit::named);
+  put(other, "other");
+  expect_ended_by(SIGKILL, [&] { // in a process of its own, as locks go by processes
+    write_whole(folder.file("a"), "mine", UntilCommit::named);
+    std::raise(SIGKILL);
+  });
+  EXPECT_EQ(read_text(folder.file("a")), "mine");
+  other.commit();
+  EXPECT_EQ(read_text(folder.file("a")), "other");
+}
+
+TEST(OutputFile, AFileWithoutANameIsWrittenDirectly) {
+  const MemoryFile file;
+  write_whole(file.path(), "something long");
+  write_whole(file.path(), "new");
+  EXPECT_EQ(read_text(file.path()), "new");
+}
+
 TEST(OutputFile, NewFilesHaveTheUsualPermissions) {
   const TemporaryFolder folder;
   const mode_t mask = umask(0027);
   write_whole(folder.file("a"), "new");
   umask(mask);
   EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(), std::filesystem::perms(0640));
+}
+
+TEST(SameFile, IsOneByEveryNameAndSpelling) {
+  const TemporaryFolder folder;
+  namespace fs = std::filesystem;
+  fs::create_directory(folder.file("in"));
+  write_text(folder.file("a"), "");
+  write_text(folder.file("b"), "");
+  fs::create_symlink("a", folder.file("link"));
+  fs::create_hard_link(folder.file("a"), folder.file("hard"));
+  fs::create_symlink("new", folder.file("dangling"));
+  fs::create_directory_symlink("in", folder.file("also_in"));
+  for (const char* const name : {"a", "link", "hard", "./a", "in/../a", "also_in/../a"})
+    EXPECT_TRUE(is_same_file(folder.file("a"), folder.file(name))) << name;
+  for (const char* const name : {"new", "dangling", "in/../new"})
+    EXPECT_TRUE(is_same_file(folder.file("new"), folder.file(name))) << name;
+  EXPECT_TRUE(is_same_file(folder.file("in/x"), folder.file("also_in/x")));
+  for (const char* const name : {"b", "new", "dangling", "in", "in/a", "none/a"})
+    EXPECT_FALSE(is_same_file(folder.file("a"), folder.file(name))) << name;
+  EXPECT_FALSE(is_same_file(folder.file("in/new"), folder.file("new")));
+  EXPECT_FALSE(is_same_file("/dev/null", "/dev/null"));
 }
 
 } // namespace

@@ -6,10 +6,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <set>
 
@@ -25,28 +21,6 @@ struct Settings {
   Backend backend = Backend::cpu;
   bool json = false;
   Threads threads;
-};
-
-// Gone with what is in it.
-class Folder {
-public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "gridbench-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw Error(ErrorCode::output, name, "can't be made: set TMPDIR");
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  Folder(Folder&&) = delete;
-  Folder& operator=(Folder&&) = delete;
-  const std::string& path() const { return path_; }
-
-private:
-  std::string path_;
 };
 
 bool wanted(const std::vector<std::string>& list, const std::string& name) {
@@ -75,18 +49,17 @@ void print_row(const Row& row) {
              row.step, row.float64 ? "float64" : "float32", row.way.name, t.rays, share(t.unsure),
              share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
              t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
-  static_cast<void>(std::fflush(stdout));
+  flush_standard_output();
 }
 
 // How many steps on the GPU differ that mustn't.
 std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps, Json& rows) {
-  const Folder folder;
   std::uint64_t bad = 0;
   if (!settings.json)
     fmt::print("\n{:<15} {:>8} {:<7} {:<6} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "by", "rays",
                "differing");
   for (const Sweep& sweep : sweeps) {
-    compare_backends(sweep, settings.run, folder.path(), [&](const Difference& d) {
+    compare_backends(sweep, settings.run, [&](const Difference& d) {
       if (!wanted(settings.precisions, d.way.name)) return;
       bad += d.way.precision != Precision::fast && d.differing > 0 ? 1 : 0;
       rows.push_back({{"sweep", d.sweep},
@@ -134,7 +107,7 @@ void bench_stability(const Settings& settings) {
   const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
   if (settings.json) fmt::print("{}\n", rows.dump(2));
   if (bad == 0) return;
-  static_cast<void>(std::fflush(stdout));
+  flush_standard_output();
   throw Error(ErrorCode::device, "cuda",
               fmt::format("differs from the CPU at {} steps of robust or double: this is a fault", bad));
 }

@@ -5,7 +5,7 @@
 #include "libgrid/trace.h"
 #include "libscene/error.h"
 #include "renderer/counts.h"
-#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/repaired.h"
 
 namespace {
 
@@ -37,7 +37,8 @@ void walk_through(const Grid& grid, std::uint64_t primitives) {
 
 void open_and_walk(std::span<const std::uint8_t> bytes) {
   try {
-    const masu::MemoryFile memory(bytes);
+    const masu::MemoryFile memory;
+    masu::fill(memory, bytes);
     const masu::GridFile file(memory.path());
     const std::uint64_t primitives = file.table().primitives();
     if (file.is_merged()) {

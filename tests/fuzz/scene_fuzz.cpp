@@ -1,13 +1,14 @@
 // Any bytes as a scene file: an Error, or a scene that can be traced. Seeds: files that nff2bin makes.
 #include "libscene/error.h"
-#include "tests/fuzz/memory_file.h"
+#include "tests/fuzz/repaired.h"
 #include "tests/tracing_probe.h"
 
 namespace {
 
 void open_and_trace(std::span<const std::uint8_t> bytes) {
   try {
-    const masu::MemoryFile file(bytes);
+    const masu::MemoryFile file;
+    masu::fill(file, bytes);
     const masu::SceneFile scene(file.path());
     masu::trace_a_little(scene, nullptr);
     for (const masu::Merge merge : {masu::Merge::none, masu::Merge::balance, masu::Merge::irregular})

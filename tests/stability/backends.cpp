@@ -2,6 +2,7 @@
 
 #include "libgrid/division.h"
 #include "libgrid/merge.h"
+#include "libscene/memory_file.h"
 #include "libscene/scene_file.h"
 #include "tests/stability/same_bits.h"
 
@@ -60,17 +61,18 @@ std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<
 }
 
 template <class Stored>
-void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step, const std::string& folder,
+void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
                   const std::function<void(const Difference&)>& tell) {
   constexpr bool float64 = std::is_same_v<Stored, double>;
-  const std::string scene_path = folder + "/stability.scene", grid_path = folder + "/stability.grid";
-  write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_path);
-  const SceneFile scene(scene_path);
+  const MemoryFile scene_file;
+  write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path());
+  const SceneFile scene(scene_file.path());
   for (const Way& way : float64 ? std::vector<Way>{doubled} : std::vector<Way>{fast, robust, doubled}) {
     Difference difference{sweep.name, step, way, float64, trial.rays.size(), 0};
     for (const GridWanted& wanted : trial.grids) {
-      write_built<Stored>(scene, wanted, grid_path);
-      difference.differing += differing(scene, GridFile(grid_path), trial.rays, way.precision);
+      const MemoryFile grid;
+      write_built<Stored>(scene, wanted, grid.path());
+      difference.differing += differing(scene, GridFile(grid.path()), trial.rays, way.precision);
     }
     tell(difference);
   }
@@ -78,17 +80,17 @@ void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step, c
 
 } // namespace
 
-void compare_backends(const Sweep& sweep, const RunSettings& settings, const std::string& folder,
+void compare_backends(const Sweep& sweep, const RunSettings& settings,
                       const std::function<void(const Difference&)>& tell) {
   const auto rays =
       std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
   for (const double step : sweep.float32_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, step);
-    compare_step(sweep, sweep.float32(chance, step, rays), step, folder, tell);
+    compare_step(sweep, sweep.float32(chance, step, rays), step, tell);
   }
   for (const double step : sweep.float64_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, -step);
-    compare_step(sweep, sweep.float64(chance, step, rays), step, folder, tell);
+    compare_step(sweep, sweep.float64(chance, step, rays), step, tell);
   }
 }
 

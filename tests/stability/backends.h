@@ -14,9 +14,8 @@ struct Difference {
   std::uint64_t rays, differing;
 };
 
-// Every step of the sweep through all its grids. Scene and grid files come and go in
-// `folder`. Throws Error(device).
-void compare_backends(const Sweep& sweep, const RunSettings& settings, const std::string& folder,
+// Every step of the sweep through all its grids, whose files are in memory. Throws Error(device).
+void compare_backends(const Sweep& sweep, const RunSettings& settings,
                       const std::function<void(const Difference&)>& tell);
 
 } // namespace masu::stability

@@ -1,34 +1,22 @@
-// A file in memory with a name, and containers whose hashes are made right so that what lies behind is
-// reached.
+// Bytes as a file, and containers whose hashes are made right so that what lies behind is reached.
 #pragma once
 
 #include "libscene/container.h"
+#include "libscene/memory_file.h"
+#include "libscene/output_file.h"
 
-#include <sys/mman.h>
-#include <unistd.h>
 #include <xxhash.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <string>
 #include <vector>
 
 namespace masu {
 
-class MemoryFile {
-public:
-  explicit MemoryFile(std::span<const std::uint8_t> bytes) : file_(memfd_create("fuzz", MFD_CLOEXEC)) {
-    if (file_ < 0 || ::write(file_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
-      std::abort();
-  }
-  ~MemoryFile() { close(file_); }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
-
-private:
-  int file_;
-};
+inline void fill(const MemoryFile& file, std::span<const std::uint8_t> bytes) {
+  OutputFile output(file.path());
+  output.write(bytes);
+  output.commit();
+}
 
 // The input with its head and its hashes set right, where there is a table to be found in it. Table is
 // fb::Scene or fb::Grid; sections stay below 4 MiB, which are hashed as one piece.
