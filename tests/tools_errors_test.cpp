@@ -327,6 +327,20 @@ TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
   EXPECT_TRUE(fails(3, "gridstat", {grid_}, place, "", full));
   EXPECT_TRUE(fails(3, "gridstat", {grid_, "--json"}, place, "", full));
   EXPECT_TRUE(failed(run("gridbuild", {scene_, "-o", file("new.grid")}, full), 3, "gridbuild", place));
+  // What prints row by row.
+  const Arguments quick{"--repeat", "1", "--warm-up", "0", "--size", "16x12"};
+  for (const Arguments& more : {Arguments{}, Arguments{"--json"}}) {
+    const auto with = [&](Arguments arguments, const Arguments& options) {
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      return arguments;
+    };
+    EXPECT_TRUE(
+        fails(3, "gridbench", with({"rays", scene_, grid_, "--random", "100"}, quick), place, "", full));
+    EXPECT_TRUE(fails(3, "gridbench", with({"frame", scene_, grid_}, quick), place, "", full));
+    EXPECT_TRUE(fails(3, "gridbench", with({"stability", "--rays", "10"}, {}), place, "", full));
+    EXPECT_TRUE(fails(3, "gridbench", with({"load", scene_, grid_, "--repeat", "1"}, {}), place, "", full));
+  }
 }
 
 TEST_F(ToolErrors, AClosedPipeIsAnOutputError) {
@@ -341,22 +355,107 @@ TEST_F(ToolErrors, AClosedPipeIsAnOutputError) {
   reader.join();
 }
 
-TEST_F(ToolErrors, AKilledToolLeavesNoHalfOfAFile) {
-  const std::string path = file("endless.nff");
-  const pid_t tool = start("nffgen", {"balls", "--size", "9", "-o", path}); // gigabytes
-  ASSERT_GT(tool, 0);
-  const auto has_written = [&] {
-    return std::ranges::any_of(folder_.listing(), [&](const std::string& name) {
-      std::error_code gone;
-      const auto size = std::filesystem::file_size(file(name), gone);
-      return !gone && size > 0;
-    });
-  };
-  while (!has_written() && waitpid(tool, nullptr, WNOHANG) == 0)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  kill(tool, SIGKILL);
-  EXPECT_EQ(waitpid(tool, nullptr, 0), tool);
-  EXPECT_FALSE(std::filesystem::exists(path));
+// --- What is read is never written
+// ---------------------------------------------------------------------------------------------------
+
+class Inputs : public BadFiles {
+protected:
+  Inputs() {
+    scene_ = file("a.scene");
+    rays_ = file("rays");
+    const std::vector<float> ray{0, 0, 5, 0, 0, -1};
+    write_bytes(rays_, {reinterpret_cast<const std::uint8_t*>(ray.data()), 4 * ray.size()});
+    std::filesystem::create_directory(file("sub"));
+  }
+
+  // An input's other names.
+  std::vector<std::string> names_of(const std::string& input) const {
+    namespace fs = std::filesystem;
+    const std::string soft = input + ".soft", hard = input + ".hard";
+    if (!fs::is_symlink(soft)) fs::create_symlink(input, soft);
+    if (!fs::exists(hard)) fs::create_hard_link(input, hard);
+    const std::string name = fs::path(input).filename().string();
+    return {input, file("./" + name), file("sub/../" + name), fs::relative(input).string(), soft, hard};
+  }
+
+  // Whether the tool, given this input, refuses to write to it by any name and leaves it as it is. An
+  // output's name may have to end as pictures' names do: then all are links that do.
+  void expect_spared(const std::string& input, const std::string& tool, const Arguments& arguments,
+                     const std::string& option, const std::string& ending = "") const {
+    const Bytes before = read_bytes(input);
+    for (const std::string& name : names_of(input)) {
+      std::string output = name;
+      if (!ending.empty()) {
+        output = file("link" + ending);
+        std::filesystem::remove(output);
+        std::filesystem::create_symlink(std::filesystem::absolute(name), output);
+      }
+      Arguments all = arguments;
+      all.insert(all.end(), {option, output});
+      const auto files = folder_.listing();
+      EXPECT_TRUE(failed(run(tool, all), 1, tool, output, "itself")) << input << " as " << output;
+      EXPECT_TRUE(read_bytes(input) == before) << input << " as " << output;
+      EXPECT_EQ(folder_.listing(), files);
+    }
+  }
+
+  std::string scene_, rays_;
+};
+
+TEST_F(Inputs, AreNeverOutputs) {
+  const std::string text = file("a.nff");
+  expect_spared(text, "nff2bin", {text}, "-o");
+  expect_spared(scene_, "gridbuild", {scene_}, "-o");
+  for (const std::string& input : {scene_, grid_, rays_}) {
+    for (const char* const option : {"--stats", "--times", "--hits"})
+      expect_spared(input, "gridrender", {scene_, grid_, "--rays", rays_}, option);
+  }
+  for (const std::string& input : {scene_, grid_}) {
+    for (const char* const ending : {".png", ".pfm"})
+      expect_spared(input, "gridrender", {scene_, grid_}, "-o", ending);
+    expect_spared(input, "gridrender", {scene_, grid_, "--brute-force"}, "--hits");
+  }
+  expect_spared(grid_, "gridstat", {grid_, "--slice", "z=0"}, "-o", ".png");
+}
+
+TEST_F(Inputs, OfStandardInputAreNeverOutputs) {
+  const Bytes before = read_bytes(file("a.nff"));
+  EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("a.nff")}, {file("a.nff"), {}, {}}), 1, "nff2bin",
+                     file("a.nff"), "itself"));
+  EXPECT_TRUE(read_bytes(file("a.nff")) == before);
+}
+
+TEST_F(Inputs, OfTheTradeoffAreNeverOutputs) {
+  for (const char* const name : {"tradeoff.csv", "tradeoff.gp", "chart.svg", "chart.png", "division.svg"}) {
+    const std::string path = file(name);
+    std::filesystem::copy_file(scene_, path);
+    const std::string other = file("chart.scene"); // whose chart's name that may be
+    if (!std::filesystem::exists(other)) std::filesystem::copy_file(scene_, other);
+    const Bytes before = read_bytes(path);
+    const bool is_own_name = std::string_view(name).starts_with("chart");
+    const Arguments scenes = is_own_name ? Arguments{path} : Arguments{other, path};
+    Arguments arguments{"tradeoff", "-o", folder_.path().string()};
+    arguments.insert(arguments.end(), scenes.begin(), scenes.end());
+    const ToolResult result = run("gridbench", arguments);
+    EXPECT_EQ(result.code, 1) << name << ": " << result.err;
+    EXPECT_TRUE(read_bytes(path) == before) << name;
+    std::filesystem::remove(path);
+  }
+}
+
+TEST_F(Inputs, OutputsOfOneRunAreFilesOfTheirOwn) {
+  const std::string a = file("new");
+  std::filesystem::create_symlink("new", file("link"));
+  for (const std::string& other : {a, file("./new"), file("link")}) {
+    EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "--stats", a, "--hits", other}), 1, "gridrender", a,
+                       "written twice"))
+        << other;
+    EXPECT_FALSE(std::filesystem::exists(a));
+  }
+  const std::string picture = file("new.png");
+  EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "-o", picture, "--hits", picture}), 1, "gridrender",
+                     picture, "written twice"));
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "--stats", "/dev/null", "--hits", "/dev/null"})));
 }
 
 // --- Command lines

@@ -67,7 +67,7 @@ void print_row(const Json& row) {
   fmt::print("{:<24} {:<10} {:>8} {:>10.3f}\n", row["grid"].get<std::string>(),
              row["schedule"].get<std::string>(), row["workers"].get<std::uint64_t>(),
              row["median_seconds"].get<double>() * 1e3);
-  static_cast<void>(std::fflush(stdout));
+  flush_standard_output();
 }
 
 void bench_frame(const Settings& settings) {

@@ -120,7 +120,7 @@ void print_row(const Json& row) {
              row["count"].get<std::uint64_t>(), row["mrays_per_second"].get<double>(),
              100 * row["hits_a_ray"].get<double>(), row["tests_a_ray"].get<double>(),
              row["cells_a_ray"].get<double>(), row["empty_cells_a_ray"].get<double>());
-  static_cast<void>(std::fflush(stdout));
+  flush_standard_output();
 }
 
 void bench_rays(const Settings& settings) {

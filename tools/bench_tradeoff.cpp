@@ -1,5 +1,5 @@
 // Speed against accuracy: every way to trace some scenes, measured, charted, and the ways worth choosing.
-#include "libscene/output_file.h"
+#include "libscene/memory_file.h"
 #include "tools/backend_choice.h"
 #include "tools/bench.h"
 #include "tools/gnuplot.h"
@@ -99,8 +99,8 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   return plan;
 }
 
-// A grid's file is there only until it is mapped, so that a run which is stopped leaves none behind.
-GridFile built(const SceneFile& scene, const GridPlan& plan, const std::string& folder) {
+// The grid's file is in memory, so that a run which is stopped leaves none behind.
+GridFile built(const SceneFile& scene, const GridPlan& plan) {
   GridRecipe recipe;
   recipe.division = parse_division(plan.division);
   recipe.choice = plan.merge;
@@ -108,11 +108,9 @@ GridFile built(const SceneFile& scene, const GridPlan& plan, const std::string& 
   const Grid grid = scene.is_float64()
                         ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), recipe)
                         : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), recipe);
-  const std::string path = fmt::format("{}/building-{}.grid", folder, getpid());
-  const auto remove = [](const std::string* file) { unlink(file->c_str()); };
-  const std::unique_ptr<const std::string, decltype(remove)> removal(&path, remove);
-  write_grid(grid, origin_of(grid, recipe, scene.hash(), scene.primitive_count()), path);
-  return GridFile(path);
+  const MemoryFile file; // mapped, it lives on
+  write_grid(grid, origin_of(grid, recipe, scene.hash(), scene.primitive_count()), file.path());
+  return GridFile(file.path());
 }
 
 // What charts and tables call a scene: its file's name, of letters that any of them takes.
@@ -124,8 +122,9 @@ std::string name_of_scene(const std::string& path) {
   return name;
 }
 
-// Throws Error(usage) where two scenes, or a scene and another chart, would have one name.
-void check_names(const std::vector<std::string>& scenes) {
+// Throws Error(usage) where two scenes, or a scene and another chart, would have one name, or where what is
+// written would replace a scene.
+void check_names(const std::vector<std::string>& scenes, const std::string& folder) {
   std::set<std::string> taken{"tradeoff", "division"};
   for (const std::string& path : scenes) {
     if (!taken.insert(name_of_scene(path)).second)
@@ -133,6 +132,12 @@ void check_names(const std::vector<std::string>& scenes) {
           ErrorCode::usage, path,
           fmt::format("'{}' would name two charts: give the scene's file another name", name_of_scene(path)));
   }
+  std::vector<std::string> outputs{folder + "/tradeoff.csv", folder + "/tradeoff.gp"};
+  for (const std::string& name : taken) {
+    for (const char* const kind : {".svg", ".png"})
+      outputs.push_back(folder + "/" + name + kind);
+  }
+  check_files(scenes, outputs);
 }
 
 class Progress {
@@ -184,7 +189,7 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   task.truth();
   for (const GridPlan& plan_of_grid : plan) {
     if (plan_of_grid.configurations.empty()) continue;
-    const GridFile grid = built(scene, plan_of_grid, settings.folder);
+    const GridFile grid = built(scene, plan_of_grid);
     for (const Configuration& configuration : plan_of_grid.configurations) {
       progress.tell(fmt::format("{}, {}", grid_of(configuration), method_of(configuration)));
       rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
@@ -279,11 +284,7 @@ void report(const std::vector<TradeoffRow>& rows, bool as_json) {
 }
 
 void draw(const std::vector<TradeoffRow>& rows, const std::string& folder) {
-  const std::string script = charts_script(rows);
-  OutputFile file(folder + "/tradeoff.gp");
-  file.write(script.data(), script.size());
-  file.commit();
-  if (!run_gnuplot(folder, "tradeoff.gp"))
+  if (!draw_charts(charts_script(rows), folder, "tradeoff.gp"))
     fmt::print(
         stderr,
         "gridbench: gnuplot: isn't on the PATH, so no chart was drawn: install gnuplot (Debian's package is "
@@ -293,7 +294,7 @@ void draw(const std::vector<TradeoffRow>& rows, const std::string& folder) {
 
 void bench_tradeoff(const Settings& settings) {
   const auto limit = settings.threads.limit();
-  check_names(settings.scenes);
+  check_names(settings.scenes, settings.folder);
   static_cast<void>(plan_of(settings, false)); // bad words are told before anything is read
   const std::string path = settings.folder + "/tradeoff.csv";
   std::vector<TradeoffRow> rows = read_tradeoff_csv(path);

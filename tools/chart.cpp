@@ -73,14 +73,17 @@ void write_labels(Script out, const Scale& y, const std::vector<LabelAt>& labels
   }
 }
 
-void write_terminal(Script out, const char* kind, const std::string& name, int height) {
+void write_terminal(ChartScript& script, const char* kind, const std::string& name, int height) {
+  const Script out(script.text);
+  const std::size_t number = script.files.size();
+  script.files.push_back(name + (std::string_view(kind) == "svg" ? ".svg" : ".png"));
   fmt::format_to(
       out, "\nreset\nset terminal {} size {},{} font 'DejaVu Sans,{}' noenhanced background rgb 'white'\n",
       kind, chart_width, height, std::string_view(kind) == "svg" ? 15 : 12);
   fmt::format_to(out,
-                 "set output '{}.{}'\nset encoding utf8\nset logscale xy\nset border 3 lc rgb '#444444'\n"
-                 "set tics nomirror\nset grid lc rgb '#d4d4d4' lw 1 dt 1\n",
-                 name, std::string_view(kind) == "svg" ? "svg" : "png");
+                 "set output exists('chart_{0}') ? chart_{0} : '{1}'\nset encoding utf8\nset logscale xy\n"
+                 "set border 3 lc rgb '#444444'\nset tics nomirror\nset grid lc rgb '#d4d4d4' lw 1 dt 1\n",
+                 number, script.files.back());
 }
 
 void write_heading(Script out, int height, const std::string& title, const std::string& below) {

@@ -13,6 +13,13 @@ namespace masu {
 
 using Script = std::back_insert_iterator<std::string>;
 
+// A script that draws charts, and the names of the files it writes into the folder it is run in. The n-th is
+// written elsewhere where a variable chart_n says so.
+struct ChartScript {
+  std::string text;
+  std::vector<std::string> files;
+};
+
 inline constexpr int chart_width = 1100; // pixels
 
 // Colours that the colour-blind tell apart, after Okabe & Ito; shapes tell as much.
@@ -46,7 +53,7 @@ std::string log_ticks(double low, double high);
 void write_labels(Script out, const Scale& y, const std::vector<LabelAt>& labels, double gap);
 
 // Begins a chart file of that kind.
-void write_terminal(Script out, const char* kind, const std::string& name, int height);
+void write_terminal(ChartScript& script, const char* kind, const std::string& name, int height);
 
 // `height` is the chart's, in pixels.
 void write_heading(Script out, int height, const std::string& title, const std::string& below);

@@ -9,60 +9,27 @@
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
-#include <exception>
+#include <functional>
 #include <map>
-#include <new>
 #include <string>
 #include <thread>
 #include <type_traits>
+#include <vector>
 
 namespace masu {
 
-// The CPU level this program was compiled for must be there.
-inline void check_processor() {
-#if defined(__x86_64__) && defined(__AVX2__)
-  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
-    throw Error(ErrorCode::device, "processor", "lacks AVX2 or FMA: build with -DMASU_CPU=x86-64 for it");
-  }
-#endif
-}
+// Brings what was printed to standard output. Throws Error(output) where any of it was lost.
+void flush_standard_output();
+
+// No tool writes over what it reads, nor twice to one file: to be called before anything is opened. Empty
+// names are none; - is standard input or output. Throws Error(usage, output, …).
+void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 // A tool's main: body(app, parse) adds the options to the CLI::App, calls parse(), and does the work. Returns
 // the exit code of libscene/error.h; 0 for --help.
-template <class Body>
-int run_tool(const char* name, const char* description, int argc, char** argv, const Body& body) {
-  const auto report = [&](ErrorCode code, const char* line) {
-    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, line));
-    return static_cast<int>(code);
-  };
-  // A closed pipe and a file-size limit are write errors like any other.
-  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
-  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
-  try {
-    check_processor();
-    CLI::App app(description, name);
-    try {
-      body(app, [&] { app.parse(argc, argv); });
-    } catch (const CLI::Success& success) { // --help
-      app.exit(success);
-    } catch (const CLI::ParseError& error) {
-      return report(ErrorCode::usage,
-                    (std::string("command line: ") + error.what() + ": see " + name + " --help").c_str());
-    }
-    if (std::fflush(stdout) != 0) throw Error(ErrorCode::output, "standard output", "can't be written");
-    return 0;
-  } catch (const Error& error) {
-    return report(error.code(), error.what());
-  } catch (const std::bad_alloc&) {
-    return report(ErrorCode::input, "memory: there isn't enough: choose a smaller scene or a coarser grid");
-  } catch (const std::exception& error) {
-    return report(ErrorCode::input, error.what());
-  } catch (...) {
-    return report(ErrorCode::input, "an unknown error");
-  }
-}
+using ToolBody = std::function<void(CLI::App& app, const std::function<void()>& parse)>;
+int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body);
 
 // An option with one of some names for its value, which must be among them before.
 template <class Value>
@@ -85,19 +52,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
       ->default_str(chosen);
 }
 
-// --size WxH; none keeps the camera's own.
-inline Camera resized(Camera camera, const std::string& size) {
-  if (size.empty()) return camera;
-  int width = 0, height = 0, end = 0;
-  if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
-      static_cast<std::size_t>(end) != size.size() || width < 1 || height < 1 || width > 65536 ||
-      height > 65536) {
-    throw Error(ErrorCode::usage, "--size", fmt::format("'{}' isn't WxH with 1 to 65536 pixels each", size));
-  }
-  camera.width = width;
-  camera.height = height;
-  return camera;
-}
+// --size WxH; none keeps the camera's own. Throws Error(usage).
+Camera resized(Camera camera, const std::string& size);
 
 // --threads N; 0 is every core.
 class Threads {

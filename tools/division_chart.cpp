@@ -53,7 +53,8 @@ std::vector<DivisionLine> division_lines(const std::vector<TradeoffRow>& rows) {
 
 } // namespace
 
-void write_division(Script out, const std::vector<TradeoffRow>& rows) {
+void write_division(ChartScript& script, const std::vector<TradeoffRow>& rows) {
+  const Script out(script.text);
   const std::vector<DivisionLine> lines = division_lines(rows);
   if (lines.empty()) return;
   const TradeoffSetup& setup = rows.front().setup;
@@ -80,7 +81,7 @@ void write_division(Script out, const std::vector<TradeoffRow>& rows) {
     }
   }
   for (const char* const kind : {"svg", "pngcairo"}) {
-    write_terminal(out, kind, "division", division_height);
+    write_terminal(script, kind, "division", division_height);
     write_heading(
         out, division_height, fmt::format("Time against division ({})", backend_of(setup)),
         fmt::format("uniform grids, exact overlap, {}; pictures of {} with shadows and mirrors; ringed: "

@@ -1,12 +1,14 @@
 // gnuplot, as a process.
 #pragma once
 
+#include "tools/chart.h"
+
 #include <string>
 
 namespace masu {
 
-// Runs the script of that name in its folder. False where gnuplot isn't installed. Throws Error(output) when
-// it fails.
-bool run_gnuplot(const std::string& folder, const std::string& script);
+// Writes the script into the folder under that name, and the charts that it draws beside it: each whole or
+// not at all. False where gnuplot isn't installed. Throws Error(output), also where gnuplot fails.
+bool draw_charts(const ChartScript& script, const std::string& folder, const std::string& name);
 
 } // namespace masu

@@ -125,6 +125,7 @@ int main(int argc, char** argv) {
         const auto limit = settings.threads.limit();
         settings.recipe.division =
             parse_division(settings.division); // a bad rule is told before anything is read
+        check_files({settings.scene}, {settings.output});
         const SceneFile scene(settings.scene);
         scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
       });

@@ -112,6 +112,8 @@ void check(const Settings& settings) {
   if (settings.grid.empty() && !settings.brute_force)
     fail("GRID", "is missing: name the grid file, or give --brute-force");
   if (!settings.output.empty()) check_image_name(settings.output);
+  check_files({settings.scene, settings.grid, settings.rays},
+              {settings.output, settings.hits, settings.stats, settings.times});
 }
 
 void render(const Settings& settings) {

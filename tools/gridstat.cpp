@@ -285,6 +285,7 @@ int main(int argc, char** argv) {
                "the study's space: tight, or cube (about the origin)")
         ->needs(study_option);
     parse();
+    check_files({settings.grid, settings.study}, {settings.picture});
     if (!settings.study.empty()) {
       const SceneFile scene(settings.study);
       return scene.is_float64() ? study<double>(settings, scene) : study<float>(settings, scene);

@@ -230,12 +230,6 @@ std::string check_facets(const std::string& text) {
   return fmt::format("'{}' isn't a multiple of 4 from {} to {}", text, least_facets, most_facets);
 }
 
-void check_output(const Settings& settings) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(settings.input, settings.output, ignored))
-    throw Error(ErrorCode::usage, settings.output, "is the input itself: give the scene file another name");
-}
-
 void convert(const Settings& settings) {
   const bool is_piped = settings.input == "-";
   Scene scene = is_piped ? parse_nff(read_standard_input(), "stdin") : read_nff(settings.input);
@@ -257,10 +251,8 @@ void run(const Settings& settings) {
   if (settings.output.empty() && !settings.info)
     throw Error(ErrorCode::usage, "command line", "nothing to do: give -o FILE, --info or both");
   const auto limit = settings.threads.limit();
-  if (settings.input == "-" || !is_scene_file(settings.input)) {
-    check_output(settings);
-    return convert(settings);
-  }
+  check_files({settings.input}, {settings.output});
+  if (settings.input == "-" || !is_scene_file(settings.input)) return convert(settings);
   if (!settings.output.empty())
     throw Error(ErrorCode::usage, settings.input,
                 "is a scene file already: give an NFF file, or leave out -o");

@@ -178,13 +178,14 @@ std::vector<TradeoffRow> without_slow(const std::vector<TradeoffRow>& rows) {
   return kept;
 }
 
-void write_tradeoff(Script out, const std::string& name, const std::string& title,
+void write_tradeoff(ChartScript& script, const std::string& name, const std::string& title,
                     const std::vector<TradeoffRow>& rows) {
+  const Script out(script.text);
   const TradeoffSetup& setup = rows.front().setup;
   const std::vector<TradeoffRow> shown = without_slow(rows);
   const Panel hits = hits_panel(shown), picture = picture_panel(shown);
   for (const char* const kind : {"svg", "pngcairo"}) {
-    write_terminal(out, kind, name, tradeoff_height);
+    write_terminal(script, kind, name, tradeoff_height);
     fmt::format_to(out, "set multiplot\nset key at screen 0.05, screen 0.925 left top Left reverse vertical "
                         "maxrows 2 samplen 2\n");
     const auto heading = [&] {
@@ -204,9 +205,8 @@ void write_tradeoff(Script out, const std::string& name, const std::string& titl
 
 } // namespace
 
-std::string charts_script(const std::vector<TradeoffRow>& rows) {
-  std::string text = "# Written by gridbench tradeoff. Run it in its folder: gnuplot tradeoff.gp\n";
-  const Script out(text);
+ChartScript charts_script(const std::vector<TradeoffRow>& rows) {
+  ChartScript script{"# Written by gridbench tradeoff. Run it in its folder: gnuplot tradeoff.gp\n", {}};
   std::vector<std::string> scenes;
   for (const TradeoffRow& row : rows) {
     if (std::find(scenes.begin(), scenes.end(), row.scene) == scenes.end()) scenes.push_back(row.scene);
@@ -215,13 +215,13 @@ std::string charts_script(const std::vector<TradeoffRow>& rows) {
     std::vector<TradeoffRow> its;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(its),
                  [&](const TradeoffRow& row) { return row.scene == scene; });
-    write_tradeoff(out, scene, scene, its);
+    write_tradeoff(script, scene, scene, its);
   }
   const std::vector<TradeoffRow> all = over_all_scenes(rows);
   if (scenes.size() > 1 && !all.empty())
-    write_tradeoff(out, "tradeoff", fmt::format("mean of {} scenes", scenes.size()), all);
-  write_division(out, rows);
-  return text;
+    write_tradeoff(script, "tradeoff", fmt::format("mean of {} scenes", scenes.size()), all);
+  write_division(script, rows);
+  return script;
 }
 
 } // namespace masu

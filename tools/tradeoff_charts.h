@@ -1,9 +1,9 @@
 // Charts of the measurements, as a script for gnuplot.
 #pragma once
 
+#include "tools/chart.h"
 #include "tools/tradeoff.h"
 
-#include <string>
 #include <vector>
 
 namespace masu {
@@ -13,6 +13,6 @@ namespace masu {
 // scenes together (tradeoff_front.h: over_all_scenes) where there are several; and division_chart.h's.
 // All rows must be of one setup. What is right to the last ray can't be drawn on a scale of logarithms: it
 // lies in a band of its own, where half a ray of those compared would be.
-std::string charts_script(const std::vector<TradeoffRow>& rows);
+ChartScript charts_script(const std::vector<TradeoffRow>& rows);
 
 } // namespace masu

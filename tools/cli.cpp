@@ -1,0 +1,95 @@
+// Compiled once for all tools: parsing a command line takes a compiler longer than what most of them do.
+#include "tools/cli.h"
+
+#include "libscene/same_file.h"
+#include "libscene/temporary_name.h"
+
+#include <csignal>
+#include <exception>
+#include <new>
+
+namespace masu {
+namespace {
+
+// What this program was compiled for must be there.
+void check_processor() {
+#if defined(__x86_64__) && defined(__AVX2__)
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+    throw Error(ErrorCode::device, "processor", "lacks AVX2 or FMA: build with -DMASU_AVX2=OFF for it");
+#endif
+}
+
+} // namespace
+
+void flush_standard_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Error(ErrorCode::output, "standard output", "can't be written");
+}
+
+void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  std::vector<std::string> written{"/dev/stdout"}; // results and reports
+  for (const std::string& output : outputs) {
+    if (output.empty() || output == "-") continue;
+    for (const std::string& other : written) {
+      if (is_same_file(output, other))
+        throw Error(ErrorCode::usage, output, "would be written twice: give each output a name of its own");
+    }
+    written.push_back(output);
+  }
+  for (const std::string& input : inputs) {
+    for (const std::string& output : written) {
+      if (!input.empty() && is_same_file(input == "-" ? "/dev/stdin" : input, output))
+        throw Error(ErrorCode::usage, output,
+                    fmt::format("is the input {} itself: give the output another name", input));
+    }
+  }
+}
+
+int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body) {
+  const auto report = [&](ErrorCode code, const char* line) {
+    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, line));
+    return static_cast<int>(code);
+  };
+  // A closed pipe and a file-size limit are write errors like any other.
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+  remove_temporary_names_on_signals();
+  try {
+    check_processor();
+    CLI::App app(description, name);
+    try {
+      body(app, [&] { app.parse(argc, argv); });
+    } catch (const CLI::Success& success) { // --help
+      app.exit(success);
+    } catch (const CLI::ParseError& error) {
+      return report(ErrorCode::usage,
+                    (std::string("command line: ") + error.what() + ": see " + name + " --help").c_str());
+    }
+    flush_standard_output();
+    return 0;
+  } catch (const Error& error) {
+    return report(error.code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return report(ErrorCode::input, "memory: there isn't enough: choose a smaller scene or a coarser grid");
+  } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return report(ErrorCode::output, "standard output: can't be written");
+    return report(ErrorCode::input, error.what());
+  } catch (...) {
+    return report(ErrorCode::input, "an unknown error");
+  }
+}
+
+Camera resized(Camera camera, const std::string& size) {
+  if (size.empty()) return camera;
+  int width = 0, height = 0, end = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
+      static_cast<std::size_t>(end) != size.size() || width < 1 || height < 1 || width > 65536 ||
+      height > 65536) {
+    throw Error(ErrorCode::usage, "--size", fmt::format("'{}' isn't WxH with 1 to 65536 pixels each", size));
+  }
+  camera.width = width;
+  camera.height = height;
+  return camera;
+}
+
+} // namespace masu
