@@ -1,44 +1,117 @@
-# Sourced by demo.sh and test.sh: installs the Debian packages that are missing, and says whether CUDA is there.
-# Sets cuda_options for cmake, and defines build().
+# Sourced by demo.sh, test.sh and check.sh: installs what is missing, says whether CUDA is there, and builds.
 
-install_missing() { # package…
-  local missing=()
-  for package in "$@"; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-  done
-  [ ${#missing[@]} -eq 0 ] && return
-  echo "== installing ${missing[*]}"
-  local root=()
-  [ "$(id -u)" -eq 0 ] || root=(sudo)
-  "${root[@]}" apt-get update -qq
-  DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+# Whether what a Debian package brings is there, wherever it came from: a command, or a header.
+has() { # package
+  header() { if command -v c++ >/dev/null; then echo "#include <$1>" | c++ -E -x c++ - >/dev/null 2>&1; else false; fi; }
+  case $1 in
+    build-essential) command -v c++ >/dev/null && command -v make >/dev/null ;;
+    clang) command -v clang++ >/dev/null ;;
+    clang-format | clang-tidy | cmake) command -v "$1" >/dev/null ;;
+    flatbuffers-compiler) command -v flatc >/dev/null ;;
+    gnuplot-nox) command -v gnuplot >/dev/null ;;
+    ninja-build) command -v ninja >/dev/null ;;
+    libcli11-dev) header CLI/CLI.hpp ;;
+    libflatbuffers-dev) header flatbuffers/flatbuffers.h ;;
+    libfmt-dev) header fmt/format.h ;;
+    libgtest-dev) header gtest/gtest.h ;;
+    libpng-dev) header png.h ;;
+    libtbb-dev) header tbb/tbb.h ;;
+    libxxhash-dev) header xxhash.h ;;
+    nlohmann-json3-dev) header nlohmann/json.hpp ;;
+    *) dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' ;;
+  esac
 }
 
-install_missing build-essential cmake flatbuffers-compiler gnuplot-nox libflatbuffers-dev libcli11-dev libfmt-dev libgtest-dev \
-  libpng-dev libtbb-dev libxxhash-dev nlohmann-json3-dev
+missing_of() { # package…
+  local package
+  for package in "$@"; do has "$package" || echo "$package"; done
+}
 
-# CUDA's own installer leaves nvcc off the PATH.
-if ! command -v nvcc >/dev/null && [ -x /usr/local/cuda/bin/nvcc ] && [ "${MASU_CUDA:-AUTO}" != OFF ]; then
-  PATH=$PATH:/usr/local/cuda/bin
-fi
-if [ "${MASU_CUDA:-AUTO}" != OFF ] && command -v nvcc >/dev/null; then
-  # For the GPU that is here; where there is none, for one kind, to see that it compiles.
-  architecture=$( (nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null || true) | head -n 1 | tr -d .)
-  cuda_options=(-DMASU_CUDA=ON "-DMASU_CUDA_ARCHITECTURES=${architecture:-90}")
-  echo "== CUDA Toolkit found ($(command -v nvcc)): building the CUDA backend for sm_${architecture:-90}"
-else
-  cuda_options=(-DMASU_CUDA=OFF)
-  echo "== no CUDA Toolkit (nvcc isn't on the PATH), or MASU_CUDA=OFF: building for the CPU only"
-fi
+# require PACKAGE… [-- PACKAGE…]: what follows -- is of use, but nothing fails without it. Installs what is
+# missing where that can be done; else one line says how.
+require() {
+  local required=() useful=() missing root=()
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do required+=("$1"); shift; done
+  [ $# -gt 0 ] && shift
+  useful=("$@")
+  mapfile -t required < <(missing_of "${required[@]}")
+  mapfile -t useful < <(missing_of "${useful[@]}")
+  missing=("${required[@]}" "${useful[@]}")
+  [ ${#missing[@]} -gt 0 ] || return 0
+  local command="apt-get install -y --no-install-recommends"
+  if [ "$(id -u)" -ne 0 ]; then root=(sudo); fi
+  if command -v apt-get >/dev/null &&
+      { [ ${#root[@]} -eq 0 ] || { command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; }; }; then
+    echo "== installing ${missing[*]}"
+    "${root[@]}" apt-get update -qq
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive $command -o Dpkg::Use-Pty=0 -qq "${missing[@]}" >/dev/null
+  elif [ ${#required[@]} -gt 0 ]; then
+    echo "$0: missing, and only root can install it: sudo $command ${required[*]}" >&2
+    exit 1
+  else
+    echo "== going on without ${useful[*]} (sudo $command ${useful[*]})"
+  fi
+}
 
-# build FOLDER [cmake option…] [-- build option…]: configures and builds, showing only what went wrong.
+basics=(build-essential cmake flatbuffers-compiler libcli11-dev libflatbuffers-dev libfmt-dev libpng-dev libtbb-dev
+  libxxhash-dev nlohmann-json3-dev)
+
+# Sets cuda_options for cmake.
+find_cuda() {
+  # CUDA's own installer leaves nvcc off the PATH.
+  if ! command -v nvcc >/dev/null && [ -x /usr/local/cuda/bin/nvcc ]; then PATH=$PATH:/usr/local/cuda/bin; fi
+  if [ "${MASU_CUDA:-AUTO}" != OFF ] && command -v nvcc >/dev/null; then
+    # For the GPU that is here; where there is none, for one kind, to see that it compiles.
+    local architecture
+    architecture=$( (nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null || true) | head -n 1 | tr -d .)
+    cuda_options=(-DMASU_CUDA=ON "-DMASU_CUDA_ARCHITECTURES=${architecture:-90}")
+    echo "== CUDA Toolkit found ($(command -v nvcc)): building the CUDA backend for sm_${architecture:-90}"
+  else
+    cuda_options=(-DMASU_CUDA=OFF)
+    echo "== no CUDA Toolkit (nvcc isn't on the PATH), or MASU_CUDA=OFF: building for the CPU only"
+  fi
+}
+
+# Shows how far a build is: on a terminal in one line, else in a line for every tenth and for every half minute
+# in which nothing gets done.
+show_progress() {
+  local line told=0 tenth begin=$SECONDS last=$SECONDS
+  while true; do
+    if IFS= read -r -t 5 line; then
+      [[ $line =~ ^\[\ *([0-9]+)[/%] ]] || continue
+      if [ -t 1 ]; then printf '\r\033[K%.*s' "$((${COLUMNS:-80} - 1))" "$line"; continue; fi
+      [[ $line =~ ^\[([0-9]+)/([0-9]+) ]] && tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2])) || tenth=$((BASH_REMATCH[1] / 10))
+      [ "$tenth" -gt "$told" ] || continue
+      told=$tenth
+    elif [ $? -gt 128 ]; then # nothing for 5 s
+      [ -t 1 ] || [ $((SECONDS - last)) -ge 30 ] || continue
+      line="still compiling"
+    else
+      break
+    fi
+    last=$SECONDS
+    if [ -t 1 ]; then printf '\r\033[K%s, %d s' "$line" $((SECONDS - begin)); else echo "   $((SECONDS - begin)) s: $line"; fi
+  done
+  if [ -t 1 ]; then printf '\r\033[K'; fi
+  echo "   done in $((SECONDS - begin)) s"
+}
+
+# build FOLDER [cmake option…] [-- build option…]: configures and builds. The environment's MASU_STRICT is an option
+# too (.ci/run sets it).
 build() {
   local folder=$1 configure=() log
   shift
   while [ $# -gt 0 ] && [ "$1" != -- ]; do configure+=("$1"); shift; done
   [ $# -gt 0 ] && shift
+  if [ -n "${MASU_STRICT:-}" ]; then configure+=("-DMASU_STRICT=$MASU_STRICT"); fi
+  if [ "$(uname -m)" = x86_64 ] && ! { grep -qw fma /proc/cpuinfo && grep -qw avx2 /proc/cpuinfo; }; then
+    configure+=(-DMASU_AVX2=OFF)
+  fi
+  # Ninja compiles kernels while it compiles what they are linked with.
+  if command -v ninja >/dev/null && [ ! -e "$folder/CMakeCache.txt" ]; then configure+=(-G Ninja); fi
   log=$(mktemp)
-  if ! { cmake -S . -B "$folder" "${configure[@]}" && cmake --build "$folder" --parallel "$(nproc)" "$@"; } >"$log" 2>&1; then
+  if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&
+      cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then
     grep -E -A5 'error|Error|\*\*\*' "$log" || cat "$log"
     rm -f "$log"
     return 1

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# For developers: judges the code, where test.sh tests what it does. Format, and a build with warnings as errors;
+# check.sh --full also runs the unit tests under the sanitizers, clang-tidy, and the fuzz targets for a few seconds.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source tools/setup.sh
+export MASU_STRICT=ON
+require "${basics[@]}" libgtest-dev clang-format -- ninja-build
+find_cuda
+cores=$(nproc)
+step() { echo; echo "== $*"; }
+
+# Other versions lay code out, and judge it, in other ways.
+llvm=14
+version_of() { "$1" --version | sed -nE 's/.*version ([0-9]+).*/\1/p' | head -n 1; }
+require_llvm() { # program…
+  local program
+  for program in "$@"; do
+    [ "$(version_of "$program")" = $llvm ] && continue
+    echo "$0: $program is version $(version_of "$program"), the code is kept by version $llvm (Debian 12's): check there" >&2
+    exit 1
+  done
+}
+
+step "format"
+require_llvm clang-format
+find libscene libgrid renderer tools tests -name '*.h' -o -name '*.cpp' -o -name '*.cu' |
+  xargs clang-format --dry-run --Werror
+
+step "build, warnings as errors"
+build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=ON "${cuda_options[@]}"
+
+if [ "${1:-}" = --full ]; then
+  require clang clang-tidy libclang-rt-dev
+  require_llvm clang++ clang-tidy
+
+  step "unit tests under the sanitizers"
+  build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- --target masu_unit_tests
+  ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
+
+  step "clang-tidy"
+  find libscene libgrid renderer tools tests/stability -name '*.cpp' ! -name backend_none.cpp |
+    xargs -P "$cores" -n 1 clang-tidy -p build --quiet
+
+  step "fuzz targets, 20 s each"
+  build build/fuzz -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ -DMASU_FUZZ=ON -DMASU_CUDA=OFF
+  for target in build/fuzz/bin/*_fuzz; do
+    "$target" -max_total_time=20 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=0
+  done
+fi
