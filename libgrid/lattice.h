@@ -1,7 +1,7 @@
 // The space and its division: where each voxel is, for the builder.
 #pragma once
 
-#include "libscene/box.h"
+#include "libscene/geometry/box.h"
 
 #include <algorithm>
 #include <cmath>

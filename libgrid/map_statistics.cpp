@@ -1,7 +1,7 @@
 #include "libgrid/map_statistics.h"
 
 #include "libgrid/lattice.h"
-#include "libgrid/overlap.h"
+#include "libgrid/build/overlap.h"
 #include "libgrid/statistics.h"
 
 #include <tbb/blocked_range.h>

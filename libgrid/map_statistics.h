@@ -2,8 +2,8 @@
 // meet.
 #pragma once
 
-#include "libgrid/grid_view.h"
-#include "libgrid/partition.h"
+#include "libgrid/trace/grid_view.h"
+#include "libgrid/build/partition.h"
 
 #include <span>
 #include <vector>

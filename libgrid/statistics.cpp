@@ -1,6 +1,6 @@
 #include "libgrid/statistics.h"
 
-#include "libgrid/grid_file.h"
+#include "libgrid/file/grid_file.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // What a grid holds, in numbers; and the founding study's occupancy.
 #pragma once
 
-#include "libgrid/division.h"
-#include "libgrid/grid_view.h"
+#include "libgrid/build/division.h"
+#include "libgrid/trace/grid_view.h"
 #include "libgrid/lattice.h"
 #include "libscene/scene_view.h"
 

@@ -1,8 +1,8 @@
 #include "libscene/float32_doubt.h"
 
-#include "libscene/cone.h"
-#include "libscene/margin.h"
-#include "libscene/scene_file.h"
+#include "libscene/geometry/cone.h"
+#include "libscene/geometry/margin.h"
+#include "libscene/file/scene_file.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // A scene as its NFF text gives it, in host memory: what the parser makes and the scene file is written from.
 #pragma once
 
-#include "libscene/primitives.h"
+#include "libscene/geometry/primitives.h"
 
 #include <cstdint>
 #include <string>

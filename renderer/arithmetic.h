@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/scene_view.h"
-#include "libscene/textbook.h"
+#include "libscene/geometry/textbook.h"
 #include "renderer/precision.h"
 
 namespace masu {

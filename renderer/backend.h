@@ -1,9 +1,9 @@
 // Tracing a whole picture, or a list of rays, on the CPU or on a CUDA device.
 #pragma once
 
-#include "libgrid/grid_file.h"
-#include "libscene/cuda_device.h"
-#include "libscene/scene_file.h"
+#include "libgrid/file/grid_file.h"
+#include "libscene/cuda/cuda_device.h"
+#include "libscene/file/scene_file.h"
 #include "renderer/camera.h"
 #include "renderer/counts.h"
 #include "renderer/precision.h"

@@ -2,7 +2,6 @@
 #include "renderer/backend.h"
 
 #include "libscene/error.h"
-#include "renderer/plain_copy.h"
 
 namespace masu {
 namespace {
@@ -22,9 +21,6 @@ RayHits trace_rays_cuda(const SceneFile&, const GridFile*, const RaysRequest&) {
   refuse();
 }
 double upload_cuda(const SceneFile&, const GridFile*, const std::function<void()>&) {
-  refuse();
-}
-double copy_seconds_cuda(const std::string&, CopyFrom) {
   refuse();
 }
 

@@ -1,7 +1,7 @@
 // The rays of the eye.
 #pragma once
 
-#include "libscene/ray.h"
+#include "libscene/geometry/ray.h"
 #include "libscene/scene.h"
 
 #include <numbers>

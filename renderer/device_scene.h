@@ -1,11 +1,11 @@
 // A scene and a grid on a CUDA device: one copy a section, as they lie in the files. CUDA sources only.
 #pragma once
 
-#include "libgrid/grid_file.h"
-#include "libgrid/trace.h"
+#include "libgrid/file/grid_file.h"
+#include "libgrid/trace/trace.h"
 #include "libscene/scene_view.h"
 #include "libscene/stopwatch.h"
-#include "libscene/transfer.h"
+#include "libscene/cuda/transfer.h"
 #include "renderer/kernel_cuda.h"
 
 namespace masu {

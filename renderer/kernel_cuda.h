@@ -1,7 +1,7 @@
 // How kernels are sized, launched and timed. CUDA sources only.
 #pragma once
 
-#include "libscene/device_memory.h"
+#include "libscene/cuda/device_memory.h"
 #include "renderer/backend.h"
 
 #include <cuda/atomic>

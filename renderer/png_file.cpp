@@ -1,7 +1,7 @@
 #include "renderer/png_file.h"
 
 #include "libscene/error.h"
-#include "libscene/output_file.h"
+#include "libscene/file/output_file.h"
 
 #include <fmt/format.h>
 #include <png.h>

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "libscene/error.h"
-#include "libscene/scene_file.h"
+#include "libscene/file/scene_file.h"
 
 namespace masu {
 
-// fast: float32 by textbook formulas (libscene/textbook.h), to be measured against. robust: float32 that
-// loses no hit beyond the bound of libscene/margin.h. doubled: the same in float64. automatic: what the
+// fast: float32 by textbook formulas (libscene/geometry/textbook.h), to be measured against. robust: float32 that
+// loses no hit beyond the bound of libscene/geometry/margin.h. doubled: the same in float64. automatic: what the
 // scene's store asks for, robust for float32 and doubled for float64.
 enum class Precision { automatic, fast, robust, doubled };
 

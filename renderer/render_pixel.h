@@ -6,8 +6,8 @@
 // Recursion is unrolled into a list of rays still to trace, each with the weight of what it will see.
 #pragma once
 
-#include "libgrid/trace.h"
-#include "libscene/surface.h"
+#include "libgrid/trace/trace.h"
+#include "libscene/geometry/surface.h"
 #include "renderer/camera.h"
 
 namespace masu {

@@ -2,7 +2,7 @@
 // only).
 #pragma once
 
-#include "libgrid/walk.h"
+#include "libgrid/trace/walk.h"
 #include "renderer/kernel_cuda.h"
 
 namespace masu {
@@ -34,7 +34,7 @@ struct SharedOut {
   std::uint32_t ray, list;
 };
 
-// A ray's nearest hit so far, in shared memory: as NearestHit (libgrid/trace.h) has it.
+// A ray's nearest hit so far, in shared memory: as NearestHit (libgrid/trace/trace.h) has it.
 template <class Real>
 class SharedHit {
 public:

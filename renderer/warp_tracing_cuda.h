@@ -10,7 +10,7 @@
 //    still to go are cut into pieces, of which each is walked by a lane of its own.
 //
 // None of it shows: which hit is nearest, ties included, depends neither on the order of tests nor on who
-// makes them, and a walk may begin anywhere on the ray's way (libgrid/walk.h).
+// makes them, and a walk may begin anywhere on the ray's way (libgrid/trace/walk.h).
 #pragma once
 
 #include "renderer/culling_cuda.h"

@@ -1,6 +1,6 @@
 // Bits taken apart and put together, by the simplest words for it.
 #include "libgrid/bits.h"
-#include "tests/random_seed.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The eye's rays go where the view says: right-handed, upright, to the very corners of the pixels.
-#include "libscene/nff.h"
+#include "libscene/nff/nff.h"
 #include "renderer/image.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"

@@ -1,5 +1,5 @@
 // Scene and grid files: the same input gives the same bytes, and no damage goes unnoticed.
-#include "tests/random_seed.h"
+#include "tools/bench/stability/random_seed.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"

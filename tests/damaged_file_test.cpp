@@ -3,7 +3,7 @@
 #include "libgrid/statistics.h"
 #include "libscene/error.h"
 #include "tests/hostile_files.h"
-#include "tests/random_seed.h"
+#include "tools/bench/stability/random_seed.h"
 #include "tests/tiny_scene.h"
 #include "tests/tracing_probe.h"
 

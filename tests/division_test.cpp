@@ -1,8 +1,8 @@
 // How many voxels each rule asks for, and how rules are written.
-#include "libgrid/build.h"
-#include "libgrid/division.h"
+#include "libgrid/build/build.h"
+#include "libgrid/build/division.h"
 #include "libscene/error.h"
-#include "tests/test_scene.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Whatever numbers a text holds, what is written of it can be opened: each is refused in the text, or finite
 // in the file.
 #include "libscene/error.h"
-#include "libscene/memory_file.h"
-#include "libscene/nff.h"
-#include "libscene/scene_file.h"
-#include "tests/test_scene.h"
+#include "libscene/file/memory_file.h"
+#include "libscene/nff/nff.h"
+#include "libscene/file/scene_file.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Grids built on the GPU against the CPU's, byte for byte. Skipped, and said so, where there is no CUDA
 // device.
-#include "libgrid/builder.h"
-#include "libscene/cuda_device.h"
+#include "libgrid/build/builder.h"
+#include "libscene/cuda/cuda_device.h"
 #include "libscene/error.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"

@@ -1,5 +1,5 @@
 // The stability sweeps' rays on the CPU and on the GPU, bit for bit.
-#include "tests/stability/backends.h"
+#include "tools/bench/stability/backends.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // The CPU's and the GPU's answers, bit for bit. Skipped, and said so, where there is no CUDA device.
-#include "libgrid/grid_file.h"
-#include "libgrid/merge.h"
-#include "libscene/nff.h"
-#include "libscene/scene_file.h"
+#include "libgrid/file/grid_file.h"
+#include "libgrid/build/merge.h"
+#include "libscene/nff/nff.h"
+#include "libscene/file/scene_file.h"
 #include "libscene/spd/spd.h"
 #include "renderer/backend.h"
-#include "renderer/ray_sets.h"
-#include "tests/random_seed.h"
+#include "tools/bench/ray_sets.h"
+#include "tools/bench/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 #include "tests/unchecked_grid.h"
 

@@ -1,8 +1,8 @@
-// Passes (libgrid/passes.h) as plain loops, one thing after the other.
+// Passes (libgrid/build/passes.h) as plain loops, one thing after the other.
 #pragma once
 
-#include "libgrid/lanes.h"
-#include "libgrid/merge_passes.h"
+#include "libgrid/build/lanes.h"
+#include "libgrid/build/merge_passes.h"
 
 #include <algorithm>
 #include <numeric>

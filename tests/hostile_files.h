@@ -2,8 +2,8 @@
 // right.
 #pragma once
 
-#include "libgrid/grid_file.h"
-#include "libscene/scene_file.h"
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/scene_file.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
 

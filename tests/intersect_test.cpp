@@ -1,5 +1,5 @@
 // Rays and single primitives: the tracer's answer against the oracle's, and the promise on which the grid's
-// invisibility rests: a computed hit lies within libscene/margin.h's bound of the surface.
+// invisibility rests: a computed hit lies within libscene/geometry/margin.h's bound of the surface.
 #include "tests/ray_case.h"
 
 #include <map>

@@ -1,11 +1,11 @@
 // What is told of where cells are, against every voxel looked up by itself, and against random lines.
-#include "libgrid/build.h"
-#include "libgrid/division.h"
-#include "libgrid/grid_file.h"
+#include "libgrid/build/build.h"
+#include "libgrid/build/division.h"
+#include "libgrid/file/grid_file.h"
 #include "libgrid/map_statistics.h"
-#include "libgrid/merge.h"
+#include "libgrid/build/merge.h"
 #include "libgrid/statistics.h"
-#include "tests/test_scene.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

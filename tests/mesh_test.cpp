@@ -1,5 +1,5 @@
 // Closed meshes let no ray out.
-#include "tests/random_mesh.h"
+#include "tools/bench/stability/random_mesh.h"
 #include "tests/ray_case.h"
 
 namespace masu {

@@ -1,7 +1,7 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
-#include "libgrid/grid_view.h"
-#include "libgrid/nested_map.h"
-#include "tests/test_scene.h"
+#include "libgrid/trace/grid_view.h"
+#include "libgrid/build/nested_map.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "libscene/error.h"
-#include "libscene/nff.h"
-#include "tests/random_seed.h"
+#include "libscene/nff/nff.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // A file appears whole or not at all.
-#include "libscene/output_file.h"
+#include "libscene/file/output_file.h"
 
 #include "libscene/error.h"
-#include "libscene/memory_file.h"
-#include "libscene/same_file.h"
+#include "libscene/file/memory_file.h"
+#include "libscene/file/same_file.h"
 #include "tests/temporary_folder.h"
 
 #include <sys/stat.h>

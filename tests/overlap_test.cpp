@@ -1,9 +1,9 @@
 // Which voxels list a primitive: all that its surface touches, and under the exact test no others; against an
 // oracle that clips triangles, measures distances and cuts voxels up.
-#include "libgrid/division.h"
-#include "libgrid/overlap.h"
-#include "tests/oracle.h"
-#include "tests/test_scene.h"
+#include "libgrid/build/division.h"
+#include "libgrid/build/overlap.h"
+#include "tools/bench/stability/oracle.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

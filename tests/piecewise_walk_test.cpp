@@ -1,6 +1,6 @@
 // A ray's way may be walked in pieces, by whoever has time: the nearest of what the pieces find is what the
 // whole walk finds.
-#include "libgrid/trace.h"
+#include "libgrid/trace/trace.h"
 #include "renderer/counts.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"

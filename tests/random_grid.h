@@ -1,10 +1,10 @@
 // Random grids of every kind.
 #pragma once
 
-#include "libgrid/division.h"
-#include "libgrid/grid_file.h"
-#include "libgrid/merge.h"
-#include "tests/test_scene.h"
+#include "libgrid/build/division.h"
+#include "libgrid/file/grid_file.h"
+#include "libgrid/build/merge.h"
+#include "tools/bench/stability/test_scene.h"
 
 namespace masu {
 

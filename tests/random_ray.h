@@ -2,9 +2,9 @@
 // from faces, from far off.
 #pragma once
 
-#include "libscene/ray.h"
+#include "libscene/geometry/ray.h"
 #include "tests/random_grid.h"
-#include "tests/test_scene.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <bit>
 

@@ -2,7 +2,7 @@
 // voxels' faces, ties.
 #pragma once
 
-#include "tests/test_scene.h"
+#include "tools/bench/stability/test_scene.h"
 
 namespace masu {
 

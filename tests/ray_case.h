@@ -2,13 +2,13 @@
 // and axes, grazing, at tips.
 //
 // Errors are told in u M (unit roundoff times the largest coordinate of the scene's bounds), as
-// libscene/margin.h does.
+// libscene/geometry/margin.h does.
 #pragma once
 
-#include "libgrid/trace.h"
+#include "libgrid/trace/trace.h"
 #include "renderer/counts.h"
-#include "tests/oracle.h"
-#include "tests/test_scene.h"
+#include "tools/bench/stability/oracle.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Rays that begin far off: clipping them to the scene, and what they hit then.
-#include "libscene/surface.h"
+#include "libscene/geometry/surface.h"
 #include "tests/ray_case.h"
 
 #include <algorithm>

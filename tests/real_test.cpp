@@ -1,7 +1,7 @@
 // Arithmetic by itself.
-#include "libscene/real.h"
-#include "tests/random_seed.h"
-#include "tests/test_scene.h"
+#include "libscene/geometry/real.h"
+#include "tools/bench/stability/random_seed.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

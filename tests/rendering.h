@@ -1,9 +1,9 @@
 // Small scenes made and rendered in a test: through the files, as the tools do it.
 #pragma once
 
-#include "libgrid/division.h"
-#include "libgrid/grid_file.h"
-#include "libscene/scene_file.h"
+#include "libgrid/build/division.h"
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/scene_file.h"
 #include "renderer/backend.h"
 #include "tests/temporary_folder.h"
 

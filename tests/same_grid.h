@@ -1,7 +1,7 @@
 // Grids compared, byte for byte.
 #pragma once
 
-#include "libgrid/build.h"
+#include "libgrid/build/build.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/scene.h"
-#include "tests/random_seed.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <random>
 

@@ -2,7 +2,7 @@
 #include "libscene/spd/spd.h"
 
 #include "libscene/error.h"
-#include "libscene/vector.h"
+#include "libscene/geometry/vector.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
 // Robust and double arithmetic fail nowhere, and within the envelopes of docs/stability.md they tell most
 // rays' answers.
-#include "tests/stability/backends.h"
-#include "tests/stability/run.h"
+#include "tools/bench/stability/backends.h"
+#include "tools/bench/stability/run.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // What a grid lists against what each primitive says of each voxel, and the numbers told of it; the same
 // bytes for any number of threads.
-#include "libgrid/build.h"
-#include "libgrid/division.h"
-#include "libgrid/grid_file.h"
+#include "libgrid/build/build.h"
+#include "libgrid/build/division.h"
+#include "libgrid/file/grid_file.h"
 #include "libgrid/statistics.h"
-#include "tests/test_scene.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,6 +1,6 @@
 // Stretching, against its definition followed voxel by voxel; and what it compares lists by.
-#include "libgrid/list.h"
-#include "libgrid/stretch.h"
+#include "libgrid/build/list.h"
+#include "libgrid/build/stretch.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 

@@ -1,5 +1,5 @@
 // The surface at a hit: where it is, which way it faces, and that whoever leaves it does not meet it again.
-#include "libscene/surface.h"
+#include "libscene/geometry/surface.h"
 #include "tests/ray_case.h"
 
 #include <algorithm>

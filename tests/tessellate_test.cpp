@@ -1,7 +1,7 @@
 // Triangles in place of spheres and cones.
-#include "libscene/tessellate.h"
+#include "libscene/mesh/tessellate.h"
 
-#include "libscene/cone.h"
+#include "libscene/geometry/cone.h"
 #include "libscene/error.h"
 #include "tests/scene_builder.h"
 

@@ -1,8 +1,8 @@
 // A scene with one of everything, and grids for it: small enough to be compared byte by byte.
 #pragma once
 
-#include "libgrid/grid_file.h"
-#include "libscene/scene_file.h"
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/scene_file.h"
 
 namespace masu {
 

@@ -1,5 +1,5 @@
 // Whatever goes wrong, a tool says so in one line, exits with the code for it, and leaves nothing behind.
-#include "tests/random_seed.h"
+#include "tools/bench/stability/random_seed.h"
 #include "tests/run_tool.h"
 
 #include <sys/stat.h>

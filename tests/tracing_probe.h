@@ -1,10 +1,10 @@
 // Follows every kind of index that a scene and a grid hold: for files that were made to lead astray.
 #pragma once
 
-#include "libgrid/division.h"
-#include "libgrid/grid_file.h"
-#include "libgrid/merge.h"
-#include "libscene/scene_file.h"
+#include "libgrid/build/division.h"
+#include "libgrid/file/grid_file.h"
+#include "libgrid/build/merge.h"
+#include "libscene/file/scene_file.h"
 #include "renderer/backend.h"
 
 namespace masu {

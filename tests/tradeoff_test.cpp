@@ -1,8 +1,8 @@
 // gridbench tradeoff: what it measures, that it goes on where it was stopped, and that its front is one.
-#include "tests/random_seed.h"
+#include "tools/bench/stability/random_seed.h"
 #include "tests/run_tool.h"
-#include "tools/tradeoff_csv.h"
-#include "tools/tradeoff_front.h"
+#include "tools/bench/tradeoff_csv.h"
+#include "tools/bench/tradeoff_front.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
-#include "libscene/orientation.h"
-#include "libscene/triangulate.h"
-#include "tests/random_seed.h"
+#include "libscene/geometry/orientation.h"
+#include "libscene/mesh/triangulate.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <gtest/gtest.h>
 

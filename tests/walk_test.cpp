@@ -1,5 +1,5 @@
 // The grid never shows: through any grid a ray finds the same bits as by trying every primitive.
-#include "libgrid/trace.h"
+#include "libgrid/trace/trace.h"
 #include "renderer/counts.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"

@@ -1,8 +1,8 @@
 // Compiled once for all tools: parsing a command line takes a compiler longer than what most of them do.
 #include "tools/cli.h"
 
-#include "libscene/same_file.h"
-#include "libscene/temporary_name.h"
+#include "libscene/file/same_file.h"
+#include "libscene/file/temporary_name.h"
 
 #include <csignal>
 #include <exception>

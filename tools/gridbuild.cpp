@@ -1,7 +1,7 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
-#include "libgrid/recipe.h"
+#include "libgrid/build/recipe.h"
 #include "libgrid/statistics.h"
-#include "libscene/scene_file.h"
+#include "libscene/file/scene_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/cli.h"
 

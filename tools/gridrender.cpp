@@ -1,5 +1,5 @@
 // gridrender: maps a scene and its grid, traces them, writes the picture.
-#include "libscene/output_file.h"
+#include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"

@@ -1,10 +1,10 @@
 // gridstat: what a grid holds, in numbers and as a picture; and the founding study's occupancy table of a
 // scene.
-#include "libgrid/grid_file.h"
+#include "libgrid/file/grid_file.h"
 #include "libgrid/map_statistics.h"
 #include "libgrid/statistics.h"
-#include "libscene/output_file.h"
-#include "libscene/scene_file.h"
+#include "libscene/file/output_file.h"
+#include "libscene/file/scene_file.h"
 #include "tools/cli.h"
 #include "tools/slice_picture.h"
 

@@ -1,10 +1,10 @@
 // nff2bin: makes a scene file of an NFF text, and tells what either holds.
-#include "libscene/cone.h"
+#include "libscene/geometry/cone.h"
 #include "libscene/float32_doubt.h"
-#include "libscene/mapped_file.h"
-#include "libscene/nff.h"
-#include "libscene/scene_file.h"
-#include "libscene/tessellate.h"
+#include "libscene/file/mapped_file.h"
+#include "libscene/nff/nff.h"
+#include "libscene/file/scene_file.h"
+#include "libscene/mesh/tessellate.h"
 #include "tools/cli.h"
 
 #include <nlohmann/json.hpp>

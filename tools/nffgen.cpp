@@ -1,5 +1,5 @@
 // nffgen: writes a standard scene as NFF text.
-#include "libscene/output_file.h"
+#include "libscene/file/output_file.h"
 #include "libscene/spd/spd.h"
 #include "tools/cli.h"
 

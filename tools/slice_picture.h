@@ -1,7 +1,7 @@
 // gridstat's pictures: a layer of voxels, coloured by how much their cells list.
 #pragma once
 
-#include "libgrid/grid_file.h"
+#include "libgrid/file/grid_file.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // Turning and framing vectors, as far as the scenes need it.
 #pragma once
 
-#include "libscene/vector.h"
+#include "libscene/geometry/vector.h"
 
 #include <numbers>
 

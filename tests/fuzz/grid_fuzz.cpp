@@ -1,8 +1,8 @@
 // Any bytes as a grid file: an Error, or a grid whose every index can be followed. Seeds: files that
 // gridbuild makes.
-#include "libgrid/grid_file.h"
+#include "libgrid/file/grid_file.h"
 #include "libgrid/statistics.h"
-#include "libgrid/trace.h"
+#include "libgrid/trace/trace.h"
 #include "libscene/error.h"
 #include "renderer/counts.h"
 #include "tests/fuzz/repaired.h"

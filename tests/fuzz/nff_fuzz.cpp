@@ -1,6 +1,6 @@
 // libFuzzer target: any bytes parse or throw Error. The first byte chooses how the text is cut.
 #include "libscene/error.h"
-#include "libscene/nff.h"
+#include "libscene/nff/nff.h"
 
 #include <cstddef>
 #include <cstdint>

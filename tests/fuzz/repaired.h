@@ -1,9 +1,9 @@
 // Bytes as a file, and containers whose hashes are made right so that what lies behind is reached.
 #pragma once
 
-#include "libscene/container.h"
-#include "libscene/memory_file.h"
-#include "libscene/output_file.h"
+#include "libscene/file/container.h"
+#include "libscene/file/memory_file.h"
+#include "libscene/file/output_file.h"
 
 #include <xxhash.h>
 

@@ -1,0 +1,108 @@
+// One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
+#include "libgrid/build/builder.h"
+#include "libgrid/build/device_passes.h"
+#include "libgrid/build/merge_passes.h"
+#include "libscene/cuda/cuda_device.h"
+#include "libscene/stopwatch.h"
+#include "libscene/cuda/transfer.h"
+
+namespace masu {
+namespace {
+
+// The primitives on the device.
+template <class Stored>
+struct DevicePrimitives {
+  DeviceArray<Triangle<Stored>> triangles;
+  DeviceArray<Sphere<Stored>> spheres;
+  DeviceArray<Cone<Stored>> cones;
+  SceneView<Stored> view;
+
+  explicit DevicePrimitives(const SceneView<Stored>& host) : view(host) {
+    Transfer transfer;
+    triangles = transfer.array(std::span(host.triangles, host.triangle_count));
+    spheres = transfer.array(std::span(host.spheres, host.sphere_count));
+    cones = transfer.array(std::span(host.cones, host.cone_count));
+    transfer.run();
+    view.triangles = triangles.data();
+    view.spheres = spheres.data();
+    view.cones = cones.data();
+  }
+};
+
+template <class Stored>
+class CudaBuilder final : public GridBuilder<Stored> {
+public:
+  explicit CudaBuilder(const SceneView<Stored>& scene) : host_(scene) {
+    std::string why;
+    if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": use --device cpu");
+    const Stopwatch watch;
+    passes_ = std::make_unique<DevicePasses>();
+    build_something();
+    seconds_.set_up = watch.seconds();
+    device_ = std::make_unique<DevicePrimitives<Stored>>(scene);
+    seconds_.upload = watch.seconds() - seconds_.set_up;
+  }
+
+  Grid uniform(const Lattice& lattice, Overlap overlap) override {
+    return built([&] { return uniform_by_passes(*passes_, device_->view, lattice, overlap); });
+  }
+  Grid merged(const Lattice& lattice, Overlap overlap, const MergeRule& rule) override {
+    if (rule.merge != Merge::irregular)
+      throw Error(ErrorCode::usage, "--device",
+                  "cuda builds grids merged by none or irregular, not by x or balance: use --device cpu");
+    return built([&] { return irregular_by_passes(*passes_, device_->view, lattice, overlap, rule); });
+  }
+
+  const SceneView<Stored>& scene() const override { return host_; }
+  DeviceSeconds device_seconds() const override { return seconds_; }
+
+private:
+  // Code is brought to the device when it is first called: what comes next shall not be charged for it.
+  void build_something() {
+    const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
+    SceneView<Stored> one{};
+    one.triangles = &triangle;
+    one.triangle_count = 1;
+    const DevicePrimitives<Stored> primitives(one);
+    const Lattice lattice{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
+    uniform_by_passes(*passes_, primitives.view, lattice, Overlap::exact);
+    irregular_by_passes(*passes_, primitives.view, lattice, Overlap::exact, {});
+    check(cudaDeviceSynchronize());
+  }
+
+  template <class Build>
+  Grid built(const Build& build) {
+    const DeviceTimer timer;
+    const PassesGrid<DevicePasses> grid = build();
+    seconds_.build += timer.seconds();
+    const Stopwatch watch;
+    Grid copy{grid.lattice, grid.merge, grid.block_log2, grid.nested_log2, {}, {}, {}};
+    Transfer transfer;
+    const auto fetch = [&](const auto& from, auto& to) {
+      to.resize(from.size());
+      transfer.to_host(to.data(), from.data(), from.size() * sizeof(to[0]));
+    };
+    fetch(grid.voxel_map, copy.voxel_map);
+    fetch(grid.cells, copy.cells);
+    fetch(grid.references, copy.references);
+    transfer.run();
+    seconds_.download += watch.seconds();
+    return copy;
+  }
+
+  SceneView<Stored> host_;
+  std::unique_ptr<DevicePrimitives<Stored>> device_;
+  std::unique_ptr<DevicePasses> passes_;
+  DeviceSeconds seconds_;
+};
+
+} // namespace
+
+template <class Stored>
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene) {
+  return std::make_unique<CudaBuilder<Stored>>(scene);
+}
+template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&);
+template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&);
+
+} // namespace masu

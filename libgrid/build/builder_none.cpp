@@ -1,0 +1,18 @@
+// Stands in for the CUDA builder where the program was built without it.
+#include "libgrid/build/builder.h"
+
+#include "libscene/cuda/cuda_device.h"
+#include "libscene/error.h"
+
+namespace masu {
+
+template <class Stored>
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>&) {
+  std::string why;
+  static_cast<void>(cuda_available(why));
+  throw Error(ErrorCode::device, "cuda", why + ": use --device cpu, or build where nvcc is on the PATH");
+}
+template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&);
+template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&);
+
+} // namespace masu

@@ -1,0 +1,258 @@
+// Passes (passes.h) on a CUDA device. CUDA sources only.
+#pragma once
+
+#include "libgrid/build/passes.h"
+#include "libscene/cuda/device_memory.h"
+
+#include <cub/device/device_radix_sort.cuh>
+#include <cub/device/device_scan.cuh>
+
+#include <algorithm>
+
+namespace masu {
+
+// An array from the device's pool, which takes and gives memory in the order of the work: neither waits.
+template <class T>
+class PooledArray {
+public:
+  PooledArray() = default;
+  explicit PooledArray(std::uint64_t count) : count_(count) {
+    if (count > 0) check(cudaMallocAsync(reinterpret_cast<void**>(&data_), count * sizeof(T), nullptr));
+  }
+  PooledArray(PooledArray&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), count_(std::exchange(other.count_, 0)) {}
+  PooledArray& operator=(PooledArray&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(count_, other.count_);
+    return *this;
+  }
+  PooledArray(const PooledArray&) = delete;
+  PooledArray& operator=(const PooledArray&) = delete;
+  ~PooledArray() {
+    if (data_ != nullptr) static_cast<void>(cudaFreeAsync(data_, nullptr));
+  }
+
+  T* data() const { return data_; }
+  std::uint64_t size() const { return count_; }
+
+private:
+  T* data_ = nullptr;
+  std::uint64_t count_ = 0;
+};
+
+// Some of a warp's threads, `width` (a power of two) side by side, as lanes.h has them.
+template <unsigned width>
+struct WarpLanes {
+  __device__ std::uint32_t lane() const { return threadIdx.x % width; }
+  __device__ std::uint32_t size() const { return width; }
+  __device__ void wait() const { __syncwarp(all()); }
+  __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
+  __device__ std::uint64_t sum(std::uint64_t value) const {
+    for (unsigned apart = width / 2; apart > 0; apart /= 2)
+      value += __shfl_xor_sync(all(), value, static_cast<int>(apart));
+    return value;
+  }
+  __device__ std::uint32_t all_bits(std::uint32_t bits) const {
+    for (unsigned apart = width / 2; apart > 0; apart /= 2)
+      bits |= __shfl_xor_sync(all(), bits, static_cast<int>(apart));
+    return bits;
+  }
+  template <class Candidate>
+  __device__ Candidate first_of_all(Candidate first) const {
+    for (unsigned apart = width / 2; apart > 0; apart /= 2) {
+      const Candidate other = of_lane(first, lane() ^ apart);
+      if (comes_before(other, first)) first = other;
+    }
+    return first;
+  }
+
+private:
+  __device__ static unsigned all() {
+    return width == 32 ? 0xffffffffU : ((1U << width % 32) - 1) << (threadIdx.x % 32 / width * width);
+  }
+  template <class Record>
+  __device__ Record of_lane(const Record& own, std::uint32_t other) const {
+    static_assert(sizeof(Record) % sizeof(std::uint32_t) == 0);
+    union {
+      std::uint32_t words[sizeof(Record) / sizeof(std::uint32_t)];
+      Record record;
+    } copy{};
+    copy.record = own;
+    for (std::uint32_t& word : copy.words)
+      word = __shfl_sync(all(), word, static_cast<int>(other), width);
+    return copy.record;
+  }
+};
+
+// A block's threads. Candidates are the first warp's.
+struct BlockLanes {
+  __device__ std::uint32_t lane() const { return threadIdx.x; }
+  __device__ std::uint32_t size() const { return blockDim.x; }
+  __device__ void wait() const { __syncthreads(); }
+  __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
+  __device__ std::uint64_t sum(std::uint64_t value) const {
+    __shared__ unsigned long long total;
+    __syncthreads(); // the last call's has been read by all
+    if (threadIdx.x == 0) total = 0;
+    __syncthreads();
+    const std::uint64_t own = WarpLanes<32>{}.sum(value);
+    if (threadIdx.x % 32 == 0) atomicAdd(&total, static_cast<unsigned long long>(own));
+    __syncthreads();
+    return total;
+  }
+  __device__ std::uint32_t all_bits(std::uint32_t bits) const {
+    __shared__ std::uint32_t together;
+    __syncthreads();
+    if (threadIdx.x == 0) together = 0;
+    __syncthreads();
+    atomicOr(&together, bits);
+    __syncthreads();
+    return together;
+  }
+  template <class Candidate>
+  __device__ Candidate first_of_all(const Candidate& own) const {
+    return threadIdx.x < 32 ? WarpLanes<32>{}.first_of_all(own) : own;
+  }
+};
+
+namespace kernels {
+
+inline constexpr unsigned threads = 256;
+
+template <class Act>
+__global__ void each(std::uint64_t count, const __grid_constant__ Act act) {
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
+  if (i < count) act(i);
+}
+
+// Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
+// length is large[0].
+inline constexpr unsigned few_lanes = 8, most_for_few = 256;
+template <class Work>
+__global__ void __launch_bounds__(threads)
+    each_by_few(std::uint64_t count, const __grid_constant__ Work work, std::uint32_t* large) {
+  __shared__ typename Work::Scratch scratch[threads / few_lanes];
+  const unsigned own = threadIdx.x / few_lanes;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * (threads / few_lanes) + own;
+  if (i >= count) return;
+  if (work.size(i) > most_for_few) {
+    if (threadIdx.x % few_lanes == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
+    return;
+  }
+  work(WarpLanes<few_lanes>{}, scratch[own], i);
+}
+
+inline constexpr unsigned blocks_for_large = 1024;
+template <class Work>
+__global__ void __launch_bounds__(threads)
+    each_by_blocks(const __grid_constant__ Work work, const std::uint32_t* large) {
+  __shared__ typename Work::Scratch scratch;
+  for (std::uint32_t i = blockIdx.x; i < large[0]; i += gridDim.x) {
+    work(BlockLanes{}, scratch, large[1 + i]);
+    __syncthreads();
+  }
+}
+
+struct Sum {
+  template <class T>
+  MASU_HD T operator()(const T& a, const T& b) const {
+    return a + b;
+  }
+};
+
+inline unsigned blocks_for(std::uint64_t threads_wanted) {
+  return static_cast<unsigned>((threads_wanted + threads - 1) / threads);
+}
+
+} // namespace kernels
+
+class DevicePasses {
+public:
+  template <class T>
+  using Array = PooledArray<T>;
+
+  // Memory that is given back stays with the pool, for what comes next.
+  DevicePasses() {
+    int device = 0;
+    check(cudaGetDevice(&device));
+    check(cudaDeviceGetDefaultMemPool(&pool_, device));
+    std::uint64_t all = ~std::uint64_t{0};
+    check(cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all));
+  }
+  ~DevicePasses() {
+    std::uint64_t none = 0;
+    static_cast<void>(cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &none));
+    static_cast<void>(cudaDeviceSynchronize());
+    static_cast<void>(cudaMemPoolTrimTo(pool_, 0));
+  }
+  DevicePasses(const DevicePasses&) = delete;
+  DevicePasses& operator=(const DevicePasses&) = delete;
+
+  template <class T>
+  Array<T> array(std::uint64_t count) const {
+    return Array<T>(count);
+  }
+  template <class T>
+  Array<T> zeros(std::uint64_t count) const {
+    Array<T> values(count);
+    if (count > 0) check(cudaMemsetAsync(values.data(), 0, count * sizeof(T), nullptr));
+    return values;
+  }
+  template <class Act>
+  void for_each(std::uint64_t count, const Act& act) const {
+    if (count == 0) return;
+    kernels::each<<<kernels::blocks_for(count), kernels::threads>>>(count, act);
+    check(cudaGetLastError());
+  }
+  template <class Work>
+  void for_each_by_lanes(std::uint64_t count, const Work& work) const {
+    if (count == 0) return;
+    using namespace kernels;
+    const auto large = array<std::uint32_t>(count + 1);
+    check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
+    each_by_few<<<blocks_for(count * few_lanes), threads>>>(count, work, large.data());
+    check(cudaGetLastError());
+    each_by_blocks<<<blocks_for_large, threads>>>(work, large.data());
+    check(cudaGetLastError());
+  }
+  template <class T>
+  void scan(Array<T>& values) const {
+    with_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceScan::ExclusiveScan(memory, bytes, values.data(), values.data(), kernels::Sum{}, T{},
+                                            values.size());
+    });
+  }
+  template <class T>
+  T value(const Array<T>& values, std::uint64_t i) const {
+    T one;
+    check(cudaMemcpy(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost));
+    return one;
+  }
+  template <class Value>
+  void sort(Array<std::uint64_t>& keys, Array<Value>& values, int bits) const {
+    if (keys.size() == 0) return;
+    Array<std::uint64_t> other_keys(keys.size());
+    Array<Value> other_values(values.size());
+    cub::DoubleBuffer<std::uint64_t> key_buffers(keys.data(), other_keys.data());
+    cub::DoubleBuffer<Value> value_buffers(values.data(), other_values.data());
+    with_memory([&](void* memory, std::size_t& bytes) {
+      return cub::DeviceRadixSort::SortPairs(memory, bytes, key_buffers, value_buffers, keys.size(), 0, bits);
+    });
+    if (key_buffers.Current() != keys.data()) keys = std::move(other_keys);
+    if (value_buffers.Current() != values.data()) values = std::move(other_values);
+  }
+
+private:
+  // CUB's way: asked without memory, act says how many bytes it needs.
+  template <class Act>
+  static void with_memory(const Act& act) {
+    std::size_t bytes = 0;
+    check(act(nullptr, bytes));
+    const Array<std::uint8_t> memory(std::max(bytes, std::size_t{1}));
+    check(act(memory.data(), bytes));
+  }
+
+  cudaMemPool_t pool_ = nullptr;
+};
+
+} // namespace masu

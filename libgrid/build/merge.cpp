@@ -1,0 +1,203 @@
+#include "libgrid/build/merge.h"
+
+#include "libgrid/file/grid_file.h"
+#include "libgrid/build/nested_map.h"
+#include "libgrid/build/stretch.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+// A part of a grid on its own: places and numbers in it count from its own beginning. `top` are words of the
+// map's top level, `nested` what they lead to.
+struct GridPart {
+  std::vector<std::uint32_t> top, nested;
+  std::vector<MergedCell> cells;
+  std::vector<PrimitiveIndex> references;
+};
+
+void add_cells(const Partition& partition, GridPart& part) {
+  for (const Leaf& leaf : partition.leaves) {
+    const auto list = static_cast<std::uint32_t>(part.references.size());
+    part.cells.push_back(packed(leaf.box, leaf.count > 0 ? list : empty_list));
+    const auto first = partition.references.begin() + leaf.begin;
+    part.references.insert(part.references.end(), first, first + leaf.count);
+    if (leaf.count > 0) part.references.back() |= last_bit;
+  }
+}
+
+std::vector<PrimitiveIndex> listed(const Grid& grid, std::uint32_t list) {
+  std::vector<PrimitiveIndex> primitives;
+  for (bool last = false; !last; ++list) {
+    last = (grid.references[list] & last_bit) != 0;
+    primitives.push_back(grid.references[list] & ~last_bit);
+  }
+  return primitives;
+}
+
+// One row along x of a uniform grid's voxels: empty ones are joined, those with primitives divided by
+// `divide`(voxel's box, primitives).
+template <class Divide>
+GridPart row_part(const Grid& uniform, std::int32_t y, std::int32_t z, std::int32_t nested_log2,
+                  const Divide& divide) {
+  const GridView<double> view = view_of<double>(uniform);
+  GridPart part;
+  bool after_empty = false;
+  for (std::int32_t x = 0; x < view.division.x; ++x) {
+    const Vec3i voxel{x, y, z};
+    const auto scaled = [&](const Vec3i& v) {
+      return Vec3i{v.x << nested_log2, v.y << nested_log2, v.z << nested_log2};
+    };
+    const VoxelBox box{scaled(voxel), scaled(voxel + Vec3i{1, 1, 1})};
+    const std::uint32_t word = look_up(view, voxel).word;
+    if ((word & occupied_bit) == 0) {
+      if (!after_empty) part.cells.push_back(packed(box, empty_list));
+      MergedCell& cell = part.cells.back();
+      cell.x = (cell.x & 0xffff) | static_cast<std::uint32_t>(box.end.x) << 16;
+      part.top.push_back(occupied_bit | static_cast<std::uint32_t>(part.cells.size() - 1));
+      after_empty = true;
+      continue;
+    }
+    after_empty = false;
+    const Partition partition = divide(box, listed(uniform, word & ~occupied_bit));
+    const auto first_cell = static_cast<std::uint32_t>(part.cells.size());
+    const std::size_t first_word = part.nested.size();
+    const std::uint32_t root = append_nested_map(partition.leaves, box.first, nested_log2, part.nested);
+    const auto moved = [&](std::uint32_t w) { return (w & occupied_bit) != 0 ? w + first_cell : w; };
+    part.top.push_back(moved(root));
+    std::transform(part.nested.begin() + static_cast<std::ptrdiff_t>(first_word), part.nested.end(),
+                   part.nested.begin() + static_cast<std::ptrdiff_t>(first_word), moved);
+    add_cells(partition, part);
+  }
+  return part;
+}
+
+// Where each part's words, cells and references begin in the whole; one entry more than there are parts.
+template <class Size>
+std::vector<std::uint64_t> offsets(const std::vector<GridPart>& parts, std::uint64_t first,
+                                   const Size& size) {
+  std::vector<std::uint64_t> begin{first};
+  for (const GridPart& part : parts)
+    begin.push_back(begin.back() + size(part));
+  return begin;
+}
+
+// Puts the rows of the top level's map together.
+void join(std::vector<GridPart>& rows, Grid& grid) {
+  const auto top = offsets(rows, 0, [](const GridPart& part) { return part.top.size(); });
+  const auto nested =
+      offsets(rows, rounded_to_unit(top.back()), [](const GridPart& part) { return part.nested.size(); });
+  const auto cells = offsets(rows, 0, [](const GridPart& part) { return part.cells.size(); });
+  const auto references = offsets(rows, 0, [](const GridPart& part) { return part.references.size(); });
+  check_merged_sizes(cells.back(), references.back(), nested.front(), nested.back());
+  grid.voxel_map.assign(nested.back(), 0);
+  grid.cells.resize(cells.back());
+  grid.references.resize(references.back());
+  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
+    GridPart& row = rows[i];
+    const auto cell = static_cast<std::uint32_t>(cells[i]), place = static_cast<std::uint32_t>(nested[i]),
+               list = static_cast<std::uint32_t>(references[i]);
+    const auto moved = [&](std::uint32_t word) {
+      if (word == 0) return word; // fills a unit up
+      if ((word & occupied_bit) != 0) return word + cell;
+      const MapDivision division = map_division(word);
+      return map_word({division.place + place, division.log2});
+    };
+    std::transform(row.top.begin(), row.top.end(), grid.voxel_map.data() + top[i], moved);
+    std::transform(row.nested.begin(), row.nested.end(), grid.voxel_map.data() + nested[i], moved);
+    std::transform(row.cells.begin(), row.cells.end(), grid.cells.data() + cells[i], [&](MergedCell c) {
+      if (c.list != empty_list) c.list += list;
+      return c;
+    });
+    std::copy(row.references.begin(), row.references.end(), grid.references.data() + references[i]);
+    row = {};
+  });
+}
+
+template <class Divide>
+void merge_rows(const Grid& uniform, Grid& grid, const Divide& divide) {
+  const Vec3i n = grid.lattice.division;
+  std::vector<GridPart> rows(static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
+  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t row) {
+    const auto y = static_cast<std::int32_t>(row % static_cast<std::size_t>(n.y)),
+               z = static_cast<std::int32_t>(row / static_cast<std::size_t>(n.y));
+    rows[row] = row_part(uniform, y, z, grid.nested_log2, divide);
+  });
+  join(rows, grid);
+}
+
+template <class Stored>
+void merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const PartitionRule& rule, Grid& grid) {
+  const Vec3i n = grid.lattice.division;
+  std::vector<PrimitiveIndex> all(scene.primitive_count());
+  std::iota(all.begin(), all.end(), 0U);
+  const Partition whole = partition(scene, grid.lattice, overlap, rule, {{0, 0, 0}, n}, all);
+  std::vector<GridPart> parts(1);
+  GridPart& part = parts.front();
+  add_cells(whole, part);
+  part.top.resize(voxel_count(n));
+  tbb::parallel_for(std::size_t{0}, whole.leaves.size(), [&](std::size_t cell) {
+    const VoxelBox& box = whole.leaves[cell].box;
+    for_each_voxel({box.first, box.end - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      part.top[linear_index(voxel, n)] = occupied_bit | static_cast<std::uint32_t>(cell);
+    });
+  });
+  join(parts, grid);
+}
+
+} // namespace
+
+void check_mergeable(const Vec3i& division) {
+  if (std::max({division.x, division.y, division.z}) > largest_plane ||
+      voxel_count(division) > most_merged_voxels)
+    too_fine("more than 2^28 voxels to merge");
+}
+
+void check_merged_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
+                        std::uint64_t words) {
+  if (std::max(cells, references) > most_numbered) too_fine("more than 2^31 cells or references");
+  if (words > most_nested_words && words > top_words) too_fine("more than 2^27 words for its map");
+}
+
+std::int32_t nested_log2_for(const Vec3i& division, const MergeRule& rule) {
+  const std::int32_t longest = std::max({division.x, division.y, division.z});
+  std::int32_t nested_log2 = 0;
+  while (nested_log2 < rule.nested_log2 && (longest << (nested_log2 + 1)) <= largest_plane)
+    ++nested_log2;
+  return nested_log2;
+}
+
+template <class Stored>
+Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+                  const MergeRule& rule) {
+  check_mergeable(lattice.division);
+  Grid grid{lattice, rule.merge, 0, 0, {}, {}, {}};
+  if (rule.merge == Merge::balance) {
+    merge_balanced(scene, overlap, {false, 0, 0, 1, rule.target}, grid);
+    return grid;
+  }
+  const Grid uniform = build_uniform(scene, lattice, overlap);
+  if (rule.merge == Merge::x) {
+    merge_rows(uniform, grid, [](const VoxelBox& box, std::vector<PrimitiveIndex> primitives) {
+      const auto count = static_cast<std::uint32_t>(primitives.size());
+      return Partition{{{box, 0, count}}, std::move(primitives)};
+    });
+    return grid;
+  }
+  grid.nested_log2 = nested_log2_for(lattice.division, rule);
+  const Lattice finest = finer(lattice, grid.nested_log2);
+  const PartitionRule by_cost = partition_rule(rule);
+  merge_rows(uniform, grid, [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
+    return partition(scene, finest, overlap, by_cost, box, primitives);
+  });
+  stretch(grid, rule.stretches);
+  return grid;
+}
+template Grid build_merged(const SceneView<float>&, const Lattice&, Overlap, const MergeRule&);
+template Grid build_merged(const SceneView<double>&, const Lattice&, Overlap, const MergeRule&);
+
+} // namespace masu

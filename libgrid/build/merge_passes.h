@@ -1,0 +1,266 @@
+// An irregular grid by passes (passes.h): the same bytes as build_merged's.
+#pragma once
+
+#include "libgrid/build/nested_map_passes.h"
+#include "libgrid/build/partition_passes.h"
+#include "libgrid/build/stretch_passes.h"
+
+namespace masu {
+
+// The voxels of a uniform grid that hold something: where, and which pairs.
+template <class Passes>
+struct OccupiedVoxels {
+  ArrayOf<Passes, std::uint32_t> places{};  // in rising order
+  ArrayOf<Passes, std::uint32_t> begins{};  // one more than there are voxels
+  ArrayOf<Passes, std::uint32_t> numbers{}; // of each pair: how many voxels begin before it
+};
+
+template <class Passes>
+OccupiedVoxels<Passes> occupied_voxels(Passes& passes, const VoxelPairs<Passes>& pairs) {
+  const std::uint64_t count = pairs.places.size();
+  const std::uint64_t* const place = pairs.places.data();
+  OccupiedVoxels<Passes> occupied;
+  occupied.numbers =
+      numbered(passes, count, [=] MASU_PASS(std::uint64_t i) { return i == 0 || place[i] != place[i - 1]; });
+  const std::uint32_t voxels = passes.value(occupied.numbers, count);
+  occupied.places = passes.template array<std::uint32_t>(voxels);
+  occupied.begins = passes.template array<std::uint32_t>(std::uint64_t{voxels} + 1);
+  const std::uint32_t* const number = occupied.numbers.data();
+  std::uint32_t* const voxel_place = occupied.places.data();
+  std::uint32_t* const begin = occupied.begins.data();
+  passes.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+    if (i == count) begin[voxels] = static_cast<std::uint32_t>(count);
+    if (i == count || number[i + 1] == number[i]) return;
+    voxel_place[number[i]] = static_cast<std::uint32_t>(place[i]);
+    begin[number[i]] = static_cast<std::uint32_t>(i);
+  });
+  return occupied;
+}
+
+MASU_HD inline Vec3i voxel_at(std::uint32_t place, const Vec3i& division) {
+  const auto x = static_cast<std::uint32_t>(division.x), y = static_cast<std::uint32_t>(division.y);
+  return {static_cast<std::int32_t>(place % x), static_cast<std::int32_t>(place / x % y),
+          static_cast<std::int32_t>(place / x / y)};
+}
+
+// Voxels first … end - 1, in voxels 2^log2 times smaller.
+MASU_HD inline VoxelBox nested_box(const Vec3i& first, const Vec3i& end, std::int32_t log2) {
+  return {{first.x << log2, first.y << log2, first.z << log2}, {end.x << log2, end.y << log2, end.z << log2}};
+}
+
+// The voxels as boxes to be divided, and their parts.
+template <class Passes, class Stored>
+PartitionLevel<Passes> first_level(Passes& passes, const Partitioner<Stored>& partitioner,
+                                   const Vec3i& division, std::int32_t nested_log2,
+                                   const VoxelPairs<Passes>& pairs, const OccupiedVoxels<Passes>& occupied,
+                                   OpenParts<Passes>& open) {
+  const std::uint64_t count = pairs.primitives.size(), voxels = occupied.places.size();
+  auto all = passes.template array<Part>(count);
+  auto kept = passes.template array<std::uint32_t>(count + 1);
+  Part* const part = all.data();
+  std::uint32_t* const kept_before = kept.data();
+  const PrimitiveIndex* const primitive = pairs.primitives.data();
+  const std::uint32_t* const number = occupied.numbers.data();
+  const std::uint32_t* const place = occupied.places.data();
+  const std::uint32_t* const begin = occupied.begins.data();
+  passes.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+    kept_before[i] = 0;
+    if (i == count) return;
+    const Vec3i voxel = voxel_at(place[number[i + 1] - 1], division);
+    const VoxelBox box = nested_box(voxel, voxel + Vec3i{1, 1, 1}, nested_log2);
+    kept_before[i] = partitioner.part_in(box, primitive[i], part[i]) ? 1 : 0;
+  });
+  passes.scan(kept);
+  const std::uint32_t parts = passes.value(kept, count);
+
+  open.parts = passes.template array<Part>(parts);
+  open.box_of = passes.template array<std::uint32_t>(parts);
+  Part* const open_part = open.parts.data();
+  std::uint32_t* const box_of_part = open.box_of.data();
+  passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    if (kept_before[i + 1] == kept_before[i]) return;
+    open_part[kept_before[i]] = part[i];
+    box_of_part[kept_before[i]] = number[i + 1] - 1;
+  });
+  PartitionLevel<Passes> level{passes.template array<LevelBox>(voxels), {}};
+  LevelBox* const boxes = level.boxes.data();
+  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
+    const Vec3i voxel = voxel_at(place[i], division);
+    boxes[i] = {nested_box(voxel, voxel + Vec3i{1, 1, 1}, nested_log2),
+                kept_before[begin[i]],
+                kept_before[begin[i + 1]],
+                0,
+                0,
+                no_child};
+  });
+  return level;
+}
+
+// How many cells there are before each voxel of the division, and at its end before no more: those of the
+// occupied ones, and one for each run along x of those that hold nothing.
+template <class Passes>
+ArrayOf<Passes, std::uint32_t> cells_before_voxels(Passes& passes, const Vec3i& division,
+                                                   const std::uint32_t* occupied_number,
+                                                   const LeafCounts* leaves) {
+  const std::uint64_t voxels = voxel_count(division);
+  auto cells = passes.template array<std::uint32_t>(voxels + 1);
+  std::uint32_t* const before = cells.data();
+  const auto row = static_cast<std::uint32_t>(division.x);
+  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
+    if (i == voxels) {
+      before[i] = 0;
+    } else if (occupied_number[i] != 0) {
+      before[i] = leaves[occupied_number[i] - 1].leaves;
+    } else {
+      before[i] = i % row == 0 || occupied_number[i - 1] != 0 ? 1 : 0;
+    }
+  });
+  passes.scan(cells);
+  return cells;
+}
+
+// The cells of runs of empty voxels, and the words of their voxels.
+template <class Passes>
+void write_empty_runs(Passes& passes, const Vec3i& division, const std::uint32_t* occupied_number,
+                      const std::uint32_t* cells_before, PassesGrid<Passes>& grid) {
+  MergedCell* const cells = grid.cells.data();
+  std::uint32_t* const map = grid.voxel_map.data();
+  const std::int32_t log2 = grid.nested_log2;
+  passes.for_each(voxel_count(division), [=] MASU_PASS(std::uint64_t i) {
+    if (occupied_number[i] != 0) return;
+    const bool begins = cells_before[i + 1] != cells_before[i];
+    const std::uint32_t cell = begins ? cells_before[i] : cells_before[i] - 1;
+    map[i] = occupied_bit | cell;
+    if (!begins) return;
+    const Vec3i first = voxel_at(static_cast<std::uint32_t>(i), division);
+    Vec3i end = first + Vec3i{1, 1, 1};
+    while (end.x < division.x && occupied_number[i + static_cast<std::uint32_t>(end.x - first.x)] == 0)
+      ++end.x;
+    cells[cell] = packed(nested_box(first, end, log2), empty_list);
+  });
+}
+
+// The maps of the occupied voxels, cubes of the nested division. Makes the grid's map as large as it has to
+// be. `starts` and `leaves` say of each voxel where its cells begin, and how many they are.
+template <class Passes>
+void write_nested_maps(Passes& passes, const Vec3i& division, const ArrayOf<Passes, std::uint32_t>& places,
+                       const LeafCounts* starts, const LeafCounts* leaves, PassesGrid<Passes>& grid) {
+  const std::uint64_t voxels = places.size(), top_words = rounded_to_unit(voxel_count(division));
+  const std::uint32_t* const place = places.data();
+  const std::int32_t log2 = grid.nested_log2;
+  // Those of several cells, and their entries.
+  auto several = passes.template array<WordCounts>(voxels + 1);
+  WordCounts* const before = several.data();
+  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
+    const std::uint32_t own = i != voxels && leaves[i].leaves > 1 ? leaves[i].leaves : 0;
+    before[i] = {own > 0 ? 1U : 0U, own};
+  });
+  passes.scan(several);
+  const WordCounts all = passes.value(several, voxels);
+
+  std::vector<MapLevel<Passes>> levels(1);
+  levels[0].boxes = passes.template array<MapBox>(all.children);
+  MapEntries<Passes> entries{passes.template array<std::uint32_t>(all.entries),
+                             passes.template array<std::uint32_t>(all.entries)};
+  MapBox* const boxes = levels[0].boxes.data();
+  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
+    const WordCounts here = before[i], after = before[i + 1];
+    if (after.children == here.children) return;
+    const Vec3i voxel = voxel_at(place[i], division);
+    const MapPlace cube{nested_box(voxel, voxel, log2).first, {log2, log2, log2}};
+    boxes[here.children] = undivided(cube, here.entries, after.entries, static_cast<std::uint32_t>(i));
+  });
+  std::uint32_t* const cell = entries.cells.data();
+  std::uint32_t* const box_of_cell = entries.box_of.data();
+  const std::uint64_t box_count = all.children;
+  passes.for_each(all.entries, [=] MASU_PASS(std::uint64_t i) {
+    const std::uint64_t box = owner_by([=](std::uint64_t b) { return boxes[b].begin; }, box_count, i);
+    cell[i] = starts[boxes[box].parent_word].leaves + static_cast<std::uint32_t>(i) - boxes[box].begin;
+    box_of_cell[i] = static_cast<std::uint32_t>(box);
+  });
+  std::uint64_t words = top_words;
+  while (levels.back().boxes.size() > 0) {
+    levels.push_back(divide_map_level(passes, grid.cells.data(), levels.back(), entries));
+    words += levels[levels.size() - 2].words.size();
+    check_merged_sizes(0, 0, top_words, words);
+  }
+
+  const auto counts = count_words(passes, levels);
+  auto begins = passes.template array<std::uint32_t>(box_count + 1);
+  std::uint32_t* const begin = begins.data();
+  const std::uint32_t* const count = counts[0].data();
+  passes.for_each(box_count + 1,
+                  [=] MASU_PASS(std::uint64_t i) { begin[i] = i == box_count ? 0 : count[i]; });
+  passes.scan(begins);
+  passes.for_each(box_count,
+                  [=] MASU_PASS(std::uint64_t i) { begin[i] += static_cast<std::uint32_t>(top_words); });
+  grid.voxel_map = passes.template zeros<std::uint32_t>(words);
+  std::uint32_t* const map = grid.voxel_map.data();
+  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
+    const WordCounts here = before[i];
+    map[place[i]] = leaves[i].leaves > 1 ? map_word({begin[here.children], boxes[here.children].division})
+                                         : occupied_bit | starts[i].leaves;
+  });
+  write_maps(passes, levels, counts, std::move(begins), grid.voxel_map);
+}
+
+template <class Passes>
+MergedGridView<double> merged_view(const PassesGrid<Passes>& grid) {
+  const Lattice finest = finer(grid.lattice, grid.nested_log2);
+  return {grid.voxel_map.data(), grid.cells.data(),     grid.references.data(), {}, {}, {},
+          finest.division,       grid.lattice.division, grid.nested_log2};
+}
+
+template <class Passes, class Stored>
+PassesGrid<Passes> irregular_by_passes(Passes& passes, const SceneView<Stored>& scene, const Lattice& lattice,
+                                       Overlap overlap, const MergeRule& rule) {
+  check_primitives(scene.primitive_count());
+  check_mergeable(lattice.division);
+  const Vec3i division = lattice.division;
+  PassesGrid<Passes> grid{lattice, Merge::irregular, 0, nested_log2_for(division, rule)};
+  const Partitioner<Stored> partitioner(scene, finer(lattice, grid.nested_log2), overlap,
+                                        partition_rule(rule));
+  VoxelPairs<Passes> pairs = voxel_pairs(passes, scene, lattice, overlap, StorageOrder(division, 0));
+  OccupiedVoxels<Passes> occupied = occupied_voxels(passes, pairs);
+  OpenParts<Passes> open;
+  auto first = first_level(passes, partitioner, division, grid.nested_log2, pairs, occupied, open);
+  pairs = {};
+  occupied.numbers = {};
+  auto levels = partition_by_passes(passes, partitioner, std::move(first), std::move(open));
+
+  check_leaves(levels);
+
+  // Where each voxel's cells and references go.
+  const auto counts = count_leaves(passes, levels);
+  const std::uint64_t voxels = occupied.places.size();
+  auto occupied_numbers = passes.template zeros<std::uint32_t>(voxel_count(division));
+  auto starts = passes.template array<LeafCounts>(voxels + 1);
+  std::uint32_t* const occupied_number = occupied_numbers.data();
+  LeafCounts* const start = starts.data();
+  const LeafCounts* const leaves = counts[0].data();
+  const std::uint32_t* const place = occupied.places.data();
+  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
+    start[i] = {0, i == voxels ? 0 : leaves[i].references};
+    if (i != voxels) occupied_number[place[i]] = static_cast<std::uint32_t>(i) + 1;
+  });
+  passes.scan(starts);
+  const auto cells_before = cells_before_voxels(passes, division, occupied_number, leaves);
+  const std::uint32_t* const cell_before = cells_before.data();
+  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) { start[i].leaves = cell_before[place[i]]; });
+  const std::uint64_t cells = passes.value(cells_before, voxel_count(division)),
+                      references = passes.value(starts, voxels).references;
+  check_merged_sizes(cells, references, 0, 0);
+  grid.cells = passes.template array<MergedCell>(cells);
+  grid.references = passes.template array<PrimitiveIndex>(references);
+  auto copied = passes.template array<LeafCounts>(voxels + 1);
+  LeafCounts* const copy = copied.data();
+  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) { copy[i] = start[i]; });
+  write_leaves(passes, levels, counts, std::move(copied), grid);
+  levels.clear();
+  write_nested_maps(passes, division, occupied.places, start, leaves, grid);
+  write_empty_runs(passes, division, occupied_number, cell_before, grid);
+  stretch_by_passes(passes, merged_view(grid), cells, grid.cells.data(), rule.stretches);
+  return grid;
+}
+
+} // namespace masu

@@ -1,0 +1,288 @@
+// Partitions of many boxes at once, by passes (passes.h): level by level what partition.h does box by box.
+#pragma once
+
+#include "libgrid/build/merge.h"
+#include "libgrid/build/partitioner.h"
+#include "libgrid/build/passes.h"
+#include "libgrid/build/uniform_passes.h"
+
+#include <vector>
+
+namespace masu {
+
+inline constexpr std::uint32_t no_child = 0xffffffffU;
+
+// A box of a level. While it is open, `begin` … `end` - 1 are its parts; a leaf's are its references among
+// its level's, in the end.
+struct LevelBox {
+  VoxelBox box;
+  std::uint32_t begin, end;
+  std::int32_t axis, at; // the plane that divides it
+  std::uint32_t child;   // its number on the next level is that of what is below; what is above follows
+};
+
+struct ListedPart {
+  PrimitiveIndex primitive;
+  std::uint32_t box; // which lists it
+};
+
+template <class Passes>
+struct PartitionLevel {
+  ArrayOf<Passes, LevelBox> boxes{};
+  ArrayOf<Passes, ListedPart> listed{}; // leaf by leaf
+};
+
+template <class Passes>
+struct OpenParts {
+  ArrayOf<Passes, Part> parts{};
+  ArrayOf<Passes, std::uint32_t> box_of{};
+};
+
+// Of the parts before some place: how many there are of below a plane and above it; how many leaves list.
+struct PartCounts {
+  std::uint32_t below, above, listed;
+  friend MASU_HD PartCounts operator+(const PartCounts& a, const PartCounts& b) {
+    return {a.below + b.below, a.above + b.above, a.listed + b.listed};
+  }
+};
+
+template <class Stored>
+struct ChoosePlanes {
+  using Scratch = PlaneBins;
+  Partitioner<Stored> partitioner;
+  LevelBox* boxes;
+  const Part* parts;
+
+  MASU_HD std::uint32_t size(std::uint64_t i) const { return boxes[i].end - boxes[i].begin; }
+  template <class Lanes>
+  MASU_HD void operator()(const Lanes& lanes, PlaneBins& bins, std::uint64_t i) const {
+    LevelBox& own = boxes[i];
+    const Plane plane = partitioner.cheapest_plane(lanes, bins, own.box, parts + own.begin, size(i));
+    if (lanes.lane() != 0) return;
+    own.axis = plane.axis;
+    own.at = plane.at;
+    own.child = is_plane(plane) ? 0 : no_child;
+  }
+};
+
+// Says of every part on which sides of its box's plane it is, or whether the leaf it is in lists it: the
+// counts before it, and after the last. A part that is on both sides stays in its place as what is below, and
+// is in `above` as what is above.
+template <class Passes, class Stored>
+ArrayOf<Passes, PartCounts> count_parts(Passes& passes, const Partitioner<Stored>& partitioner,
+                                        const LevelBox* boxes, OpenParts<Passes>& open, Part* above) {
+  const std::uint64_t count = open.parts.size();
+  Part* const parts = open.parts.data();
+  const std::uint32_t* const box_of = open.box_of.data();
+  // Most parts are on one side. Those that take a look at their primitive are put on lists, so that the
+  // threads of a warp all have one to look at.
+  auto counts = passes.template array<PartCounts>(count + 1);
+  auto lists = passes.template array<std::uint32_t>(2 * count);
+  auto lengths = passes.template zeros<std::uint32_t>(2);
+  PartCounts* const before = counts.data();
+  std::uint32_t *const cut = lists.data(), *const in_leaf = lists.data() + count,
+                       *const length = lengths.data();
+  passes.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+    if (i == count) {
+      before[i] = {0, 0, 0};
+      return;
+    }
+    const LevelBox& own = boxes[box_of[i]];
+    if (own.child == no_child) {
+      in_leaf[counted(length[1], 1)] = static_cast<std::uint32_t>(i);
+      return;
+    }
+    const auto sides = partitioner.sides_of_part(parts[i], Plane{own.axis, own.at, 0});
+    if (sides.below && sides.above) {
+      cut[counted(length[0], 1)] = static_cast<std::uint32_t>(i);
+    } else {
+      before[i] = {sides.below ? 1U : 0U, sides.above ? 1U : 0U, 0};
+    }
+  });
+  passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    if (i >= length[0]) return;
+    const std::uint32_t part = cut[i];
+    const LevelBox& own = boxes[box_of[part]];
+    Part low{}, high{};
+    const auto sides = partitioner.cut(parts[part], Plane{own.axis, own.at, 0}, low, high);
+    before[part] = {sides.below ? 1U : 0U, sides.above ? 1U : 0U, 0};
+    parts[part] = sides.below ? low : high;
+    if (sides.below && sides.above) above[part] = high;
+  });
+  passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    if (i >= length[1]) return;
+    const std::uint32_t part = in_leaf[i];
+    before[part] = {0, 0, partitioner.lists(boxes[box_of[part]].box, parts[part].primitive) ? 1U : 0U};
+  });
+  passes.scan(counts);
+  return counts;
+}
+
+// The next level's parts: of each divided box those below, then those above, in their order. What leaves list
+// goes to `listed`. `divided_before` numbers the boxes that are divided.
+template <class Passes>
+OpenParts<Passes> move_parts(Passes& passes, const LevelBox* boxes, const OpenParts<Passes>& open,
+                             const Part* above, const PartCounts* before, const std::uint32_t* divided_before,
+                             std::uint64_t next_count, ListedPart* listed) {
+  OpenParts<Passes> next{passes.template array<Part>(next_count),
+                         passes.template array<std::uint32_t>(next_count)};
+  const Part* const parts = open.parts.data();
+  const std::uint32_t* const box_of = open.box_of.data();
+  Part* const next_parts = next.parts.data();
+  std::uint32_t* const next_box_of = next.box_of.data();
+  passes.for_each(open.parts.size(), [=] MASU_PASS(std::uint64_t i) {
+    const PartCounts here = before[i], after = before[i + 1];
+    const std::uint32_t box = box_of[i], child = 2 * divided_before[box];
+    const PartCounts first = before[boxes[box].begin];
+    const std::uint32_t begin = first.below + first.above;
+    const bool is_below = after.below != here.below, is_above = after.above != here.above;
+    if (is_below) {
+      const std::uint32_t at = begin + here.below - first.below;
+      next_parts[at] = parts[i];
+      next_box_of[at] = child;
+    }
+    if (is_above) {
+      const std::uint32_t all_below = before[boxes[box].end].below - first.below;
+      const std::uint32_t at = begin + all_below + here.above - first.above;
+      next_parts[at] = is_below ? above[i] : parts[i];
+      next_box_of[at] = child + 1;
+    }
+    if (after.listed != here.listed) listed[here.listed] = {parts[i].primitive, box};
+  });
+  return next;
+}
+
+// Divides the level's boxes, once or not at all, and returns the next level's. `open` are their parts, and
+// afterwards those of the next level's.
+template <class Passes, class Stored>
+PartitionLevel<Passes> divide_level(Passes& passes, const Partitioner<Stored>& partitioner,
+                                    PartitionLevel<Passes>& level, OpenParts<Passes>& open) {
+  LevelBox* const boxes = level.boxes.data();
+  const std::uint64_t box_count = level.boxes.size(), part_count = open.parts.size();
+  passes.for_each_by_lanes(box_count, ChoosePlanes<Stored>{partitioner, boxes, open.parts.data()});
+  const auto divided =
+      numbered(passes, box_count, [=] MASU_PASS(std::uint64_t i) { return boxes[i].child != no_child; });
+  const std::uint32_t* const divided_before = divided.data();
+
+  auto above = passes.template array<Part>(part_count);
+  const auto counts = count_parts(passes, partitioner, boxes, open, above.data());
+  const PartCounts all = passes.value(counts, part_count);
+  const std::uint64_t next_count = std::uint64_t{all.below} + all.above;
+  if (next_count > most_numbered) too_fine("more than 2^31 cells or references");
+  level.listed = passes.template array<ListedPart>(all.listed);
+  const PartCounts* const before = counts.data();
+  open =
+      move_parts(passes, boxes, open, above.data(), before, divided_before, next_count, level.listed.data());
+
+  PartitionLevel<Passes> next{
+      passes.template array<LevelBox>(2 * std::uint64_t{passes.value(divided, box_count)}), {}};
+  LevelBox* const next_boxes = next.boxes.data();
+  passes.for_each(box_count, [=] MASU_PASS(std::uint64_t i) {
+    LevelBox& own = boxes[i];
+    const PartCounts first = before[own.begin], last = before[own.end];
+    if (own.child == no_child) {
+      own.begin = first.listed;
+      own.end = last.listed;
+      return;
+    }
+    own.child = 2 * divided_before[i];
+    const std::uint32_t begin = first.below + first.above, end = last.below + last.above;
+    LevelBox low{own.box, begin, begin + last.below - first.below, 0, 0, no_child};
+    LevelBox high{own.box, low.end, end, 0, 0, no_child};
+    low.box.end.set(own.axis, own.at);
+    high.box.first.set(own.axis, own.at);
+    next_boxes[own.child] = low;
+    next_boxes[own.child + 1] = high;
+  });
+  return next;
+}
+
+// All levels, from the one given down; the last has no boxes.
+template <class Passes, class Stored>
+std::vector<PartitionLevel<Passes>>
+partition_by_passes(Passes& passes, const Partitioner<Stored>& partitioner, PartitionLevel<Passes> first,
+                    OpenParts<Passes> open) {
+  std::vector<PartitionLevel<Passes>> levels;
+  levels.push_back(std::move(first));
+  while (levels.back().boxes.size() > 0)
+    levels.push_back(divide_level(passes, partitioner, levels.back(), open));
+  return levels;
+}
+
+// Throws where there are more leaves, or references of them, than can be numbered.
+template <class Passes>
+void check_leaves(const std::vector<PartitionLevel<Passes>>& levels) {
+  std::uint64_t leaves = 0, references = 0;
+  for (const PartitionLevel<Passes>& level : levels) {
+    leaves += level.boxes.size();
+    references += level.listed.size();
+  }
+  // All boxes but the first are halves of others.
+  leaves -= (leaves - levels.front().boxes.size()) / 2;
+  check_merged_sizes(leaves, references, 0, 0);
+}
+
+// Leaves, and what they list, of a box; or before it, in the order in which a box is divided: below, then
+// above.
+struct LeafCounts {
+  std::uint32_t leaves, references;
+  friend MASU_HD LeafCounts operator+(const LeafCounts& a, const LeafCounts& b) {
+    return {a.leaves + b.leaves, a.references + b.references};
+  }
+};
+
+// Of every level's boxes.
+template <class Passes>
+std::vector<ArrayOf<Passes, LeafCounts>> count_leaves(Passes& passes,
+                                                      const std::vector<PartitionLevel<Passes>>& levels) {
+  std::vector<ArrayOf<Passes, LeafCounts>> counts(levels.size());
+  for (std::size_t level = levels.size(); level-- > 0;) {
+    const std::uint64_t count = levels[level].boxes.size();
+    counts[level] = passes.template array<LeafCounts>(count);
+    const LevelBox* const boxes = levels[level].boxes.data();
+    LeafCounts* const own = counts[level].data();
+    const LeafCounts* const below = level + 1 < levels.size() ? counts[level + 1].data() : nullptr;
+    passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+      const LevelBox& box = boxes[i];
+      own[i] = box.child == no_child ? LeafCounts{1, box.end - box.begin}
+                                     : below[box.child] + below[box.child + 1];
+    });
+  }
+  return counts;
+}
+
+// Writes all leaves as cells, and what they list. `starts` says of each box of the first level how many cells
+// and references are before it.
+template <class Passes>
+void write_leaves(Passes& passes, const std::vector<PartitionLevel<Passes>>& levels,
+                  const std::vector<ArrayOf<Passes, LeafCounts>>& counts, ArrayOf<Passes, LeafCounts> starts,
+                  PassesGrid<Passes>& grid) {
+  MergedCell* const cells = grid.cells.data();
+  PrimitiveIndex* const references = grid.references.data();
+  for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
+    auto next_starts = passes.template array<LeafCounts>(levels[level + 1].boxes.size());
+    const LevelBox* const boxes = levels[level].boxes.data();
+    const LeafCounts* const own = starts.data();
+    const LeafCounts* const below = counts[level + 1].data();
+    LeafCounts* const next = next_starts.data();
+    passes.for_each(levels[level].boxes.size(), [=] MASU_PASS(std::uint64_t i) {
+      const LevelBox& box = boxes[i];
+      if (box.child == no_child) {
+        cells[own[i].leaves] = packed(box.box, box.end > box.begin ? own[i].references : empty_list);
+        return;
+      }
+      next[box.child] = own[i];
+      next[box.child + 1] = own[i] + below[box.child];
+    });
+    const ListedPart* const listed = levels[level].listed.data();
+    passes.for_each(levels[level].listed.size(), [=] MASU_PASS(std::uint64_t i) {
+      const LevelBox& box = boxes[listed[i].box];
+      const auto place = static_cast<std::uint32_t>(i);
+      references[own[listed[i].box].references + place - box.begin] =
+          listed[i].primitive | (place + 1 == box.end ? last_bit : 0);
+    });
+    starts = std::move(next_starts);
+  }
+}
+
+} // namespace masu

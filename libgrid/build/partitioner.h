@@ -1,0 +1,259 @@
+// How a box of voxels is divided: the steps of a partition (partition.h), for one thread or for several that
+// share a box (lanes.h), on the host or on the device.
+#pragma once
+
+#include "libgrid/build/lanes.h"
+#include "libgrid/build/partition.h"
+#include "libgrid/build/sides.h"
+
+#include <limits>
+
+namespace masu {
+
+// What of a primitive lies in a box of voxels: the range of those it can meet, both ends included.
+struct Part {
+  PrimitiveIndex primitive;
+  std::uint16_t first[3], last[3];
+  // 2^31 over the side of a square of the primitive's size, in voxels: a whole number, so that sums don't
+  // depend on their order.
+  std::uint32_t inverse_breadth;
+};
+static_assert(sizeof(Part) == 20);
+
+struct Plane {
+  std::int32_t axis = 0, at = 0; // between the voxels at - 1 and at
+  double cost = std::numeric_limits<double>::max();
+};
+MASU_HD inline bool is_plane(const Plane& plane) {
+  return plane.cost != std::numeric_limits<double>::max();
+}
+
+// The cheaper one; of equally cheap ones, by axis and place.
+MASU_HD inline bool comes_before(const Plane& a, const Plane& b) {
+  if (a.cost != b.cost) return a.cost < b.cost;
+  return a.axis != b.axis ? a.axis < b.axis : a.at < b.at;
+}
+
+inline constexpr int most_planes_log2 = 3;
+inline constexpr std::int32_t most_planes = 1 << most_planes_log2;
+
+// The planes looked at in a box are at multiples of 2^spacing along each axis, few of them. How many parts
+// begin between them along x, y and z, and how many end.
+using PlaneBins = std::uint32_t[2][3][most_planes + 1];
+
+// How many parts reach below and above a plane.
+struct PlaneCounts {
+  std::int32_t at;
+  std::uint32_t below, above;
+};
+
+template <class Stored>
+struct Partitioner {
+  SceneView<Stored> scene;
+  Lattice lattice;
+  Overlap overlap;
+  PartitionRule rule;
+  Vec3d size;  // of a voxel
+  double side; // of a cube as large
+
+  Partitioner(const SceneView<Stored>& s, const Lattice& l, Overlap o, const PartitionRule& r)
+      : scene(s), lattice(l), overlap(o), rule(r), size(voxel_size(l)),
+        side(std::cbrt(size.x * size.y * size.z)) {}
+
+  // Of a primitive in a box; false when there is none.
+  MASU_HD bool part_in(const VoxelBox& root, PrimitiveIndex number, Part& part) const {
+    part.primitive = number;
+    for (int axis = 0; axis < 3; ++axis) {
+      part.first[axis] = static_cast<std::uint16_t>(root.first[axis]);
+      part.last[axis] = static_cast<std::uint16_t>(root.end[axis] - 1);
+    }
+    bool some = false;
+    with_primitive(scene, number, [&](const auto& primitive) {
+      const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
+      part.inverse_breadth = 0x80000000U / breadth_in_voxels(breadth(primitive));
+      some = shrink(part, grown(box, lattice.margin));
+    });
+    return some;
+  }
+
+  // The division of a box that makes the expected cost least, if any is worth it. To be called by all lanes,
+  // for the first of them; `bins` is theirs to share.
+  template <class Lanes>
+  MASU_HD Plane cheapest_plane(const Lanes& lanes, PlaneBins& bins, const VoxelBox& box, const Part* parts,
+                               std::uint32_t count) const {
+    Plane best;
+    if (count == 0) return best;
+    const std::int32_t apart = spacing(lanes, box, parts, count);
+    const Vec3i spacings{apart, apart, apart};
+    count_parts(lanes, bins, box, spacings, parts, count);
+    const Vec3d w = cast<double>(box.end - box.first) * size;
+    const double area = w.x * w.y + w.y * w.z + w.z * w.x;
+    const auto cost_of = [&](std::uint32_t listed) {
+      return listed + rule.step_over_test * (listed > 0 ? 1 : 0.5);
+    };
+    const double now = cost_of(count) * area;
+    for_each_plane(lanes, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
+      const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
+      const double low = (plane.at - box.first[axis]) * size[axis],
+                   high = (box.end[axis] - plane.at) * size[axis];
+      const double cost =
+          (u * v + low * (u + v)) * cost_of(plane.below) + (u * v + high * (u + v)) * cost_of(plane.above);
+      // Where many are listed a division may pay only after the next one; if it leaves one side with fewer,
+      // or what lies in the same place would be divided without end.
+      const bool may_pay_later = count > few && std::min(plane.below, plane.above) <= count - count / 4;
+      const double bound = now * (may_pay_later ? patience : rule.alpha);
+      if (cost < bound && cost < best.cost) best = {axis, plane.at, cost};
+    });
+    return lanes.first_of_all(best);
+  }
+
+  // The most even division; of equally even ones the one across the longest side. Each axis has a few planes:
+  // where all of them cut all that the box lists, no other leaves less on both sides.
+  template <class Lanes>
+  MASU_HD Plane middle_plane(const Lanes& lanes, PlaneBins& bins, const VoxelBox& box, const Part* parts,
+                             std::uint32_t count) const {
+    Plane best;
+    if (count <= rule.target) return best;
+    Vec3i spacings{};
+    for (int axis = 0; axis < 3; ++axis) {
+      while (((box.end[axis] - box.first[axis]) >> spacings[axis]) >= most_planes)
+        spacings.set(axis, spacings[axis] + 1);
+    }
+    count_parts(lanes, bins, box, spacings, parts, count);
+    for_each_plane(lanes, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
+      const double along = (box.end[axis] - box.first[axis]) * size[axis];
+      const double cost = std::max(plane.below, plane.above) + 1 / (1 + along);
+      if (std::min(plane.below, plane.above) < count && cost < best.cost) best = {axis, plane.at, cost};
+    });
+    return lanes.first_of_all(best);
+  }
+
+  // On which sides of a plane a part is.
+  struct Sided {
+    bool below, above;
+  };
+  MASU_HD static Sided sides_of_part(const Part& part, const Plane& plane) {
+    return {part.first[plane.axis] < plane.at, part.last[plane.axis] >= plane.at};
+  }
+
+  // What of a part on both sides is below and above the plane; its primitive may be on one side all the same.
+  MASU_HD Sided cut(const Part& part, const Plane& plane, Part& low, Part& high) const {
+    const std::int32_t axis = plane.axis;
+    low = high = part;
+    low.last[axis] = static_cast<std::uint16_t>(plane.at - 1);
+    high.first[axis] = static_cast<std::uint16_t>(plane.at);
+    Sided in{true, true};
+    if (overlap == Overlap::box) return in;
+    // Cutting rounds a little more than the margin foresees.
+    const double margin = lattice.margin * 1.0625, place = plane_at(axis, plane.at);
+    with_primitive(scene, part.primitive, [&](const auto& primitive) {
+      const Sides sides = sides_of(primitive, axis, place + margin, place - margin);
+      in.below = !is_empty(sides.below) && shrink(low, grown(sides.below, margin));
+      in.above = !is_empty(sides.above) && shrink(high, grown(sides.above, margin));
+    });
+    return in;
+  }
+
+  // Whether a box that isn't divided further lists the primitive, a part of which may be in it.
+  MASU_HD bool lists(const VoxelBox& box, PrimitiveIndex number) const {
+    if (overlap == Overlap::box) return true;
+    const Boxd place{{plane_at(0, box.first.x), plane_at(1, box.first.y), plane_at(2, box.first.z)},
+                     {plane_at(0, box.end.x), plane_at(1, box.end.y), plane_at(2, box.end.z)}};
+    bool in = false;
+    with_primitive(scene, number,
+                   [&](const auto& primitive) { in = meets(primitive, place, lattice.margin); });
+    return in;
+  }
+
+private:
+  static constexpr std::uint32_t few = 8;
+  static constexpr double patience = 1.3;
+
+  // To the voxels that meet the box; false when none is left.
+  MASU_HD bool shrink(Part& part, const Boxd& box) const {
+    if (is_empty(box)) return false;
+    const VoxelRange range = voxels_met(lattice, size, box);
+    bool some = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      part.first[axis] = std::max(part.first[axis], static_cast<std::uint16_t>(range.first[axis]));
+      part.last[axis] = std::min(part.last[axis], static_cast<std::uint16_t>(range.last[axis]));
+      some = some && part.first[axis] <= part.last[axis];
+    }
+    return some;
+  }
+
+  // From 1 to 65535. 1 where areas or volumes leave what a double holds and their quotient is no number.
+  MASU_HD std::uint32_t breadth_in_voxels(double breadth) const {
+    const double voxels = breadth / side;
+    return voxels > 1 ? static_cast<std::uint32_t>(std::min(voxels, 65535.0)) : 1;
+  }
+
+  MASU_HD double plane_at(int axis, std::int32_t plane) const {
+    return lattice.space.min[axis] + plane * size[axis];
+  }
+
+  // Planes of a box are 2^spacing voxels apart: few along its longest side, since the map needs the more
+  // words the finer they are for its size, and not much closer than the primitives are large, since cells
+  // smaller than what they hold gain little.
+  template <class Lanes>
+  MASU_HD std::int32_t spacing(const Lanes& lanes, const VoxelBox& box, const Part* parts,
+                               std::uint32_t count) const {
+    const Vec3i w = box.end - box.first;
+    const std::int32_t longest = std::max(w.x, std::max(w.y, w.z));
+    std::uint64_t inverse_breadths = 0;
+    for (std::uint32_t i = lanes.lane(); i < count; i += lanes.size())
+      inverse_breadths += parts[i].inverse_breadth;
+    const double typical = count * 0x1p31 / static_cast<double>(lanes.sum(inverse_breadths));
+    std::int32_t log2 = 0;
+    while ((longest >> log2) >= most_planes || (2 << log2) * rule.detail <= typical)
+      ++log2;
+    return log2;
+  }
+
+  // Which of the bins along an axis holds the voxel.
+  MASU_HD static std::int32_t bin_of(std::int32_t voxel, const VoxelBox& box, const Vec3i& spacings,
+                                     int axis) {
+    return (voxel >> spacings[axis]) - (box.first[axis] >> spacings[axis]);
+  }
+
+  // Leaves in each bin the numbers of all parts that begin, and of all that end, up to there.
+  template <class Lanes>
+  MASU_HD static void count_parts(const Lanes& lanes, PlaneBins& bins, const VoxelBox& box,
+                                  const Vec3i& spacings, const Part* parts, std::uint32_t count) {
+    std::uint32_t* const all = &bins[0][0][0];
+    for (std::uint32_t i = lanes.lane(); i < sizeof(PlaneBins) / sizeof(*all); i += lanes.size())
+      all[i] = 0;
+    lanes.wait();
+    for (std::uint32_t i = lanes.lane(); i < count; i += lanes.size()) {
+      for (int axis = 0; axis < 3; ++axis) {
+        lanes.count(bins[0][axis][bin_of(parts[i].first[axis], box, spacings, axis)]);
+        lanes.count(bins[1][axis][bin_of(parts[i].last[axis], box, spacings, axis)]);
+      }
+    }
+    lanes.wait();
+    for (std::uint32_t i = lanes.lane(); i < 6; i += lanes.size()) {
+      const int axis = static_cast<int>(i % 3);
+      std::uint32_t* const own = bins[i / 3][axis];
+      const std::int32_t last = bin_of(box.end[axis] - 1, box, spacings, axis);
+      for (std::int32_t bin = 1; bin < last; ++bin)
+        own[bin] += own[bin - 1];
+    }
+    lanes.wait();
+  }
+
+  // act(axis, plane) for each plane within the box, in the planes' order along each axis; a lane has some.
+  template <class Lanes, class Act>
+  MASU_HD static void for_each_plane(const Lanes& lanes, const PlaneBins& bins, const VoxelBox& box,
+                                     const Vec3i& spacings, std::uint32_t count, const Act& act) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::int32_t last = bin_of(box.end[axis] - 1, box, spacings, axis);
+      for (auto bin = static_cast<std::int32_t>(lanes.lane()); bin < last;
+           bin += static_cast<std::int32_t>(lanes.size())) {
+        const std::int32_t at = ((box.first[axis] >> spacings[axis]) + bin + 1) << spacings[axis];
+        act(axis, PlaneCounts{at, bins[0][axis][bin], count - bins[1][axis][bin]});
+      }
+    }
+  }
+};
+
+} // namespace masu

@@ -1,0 +1,80 @@
+// Primitives cut by planes across an axis; and how large they are.
+#pragma once
+
+#include "libscene/geometry/cone.h"
+#include "libscene/geometry/primitives.h"
+
+#include <algorithm>
+
+namespace masu {
+
+// The parts of a primitive on either side of a plane: bounds of what is at most `low` along the axis, and of
+// what is at least `high`.
+struct Sides {
+  Boxd below, above;
+};
+
+MASU_HD inline Sides sides_of(const Triangle<double>& triangle, int axis, double low, double high) {
+  const Vec3d corners[] = {triangle.a, triangle.b, triangle.c};
+  Sides sides{empty_box<double>(), empty_box<double>()};
+  for (int i = 0; i < 3; ++i) {
+    const Vec3d &p = corners[i], &q = corners[(i + 1) % 3];
+    if (p[axis] <= low) sides.below = join(sides.below, p);
+    if (p[axis] >= high) sides.above = join(sides.above, p);
+    const auto meeting = [&](double plane) {
+      Vec3d at = p + (q - p) * ((plane - p[axis]) / (q[axis] - p[axis]));
+      at.set(axis, plane);
+      return at;
+    };
+    if ((p[axis] < low) != (q[axis] < low) && p[axis] != low && q[axis] != low)
+      sides.below = join(sides.below, meeting(low));
+    if ((p[axis] < high) != (q[axis] < high) && p[axis] != high && q[axis] != high)
+      sides.above = join(sides.above, meeting(high));
+  }
+  return sides;
+}
+
+MASU_HD inline Sides sides_of(const Sphere<double>& sphere, int axis, double low, double high) {
+  const Boxd whole = bounds(sphere);
+  Sides sides{whole, whole};
+  const auto cut = [&](Boxd& box, double plane, bool below) {
+    const double off = plane - sphere.center[axis], radius = std::abs(sphere.radius);
+    if (below ? off < -radius : off > radius) {
+      box = empty_box<double>();
+      return;
+    }
+    // The plane's circle is the widest place of what is cut off short of the middle.
+    if (below ? off < 0 : off > 0) {
+      const double across = std::sqrt(std::max(0.0, radius * radius - off * off));
+      box = grown(Boxd{sphere.center, sphere.center}, across);
+      box.min.set(axis, whole.min[axis]);
+      box.max.set(axis, whole.max[axis]);
+    }
+    (below ? box.max : box.min).set(axis, std::clamp(plane, whole.min[axis], whole.max[axis]));
+  };
+  cut(sides.below, low, true);
+  cut(sides.above, high, false);
+  return sides;
+}
+
+MASU_HD inline Sides sides_of(const Cone<double>& cone, int axis, double low, double high) {
+  Sides sides{bounds(cone), bounds(cone)};
+  if (sides.below.min[axis] > low) sides.below = empty_box<double>();
+  if (sides.above.max[axis] < high) sides.above = empty_box<double>();
+  sides.below.max.set(axis, std::min(sides.below.max[axis], low));
+  sides.above.min.set(axis, std::max(sides.above.min[axis], high));
+  return sides;
+}
+
+// The side of a square as large as what is seen of the primitive from where it is seen best.
+MASU_HD inline double breadth(const Triangle<double>& triangle) {
+  return std::sqrt(length(cross(triangle.b - triangle.a, triangle.c - triangle.a)) / 2);
+}
+MASU_HD inline double breadth(const Sphere<double>& sphere) {
+  return 2 * std::abs(sphere.radius);
+}
+MASU_HD inline double breadth(const Cone<double>& cone) {
+  return std::sqrt(length(cone.apex - cone.base) * (std::abs(cone.base_radius) + std::abs(cone.apex_radius)));
+}
+
+} // namespace masu

@@ -1,0 +1,97 @@
+// Stretching by passes (passes.h): the same cells as stretch's.
+#pragma once
+
+#include "libgrid/build/neighbour.h"
+#include "libgrid/build/passes.h"
+
+#include <algorithm>
+
+namespace masu {
+
+// Where a cell's face can be moved to.
+struct Reach {
+  bool free; // nothing is in the way
+  std::int32_t at;
+};
+
+// Of the cell's face on one side along an axis, which isn't the space's. Row by row along u, then v, each
+// neighbour is found through the map; the next row begins where the first of this row's neighbours ends.
+template <int axis>
+MASU_HD Reach reach_of(const MergedGridView<double>& grid, const Neighbour* neighbours,
+                       const MergedCell& cell, std::uint32_t signature, bool upwards) {
+  constexpr int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const std::uint32_t ranges[3] = {cell.x, cell.y, cell.z};
+  Vec3i voxel{};
+  voxel.set(axis, upwards ? end_of(ranges[axis]) : first_of(ranges[axis]) - 1);
+  Reach reach{true, upwards ? 0xffff : 0};
+  std::int32_t seen = 0, next_j = 0;
+  for (std::int32_t j = first_of(ranges[v]); j < end_of(ranges[v]); j = next_j) {
+    next_j = end_of(ranges[v]);
+    for (std::int32_t i = first_of(ranges[u]); i < end_of(ranges[u]);) {
+      voxel.set(u, i);
+      voxel.set(v, j);
+      const Neighbour neighbour = fetched(neighbours + cell_number(grid, voxel));
+      if ((neighbour.signature & ~signature) != 0 || seen == most_neighbours ||
+          !lists_all(grid.references, cell.list, neighbour.list))
+        return {false, 0};
+      ++seen;
+      const std::uint32_t along = neighbour.stretched[axis];
+      reach.at = upwards ? std::min(reach.at, end_of(along)) : std::max(reach.at, first_of(along));
+      i = end_of(neighbour.own[u]);
+      next_j = std::min(next_j, end_of(neighbour.own[v]));
+    }
+  }
+  return reach;
+}
+
+// Both of each cell's faces along an axis. What is in the way stays in the way, since faces only grow: a bit
+// of `blocked` for each of a cell's six.
+template <int axis, class Passes>
+void stretch_along(Passes& passes, const MergedGridView<double>& grid, const Neighbour* neighbours,
+                   std::uint64_t count, MergedCell* cells, std::uint8_t* blocked) {
+  passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    constexpr unsigned both = 3U << (2 * axis);
+    unsigned bits = blocked[i];
+    if ((bits & both) == both) return;
+    MergedCell cell = cells[i];
+    std::uint32_t& range = axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
+    std::uint32_t stretched = range;
+    for (unsigned side = 0; side < 2; ++side) {
+      const unsigned bit = 1U << (2 * axis + static_cast<int>(side));
+      if ((bits & bit) != 0) continue;
+      const bool upwards = side == 1;
+      const bool at_end = upwards ? end_of(range) == grid.division[axis] : first_of(range) == 0;
+      Reach reach{false, 0};
+      if (!at_end) reach = reach_of<axis>(grid, neighbours, cell, neighbours[i].signature, upwards);
+      if (!reach.free) {
+        bits |= bit;
+        continue;
+      }
+      const auto at = static_cast<std::uint32_t>(reach.at);
+      stretched = upwards ? (stretched & 0xffffU) | at << 16 : (stretched & 0xffff0000U) | at;
+    }
+    (axis == 0 ? cells[i].x : axis == 1 ? cells[i].y : cells[i].z) = stretched;
+    blocked[i] = static_cast<std::uint8_t>(bits);
+  });
+}
+
+// `grid` is a view of what `cells` are the cells of, in the Passes' memory.
+template <class Passes>
+void stretch_by_passes(Passes& passes, const MergedGridView<double>& grid, std::uint64_t count,
+                       MergedCell* cells, int stretches) {
+  if (stretches == 0) return;
+  auto neighbours = passes.template array<Neighbour>(count);
+  auto blocked = passes.template zeros<std::uint8_t>(count);
+  Neighbour* const neighbour = neighbours.data();
+  passes.for_each(count,
+                  [=] MASU_PASS(std::uint64_t i) { neighbour[i] = as_neighbour(cells[i], grid.references); });
+  for (int pass = 0; pass < stretches; ++pass) {
+    stretch_along<0>(passes, grid, neighbour, count, cells, blocked.data());
+    stretch_along<1>(passes, grid, neighbour, count, cells, blocked.data());
+    stretch_along<2>(passes, grid, neighbour, count, cells, blocked.data());
+    if (pass + 1 == stretches) break;
+    passes.for_each(count, [=] MASU_PASS(std::uint64_t i) { set_stretched(neighbour[i], cells[i]); });
+  }
+}
+
+} // namespace masu

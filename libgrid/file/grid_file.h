@@ -1,0 +1,75 @@
+// The grid file: a container (libscene/file/container.h) whose table is schemas/grid.fbs.
+#pragma once
+
+#include "libgrid/build/build.h"
+#include "libgrid/build/division.h"
+#include "libscene/file/container.h"
+#include "libscene/stopwatch.h"
+#include "schemas/grid_generated.h"
+
+#include <string>
+
+namespace masu {
+
+inline constexpr FileKind grid_file_kind{{'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 2, "grid"};
+
+// How a grid came about, as its file tells it.
+struct GridOrigin {
+  Hash scene_hash;
+  std::uint64_t primitives;
+  SpaceRule space_rule;
+  Overlap overlap;
+  std::string division_rule;
+  std::string merge_rule{};
+  double build_seconds = -1; // -1: not recorded, so that equal builds give equal files
+};
+
+// Writes the grid to `path`, whole or not at all. Throws Error(output).
+void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path);
+
+// A mapped grid file, checked: every index in it can be followed.
+class GridFile {
+public:
+  // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
+  explicit GridFile(const std::string& path, Checks checks = Checks::all);
+  // What Checks::table leaves out. Throws Error(input, path, …).
+  void check_records() const;
+
+  const fb::Grid& table() const { return *table_; }
+  const std::string& path() const { return container_.path(); }
+  std::uint64_t bytes() const { return container_.bytes(); }
+  const LoadSeconds& load_seconds() const { return seconds_; }
+  Lattice lattice() const;
+  bool is_merged() const { return table_->merge() != fb::Merge::none; }
+  std::span<const std::uint32_t> voxel_map() const;
+  std::span<const MergedCell> cells() const;
+  std::span<const PrimitiveIndex> references() const;
+
+  // Throws Error(input) unless the grid was built for the scene with this hash and so many primitives.
+  void check_scene(const Hash& scene_hash, std::uint64_t primitives) const;
+
+  // Point into the mapping; of a uniform grid, of a merged one. Real is the arithmetic's type.
+  template <class Real>
+  GridView<Real> view() const;
+  template <class Real>
+  MergedGridView<Real> merged_view() const;
+
+private:
+  GridFile(const std::string& path, Checks checks, const Stopwatch& watch);
+  void check(bool good, const char* what) const;
+  void check_sizes() const;
+  void check_uniform() const;
+  void check_merged() const;
+
+  ContainerFile container_;
+  const fb::Grid* table_;
+  LoadSeconds seconds_;
+};
+
+// Of a grid in memory.
+template <class Real>
+GridView<Real> view_of(const Grid& grid);
+template <class Real>
+MergedGridView<Real> merged_view_of(const Grid& grid);
+
+} // namespace masu

@@ -1,0 +1,142 @@
+// The nearest hit of a ray, and whether anything blocks it: through a grid, or without one by trying every
+// primitive. Either way the same bits come out.
+#pragma once
+
+#include "libgrid/trace/walk.h"
+#include "libscene/geometry/clip.h"
+#include "libscene/geometry/intersect.h"
+
+namespace masu {
+
+// In a grid's place: every primitive is tried.
+struct NoGrid {};
+
+// When the search for the nearest hit ends: once nothing that is still to come can be nearer; or, as the
+// study did that motivated this project, with the first cell where anything is hit, wherever that hit lies:
+// sooner, and sometimes wrong.
+enum class StopRule { proven, first_cell };
+
+// How rays are traced, compiled in: the ray says by which tests (RayLine<Real>, RayFrame<Real>,
+// TextbookRay), `kinds` is a set of primitive kinds.
+template <class TestRay_, unsigned kinds_, StopRule stop_ = StopRule::proven>
+struct Method {
+  using TestRay = TestRay_;
+  using Real = typename TestRay::Real;
+  static constexpr unsigned kinds = kinds_;
+  static constexpr StopRule stop = stop_;
+};
+
+// Keeps the nearest hit.
+template <class M, class Stored, class Counts>
+struct NearestHit {
+  using Real = typename M::Real;
+  const SceneView<Stored>& scene;
+  const typename M::TestRay& ray;
+  Counts& counts;
+  Real t_max;
+  Hit<Real> hit; // at t_max, of primitive 0, where nothing is hit yet: no primitive wins that tie
+
+  MASU_HD void primitive(PrimitiveIndex number) {
+    Real t;
+    if (intersect<M::kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
+  }
+  // Whether the trace may end, now that all cells up to t = exit have been visited.
+  MASU_HD bool done(Real exit) const {
+    if constexpr (M::stop == StopRule::first_cell) return hit.t < t_max || t_max <= exit;
+    return hit.t <= exit;
+  }
+};
+
+// Ends with the first hit nearer than t_max, whichever it is.
+template <class M, class Stored, class Counts>
+struct AnyHit {
+  using Real = typename M::Real;
+  const SceneView<Stored>& scene;
+  const typename M::TestRay& ray;
+  Counts& counts;
+  Real t_max;
+  bool found;
+
+  MASU_HD void primitive(PrimitiveIndex number) {
+    Real t;
+    found = found || (intersect<M::kinds>(scene, ray, number, t, counts) && t < t_max);
+  }
+  MASU_HD bool done(Real exit) const { return found || t_max <= exit; }
+};
+
+// Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the
+// end.
+template <class Real, class Grid, class Visitor>
+MASU_HD inline bool visit_cell(const Grid& grid, Walk<Real, Grid>& walk, Visitor& visitor) {
+  walk.enter(grid);
+  std::uint32_t next = walk.cell.list;
+  visitor.counts.cell(next == empty_list);
+  PrimitiveIndex ahead = next != empty_list ? grid.references[next] : 0; // references[next]
+  while (next != empty_list) {
+    const PrimitiveIndex reference = ahead;
+    if ((reference & last_bit) != 0) {
+      next = empty_list;
+    } else {
+      ahead = grid.references[++next];
+    }
+    visitor.primitive(reference & ~last_bit);
+  }
+  const bool done = visitor.done(walk.exit);
+  const Vec3i from = walk.voxel();
+  const bool goes_on = walk.leave(grid) & !done; // without a branch: most go on
+  if (goes_on) visitor.counts.skipped(walk.voxels_from(from) - 1);
+  return goes_on;
+}
+
+template <class Grid, class Real, class Visitor>
+MASU_HD inline void visit(const Grid& grid, const ClippedRay<Real>& near, std::uint32_t, Visitor& visitor) {
+  Walk<Real, Grid> walk(grid, near);
+  while (visit_cell(grid, walk, visitor)) {
+  }
+}
+template <class Real, class Visitor>
+MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t primitives,
+                          Visitor& visitor) {
+  for (std::uint32_t i = 0; i < primitives; ++i)
+    visitor.primitive(i);
+}
+
+// The nearest hit at 0 < t < t_max, as of the ray from where it enters the scene's bounds: there t has the
+// most digits. Grid: GridView<Real>, MergedGridView<Real> or NoGrid; M: a Method.
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
+                                                             const Ray<typename M::Real>& ray,
+                                                             Counts& counts) {
+  using Real = typename M::Real;
+  ClippedRay<Real> near{};
+  if (!clip(ray, cast<Real>(scene.clip), near)) return {{}, {ray.t_max, no_primitive}, 0};
+  typename M::TestRay test_ray;
+  prepare(test_ray, near.ray.origin, near.ray.direction);
+  NearestHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, {near.ray.t_max, 0}};
+  visit(grid, near, scene.primitive_count(), visitor);
+  if (!(visitor.hit.t < near.ray.t_max)) visitor.hit = {ray.t_max, no_primitive};
+  return {test_ray, visitor.hit, near.skipped};
+}
+
+// The same; the hit's t counts from the ray's own origin.
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid,
+                                                 const Ray<typename M::Real>& ray, Counts& counts) {
+  return seen_from_origin(nearest_hit_near<M>(scene, grid, ray, counts));
+}
+
+// Whether any primitive is hit at 0 < t < t_max.
+template <class M, class Stored, class Grid, class Counts>
+MASU_HD inline bool is_blocked(const SceneView<Stored>& scene, const Grid& grid,
+                               const Ray<typename M::Real>& ray, Counts& counts) {
+  using Real = typename M::Real;
+  ClippedRay<Real> near{};
+  if (!clip(ray, cast<Real>(scene.clip), near)) return false;
+  typename M::TestRay test_ray;
+  prepare(test_ray, near.ray.origin, near.ray.direction);
+  AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, false};
+  visit(grid, near, scene.primitive_count(), visitor);
+  return visitor.found;
+}
+
+} // namespace masu

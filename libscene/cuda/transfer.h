@@ -1,0 +1,46 @@
+// Bringing arrays onto a CUDA device and back. CUDA sources only.
+#pragma once
+
+#include "libscene/cuda/device_memory.h"
+
+#include <functional>
+#include <vector>
+
+namespace masu {
+
+// Copies to be made, and then made together. The driver copies from and to a program's own memory with one
+// thread, far below what the bus carries; a few threads that copy by way of page-locked memory keep the bus
+// busy.
+class Transfer {
+public:
+  void to_device(void* device, const void* host, std::size_t bytes) {
+    if (bytes > 0) copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice});
+  }
+  void to_host(void* host, const void* device, std::size_t bytes) {
+    if (bytes > 0) copies_.push_back({host, device, bytes, cudaMemcpyDeviceToHost});
+  }
+  // To be uploaded. With room for so many records more behind, which are all zero.
+  template <class T>
+  DeviceArray<T> array(std::span<const T> host, std::size_t room = 0) {
+    DeviceArray<T> device(host.size() + room);
+    if (room > 0) check(cudaMemset(device.data() + host.size(), 0, room * sizeof(T)));
+    to_device(device.data(), host.data(), host.size_bytes());
+    return device;
+  }
+  // Waits until all is there, and meanwhile() has been done. Throws Error(device), and what meanwhile()
+  // throws.
+  void run(const std::function<void()>& meanwhile = [] {});
+
+private:
+  void copy_all();
+
+  struct Copy {
+    void* to;
+    const void* from;
+    std::size_t bytes;
+    cudaMemcpyKind direction;
+  };
+  std::vector<Copy> copies_;
+};
+
+} // namespace masu

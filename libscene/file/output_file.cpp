@@ -1,0 +1,145 @@
+#include "libscene/file/output_file.h"
+
+#include "libscene/error.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace masu {
+namespace {
+
+int open_folder(const std::string& folder) {
+  const char* const path = folder.empty() ? "." : folder.c_str();
+  const int opened = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // One that may be written but not listed can't be flushed either.
+  return opened < 0 && errno == EACCES ? open(path, O_PATH | O_DIRECTORY | O_CLOEXEC) : opened;
+}
+
+// Whether following links by their names leads to the same file: it doesn't for /proc/self/fd/N of an unnamed
+// file, or of one that was removed.
+bool has_name(const struct stat& file, const std::string& path) {
+  struct stat found {};
+  return stat(followed(path).c_str(), &found) == 0 && found.st_dev == file.st_dev &&
+         found.st_ino == file.st_ino;
+}
+
+void hand_on_owner_and_permissions(const struct stat& from, int to) {
+  constexpr uid_t as_it_is = ~uid_t{0};
+  [[maybe_unused]] const bool done =
+      fchown(to, from.st_uid, from.st_gid) == 0 || fchown(to, as_it_is, from.st_gid) == 0;
+  static_cast<void>(fchmod(to, from.st_mode & 0777U));
+}
+
+} // namespace
+
+std::string followed(const std::string& path) {
+  constexpr int most_links = 40; // as the kernel has it
+  std::filesystem::path at = path;
+  for (int links = 0; links <= most_links; ++links) {
+    std::error_code is_no_link;
+    const std::filesystem::path target = std::filesystem::read_symlink(at, is_no_link);
+    if (is_no_link) return at.string();
+    at = at.parent_path() / target; // an absolute one replaces what stands before it
+  }
+  throw Error(ErrorCode::output, path, "leads through too many symbolic links: name the file itself");
+}
+
+OutputFile::OutputFile(std::string path, UntilCommit until_commit) : path_(std::move(path)) {
+  if (path_.empty()) throw Error(ErrorCode::output, "output", "has no name: give a file");
+  struct stat status {};
+  const bool exists = stat(path_.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) throw Error(ErrorCode::output, path_, "is a directory: name a file");
+  int file = -1;
+  if (exists && (!S_ISREG(status.st_mode) || !has_name(status, path_))) {
+    file = open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  } else {
+    if (exists && access(path_.c_str(), W_OK) != 0) fail("can't be written"); // renaming wouldn't mind
+    file = open_in_folder(until_commit);
+    if (file >= 0 && exists) hand_on_owner_and_permissions(status, file);
+  }
+  if (file >= 0) stream_ = fdopen(file, "wb");
+  if (stream_ != nullptr) return;
+  const int reason = errno;
+  if (file >= 0) close(file);
+  close_all();
+  errno = reason;
+  fail("can't be created");
+}
+
+OutputFile::~OutputFile() {
+  close_all();
+}
+
+// -1 and errno where that can't be.
+int OutputFile::open_in_folder(UntilCommit until_commit) {
+  const std::filesystem::path target = followed(path_);
+  name_ = target.filename().string();
+  folder_ = open_folder(target.parent_path().string());
+  if (folder_ < 0) return -1;
+  // Told now, and not when all is written: a name that is too long, say.
+  struct stat status {};
+  if (fstatat(folder_, name_.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 &&
+      (errno != ENOENT || name_.empty()))
+    return -1;
+  const int unnamed = until_commit == UntilCommit::unnamed ? open_unnamed() : -1;
+  if (unnamed >= 0) return unnamed;
+  return temporary_.emplace(folder_, name_).create();
+}
+
+// -1 where the file system has no such files, or nothing could give it a name later.
+int OutputFile::open_unnamed() const {
+  const int file = openat(folder_, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (file < 0 || access(fmt::format("/proc/self/fd/{}", file).c_str(), F_OK) == 0) return file;
+  close(file);
+  return -1;
+}
+
+void OutputFile::write(std::span<const std::uint8_t> bytes) {
+  write(bytes.data(), bytes.size());
+}
+
+void OutputFile::write(const void* data, std::size_t bytes) {
+  if (bytes > 0 && std::fwrite(data, 1, bytes, stream_) != bytes) fail("can't be written");
+}
+
+void OutputFile::commit() {
+  if (std::ferror(stream_) != 0 || std::fflush(stream_) != 0) fail("can't be written");
+  if (folder_ < 0) { // nothing to name, and flushing may not be possible
+    if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail("can't be written");
+    return;
+  }
+  if (fsync(fileno(stream_)) != 0) fail("can't be flushed");
+  if (!give_name()) fail("can't be given its name");
+  if (fsync(folder_) != 0 && errno != EINVAL && errno != EBADF) fail("can't be flushed in its folder");
+  close_all();
+}
+
+bool OutputFile::give_name() {
+  if (!temporary_) {
+    const std::string unnamed = fmt::format("/proc/self/fd/{}", fileno(stream_));
+    if (linkat(AT_FDCWD, unnamed.c_str(), folder_, name_.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+    if (errno != EEXIST || !temporary_.emplace(folder_, name_).link(fileno(stream_))) return false;
+  }
+  return temporary_->rename_to(name_);
+}
+
+// A temporary name goes before the file is unlocked.
+void OutputFile::close_all() {
+  temporary_.reset();
+  if (stream_ != nullptr) static_cast<void>(std::fclose(std::exchange(stream_, nullptr)));
+  if (folder_ >= 0) close(std::exchange(folder_, -1));
+}
+
+void OutputFile::fail(const char* doing) const {
+  throw Error(ErrorCode::output, path_, std::string(doing) + ": " + std::strerror(errno));
+}
+
+} // namespace masu

@@ -1,0 +1,372 @@
+#include "libscene/file/scene_file.h"
+
+#include "libscene/geometry/cone.h"
+#include "libscene/error.h"
+#include "libscene/float32_doubt.h"
+#include "libscene/geometry/margin.h"
+#include "libscene/stopwatch.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace masu {
+namespace {
+
+std::uint32_t number(fb::SceneSection section) {
+  return static_cast<std::uint32_t>(section);
+}
+
+template <class To, class From>
+Triangle<To> converted(const Triangle<From>& t) {
+  return {cast<To>(t.a), static_cast<typename Triangle<To>::Tag>(t.object),
+          cast<To>(t.b), static_cast<typename Triangle<To>::Tag>(t.material),
+          cast<To>(t.c), static_cast<typename Triangle<To>::Tag>(t.normals)};
+}
+template <class To, class From>
+CornerNormals<To> converted(const CornerNormals<From>& n) {
+  return {cast<To>(n.a), cast<To>(n.b), cast<To>(n.c)};
+}
+template <class To, class From>
+Sphere<To> converted(const Sphere<From>& s) {
+  return {cast<To>(s.center), static_cast<To>(s.radius)};
+}
+template <class To, class From>
+Cone<To> converted(const Cone<From>& c) {
+  return {cast<To>(c.base), static_cast<To>(c.base_radius), cast<To>(c.apex), static_cast<To>(c.apex_radius)};
+}
+template <class To, class From>
+Light<To> converted(const Light<From>& l) {
+  return {cast<To>(l.position), cast<To>(l.intensity)};
+}
+
+template <class To, template <class> class Record>
+std::vector<Record<To>> converted(const std::vector<Record<double>>& records) {
+  std::vector<Record<To>> result(records.size());
+  tbb::parallel_for(std::size_t{0}, records.size(),
+                    [&](std::size_t i) { result[i] = converted<To>(records[i]); });
+  return result;
+}
+
+template <class Record>
+Boxd bounds_of(const std::vector<Record>& records) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, records.size()), empty_box<double>(),
+      [&](const tbb::blocked_range<std::size_t>& range, Boxd box) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          box = join(box, cast<double>(bounds(records[i])));
+        return box;
+      },
+      [](const Boxd& a, const Boxd& b) { return join(a, b); });
+}
+
+fb::Vec3 table_vector(const Vec3d& v) {
+  return {v.x, v.y, v.z};
+}
+
+std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const Boxd& box,
+                                      const std::vector<fb::Section>& layout) {
+  flatbuffers::FlatBufferBuilder builder;
+  const auto sections = builder.CreateVectorOfStructs(layout);
+  const Camera& view = scene.camera;
+  const fb::Camera camera(table_vector(view.from), table_vector(view.at), table_vector(view.up), view.angle,
+                          view.hither, view.width, view.height);
+  const fb::Color background(scene.background.x, scene.background.y, scene.background.z);
+  const fb::ObjectCounts objects(scene.objects.polygons, scene.objects.patches, scene.objects.spheres,
+                                 scene.objects.cones);
+  const fb::Box bounds(table_vector(box.min), table_vector(box.max));
+  const auto count = [&](bool (*property)(const Material&)) {
+    return static_cast<std::uint64_t>(
+        std::count_if(scene.materials.begin(), scene.materials.end(), property));
+  };
+  builder.Finish(fb::CreateScene(builder, store, &camera, &background, scene.ambient, &objects, &bounds,
+                                 count(reflects), count(transmits), sections));
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+// Every coordinate a number, and one that the store's arithmetic can take.
+template <class T>
+bool is_held(const Vec3<T>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+template <class T>
+bool is_held(const CornerNormals<T>& n) {
+  return is_held(n.a) && is_held(n.b) && is_held(n.c);
+}
+template <class T>
+bool is_held(const Cone<T>& c) {
+  return is_held(c.base) && is_held(c.apex) && std::isfinite(c.base_radius) && std::isfinite(c.apex_radius);
+}
+template <class T>
+bool is_held(const Light<T>& l) {
+  return is_held(l.position) && is_held(l.intensity);
+}
+
+// How far from the origin the farthest coordinate may be, and must be, for products of three to stay in
+// range.
+struct Reach {
+  double least, most;
+};
+template <class Stored>
+constexpr Reach reach_of = std::is_same_v<Stored, float> ? Reach{1e-10, 1e12} : Reach{1e-90, 1e100};
+template <class Stored>
+constexpr const char* store_name = std::is_same_v<Stored, float> ? "float32" : "float64";
+
+template <class Stored>
+bool reaches_within(const Boxd& bounds) {
+  if (bounds.min.x > bounds.max.x) return true; // no primitive
+  const double reach = largest_magnitude(bounds);
+  return reach >= reach_of<Stored>.least && reach <= reach_of<Stored>.most;
+}
+
+template <class Stored>
+void write_stored(const Scene& scene, const std::string& path) {
+  // Kept until the file is written: the sections point into them.
+  const auto lights = converted<Stored>(scene.lights);
+  const auto triangles = converted<Stored>(scene.triangles);
+  const auto normals = converted<Stored>(scene.normals);
+  const auto spheres = converted<Stored>(scene.spheres);
+  const auto cones = converted<Stored>(scene.cones);
+  const auto section = [](fb::SceneSection kind, const auto& records) {
+    return section_data(number(kind), std::span(records));
+  };
+  using fb::SceneSection;
+  const std::array sections{
+      section(SceneSection::lights, lights),
+      section(SceneSection::materials, scene.materials),
+      section(SceneSection::triangles, triangles),
+      section(SceneSection::corner_normals, normals),
+      section(SceneSection::spheres, spheres),
+      section(SceneSection::sphere_surfaces, scene.sphere_surfaces),
+      section(SceneSection::cones, cones),
+      section(SceneSection::cone_surfaces, scene.cone_surfaces),
+  };
+  // Such a cone would have no bounds.
+  const auto flattened =
+      std::count_if(cones.begin(), cones.end(), [](const auto& cone) { return cone.base == cone.apex; });
+  if (flattened > 0) {
+    throw Error(ErrorCode::input, path,
+                fmt::format("{} cone(s) lose their length in {}: {}", flattened, store_name<Stored>,
+                            std::is_same_v<Stored, float> ? "store it as float64" : "make them longer"));
+  }
+  const Boxd box = join(join(bounds_of(triangles), bounds_of(spheres)), bounds_of(cones));
+  if (!reaches_within<Stored>(box)) {
+    throw Error(ErrorCode::input, path,
+                fmt::format("the scene reaches to {:g}, {} holds {:g} to {:g}: {}", largest_magnitude(box),
+                            store_name<Stored>, reach_of<Stored>.least, reach_of<Stored>.most,
+                            std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
+  }
+  const auto all_held = [](const auto& records) {
+    return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_held(record); });
+  };
+  if (!all_held(normals))
+    throw Error(ErrorCode::input, path, "a corner's normal isn't finite: give it a length near 1");
+  if (!all_held(lights))
+    throw Error(ErrorCode::input, path,
+                fmt::format("a light is too far off for {}: move it closer", store_name<Stored>));
+  const auto layout = lay_out(sections);
+  const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
+  write_container(path, scene_file_kind, scene_table(scene, store, box, layout), sections, layout);
+}
+
+bool finite(const fb::Vec3& v) {
+  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+Vec3d vector_of(const fb::Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+// The view leads somewhere, and up somewhere else.
+bool has_direction(const fb::Camera& camera) {
+  const Vec3d view = vector_of(camera.at()) - vector_of(camera.from()), up = vector_of(camera.up());
+  if (!(largest_magnitude(view) > 0 && largest_magnitude(up) > 0)) return false;
+  return largest_magnitude(cross(normalized(view), normalized(up))) > 1e-12;
+}
+
+std::span<const fb::Section> section_list(const fb::Scene& table) {
+  const auto* const sections = table.sections();
+  return {reinterpret_cast<const fb::Section*>(sections->Data()), sections->size()};
+}
+
+} // namespace
+
+bool fits_float32(const Scene& scene, Store store) {
+  if (store != Store::automatic) return store == Store::float32;
+  return scene.float32_suffices && reaches_within<float>(bounds(scene)) && !float32_doubt(scene).any();
+}
+
+Boxd bounds(const Scene& scene) {
+  return join(join(bounds_of(scene.triangles), bounds_of(scene.spheres)), bounds_of(scene.cones));
+}
+
+void write_scene(const Scene& scene, Store store, const std::string& path) {
+  fits_float32(scene, store) ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
+}
+
+namespace {
+
+// Bounds that the store's arithmetic can take, or none.
+template <class Stored>
+bool are_possible(const Boxd& box) {
+  return is_empty(box) ? box.min == empty_box<double>().min && box.max == empty_box<double>().max
+                       : reaches_within<Stored>(box);
+}
+
+// Every coordinate must lie within the file's bounds, which are within the store's reach, and every number
+// that is an index must lead somewhere.
+template <class Stored>
+void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::uint64_t objects,
+                      const std::string& path) {
+  const auto all = [](std::uint32_t count, const auto& good) {
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::uint32_t>(0, count), true,
+        [&](const tbb::blocked_range<std::uint32_t>& range, bool so_far) {
+          for (std::uint32_t i = range.begin(); i != range.end(); ++i)
+            so_far = so_far && good(i);
+          return so_far;
+        },
+        std::logical_and<>());
+  };
+  const auto surface_good = [&](const Surface& s) {
+    return s.material < view.material_count && s.object < objects;
+  };
+  // The bounds are those of the stored numbers: to compare with them needs no rounding.
+  const Box<Stored> corners = cast<Stored>(bounds);
+  const auto within = [&](const auto& box) { return contains(bounds, box.min) && contains(bounds, box.max); };
+  const bool held =
+      all(view.triangle_count,
+          [&](std::uint32_t i) {
+            const auto& t = view.triangles[i];
+            return contains(corners, t.a) && contains(corners, t.b) && contains(corners, t.c);
+          }) &&
+      all(view.normals_count, [&](std::uint32_t i) { return is_held(view.normals[i]); }) &&
+      all(view.sphere_count,
+          [&](std::uint32_t i) { return within(cast<double>(masu::bounds(view.spheres[i]))); }) &&
+      all(view.cone_count,
+          [&](std::uint32_t i) { return is_held(view.cones[i]) && within(masu::bounds(view.cones[i])); }) &&
+      all(view.light_count, [&](std::uint32_t i) { return is_held(view.lights[i]); });
+  if (!held)
+    throw Error(ErrorCode::input, path,
+                "a coordinate isn't a number within the scene's bounds: make the file again");
+  const bool good =
+      all(view.triangle_count,
+          [&](std::uint32_t i) {
+            const auto& t = view.triangles[i];
+            return t.material < view.material_count && t.object < objects &&
+                   (t.normals == no_normals || t.normals < view.normals_count);
+          }) &&
+      all(view.sphere_count, [&](std::uint32_t i) { return surface_good(view.sphere_surfaces[i]); }) &&
+      all(view.cone_count, [&](std::uint32_t i) { return surface_good(view.cone_surfaces[i]); });
+  if (!good)
+    throw Error(ErrorCode::input, path,
+                "a primitive names a material, object or normal that isn't there: make the file again");
+}
+
+} // namespace
+
+SceneFile::SceneFile(const std::string& path, Checks checks) : SceneFile(path, checks, Stopwatch()) {}
+
+SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& watch)
+    : container_(path, scene_file_kind) {
+  seconds_.map = watch.seconds();
+  const auto check = [&](bool good, const char* what) {
+    if (!good) throw Error(ErrorCode::input, path, std::string(what) + ": make the file again");
+  };
+  const auto bytes = container_.table();
+  flatbuffers::Verifier verifier(bytes.data(), bytes.size());
+  check(fb::VerifySceneBuffer(verifier), "its table is damaged");
+  table_ = fb::GetScene(bytes.data());
+  check(table_->store() == fb::Store::float32 || table_->store() == fb::Store::float64,
+        "its coordinates are of an unknown type");
+  const fb::Camera& camera = *table_->camera();
+  check(finite(camera.from()) && finite(camera.at()) && finite(camera.up()) && camera.angle() > 0 &&
+            camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
+            camera.height() <= 65536 && std::isfinite(camera.hither()) && has_direction(camera),
+        "its camera is impossible");
+  check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
+        "its bounds are impossible");
+  check(is_aligned(section_list(*table_)), "its table is damaged");
+  container_.check_sections(section_list(*table_));
+
+  const fb::ObjectCounts& counted = *table_->objects();
+  const std::uint64_t limit = std::uint64_t{1} << 31;
+  check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
+            counted.cones() < limit,
+        "it counts impossibly many objects");
+  if (checks == Checks::all) check_records();
+  seconds_.validate = watch.seconds() - seconds_.map;
+}
+
+void SceneFile::check_records() const {
+  is_float64() ? check_primitives(view<double>(), bounds(), object_count(), path())
+               : check_primitives(view<float>(), bounds(), object_count(), path());
+}
+
+std::uint64_t SceneFile::object_count() const {
+  const fb::ObjectCounts& counted = *table_->objects();
+  return counted.polygons() + counted.patches() + counted.spheres() + counted.cones();
+}
+
+Camera SceneFile::camera() const {
+  const fb::Camera& c = *table_->camera();
+  return {vector_of(c.from()), vector_of(c.at()), vector_of(c.up()), c.angle(),
+          c.hither(),          c.width(),         c.height()};
+}
+
+Boxd SceneFile::bounds() const {
+  return {vector_of(table_->bounds()->min()), vector_of(table_->bounds()->max())};
+}
+
+std::uint64_t SceneFile::primitive_count() const {
+  return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
+}
+
+template <class Stored>
+SceneView<Stored> SceneFile::view() const {
+  using fb::SceneSection;
+  const auto sections = section_list(*table_);
+  const auto records = [&]<class T>(SceneSection kind) {
+    return container_.records<T>(sections, number(kind));
+  };
+  const auto triangles = records.template operator()<Triangle<Stored>>(SceneSection::triangles);
+  const auto normals = records.template operator()<CornerNormals<Stored>>(SceneSection::corner_normals);
+  const auto spheres = records.template operator()<Sphere<Stored>>(SceneSection::spheres);
+  const auto sphere_surfaces = records.template operator()<Surface>(SceneSection::sphere_surfaces);
+  const auto cones = records.template operator()<Cone<Stored>>(SceneSection::cones);
+  const auto cone_surfaces = records.template operator()<Surface>(SceneSection::cone_surfaces);
+  const auto materials = records.template operator()<Material>(SceneSection::materials);
+  const auto lights = records.template operator()<Light<Stored>>(SceneSection::lights);
+  if (spheres.size() != sphere_surfaces.size() || cones.size() != cone_surfaces.size() ||
+      triangles.size() + spheres.size() + cones.size() >= no_primitive || lights.size() >= no_primitive ||
+      materials.size() >= no_primitive || normals.size() >= no_primitive) {
+    throw Error(ErrorCode::input, path(), "its sections don't go together: make the file again");
+  }
+  const fb::Color& background = *table_->background();
+  return {triangles.data(),
+          normals.data(),
+          spheres.data(),
+          sphere_surfaces.data(),
+          cones.data(),
+          cone_surfaces.data(),
+          materials.data(),
+          lights.data(),
+          static_cast<std::uint32_t>(triangles.size()),
+          static_cast<std::uint32_t>(normals.size()),
+          static_cast<std::uint32_t>(spheres.size()),
+          static_cast<std::uint32_t>(cones.size()),
+          static_cast<std::uint32_t>(materials.size()),
+          static_cast<std::uint32_t>(lights.size()),
+          cast<Stored>(padded_bounds<Stored>(bounds())),
+          {background.r(), background.g(), background.b()},
+          table_->ambient()};
+}
+
+template SceneView<float> SceneFile::view<float>() const;
+template SceneView<double> SceneFile::view<double>() const;
+
+} // namespace masu

@@ -1,0 +1,63 @@
+// The scene file: a container (container.h) whose table is schemas/scene.fbs.
+#pragma once
+
+#include "libscene/file/container.h"
+#include "libscene/scene.h"
+#include "libscene/scene_view.h"
+#include "libscene/stopwatch.h"
+#include "schemas/scene_generated.h"
+
+#include <string>
+
+namespace masu {
+
+inline constexpr FileKind scene_file_kind{{'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene"};
+
+// automatic: float32 when every coordinate's digits, as written in the text, survive it, and products of
+// coordinates do, and float32 arithmetic can tell the scene's parts from each other (float32_doubt.h); else
+// float64.
+enum class Store { automatic, float32, float64 };
+
+// Of all primitives; empty where there is none.
+Boxd bounds(const Scene& scene);
+
+// Which store that makes of a scene.
+bool fits_float32(const Scene& scene, Store store);
+
+// Writes `scene` to `path`, whole or not at all. Throws Error(output) when it can't, Error(input) when
+// coordinates don't fit the store asked for (the farthest one from 1e-10 to 1e12 for float32, from
+// 1e-90 to 1e100 for float64), or leave a cone no length.
+void write_scene(const Scene& scene, Store store, const std::string& path);
+
+// A mapped scene file, checked: every index and range in it can be followed.
+class SceneFile {
+public:
+  // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
+  explicit SceneFile(const std::string& path, Checks checks = Checks::all);
+  // What Checks::table leaves out. Throws Error(input, path, …).
+  void check_records() const;
+
+  const fb::Scene& table() const { return *table_; }
+  const Hash& hash() const { return container_.hash(); }
+  const std::string& path() const { return container_.path(); }
+  std::uint64_t bytes() const { return container_.bytes(); }
+  const LoadSeconds& load_seconds() const { return seconds_; }
+  std::uint64_t primitive_count() const;
+  Camera camera() const;
+  Boxd bounds() const; // of all primitives; empty where there is none
+  bool is_float64() const { return table_->store() == fb::Store::float64; }
+
+  // Points into the mapping; Stored must be the file's own (is_float64).
+  template <class Stored>
+  SceneView<Stored> view() const;
+
+private:
+  SceneFile(const std::string& path, Checks checks, const Stopwatch& watch);
+  std::uint64_t object_count() const;
+
+  ContainerFile container_;
+  const fb::Scene* table_;
+  LoadSeconds seconds_;
+};
+
+} // namespace masu

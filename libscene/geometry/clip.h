@@ -1,0 +1,67 @@
+// A ray from outside starts where it enters the scene's bounds.
+//
+// So arithmetic on the ray never sees coordinates larger than the scene's, however far off the eye is; and it
+// doesn't depend on the grid.
+#pragma once
+
+#include "libscene/geometry/box.h"
+#include "libscene/geometry/margin.h"
+#include "libscene/geometry/ray.h"
+
+namespace masu {
+
+// The part of `ray` from where it enters `box` on. `skipped` is the t from the old origin to the new; t_max
+// is less it.
+template <class Real>
+struct ClippedRay {
+  Ray<Real> ray;
+  Vec3<Real> inverse; // of the direction, component by component; finite
+  Real skipped;
+};
+
+// Whether the ray is in the box between `enter` and some larger t. The end is rounded up by more than
+// rounding can hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so `enter` down.
+template <class Real>
+MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Vec3<Real>& inverse,
+                            Real& enter) {
+  constexpr Real slack = 8 * RealTraits<Real>::unit_roundoff;
+  const Vec3<Real> t0 = (box.min - ray.origin) * inverse, t1 = (box.max - ray.origin) * inverse;
+  enter = greatest(greatest(Real(0), least(t0.x, t1.x)), greatest(least(t0.y, t1.y), least(t0.z, t1.z)));
+  const Real leave = least(greatest(t0.x, t1.x), least(greatest(t0.y, t1.y), greatest(t0.z, t1.z)));
+  enter = enter * (1 - slack);
+  return enter <= leave * (1 + slack) && enter <= ray.t_max;
+}
+
+// Whether the ray moves away from all that lies at least `padding` inside the box: it starts beyond, as where
+// it leaves a scene's outermost face.
+template <class Real>
+MASU_HD inline bool departs(const Box<Real>& box, const Ray<Real>& ray, Real padding) {
+  const Vec3<Real> above = ray.origin - box.min, below = box.max - ray.origin, d = ray.direction;
+  return least(d.x > 0 ? below.x : above.x, least(d.y > 0 ? below.y : above.y, d.z > 0 ? below.z : above.z)) <
+         padding;
+}
+
+// False when the ray misses the box, a scene's padded bounds (margin.h), or leaves the bounds for good. The
+// new origin is rounded once a coordinate: it stays on the ray to an ulp of the box's coordinates. It is held
+// back by the entry's own rounding, and so may lie before the box; from very far off the entry is coarse, and
+// is looked for once more from nearby.
+template <class Real>
+MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
+  const Vec3<Real> d = ray.direction;
+  clipped = {ray, {finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, 0};
+  const Real largest = largest_magnitude(box), far = 256 * largest;
+  // What is in the padding is off the bounds by no more than the box' own rounding.
+  constexpr Real padding = (2 * margin_roundings - 16) * RealTraits<Real>::unit_roundoff;
+  if (departs(box, ray, padding * largest)) return false;
+  for (bool again = true; again;) {
+    Real enter;
+    if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;
+    clipped.ray.origin = fused(d, enter, clipped.ray.origin);
+    again = clipped.skipped == 0 && enter * largest_magnitude(d) > far;
+    clipped.skipped += enter;
+    clipped.ray.t_max -= enter;
+  }
+  return true;
+}
+
+} // namespace masu

@@ -1,0 +1,181 @@
+// Ray and the side of a cut-off cone or a cylinder; its bounds.
+//
+// With z from 0 (base) to 1 (apex) along the axis, the side is where the distance ρ from the axis equals the
+// radius R(z). Distances from the axis are lengths of cross products with it, whose components keep their
+// digits (Kahan's differences of products) however nearly parallel the ray runs. The quadratic ρ² = R² is set
+// up about the place between the ends where ρ² + R² is least: there every term is of the size of what is
+// solved for, so that nothing cancels however far the origin is, however slight the taper, however near a
+// pointed end. Radii are kept times a height, which spares a division.
+#pragma once
+
+#include "libscene/geometry/ray.h"
+
+#include <algorithm>
+
+namespace masu {
+
+// The cone as its surface needs it. Radii are magnitudes.
+template <class Real>
+struct ConeAxis {
+  Vec3<Real> base, axis; // axis: from base to apex
+  Real inverse_square;   // 1 / |axis|²
+  Real base_radius, growth;
+};
+
+template <class Real, class Stored>
+MASU_HD inline ConeAxis<Real> cone_axis(const Cone<Stored>& cone) {
+  const Vec3<Real> base = cast<Real>(cone.base), axis = cast<Real>(cone.apex) - base;
+  const Real base_radius = std::abs(static_cast<Real>(cone.base_radius));
+  return {base, axis, 1 / dot(axis, axis), base_radius,
+          std::abs(static_cast<Real>(cone.apex_radius)) - base_radius};
+}
+
+// Only the inside shows.
+template <class Stored>
+MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
+  return cone.base_radius < 0 || cone.apex_radius < 0;
+}
+
+// Whether the ray meets the side at a t > 0; then `t` is the first such place. A cone that doesn't taper, a
+// cylinder, takes less.
+template <bool may_taper = true, class Real, class Stored>
+MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone, Real& t) {
+  const Vec3<Real> whole = cast<Real>(cone.apex) - cast<Real>(cone.base);
+  const Vec3<Real> origin = ray.origin - cast<Real>(cone.base);
+  const Real base = std::abs(static_cast<Real>(cone.base_radius)),
+             apex = std::abs(static_cast<Real>(cone.apex_radius));
+  // Scaled by powers of two, so that no product leaves the range: the axis, and later all lengths.
+  const Real longest = largest_magnitude(whole), shrink = inverse_power_of_two(longest);
+  const Vec3<Real> axis = whole * shrink;
+
+  // How far apart the ray's line and the axis' are: most tests end here.
+  const Vec3<Real> turn = cross(ray.direction, axis);
+  const Real turn_square = dot(turn, turn), apart = dot(origin, turn), widest = greatest(base, apex);
+  if (apart * apart > widest * widest * turn_square) return false;
+  // Of the rest, most end with one more look. The ray is outside and moves away from the axis, as where it
+  // leaves this very surface: whoever is taken for outside by a rounding alone is within the margin of it. Or
+  // its line passes by the ball around the cone, with room for rounding, as where it passes one end.
+  const Real square = dot(axis, axis);
+  const Vec3<Real> beside = rough_cross(origin, axis);
+  const Real parting = dot(beside, turn);
+  const bool leaves = (parting >= 0) & (dot(beside, beside) > widest * widest * square);
+  constexpr Real roundings = 64 * RealTraits<Real>::unit_roundoff;
+  const Vec3<Real> from_middle = fused(whole, Real(-0.5), origin);
+  const Vec3<Real> past =
+      fused(ray.direction, -(dot(from_middle, ray.direction) * ray.inverse_square), from_middle);
+  const Real ball = fused(widest, widest, dot(whole, whole) / 4);
+  const bool passes =
+      dot(past, past) > fused(roundings * roundings, dot(from_middle, from_middle), ball + ball / 256);
+  if (leaves | passes) return false;
+
+  // At t the height along the axis is z + t dz, from 0 (base) to `top` (apex); the distance ρ from the axis
+  // is |from_base × axis + t turn| / |axis|, and the cone's radius R is (r + t dr) / rise. What R grows by
+  // over the height, and that height, are brought to size together. A cylinder's doesn't grow, and `rise` is
+  // 1: then the code for cones computes the same bits as that for cylinders alone.
+  const Real unit = inverse_power_of_two(greatest(longest, widest));
+  const Vec3<Real> from_base = origin * unit;
+  const Real base_radius = base * unit, top = dot(whole, axis) * unit;
+  const Real z = dot(from_base, axis), dz = dot(ray.direction, axis);
+  Real rise_square = 1, base_rise = base_radius, turn_rise = turn_square;
+  Real widening = 0, dr = 0, dr_square = 0;
+  Real bend = turn_square, pull = parting * unit;
+  if constexpr (may_taper) {
+    const Real growth = apex * unit - base_radius;
+    const Real size = inverse_power_of_two(greatest(top, std::abs(growth)));
+    const Real rise = growth != 0 ? top * size : 1;
+    rise_square = rise * rise;
+    base_rise = base_radius * rise;
+    turn_rise = turn_square * rise_square;
+    widening = growth * size;
+    dr = widening * dz;
+    dr_square = square * dr;
+    bend = fused(dr_square, dr, turn_rise);
+    pull = fused(dr_square, fused(widening, z, base_rise), rise_square * pull);
+  }
+
+  // Where ρ² + R² is least between the ends, give or take a rounding of heights: where it is least anywhere,
+  // which is pull / bend before t = 0, or else at the nearer end.
+  const Real distance = sum_of_magnitudes(from_base);
+  const Real middle = top / 2, within = fused(roundings, distance + top, middle);
+  const Real above_middle = fused(z - middle, bend, -(pull * dz)); // times bend
+  const bool beyond = std::abs(above_middle) > within * bend;
+  const Real start =
+      quotient(beyond ? middle + std::copysign(within, above_middle) - z : -pull, beyond ? dz : bend);
+  // A ray all but across the axis comes between the ends' planes only far away, where every digit is lost;
+  // but neither a hit nor that place is farther off than the cone (its length is less than twice its longest
+  // component) and √2 times its radius.
+  const Real reach = Real(1.5) * fused(2 * longest + widest, unit, distance);
+  const Real speed = largest_magnitude(ray.direction);
+
+  // From there, a s² + 2 b s + c = 0.
+  const Vec3<Real> there = fused(ray.direction, start, from_base);
+  const Vec3<Real> off = rough_cross(there, axis);
+  const Real height = dot(there, axis);
+  Real radius = base_radius, a = turn_square, b = dot(off, turn), c = dot(off, off);
+  if constexpr (may_taper) {
+    radius = fused(widening, height, base_rise);
+    a = fused(-dr_square, dr, turn_rise);
+    b = fused(-radius, dr_square, rise_square * b);
+    c = rise_square * c;
+  }
+  c = fused(-square * radius, radius, c);
+  const Real discriminant = fused(b, b, -(a * c));
+  if (!((discriminant >= 0) & (std::abs(start) * speed <= reach))) return false;
+  const Real magnitude = std::sqrt(discriminant);
+  const Real root = b < 0 ? -magnitude : magnitude; // as for 0, so for -0
+  const Real q = -(b + root);
+
+  // A flat cone's ends are told apart by their radii, of which the quadratic knows the squares: rounding may
+  // leave more of a height than it is high.
+  const bool flat = may_taper && widening * widening * square > rise_square;
+  const auto shows = [&](Real step) {
+    const Real at = start + step, up = fused(step, dz, height);
+    bool between = (up >= 0) & (up <= top);
+    if (flat) {
+      const Vec3<Real> out = fused(turn, step, off);
+      const Real rho_square = dot(out, out); // times |axis|²
+      const Real narrow = least(base, apex) * unit, wide = widest * unit;
+      between = std::abs(up - middle) <= within && fused(step, dr, radius) >= 0 &&
+                rho_square >= narrow * narrow * square && rho_square <= wide * wide * square;
+    }
+    return (at > 0) & (at * speed <= reach) & between;
+  };
+  // The roots are q / a and c / q, tried as they come along the ray. It leaves the solid where a s + b > 0,
+  // which is -root after the one and root after the other.
+  bool by_a = std::signbit(root) == (a < 0);
+  int tries = 2;
+  if (is_inside_out(cone)) {
+    by_a = std::signbit(root);
+    tries = 1;
+  }
+  for (; tries > 0; --tries, by_a = !by_a) {
+    const Real step = quotient(by_a ? q : c, by_a ? a : q);
+    if (shows(step)) {
+      t = (start + step) * inverse_power_of_two(unit);
+      return t > 0;
+    }
+  }
+  return false;
+}
+
+// Both end discs', exactly but for rounding, which is made good outwards.
+template <class Stored>
+MASU_HD inline Boxd bounds(const Cone<Stored>& cone) {
+  const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex);
+  const Vec3d axis = apex - base;
+  const double square = dot(axis, axis);
+  Boxd box = empty_box<double>();
+  for (int end = 0; end < 2; ++end) {
+    const Vec3d center = end == 0 ? base : apex;
+    const double radius = std::abs(static_cast<double>(end == 0 ? cone.base_radius : cone.apex_radius));
+    Vec3d reach{};
+    for (int axis_number = 0; axis_number < 3; ++axis_number) {
+      const double along1 = axis[(axis_number + 1) % 3], along2 = axis[(axis_number + 2) % 3];
+      reach.set(axis_number, radius * std::sqrt((along1 * along1 + along2 * along2) / square) * (1 + 1e-14));
+    }
+    box = join(box, Boxd{center - reach, center + reach});
+  }
+  return box;
+}
+
+} // namespace masu

@@ -1,0 +1,118 @@
+// The tests of `fast` arithmetic: float32 formulas as textbooks have them, short and with no guard against
+// cancelled digits. They are here to be measured against (triangle.h, sphere.h and cone.h have those that
+// hold): rays slip between triangles, spheres dissolve when far off, surfaces shade themselves.
+//
+// Triangles after Möller & Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics
+// Tools 2(1), 1997, without its absolute epsilon, which loses small triangles altogether; spheres and cones
+// by the quadratic formula. Host and device need not agree: the device's divisions and roots are approximate.
+#pragma once
+
+#include "libscene/geometry/ray.h"
+
+namespace masu {
+
+struct TextbookRay {
+  using Real = float;
+  Vec3f origin, direction;
+};
+
+MASU_HD inline void prepare(TextbookRay& ray, const Vec3f& origin, const Vec3f& along) {
+  ray = {origin, along};
+}
+
+// 1 / v and √v to a few ulp.
+MASU_HD inline float quick_inverse(float v) {
+#ifdef __CUDA_ARCH__
+  return __fdividef(1.0F, v);
+#else
+  return 1 / v;
+#endif
+}
+MASU_HD inline float quick_root(float v) {
+#ifdef __CUDA_ARCH__
+  float root;
+  asm("sqrt.approx.f32 %0, %1;" : "=f"(root) : "f"(v));
+  return root;
+#else
+  return std::sqrt(v);
+#endif
+}
+
+// Where a ray's line meets a triangle's plane, and the shares that corners b and c have in that place.
+struct PlaneHit {
+  float t, b_share, c_share;
+};
+
+template <class Stored>
+MASU_HD inline PlaneHit plane_hit(const TextbookRay& ray, const Triangle<Stored>& triangle) {
+  const Vec3f a = cast<float>(triangle.a);
+  const Vec3f to_b = cast<float>(triangle.b) - a, to_c = cast<float>(triangle.c) - a;
+  const Vec3f p = rough_cross(ray.direction, to_c);
+  const float inverse =
+      quick_inverse(dot(to_b, p)); // infinite for a ray in the plane: no share is then in range
+  const Vec3f from_a = ray.origin - a;
+  const Vec3f q = rough_cross(from_a, to_b);
+  return {dot(to_c, q) * inverse, dot(from_a, p) * inverse, dot(ray.direction, q) * inverse};
+}
+
+template <class Stored>
+MASU_HD inline bool intersect(const TextbookRay& ray, const Triangle<Stored>& triangle, float& t) {
+  const PlaneHit hit = plane_hit(ray, triangle);
+  t = hit.t;
+  return hit.b_share >= 0 && hit.c_share >= 0 && hit.b_share + hit.c_share <= 1;
+}
+
+template <class Stored>
+MASU_HD inline bool intersect(const TextbookRay& ray, const Sphere<Stored>& sphere, float& t) {
+  const float radius = static_cast<float>(sphere.radius);
+  const Vec3f from_center = ray.origin - cast<float>(sphere.center);
+  const float a = dot(ray.direction, ray.direction), b = dot(from_center, ray.direction);
+  const float c = dot(from_center, from_center) - radius * radius;
+  const float discriminant = b * b - a * c;
+  if (!(discriminant >= 0)) return false;
+  const float root = quick_root(discriminant), inverse = quick_inverse(a);
+  const float enter = (-b - root) * inverse, leave = (-b + root) * inverse;
+  t = radius > 0 && enter > 0 ? enter : leave;
+  return t > 0;
+}
+
+// A cone seen from its axis: height 0 is the base, 1 the apex.
+struct ConeHeights {
+  Vec3f base, axis;
+  float inverse_square, base_radius, growth;
+};
+
+template <class Stored>
+MASU_HD inline ConeHeights cone_heights(const Cone<Stored>& cone) {
+  const Vec3f base = cast<float>(cone.base), axis = cast<float>(cone.apex) - base;
+  const float base_radius = std::abs(static_cast<float>(cone.base_radius));
+  return {base, axis, quick_inverse(dot(axis, axis)), base_radius,
+          std::abs(static_cast<float>(cone.apex_radius)) - base_radius};
+}
+
+// Whether it may taper is no matter here.
+template <bool = true, class Stored>
+MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, float& t) {
+  const ConeHeights c = cone_heights(cone);
+  const Vec3f from_base = ray.origin - c.base;
+  const float height = dot(from_base, c.axis) * c.inverse_square,
+              rise = dot(ray.direction, c.axis) * c.inverse_square;
+  const Vec3f off = fused(c.axis, -height, from_base), across = fused(c.axis, -rise, ray.direction);
+  const float radius = fused(c.growth, height, c.base_radius), widening = c.growth * rise;
+  const float qa = dot(across, across) - widening * widening, qb = dot(off, across) - radius * widening,
+              qc = dot(off, off) - radius * radius;
+  const float discriminant = qb * qb - qa * qc;
+  if (!(discriminant >= 0)) return false;
+  const float root = quick_root(discriminant), inverse = quick_inverse(qa);
+  const float root1 = (-qb - root) * inverse, root2 = (-qb + root) * inverse;
+  const bool inside_only = cone.base_radius < 0 || cone.apex_radius < 0;
+  const auto shows = [&](float at) {
+    const float there = fused(rise, at, height);
+    return at > 0 && there >= 0 && there <= 1 && (!inside_only || fused(qa, at, qb) > 0);
+  };
+  const float first = least(root1, root2), second = greatest(root1, root2);
+  t = shows(first) ? first : second;
+  return shows(t);
+}
+
+} // namespace masu

@@ -1,0 +1,225 @@
+#include "libscene/mesh/ear_clipping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace masu {
+namespace {
+
+// How far outside a cut a vertex still counts as on it, per edge length: twice what has_area calls no area,
+// since the plane seen here can foreshorten by √3.
+constexpr double slack = 32 * RealTraits<double>::unit_roundoff;
+
+double extent(const Point2& a, const Point2& b) {
+  return larger(std::abs(a.x - b.x), std::abs(a.y - b.y));
+}
+
+double squared_distance(const Point2& a, const Point2& b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+}
+
+bool lies_between(double a, double value, double b) {
+  return smaller(a, b) < value && value < larger(a, b);
+}
+
+} // namespace
+
+bool EarClipper::Candidate::operator<(const Candidate& other) const {
+  if (rank != other.rank) return rank > other.rank;
+  if (shape != other.shape) return shape < other.shape;
+  return vertex > other.vertex;
+}
+
+EarClipper::EarClipper(std::span<const Point2> points, std::span<const std::uint32_t> ring)
+    : points_(points), previous_(points.size()), next_(points.size()), stamps_(points.size(), 0),
+      ranks_(points.size(), Rank::open), obstacles_(points, {}), size_(ring.size()),
+      retests_left_(64 * ring.size() + 4096), some_vertex_(ring.front()) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::uint32_t follower = ring[i + 1 < ring.size() ? i + 1 : 0];
+    next_[ring[i]] = follower;
+    previous_[follower] = ring[i];
+  }
+  obstacles_ = obstacles(ring);
+  heap_.reserve(3 * ring.size());
+  for (const std::uint32_t v : ring)
+    settle(v);
+}
+
+bool EarClipper::is_nearly_straight(std::uint32_t v, double turn) const {
+  return turn <= slack * (extent(before(v), points_[v]) + extent(points_[v], after(v)));
+}
+
+EarClipper::Rank EarClipper::rank_by_turn(std::uint32_t v, double turn) const {
+  if (turn != 0) return turn > 0 ? Rank::open : Rank::reflex;
+  const Point2 &a = before(v), &p = points_[v], &b = after(v);
+  return lies_between(a.x, p.x, b.x) || lies_between(a.y, p.y, b.y) ? Rank::flat : Rank::spike;
+}
+
+// An ear that holds any vertex of a simple polygon holds one that isn't strictly convex.
+PointTree EarClipper::obstacles(std::span<const std::uint32_t> ring) const {
+  std::vector<std::uint32_t> found;
+  for (const std::uint32_t v : ring)
+    if (is_nearly_straight(v, turn(v))) found.push_back(v);
+  return {points_, std::move(found)};
+}
+
+// Whether the edges' direction goes round once in all, as in every simple polygon: counts how often it passes
+// +x.
+bool EarClipper::turns_once(std::span<const std::uint32_t> ring) const {
+  const auto is_upward = [](const Point2& from, const Point2& to) {
+    return to.y > from.y || (to.y == from.y && to.x > from.x);
+  };
+  std::ptrdiff_t turns = 0;
+  for (const std::uint32_t v : ring) {
+    const double by = turn(v);
+    if (by == 0 && rank_by_turn(v, by) == Rank::spike) return true; // half a turn, but which way?
+    const bool up_before = is_upward(before(v), points_[v]);
+    const bool up_after = is_upward(points_[v], after(v));
+    if (by > 0 && !up_before && up_after) ++turns;
+    if (by < 0 && up_before && !up_after) --turns;
+  }
+  return turns == 1;
+}
+
+void EarClipper::run(Triangulation& result) {
+  std::vector<std::uint32_t> ring;
+  ring.reserve(size_);
+  for (std::uint32_t v = some_vertex_; ring.size() < size_; v = next_[v])
+    ring.push_back(v);
+  if (!turns_once(ring)) result.crosses_itself = true;
+  while (size_ > 3)
+    act(pop(), result);
+  if (size_ == 3) {
+    if (turn(some_vertex_) < 0) result.crosses_itself = true;
+    emit(some_vertex_, result);
+  }
+}
+
+void EarClipper::act(const Candidate& candidate, Triangulation& result) {
+  const std::uint32_t v = candidate.vertex;
+  switch (candidate.rank) {
+  case Rank::spike:
+    if (!(points_[v] == before(v)) && !(points_[v] == after(v))) ++result.slivers;
+    return unlink(v);
+  case Rank::open:
+  case Rank::grazed: {
+    const Fit found = fit(v);
+    if (found == Fit::blocked) return push(v, Rank::blocked);
+    if (found == Fit::grazed && candidate.rank == Rank::open) return push(v, Rank::grazed);
+    return cut(v, result);
+  }
+  case Rank::flat:
+  case Rank::blocked:
+  case Rank::reflex:
+    // No ear is left, which no simple polygon does: go on as well as can be.
+    if (look_again()) {
+      if (candidate.rank != Rank::blocked) push(v, candidate.rank);
+      return;
+    }
+    if (candidate.rank == Rank::flat) {
+      ++result.slivers;
+      return unlink(v);
+    }
+    result.crosses_itself = true;
+    return cut(v, result);
+  }
+}
+
+// Makes the blocked ears candidates again, as long as there is hope and time.
+bool EarClipper::look_again() {
+  if (!changed_ || retests_left_ < size_) return false;
+  changed_ = false;
+  retests_left_ -= size_;
+  bool any = false;
+  std::uint32_t v = some_vertex_;
+  for (std::size_t i = 0; i < size_; ++i, v = next_[v])
+    if (ranks_[v] == Rank::blocked) {
+      push(v, Rank::open);
+      any = true;
+    }
+  return any;
+}
+
+EarClipper::Fit EarClipper::fit(std::uint32_t v) const {
+  const std::array<Point2, 3> ear{before(v), points_[v], after(v)};
+  Fit worst = Fit::clear;
+  obstacles_.visit(ear, slack, [&](std::uint32_t other) {
+    if (other != v && other != previous_[v] && other != next_[v]) worst = std::max(worst, fit(ear, other));
+    return worst == Fit::blocked;
+  });
+  return worst;
+}
+
+EarClipper::Fit EarClipper::fit(const std::array<Point2, 3>& ear, std::uint32_t other) const {
+  const Point2 &a = ear[0], &b = ear[1], &c = ear[2];
+  const Point2& p = points_[other];
+  const double by_cut = orientation(c, a, p);
+  if (by_cut < -slack * extent(c, a)) return Fit::clear;
+  const double by_ab = orientation(a, b, p);
+  if (by_ab < 0) return Fit::clear;
+  const double by_bc = orientation(b, c, p);
+  if (by_bc < 0) return Fit::clear;
+  if (by_cut < 0) return Fit::grazed;
+  if (by_ab > 0 && by_bc > 0) return Fit::blocked;
+  // On a leg or a corner, as bridges to holes have it: in the way only if one of its edges leads inside.
+  const auto leads_inside = [&](const Point2& to) {
+    return (by_ab > 0 || orientation(a, b, to) > 0) && (by_bc > 0 || orientation(b, c, to) > 0) &&
+           (by_cut > 0 || orientation(c, a, to) > 0);
+  };
+  return leads_inside(before(other)) || leads_inside(after(other)) ? Fit::blocked : Fit::clear;
+}
+
+void EarClipper::push(std::uint32_t v, Rank rank) {
+  const Point2 &a = before(v), &p = points_[v], &b = after(v);
+  const double cut = squared_distance(a, b);
+  const double weight = cut * std::sqrt(squared_distance(a, p)) * std::sqrt(squared_distance(p, b));
+  ranks_[v] = rank;
+  heap_.push_back({rank, weight > 0 ? turn(v) / weight : 0, v, ++stamps_[v]});
+  std::push_heap(heap_.begin(), heap_.end());
+}
+
+EarClipper::Candidate EarClipper::pop() {
+  for (;;) {
+    std::pop_heap(heap_.begin(), heap_.end());
+    const Candidate top = heap_.back();
+    heap_.pop_back();
+    if (top.stamp == stamps_[top.vertex]) return top;
+  }
+}
+
+// Sees what the vertex has become.
+void EarClipper::settle(std::uint32_t v) {
+  const double by = turn(v);
+  const Rank rank = rank_by_turn(v, by);
+  const bool is_straight = is_nearly_straight(v, by);
+  if (obstacles_.holds(v) && !is_straight) obstacles_.remove(v);
+  push(v, rank == Rank::open && is_straight ? Rank::grazed : rank);
+}
+
+void EarClipper::unlink(std::uint32_t v) {
+  const std::uint32_t left = previous_[v];
+  const std::uint32_t right = next_[v];
+  next_[left] = right;
+  previous_[right] = left;
+  ++stamps_[v];
+  if (obstacles_.holds(v)) obstacles_.remove(v);
+  some_vertex_ = left;
+  --size_;
+  changed_ = true;
+  settle(left);
+  settle(right);
+}
+
+void EarClipper::cut(std::uint32_t v, Triangulation& result) {
+  emit(v, result);
+  unlink(v);
+}
+
+void EarClipper::emit(std::uint32_t v, Triangulation& result) const {
+  if (turn(v) < 0)
+    result.triangles.push_back({next_[v], v, previous_[v]});
+  else
+    result.triangles.push_back({previous_[v], v, next_[v]});
+}
+
+} // namespace masu

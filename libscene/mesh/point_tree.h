@@ -1,0 +1,123 @@
+// A k-d tree of points in a plane that can be taken out one by one and are asked for by triangle.
+#pragma once
+
+#include "libscene/geometry/orientation.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace masu {
+
+class PointTree {
+public:
+  // The points `members` counts from `points`, which must outlive the tree.
+  PointTree(std::span<const Point2> points, std::vector<std::uint32_t> members)
+      : points_(points), members_(std::move(members)) {
+    place_.assign(points.size(), absent);
+    if (members_.empty()) return;
+    build(0, 0, static_cast<std::uint32_t>(members_.size()));
+    for (std::uint32_t i = 0; i < members_.size(); ++i)
+      place_[members_[i]] = i;
+  }
+
+  bool holds(std::uint32_t point) const { return place_[point] != absent; }
+
+  void remove(std::uint32_t point) {
+    const std::uint32_t place = std::exchange(place_[point], absent);
+    for (std::size_t node = 0;;) {
+      --nodes_[node].alive;
+      const std::uint32_t middle = nodes_[node].middle();
+      if (nodes_[node].is_leaf()) return;
+      node = 2 * node + (place < middle ? 1 : 2);
+    }
+  }
+
+  // Calls visit(point) for every point in the counter-clockwise triangle, and for some close by: all that lie
+  // within `slack` times the edge's length outside an edge. Stops early once visit returns true.
+  template <class Visit>
+  void visit(const std::array<Point2, 3>& triangle, double slack, Visit visit) const {
+    if (nodes_.empty()) return;
+    const auto [low, high] = box_of(triangle, slack);
+    std::array<std::size_t, 64> pending{};
+    std::size_t count = 1;
+    while (count > 0) {
+      const std::size_t index = pending[--count];
+      const Node& node = nodes_[index];
+      if (node.alive == 0 || node.max.x < low.x || node.min.x > high.x || node.max.y < low.y ||
+          node.min.y > high.y)
+        continue;
+      if (is_outside(node, triangle, slack)) continue;
+      if (!node.is_leaf()) {
+        pending[count++] = 2 * index + 2;
+        pending[count++] = 2 * index + 1;
+        continue;
+      }
+      for (std::uint32_t i = node.first; i < node.last; ++i)
+        if (holds(members_[i]) && visit(members_[i])) return;
+    }
+  }
+
+private:
+  static constexpr std::uint32_t absent = 0xffffffffU;
+  static constexpr std::uint32_t leaf_size = 8;
+
+  // Node i's children are 2i+1 and 2i+2; they halve its range of members.
+  struct Node {
+    Point2 min, max;
+    std::uint32_t first, last, alive;
+    std::uint32_t middle() const { return first + (last - first) / 2; }
+    bool is_leaf() const { return last - first <= leaf_size; }
+  };
+
+  void build(std::size_t index, std::uint32_t first, std::uint32_t last) {
+    if (nodes_.size() <= index) nodes_.resize(index + 1);
+    Point2 min = points_[members_[first]];
+    Point2 max = min;
+    for (std::uint32_t i = first + 1; i < last; ++i) {
+      const Point2& p = points_[members_[i]];
+      min = {smaller(min.x, p.x), smaller(min.y, p.y)};
+      max = {larger(max.x, p.x), larger(max.y, p.y)};
+    }
+    const Node node{min, max, first, last, last - first};
+    nodes_[index] = node;
+    if (node.is_leaf()) return;
+    const bool by_x = max.x - min.x >= max.y - min.y;
+    std::nth_element(members_.begin() + first, members_.begin() + node.middle(), members_.begin() + last,
+                     [&](std::uint32_t a, std::uint32_t b) {
+                       return by_x ? points_[a].x < points_[b].x : points_[a].y < points_[b].y;
+                     });
+    build(2 * index + 1, first, node.middle());
+    build(2 * index + 2, node.middle(), last);
+  }
+
+  static std::pair<Point2, Point2> box_of(const std::array<Point2, 3>& triangle, double slack) {
+    const auto [a, b, c] = triangle;
+    const Point2 low{smaller(a.x, smaller(b.x, c.x)), smaller(a.y, smaller(b.y, c.y))};
+    const Point2 high{larger(a.x, larger(b.x, c.x)), larger(a.y, larger(b.y, c.y))};
+    const double margin = slack * larger(high.x - low.x, high.y - low.y);
+    return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
+  }
+
+  // Whether all of the node's box lies outside one edge, judged at the corner that lies farthest inside.
+  static bool is_outside(const Node& node, const std::array<Point2, 3>& triangle, double slack) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point2& a = triangle[i];
+      const Point2 along{triangle[(i + 1) % 3].x - a.x, triangle[(i + 1) % 3].y - a.y};
+      const Point2 inmost{along.y < 0 ? node.max.x : node.min.x, along.x > 0 ? node.max.y : node.min.y};
+      const double side = along.x * (inmost.y - a.y) - along.y * (inmost.x - a.x);
+      if (side < -slack * larger(std::abs(along.x), std::abs(along.y))) return true;
+    }
+    return false;
+  }
+
+  std::span<const Point2> points_;
+  std::vector<std::uint32_t> members_; // in the tree's order
+  std::vector<std::uint32_t> place_;   // of each point among members_
+  std::vector<Node> nodes_;
+};
+
+} // namespace masu

@@ -1,0 +1,165 @@
+#include "libscene/mesh/tessellate.h"
+
+#include "libscene/error.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace masu {
+namespace {
+
+// Corners on the unit sphere about the origin, counter-clockwise as seen from outside: they are the normals
+// there too.
+using UnitTriangle = std::array<Vec3d, 3>;
+
+// A square of a face by its corners, cut in two along the shorter diagonal; clearly shorter: rounding shall
+// not mix both ways where they are equal.
+void append_square(std::vector<UnitTriangle>& triangles, const std::array<Vec3d, 4>& q) {
+  const Vec3d first = q[2] - q[0], second = q[3] - q[1];
+  if (dot(second, second) < 0.999 * dot(first, first)) {
+    triangles.push_back({q[0], q[1], q[3]});
+    triangles.push_back({q[1], q[2], q[3]});
+  } else {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  }
+}
+
+std::vector<UnitTriangle> unit_sphere(int facets) {
+  const int squares = facets / 4; // along a face's edge
+  // A place on the cube from -squares to squares an axis. Faces that meet ask for the same place, and so get
+  // the same bits.
+  const auto direction = [&](const Vec3i& place) {
+    const auto coordinate = [&](int i) { return std::tan(std::numbers::pi / 4 * i / squares); };
+    return normalized(Vec3d{coordinate(place.x), coordinate(place.y), coordinate(place.z)});
+  };
+  std::vector<UnitTriangle> triangles;
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face / 2, side = face % 2 == 0 ? 1 : -1;
+    const auto corner = [&](int i, int j) {
+      Vec3i place{};
+      place.set(axis, side * squares);
+      place.set((axis + side + 3) % 3, 2 * i - squares); // on the far side the other two axes change places
+      place.set((axis - side + 3) % 3, 2 * j - squares);
+      return direction(place);
+    };
+    for (int i = 0; i < squares; ++i)
+      for (int j = 0; j < squares; ++j)
+        append_square(triangles, {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+  }
+  return triangles;
+}
+
+// A negative radius puts every corner opposite, which turns the triangles inside out, and leaves the normals
+// pointing inwards: as it should be.
+void append_sphere(Scene& scene, const Sphere<double>& sphere, const Surface& surface,
+                   const std::vector<UnitTriangle>& unit, std::uint64_t first_normals) {
+  const auto corner = [&](const Vec3d& direction) { return fused(direction, sphere.radius, sphere.center); };
+  for (std::size_t i = 0; i < unit.size(); ++i)
+    scene.triangles.push_back({corner(unit[i][0]), surface.object, corner(unit[i][1]), surface.material,
+                               corner(unit[i][2]), first_normals + i});
+}
+
+void append_spheres(Scene& scene, int facets) {
+  if (scene.spheres.empty()) return;
+  const std::vector<UnitTriangle> unit = unit_sphere(facets);
+  const std::uint64_t first_normals = scene.normals.size();
+  for (const auto& [a, b, c] : unit)
+    scene.normals.push_back({a, b, c});
+  for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+    append_sphere(scene, scene.spheres[i], scene.sphere_surfaces[i], unit, first_normals);
+}
+
+struct Point {
+  Vec3d position, normal;
+};
+
+void append(Scene& scene, const Surface& surface, const Point& a, const Point& b, const Point& c) {
+  scene.triangles.push_back({a.position, surface.object, b.position, surface.material, c.position,
+                             std::uint64_t{scene.normals.size()}});
+  scene.normals.push_back({a.normal, b.normal, c.normal});
+}
+
+// Where a side's edge, a line of the surface, starts and ends.
+struct Edge {
+  Point base, apex;
+};
+
+// The `facets` edges, counter-clockwise about the axis; clockwise for negative radii: these put every edge
+// half a turn on, and only the other sense turns the fronts inwards.
+std::vector<Edge> cone_edges(const Cone<double>& cone, int facets) {
+  const Vec3d axis = cone.apex - cone.base;
+  const Vec3d along = normalized(axis * 1e100); // scaled: a difference of coordinates can be denormal
+  const double height = dot(axis, along), growth = cone.apex_radius - cone.base_radius;
+  const double slant = std::hypot(height, growth);
+  const double sense = std::copysign(1.0, cone.base_radius + cone.apex_radius);
+  const Vec3d u = normalized(cross(std::abs(along.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, along));
+  const Vec3d v = cross(along, u) * sense;
+  std::vector<Edge> edges;
+  edges.reserve(static_cast<std::size_t>(facets));
+  for (int i = 0; i < facets; ++i) {
+    const double angle = 2 * std::numbers::pi * i / facets;
+    const Vec3d away = fused(u, std::cos(angle), v * std::sin(angle));
+    const Vec3d normal = fused(along, -growth / slant, away * (height / slant));
+    edges.push_back({{fused(away, cone.base_radius, cone.base), normal},
+                     {fused(away, cone.apex_radius, cone.apex), normal}});
+  }
+  return edges;
+}
+
+void append_cone(Scene& scene, const Cone<double>& cone, const Surface& surface, int facets) {
+  const std::vector<Edge> edges = cone_edges(cone, facets);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Edge& left = edges[i];
+    const Edge& right = edges[(i + 1) % edges.size()];
+    // A pointed end has every normal: the side's middle one will do.
+    const Vec3d middle = left.base.normal + right.base.normal;
+    if (cone.base_radius != 0)
+      append(scene, surface, left.base, right.base,
+             cone.apex_radius != 0 ? right.apex : Point{cone.apex, middle});
+    if (cone.apex_radius != 0)
+      append(scene, surface, cone.base_radius != 0 ? left.base : Point{cone.base, middle}, right.apex,
+             left.apex);
+  }
+}
+
+std::uint64_t triangles_a_sphere(int facets) {
+  const auto squares = static_cast<std::uint64_t>(facets / 4);
+  return 12 * squares * squares;
+}
+
+std::uint64_t triangles_of_cones(const Scene& scene, int facets) {
+  std::uint64_t sides = 0; // each counted once for either end that has a width
+  for (const Cone<double>& cone : scene.cones)
+    sides += (cone.base_radius != 0 ? 1U : 0U) + (cone.apex_radius != 0 ? 1U : 0U);
+  return sides * static_cast<std::uint64_t>(facets);
+}
+
+} // namespace
+
+Scene tessellated(Scene scene, int facets) {
+  constexpr std::uint64_t most_primitives = no_primitive - 1; // the last number means none
+  const std::uint64_t a_sphere = triangles_a_sphere(facets);
+  const std::uint64_t of_cones = triangles_of_cones(scene, facets);
+  const std::uint64_t all = scene.triangles.size() + scene.spheres.size() * a_sphere + of_cones;
+  if (all > most_primitives)
+    throw Error(ErrorCode::usage, "--tessellate",
+                fmt::format("would make {} triangles, over {}: choose fewer facets", all, most_primitives));
+  // At once: growing by doubling would need as much again.
+  scene.triangles.reserve(all);
+  scene.normals.reserve(scene.normals.size() + (scene.spheres.empty() ? 0 : a_sphere) + of_cones);
+  append_spheres(scene, facets);
+  for (std::size_t i = 0; i < scene.cones.size(); ++i)
+    append_cone(scene, scene.cones[i], scene.cone_surfaces[i], facets);
+  scene.spheres = {};
+  scene.sphere_surfaces = {};
+  scene.cones = {};
+  scene.cone_surfaces = {};
+  return scene;
+}
+
+} // namespace masu

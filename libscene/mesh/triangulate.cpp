@@ -1,0 +1,148 @@
+#include "libscene/mesh/triangulate.h"
+
+#include "libscene/mesh/ear_clipping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace masu {
+namespace {
+
+// A difference of coordinates up to m is off by up to 2um once their digits have been rounded to doubles; a
+// component of the product of two such edges no longer than l, by 8uml.
+double area_error(double largest_coordinate, double longest_edge) {
+  return 8 * RealTraits<double>::unit_roundoff * largest_coordinate * longest_edge;
+}
+
+int largest_axis(const Vec3d& v) {
+  const double x = std::abs(v.x);
+  const double y = std::abs(v.y);
+  const double z = std::abs(v.z);
+  return x > y && x > z ? 0 : y > z ? 1 : 2;
+}
+
+// The short way for four vertices: two triangles by the shorter diagonal, if all corners are clearly convex.
+bool split_convex_quad(std::span<const Vec3d, 4> q, Triangulation& result) {
+  const Vec3d diagonals[2] = {q[2] - q[0], q[3] - q[1]};
+  const Vec3d normal = cross(diagonals[0], diagonals[1]);
+  const int axis = largest_axis(normal);
+  const double facing = normal[axis] < 0 ? -1 : 1;
+  double coordinate = 0;
+  double edge = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    coordinate = larger(coordinate, largest_magnitude(q[i]));
+    edge = larger(edge, largest_magnitude(q[(i + 1) % 4] - q[i]));
+  }
+  const double limit = area_error(coordinate, edge);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3d turn = cross(q[(i + 1) % 4] - q[i], q[(i + 2) % 4] - q[(i + 1) % 4]);
+    if (!(turn[axis] * facing > limit)) return false;
+  }
+  // Clearly shorter: rounding shall not mix both ways in a regular mesh.
+  if (dot(diagonals[1], diagonals[1]) < 0.999 * dot(diagonals[0], diagonals[0])) {
+    result.triangles.push_back({0, 1, 3});
+    result.triangles.push_back({1, 2, 3});
+  } else {
+    result.triangles.push_back({0, 1, 2});
+    result.triangles.push_back({0, 2, 3});
+  }
+  return true;
+}
+
+// A power of two that brings magnitudes to at most 1: no digit changes.
+double scale_to_one(std::span<const Vec3d> polygon) {
+  double largest = 0;
+  for (const Vec3d& p : polygon)
+    largest = larger(largest, largest_magnitude(p));
+  return largest > 0 ? std::ldexp(1.0, std::min(1000, -std::ilogb(largest) - 1)) : 1;
+}
+
+// Newell's mean normal, of any length. Where it vanishes though the vertices aren't collinear (a figure of
+// eight), one corner's. Zero when all are collinear.
+Vec3d mean_normal(std::span<const Vec3d> polygon, double scale) {
+  const Vec3d origin = polygon[0] * scale;
+  Vec3d sum{0, 0, 0};
+  Vec3d greatest{0, 0, 0};
+  double length = 0;
+  double farthest = 0;
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+    const Vec3d a = polygon[i] * scale - origin;
+    const Vec3d b = polygon[i + 1] * scale - origin;
+    const Vec3d corner = cross(a, b);
+    sum = sum + corner;
+    if (largest_magnitude(corner) > largest_magnitude(greatest)) greatest = corner;
+    length += largest_magnitude(b - a);
+    farthest = larger(farthest, larger(largest_magnitude(a), largest_magnitude(b)));
+  }
+  if (largest_magnitude(sum) > area_error(1, length)) return sum;
+  return largest_magnitude(greatest) > area_error(1, farthest) ? greatest : Vec3d{0, 0, 0};
+}
+
+// Drops the normal's largest axis, and keeps the turning sense.
+std::vector<Point2> project(std::span<const Vec3d> polygon, double scale, const Vec3d& normal) {
+  const int axis = largest_axis(normal);
+  int first = (axis + 1) % 3;
+  int second = (axis + 2) % 3;
+  if (normal[axis] < 0) std::swap(first, second);
+  std::vector<Point2> points;
+  points.reserve(polygon.size());
+  for (const Vec3d& p : polygon)
+    points.push_back({p[first] * scale, p[second] * scale});
+  return points;
+}
+
+// The vertices without those that repeat the one before.
+std::vector<std::uint32_t> distinct_ring(std::span<const Vec3d> polygon) {
+  std::vector<std::uint32_t> ring;
+  ring.reserve(polygon.size());
+  for (std::uint32_t i = 0; i < polygon.size(); ++i)
+    if (ring.empty() || !(polygon[ring.back()] == polygon[i])) ring.push_back(i);
+  while (ring.size() > 1 && polygon[ring.back()] == polygon[ring.front()])
+    ring.pop_back();
+  return ring;
+}
+
+// Triangles that have an area in the projection only by rounding.
+void drop_slivers(std::span<const Vec3d> polygon, Triangulation& result) {
+  result.slivers += std::erase_if(result.triangles, [&](const std::array<std::uint32_t, 3>& t) {
+    return !has_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
+  });
+}
+
+} // namespace
+
+bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const Vec3d to_b = b - a;
+  const Vec3d to_c = c - a;
+  const double coordinate = larger(largest_magnitude(a), larger(largest_magnitude(b), largest_magnitude(c)));
+  const double edge = larger(largest_magnitude(to_b), largest_magnitude(to_c));
+  return largest_magnitude(cross(to_b, to_c)) > area_error(coordinate, edge);
+}
+
+void triangulate(std::span<const Vec3d> polygon, Triangulation& result) {
+  result.triangles.clear();
+  result.slivers = 0;
+  result.crosses_itself = false;
+  if (polygon.size() < 3) return;
+  if (polygon.size() == 3) {
+    if (has_area(polygon[0], polygon[1], polygon[2])) result.triangles.push_back({0, 1, 2});
+    return;
+  }
+  if (polygon.size() == 4 && split_convex_quad(polygon.first<4>(), result)) return;
+
+  const double scale = scale_to_one(polygon);
+  const Vec3d normal = mean_normal(polygon, scale);
+  const std::vector<std::uint32_t> ring = distinct_ring(polygon);
+  if (normal == Vec3d{0, 0, 0} || ring.size() < 3) return;
+  const std::vector<Point2> points = project(polygon, scale, normal);
+  EarClipper(points, ring).run(result);
+  drop_slivers(polygon, result);
+}
+
+Triangulation triangulate(std::span<const Vec3d> polygon) {
+  Triangulation result;
+  triangulate(polygon, result);
+  return result;
+}
+
+} // namespace masu

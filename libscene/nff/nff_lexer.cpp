@@ -1,0 +1,119 @@
+#include "libscene/nff/nff_lexer.h"
+
+#include "libscene/error.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace masu::nff {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+// The worth of the last digit written, of a token that is a valid number.
+double last_digit_unit(std::string_view token) {
+  const std::size_t exponent_at = std::min(token.find_first_of("eE"), token.size());
+  const std::size_t point = std::min(token.find('.'), exponent_at);
+  const auto decimals = static_cast<std::ptrdiff_t>(point == exponent_at ? 0 : exponent_at - point - 1);
+  int exponent = 0;
+  if (exponent_at < token.size()) {
+    const bool has_plus = token[exponent_at + 1] == '+';
+    std::from_chars(token.data() + exponent_at + (has_plus ? 2 : 1), token.data() + token.size(), exponent);
+  }
+  return std::pow(10.0, static_cast<double>(exponent - decimals));
+}
+
+bool has_nonzero_digit(std::string_view token) {
+  return token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos;
+}
+
+} // namespace
+
+void fail(const Text& text, const char* at, const std::string& message) {
+  std::string_view before(text.begin(), static_cast<std::size_t>(at - text.begin()));
+  if (before.substr(0, byte_order_mark.size()) == byte_order_mark)
+    before.remove_prefix(byte_order_mark.size());
+  std::size_t line = 1;
+  std::size_t line_start = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const bool is_cr_of_crlf =
+        before[i] == '\r' && before.data() + i + 1 != text.end() && before.data()[i + 1] == '\n';
+    if (before[i] == '\n' || (before[i] == '\r' && !is_cr_of_crlf)) {
+      ++line;
+      line_start = i + 1;
+    }
+  }
+  throw Error(ErrorCode::input, fmt::format("{}:{}:{}", text.name, line, before.size() - line_start + 1),
+              message);
+}
+
+std::string quoted(const Text& text, const char* at) {
+  constexpr std::size_t longest = 24;
+  std::string result = "'";
+  const char* p = at;
+  for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= longest; ++p)
+    result += *p > ' ' && *p < 127 ? *p : '?';
+  if (p != text.end() && kind_of(*p) == Character::other) result += "...";
+  return result + "'";
+}
+
+// What plain_number leaves: exponents, a leading plus, many digits; and what is no number.
+double Lexer::other_number(double& unit, const char* syntax) {
+  const char* const start = at_;
+  const std::string_view token = word();
+  if (token.empty())
+    fail(*text_, start, fmt::format("the text ends where a number is missing: write `{}`", syntax));
+  const bool has_plus = token.front() == '+';
+  const bool has_sign = has_plus || token.front() == '-';
+  const char* const digits = start + (has_sign ? 1 : 0);
+  double value = 0;
+  std::from_chars_result read{start, std::errc::invalid_argument};
+  if (digits != at_ && (is_digit(*digits) || *digits == '.'))
+    read = std::from_chars(has_plus ? digits : start, at_, value);
+  if (read.ec == std::errc::invalid_argument || read.ptr != at_)
+    fail(*text_, start,
+         fmt::format("{} where a number is expected: write `{}`", quoted(*text_, start), syntax));
+  if (read.ec != std::errc{} || !std::isfinite(value) || (value == 0 && has_nonzero_digit(token)))
+    fail(*text_, start,
+         quoted(*text_, start) + " is out of a double's range: write a number from 1e-307 to 1e307");
+  unit = last_digit_unit(token);
+  return value;
+}
+
+void Lexer::check_bound(double value, const char* start) const {
+  if (std::abs(value) > 1e100)
+    fail(*text_, start,
+         quoted(*text_, start) + " is too far out: scale the scene to coordinates within 1e100");
+}
+
+double Lexer::bounded(const char* syntax) {
+  const char* const start = next();
+  const double value = number(syntax);
+  check_bound(value, start);
+  return value;
+}
+
+float Lexer::factor(const char* syntax) {
+  const char* const start = next();
+  const double value = number(syntax);
+  if (std::abs(value) > static_cast<double>(std::numeric_limits<float>::max()))
+    fail(*text_, start,
+         quoted(*text_, start) + " is too large: colours and coefficients must be within 3.4e38");
+  return static_cast<float>(value) + 0.0F; // never -0
+}
+
+std::uint64_t Lexer::whole(std::uint64_t least, std::uint64_t most, const char* syntax) {
+  const char* const start = next();
+  const double value = number(syntax);
+  if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) ||
+      value != std::floor(value))
+    fail(*text_, start,
+         fmt::format("{} is no whole number from {} to {}: write `{}`", quoted(*text_, start), least, most,
+                     syntax));
+  return static_cast<std::uint64_t>(value);
+}
+
+} // namespace masu::nff

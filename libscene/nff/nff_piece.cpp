@@ -1,0 +1,298 @@
+#include "libscene/nff/nff_piece.h"
+
+#include "libscene/mesh/triangulate.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+namespace masu::nff {
+namespace {
+
+constexpr const char* syntax_view =
+    "v from x y z at x y z up x y z angle degrees hither d resolution width height";
+constexpr const char* syntax_background = "b r g b";
+constexpr const char* syntax_light = "l x y z [r g b]";
+constexpr const char* syntax_fill = "f r g b Kd Ks shine T ior";
+constexpr const char* syntax_sphere = "s x y z radius";
+constexpr const char* syntax_cone = "c base.x y z radius apex.x y z radius";
+constexpr const char* syntax_polygon = "p count, then x y z a vertex";
+constexpr const char* syntax_patch = "pp count, then x y z nx ny nz a vertex";
+
+// What parsing a piece needs besides the piece: the lexer, the fill in force, and memory that is used again.
+struct Reader {
+  Lexer lexer;
+  Piece piece;
+  std::optional<std::uint32_t> material; // in the piece's numbering, once an object has used it
+  std::vector<Vec3d> vertices, normals;
+  Triangulation triangulation;
+};
+
+// Braces evaluate from left to right.
+Vec3d read_coordinates(Lexer& lexer, const char* syntax) {
+  return Vec3d{lexer.coordinate(syntax), lexer.coordinate(syntax), lexer.coordinate(syntax)};
+}
+
+Vec3d read_bounded(Lexer& lexer, const char* syntax) {
+  return Vec3d{lexer.bounded(syntax), lexer.bounded(syntax), lexer.bounded(syntax)};
+}
+
+Vec3f read_color(Lexer& lexer, const char* syntax) {
+  return Vec3f{lexer.factor(syntax), lexer.factor(syntax), lexer.factor(syntax)};
+}
+
+float read_unsigned_factor(Lexer& lexer, const char* syntax) {
+  const char* const at = lexer.next();
+  const float value = lexer.factor(syntax);
+  if (value < 0)
+    fail(lexer.text(), at, quoted(lexer.text(), at) + " is negative: Kd, Ks, shine and T must be 0 or more");
+  return value;
+}
+
+Vec3d read_up(Lexer& lexer) {
+  const char* const at = lexer.next();
+  const Vec3d up = read_bounded(lexer, syntax_view);
+  if (largest_magnitude(up) == 0) fail(lexer.text(), at, "the view's up has no length: give it a direction");
+  return up;
+}
+
+double read_angle(Lexer& lexer) {
+  const char* const at = lexer.next();
+  const double angle = lexer.number(syntax_view);
+  if (!(angle > 0 && angle < 180))
+    fail(lexer.text(), at, quoted(lexer.text(), at) + " is no view angle: give degrees between 0 and 180");
+  return angle;
+}
+
+Vec3i read_resolution(Lexer& lexer) {
+  constexpr std::uint64_t most = 65536;
+  return Vec3i{static_cast<std::int32_t>(lexer.whole(1, most, syntax_view)),
+               static_cast<std::int32_t>(lexer.whole(1, most, syntax_view)), 0};
+}
+
+void read_view(Reader& reader, const char* at) {
+  Lexer& lexer = reader.lexer;
+  View view;
+  view.at = at;
+  for (;;) {
+    Lexer ahead = lexer;
+    const std::string_view word = ahead.word();
+    if (word == "from")
+      view.from = read_bounded(ahead, syntax_view);
+    else if (word == "at")
+      view.look_at = read_bounded(ahead, syntax_view);
+    else if (word == "up")
+      view.up = read_up(ahead);
+    else if (word == "angle")
+      view.angle = read_angle(ahead);
+    else if (word == "hither")
+      view.hither = ahead.bounded(syntax_view);
+    else if (word == "resolution")
+      view.resolution = read_resolution(ahead);
+    else
+      break;
+    lexer = ahead;
+  }
+  if (view.from && view.look_at && *view.from == *view.look_at)
+    fail(lexer.text(), at, "the view's from and at are the same point: move one of them");
+  reader.piece.view = view;
+}
+
+void read_light(Reader& reader) {
+  Lexer& lexer = reader.lexer;
+  WrittenLight light{};
+  light.position = read_bounded(lexer, syntax_light);
+  if (largest_magnitude(light.position) > largest_float32_coordinate) reader.piece.float32_suffices = false;
+  if (lexer.next_is_number()) light.color = cast<double>(read_color(lexer, syntax_light));
+  reader.piece.lights.push_back(light);
+}
+
+void read_fill(Reader& reader) {
+  Lexer& lexer = reader.lexer;
+  Material fill{};
+  fill.color = read_color(lexer, syntax_fill);
+  fill.diffuse = read_unsigned_factor(lexer, syntax_fill);
+  fill.specular = read_unsigned_factor(lexer, syntax_fill);
+  fill.shine = read_unsigned_factor(lexer, syntax_fill);
+  fill.transmittance = read_unsigned_factor(lexer, syntax_fill);
+  fill.refraction_index = lexer.factor(syntax_fill);
+  // Opaque fills often say 0.
+  if (transmits(fill) && fill.refraction_index <= 0) fill.refraction_index = 1;
+  reader.piece.last_material = fill;
+  reader.material.reset();
+}
+
+// The number of the fill in force, entered now that something shows it.
+std::uint32_t material_in_use(Reader& reader) {
+  Piece& piece = reader.piece;
+  if (!reader.material) {
+    if (piece.last_material)
+      reader.material = piece.materials.place_of(*piece.last_material) + 1;
+    else
+      reader.material = Piece::inherited;
+  }
+  if (*reader.material == Piece::inherited) piece.uses_inherited = true;
+  return *reader.material;
+}
+
+// The place of the next object among the piece's.
+std::uint32_t object_number(const ObjectCounts& objects) {
+  return static_cast<std::uint32_t>(objects.polygons + objects.patches + objects.spheres + objects.cones);
+}
+
+// The float32 store's limit holds for bounds too.
+void mind_reach(Piece& piece, const Vec3d& center, double radius) {
+  if (largest_magnitude(center) + std::abs(radius) > largest_float32_coordinate)
+    piece.float32_suffices = false;
+}
+
+void read_sphere(Reader& reader) {
+  Piece& piece = reader.piece;
+  const std::uint32_t object = object_number(piece.objects);
+  const Vec3d center = read_coordinates(reader.lexer, syntax_sphere);
+  const double radius = reader.lexer.coordinate(syntax_sphere);
+  ++piece.objects.spheres;
+  if (radius == 0) {
+    ++piece.warnings.degenerate_spheres;
+    return;
+  }
+  mind_reach(piece, center, radius);
+  piece.spheres.push_back({center, radius});
+  piece.sphere_surfaces.push_back({object, material_in_use(reader)});
+}
+
+void read_cone(Reader& reader) {
+  Piece& piece = reader.piece;
+  Lexer& lexer = reader.lexer;
+  const std::uint32_t object = object_number(piece.objects);
+  Cone<double> cone{};
+  cone.base = read_coordinates(lexer, syntax_cone);
+  cone.base_radius = lexer.coordinate(syntax_cone);
+  cone.apex = read_coordinates(lexer, syntax_cone);
+  const char* const at = lexer.next();
+  cone.apex_radius = lexer.coordinate(syntax_cone);
+  if ((cone.base_radius < 0 && cone.apex_radius > 0) || (cone.base_radius > 0 && cone.apex_radius < 0))
+    fail(lexer.text(), at, "the cone's radii have opposite signs: make both positive, or both negative");
+  ++piece.objects.cones;
+  if (cone.base == cone.apex || (cone.base_radius == 0 && cone.apex_radius == 0)) {
+    ++piece.warnings.degenerate_cones;
+    return;
+  }
+  mind_reach(piece, cone.base, cone.base_radius);
+  mind_reach(piece, cone.apex, cone.apex_radius);
+  piece.cones.push_back(cone);
+  piece.cone_surfaces.push_back({object, material_in_use(reader)});
+}
+
+// A normal's length doesn't count: it is kept as written unless its square could leave float32's range.
+Vec3d read_normal(Lexer& lexer) {
+  const char* const at = lexer.next();
+  const Vec3d normal = read_bounded(lexer, syntax_patch);
+  const double size = largest_magnitude(normal);
+  if (size == 0) fail(lexer.text(), at, "the patch's normal has no length: give it a direction");
+  if (size > 1e-12 && size < 1e12) return normal;
+  return {normal.x / size, normal.y / size, normal.z / size}; // 1 / size would overflow for the smallest
+}
+
+std::uint64_t read_vertex_count(Lexer& lexer, std::uint64_t numbers_each, const char* syntax) {
+  const char* const at = lexer.next();
+  const std::uint64_t count = lexer.whole(3, 0xffffffffU, syntax);
+  // Each number takes a blank and a digit at least.
+  const auto left = static_cast<std::uint64_t>(lexer.text().end() - at);
+  if (count > left / (2 * numbers_each))
+    fail(lexer.text(), at,
+         quoted(lexer.text(), at) + " vertices are more than the rest of the text can hold: "
+                                    "correct the count, or complete the file");
+  return count;
+}
+
+void add_triangles(Reader& reader, std::uint32_t object, bool is_patch) {
+  Piece& piece = reader.piece;
+  const std::uint64_t material = material_in_use(reader);
+  for (const auto& [a, b, c] : reader.triangulation.triangles) {
+    std::uint64_t normals = no_normals;
+    if (is_patch) {
+      normals = piece.normals.size();
+      piece.normals.push_back({reader.normals[a], reader.normals[b], reader.normals[c]});
+    }
+    piece.triangles.push_back(
+        {reader.vertices[a], object, reader.vertices[b], material, reader.vertices[c], normals});
+  }
+}
+
+// Both `p` and `pp`.
+void read_polygon(Reader& reader, bool is_patch) {
+  Piece& piece = reader.piece;
+  Lexer& lexer = reader.lexer;
+  const char* const syntax = is_patch ? syntax_patch : syntax_polygon;
+  const std::uint32_t object = object_number(piece.objects);
+  const std::uint64_t count = read_vertex_count(lexer, is_patch ? 6 : 3, syntax);
+  reader.vertices.clear();
+  reader.normals.clear();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    reader.vertices.push_back(read_coordinates(lexer, syntax));
+    if (is_patch) reader.normals.push_back(read_normal(lexer));
+  }
+  ++(is_patch ? piece.objects.patches : piece.objects.polygons);
+  triangulate(reader.vertices, reader.triangulation);
+  if (reader.triangulation.triangles.empty()) {
+    ++piece.warnings.degenerate_polygons;
+    return;
+  }
+  piece.warnings.degenerate_triangles += reader.triangulation.slivers;
+  if (reader.triangulation.crosses_itself) ++piece.warnings.self_crossing_polygons;
+  add_triangles(reader, object, is_patch);
+}
+
+void read_entity(Reader& reader) {
+  const char* const at = reader.lexer.next();
+  const std::string_view word = reader.lexer.word();
+  if (word == "p") return read_polygon(reader, false);
+  if (word == "s") return read_sphere(reader);
+  if (word == "pp") return read_polygon(reader, true);
+  if (word == "c") return read_cone(reader);
+  if (word == "f") return read_fill(reader);
+  if (word == "l") return read_light(reader);
+  if (word == "v") return read_view(reader, at);
+  if (word == "b") {
+    reader.piece.background = read_color(reader.lexer, syntax_background);
+    return;
+  }
+  const Text& text = reader.lexer.text();
+  if (is_number_start(*at))
+    fail(text, at, quoted(text, at) + " is one number too many: start an entity with v b l f c s p or pp");
+  fail(text, at, quoted(text, at) + " is no NFF entity: use v b l f c s p or pp, and # for comments");
+}
+
+} // namespace
+
+std::size_t MaterialHash::operator()(const Material& m) const {
+  std::size_t hash = 0;
+  for (const float part :
+       {m.color.x, m.color.y, m.color.z, m.diffuse, m.specular, m.shine, m.transmittance, m.refraction_index})
+    hash = (hash ^ std::bit_cast<std::uint32_t>(part)) * 0x9e3779b97f4a7c15ULL + (hash >> 32);
+  return hash;
+}
+
+bool MaterialEqual::operator()(const Material& a, const Material& b) const {
+  return a.color == b.color && a.diffuse == b.diffuse && a.specular == b.specular && a.shine == b.shine &&
+         a.transmittance == b.transmittance && a.refraction_index == b.refraction_index;
+}
+
+std::uint32_t MaterialTable::place_of(const Material& material) {
+  const auto [found, is_new] = places.try_emplace(material, static_cast<std::uint32_t>(materials.size()));
+  if (is_new) materials.push_back(material);
+  return found->second;
+}
+
+Piece parse_piece(const Text& text, const char* from, const char* to) {
+  Reader reader{Lexer(text, from), {}, {}, {}, {}, {}};
+  while (reader.lexer.next() < to) {
+    read_entity(reader);
+    reader.piece.holds_entities = true;
+  }
+  if (!reader.lexer.digits_survive_float32()) reader.piece.float32_suffices = false;
+  return std::move(reader.piece);
+}
+
+} // namespace masu::nff

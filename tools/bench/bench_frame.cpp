@@ -1,0 +1,141 @@
+// How long a whole picture takes by who traces which part of it.
+#include "renderer/schedule.h"
+#include "tools/backend_choice.h"
+#include "tools/bench/bench.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::vector<std::pair<std::string, Schedule>> all_schedules{{"hardware", Schedule::hardware},
+                                                                  {"block", Schedule::block},
+                                                                  {"cyclic", Schedule::cyclic},
+                                                                  {"persistent", Schedule::persistent}};
+
+struct Settings {
+  std::string scene, size = "1024x1024";
+  std::vector<std::string> grids, schedules;
+  Backend backend = Backend::automatic;
+  TracingRules tracing;
+  Sampling sampling = Sampling::centers;
+  RenderRules rules{5, false, HitName::object};
+  int workers_each = 0, warm_up = 5, repeat = 25;
+  bool json = false;
+  Threads threads;
+};
+
+Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const std::string& name,
+             Schedule schedule, bool cuda, std::vector<Vec3f>& picture) {
+  FrameRequest request;
+  request.tracing = settings.tracing;
+  request.camera = resized(scene.camera(), settings.size);
+  request.sampling = settings.sampling;
+  request.rules = settings.rules;
+  request.warm_up = settings.warm_up;
+  request.repeat = settings.repeat;
+  request.schedule = schedule;
+  request.workers_each = settings.workers_each;
+  Frame frame = cuda ? render_cuda(scene, &grid, request) : render_cpu(scene, &grid, request);
+  if (picture.empty())
+    picture = std::move(frame.radiance);
+  else if (std::memcmp(picture.data(), frame.radiance.data(), picture.size() * sizeof(Vec3f)) != 0)
+    throw Error(ErrorCode::device, name,
+                "makes another picture than the schedule before: report it as a fault");
+  return {{"grid", grid.path()},
+          {"schedule", name},
+          {"workers", frame.workers},
+          {"rays", {frame.columns, frame.rows}},
+          {"backend", cuda ? "cuda" : "cpu"},
+          {"precision", name_of(resolved(settings.tracing.precision, scene))},
+          {"general", settings.tracing.general},
+          {"repeat", settings.repeat},
+          {"median_seconds", frame.seconds.trace},
+          {"kernel", {{"registers", frame.kernel.registers}, {"local_bytes", frame.kernel.local_bytes}}}};
+}
+
+void print_row(const Json& row) {
+  fmt::print("{:<24} {:<10} {:>8} {:>10.3f}\n", row["grid"].get<std::string>(),
+             row["schedule"].get<std::string>(), row["workers"].get<std::uint64_t>(),
+             row["median_seconds"].get<double>() * 1e3);
+  flush_standard_output();
+}
+
+void bench_frame(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  const bool cuda = use_cuda(settings.backend);
+  const SceneFile scene(settings.scene);
+  Json rows = Json::array();
+  if (!settings.json) {
+    fmt::print("{}, median of {} after {}\n\n{:<24} {:<10} {:>8} {:>10}\n", cuda ? "cuda" : "cpu",
+               settings.repeat, settings.warm_up, "grid", "schedule", "workers", "ms");
+  }
+  std::vector<Vec3f> picture;
+  for (const std::string& path : settings.grids) {
+    const GridFile grid(path);
+    grid.check_scene(scene.hash(), scene.primitive_count());
+    for (const auto& [name, schedule] : all_schedules) {
+      const auto& asked = settings.schedules;
+      if (!asked.empty() && std::find(asked.begin(), asked.end(), name) == asked.end()) continue;
+      rows.push_back(measure(settings, scene, grid, name, schedule, cuda, picture));
+      if (!settings.json) print_row(rows.back());
+    }
+  }
+  if (settings.json) fmt::print("{}\n", rows.dump(2));
+}
+
+} // namespace
+
+void add_frame(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // the callback's
+  Settings& settings = *owned;
+  CLI::App& frame = *app.add_subcommand("frame", "Whole pictures, by who traces which part of them");
+  frame.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  frame.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
+  std::set<std::string> names;
+  for (const auto& [name, schedule] : all_schedules)
+    names.insert(name);
+  frame
+      .add_option("--schedule", settings.schedules,
+                  "which: hardware (each tile of 8x8 rays as it comes), block (each worker a run of tiles), "
+                  "cyclic (every W-th of W workers), persistent (the next that nobody has); all by default")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
+  frame
+      .add_option("--workers", settings.workers_each,
+                  "workers a multiprocessor (or thread); 0: as many as it holds at once")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  add_backend(frame, settings.backend);
+  add_precision(frame, settings.tracing.precision);
+  add_study_rule(frame, settings.tracing.stop);
+  frame.add_flag("--general", settings.tracing.general,
+                 "by the code for every kind of primitive, whatever the scene holds");
+  frame.add_option("--size", settings.size, "the picture's, WxH")->capture_default_str();
+  add_choice(frame, "--sampling", settings.sampling,
+             {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
+             "rays through the pixels' corners or centers");
+  frame.add_option("--depth", settings.rules.depth, "depth of the last rays; the eye's have 1")
+      ->check(CLI::Range(1, largest_depth))
+      ->capture_default_str();
+  frame.add_option("--warm-up", settings.warm_up, "untimed pictures before")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  frame.add_option("--repeat", settings.repeat, "timed pictures")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  frame.add_flag("--json", settings.json, "as JSON");
+  settings.threads.add_to(frame);
+  frame.callback([owned] { bench_frame(*owned); });
+}
+
+} // namespace masu

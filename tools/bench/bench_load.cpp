@@ -1,0 +1,126 @@
+// What loading a scene and its grid costs, beside a plain copy of the two files' bytes to the same memory.
+#include "tools/bench/plain_copy.h"
+#include "tools/backend_choice.h"
+#include "tools/bench/bench.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string scene, grid;
+  Backend backend = Backend::automatic;
+  int repeat = 9;
+  bool json = false;
+  Threads threads;
+};
+
+// Seconds of each step, one for each run. A GPU's files are validated while they are uploaded, but for their
+// tables: that counts as uploading.
+struct Runs {
+  std::vector<double> map, validate, upload, load; // load: the three together
+  std::vector<double> copy_mapped, copy_read;
+};
+
+// As gridrender loads; returns the files' bytes.
+std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
+  const Checks checks = cuda ? Checks::table : Checks::all;
+  const SceneFile scene(settings.scene, checks);
+  const GridFile grid(settings.grid, checks);
+  grid.check_scene(scene.hash(), scene.primitive_count());
+  runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
+  runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
+  // The CPU reads the mapping in place.
+  runs.upload.push_back(cuda ? upload_cuda(scene, &grid, [&] { check_records(scene, &grid); }) : 0);
+  runs.load.push_back(runs.map.back() + runs.validate.back() + runs.upload.back());
+  return scene.bytes() + grid.bytes();
+}
+
+double copy(const Settings& settings, bool cuda, CopyFrom from) {
+  double seconds = 0;
+  for (const std::string& path : {settings.scene, settings.grid})
+    seconds += cuda ? copy_seconds_cuda(path, from) : copy_seconds_cpu(path, from);
+  return seconds;
+}
+
+Json measure(const Settings& settings, bool cuda) {
+  Runs runs;
+  load(settings, cuda, runs); // brings the files into the page cache; isn't counted
+  runs = {};
+  std::uint64_t bytes = 0;
+  for (int i = 0; i < settings.repeat; ++i) {
+    bytes = load(settings, cuda, runs);
+    runs.copy_mapped.push_back(copy(settings, cuda, CopyFrom::mapping));
+    runs.copy_read.push_back(copy(settings, cuda, CopyFrom::reading));
+  }
+  const double whole = median(runs.load), mapped = median(runs.copy_mapped), read = median(runs.copy_read);
+  return {{"scene", settings.scene},
+          {"grid", settings.grid},
+          {"bytes", bytes},
+          {"backend", cuda ? "cuda" : "cpu"},
+          {"repeat", settings.repeat},
+          {"median_seconds",
+           {{"map", median(runs.map)},
+            {"validate", median(runs.validate)},
+            {"upload", median(runs.upload)},
+            {"load", whole},
+            {"copy_mapped", mapped},
+            {"copy_read", read}}},
+          {"load_over_copy", {{"mapped", whole / mapped}, {"read", whole / read}}}};
+}
+
+void print_table(const Json& told) {
+  const auto bytes = told["bytes"].get<double>();
+  fmt::print("{}, {} bytes, median of {}, page cache warm\n\n{:<28} {:>10} {:>8}\n",
+             told["backend"].get<std::string>(), told["bytes"].get<std::uint64_t>(),
+             told["repeat"].get<int>(), "", "ms", "GB/s");
+  const auto line = [&](const char* what, const char* name, bool sees_every_byte = true) {
+    const double seconds = told["median_seconds"][name].get<double>();
+    fmt::print("{:<28} {:>10.3f} {:>8}\n", what, seconds * 1e3,
+               seconds > 0 && sees_every_byte ? fmt::format("{:.2f}", bytes / seconds * 1e-9) : "-");
+  };
+  line("map", "map", false);
+  const bool cuda = told["backend"] == "cuda";
+  line(cuda ? "validate the tables" : "validate", "validate", !cuda);
+  line(cuda ? "upload, validate meanwhile" : "upload", "upload");
+  line("load: the three together", "load");
+  line("plain copy of the mapping", "copy_mapped");
+  line("plain copy by read(2)", "copy_read");
+  fmt::print("load / plain copy            {:.2f} (mapping), {:.2f} (read)\n",
+             told["load_over_copy"]["mapped"].get<double>(), told["load_over_copy"]["read"].get<double>());
+}
+
+void bench_load(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  const Json told = measure(settings, use_cuda(settings.backend));
+  if (settings.json)
+    fmt::print("{}\n", told.dump(2));
+  else
+    print_table(told);
+}
+
+} // namespace
+
+void add_load(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // the callback's
+  Settings& settings = *owned;
+  CLI::App& command = *app.add_subcommand(
+      "load", "Mapping, validating and uploading a scene and its grid, beside plain copies of their bytes");
+  command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
+  add_backend(command, settings.backend);
+  command.add_option("--repeat", settings.repeat, "timed runs, after one that isn't")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_flag("--json", settings.json, "as JSON");
+  settings.threads.add_to(command);
+  command.callback([owned] { bench_load(*owned); });
+}
+
+} // namespace masu

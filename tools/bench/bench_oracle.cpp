@@ -1,0 +1,136 @@
+// Random rays of a real scene, each precision's hits against brute force by the oracle.
+#include "tools/bench/ray_sets.h"
+#include "tools/bench/stability/run.h"
+#include "tools/backend_choice.h"
+#include "tools/bench/bench.h"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace stability;
+
+struct Settings {
+  std::string scene, grid;
+  std::vector<std::string> precisions;
+  std::size_t rays = 100'000;
+  std::uint64_t seed = 1;
+  bool study_rule = false, json = false;
+  Threads threads;
+};
+
+std::vector<Way> ways_for(const Settings& settings, const SceneFile& scene) {
+  std::vector<Way> ways;
+  for (const Way& way : {fast, robust, doubled}) {
+    if (std::find(settings.precisions.begin(), settings.precisions.end(), way.name) ==
+        settings.precisions.end())
+      continue;
+    resolved(way.precision, scene); // or refused
+    ways.push_back(way);
+    if (settings.study_rule) ways.back().stop = StopRule::first_cell;
+  }
+  return ways;
+}
+
+constexpr std::size_t rays_a_piece = 1 << 17; // their memory is used again
+
+void show_progress(std::size_t done, std::size_t all) {
+  if (isatty(STDERR_FILENO) != 0)
+    fmt::print(stderr, "\r{:.0f} %{}", 100.0 * static_cast<double>(done) / static_cast<double>(all),
+               done == all ? "\r     \r" : "");
+}
+
+std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, const GridFile& grid,
+                             const std::vector<Way>& ways) {
+  const oracle::SceneOracle oracle = scene.is_float64() ? oracle::SceneOracle(scene.view<double>())
+                                                        : oracle::SceneOracle(scene.view<float>());
+  const std::vector<ListedRay> rays = random_rays(scene, settings.rays, settings.seed);
+  std::vector<Tally> tallies(ways.size());
+  for (std::size_t begin = 0; begin < rays.size(); begin += rays_a_piece) {
+    show_progress(begin, rays.size());
+    const auto piece = std::span(rays).subspan(begin, std::min(rays_a_piece, rays.size() - begin));
+    // float32's ways are judged by the same answers.
+    for (const bool wide : {false, true}) {
+      std::vector<std::size_t> judged_ways;
+      std::vector<std::vector<Found>> found;
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        if ((ways[i].precision == Precision::doubled) != wide) continue;
+        judged_ways.push_back(i);
+        found.push_back(found_through(scene, grid, piece, ways[i]));
+      }
+      if (found.empty()) continue;
+      const Precision precision = ways[judged_ways.front()].precision;
+      const auto part =
+          judged(oracle, piece, slack_for(precision, scene.bounds()), unit_roundoff_of(precision), found);
+      for (std::size_t i = 0; i < part.size(); ++i)
+        tallies[judged_ways[i]] += part[i];
+    }
+  }
+  show_progress(rays.size(), rays.size());
+  return tallies;
+}
+
+void bench_oracle(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  const SceneFile scene(settings.scene);
+  const GridFile grid(settings.grid);
+  grid.check_scene(scene.hash(), scene.primitive_count());
+  const std::vector<Way> ways = ways_for(settings, scene);
+  const std::vector<Tally> tallies = judge_all(settings, scene, grid, ways);
+  Json rows = Json::array();
+  if (!settings.json)
+    fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "by", "rays", "unsure", "missed",
+               "false", "wrong", "misplaced", "t error");
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Tally& t = tallies[i];
+    if (settings.json) {
+      rows.push_back({{"precision", ways[i].name},
+                      {"study_rule", settings.study_rule},
+                      {"rays", t.rays},
+                      {"unsure", t.unsure},
+                      {"missed", t.missed},
+                      {"false", t.false_hit},
+                      {"wrong", t.wrong},
+                      {"misplaced", t.misplaced},
+                      {"worst_t_error", t.worst_t}});
+    } else {
+      fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9.1e}\n", ways[i].name, t.rays, t.unsure,
+                 t.missed, t.false_hit, t.wrong, t.misplaced, t.worst_t);
+    }
+  }
+  if (settings.json) fmt::print("{}\n", rows.dump(2));
+}
+
+} // namespace
+
+void add_oracle(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // the callback's
+  Settings& settings = *owned;
+  settings.precisions = {"robust", "double"};
+  CLI::App& oracle = *app.add_subcommand(
+      "oracle", "Hits of random rays against a slow tracer with 113 bits that tries every primitive");
+  oracle.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  oracle.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
+  oracle.add_option("--rays", settings.rays, "how many")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
+      ->capture_default_str();
+  oracle.add_option("--seed", settings.seed, "of the rays")->capture_default_str();
+  oracle.add_option("--precision", settings.precisions, "which: fast, robust, double")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double"}))
+      ->capture_default_str();
+  oracle.add_flag("--study-rule", settings.study_rule,
+                  "take the first hit of the first cell that has any, wherever it lies");
+  oracle.add_flag("--json", settings.json, "as JSON");
+  settings.threads.add_to(oracle);
+  oracle.callback([owned] { bench_oracle(*owned); });
+}
+
+} // namespace masu

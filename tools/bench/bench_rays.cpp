@@ -1,0 +1,203 @@
+// Throughput by kind of ray, closest hit and any hit, and what a ray costs.
+#include "tools/bench/bench.h"
+
+#include "tools/bench/ray_sets.h"
+#include "tools/backend_choice.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string scene, size = "1024x1024";
+  std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow"};
+  Backend backend = Backend::automatic;
+  TracingRules tracing;
+  RayOrder order = RayOrder::tiles;
+  std::size_t random = std::size_t{1} << 22;
+  std::uint64_t seed = 1;
+  std::vector<std::string> loops{"auto"}, precisions{"auto"};
+  int warm_up = 5, repeat = 25;
+  bool json = false;
+  Threads threads;
+};
+
+struct RaySet {
+  std::string name;
+  Question question;
+  bool coherent; // neighbours go the same way
+  std::vector<ListedRay> rays;
+};
+
+const std::map<std::string, RayLoop> all_loops{
+    {"cells", RayLoop::cells}, {"warp", RayLoop::warp}, {"refill", RayLoop::refill}};
+
+std::set<std::string> loop_names() {
+  std::set<std::string> names{"auto"};
+  for (const auto& [name, loop] : all_loops)
+    names.insert(name);
+  return names;
+}
+
+// The loop's name: `auto` is the usual one for the rays and the files.
+std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
+                     const GridFile& grid) {
+  if (wanted != "auto") return wanted;
+  const RayLoop usual = usual_loop(set.coherent, scene, grid);
+  return std::find_if(all_loops.begin(), all_loops.end(),
+                      [&](const auto& loop) { return loop.second == usual; })
+      ->first;
+}
+
+// Every grid is asked the same rays; the first one makes those that depend on what is hit.
+std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, const GridFile& grid) {
+  const std::vector<ListedRay> primary =
+      primary_rays(scene, resized(scene.camera(), settings.size), settings.order);
+  std::vector<RaySet> sets;
+  for (const std::string& name : settings.sets) {
+    if (name == "primary") sets.push_back({name, Question::nearest, true, primary});
+    if (name == "diffuse")
+      sets.push_back({name, Question::nearest, false, diffuse_rays(scene, grid, primary, settings.seed)});
+    if (name == "random")
+      sets.push_back({name, Question::nearest, false, random_rays(scene, settings.random, settings.seed)});
+    if (name == "shadow") sets.push_back({name, Question::blocked, true, shadow_rays(scene, grid, primary)});
+  }
+  return sets;
+}
+
+Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const RaySet& set,
+             const std::string& precision, const std::string& loop, bool cuda) {
+  RaysRequest request{set.rays, settings.tracing};
+  request.tracing.precision = resolved(all_precisions.at(precision), scene);
+  request.hit_name = HitName::primitive;
+  request.question = set.question;
+  request.loop = all_loops.at(loop);
+  const auto trace = [&] {
+    return cuda ? trace_rays_cuda(scene, &grid, request) : trace_rays_cpu(scene, &grid, request);
+  };
+  request.tracing.count = true;
+  const Counts counts = trace().counts;
+  request.tracing.count = false;
+  request.warm_up = settings.warm_up;
+  request.repeat = settings.repeat;
+  const RayHits timed = trace();
+  const double seconds = timed.seconds.trace;
+  const auto number = static_cast<double>(set.rays.size());
+  const auto a_ray = [&](std::uint64_t total) {
+    return number > 0 ? static_cast<double>(total) / number : 0.0;
+  };
+  return {{"grid", grid.path()},
+          {"grid_bytes", grid.bytes()},
+          {"rays", set.name},
+          {"question", set.question == Question::nearest ? "nearest" : "blocked"},
+          {"count", set.rays.size()},
+          {"backend", cuda ? "cuda" : "cpu"},
+          {"precision", name_of(request.tracing.precision)},
+          {"loop", cuda ? loop : "cells"},
+          {"median_seconds", seconds},
+          {"mrays_per_second", seconds > 0 ? number / seconds * 1e-6 : 0.0},
+          {"kernel", {{"registers", timed.kernel.registers}, {"local_bytes", timed.kernel.local_bytes}}},
+          {"hits_a_ray", a_ray(counts.eye_hits + counts.shadow_hits)},
+          {"tests_a_ray", a_ray(counts.triangle_tests + counts.sphere_tests + counts.cone_tests)},
+          {"cells_a_ray", a_ray(counts.cells_visited)},
+          {"empty_cells_a_ray", a_ray(counts.empty_cells_visited)}};
+}
+
+void print_row(const Json& row) {
+  fmt::print("{:<24} {:<8} {:<6} {:<6} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
+             row["grid"].get<std::string>(), row["rays"].get<std::string>(),
+             row["precision"].get<std::string>(), row["loop"].get<std::string>(),
+             row["count"].get<std::uint64_t>(), row["mrays_per_second"].get<double>(),
+             100 * row["hits_a_ray"].get<double>(), row["tests_a_ray"].get<double>(),
+             row["cells_a_ray"].get<double>(), row["empty_cells_a_ray"].get<double>());
+  flush_standard_output();
+}
+
+void bench_rays(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  const bool cuda = use_cuda(settings.backend);
+  const SceneFile scene(settings.scene);
+  std::vector<GridFile> grids;
+  for (const std::string& path : settings.grids) {
+    grids.emplace_back(path);
+    grids.back().check_scene(scene.hash(), scene.primitive_count());
+  }
+  const std::vector<RaySet> sets = ray_sets(settings, scene, grids.front());
+  Json rows = Json::array();
+  if (!settings.json) {
+    fmt::print("{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:<6} {:>9} {:>9} {:>7} {:>8} "
+               "{:>8} {:>8}\n",
+               cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
+               settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "by", "loop", "count",
+               "Mray/s", "hit %", "tests", "cells", "empty");
+  }
+  for (const GridFile& grid : grids) {
+    for (const RaySet& set : sets) {
+      for (const std::string& precision : settings.precisions) {
+        for (const std::string& loop : settings.loops) {
+          rows.push_back(
+              measure(settings, scene, grid, set, precision, loop_for(loop, set, scene, grid), cuda));
+          if (!settings.json) print_row(rows.back());
+        }
+      }
+    }
+  }
+  if (settings.json) fmt::print("{}\n", rows.dump(2));
+}
+
+} // namespace
+
+void add_rays(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // the callback's
+  Settings& settings = *owned;
+  CLI::App& rays = *app.add_subcommand(
+      "rays", "Throughput by kind of ray, and what a ray costs: tests, cells, empty cells");
+  rays.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  rays.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
+  rays.add_option("--rays", settings.sets, "which: primary, diffuse, random (nearest hit), shadow (any hit)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::set<std::string>{"primary", "diffuse", "random", "shadow"}));
+  add_backend(rays, settings.backend);
+  add_choice(rays, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
+             "how the eye's rays follow each other: rows, or tiles of 8x4");
+  rays.add_option(
+          "--loop", settings.loops,
+          "how the GPU goes about it: cells (a thread a ray, cell by cell), warp (32 threads share "
+          "what their rays have to test), refill (besides, threads that are done take the next ray), or "
+          "auto (refill for diffuse and random; else warp, or cells while the files are small)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(loop_names()));
+  rays.add_option("--precision", settings.precisions,
+                  "by which arithmetic: auto, fast, robust, double (see gridrender --help)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double"}));
+  add_study_rule(rays, settings.tracing.stop);
+  rays.add_flag("--general", settings.tracing.general,
+                "by the code for every kind of primitive, whatever the scene holds");
+  rays.add_option("--size", settings.size, "the eye's rays, WxH")->capture_default_str();
+  rays.add_option("--random", settings.random, "how many random rays")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
+      ->capture_default_str();
+  rays.add_option("--seed", settings.seed, "of diffuse and random rays")->capture_default_str();
+  rays.add_option("--warm-up", settings.warm_up, "untimed runs before")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  rays.add_option("--repeat", settings.repeat, "timed runs")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  rays.add_flag("--json", settings.json, "as JSON");
+  settings.threads.add_to(rays);
+  rays.callback([owned] { bench_rays(*owned); });
+}
+
+} // namespace masu

@@ -1,0 +1,141 @@
+// Where ways to trace break: sweeps of one knob each, judged by an oracle; and the same rays on the GPU.
+#include "tools/bench/stability/backends.h"
+#include "tools/bench/stability/run.h"
+#include "tools/backend_choice.h"
+#include "tools/bench/bench.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <set>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace stability;
+
+struct Settings {
+  std::vector<std::string> sweeps, precisions;
+  RunSettings run{};
+  Backend backend = Backend::cpu;
+  bool json = false;
+  Threads threads;
+};
+
+bool wanted(const std::vector<std::string>& list, const std::string& name) {
+  return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
+}
+
+Json to_json(const Row& row) {
+  const Tally& t = row.tally;
+  return {{"sweep", row.sweep},   {"knob", row.knob},
+          {"step", row.step},     {"store", row.float64 ? "float64" : "float32"},
+          {"way", row.way.name},  {"within_envelope", row.within},
+          {"rays", t.rays},       {"unsure", t.unsure},
+          {"missed", t.missed},   {"false", t.false_hit},
+          {"wrong", t.wrong},     {"misplaced", t.misplaced},
+          {"by_grid", t.by_grid}, {"worst_t_error", t.worst_t}};
+}
+
+// Shares of the rays; nothing where there is none.
+void print_row(const Row& row) {
+  const Tally& t = row.tally;
+  const auto share = [&](std::uint64_t number) {
+    return number == 0 ? std::string("-")
+                       : fmt::format("{:.3g}", static_cast<double>(number) / static_cast<double>(t.rays));
+  };
+  fmt::print("{:<15} {:>8.3g} {:<7} {:<6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
+             row.step, row.float64 ? "float64" : "float32", row.way.name, t.rays, share(t.unsure),
+             share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
+             t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
+  flush_standard_output();
+}
+
+// How many steps on the GPU differ that mustn't.
+std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps, Json& rows) {
+  std::uint64_t bad = 0;
+  if (!settings.json)
+    fmt::print("\n{:<15} {:>8} {:<7} {:<6} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "by", "rays",
+               "differing");
+  for (const Sweep& sweep : sweeps) {
+    compare_backends(sweep, settings.run, [&](const Difference& d) {
+      if (!wanted(settings.precisions, d.way.name)) return;
+      bad += d.way.precision != Precision::fast && d.differing > 0 ? 1 : 0;
+      rows.push_back({{"sweep", d.sweep},
+                      {"step", d.step},
+                      {"store", d.float64 ? "float64" : "float32"},
+                      {"way", d.way.name},
+                      {"backends", "cpu,cuda"},
+                      {"rays", d.rays},
+                      {"differing", d.differing}});
+      if (!settings.json)
+        fmt::print("{:<15} {:>8.3g} {:<7} {:<6} {:>8} {:>9}\n", d.sweep, d.step,
+                   d.float64 ? "float64" : "float32", d.way.name, d.rays, d.differing);
+    });
+  }
+  return bad;
+}
+
+void bench_stability(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  const bool cuda = use_cuda(settings.backend);
+  std::vector<Sweep> sweeps = all_sweeps();
+  for (const std::string& name : settings.sweeps) {
+    if (std::none_of(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; })) {
+      std::string names;
+      for (const Sweep& sweep : sweeps)
+        names += std::string(names.empty() ? "" : ", ") + sweep.name;
+      throw Error(ErrorCode::usage, "--sweep", fmt::format("'{}' isn't one of {}", name, names));
+    }
+  }
+  std::erase_if(sweeps, [&](const Sweep& sweep) { return !wanted(settings.sweeps, sweep.name); });
+  Json rows = Json::array();
+  if (!settings.json)
+    fmt::print("{:<15} {:>8} {:<7} {:<6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
+               "store", "by", "rays", "unsure", "missed", "false", "wrong", "misplaced", "by grid",
+               "t error");
+  for (const Sweep& sweep : sweeps) {
+    run(sweep, settings.run, [&](const Row& row) {
+      if (!wanted(settings.precisions, row.way.name)) return;
+      if (settings.json)
+        rows.push_back(to_json(row));
+      else
+        print_row(row);
+    });
+  }
+  const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
+  if (settings.json) fmt::print("{}\n", rows.dump(2));
+  if (bad == 0) return;
+  flush_standard_output();
+  throw Error(ErrorCode::device, "cuda",
+              fmt::format("differs from the CPU at {} steps of robust or double: this is a fault", bad));
+}
+
+} // namespace
+
+void add_stability(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // the callback's
+  Settings& settings = *owned;
+  CLI::App& stability = *app.add_subcommand(
+      "stability",
+      "Where each precision breaks: missed, false and wrong hits against an oracle, as one knob turns");
+  stability.add_option("--sweep", settings.sweeps, "which sweeps; all unless given")->delimiter(',');
+  stability.add_option("--rays", settings.run.rays, "rays a step, about")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30))
+      ->capture_default_str();
+  stability.add_option("--seed", settings.run.seed, "of scenes and rays")->capture_default_str();
+  stability
+      .add_option(
+          "--precision", settings.precisions,
+          "show only: fast, robust, double, study (robust that ends with the first cell where anything is "
+          "hit)")
+      ->delimiter(',')
+      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double", "study"}));
+  add_backend(stability, settings.backend);
+  stability.add_flag("--json", settings.json, "as JSON");
+  settings.threads.add_to(stability);
+  stability.callback([owned] { bench_stability(*owned); });
+}
+
+} // namespace masu

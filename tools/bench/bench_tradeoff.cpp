@@ -1,0 +1,384 @@
+// Speed against accuracy: every way to trace some scenes, measured, charted, and the ways worth choosing.
+#include "libscene/file/memory_file.h"
+#include "tools/backend_choice.h"
+#include "tools/bench/bench.h"
+#include "tools/bench/gnuplot.h"
+#include "tools/bench/tradeoff_charts.h"
+#include "tools/bench/tradeoff_csv.h"
+#include "tools/bench/tradeoff_front.h"
+#include "tools/bench/tradeoff_measure.h"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::vector<std::string> scenes;
+  std::string folder;
+  Backend backend = Backend::automatic;
+  std::vector<std::string> precisions{"fast", "robust", "double"}, stops{"proven", "study"},
+      merges{"none", "x", "balance", "irregular"}, overlaps{"box", "exact"}, divisions{"16", "64", "auto"},
+      curve{"1", "2", "4", "8", "16", "32", "64", "128", "256", "auto"};
+  // Empty and 0: as the backend can do in a minute or two.
+  std::string size, picture;
+  std::uint64_t random = 0, compared = 0, repeat = 0, seed = 1;
+  bool charts_only = false, json = false;
+  Threads threads;
+};
+
+TradeoffSetup setup_of(const Settings& settings, bool cuda) {
+  const auto or_default = [](std::uint64_t given, std::uint64_t otherwise) {
+    return given > 0 ? given : otherwise;
+  };
+  TradeoffSetup setup;
+  setup.backend = cuda ? "cuda" : "cpu";
+  setup.threads = cuda ? 0 : tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  setup.size = !settings.size.empty() ? settings.size : cuda ? "1024x1024" : "256x256";
+  setup.random = or_default(settings.random, cuda ? 1 << 20 : 1 << 16);
+  setup.compared = or_default(settings.compared, cuda ? 1 << 20 : 1 << 15);
+  setup.picture = !settings.picture.empty() ? settings.picture : cuda ? "512x512" : "128x128";
+  setup.seed = settings.seed;
+  setup.repeat = or_default(settings.repeat, cuda ? 15 : 3);
+  return setup;
+}
+
+// The configurations of one grid.
+struct GridPlan {
+  MergeChoice merge;
+  std::string division;
+  Overlap overlap;
+  std::vector<Configuration> configurations;
+};
+
+// Grids in an order in which the CSV reads well; no configuration twice. `float64` scenes have no float32
+// arithmetic. Throws Error(usage) for what isn't a division.
+std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
+  std::vector<GridPlan> plan;
+  const auto add = [&](const Configuration& c) {
+    if (float64 && c.precision != Precision::doubled) return;
+    auto grid = std::find_if(plan.begin(), plan.end(), [&](const GridPlan& g) {
+      return g.merge == c.merge && g.division == c.division && g.overlap == c.overlap;
+    });
+    if (grid == plan.end()) grid = plan.insert(plan.end(), {c.merge, c.division, c.overlap, {}});
+    auto& all = grid->configurations;
+    if (std::find(all.begin(), all.end(), c) == all.end()) all.push_back(c);
+  };
+  for (const std::string& merge : settings.merges) {
+    // An irregular grid divides further wherever that pays: it begins with a division of its own.
+    const bool own = merge_named(merge) == MergeChoice::irregular;
+    for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions) {
+      static_cast<void>(parse_division(division));
+      for (const std::string& overlap : settings.overlaps)
+        for (const std::string& precision : settings.precisions)
+          for (const std::string& stop : settings.stops)
+            add({precision_named(precision), stop_named(stop), merge_named(merge), division,
+                 overlap_named(overlap)});
+    }
+  }
+  const auto& precisions = settings.precisions;
+  const bool robust = std::find(precisions.begin(), precisions.end(), "robust") != precisions.end();
+  for (const std::string& division : settings.curve) {
+    static_cast<void>(parse_division(division));
+    add({float64  ? Precision::doubled
+         : robust ? Precision::robust
+                  : precision_named(precisions.front()),
+         StopRule::proven, MergeChoice::none, division, Overlap::exact});
+  }
+  return plan;
+}
+
+// The grid's file is in memory, so that a run which is stopped leaves none behind.
+GridFile built(const SceneFile& scene, const GridPlan& plan) {
+  GridRecipe recipe;
+  recipe.division = parse_division(plan.division);
+  recipe.choice = plan.merge;
+  recipe.overlap = plan.overlap;
+  const Grid grid = scene.is_float64()
+                        ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), recipe)
+                        : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), recipe);
+  const MemoryFile file; // mapped, it lives on
+  write_grid(grid, origin_of(grid, recipe, scene.hash(), scene.primitive_count()), file.path());
+  return GridFile(file.path());
+}
+
+// What charts and tables call a scene: its file's name, of letters that any of them takes.
+std::string name_of_scene(const std::string& path) {
+  std::string name = std::filesystem::path(path).stem().string();
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '.') c = '_';
+  }
+  return name;
+}
+
+// Throws Error(usage) where two scenes, or a scene and another chart, would have one name, or where what is
+// written would replace a scene.
+void check_names(const std::vector<std::string>& scenes, const std::string& folder) {
+  std::set<std::string> taken{"tradeoff", "division"};
+  for (const std::string& path : scenes) {
+    if (!taken.insert(name_of_scene(path)).second)
+      throw Error(
+          ErrorCode::usage, path,
+          fmt::format("'{}' would name two charts: give the scene's file another name", name_of_scene(path)));
+  }
+  std::vector<std::string> outputs{folder + "/tradeoff.csv", folder + "/tradeoff.gp"};
+  for (const std::string& name : taken) {
+    for (const char* const kind : {".svg", ".png"})
+      outputs.push_back(folder + "/" + name + kind);
+  }
+  check_files(scenes, outputs);
+}
+
+class Progress {
+public:
+  Progress(std::string scene, std::size_t all) : scene_(std::move(scene)), all_(all) {}
+  ~Progress() {
+    if (shown_) fmt::print(stderr, "\r\033[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress(Progress&&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  Progress& operator=(Progress&&) = delete;
+
+  void tell(const std::string& what) {
+    ++done_;
+    if (isatty(STDERR_FILENO) == 0) return;
+    shown_ = true;
+    fmt::print(stderr, "\r\033[K{} {}/{}: {}", scene_, done_, all_, what);
+    static_cast<void>(std::fflush(stderr));
+  }
+
+private:
+  std::string scene_;
+  std::size_t all_, done_ = 0;
+  bool shown_ = false;
+};
+
+// Measures what isn't among `rows` yet, and adds it there and to the file.
+void measure_scene(const Settings& settings, const TradeoffSetup& setup, const std::string& path,
+                   TradeoffCsv& csv, std::vector<TradeoffRow>& rows) {
+  const SceneFile scene(path);
+  const std::string name = name_of_scene(path), hash = to_hex(scene.hash());
+  std::vector<GridPlan> plan = plan_of(settings, scene.is_float64());
+  if (plan.empty())
+    static_cast<void>(resolved(precision_named(settings.precisions.front()), scene)); // throws
+  std::size_t to_do = 0;
+  for (GridPlan& grid : plan) {
+    std::erase_if(grid.configurations, [&](const Configuration& c) {
+      return std::any_of(rows.begin(), rows.end(), [&](const TradeoffRow& row) {
+        return row.scene == name && row.scene_hash == hash && row.setup == setup && row.configuration == c;
+      });
+    });
+    to_do += grid.configurations.size();
+  }
+  if (to_do == 0) return;
+  TradeoffTask task(scene, setup);
+  Progress progress(name, to_do + 1);
+  progress.tell("brute force, in double");
+  task.truth();
+  for (const GridPlan& plan_of_grid : plan) {
+    if (plan_of_grid.configurations.empty()) continue;
+    const GridFile grid = built(scene, plan_of_grid);
+    for (const Configuration& configuration : plan_of_grid.configurations) {
+      progress.tell(fmt::format("{}, {}", grid_of(configuration), method_of(configuration)));
+      rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
+      csv.add(rows.back());
+    }
+  }
+}
+
+// Of each scene's name the rows of the file measured last, by one setup: what can be compared.
+std::vector<TradeoffRow> comparable(const std::vector<TradeoffRow>& rows, const TradeoffSetup& setup,
+                                    std::map<std::string, std::string> hashes) {
+  for (std::size_t i = rows.size(); i-- > 0;) {
+    if (rows[i].setup == setup) hashes.emplace(rows[i].scene, rows[i].scene_hash); // unless it is there
+  }
+  std::vector<TradeoffRow> kept;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const TradeoffRow& row) {
+    return row.setup == setup && hashes.at(row.scene) == row.scene_hash;
+  });
+  return kept;
+}
+
+std::vector<TradeoffRow> front_of(const std::vector<TradeoffRow>& rows) {
+  std::vector<Merit> merits;
+  std::transform(rows.begin(), rows.end(), std::back_inserter(merits), merit_of_hits);
+  std::vector<TradeoffRow> front;
+  for (const std::size_t i : pareto_front(merits))
+    front.push_back(rows[i]);
+  return front;
+}
+
+Json json_of(const TradeoffRow& row) {
+  const Configuration& c = row.configuration;
+  const Measurement& m = row.measured;
+  const Accuracy& a = m.accuracy;
+  return {{"scene", row.scene},
+          {"precision", name_of(c.precision)},
+          {"stop_rule", name_of(c.stop)},
+          {"merge", name_of(c.merge)},
+          {"division", c.division},
+          {"overlap", name_of(c.overlap)},
+          {"mrays_per_second", m.mrays},
+          {"picture_ms", m.picture_ms},
+          {"grid_bytes", m.grid_bytes},
+          {"scene_bytes", m.scene_bytes},
+          {"rays_compared", a.rays},
+          {"missed", a.missed},
+          {"imagined", a.imagined},
+          {"mistaken", a.mistaken},
+          {"ties", a.ties},
+          {"worst_t_error", a.worst_t},
+          {"median_t_error", a.median_t},
+          {"picture_rmse", a.rmse},
+          {"picture_largest_error", a.largest}};
+}
+
+void print_row(const TradeoffRow& row) {
+  const Measurement& m = row.measured;
+  const Accuracy& a = m.accuracy;
+  fmt::print("{:<10} {:<23} {:<20} {:>8.2f} {:>9.3f} {:>7.2f} {:>7.2f} {:>7} {:>7} {:>7} {:>9.1e} {:>9.1e} "
+             "{:>9.1e}\n",
+             row.scene, method_of(row.configuration), grid_of(row.configuration), m.mrays, m.picture_ms,
+             static_cast<double>(m.grid_bytes) * 1e-6,
+             static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6, a.missed, a.imagined, a.mistaken,
+             a.worst_t, a.median_t, a.rmse);
+}
+
+// The fronts of each scene, and of all together.
+void report(const std::vector<TradeoffRow>& rows, bool as_json) {
+  std::vector<std::vector<TradeoffRow>> groups;
+  for (const TradeoffRow& row : rows) {
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& g) { return g.front().scene == row.scene; });
+    if (group == groups.end()) group = groups.insert(groups.end(), std::vector<TradeoffRow>{});
+    group->push_back(row);
+  }
+  if (groups.size() > 1) groups.push_back(over_all_scenes(rows));
+  Json json = Json::array();
+  const TradeoffSetup& setup = rows.front().setup;
+  if (!as_json) {
+    fmt::print(
+        "{}, {} primary and {} random rays, up to {} of each compared with brute force in double, "
+        "pictures of {}\nNothing else is as fast and as right (millions of rays a second, wrong hits):\n\n"
+        "{:<10} {:<23} {:<20} {:>8} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>9} {:>9} {:>9}\n",
+        setup.backend, setup.size, setup.random, setup.compared, setup.picture, "scene", "method", "grid",
+        "Mray/s", "ms", "grid MB", "all MB", "missed", "imagin.", "mistak.", "worst t", "median t", "RMSE");
+  }
+  for (const auto& group : groups) {
+    for (const TradeoffRow& row : front_of(group))
+      as_json ? json.push_back(json_of(row)) : print_row(row);
+  }
+  if (as_json) fmt::print("{}\n", json.dump(2));
+}
+
+void draw(const std::vector<TradeoffRow>& rows, const std::string& folder) {
+  if (!draw_charts(charts_script(rows), folder, "tradeoff.gp"))
+    fmt::print(
+        stderr,
+        "gridbench: gnuplot: isn't on the PATH, so no chart was drawn: install gnuplot (Debian's package is "
+        "gnuplot-nox) and run gridbench tradeoff --charts-only -o {}\n",
+        folder);
+}
+
+void bench_tradeoff(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  check_names(settings.scenes, settings.folder);
+  static_cast<void>(plan_of(settings, false)); // bad words are told before anything is read
+  const std::string path = settings.folder + "/tradeoff.csv";
+  std::vector<TradeoffRow> rows = read_tradeoff_csv(path);
+  if (settings.charts_only) {
+    if (!settings.scenes.empty())
+      throw Error(ErrorCode::usage, "--charts-only", "takes no scenes: it draws what was measured");
+    if (rows.empty())
+      throw Error(ErrorCode::input, path, "holds no measurements: run gridbench tradeoff on scenes first");
+    const std::vector<TradeoffRow> shown = comparable(rows, rows.back().setup, {});
+    draw(shown, settings.folder);
+    return report(shown, settings.json);
+  }
+  if (settings.scenes.empty())
+    throw Error(ErrorCode::usage, "SCENE", "is missing: name a scene file, or more");
+  const TradeoffSetup setup = setup_of(settings, use_cuda(settings.backend));
+  std::map<std::string, std::string> hashes;
+  for (const std::string& scene : settings.scenes) { // all are good before the long work begins
+    const SceneFile file(scene);
+    const auto& precisions = settings.precisions;
+    if (std::find(precisions.begin(), precisions.end(), "double") == precisions.end())
+      static_cast<void>(resolved(precision_named(precisions.front()), file)); // throws where it doesn't hold
+    static_cast<void>(resized(file.camera(), setup.size));
+    static_cast<void>(resized(file.camera(), setup.picture));
+    hashes[name_of_scene(scene)] = to_hex(file.hash());
+  }
+  std::error_code failed;
+  std::filesystem::create_directories(settings.folder, failed);
+  if (failed) throw Error(ErrorCode::output, settings.folder, "can't be made: " + failed.message());
+  TradeoffCsv csv(path);
+  for (const std::string& scene : settings.scenes)
+    measure_scene(settings, setup, scene, csv, rows);
+  const std::vector<TradeoffRow> shown = comparable(rows, setup, hashes);
+  draw(shown, settings.folder);
+  report(shown, settings.json);
+}
+
+} // namespace
+
+void add_tradeoff(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // the callback's
+  Settings& settings = *owned;
+  CLI::App& tradeoff = *app.add_subcommand(
+      "tradeoff",
+      "Speed against accuracy: every precision, stop rule and grid, beside brute force in double");
+  tradeoff.add_option("SCENE", settings.scenes, "scene files, from nff2bin");
+  tradeoff
+      .add_option("-o,--output", settings.folder,
+                  "folder for tradeoff.csv and the charts; what it holds already isn't measured again")
+      ->required();
+  add_backend(tradeoff, settings.backend);
+  const auto add_list = [&](const char* option, std::vector<std::string>& list, const char* help,
+                            const std::set<std::string>& among) {
+    CLI::Option* const added = tradeoff.add_option(option, list, help)->delimiter(',')->capture_default_str();
+    if (!among.empty()) added->check(CLI::IsMember(among));
+  };
+  add_list("--precisions", settings.precisions, "by which arithmetics", {"fast", "robust", "double"});
+  add_list(
+      "--stop-rules", settings.stops,
+      "when a ray ends: proven (nothing nearer can come), study (with the first cell where anything is hit)",
+      {"proven", "study"});
+  add_list("--merges", settings.merges, "through which grids (see gridbuild --help)",
+           {"none", "x", "balance", "irregular"});
+  add_list("--overlaps", settings.overlaps, "listing primitives by which tests", {"box", "exact"});
+  add_list("--divisions", settings.divisions,
+           "of which divisions (see gridbuild --help); irregular grids begin with one of their own", {});
+  add_list("--curve", settings.curve,
+           "divisions of the chart of time against division: uniform grids, exact overlap, robust", {});
+  tradeoff.add_option("--size", settings.size, "of the primary rays, WxH [256x256; 1024x1024 on a GPU]");
+  tradeoff.add_option("--random", settings.random, "how many random rays [65536; 1048576 on a GPU]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
+  tradeoff
+      .add_option("--compared", settings.compared,
+                  "so many of each are compared with brute force, at most [32768; 1048576 on a GPU]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
+  tradeoff.add_option("--picture", settings.picture,
+                      "size of the pictures, WxH, of depth 5 [128x128; 512x512 on a GPU]");
+  tradeoff.add_option("--repeat", settings.repeat, "timed runs, of which the median counts [3; 15 on a GPU]")
+      ->check(CLI::Range(1, 1000));
+  tradeoff.add_option("--seed", settings.seed, "of the random rays")->capture_default_str();
+  tradeoff.add_flag("--charts-only", settings.charts_only,
+                    "draws the charts of tradeoff.csv's last run again, and measures nothing");
+  tradeoff.add_flag("--json", settings.json, "the front as JSON");
+  settings.threads.add_to(tradeoff);
+  tradeoff.callback([owned] { bench_tradeoff(*owned); });
+}
+
+} // namespace masu

@@ -1,0 +1,170 @@
+#include "tools/bench/ray_sets.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace masu {
+namespace {
+
+// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): any number's own random sequence, so that rays can be drawn
+// in parallel.
+class Random {
+public:
+  Random(std::uint64_t seed, std::uint64_t number)
+      : state_(mixed(seed) ^ mixed(number + 0x632be59bd9b4e019U)) {}
+
+  // In [0, 1).
+  double uniform() {
+    state_ += 0x9e3779b97f4a7c15U;
+    return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
+  }
+
+private:
+  static std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t state_;
+};
+
+// Evenly over the unit sphere.
+Vec3d direction_of(Random& random) {
+  const double z = 2 * random.uniform() - 1, turn = 2 * std::numbers::pi * random.uniform();
+  const double across = std::sqrt(std::max(0.0, 1 - z * z));
+  return {across * std::cos(turn), across * std::sin(turn), z};
+}
+
+struct BoundingSphere {
+  Vec3d center;
+  double radius;
+};
+
+BoundingSphere sphere_around(const SceneFile& scene) {
+  const Boxd box = is_empty(scene.bounds()) ? Boxd{{-1, -1, -1}, {1, 1, 1}} : scene.bounds();
+  const Vec3d center = (box.min + box.max) * 0.5;
+  return {center, length(box.max - center)};
+}
+
+// Coordinates that the scene's own store holds: all arithmetics see the same ray.
+template <class Stored>
+ListedRay random_ray(const BoundingSphere& sphere, Random& random) {
+  const Vec3d from = fused(direction_of(random), sphere.radius, sphere.center);
+  const Vec3d to = fused(direction_of(random), sphere.radius, sphere.center);
+  return {cast<double>(cast<Stored>(from)), cast<double>(cast<Stored>(to - from))};
+}
+
+// Calls act(ray's number, the point it hits, which way it came) for each ray, in parallel; the point is null
+// for a miss.
+template <class Stored, class Act>
+void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const ListedRay> rays,
+                  const Act& act) {
+  const SceneView<Stored> scene = file.view<Stored>();
+  const RayHits hits = trace_rays_cpu(file, &grid, {rays, {}, HitName::primitive});
+  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+    const EyeHit& hit = hits.hits[i];
+    if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});
+    const Ray<Stored> ray{cast<Stored>(rays[i].origin), cast<Stored>(rays[i].direction),
+                          RealTraits<Stored>::largest};
+    const SurfacePoint<Stored> point = surface_at<with_all_kinds>(
+        scene, ray, Hit<Stored>{static_cast<Stored>(hit.t), static_cast<PrimitiveIndex>(hit.name)});
+    act(i, &point, ray.direction);
+  });
+}
+
+template <class Stored>
+std::vector<ListedRay> diffuse(const SceneFile& file, const GridFile& grid, std::span<const ListedRay> rays,
+                               std::uint64_t seed) {
+  const BoundingSphere sphere = sphere_around(file);
+  std::vector<ListedRay> bounced(rays.size());
+  for_each_hit<Stored>(file, grid, rays,
+                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& came) {
+                         Random random(seed, i);
+                         if (point == nullptr) {
+                           bounced[i] = random_ray<Stored>(sphere, random);
+                           return;
+                         }
+                         // A point of the unit sphere that touches the surface: the cosine's distribution
+                         // (Lambert's sphere).
+                         const Vec3d normal = cast<double>(facing(*point, came).normal);
+                         const Vec3d towards = normal + direction_of(random) * (1 - 1e-6);
+                         const Vec3<Stored> direction = cast<Stored>(normalized(towards));
+                         bounced[i] = {cast<double>(leaving(*point, direction)), cast<double>(direction)};
+                       });
+  return bounced;
+}
+
+template <class Stored>
+std::vector<ListedRay> shadow(const SceneFile& file, const GridFile& grid, std::span<const ListedRay> rays) {
+  const SceneView<Stored> scene = file.view<Stored>();
+  if (scene.light_count == 0) return {};
+  std::vector<ListedRay> all(rays.size());
+  std::vector<std::uint8_t> present(rays.size(), 0);
+  for_each_hit<Stored>(file, grid, rays,
+                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>&) {
+                         if (point == nullptr) return;
+                         const Vec3<Stored> light = scene.lights[i % scene.light_count].position;
+                         const Vec3<Stored> origin = leaving(*point, light - point->position);
+                         all[i] = {cast<double>(origin), cast<double>(light - origin)};
+                         present[i] = 1;
+                       });
+  std::vector<ListedRay> kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (present[i] != 0) kept.push_back(all[i]);
+  }
+  return kept;
+}
+
+template <class Stored>
+std::vector<ListedRay> primary(const Camera& camera, RayOrder order) {
+  constexpr std::int32_t tile_columns = 8, tile_rows = 4;
+  const EyeRays<Stored> eye = eye_rays<Stored>(camera, Sampling::centers, false);
+  std::vector<ListedRay> rays;
+  rays.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+  const auto add = [&](std::int32_t column, std::int32_t row) {
+    const Ray<Stored> ray = eye_ray(eye, column, row);
+    rays.push_back({cast<double>(ray.origin), cast<double>(ray.direction)});
+  };
+  const std::int32_t columns = order == RayOrder::tiles ? tile_columns : camera.width;
+  const std::int32_t rows = order == RayOrder::tiles ? tile_rows : 1;
+  for (std::int32_t top = 0; top < camera.height; top += rows) {
+    for (std::int32_t left = 0; left < camera.width; left += columns) {
+      for (std::int32_t row = top; row < std::min(top + rows, camera.height); ++row) {
+        for (std::int32_t column = left; column < std::min(left + columns, camera.width); ++column)
+          add(column, row);
+      }
+    }
+  }
+  return rays;
+}
+
+} // namespace
+
+std::vector<ListedRay> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order) {
+  return scene.is_float64() ? primary<double>(camera, order) : primary<float>(camera, order);
+}
+
+std::vector<ListedRay> diffuse_rays(const SceneFile& scene, const GridFile& grid,
+                                    std::span<const ListedRay> rays, std::uint64_t seed) {
+  return scene.is_float64() ? diffuse<double>(scene, grid, rays, seed)
+                            : diffuse<float>(scene, grid, rays, seed);
+}
+
+std::vector<ListedRay> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
+  const BoundingSphere sphere = sphere_around(scene);
+  std::vector<ListedRay> rays(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    Random random(seed, i);
+    rays[i] = scene.is_float64() ? random_ray<double>(sphere, random) : random_ray<float>(sphere, random);
+  });
+  return rays;
+}
+
+std::vector<ListedRay> shadow_rays(const SceneFile& scene, const GridFile& grid,
+                                   std::span<const ListedRay> rays) {
+  return scene.is_float64() ? shadow<double>(scene, grid, rays) : shadow<float>(scene, grid, rays);
+}
+
+} // namespace masu

@@ -1,0 +1,97 @@
+#include "tools/bench/stability/backends.h"
+
+#include "libgrid/build/division.h"
+#include "libgrid/build/merge.h"
+#include "libscene/file/memory_file.h"
+#include "libscene/file/scene_file.h"
+#include "tools/bench/stability/same_bits.h"
+
+#include <algorithm>
+
+namespace masu::stability {
+namespace {
+
+// What the parser would have made of it.
+template <class Stored>
+Scene scene_of(const TestScene<Stored>& trial) {
+  Scene scene{};
+  scene.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45, 0.01, 8, 8};
+  scene.has_camera = true;
+  scene.materials = {trial.material};
+  scene.float32_suffices = true;
+  for (const auto& triangle : trial.triangles)
+    scene.triangles.push_back(widened(triangle));
+  for (const auto& sphere : trial.spheres)
+    scene.spheres.push_back(widened(sphere));
+  for (const auto& cone : trial.cones)
+    scene.cones.push_back(widened(cone));
+  scene.sphere_surfaces.assign(scene.spheres.size(), {0, 0});
+  scene.cone_surfaces.assign(scene.cones.size(), {0, 0});
+  scene.objects.polygons = 1; // all of them
+  return scene;
+}
+
+template <class Stored>
+void write_built(const SceneFile& scene, const GridWanted& wanted, const std::string& path) {
+  const SceneView<Stored> view = scene.view<Stored>();
+  const Lattice lattice{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
+                        rounding_margin<Stored>(scene.bounds())};
+  MergeRule rule;
+  rule.merge = wanted.merge;
+  write_grid(wanted.merge == Merge::none ? build_uniform(view, lattice, Overlap::exact)
+                                         : build_merged(view, lattice, Overlap::exact, rule),
+             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, "stability", ""},
+             path);
+}
+
+std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const ListedRay> rays,
+                        Precision precision) {
+  RaysRequest request{rays};
+  request.tracing.precision = precision;
+  request.hit_name = HitName::primitive;
+  const RayHits cpu = trace_rays_cpu(scene, &grid, request);
+  std::uint64_t different = 0;
+  for (const RayLoop loop : {RayLoop::cells, RayLoop::warp, RayLoop::refill}) {
+    request.loop = loop;
+    const RayHits gpu = trace_rays_cuda(scene, &grid, request);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      different += same_bits(cpu.hits[i], gpu.hits[i]) ? 0 : 1;
+  }
+  return different;
+}
+
+template <class Stored>
+void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
+                  const std::function<void(const Difference&)>& tell) {
+  constexpr bool float64 = std::is_same_v<Stored, double>;
+  const MemoryFile scene_file;
+  write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path());
+  const SceneFile scene(scene_file.path());
+  for (const Way& way : float64 ? std::vector<Way>{doubled} : std::vector<Way>{fast, robust, doubled}) {
+    Difference difference{sweep.name, step, way, float64, trial.rays.size(), 0};
+    for (const GridWanted& wanted : trial.grids) {
+      const MemoryFile grid;
+      write_built<Stored>(scene, wanted, grid.path());
+      difference.differing += differing(scene, GridFile(grid.path()), trial.rays, way.precision);
+    }
+    tell(difference);
+  }
+}
+
+} // namespace
+
+void compare_backends(const Sweep& sweep, const RunSettings& settings,
+                      const std::function<void(const Difference&)>& tell) {
+  const auto rays =
+      std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
+  for (const double step : sweep.float32_steps) {
+    Chance chance = chance_for(settings.seed, sweep.name, step);
+    compare_step(sweep, sweep.float32(chance, step, rays), step, tell);
+  }
+  for (const double step : sweep.float64_steps) {
+    Chance chance = chance_for(settings.seed, sweep.name, -step);
+    compare_step(sweep, sweep.float64(chance, step, rays), step, tell);
+  }
+}
+
+} // namespace masu::stability

@@ -1,0 +1,200 @@
+#include "tools/bench/stability/run.h"
+
+#include "libgrid/build/division.h"
+#include "libgrid/build/merge.h"
+#include "renderer/dispatch.h"
+#include "tools/bench/stability/judge_surfaces.h"
+#include "tools/bench/stability/same_bits.h"
+
+#include <tbb/parallel_for.h>
+
+namespace masu::stability {
+namespace {
+
+template <class M, class Stored, class Accelerator>
+Hit<typename M::Real> find(const SceneView<Stored>& scene, const Accelerator& accelerator,
+                           const ListedRay& listed) {
+  using Real = typename M::Real;
+  const ScaledRay<Real> ray = scaled(typed<Real>(listed));
+  NoCounts counts;
+  Hit<Real> hit = nearest_hit<M>(scene, accelerator, ray.ray, counts);
+  hit.t *= ray.scale;
+  return hit;
+}
+
+template <class Real>
+bool same_hit(const Hit<Real>& a, const Hit<Real>& b) {
+  return a.primitive == b.primitive && same_bits(a.t, b.t);
+}
+
+template <class Real, class Act>
+void with_view(const Grid& grid, const Act& act) {
+  grid.merge == Merge::none ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
+}
+
+template <class TestRay, class Stored>
+std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>& grids,
+                         const std::vector<ListedRay>& rays, StopRule stop) {
+  using Real = typename TestRay::Real;
+  using Proven = Method<TestRay, with_all_kinds>;
+  std::vector<Found> found(rays.size());
+  std::vector<Hit<Real>> first(rays.size());
+  const auto for_each_ray = [&](const auto& act) { tbb::parallel_for(std::size_t{0}, rays.size(), act); };
+  if (stop == StopRule::first_cell) {
+    using Study = Method<TestRay, with_all_kinds, StopRule::first_cell>;
+    with_view<Real>(grids.front(), [&](const auto& view) {
+      for_each_ray([&](std::size_t i) {
+        const Hit<Real> hit = find<Study>(scene, view, rays[i]);
+        found[i] = {static_cast<double>(hit.t), hit.primitive, true};
+      });
+    });
+    return found;
+  }
+  for_each_ray([&](std::size_t i) {
+    first[i] = find<Proven>(scene, NoGrid{}, rays[i]);
+    found[i] = {static_cast<double>(first[i].t), first[i].primitive, true};
+  });
+  for (const Grid& grid : grids) {
+    with_view<Real>(grid, [&](const auto& view) {
+      for_each_ray([&](std::size_t i) {
+        found[i].same = found[i].same && same_hit(find<Proven>(scene, view, rays[i]), first[i]);
+      });
+    });
+  }
+  return found;
+}
+
+template <class Stored>
+std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
+                        const std::vector<GridWanted>& wanted) {
+  std::vector<Grid> grids;
+  for (const GridWanted& grid : wanted) {
+    const Lattice lattice{space_of<Stored>(bounds, SpaceRule::tight), grid.division,
+                          rounding_margin<Stored>(bounds)};
+    MergeRule rule;
+    rule.merge = grid.merge;
+    grids.push_back(grid.merge == Merge::none ? build_uniform(view, lattice, Overlap::exact)
+                                              : build_merged(view, lattice, Overlap::exact, rule));
+  }
+  return grids;
+}
+
+// The ways that a store's scenes can be traced in.
+template <class Stored>
+std::vector<Way> ways_for(Judge judge) {
+  if (std::is_same_v<Stored, double>) return {doubled};
+  if (judge == Judge::closest) return {all_ways.begin(), all_ways.end()};
+  return {fast, robust, doubled};
+}
+
+template <class Stored>
+std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bounds,
+                                  const std::vector<Grid>& grids, const Trial<Stored>& trial,
+                                  const std::vector<Way>& ways) {
+  const oracle::SceneOracle oracle(view);
+  std::vector<Tally> tallies;
+  // Ways that are allowed the same error are judged by the same answers.
+  for (std::size_t begin = 0, end = 0; begin < ways.size(); begin = end) {
+    const double slack = slack_for(ways[begin].precision, bounds);
+    std::vector<std::vector<Found>> found;
+    for (end = begin; end < ways.size() && slack_for(ways[end].precision, bounds) == slack; ++end) {
+      with_arithmetic(view, ways[end].precision, [&]<class TestRay>(Arithmetic<TestRay>) {
+        found.push_back(trace<TestRay>(view, grids, trial.rays, ways[end].stop));
+      });
+    }
+    const auto part = judged(oracle, trial.rays, slack, unit_roundoff_of(ways[begin].precision), found);
+    tallies.insert(tallies.end(), part.begin(), part.end());
+  }
+  return tallies;
+}
+
+template <class Stored>
+std::vector<Tally> judged_by(Judge judge, const SceneView<Stored>& view, const Boxd& bounds,
+                             const std::vector<Grid>& grids, const Trial<Stored>& trial,
+                             const std::vector<Way>& ways) {
+  if (judge == Judge::closest) return judged_closest(view, bounds, grids, trial, ways);
+  std::vector<Tally> tallies;
+  for (const Way& way : ways) {
+    with_arithmetic(view, way.precision, [&]<class TestRay>(Arithmetic<TestRay>) {
+      switch (judge) {
+      case Judge::enclosed:
+        tallies.push_back(judged_enclosed(trace<TestRay>(view, grids, trial.rays, way.stop)));
+        break;
+      case Judge::leaving:
+        tallies.push_back(judged_leaving<TestRay>(view, grids, trial, slack_for(way.precision, bounds)));
+        break;
+      case Judge::glass:
+        tallies.push_back(judged_glass<TestRay>(view, grids, trial));
+        break;
+      default:
+        tallies.push_back(judged_refraction<TestRay>(view, trial));
+        break;
+      }
+    });
+  }
+  return tallies;
+}
+
+bool is_within(const Sweep& sweep, const Way& way, bool float64, double step) {
+  if (float64) return sweep.doubled64.holds(step);
+  return (way.precision == Precision::doubled ? sweep.doubled : sweep.robust).holds(step);
+}
+
+template <class Stored>
+void run_step(const Sweep& sweep, Trial<Stored> trial, double step,
+              const std::function<void(const Row&)>& tell) {
+  constexpr bool float64 = std::is_same_v<Stored, double>;
+  const SceneView<Stored> view = trial.scene.view();
+  const Boxd bounds = trial.scene.bounds();
+  const std::vector<Way> ways = ways_for<Stored>(sweep.judge);
+  const std::vector<Tally> tallies =
+      judged_by(sweep.judge, view, bounds, build(view, bounds, trial.grids), trial, ways);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Way& way = ways[i];
+    const bool promised = way.precision != Precision::fast && way.stop == StopRule::proven;
+    tell({sweep.name, sweep.knob, step, way, float64, promised,
+          promised && is_within(sweep, way, float64, step), tallies[i]});
+  }
+}
+
+} // namespace
+
+double slack_for(Precision precision, const Boxd& bounds) {
+  return precision == Precision::doubled ? rounding_margin<double>(bounds) : rounding_margin<float>(bounds);
+}
+double unit_roundoff_of(Precision precision) {
+  return precision == Precision::doubled ? RealTraits<double>::unit_roundoff
+                                         : static_cast<double>(RealTraits<float>::unit_roundoff);
+}
+
+void run(const Sweep& sweep, const RunSettings& settings, const std::function<void(const Row&)>& tell) {
+  const auto rays =
+      std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
+  for (const double step : sweep.float32_steps) {
+    Chance chance = chance_for(settings.seed, sweep.name, step);
+    run_step(sweep, sweep.float32(chance, step, rays), step, tell);
+  }
+  for (const double step : sweep.float64_steps) {
+    Chance chance = chance_for(settings.seed, sweep.name, -step);
+    run_step(sweep, sweep.float64(chance, step, rays), step, tell);
+  }
+}
+
+std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
+                                 std::span<const ListedRay> rays, const Way& way) {
+  std::vector<Found> found(rays.size());
+  TracingRules rules;
+  rules.precision = way.precision;
+  rules.stop = way.stop;
+  with_store_and_arithmetic(scene, way.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+    with_method<TestRay>(view, &grid, rules, [&]<class M>(const auto& accelerator, M, const auto&) {
+      tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+        const auto hit = find<M>(view, accelerator, rays[i]);
+        found[i] = {static_cast<double>(hit.t), hit.primitive, true};
+      });
+    });
+  });
+  return found;
+}
+
+} // namespace masu::stability

@@ -1,0 +1,219 @@
+// Closed surfaces: what must not slip through, what leaves them, and what shines through glass.
+#include "tools/bench/stability/random_mesh.h"
+#include "tools/bench/stability/sweep.h"
+
+#include <cmath>
+
+namespace masu::stability {
+namespace {
+
+// --- No ray leaves a closed mesh -------------------------------------------------------------------------
+
+// From about the mesh's middle to its corners and places on its edges.
+template <class Stored>
+Trial<Stored> rays_at_edges(Chance& chance, const Mesh<double>& mesh, const Vec3d& at, double size,
+                            std::size_t rays) {
+  Trial<Stored> trial;
+  const auto place = [&](std::size_t corner) { return kept<Stored>(at + mesh.corners[corner] * size); };
+  for (const auto& [a, b, c] : mesh.faces)
+    trial.scene.triangles.push_back(
+        triangle_of<Stored>(cast<Stored>(place(a)), cast<Stored>(place(b)), cast<Stored>(place(c))));
+  for (std::size_t i = 0; i < rays; ++i) {
+    const auto& face = mesh.faces[chance.index(mesh.faces.size())];
+    const std::size_t corner = chance.index(3);
+    const Vec3d a = place(face[corner]), b = place(face[(corner + 1) % 3]);
+    const double share = chance.one_of({0.0, 0.0, 0.5, 0.25, chance.uniform(0, 1)});
+    const Vec3d from = chance.one_in(4) ? at : at + chance.in_cube(0.1 * size);
+    trial.rays.push_back(ray_towards<Stored>(from, a + (b - a) * share));
+  }
+  return trial;
+}
+
+const Vec3d aside{0.8347, -1, 0.6113};
+
+template <class Stored>
+Trial<Stored> in_a_cube(Chance& chance, double knob, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, cube(), aside * knob, 1, rays);
+}
+template <class Stored>
+Trial<Stored> in_a_ball(Chance& chance, double knob, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, octahedron(chance, 2, 0.2), aside * knob, 1, rays);
+}
+template <class Stored>
+Trial<Stored> in_a_fan(Chance& chance, double knob, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, double_fan(chance, 60), aside * knob, 1, rays);
+}
+// Of any kind, so large.
+template <class Stored>
+Trial<Stored> in_a_scaled_mesh(Chance& chance, double knob, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, random_mesh(chance), {0, 0, 0}, knob / 2, rays);
+}
+
+// --- What leaves a surface -------------------------------------------------------------------------------
+
+// A box, balls and cones, each convex, apart from each other.
+template <class Stored>
+Trial<Stored> bodies(Chance& chance, const Vec3d& at, double size, std::size_t rays) {
+  Trial<Stored> trial;
+  const Mesh<double> box = cube();
+  const auto place = [&](const Vec3d& v) { return at + v * size; };
+  for (const auto& [a, b, c] : box.faces) {
+    const auto corner = [&](std::size_t i) { return cast<Stored>(place(box.corners[i] * 0.3)); };
+    trial.scene.triangles.push_back(triangle_of<Stored>(corner(a), corner(b), corner(c)));
+  }
+  for (const double x : {-0.7, 0.7}) {
+    trial.scene.spheres.push_back(sphere_of<Stored>(place({x, 0, chance.uniform(-0.1, 0.1)}), 0.25 * size));
+    add_cone(trial.scene,
+             cone_of<Stored>(place({x / 2, 0.5, -0.2}), 0.15 * size,
+                             place({x / 2, 0.8, chance.uniform(0.1, 0.3)}), (x < 0 ? 0.05 : 0.15) * size));
+  }
+  for (std::size_t i = 0; i < rays; ++i) {
+    trial.rays.push_back(ray_towards<Stored>(place(chance.direction() * 3.0), place(chance.in_cube(0.8))));
+    trial.aims.push_back(chance.direction());
+  }
+  return trial;
+}
+template <class Stored>
+Trial<Stored> left_scaled(Chance& chance, double knob, std::size_t rays) {
+  return bodies<Stored>(chance, {0, 0, 0}, knob, rays);
+}
+template <class Stored>
+Trial<Stored> left_moved(Chance& chance, double knob, std::size_t rays) {
+  return bodies<Stored>(chance, aside * knob, 1, rays);
+}
+
+// --- Glass -----------------------------------------------------------------------------------------------
+
+// Balls within balls and in a box, all of glass.
+template <class Stored>
+Trial<Stored> glass(Chance& chance, std::size_t rays) {
+  Trial<Stored> trial = bodies<Stored>(chance, {0, 0, 0}, 1, 0);
+  for (const double radius : {0.28, 0.2, 0.15, 0.1, 0.05})
+    trial.scene.spheres.push_back(sphere_of<Stored>({0, 0, 0}, radius));
+  for (const double radius : {0.2, 0.1})
+    trial.scene.spheres.push_back(sphere_of<Stored>({0.7, 0, 0}, radius));
+  for (std::size_t i = 0; i < rays; ++i)
+    trial.rays.push_back(ray_towards<Stored>(chance.direction() * 3.0, chance.in_cube(0.5)));
+  return trial;
+}
+template <class Stored>
+Trial<Stored> glass_of_index(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial = glass<Stored>(chance, rays);
+  trial.scene.material = {{0, 0, 0}, 0, 0.25F, 1, 0.75F, static_cast<float>(knob)};
+  trial.depth = 8;
+  return trial;
+}
+template <class Stored>
+Trial<Stored> deep_glass(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial = glass<Stored>(chance, rays);
+  trial.scene.material = {{0, 0, 0}, 0, 0, 1, 1, 1.5F};
+  trial.depth = static_cast<std::int32_t>(knob);
+  return trial;
+}
+
+// --- Snell's law -----------------------------------------------------------------------------------------
+
+// Rays that come to a surface from behind, sine of their angle so far from the critical one's, relatively, to
+// either side.
+template <class Stored>
+Trial<Stored> refracted_by(Chance& chance, double index, double from_critical, std::size_t rays) {
+  Trial<Stored> trial;
+  trial.scene.material = {{0, 0, 0}, 0, 0, 1, 1, static_cast<float>(index)};
+  const Vec3d up = chance.direction(), u = across(chance, up), v = cross(up, u);
+  const auto corner = [&](double x, double y) { return cast<Stored>(u * x + v * y); };
+  trial.scene.triangles = {triangle_of<Stored>(corner(-8, -8), corner(8, -8), corner(0, 8))};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const double sine = std::min(0.9999, (1 + chance.sign() * from_critical) /
+                                             static_cast<double>(trial.scene.material.refraction_index));
+    const double turn = chance.uniform(0, 6.283185307179586);
+    const Vec3d along = u * std::cos(turn) + v * std::sin(turn);
+    const Vec3d direction = along * sine + up * std::sqrt(1 - sine * sine);
+    trial.rays.push_back(ray_along<Stored>(u * chance.uniform(-1, 1) - direction, direction));
+  }
+  return trial;
+}
+template <class Stored>
+Trial<Stored> near_critical(Chance& chance, double knob, std::size_t rays) {
+  return refracted_by<Stored>(chance, 1.5, knob, rays);
+}
+template <class Stored>
+Trial<Stored> nearly_no_glass(Chance& chance, double knob, std::size_t rays) {
+  return refracted_by<Stored>(chance, 1 + knob, chance.one_of({0.5, 0.1, 1e-3}), rays);
+}
+
+} // namespace
+
+std::vector<Sweep> body_sweeps() {
+  const std::vector<double> distances = powers_of_ten(0, 6), far = powers_of_ten(0, 15, 3);
+  return {
+      {"closed-cube", "distance from the origin; rays at edges and corners from inside", Judge::enclosed, 10,
+       distances, far, in_a_cube<float>, in_a_cube<double>, everywhere, everywhere, everywhere},
+      {"closed-ball", "distance from the origin; rays at edges and corners from inside", Judge::enclosed, 4,
+       distances, far, in_a_ball<float>, in_a_ball<double>, everywhere, everywhere, everywhere},
+      {"closed-fan", "distance from the origin; rays at edges and corners from inside", Judge::enclosed, 4,
+       distances, far, in_a_fan<float>, in_a_fan<double>, everywhere, everywhere, everywhere},
+      {"closed-scaled", "size of a closed mesh; rays at edges and corners from inside", Judge::enclosed, 4,
+       powers_of_ten(-9, 12, 3), powers_of_ten(-89, 100, 21), in_a_scaled_mesh<float>,
+       in_a_scaled_mesh<double>, everywhere, everywhere, everywhere},
+      {"leaving-scaled", "size of the scene whose surfaces rays leave", Judge::leaving, 1,
+       powers_of_ten(-8, 12, 2), powers_of_ten(-80, 80, 20), left_scaled<float>, left_scaled<double>,
+       everywhere, everywhere, everywhere},
+      {"leaving-moved",
+       "distance from the origin of a scene of size 1",
+       Judge::leaving,
+       1,
+       powers_of_ten(0, 6),
+       powers_of_ten(0, 14, 2),
+       left_moved<float>,
+       left_moved<double>,
+       {0, 1e3},
+       everywhere,
+       {0, 1e12}},
+      {"glass",
+       "index of refraction, depth 8",
+       Judge::glass,
+       0.05,
+       {0.01, 0.5, 1, 1 + 1e-6, 1.001, 1.5, 2.4, 100},
+       {1, 1.5},
+       glass_of_index<float>,
+       glass_of_index<double>,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"deep-glass",
+       "depth of the last ray",
+       Judge::glass,
+       0.25,
+       {1, 2, 4, 8, 16, 32},
+       {32},
+       deep_glass<float>,
+       deep_glass<double>,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"critical-angle",
+       "distance of the sine from the critical angle's, relative",
+       Judge::refraction,
+       2,
+       powers_of_ten(-8, -1),
+       powers_of_ten(-16, -1, 3),
+       near_critical<float>,
+       near_critical<double>,
+       {1e-5, 1},
+       everywhere,
+       {1e-13, 1}},
+      {"nearly-air",
+       "index of refraction less 1",
+       Judge::refraction,
+       2,
+       powers_of_ten(-7, 0),
+       {},
+       nearly_no_glass<float>,
+       nullptr,
+       {1e-5, 1},
+       everywhere,
+       everywhere},
+  };
+}
+
+} // namespace masu::stability

@@ -1,0 +1,176 @@
+// How rays and surfaces lie to the voxels.
+#include "libgrid/build/division.h"
+#include "tools/bench/stability/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace masu::stability {
+namespace {
+
+// Along an axis, but for components of the knob's size, with either sign: of zero too.
+template <class Stored>
+Trial<Stored> along_axes(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1), {}};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const int axis = chance.whole(0, 2);
+    Vec3d direction{knob * chance.sign(), knob * chance.sign(), knob * chance.sign()};
+    direction.set(axis, chance.sign());
+    Vec3d from = chance.in_cube(0.8);
+    if (chance.one_in(2)) from.set(axis, -direction[axis] * chance.uniform(1, 4));
+    trial.rays.push_back(ray_along<Stored>(from, direction));
+  }
+  return trial;
+}
+
+// Surfaces on voxels' faces and on the bounds of the space, N voxels an axis; rays in faces, along edges,
+// and from corner to corner.
+template <class Stored>
+Trial<Stored> on_faces(Chance& chance, double knob, std::size_t rays) {
+  const int voxels = static_cast<int>(knob);
+  Trial<Stored> trial;
+  TestScene<Stored>& scene = trial.scene;
+  // These alone make the bounds, and so the space; two of them lie on the bounds' faces.
+  scene.triangles = {triangle_of<Stored>({-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}),
+                     triangle_of<Stored>({1, 1, 1}, {1, -1, 1}, {1, 1, -1})};
+  const Boxd space = space_of<Stored>(scene.bounds(), SpaceRule::tight);
+  const auto plane = [&](int number) {
+    return kept<Stored>(space.min.x + (space.max.x - space.min.x) * number / voxels);
+  };
+  const auto inner_plane = [&] {
+    return voxels > 2 ? plane(chance.whole(1, voxels - 1)) : plane(voxels / 2) / 2;
+  };
+  const auto corner = [&] { return Vec3d{inner_plane(), inner_plane(), inner_plane()}; };
+  const auto held = [](const Vec3d& v) {
+    return Vec3d{std::clamp(v.x, -1.0, 1.0), std::clamp(v.y, -1.0, 1.0), std::clamp(v.z, -1.0, 1.0)};
+  };
+  for (int i = 0; i < 10; ++i) {
+    const int axis = chance.whole(0, 2);
+    Vec3d a = corner(), b = corner(), c = corner();
+    b.set(axis, a[axis]);
+    c.set(axis, a[axis]);
+    scene.triangles.push_back(
+        triangle_of<Stored>(cast<Stored>(held(a)), cast<Stored>(held(b)), cast<Stored>(held(c))));
+  }
+  for (int i = 0; i < 4; ++i) {
+    const Vec3d center = held(corner() * 0.5);
+    scene.spheres.push_back(sphere_of<Stored>(center, std::min(0.4, 2.0 / voxels)));
+    Vec3d apex = center;
+    const int axis = chance.whole(0, 2);
+    apex.set(axis, held(corner())[axis]);
+    add_cone(scene, cone_of<Stored>(center, 0.25, apex, chance.one_of({0.25, 0.0, 0.125})));
+  }
+  // From anywhere: from a plane, at a place off all of them, or outside.
+  const auto coordinate = [&](bool on_plane) {
+    return on_plane ? plane(chance.whole(0, voxels)) : chance.uniform(-1, 1);
+  };
+  for (std::size_t i = 0; i < rays; ++i) {
+    const int axis = chance.whole(0, 2), faces = chance.whole(1, 3);
+    Vec3d from{}, to{};
+    for (int k = 0; k < 3; ++k) {
+      const int other = (axis + k) % 3;
+      from.set(other, coordinate(k < faces));
+      // In the face or along the edge; from corner to corner, or any way, where it begins on a corner.
+      to.set(other, k < faces && faces < 3 ? from[other] : coordinate(faces == 3));
+    }
+    const ListedRay ray = ray_towards<Stored>(from, to);
+    trial.rays.push_back(ray);
+    if (chance.one_in(3)) trial.rays.back().origin = kept<Stored>(ray.origin - ray.direction * 4.0);
+  }
+  trial.grids = {{{voxels, voxels, voxels}, Merge::none},
+                 {{voxels, voxels, voxels}, Merge::x},
+                 {{std::min(voxels, 64), std::min(voxels, 64), std::min(voxels, 64)}, Merge::irregular}};
+  return trial;
+}
+
+// Through grids of so many voxels along one axis or two.
+template <class Stored>
+Trial<Stored> divided_by(Chance& chance, double knob, std::size_t rays) {
+  const auto voxels = static_cast<std::int32_t>(knob);
+  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
+                      rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
+  const std::int32_t few = std::min(voxels, 128), many = std::min(voxels, 512);
+  trial.grids = {{{voxels, 5, 3}, Merge::none},
+                 {{2, voxels, 7}, Merge::x},
+                 {{few, few, few}, Merge::none},
+                 {{many, 4, many}, Merge::none},
+                 {{few / 2 + 1, few / 4 + 1, few / 8 + 1}, Merge::irregular}};
+  return trial;
+}
+
+// A space of such proportions: as wide as 1, as deep as the knob, as high as its square root.
+template <class Stored>
+Trial<Stored> flattened(Chance& chance, double knob, std::size_t rays) {
+  const Vec3d sides{1, std::sqrt(knob), knob};
+  Trial<Stored> trial;
+  for (int i = 0; i < 30; ++i) {
+    const Vec3d around = chance.in_cube(0.7);
+    const auto corner = [&] { return cast<Stored>((around + chance.in_cube(0.3)) * sides); };
+    const Vec3<Stored> a = corner(), b = corner(), c = corner();
+    trial.scene.triangles.push_back(triangle_of<Stored>(a, b, c));
+  }
+  for (int i = 0; i < 10; ++i)
+    trial.scene.spheres.push_back(sphere_of<Stored>(chance.in_cube(0.8) * sides, knob * 0.2));
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vec3d from = chance.in_cube(2) * sides;
+    trial.rays.push_back(
+        ray_towards<Stored>(chance.one_in(3) ? chance.direction() * 3.0 : from, chance.in_cube(0.8) * sides));
+  }
+  return trial;
+}
+
+} // namespace
+
+std::vector<Sweep> grid_sweeps() {
+  std::vector<double> powers_of_two;
+  for (int n = 1; n <= 4096; n *= 2)
+    powers_of_two.push_back(n);
+  return {
+      {"axis-ray",
+       "components of the direction across an axis (1 along it)",
+       Judge::closest,
+       1,
+       {0, 1.5e-45, 1e-38, 1e-30, 1e-20, 1e-12, 1e-8, 1e-6, 1e-4},
+       {0, 5e-324, 1e-308, 1e-200, 1e-100, 1e-30, 1e-20, 1e-10},
+       along_axes<float>,
+       along_axes<double>,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"voxel-face",
+       "voxels an axis; rays and surfaces in their faces",
+       Judge::closest,
+       1,
+       {1, 2, 3, 4, 8, 16, 32, 64, 100, 128},
+       {4, 16, 64},
+       on_faces<float>,
+       on_faces<double>,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"division",
+       "voxels along an axis",
+       Judge::closest,
+       1,
+       powers_of_two,
+       {},
+       divided_by<float>,
+       nullptr,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"proportions",
+       "depth of a scene over its width",
+       Judge::closest,
+       1,
+       powers_of_ten(-8, 0),
+       {},
+       flattened<float>,
+       nullptr,
+       {1e-4, 1},
+       everywhere,
+       everywhere},
+  };
+}
+
+} // namespace masu::stability

@@ -1,0 +1,137 @@
+// Where the scene lies, how large it is, and where rays begin.
+#include "tools/bench/stability/sweep.h"
+
+#include <cmath>
+
+namespace masu::stability {
+namespace {
+
+// No rounder than a place chosen by nobody.
+const Vec3d somewhere{0.8347, -1, 0.6113};
+
+template <class Stored>
+Trial<Stored> moved(Chance& chance, double knob, std::size_t rays) {
+  const Vec3d at = somewhere * knob;
+  return {mixed_scene<Stored>(chance, at, 1), rays_around<Stored>(chance, at, 1, rays)};
+}
+
+// The farthest coordinate is about the knob: half of it at the outermost steps, which files take last.
+template <class Stored>
+Trial<Stored> scaled(Chance& chance, double knob, std::size_t rays) {
+  const double last = std::is_same_v<Stored, float> ? 1e12 : 1e100;
+  const double size = knob >= last ? knob / 2 : knob * 2;
+  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, size), {}};
+  trial.rays = rays_around<Stored>(chance, {0, 0, 0}, size, rays);
+  return trial;
+}
+
+// A ball that is seen from so many radii, alone: the eye is outside the scene.
+template <class Stored>
+Trial<Stored> ball_from_afar(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial;
+  trial.scene.spheres = {sphere_of<Stored>({0.25, -0.5, 0.125}, 1)};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vec3d center{0.25, -0.5, 0.125}, from = center + chance.direction() * knob;
+    const Vec3d towards = across(chance, center - from);
+    trial.rays.push_back(ray_towards<Stored>(from, center + towards * chance.uniform(0, 1.3)));
+  }
+  return trial;
+}
+
+// The same with a floor from the ball to the eye, inside whose bounds the ray begins.
+template <class Stored>
+Trial<Stored> ball_on_a_floor(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial = ball_from_afar<Stored>(chance, knob, rays);
+  const double far = 1.5 * knob;
+  trial.scene.triangles = {triangle_of<Stored>({static_cast<Stored>(-far), static_cast<Stored>(-far), -2},
+                                               {static_cast<Stored>(far), static_cast<Stored>(-far), -2},
+                                               {0, static_cast<Stored>(far), -2}),
+                           triangle_of<Stored>({static_cast<Stored>(-far), static_cast<Stored>(-far), -2},
+                                               {static_cast<Stored>(-far), static_cast<Stored>(-far),
+                                                static_cast<Stored>(2 * far)},
+                                               {0, static_cast<Stored>(-far), static_cast<Stored>(far)})};
+  return trial;
+}
+
+// A point on a primitive's surface, nearly.
+template <class Stored>
+Vec3d point_on(Chance& chance, const TestScene<Stored>& scene) {
+  if (chance.one_in(2)) {
+    const Triangle<double> t = widened(scene.triangles[chance.index(scene.triangles.size())]);
+    double u = chance.uniform(0, 1), v = chance.uniform(0, 1);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
+  }
+  const Sphere<double> s = widened(scene.spheres[chance.index(scene.spheres.size())]);
+  return s.center + chance.direction() * std::abs(s.radius);
+}
+
+// Rays that begin so far off a surface of the scene.
+template <class Stored>
+Trial<Stored> started(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1), {}};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vec3d from = point_on(chance, trial.scene) + chance.direction() * knob;
+    trial.rays.push_back(knob > 1 ? ray_towards<Stored>(from, chance.in_cube(0.8))
+                                  : ray_along<Stored>(from, chance.direction()));
+  }
+  return trial;
+}
+
+} // namespace
+
+std::vector<Sweep> place_sweeps() {
+  std::vector<double> starts{0};
+  for (const double power : powers_of_ten(-8, 10, 2))
+    starts.push_back(power);
+  return {
+      {"moved",
+       "distance of a scene of size 1 from the origin",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       powers_of_ten(0, 16, 2),
+       moved<float>,
+       moved<double>,
+       {0, 1e3},
+       {0, 1e7},
+       {0, 1e12}},
+      {"scaled", "size of the scene", Judge::closest, 1, powers_of_ten(-10, 12, 2),
+       powers_of_ten(-90, 100, 19), scaled<float>, scaled<double>, everywhere, everywhere, everywhere},
+      {"far-ball",
+       "distance of the eye from a ball alone, in radii",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       powers_of_ten(0, 16, 4),
+       ball_from_afar<float>,
+       ball_from_afar<double>,
+       {10, 1e8},
+       everywhere,
+       {1e4, 1e16}},
+      {"small-ball",
+       "distance of the eye from a ball, in radii, within a scene as large",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       powers_of_ten(0, 16, 4),
+       ball_on_a_floor<float>,
+       ball_on_a_floor<double>,
+       {10, 1e4},
+       everywhere,
+       {1e4, 1e12}},
+      {"start",
+       "distance from a surface at which rays begin, scene of size 1",
+       Judge::closest,
+       1,
+       starts,
+       {},
+       started<float>,
+       nullptr,
+       {1e-4, 1e10},
+       everywhere,
+       everywhere},
+  };
+}
+
+} // namespace masu::stability

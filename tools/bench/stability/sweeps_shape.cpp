@@ -1,0 +1,245 @@
+// Primitives that leave formulas few digits.
+#include "tools/bench/stability/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace masu::stability {
+namespace {
+
+// Behind what is looked at, so that what misses it hits something.
+template <class Stored>
+void add_wall(TestScene<Stored>& scene) {
+  scene.triangles.push_back(triangle_of<Stored>({-4, -4, -1}, {4, -4, -1}, {0, 6, -1}));
+}
+
+Vec3d eye(Chance& chance) {
+  return {chance.uniform(-1, 1), chance.uniform(-1, 1), chance.uniform(1, 2)};
+}
+
+// Triangles as long as 1 and as wide as the knob. Rays pass within a few widths.
+template <class Stored>
+Trial<Stored> needles(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial;
+  add_wall(trial.scene);
+  struct Needle {
+    Vec3d from, along, side;
+  };
+  std::vector<Needle> needles;
+  for (int i = 0; i < 24; ++i) {
+    const Vec3d along = chance.direction();
+    needles.push_back({chance.in_cube(0.6), along, across(chance, along)});
+    const auto& [from, to, side] = needles.back();
+    const Vec3d tip = from + to, wide = from + to * chance.uniform(0, 1) + side * knob;
+    trial.scene.triangles.push_back(
+        triangle_of<Stored>(cast<Stored>(from), cast<Stored>(tip), cast<Stored>(wide)));
+  }
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Needle& needle = needles[chance.index(needles.size())];
+    const double off = std::max(knob, 1e-3 * chance.power_of_two(-20, 0));
+    trial.rays.push_back(ray_towards<Stored>(eye(chance), needle.from +
+                                                              needle.along * chance.uniform(-0.1, 1.1) +
+                                                              needle.side * (off * chance.uniform(-1, 2))));
+  }
+  return trial;
+}
+
+// A triangle, a ball, a cone; met at an angle of the knob (radians), or passed by as closely.
+template <class Stored>
+Trial<Stored> grazed(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial;
+  const Vec3d a{-1, -1, 0.125}, b{1, -0.75, 0}, c{0, 1, -0.0625};
+  trial.scene.triangles = {triangle_of<Stored>(cast<Stored>(a), cast<Stored>(b), cast<Stored>(c))};
+  const Vec3d center{3, 0.25, 0.5}, base{-3, -1, 0}, axis{0.25, 2, 0.125};
+  trial.scene.spheres = {sphere_of<Stored>(center, 1)};
+  trial.scene.cones = {cone_of<Stored>(base, 0.75, base + axis, 0.25)};
+  const Vec3d normal = normalized(cross(b - a, c - a));
+  for (std::size_t i = 0; i < rays; ++i) {
+    Vec3d point{}, outwards{};
+    switch (chance.whole(0, 2)) {
+    case 0:
+      point =
+          (a + b + c) * (1.0 / 3) + (b - a) * chance.uniform(-0.2, 0.2) + (c - a) * chance.uniform(-0.2, 0.2);
+      outwards = normal;
+      break;
+    case 1:
+      outwards = chance.direction();
+      point = center + outwards;
+      break;
+    default: {
+      const Vec3d away = across(chance, axis);
+      const double z = chance.uniform(0.1, 0.9);
+      outwards = normalized(away * length(axis) + axis * (0.5 / length(axis)));
+      point = base + axis * z + away * (0.75 - 0.5 * z);
+      break;
+    }
+    }
+    const Vec3d along = across(chance, outwards);
+    const Vec3d direction = along * std::cos(knob) - outwards * std::sin(knob);
+    // Half of them pass the round ones by: tangents are moved outwards by what the angle sags.
+    const double lift = chance.one_in(2) ? 0 : 1.5 * knob * knob;
+    trial.rays.push_back(
+        ray_along<Stored>(point + outwards * lift - direction * chance.uniform(0.5, 1.5), direction));
+  }
+  return trial;
+}
+
+Vec3d cone_place(Chance& chance) {
+  return chance.in_cube(0.5);
+}
+
+// Cones whose ends' radii differ by the knob, relatively: 0 for cylinders.
+template <class Stored>
+Trial<Stored> tapered(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial;
+  add_wall(trial.scene);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3d base = cone_place(chance);
+    const double radius = chance.uniform(0.05, 0.3);
+    add_cone(trial.scene, cone_of<Stored>(base, radius, base + chance.direction() * chance.uniform(0.3, 1),
+                                          radius * (1 - knob)));
+  }
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Cone<double> cone = widened(trial.scene.cones[chance.index(trial.scene.cones.size())]);
+    const Vec3d axis = cone.apex - cone.base, side = across(chance, axis);
+    const Vec3d from = chance.one_in(3) ? cone.base + axis * chance.uniform(-1, 2) : eye(chance);
+    trial.rays.push_back(ray_towards<Stored>(from, cone.base + axis * chance.uniform(0, 1) +
+                                                       side * (cone.base_radius * chance.uniform(0, 1.2))));
+  }
+  return trial;
+}
+
+// Pointed cones, met so far from the tip, in lengths.
+template <class Stored>
+Trial<Stored> tips(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial;
+  add_wall(trial.scene);
+  for (int i = 0; i < 8; ++i) {
+    const Vec3d base = cone_place(chance);
+    add_cone(trial.scene, cone_of<Stored>(base, chance.uniform(0.05, 0.5), base + chance.direction(), 0));
+  }
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Cone<double> cone = widened(trial.scene.cones[chance.index(trial.scene.cones.size())]);
+    const Vec3d axis = cone.apex - cone.base, side = across(chance, axis);
+    const Vec3d target = cone.apex - axis * (knob * chance.uniform(0, 1)) +
+                         side * (cone.base_radius * knob * chance.uniform(0, 1));
+    trial.rays.push_back(ray_towards<Stored>(eye(chance), target));
+  }
+  return trial;
+}
+
+// Cones of radii 1 and a half whose ends lie so far apart.
+template <class Stored>
+Trial<Stored> flat_cones(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial;
+  add_wall(trial.scene);
+  // About the origin, where there are numbers for such short ones.
+  const Vec3d axis = chance.direction() * knob;
+  add_cone(trial.scene, cone_of<Stored>({0, 0, 0}, 1, axis, 0.5));
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vec3d side = across(chance, axis);
+    trial.rays.push_back(
+        ray_towards<Stored>(eye(chance), axis * chance.uniform(-1, 2) + side * chance.uniform(0.4, 1.1)));
+  }
+  return trial;
+}
+
+// Every primitive so many times.
+template <class Stored>
+Trial<Stored> duplicated(Chance& chance, double knob, std::size_t rays) {
+  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
+                      rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
+  const auto multiply = [&](auto& primitives) {
+    const auto once = primitives;
+    for (int copies = 1; copies < static_cast<int>(knob); ++copies)
+      primitives.insert(primitives.end(), once.begin(), once.end());
+    std::shuffle(primitives.begin(), primitives.end(), chance.engine());
+  };
+  multiply(trial.scene.triangles);
+  multiply(trial.scene.spheres);
+  multiply(trial.scene.cones);
+  return trial;
+}
+
+std::vector<double> down_to_zero() {
+  std::vector<double> steps{0};
+  for (const double power : powers_of_ten(-8, 0))
+    steps.push_back(power);
+  return steps;
+}
+
+} // namespace
+
+std::vector<Sweep> shape_sweeps() {
+  const std::vector<double> down = powers_of_ten(-8, 0), to_zero = down_to_zero();
+  return {
+      {"needle",
+       "width of triangles as long as 1",
+       Judge::closest,
+       1,
+       to_zero,
+       {},
+       needles<float>,
+       nullptr,
+       {1e-3, 1},
+       everywhere,
+       everywhere},
+      {"grazing",
+       "angle between ray and surface, radians",
+       Judge::closest,
+       1,
+       down,
+       down,
+       grazed<float>,
+       grazed<double>,
+       {1e-2, 1},
+       everywhere,
+       {1e-6, 1}},
+      {"taper",
+       "difference of a cone's radii, relative",
+       Judge::closest,
+       0.5,
+       to_zero,
+       {},
+       tapered<float>,
+       nullptr,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"tip",
+       "distance from a cone's tip, in lengths",
+       Judge::closest,
+       0.5,
+       to_zero,
+       {},
+       tips<float>,
+       nullptr,
+       {1e-3, 1},
+       everywhere,
+       everywhere},
+      {"flat-cone",
+       "length of a cone of radii 1 and a half",
+       Judge::closest,
+       0.5,
+       down,
+       {},
+       flat_cones<float>,
+       nullptr,
+       {1e-3, 1},
+       everywhere,
+       everywhere},
+      {"duplicates",
+       "how often every primitive is there",
+       Judge::closest,
+       0.25,
+       {2, 4, 16, 64},
+       {},
+       duplicated<float>,
+       nullptr,
+       everywhere,
+       everywhere,
+       everywhere},
+  };
+}
+
+} // namespace masu::stability

@@ -1,0 +1,79 @@
+#include "tools/bench/tradeoff.h"
+
+#include "libscene/error.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace masu {
+namespace {
+
+// The one of `values` whose name is `text`.
+template <class Value, std::size_t count>
+Value named(const std::string& text, const std::array<Value, count>& values) {
+  std::string names;
+  for (const Value value : values) {
+    if (text == name_of(value)) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+  }
+  throw Error(ErrorCode::usage, text, "isn't one of " + names);
+}
+
+} // namespace
+
+const char* name_of(StopRule stop) {
+  return stop == StopRule::proven ? "proven" : "study";
+}
+
+const char* name_of(MergeChoice merge) {
+  switch (merge) {
+  case MergeChoice::automatic:
+    return "auto";
+  case MergeChoice::none:
+    return "none";
+  case MergeChoice::x:
+    return "x";
+  case MergeChoice::balance:
+    return "balance";
+  case MergeChoice::irregular:
+    return "irregular";
+  }
+  return "";
+}
+
+const char* name_of(Overlap overlap) {
+  return overlap == Overlap::box ? "box" : "exact";
+}
+
+Precision precision_named(const std::string& text) {
+  return named(text, std::array{Precision::fast, Precision::robust, Precision::doubled});
+}
+
+StopRule stop_named(const std::string& text) {
+  return named(text, std::array{StopRule::proven, StopRule::first_cell});
+}
+
+MergeChoice merge_named(const std::string& text) {
+  return named(text,
+               std::array{MergeChoice::none, MergeChoice::x, MergeChoice::balance, MergeChoice::irregular});
+}
+
+Overlap overlap_named(const std::string& text) {
+  return named(text, std::array{Overlap::box, Overlap::exact});
+}
+
+std::string method_of(const Configuration& configuration) {
+  return name_of(configuration.precision) +
+         std::string(configuration.stop == StopRule::proven ? "" : ", study's rule");
+}
+
+std::string grid_of(const Configuration& configuration) {
+  const char* const merge =
+      configuration.merge == MergeChoice::none ? "uniform" : name_of(configuration.merge);
+  const bool divided = configuration.merge != MergeChoice::irregular || configuration.division != "auto";
+  return fmt::format("{} {}{}", merge, divided ? configuration.division + " " : "",
+                     name_of(configuration.overlap));
+}
+
+} // namespace masu

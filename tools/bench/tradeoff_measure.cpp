@@ -1,0 +1,158 @@
+#include "tools/bench/tradeoff_measure.h"
+
+#include "libscene/geometry/margin.h"
+#include "tools/bench/ray_sets.h"
+#include "tools/cli.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace masu {
+namespace {
+
+// A run that takes so long is measured once: noise is a small part of it.
+constexpr double long_seconds = 0.5;
+
+// Runs trace(repeat) once, to warm up and to see how long it takes, and then as often as asked. The last
+// result, with the seconds that count.
+template <class Trace>
+auto traced(std::uint64_t repeat, const Trace& trace) {
+  auto once = trace(1);
+  if (repeat <= 1 || once.seconds.trace >= long_seconds) return once;
+  return trace(static_cast<int>(repeat));
+}
+
+RayHits trace(const TradeoffTask& task, const GridFile* grid, const TracingRules& rules,
+              const std::vector<ListedRay>& rays, RayLoop loop, std::uint64_t repeat) {
+  RaysRequest request{rays, rules};
+  request.hit_name = HitName::primitive;
+  request.loop = loop;
+  return traced(repeat, [&](int times) {
+    request.repeat = times;
+    return task.setup.backend == "cuda" ? trace_rays_cuda(task.scene, grid, request)
+                                        : trace_rays_cpu(task.scene, grid, request);
+  });
+}
+
+Frame render(const TradeoffTask& task, const GridFile* grid, const TracingRules& rules,
+             std::uint64_t repeat) {
+  FrameRequest request;
+  request.tracing = rules;
+  request.camera = task.picture;
+  request.sampling = Sampling::centers;
+  return traced(repeat, [&](int times) {
+    request.repeat = times;
+    return task.setup.backend == "cuda" ? render_cuda(task.scene, grid, request)
+                                        : render_cpu(task.scene, grid, request);
+  });
+}
+
+// So many of `all`, or all, spread evenly; added to `some`.
+template <class T>
+void add_some(const std::vector<T>& all, std::uint64_t wanted, std::vector<T>& some) {
+  const std::uint64_t count = std::min<std::uint64_t>(all.size(), wanted);
+  for (std::uint64_t i = 0; i < count; ++i)
+    some.push_back(all[i * all.size() / count]);
+}
+
+// Whether two hits of a ray are in the same place, as far as float32 arithmetic can tell: no farther apart
+// than its hits may be from the surface (libscene/geometry/margin.h), and t's own rounding.
+class SamePlace {
+public:
+  explicit SamePlace(const SceneFile& scene) : margin_(rounding_margin<float>(scene.bounds())) {}
+  bool operator()(const ListedRay& ray, double t, double other) const {
+    return std::abs(t - other) <= margin_ / length(ray.direction) + 0x1p-23 * other;
+  }
+
+private:
+  double margin_;
+};
+
+void compare_hits(const TradeoffTask::Truth& truth, const std::vector<EyeHit>& hits, const SamePlace& same,
+                  Accuracy& accuracy) {
+  std::vector<double> errors; // of t, relative
+  accuracy.rays = hits.size();
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const EyeHit &is = hits[i], &should = truth.hits[i];
+    if (is.name < 0 && should.name < 0) continue;
+    const bool other = is.name != should.name;
+    if (is.name < 0) {
+      ++accuracy.missed;
+    } else if (should.name < 0) {
+      ++accuracy.imagined;
+    } else if (!std::isfinite(is.t) || (other && !same(truth.rays[i], is.t, should.t))) {
+      ++accuracy.mistaken;
+    } else {
+      accuracy.ties += other ? 1 : 0;
+      errors.push_back(std::abs(static_cast<double>(is.t) - should.t) / should.t);
+    }
+  }
+  if (errors.empty()) return;
+  accuracy.worst_t = *std::max_element(errors.begin(), errors.end());
+  accuracy.median_t = median(std::move(errors));
+}
+
+void compare_pictures(const std::vector<Vec3f>& should, const std::vector<Vec3f>& is, Accuracy& accuracy) {
+  double squares = 0;
+  for (std::size_t i = 0; i < should.size(); ++i) {
+    for (int channel = 0; channel < 3; ++channel) {
+      const double difference = std::abs(static_cast<double>(is[i][channel]) - should[i][channel]);
+      const double error = std::isfinite(difference) ? difference : 1; // no number: as if black were white
+      squares += error * error;
+      accuracy.largest = std::max(accuracy.largest, error);
+    }
+  }
+  accuracy.rmse = std::sqrt(squares / (3 * static_cast<double>(should.size())));
+}
+
+double mrays(std::size_t rays, double seconds) {
+  return static_cast<double>(rays) / std::max(seconds, 1e-9) * 1e-6;
+}
+
+} // namespace
+
+TradeoffTask::TradeoffTask(const SceneFile& scene_, const TradeoffSetup& setup_)
+    : scene(scene_), setup(setup_),
+      primary(primary_rays(scene, resized(scene.camera(), setup.size), RayOrder::tiles)),
+      random(random_rays(scene, setup.random, setup.seed)), picture(resized(scene.camera(), setup.picture)) {}
+
+const TradeoffTask::Truth& TradeoffTask::truth() {
+  if (truth_) return *truth_;
+  Truth found;
+  add_some(primary, setup.compared, found.rays);
+  add_some(random, setup.compared, found.rays);
+  const TracingRules rules{Precision::doubled};
+  found.hits = trace(*this, nullptr, rules, found.rays, RayLoop::cells, 1).hits;
+  found.radiance = render(*this, nullptr, rules, 1).radiance;
+  truth_ = std::move(found);
+  return *truth_;
+}
+
+Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuration& configuration) {
+  const TradeoffTask::Truth& truth = task.truth();
+  const TracingRules rules{configuration.precision, configuration.stop};
+  const std::uint64_t repeat = task.setup.repeat;
+  // On a GPU each set by the loop that suits it.
+  const auto loop = [&](bool coherent) { return usual_loop(coherent, task.scene, grid); };
+  const RayHits primary = trace(task, &grid, rules, task.primary, loop(true), repeat);
+  const RayHits random = trace(task, &grid, rules, task.random, loop(false), repeat);
+  const Frame frame = render(task, &grid, rules, repeat);
+
+  Measurement measured;
+  measured.voxels = voxel_count(grid.lattice().division);
+  measured.grid_bytes = grid.bytes();
+  measured.scene_bytes = task.scene.bytes();
+  measured.primary_mrays = mrays(task.primary.size(), primary.seconds.trace);
+  measured.random_mrays = mrays(task.random.size(), random.seconds.trace);
+  measured.mrays =
+      mrays(task.primary.size() + task.random.size(), primary.seconds.trace + random.seconds.trace);
+  measured.picture_ms = frame.seconds.trace * 1e3;
+  std::vector<EyeHit> hits;
+  add_some(primary.hits, task.setup.compared, hits);
+  add_some(random.hits, task.setup.compared, hits);
+  compare_hits(truth, hits, SamePlace(task.scene), measured.accuracy);
+  compare_pictures(truth.radiance, frame.radiance, measured.accuracy);
+  return measured;
+}
+
+} // namespace masu
