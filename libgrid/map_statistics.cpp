@@ -1,7 +1,7 @@
 #include "libgrid/map_statistics.h"
 
-#include "libgrid/lattice.h"
 #include "libgrid/build/overlap.h"
+#include "libgrid/grid_layout.h"
 #include "libgrid/statistics.h"
 
 #include <tbb/blocked_range.h>
@@ -182,9 +182,10 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
     ++statistics.cells_by_size[size];
     const double factor = volume_of(cells[i]) / static_cast<double>(own[i].voxels);
     log_stretch += std::log(factor);
-    if (factor > 1) ++statistics.stretched_cells;
+    if (factor > 1) ++statistics.expanded_cells;
   }
-  statistics.mean_stretch = std::exp(log_stretch / static_cast<double>(std::max<std::uint64_t>(reached, 1)));
+  statistics.mean_expansion =
+      std::exp(log_stretch / static_cast<double>(std::max<std::uint64_t>(reached, 1)));
   statistics.ray = expected_ray(grid, cells, own);
   return statistics;
 }

@@ -2,8 +2,8 @@
 // meet.
 #pragma once
 
+#include "libgrid/build/split.h"
 #include "libgrid/trace/grid_view.h"
-#include "libgrid/build/partition.h"
 
 #include <span>
 #include <vector>
@@ -13,8 +13,8 @@ namespace masu {
 // What a random line through the space meets. It meets a box within the space with the probability of the
 // box's surface area over the space's (Crofton), so cells and tests are sums over the cells' own boxes.
 // Assumed: nothing stops the ray, all such lines are equally likely, and a primitive that several cells list
-// is tested in each. Rays that begin or end within the scene meet less; a walk leaves stretched cells through
-// the box they were stretched to, and so enters fewer cells than these.
+// is tested in each. Rays that begin or end within the scene meet less; a walk leaves expanded cells through
+// the box they were expanded to, and so enters fewer cells than these.
 struct ExpectedRay {
   double cells = 0; // an empty block of a uniform grid's map is one
   double tests = 0;
@@ -30,8 +30,8 @@ struct MapStatistics {
   // times larger stretching made their boxes, in the geometric mean over all cells, since a few cells' grow
   // beyond all others.
   std::vector<std::uint64_t> cells_by_size;
-  std::uint64_t stretched_cells = 0;
-  double mean_stretch = 1;
+  std::uint64_t expanded_cells = 0;
+  double mean_expansion = 1;
 };
 
 // Look at all that the map holds. `references` and `cells` as in grid_view.h.

@@ -79,29 +79,28 @@ template GridStatistics grid_statistics(const MergedGridView<float>&, std::span<
 template GridStatistics grid_statistics(const MergedGridView<double>&, std::span<const MergedCell>);
 
 template <class Stored>
-std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap) {
-  const Grid grid = build_uniform(scene, lattice, overlap);
+std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+  const Grid grid = build_uniform(scene, layout, overlap);
   return grid_statistics(view_of<double>(grid), grid.references).occupied_cells;
 }
-template std::uint64_t occupied_voxels(const SceneView<float>&, const Lattice&, Overlap);
-template std::uint64_t occupied_voxels(const SceneView<double>&, const Lattice&, Overlap);
+template std::uint64_t occupied_voxels(const SceneView<float>&, const GridLayout&, Overlap);
+template std::uint64_t occupied_voxels(const SceneView<double>&, const GridLayout&, Overlap);
 
 template <class Stored>
-std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const Lattice& lattice) {
-  const Vec3d size = voxel_size(lattice);
-  std::vector<bool> occupied(voxel_count(lattice.division), false);
+std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const GridLayout& layout) {
+  const Vec3d size = voxel_size(layout);
+  std::vector<bool> occupied(voxel_count(layout.division), false);
   const auto mark = [&](const Boxd& box) {
     VoxelRange range{};
     for (int axis = 0; axis < 3; ++axis) {
       const auto voxel = [&](double at) {
-        const double number = std::floor((at - lattice.space.min[axis]) / size[axis]);
-        return static_cast<std::int32_t>(std::clamp(number, 0.0, lattice.division[axis] - 1.0));
+        const double number = std::floor((at - layout.space.min[axis]) / size[axis]);
+        return static_cast<std::int32_t>(std::clamp(number, 0.0, layout.division[axis] - 1.0));
       };
       range.first.set(axis, voxel(box.min[axis]));
       range.last.set(axis, voxel(box.max[axis]));
     }
-    for_each_voxel(range,
-                   [&](const Vec3i& voxel) { occupied[linear_index(voxel, lattice.division)] = true; });
+    for_each_voxel(range, [&](const Vec3i& voxel) { occupied[linear_index(voxel, layout.division)] = true; });
   };
   for (std::uint32_t i = 0; i < scene.triangle_count; ++i)
     mark(bounds(widened(scene.triangles[i])));
@@ -111,7 +110,7 @@ std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const Lattice& 
     mark(box_for_overlap(widened(scene.cones[i])));
   return static_cast<std::uint64_t>(std::count(occupied.begin(), occupied.end(), true));
 }
-template std::uint64_t occupied_half_open(const SceneView<float>&, const Lattice&);
-template std::uint64_t occupied_half_open(const SceneView<double>&, const Lattice&);
+template std::uint64_t occupied_half_open(const SceneView<float>&, const GridLayout&);
+template std::uint64_t occupied_half_open(const SceneView<double>&, const GridLayout&);
 
 } // namespace masu

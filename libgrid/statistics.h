@@ -2,8 +2,8 @@
 #pragma once
 
 #include "libgrid/build/division.h"
+#include "libgrid/grid_layout.h"
 #include "libgrid/trace/grid_view.h"
-#include "libgrid/lattice.h"
 #include "libscene/scene_view.h"
 
 #include <span>
@@ -43,13 +43,13 @@ std::uint32_t references_in(const Grid& grid, const Vec3i& voxel) {
   return references_of(grid.references, cell_at(grid, voxel, {0, 0, 0}).list);
 }
 
-// How many of the lattice's voxels hold a primitive.
+// How many of the layout's voxels hold a primitive.
 template <class Stored>
-std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap);
+std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);
 
 // The same for bounding boxes and voxels without their upper faces: what lies on a face is in the voxel above
 // it alone. No grid is built so, since rays on such faces could miss; the study seems to have counted so.
 template <class Stored>
-std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const Lattice& lattice);
+std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const GridLayout& layout);
 
 } // namespace masu

@@ -6,17 +6,17 @@
 namespace masu {
 
 #ifdef __CUDACC__
-// The record at `at`, read in loads of a Part each.
-template <class Part, class Record, class Load>
+// The record at `at`, read in loads of a Piece each.
+template <class Piece, class Record, class Load>
 __device__ inline Record read_in_parts(const Record* at, const Load& load) {
-  static_assert(sizeof(Record) % sizeof(Part) == 0 && alignof(Record) >= sizeof(Part));
+  static_assert(sizeof(Record) % sizeof(Piece) == 0 && alignof(Record) >= sizeof(Piece));
   union {
-    Part parts[sizeof(Record) / sizeof(Part)];
+    Piece parts[sizeof(Record) / sizeof(Piece)];
     Record record;
   } copy;
 #pragma unroll
-  for (unsigned i = 0; i < sizeof(Record) / sizeof(Part); ++i)
-    copy.parts[i] = load(reinterpret_cast<const Part*>(at) + i);
+  for (unsigned i = 0; i < sizeof(Record) / sizeof(Piece); ++i)
+    copy.parts[i] = load(reinterpret_cast<const Piece*>(at) + i);
   return copy.record;
 }
 #endif

@@ -18,7 +18,8 @@ struct SceneView {
 
   std::uint32_t triangle_count, normals_count, sphere_count, cone_count, material_count, light_count;
 
-  // Of all primitives, grown by the padding of libscene/geometry/margin.h; what a ray from outside is clipped to.
+  // Of all primitives, grown by the padding of libscene/geometry/margin.h; what a ray from outside is clipped
+  // to.
   Box<Stored> clip;
   Vec3f background;
   float ambient;

@@ -1,8 +1,8 @@
 // From a precision to the rays that trace with it.
 #pragma once
 
-#include "libscene/scene_view.h"
 #include "libscene/geometry/textbook.h"
+#include "libscene/scene_view.h"
 #include "renderer/precision.h"
 
 namespace masu {
@@ -20,14 +20,14 @@ void with_arithmetic(const SceneView<float>&, Precision precision, const Act& ac
   case Precision::fast:
     return act(Arithmetic<TextbookRay>{});
   case Precision::doubled:
-    return act(Arithmetic<RayFrame<double>>{});
+    return act(Arithmetic<WatertightRay<double>>{});
   default:
-    return act(Arithmetic<RayFrame<float>>{});
+    return act(Arithmetic<WatertightRay<float>>{});
   }
 }
 template <class Act>
 void with_arithmetic(const SceneView<double>&, Precision, const Act& act) {
-  act(Arithmetic<RayFrame<double>>{});
+  act(Arithmetic<WatertightRay<double>>{});
 }
 
 // Calls act(SceneView of the scene's own store, Arithmetic). Throws Error(usage) as resolved() does.

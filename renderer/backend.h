@@ -65,7 +65,7 @@ struct KernelSize {
 struct Frame {
   std::int32_t columns = 0, rows = 0;
   std::vector<Vec3f> radiance;
-  std::vector<EyeHit> hits; // when asked for
+  std::vector<HitRecord> hits; // when asked for
   Counts counts;
   TraceSeconds seconds;
   std::uint32_t workers = 0; // that shared the picture; of the CPU's own scheduler, threads
@@ -90,23 +90,23 @@ struct ListedRay {
 
 // What is asked of a ray: its nearest hit; or whether anything blocks it between 0 < t < 1 (the hit's name is
 // then 0 or -1, its t the end of what was looked at).
-enum class Question { nearest, blocked };
+enum class Query { nearest_hit, occlusion };
 
 // How a GPU goes about its rays: a thread takes one ray through, cell by cell, and its warp's threads wait
 // for each other at every cell; or a warp's threads share out what its rays have to test; or, besides, those
 // that are done take the next ray (renderer/warp_tracing_cuda.h), and of rays that mostly miss the scene
 // those that do are answered first (renderer/culling_cuda.h). The last rays of the latter two are dealt out
-// to all warps (renderer/left_rays_cuda.h). The hits are the same.
-enum class RayLoop { cells, warp, refill };
+// to all warps (renderer/straggler_queue_cuda.h). The hits are the same.
+enum class RayLoop { thread_per_ray, warp, warp_refill };
 
 // Which loop is fastest, as a rule; coherent: neighbours in the list go the same way. What is mostly in a
 // GPU's nearest caches is there soon, and then sharing costs more than waiting: measured on an H200, up to
 // about 10 MB of scene and irregular grid. Through other grids most steps meet nothing to share: there
 // `cells` was the faster at 10 to 17 MB too.
-inline RayLoop usual_loop(bool coherent, const SceneFile& scene, const GridFile& grid) {
-  if (!coherent) return RayLoop::refill;
+inline RayLoop automatic_loop(bool coherent, const SceneFile& scene, const GridFile& grid) {
+  if (!coherent) return RayLoop::warp_refill;
   const std::uint64_t near = grid.table().merge() == fb::Merge::irregular ? 10 : 32;
-  return scene.bytes() + grid.bytes() <= near << 20 ? RayLoop::cells : RayLoop::warp;
+  return scene.bytes() + grid.bytes() <= near << 20 ? RayLoop::thread_per_ray : RayLoop::warp;
 }
 
 struct RaysRequest {
@@ -115,14 +115,14 @@ struct RaysRequest {
   HitName hit_name = HitName::object;
   int repeat = 1;
   int warm_up = 0; // untimed runs before
-  Question question = Question::nearest;
-  // Always cells where rays are counted, stop by the study's rule, or are 2^32 or more.
-  RayLoop loop = RayLoop::refill;
+  Query query = Query::nearest_hit;
+  // Always cells where rays are counted, stop with the first cell's hit, or are 2^32 or more.
+  RayLoop loop = RayLoop::warp_refill;
   BeforeTracing before_tracing = [] {};
 };
 
 struct RayHits {
-  std::vector<EyeHit> hits;
+  std::vector<HitRecord> hits;
   Counts counts;
   TraceSeconds seconds;
   KernelSize kernel{};

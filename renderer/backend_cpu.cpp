@@ -39,7 +39,7 @@ void render_tiles(const Frame& frame, Schedule schedule, std::uint32_t worker,
 template <class M, class Stored, class Grid, class C>
 void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
             const C&) {
-  const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
+  const auto rays = camera_rays<typename M::Real>(request.camera, request.sampling, request.hither);
   tbb::combinable<Counts> totals;
   const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
                                std::int32_t end_row) {
@@ -48,8 +48,9 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
       for (std::int32_t column = first_column; column != end_column; ++column) {
         const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
                         static_cast<std::size_t>(column);
-        EyeHit hit{};
-        frame.radiance[at] = radiance<M>(scene, grid, request.rules, eye_ray(rays, column, row), hit, counts);
+        HitRecord hit{};
+        frame.radiance[at] =
+            radiance<M>(scene, grid, request.rules, camera_ray(rays, column, row), hit, counts);
         if (request.hits) frame.hits[at] = hit;
       }
     }
@@ -74,7 +75,7 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
   totals.combine_each([&](const Counts& part) { frame.counts += part; });
 }
 
-template <Question question, class M, class Stored, class Grid, class C>
+template <Query query, class M, class Stored, class Grid, class C>
 void trace(const SceneView<Stored>& scene, const Grid& grid, const RaysRequest& request, RayHits& result,
            const C&) {
   tbb::combinable<Counts> totals;
@@ -82,7 +83,7 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RaysRequest& 
                     [&](const auto& range) {
                       C counts;
                       for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        result.hits[i] = trace_listed<question, M>(
+                        result.hits[i] = trace_listed<query, M>(
                             scene, grid, typed<typename M::Real>(request.rays[i]), request.hit_name, counts);
                       add(totals.local(), counts);
                     });
@@ -139,14 +140,13 @@ RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysR
   RayHits result;
   result.hits.resize(request.rays.size());
   result.seconds.upload = seconds_of(request.before_tracing);
-  with_everything(scene, grid, request.tracing,
-                  [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
-                    with_question(request.question, [&]<Question question>(Asked<question>) {
-                      result.seconds.trace = timed(request.warm_up, request.repeat, [&] {
-                        trace<question, M>(view, accelerator, request, result, counts);
-                      });
-                    });
-                  });
+  with_everything(
+      scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
+        with_query(request.query, [&]<Query query>(Asked<query>) {
+          result.seconds.trace = timed(request.warm_up, request.repeat,
+                                       [&] { trace<query, M>(view, accelerator, request, result, counts); });
+        });
+      });
   return result;
 }
 

@@ -2,13 +2,13 @@
 
 namespace masu {
 
-template void render_on_device<RayFrame<double>>(const SceneView<float>&, const GridFile*,
-                                                 const FrameRequest&, Frame&);
-template void trace_on_device<RayFrame<double>>(const SceneView<float>&, const GridFile*, const RaysRequest&,
-                                                RayHits&);
-template void render_on_device<RayFrame<double>>(const SceneView<double>&, const GridFile*,
-                                                 const FrameRequest&, Frame&);
-template void trace_on_device<RayFrame<double>>(const SceneView<double>&, const GridFile*, const RaysRequest&,
-                                                RayHits&);
+template void render_on_device<WatertightRay<double>>(const SceneView<float>&, const GridFile*,
+                                                      const FrameRequest&, Frame&);
+template void trace_on_device<WatertightRay<double>>(const SceneView<float>&, const GridFile*,
+                                                     const RaysRequest&, RayHits&);
+template void render_on_device<WatertightRay<double>>(const SceneView<double>&, const GridFile*,
+                                                      const FrameRequest&, Frame&);
+template void trace_on_device<WatertightRay<double>>(const SceneView<double>&, const GridFile*,
+                                                     const RaysRequest&, RayHits&);
 
 } // namespace masu

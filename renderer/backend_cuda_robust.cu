@@ -2,9 +2,9 @@
 
 namespace masu {
 
-template void render_on_device<RayFrame<float>>(const SceneView<float>&, const GridFile*, const FrameRequest&,
-                                                Frame&);
-template void trace_on_device<RayFrame<float>>(const SceneView<float>&, const GridFile*, const RaysRequest&,
-                                               RayHits&);
+template void render_on_device<WatertightRay<float>>(const SceneView<float>&, const GridFile*,
+                                                     const FrameRequest&, Frame&);
+template void trace_on_device<WatertightRay<float>>(const SceneView<float>&, const GridFile*,
+                                                    const RaysRequest&, RayHits&);
 
 } // namespace masu

@@ -15,7 +15,7 @@ enum class Sampling { corners, centers };
 // A lattice of rays: columns × rows, row 0 on top. The view's angle spans the image's height from edge to
 // edge.
 template <class Real>
-struct EyeRays {
+struct CameraRays {
   Vec3<Real> eye;
   Vec3<Real> forward, right, up; // right and up reach from the image's middle to its edge at distance 1
   std::int32_t width, height;    // pixels
@@ -26,7 +26,7 @@ struct EyeRays {
 
 // The camera must have a direction, and `up` another one.
 template <class Real>
-EyeRays<Real> eye_rays(const Camera& camera, Sampling sampling, bool with_hither) {
+CameraRays<Real> camera_rays(const Camera& camera, Sampling sampling, bool with_hither) {
   const Vec3d forward = normalized(camera.at - camera.from);
   const Vec3d right = normalized(cross(forward, camera.up));
   const Vec3d up = cross(right, forward);
@@ -46,12 +46,12 @@ EyeRays<Real> eye_rays(const Camera& camera, Sampling sampling, bool with_hither
 }
 
 template <class Real>
-MASU_HD inline Ray<Real> eye_ray(const EyeRays<Real>& rays, std::int32_t column, std::int32_t row) {
+MASU_HD inline Ray<Real> camera_ray(const CameraRays<Real>& rays, std::int32_t column, std::int32_t row) {
   const Real x = (2 * static_cast<Real>(column) + rays.offset) / static_cast<Real>(rays.width) - 1;
   const Real y = 1 - (2 * static_cast<Real>(row) + rays.offset) / static_cast<Real>(rays.height);
-  const Vec3<Real> towards = fused(rays.right, x, fused(rays.up, y, rays.forward));
+  const Vec3<Real> towards = fma(rays.right, x, fma(rays.up, y, rays.forward));
   const Real ahead = rays.hither;
-  return {ahead > 0 ? fused(towards, ahead, rays.eye) : rays.eye, normalized(towards),
+  return {ahead > 0 ? fma(towards, ahead, rays.eye) : rays.eye, normalized(towards),
           RealTraits<Real>::largest};
 }
 

@@ -9,7 +9,7 @@ namespace masu {
 
 // Each function is called when the thing happens.
 struct Counts {
-  std::uint64_t eye_rays = 0, eye_hits = 0;
+  std::uint64_t camera_rays = 0, camera_hits = 0;
   std::uint64_t reflection_rays = 0, refraction_rays = 0, secondary_hits = 0;
   std::uint64_t shadow_rays = 0, shadow_hits = 0;
   std::uint64_t triangle_tests = 0, sphere_tests = 0, cone_tests = 0;
@@ -24,9 +24,9 @@ struct Counts {
   }
   // Voxels on the way to the next cell that needed no visit.
   MASU_HD void skipped(std::int32_t voxels) { voxels_skipped += static_cast<std::uint64_t>(voxels); }
-  MASU_HD void eye_ray(bool hit) {
-    ++eye_rays;
-    eye_hits += hit;
+  MASU_HD void camera_ray(bool hit) {
+    ++camera_rays;
+    camera_hits += hit;
   }
   MASU_HD void reflection_ray() { ++reflection_rays; }
   MASU_HD void refraction_ray() { ++refraction_rays; }
@@ -38,8 +38,8 @@ struct Counts {
 
   static constexpr int fields = 13;
   // The fields as an array, for adding up.
-  MASU_HD std::uint64_t* begin() { return &eye_rays; }
-  MASU_HD const std::uint64_t* begin() const { return &eye_rays; }
+  MASU_HD std::uint64_t* begin() { return &camera_rays; }
+  MASU_HD const std::uint64_t* begin() const { return &camera_rays; }
 };
 static_assert(sizeof(Counts) == Counts::fields * sizeof(std::uint64_t));
 
@@ -49,7 +49,7 @@ struct NoCounts {
   MASU_HD void cone_test() {}
   MASU_HD void cell(bool) {}
   MASU_HD void skipped(std::int32_t) {}
-  MASU_HD void eye_ray(bool) {}
+  MASU_HD void camera_ray(bool) {}
   MASU_HD void reflection_ray() {}
   MASU_HD void refraction_ray() {}
   MASU_HD void secondary_ray(bool) {}

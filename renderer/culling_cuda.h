@@ -29,10 +29,10 @@ struct RayList {
 inline constexpr int rays_a_culling_block = 512;
 
 // Chooses the rays that meet the bounds, and answers the others. `chosen_count` is 0 at first.
-template <Question question, class Real, class Stored>
+template <Query query, class Real, class Stored>
 __global__ void __launch_bounds__(rays_a_culling_block)
     cull_kernel(const SceneView<Stored> scene, const TypedRay<Real>* const rays, const std::uint32_t count,
-                const HitName name, EyeHit* const hits, std::uint32_t* const chosen,
+                const HitName name, HitRecord* const hits, std::uint32_t* const chosen,
                 std::uint32_t* const chosen_count) {
   constexpr int warps = rays_a_culling_block / lanes_a_warp;
   __shared__ unsigned before[warps]; // rays chosen by the warps before each
@@ -41,11 +41,11 @@ __global__ void __launch_bounds__(rays_a_culling_block)
   const std::uint32_t number = blockIdx.x * rays_a_culling_block + threadIdx.x;
   bool meets = false;
   if (number < count) {
-    const ListedNear<Real> ray = clipped<question>(scene, streamed(rays + number));
+    const ListedNear<Real> ray = clipped<query>(scene, streamed(rays + number));
     meets = ray.meets;
     if (!meets) {
       const Real t_max = ray.near.ray.t_max;
-      hits[number] = answer<question>(scene, Hit<Real>{t_max, 0}, t_max, ray.near.skipped, ray.scale, name);
+      hits[number] = answer<query>(scene, Hit<Real>{t_max, 0}, t_max, ray.near.skipped, ray.scale, name);
     }
   }
   const unsigned meeting = __ballot_sync(all_lanes, meets);
@@ -66,13 +66,13 @@ __global__ void __launch_bounds__(rays_a_culling_block)
 
 // Whether so many rays miss the bounds that choosing the others pays: measured on an H200, from 9 of 20 on.
 // As a sample of them tells.
-template <Question question, class Real, class Stored>
+template <Query query, class Real, class Stored>
 bool often_misses(const SceneView<Stored>& scene, std::span<const TypedRay<Real>> rays) {
   constexpr std::size_t looked_at = 4096;
   const std::size_t step = rays.size() / looked_at + 1;
   std::size_t missing = 0, sampled = 0;
   for (std::size_t i = 0; i < rays.size(); i += step, ++sampled)
-    missing += clipped<question>(scene, rays[i]).meets ? 0 : 1;
+    missing += clipped<query>(scene, rays[i]).meets ? 0 : 1;
   return missing * 20 >= sampled * 9;
 }
 

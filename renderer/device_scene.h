@@ -3,9 +3,9 @@
 
 #include "libgrid/file/grid_file.h"
 #include "libgrid/trace/trace.h"
+#include "libscene/cuda/transfer.h"
 #include "libscene/scene_view.h"
 #include "libscene/stopwatch.h"
-#include "libscene/cuda/transfer.h"
 #include "renderer/kernel_cuda.h"
 
 namespace masu {

@@ -35,7 +35,7 @@ void with_kinds(const SceneView<double>&, const Act& act) {
 }
 
 // Calls act(GridView, MergedGridView or NoGrid, Method, Counts or NoCounts) for rays of one arithmetic: what
-// a job needs, and no more. Counting, brute force and the study's rule run the code for all kinds.
+// a job needs, and no more. Counting, brute force and StopRule::first_cell run the code for all kinds.
 template <class TestRay, class Stored, class Act>
 void with_method(const SceneView<Stored>& scene, const GridFile* grid, const TracingRules& rules,
                  const Act& act) {
@@ -54,15 +54,15 @@ void with_method(const SceneView<Stored>& scene, const GridFile* grid, const Tra
   grid->is_merged() ? with_view(grid->merged_view<Real>()) : with_view(grid->view<Real>());
 }
 
-// A question as a type.
-template <Question question_>
+// A query as a type.
+template <Query question_>
 struct Asked {
-  static constexpr Question question = question_;
+  static constexpr Query query = question_;
 };
 // Calls act(Asked).
 template <class Act>
-void with_question(Question question, const Act& act) {
-  question == Question::nearest ? act(Asked<Question::nearest>{}) : act(Asked<Question::blocked>{});
+void with_query(Query query, const Act& act) {
+  query == Query::nearest_hit ? act(Asked<Query::nearest_hit>{}) : act(Asked<Query::occlusion>{});
 }
 
 // A listed ray as one arithmetic has it.
@@ -91,11 +91,11 @@ MASU_HD inline ScaledRay<Real> scaled(const TypedRay<Real>& listed) {
   return {{listed.origin, listed.direction * scale, RealTraits<Real>::largest}, scale};
 }
 
-// A listed ray scaled, as far as the question goes.
-template <Question question, class Real>
+// A listed ray scaled, as far as the query goes.
+template <Query query, class Real>
 MASU_HD inline ScaledRay<Real> asked(const TypedRay<Real>& listed) {
   ScaledRay<Real> ray = scaled(listed);
-  if constexpr (question == Question::blocked) ray.ray.t_max = 1 / ray.scale;
+  if constexpr (query == Query::occlusion) ray.ray.t_max = 1 / ray.scale;
   return ray;
 }
 
@@ -107,47 +107,48 @@ struct ListedNear {
   bool meets; // the bounds; false: only near.ray.t_max and near.skipped are meant
 };
 
-template <Question question, class Real, class Stored>
+template <Query query, class Real, class Stored>
 MASU_HD inline ListedNear<Real> clipped(const SceneView<Stored>& scene, const TypedRay<Real>& listed) {
-  const ScaledRay<Real> ray = asked<question>(listed);
+  const ScaledRay<Real> ray = asked<query>(listed);
   ListedNear<Real> result{{}, ray.scale, false};
   result.meets = clip(ray.ray, cast<Real>(scene.clip), result.near);
   return result;
 }
 
-MASU_HD inline EyeHit blocked_hit(bool blocked) {
-  return {1, blocked ? 0 : -1};
+MASU_HD inline HitRecord occlusion_record(bool occluded) {
+  return {1, occluded ? 0 : -1};
 }
 
-// What a listed ray hits, or whether it is blocked.
-template <Question question, class M, class Stored, class Grid, class C>
-MASU_HD inline EyeHit trace_listed(const SceneView<Stored>& scene, const Grid& grid,
-                                   const TypedRay<typename M::Real>& listed, HitName name, C& counts) {
+// What a listed ray hits, or whether it is occluded.
+template <Query query, class M, class Stored, class Grid, class C>
+MASU_HD inline HitRecord trace_listed(const SceneView<Stored>& scene, const Grid& grid,
+                                      const TypedRay<typename M::Real>& listed, HitName name, C& counts) {
   using Real = typename M::Real;
-  const ScaledRay<Real> ray = asked<question>(listed);
-  if constexpr (question == Question::blocked) {
-    const bool blocked = is_blocked<M>(scene, grid, ray.ray, counts);
-    counts.shadow_ray(blocked);
-    return blocked_hit(blocked);
+  const ScaledRay<Real> ray = asked<query>(listed);
+  if constexpr (query == Query::occlusion) {
+    const bool occluded = is_occluded<M>(scene, grid, ray.ray, counts);
+    counts.shadow_ray(occluded);
+    return occlusion_record(occluded);
   }
   const Hit<Real> hit = nearest_hit<M>(scene, grid, ray.ray, counts);
-  counts.eye_ray(hit.primitive != no_primitive);
-  return eye_hit(scene, hit, ray.scale, name);
+  counts.camera_ray(hit.primitive != no_primitive);
+  return hit_record(scene, hit, ray.scale, name);
 }
 
 // The answer for a listed ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
-template <Question question, class Real, class Stored>
-MASU_HD inline EyeHit answer(const SceneView<Stored>& scene, const Hit<Real>& nearest, Real t_max,
-                             Real skipped, Real scale, HitName name) {
+template <Query query, class Real, class Stored>
+MASU_HD inline HitRecord answer(const SceneView<Stored>& scene, const Hit<Real>& nearest, Real t_max,
+                                Real skipped, Real scale, HitName name) {
   const bool met = nearest.t < t_max;
-  if constexpr (question == Question::blocked) return blocked_hit(met);
-  return eye_hit(scene, Hit<Real>{nearest.t + skipped, met ? nearest.primitive : no_primitive}, scale, name);
+  if constexpr (query == Query::occlusion) return occlusion_record(met);
+  return hit_record(scene, Hit<Real>{nearest.t + skipped, met ? nearest.primitive : no_primitive}, scale,
+                    name);
 }
 
 // Whether the search may end once all up to t = exit has been tested.
-template <Question question, class Real>
-MASU_HD inline bool is_answered(const Hit<Real>& nearest, Real t_max, Real exit) {
-  return nearest.t <= exit || (question == Question::blocked && nearest.t < t_max);
+template <Query query, class Real>
+MASU_HD inline bool can_terminate(const Hit<Real>& nearest, Real t_max, Real exit) {
+  return nearest.t <= exit || (query == Query::occlusion && nearest.t < t_max);
 }
 
 } // namespace masu

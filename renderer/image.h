@@ -1,4 +1,4 @@
-// Pictures: made from the lattice of eye rays, written as PNG or PFM.
+// Pictures: made from the layout of eye rays, written as PNG or PFM.
 #pragma once
 
 #include "renderer/backend.h"

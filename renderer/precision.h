@@ -6,9 +6,9 @@
 
 namespace masu {
 
-// fast: float32 by textbook formulas (libscene/geometry/textbook.h), to be measured against. robust: float32 that
-// loses no hit beyond the bound of libscene/geometry/margin.h. doubled: the same in float64. automatic: what the
-// scene's store asks for, robust for float32 and doubled for float64.
+// fast: float32 by textbook formulas (libscene/geometry/textbook.h), to be measured against. robust: float32
+// that loses no hit beyond the bound of libscene/geometry/margin.h. doubled: the same in float64. automatic:
+// what the scene's store asks for, robust for float32 and doubled for float64.
 enum class Precision { automatic, fast, robust, doubled };
 
 // The one that `automatic` stands for; others stay. Throws Error(usage) for float32 arithmetic on a scene

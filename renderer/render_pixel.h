@@ -24,14 +24,14 @@ struct RenderRules {
 };
 
 // What an eye ray met: t, and the name of the object or primitive; infinity and -1 for nothing.
-struct alignas(8) EyeHit {
+struct alignas(8) HitRecord {
   float t;
   std::int32_t name;
 };
 
 template <class Real, class Stored>
-MASU_HD inline EyeHit eye_hit(const SceneView<Stored>& scene, const Hit<Real>& hit, Real t_scale,
-                              HitName name) {
+MASU_HD inline HitRecord hit_record(const SceneView<Stored>& scene, const Hit<Real>& hit, Real t_scale,
+                                    HitName name) {
   if (hit.primitive == no_primitive) return {static_cast<float>(INFINITY), -1};
   const std::uint32_t number =
       name == HitName::object ? surface_of(scene, hit.primitive).object : hit.primitive;
@@ -72,7 +72,7 @@ MASU_HD inline Facing<Real> facing(const SurfacePoint<Real>& point, const Vec3<R
 // Off the surface, on the side that the direction points to.
 template <class Real>
 MASU_HD inline Vec3<Real> leaving(const SurfacePoint<Real>& point, const Vec3<Real>& direction) {
-  return fused(point.normal, dot(direction, point.normal) < 0 ? -point.error : point.error, point.position);
+  return fma(point.normal, dot(direction, point.normal) < 0 ? -point.error : point.error, point.position);
 }
 
 template <class M, class Stored, class Grid, class Counts>
@@ -92,14 +92,14 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Grid& gr
     const Real distance = length(path);
     if (!(distance > 0)) continue;
     const Vec3<Real> l = path * (1 / distance);
-    const bool blocked = is_blocked<M>(scene, grid, Ray<Real>{origin, l, distance}, counts);
-    counts.shadow_ray(blocked);
-    if (blocked) continue;
-    const Real cosine = larger(dot(side.shading, l), Real(0));
+    const bool occluded = is_occluded<M>(scene, grid, Ray<Real>{origin, l, distance}, counts);
+    counts.shadow_ray(occluded);
+    if (occluded) continue;
+    const Real cosine = max(dot(side.shading, l), Real(0));
     Vec3f reflected = diffuse * static_cast<float>(cosine);
     if (material.specular > 0) {
-      const Vec3<Real> mirrored = fused(side.shading, 2 * cosine, -l);
-      const float highlight = static_cast<float>(larger(-dot(mirrored, direction), Real(0)));
+      const Vec3<Real> mirrored = fma(side.shading, 2 * cosine, -l);
+      const float highlight = static_cast<float>(max(-dot(mirrored, direction), Real(0)));
       // The one function that host and device may round differently, by a few ulp: it colours, but steers no
       // ray.
       const float strength = material.specular * std::pow(highlight, material.shine);
@@ -112,7 +112,7 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Grid& gr
 
 template <class Real>
 MASU_HD inline Vec3<Real> mirrored(const Vec3<Real>& direction, const Vec3<Real>& normal) {
-  return normalized(fused(normal, -2 * dot(direction, normal), direction));
+  return normalized(fma(normal, -2 * dot(direction, normal), direction));
 }
 
 // Snell's law; false under total internal reflection.
@@ -122,7 +122,7 @@ MASU_HD inline bool refracted(const Vec3<Real>& direction, const Vec3<Real>& nor
   const Real cosine = -dot(direction, normal);
   const Real rest = 1 - index_ratio * index_ratio * (1 - cosine * cosine);
   if (!(rest >= 0)) return false;
-  into = normalized(fused(normal, index_ratio * cosine - std::sqrt(rest), direction * index_ratio));
+  into = normalized(fma(normal, index_ratio * cosine - std::sqrt(rest), direction * index_ratio));
   return true;
 }
 
@@ -151,7 +151,7 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material, co
 // The light that comes back along an eye ray, and what the ray met. M: a Method.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, const RenderRules& rules,
-                              const Ray<typename M::Real>& eye, EyeHit& first_hit, Counts& counts) {
+                              const Ray<typename M::Real>& eye, HitRecord& first_hit, Counts& counts) {
   using Real = typename M::Real;
   Vec3f light{0, 0, 0};
   RayStack<Real> pending;
@@ -161,8 +161,8 @@ MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, 
     const auto hit = nearest_hit_near<M>(scene, grid, path, counts);
     const bool met = hit.hit.primitive != no_primitive;
     if (ray.depth == 1) {
-      counts.eye_ray(met);
-      first_hit = eye_hit(scene, seen_from_origin(hit), Real(1), rules.hit_name);
+      counts.camera_ray(met);
+      first_hit = hit_record(scene, relative_to_origin(hit), Real(1), rules.hit_name);
     } else {
       counts.secondary_ray(met);
     }

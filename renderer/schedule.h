@@ -10,7 +10,7 @@ namespace masu {
 // hardware     each tile is a worker of its own; the GPU, or the CPU's task scheduler, hands them out (the
 //              latter in larger tiles, whose cells stay in cache)
 // The others have as many workers as run at once. Whether they should take what lies together or apart is an
-// old question of drawing in parallel: neighbouring tiles share cells, but also cost alike.
+// old query of drawing in parallel: neighbouring tiles share cells, but also cost alike.
 // block        a worker takes a run of tiles, row by row; all runs are as long
 // cyclic       of W workers, worker w takes tiles w, w + W, w + 2W, …
 // persistent   a worker takes the first tile that nobody has taken

@@ -40,8 +40,8 @@ struct DeviceMethod {
   using type = M;
 };
 template <unsigned kinds, StopRule stop>
-requires((kinds & with_cones) != 0) struct DeviceMethod<Method<RayFrame<float>, kinds, stop>> {
-  using type = Method<RayLine<float>, kinds, stop>;
+requires((kinds & with_cones) != 0) struct DeviceMethod<Method<WatertightRay<float>, kinds, stop>> {
+  using type = Method<PreparedRay<float>, kinds, stop>;
 };
 template <class M>
 using OnDevice = typename DeviceMethod<M>::type;
@@ -50,9 +50,9 @@ using OnDevice = typename DeviceMethod<M>::type;
 // so that nothing else differs.
 template <class M, class Stored, class Grid, class C>
 __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
-    render_kernel(const SceneView<Stored> scene, const Grid grid, const EyeRays<typename M::Real> rays,
+    render_kernel(const SceneView<Stored> scene, const Grid grid, const CameraRays<typename M::Real> rays,
                   const RenderRules rules, const Tiles tiles, const Schedule schedule,
-                  std::uint32_t* const next_tile, Vec3f* const colors, EyeHit* const hits,
+                  std::uint32_t* const next_tile, Vec3f* const colors, HitRecord* const hits,
                   Counts* const total) {
   __shared__ TileRun left;
   if (threadIdx.x == 0 && threadIdx.y == 0) left = run_of(schedule, blockIdx.x, gridDim.x, tiles.count);
@@ -61,23 +61,23 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
     const auto column = static_cast<std::int32_t>(tile % tiles.columns * tile_side + threadIdx.x);
     const auto row = static_cast<std::int32_t>(tile / tiles.columns * tile_side + threadIdx.y);
     if (column >= rays.columns || row >= rays.rows) continue;
-    EyeHit hit{};
+    HitRecord hit{};
     const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
                            static_cast<std::size_t>(column);
-    colors[at] = radiance<M>(scene, grid, rules, eye_ray(rays, column, row), hit, counts);
+    colors[at] = radiance<M>(scene, grid, rules, camera_ray(rays, column, row), hit, counts);
     if (hits != nullptr) hits[at] = hit;
   }
   add(total, counts);
 }
 
-template <Question question, class M, class Stored, class Grid, class C>
+template <Query query, class M, class Stored, class Grid, class C>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     trace_kernel(const SceneView<Stored> scene, const Grid grid, const TypedRay<typename M::Real>* const rays,
-                 const std::uint64_t count, const HitName name, EyeHit* const hits, Counts* const total) {
+                 const std::uint64_t count, const HitName name, HitRecord* const hits, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
   if (i >= count) return;
   C counts;
-  hits[i] = trace_listed<question, M>(scene, grid, streamed(rays + i), name, counts);
+  hits[i] = trace_listed<query, M>(scene, grid, streamed(rays + i), name, counts);
   add(total, counts);
 }
 
@@ -86,14 +86,14 @@ template <class TestRay, class Stored>
 void render_on_device(const SceneView<Stored>& host_scene, const GridFile* host_grid,
                       const FrameRequest& request, Frame& frame) {
   DeviceArray<Vec3f> colors(frame.radiance.size());
-  DeviceArray<EyeHit> hits(frame.hits.size());
+  DeviceArray<HitRecord> hits(frame.hits.size());
   const DeviceArray<std::uint32_t> next_tile(1);
   const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
   const Uploaded<Stored> device(host_scene, host_grid, request.before_tracing);
   frame.seconds.upload = device.seconds;
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = device.grid.moved(view);
-    const auto rays = eye_rays<typename M::Real>(request.camera, request.sampling, request.hither);
+    const auto rays = camera_rays<typename M::Real>(request.camera, request.sampling, request.hither);
     const Tiles tiles = tiles_of(frame.columns, frame.rows);
     auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(grid)>, C>;
     frame.workers =
@@ -123,21 +123,21 @@ inline unsigned blocks_of(int threads, std::size_t rays) {
 }
 
 // Traces a list of rays by warp or refill (RayLoop). `rays` are those on the device, for a look at them.
-template <Question question, class M, class Stored, class Grid>
+template <Query query, class M, class Stored, class Grid>
 void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>& scene, const Grid& grid,
                     std::span<const TypedRay<typename M::Real>> rays,
                     const DeviceArray<TypedRay<typename M::Real>>& device_rays, const RaysRequest& request,
-                    DeviceArray<EyeHit>& hits, RayHits& result) {
+                    DeviceArray<HitRecord>& hits, RayHits& result) {
   using Real = typename M::Real;
-  const bool refills = request.loop == RayLoop::refill;
-  auto* const cull = cull_kernel<question, Real, Stored>;
-  auto* const trace = warp_kernel<false, question, OnDevice<M>, Stored, Grid>;
-  auto* const finish = warp_kernel<true, question, OnDevice<M>, Stored, Grid>;
+  const bool refills = request.loop == RayLoop::warp_refill;
+  auto* const cull = cull_kernel<query, Real, Stored>;
+  auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
+  auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
   const unsigned blocks =
                      std::min(blocks_of(rays_a_block, rays.size()), resident_blocks(trace, rays_a_block, 0)),
                  finishing = std::max(blocks, resident_blocks(finish, rays_a_block, 0));
-  const LeftRaysMemory<Real> left(blocks * (rays_a_block / lanes_a_warp));
-  const bool culls = refills && often_misses<question, Real>(host_scene, rays);
+  const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp));
+  const bool culls = refills && often_misses<query, Real>(host_scene, rays);
   const int fetches_at = culls ? some_fetch_chosen : refills ? some_fetch : all_fetch;
   const DeviceArray<std::uint32_t> chosen(culls ? rays.size() : 0);
   const DeviceArray<std::uint32_t> chosen_count(1);
@@ -168,7 +168,7 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
   std::transform(request.rays.begin(), request.rays.end(), rays.begin(), typed<Real>);
   Stopwatch watch;
   const DeviceArray<TypedRay<Real>> device_rays(rays.data(), rays.size());
-  DeviceArray<EyeHit> hits(rays.size());
+  DeviceArray<HitRecord> hits(rays.size());
   const DeviceArray<Counts> total(&result.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
   result.seconds.upload = watch.seconds();
   const Uploaded<Stored> device(host_scene, host_grid, request.before_tracing);
@@ -177,15 +177,14 @@ void trace_on_device(const SceneView<Stored>& host_scene, const GridFile* host_g
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = device.grid.moved(view);
     using Accelerator = std::decay_t<decltype(grid)>;
-    with_question(request.question, [&]<Question question>(Asked<question>) {
+    with_query(request.query, [&]<Query query>(Asked<query>) {
       const auto& scene = device.scene.view;
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
                     M::stop == StopRule::proven) {
-        if (request.loop != RayLoop::cells && rays.size() <= most_rays_by_warps)
-          return trace_by_warps<question, M>(host_scene, scene, grid, rays, device_rays, request, hits,
-                                             result);
+        if (request.loop != RayLoop::thread_per_ray && rays.size() <= most_rays_by_warps)
+          return trace_by_warps<query, M>(host_scene, scene, grid, rays, device_rays, request, hits, result);
       }
-      auto* const kernel = trace_kernel<question, OnDevice<M>, Stored, Accelerator, C>;
+      auto* const kernel = trace_kernel<query, OnDevice<M>, Stored, Accelerator, C>;
       result.kernel = load(kernel);
       const auto nothing = [] {};
       result.seconds.trace = timed_launches(request.warm_up, request.repeat, nothing, [&] {

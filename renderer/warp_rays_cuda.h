@@ -90,7 +90,7 @@ struct LaneWalk {
   // worth being walked apart if none is shorter than a voxel.
   template <class TestRay>
   __device__ Real piece_length(const Grid& grid, const WarpRays<TestRay>& rays, int pieces) const {
-    const Real to = least(end, least(walk.end(grid), rays.nearest[ray].get().t));
+    const Real to = fast_min(end, fast_min(walk.end(grid), rays.nearest[ray].get().t));
     return (to - walk.exit) / static_cast<Real>(pieces);
   }
   __device__ bool is_worth_while(Real piece) const { return piece * walk.speed() > 1; }
@@ -112,8 +112,8 @@ __device__ inline T from_lane(const T& value, int lane) {
 // Cuts what the walks under way have still to go, of which there are at most half as many as lanes, into as
 // many pieces of equal length as there are lanes for each; but into none shorter than a voxel.
 template <class TestRay, class Grid>
-__device__ inline void cut_ways(const Grid& grid, unsigned under_way, WarpRays<TestRay>& rays,
-                                LaneWalk<typename TestRay::Real, Grid>& own) {
+__device__ inline void split_segments(const Grid& grid, unsigned under_way, WarpRays<TestRay>& rays,
+                                      LaneWalk<typename TestRay::Real, Grid>& own) {
   using Real = typename TestRay::Real;
   const unsigned lane = threadIdx.x % lanes_a_warp;
   const int ways = __popc(under_way), log2 = lanes_log2_for_each(ways);
@@ -135,8 +135,8 @@ __device__ inline void cut_ways(const Grid& grid, unsigned under_way, WarpRays<T
     own.under_way = own.under_way && piece == 0;
     return;
   }
-  if (piece + 1 < 1 << log2) own.end = fused(step, static_cast<Real>(piece + 1), from);
-  if (piece > 0) walk.begin_at(grid, fused(step, static_cast<Real>(piece), from));
+  if (piece + 1 < 1 << log2) own.end = fma(step, static_cast<Real>(piece + 1), from);
+  if (piece > 0) walk.begin_at(grid, fma(step, static_cast<Real>(piece), from));
 }
 
 } // namespace masu

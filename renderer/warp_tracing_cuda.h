@@ -4,9 +4,11 @@
 //  - Tests. Lists of cells differ in length, and many rays are in cells that have none. Where at most half of
 //    the lanes have a list, each list is tested by several lanes at once; where next to none have, the others
 //    go one step further first.
-//  - Rays. Lanes whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency of Ray
+//  - Rays. ThreadGroup whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency
+//  of Ray
 //    Traversal on GPUs", HPG 2009: soon where rays side by side have little in common, else all at once.
-//  - Ways. The last rays are dealt out to all warps (renderer/left_rays_cuda.h), and the ways that they have
+//  - Ways. The last rays are dealt out to all warps (renderer/straggler_queue_cuda.h), and the ways that they
+//  have
 //    still to go are cut into pieces, of which each is walked by a lane of its own.
 //
 // None of it shows: which hit is nearest, ties included, depends neither on the order of tests nor on who
@@ -14,7 +16,7 @@
 #pragma once
 
 #include "renderer/culling_cuda.h"
-#include "renderer/left_rays_cuda.h"
+#include "renderer/straggler_queue_cuda.h"
 #include "renderer/warp_rays_cuda.h"
 
 namespace masu {
@@ -81,11 +83,11 @@ inline constexpr int few_lists = 6;
 
 // The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`. M: with
 // StopRule::proven.
-template <bool finishes, Question question, class M, class Stored, class Grid>
+template <bool finishes, Query query, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayList<typename M::Real> list,
-                const int fetches_at, const HitName name, EyeHit* const hits,
-                const LeftRays<typename M::Real> left) {
+                const int fetches_at, const HitName name, HitRecord* const hits,
+                const StragglerQueue<typename M::Real> left) {
   static_assert(M::stop == StopRule::proven);
   using Real = typename M::Real;
   constexpr unsigned warps_a_block = rays_a_block / lanes_a_warp;
@@ -95,9 +97,9 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
   bool has_ray = false, more = true, own_rays = true;
-  RunOutWatch run_out;
+  DrainWatch drained;
   const auto begin = [&](std::uint32_t number) {
-    const auto [near, scale, meets] = clipped<question>(scene, streamed(list.rays + number));
+    const auto [near, scale, meets] = clipped<query>(scene, streamed(list.rays + number));
     has_ray = true;
     own.under_way = meets;
     rays.ends[lane] = {scale, near.skipped, near.ray.t_max, number};
@@ -110,13 +112,13 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
     if (!has_ray) return;
     const RayEnds<Real>& ends = rays.ends[lane];
     hits[ends.number] =
-        answer<question>(scene, rays.nearest[lane].get(), ends.t_max, ends.skipped, ends.scale, name);
+        answer<query>(scene, rays.nearest[lane].get(), ends.t_max, ends.skipped, ends.scale, name);
     has_ray = false;
   };
   if constexpr (finishes) {
     const unsigned at = (lane * gridDim.x + blockIdx.x) * warps_a_block + warp;
     if (at < left.progress->left) {
-      const LeftRay<Real> ray = left.rays[at];
+      const Straggler<Real> ray = left.rays[at];
       begin(ray.number);
       rays.nearest[lane].set(ray.nearest);
       own.walk.begin_at(grid, ray.from);
@@ -127,17 +129,17 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
     if constexpr (finishes) {
       if (idle == all_lanes) return tell();
       if (__popc(idle) >= lanes_a_warp / 2) {
-        cut_ways(grid, ~idle, rays, own);
+        split_segments(grid, ~idle, rays, own);
         own_rays = false;
       }
     } else {
-      if (run_out.one_has()) {
+      if (drained.one_has()) {
         const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + rank_among(~idle, lane);
         if (!own.under_way) return tell();
         left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
         return;
       }
-      run_out.ask(*left.progress);
+      drained.ask(*left.progress);
       if (more && __popc(idle) >= fetches_at) {
         const std::uint32_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
                             number = first + rank_among(idle, lane);
@@ -150,13 +152,13 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
         continue;
       }
       if (idle == all_lanes) {
-        RunOutWatch::tell(*left.progress);
+        DrainWatch::tell(*left.progress);
         return tell();
       }
     }
     const auto go_on = [&] {
       const bool answered =
-          is_answered<question>(rays.nearest[own.ray].get(), rays.ends[own.ray].t_max, own.walk.exit);
+          can_terminate<query>(rays.nearest[own.ray].get(), rays.ends[own.ray].t_max, own.walk.exit);
       own.under_way = own.walk.leave(grid) & !answered & (own.walk.exit < own.end);
     };
     if (own.under_way) own.walk.enter(grid);

@@ -77,7 +77,7 @@ TEST(Camera, RaysPassThroughTheirPlacesInThePixels) {
           const double offset = corners ? 0 : 0.5;
           const double x = (column + offset - scene.camera.width / 2.0) * pixel;
           const double y = (row + offset - scene.camera.height / 2.0) * pixel;
-          const EyeHit hit = frame.hits[static_cast<std::size_t>(row * frame.columns + column)];
+          const HitRecord hit = frame.hits[static_cast<std::size_t>(row * frame.columns + column)];
           ASSERT_EQ(hit.name, 0);
           EXPECT_NEAR(hit.t / (distance * std::sqrt(1 + x * x + y * y)), 1, 1e-6);
         }

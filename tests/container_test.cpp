@@ -1,8 +1,8 @@
 // Scene and grid files: the same input gives the same bytes, and no damage goes unnoticed.
-#include "tools/bench/stability/random_seed.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <fcntl.h>
 #include <tbb/global_control.h>

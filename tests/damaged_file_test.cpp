@@ -3,9 +3,9 @@
 #include "libgrid/statistics.h"
 #include "libscene/error.h"
 #include "tests/hostile_files.h"
-#include "tools/bench/stability/random_seed.h"
 #include "tests/tiny_scene.h"
 #include "tests/tracing_probe.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <array>
 #include <memory>
@@ -45,8 +45,8 @@ void damage(Bytes& bytes, std::mt19937_64& random) {
 }
 
 // In the table, or in one of the sections.
-template <class Parts>
-Parts damaged(Parts parts, std::mt19937_64& random) {
+template <class Fragments>
+Fragments damaged(Fragments parts, std::mt19937_64& random) {
   const std::size_t where = random() % (2 * parts.sections.size());
   if (where < parts.sections.size())
     damage(parts.sections[where].bytes, random);

@@ -154,10 +154,10 @@ TYPED_TEST(Spaces, HoldTheBoundsAndTheirMargin) {
 TYPED_TEST(Spaces, OfNothingCanBeDividedAllTheSame) {
   for (const SpaceRule rule : {SpaceRule::tight, SpaceRule::cube})
     EXPECT_FALSE(is_empty(space_of<TypeParam>(empty_box<double>(), rule)));
-  const Lattice lattice =
-      make_lattice<TypeParam>(empty_box<double>(), SpaceRule::tight, parse_division("4"), statistics_of(0));
-  EXPECT_EQ(lattice.division, (Vec3i{4, 4, 4}));
-  EXPECT_EQ(lattice.margin, 0);
+  const GridLayout layout = make_grid_layout<TypeParam>(empty_box<double>(), SpaceRule::tight,
+                                                        parse_division("4"), statistics_of(0));
+  EXPECT_EQ(layout.division, (Vec3i{4, 4, 4}));
+  EXPECT_EQ(layout.margin, 0);
 }
 
 // --- The cost model --------------------------------------------------------------------------------------
@@ -178,16 +178,16 @@ TEST(CostModel, ExpectsAboutTheReferencesThatAreMade) {
   Chance chance(seed);
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<float> scene = scattered(chance, 2000, chance.power_of_two(-6, -1));
-    const Lattice lattice{space_of<float>(scene.bounds(), SpaceRule::tight),
-                          {chance.whole(1, 40), chance.whole(1, 40), chance.whole(1, 40)},
-                          rounding_margin<float>(scene.bounds())};
+    const GridLayout layout{space_of<float>(scene.bounds(), SpaceRule::tight),
+                            {chance.whole(1, 40), chance.whole(1, 40), chance.whole(1, 40)},
+                            rounding_margin<float>(scene.bounds())};
     const SceneView<float> view = scene.view();
-    const double expected = expected_references(division_statistics(view).all, lattice);
-    const auto made = static_cast<double>(build_uniform(view, lattice, Overlap::exact).references.size());
-    EXPECT_GT(expected, made * 0.85) << lattice.division.x << ' ' << lattice.division.y << ' '
-                                     << lattice.division.z;
-    EXPECT_LT(expected, made * 1.25) << lattice.division.x << ' ' << lattice.division.y << ' '
-                                     << lattice.division.z;
+    const double expected = expected_references(division_statistics(view).all, layout);
+    const auto made = static_cast<double>(build_uniform(view, layout, Overlap::exact).references.size());
+    EXPECT_GT(expected, made * 0.85) << layout.division.x << ' ' << layout.division.y << ' '
+                                     << layout.division.z;
+    EXPECT_LT(expected, made * 1.25) << layout.division.x << ' ' << layout.division.y << ' '
+                                     << layout.division.z;
   }
 }
 

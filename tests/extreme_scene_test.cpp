@@ -2,8 +2,8 @@
 // in the file.
 #include "libscene/error.h"
 #include "libscene/file/memory_file.h"
-#include "libscene/nff/nff.h"
 #include "libscene/file/scene_file.h"
+#include "libscene/nff/nff.h"
 #include "tools/bench/stability/test_scene.h"
 
 #include <fmt/format.h>

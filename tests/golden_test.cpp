@@ -189,10 +189,10 @@ void expect_grid(const GridFile& file, const Grid& grid) {
   EXPECT_EQ(file.table().merge_rule()->str(), file.is_merged() ? "irregular" : "");
   EXPECT_EQ(file.table().division_rule()->str(), "2x2x1");
   EXPECT_EQ(file.table().build_seconds(), -1);
-  EXPECT_EQ(file.lattice().division, grid.lattice.division);
-  EXPECT_EQ(file.lattice().space.min, grid.lattice.space.min);
-  EXPECT_EQ(file.lattice().space.max, grid.lattice.space.max);
-  EXPECT_EQ(file.lattice().margin, grid.lattice.margin);
+  EXPECT_EQ(file.layout().division, grid.layout.division);
+  EXPECT_EQ(file.layout().space.min, grid.layout.space.min);
+  EXPECT_EQ(file.layout().space.max, grid.layout.space.max);
+  EXPECT_EQ(file.layout().margin, grid.layout.margin);
   EXPECT_TRUE(std::ranges::equal(file.voxel_map(), grid.voxel_map));
   EXPECT_TRUE(std::ranges::equal(file.cells(), grid.cells, [](const MergedCell& a, const MergedCell& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.list == b.list;

@@ -28,9 +28,9 @@ TYPED_TEST(BuiltOnTheGpu, AUniformGridIsTheSameBytes) {
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
-    expect_same(cpu_builder(scene.view())->uniform(lattice, overlap),
-                cuda_builder(scene.view())->uniform(lattice, overlap));
+    const GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    expect_same(cpu_builder(scene.view())->uniform(layout, overlap),
+                cuda_builder(scene.view())->uniform(layout, overlap));
     ASSERT_FALSE(this->HasFailure()) << described(scene);
   }
 }
@@ -40,10 +40,10 @@ TYPED_TEST(BuiltOnTheGpu, AUniformGridOfBlocksIsTheSameBytes) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(3); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
-    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
-    lattice.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
-    expect_same(cpu_builder(scene.view())->uniform(lattice, Overlap::exact),
-                cuda_builder(scene.view())->uniform(lattice, Overlap::exact));
+    GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
+    expect_same(cpu_builder(scene.view())->uniform(layout, Overlap::exact),
+                cuda_builder(scene.view())->uniform(layout, Overlap::exact));
   }
 }
 
@@ -52,9 +52,9 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridIsTheSameBytes) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const auto [lattice, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
-    const Grid grid = cpu_builder(scene.view())->merged(lattice, overlap, rule);
-    expect_same(grid, cuda_builder(scene.view())->merged(lattice, overlap, rule));
+    const auto [layout, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    const Grid grid = cpu_builder(scene.view())->merged(layout, overlap, rule);
+    expect_same(grid, cuda_builder(scene.view())->merged(layout, overlap, rule));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
 }
@@ -75,32 +75,32 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
   MergeRule rule;
   rule.merge = Merge::irregular;
   for (const Vec3i& division : {Vec3i{1, 1, 1}, Vec3i{3, 2, 1}, Vec3i{20, 20, 20}}) {
-    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
-    lattice.division = division;
+    GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    layout.division = division;
     const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
     for (const Overlap overlap : {Overlap::exact, Overlap::box}) {
-      expect_same(cpu->uniform(lattice, overlap), gpu->uniform(lattice, overlap));
-      expect_same(cpu->merged(lattice, overlap, rule), gpu->merged(lattice, overlap, rule));
+      expect_same(cpu->uniform(layout, overlap), gpu->uniform(layout, overlap));
+      expect_same(cpu->merged(layout, overlap, rule), gpu->merged(layout, overlap, rule));
     }
   }
 }
 
 TYPED_TEST(BuiltOnTheGpu, GridsMergedByXOrBalanceAreRefused) {
   TestScene<TypeParam> scene;
-  const Lattice lattice{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
+  const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
   const auto gpu = cuda_builder(scene.view());
   for (const Merge merge : {Merge::x, Merge::balance})
-    EXPECT_THROW(gpu->merged(lattice, Overlap::exact, {merge}), Error);
+    EXPECT_THROW(gpu->merged(layout, Overlap::exact, {merge}), Error);
 }
 
 TYPED_TEST(BuiltOnTheGpu, AGridOfNothingIsTheSameBytes) {
   TestScene<TypeParam> scene;
-  const Lattice lattice{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
+  const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
   MergeRule rule;
   rule.merge = Merge::irregular;
   const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
-  expect_same(cpu->uniform(lattice, Overlap::exact), gpu->uniform(lattice, Overlap::exact));
-  expect_same(cpu->merged(lattice, Overlap::exact, rule), gpu->merged(lattice, Overlap::exact, rule));
+  expect_same(cpu->uniform(layout, Overlap::exact), gpu->uniform(layout, Overlap::exact));
+  expect_same(cpu->merged(layout, Overlap::exact, rule), gpu->merged(layout, Overlap::exact, rule));
 }
 
 } // namespace

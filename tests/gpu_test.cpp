@@ -1,14 +1,14 @@
 // The CPU's and the GPU's answers, bit for bit. Skipped, and said so, where there is no CUDA device.
-#include "libgrid/file/grid_file.h"
 #include "libgrid/build/merge.h"
-#include "libscene/nff/nff.h"
+#include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
+#include "libscene/nff/nff.h"
 #include "libscene/spd/spd.h"
 #include "renderer/backend.h"
-#include "tools/bench/ray_sets.h"
-#include "tools/bench/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 #include "tests/unchecked_grid.h"
+#include "tools/bench/ray_sets.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <gtest/gtest.h>
 
@@ -27,10 +27,10 @@ template <class Stored>
 void build_grid(const SceneFile& scene, const std::string& division, const MergeRule& rule,
                 const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();
-  const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division(division),
-                                               division_statistics(view));
-  write_grid(rule.merge == Merge::none ? build_uniform(view, lattice, Overlap::exact)
-                                       : build_merged(view, lattice, Overlap::exact, rule),
+  const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
+                                                     parse_division(division), division_statistics(view));
+  write_grid(rule.merge == Merge::none ? build_uniform(view, layout, Overlap::exact)
+                                       : build_merged(view, layout, Overlap::exact, rule),
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""}, path);
 }
 
@@ -74,11 +74,11 @@ protected:
   TemporaryFolder folder_;
 };
 
-void expect_same_hits(const std::vector<EyeHit>& cpu, const std::vector<EyeHit>& gpu) {
+void expect_same_hits(const std::vector<HitRecord>& cpu, const std::vector<HitRecord>& gpu) {
   ASSERT_EQ(cpu.size(), gpu.size());
   std::size_t different = 0;
   for (std::size_t i = 0; i < cpu.size(); ++i) {
-    if (std::memcmp(&cpu[i], &gpu[i], sizeof(EyeHit)) == 0) continue;
+    if (std::memcmp(&cpu[i], &gpu[i], sizeof(HitRecord)) == 0) continue;
     if (++different == 1) {
       ADD_FAILURE() << "ray " << i << ": cpu t " << cpu[i].t << " primitive " << cpu[i].name << ", gpu t "
                     << gpu[i].t << " primitive " << gpu[i].name;
@@ -151,14 +151,14 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
     rays.insert(rays.end(), eye.begin(), eye.end());
     for (const std::size_t count : {std::size_t{1}, std::size_t{33}, rays.size()}) {
       SCOPED_TRACE(count);
-      for (const Question question : {Question::nearest, Question::blocked}) {
+      for (const Query query : {Query::nearest_hit, Query::occlusion}) {
         for (const Precision precision : {Precision::robust, Precision::doubled}) {
           RaysRequest wanted{std::span(rays).last(count)};
           wanted.tracing.precision = precision;
-          wanted.question = question;
+          wanted.query = query;
           wanted.hit_name = HitName::primitive;
           const RayHits cpu = trace_rays_cpu(built.scene, &built.grid, wanted);
-          for (const RayLoop loop : {RayLoop::cells, RayLoop::warp, RayLoop::refill}) {
+          for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
             SCOPED_TRACE(static_cast<int>(loop));
             wanted.loop = loop;
             expect_same_hits(cpu.hits, trace_rays_cuda(built.scene, &built.grid, wanted).hits);
@@ -185,11 +185,11 @@ TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
     std::vector<ListedRay> rays(60'000, brief);
     for (const std::size_t at : {std::size_t{0}, rays.size() / 2, rays.size()})
       rays.insert(rays.begin() + static_cast<std::ptrdiff_t>(at), crossing.begin(), crossing.end());
-    for (const Question question : {Question::nearest, Question::blocked}) {
+    for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       for (const Precision precision : {Precision::robust, Precision::doubled}) {
         RaysRequest wanted{rays};
         wanted.tracing.precision = precision;
-        wanted.question = question;
+        wanted.query = query;
         wanted.hit_name = HitName::primitive;
         expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
                          trace_rays_cuda(built.scene, &built.grid, wanted).hits);
@@ -202,12 +202,12 @@ TEST_P(CpuAndGpu, FindTheSameRaysBlocked) {
   const Built built = build(Store::float32, GetParam().standard, "auto");
   const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
   RaysRequest wanted{rays};
-  wanted.question = Question::blocked;
+  wanted.query = Query::occlusion;
   const RayHits nearest = trace_rays_cpu(built.scene, &built.grid, {rays});
   const RayHits cpu = trace_rays_cpu(built.scene, &built.grid, wanted),
                 gpu = trace_rays_cuda(built.scene, &built.grid, wanted);
   expect_same_hits(cpu.hits, gpu.hits);
-  // The second point lies beyond the scene: what hits is blocked.
+  // The second point lies beyond the scene: what hits is occluded.
   for (std::size_t i = 0; i < rays.size(); ++i)
     ASSERT_EQ(nearest.hits[i].name >= 0 && nearest.hits[i].t < 1, cpu.hits[i].name >= 0) << i;
 }
@@ -259,9 +259,9 @@ TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
 TEST_P(CpuAndGpu, FindTheSameForRandomRaysThroughAnIrregularGrid) {
   const Built built = build(Store::float32, GetParam().standard, "cleary:0.05", merged_by(Merge::irregular));
   const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
-  for (const Question question : {Question::nearest, Question::blocked}) {
+  for (const Query query : {Query::nearest_hit, Query::occlusion}) {
     RaysRequest wanted{rays};
-    wanted.question = question;
+    wanted.query = query;
     wanted.hit_name = HitName::primitive;
     expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
                      trace_rays_cuda(built.scene, &built.grid, wanted).hits);

@@ -85,7 +85,7 @@ TEST_P(GridInvariance, NoMergedGridShows) {
       {"auto", {"--merge", "irregular"}},
       {"5x4x3", {"--merge", "irregular", "--nested", "3", "--step-cost", "0.5", "--overlap", "box"}},
       {"1", {"--merge", "irregular", "--detail", "10", "--alpha", "0.8", "--space", "cube"}},
-      {"16", {"--merge", "irregular", "--stretch", "0", "--step-cost", "10"}},
+      {"16", {"--merge", "irregular", "--expand", "0", "--step-cost", "10"}},
   }};
   for (const MergeCase& merge : merges) {
     SCOPED_TRACE(fmt::format("division {}, {}", merge.division, fmt::join(merge.rules, " ")));

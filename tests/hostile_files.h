@@ -153,13 +153,13 @@ struct GridParts : TakenApart {
 };
 
 // A way to spoil a file, by name.
-template <class Parts>
+template <class Fragments>
 struct Wrong {
   const char* name;
-  std::function<void(Parts&)> spoil;
+  std::function<void(Fragments&)> spoil;
 };
-template <class Parts>
-void PrintTo(const Wrong<Parts>& wrong, std::ostream* out) {
+template <class Fragments>
+void PrintTo(const Wrong<Fragments>& wrong, std::ostream* out) {
   *out << wrong.name;
 }
 inline const auto by_name = [](const auto& test) { return std::string(test.param.name); };

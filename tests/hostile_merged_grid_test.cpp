@@ -105,7 +105,7 @@ TEST(HostileNestedMap, ThatManyCubesShareIsRefusedAtOnce) {
   const std::string path = folder.file("hostile.grid");
   constexpr std::uint32_t depth = 15, side = 1U << depth;
   Grid grid = tiny_merged_grid();
-  grid.lattice.division = {1, 1, 1};
+  grid.layout.division = {1, 1, 1};
   grid.nested_log2 = depth;
   grid.cells = {{range(0, side), range(0, side), range(0, side), 0}};
   grid.voxel_map.assign(8 * (depth + 1), 0);

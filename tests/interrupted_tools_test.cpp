@@ -1,7 +1,7 @@
 // Ended at any moment, by a signal that can be caught or by one that can't, a tool leaves each output as it
 // was or whole, and nothing else.
-#include "tools/bench/stability/random_seed.h"
 #include "tests/run_tool.h"
+#include "tools/bench/stability/random_seed.h"
 #include "tools/bench/stability/test_scene.h"
 
 #include <sys/wait.h>

@@ -1,9 +1,9 @@
 // What is told of where cells are, against every voxel looked up by itself, and against random lines.
 #include "libgrid/build/build.h"
 #include "libgrid/build/division.h"
+#include "libgrid/build/merge.h"
 #include "libgrid/file/grid_file.h"
 #include "libgrid/map_statistics.h"
-#include "libgrid/build/merge.h"
 #include "libgrid/statistics.h"
 #include "tools/bench/stability/test_scene.h"
 
@@ -35,7 +35,7 @@ TestScene<Stored> random_scene(Chance& chance, int most) {
 }
 
 template <class Stored>
-Lattice lattice_for(const TestScene<Stored>& scene, const Vec3i& division) {
+GridLayout lattice_for(const TestScene<Stored>& scene, const Vec3i& division) {
   const Boxd bounds = scene.count() > 0 ? scene.bounds() : Boxd{{0, 0, 0}, {1, 1, 1}};
   return {space_of<Stored>(bounds, SpaceRule::tight), division, rounding_margin<Stored>(bounds)};
 }
@@ -46,7 +46,7 @@ MergeRule random_rule(Chance& chance) {
   rule.target = static_cast<std::uint32_t>(chance.whole(1, 6));
   rule.step_over_test = chance.uniform(0.1, 4);
   rule.nested_log2 = chance.whole(0, 4);
-  rule.stretches = chance.whole(0, 3);
+  rule.expansions = chance.whole(0, 3);
   return rule;
 }
 
@@ -99,8 +99,9 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
   Chance chance(this->seed_);
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
-    const Lattice lattice = lattice_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
-    const Grid grid = build_merged(scene.view(), lattice, Overlap::exact, random_rule(chance));
+    const GridLayout layout =
+        lattice_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
+    const Grid grid = build_merged(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
 
@@ -131,7 +132,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
     ASSERT_EQ(told_own.size(), own.size());
     ASSERT_EQ(told_by_rows.size(), own.size());
     std::vector<std::uint64_t> by_size;
-    std::uint64_t stretched = 0;
+    std::uint64_t expanded = 0;
     double log_stretch = 0, cells = 0, tests = 0;
     const Vec3d size = cast<double>(view.voxel_size);
     const double space = half_area(cast<double>(view.division) * size);
@@ -151,15 +152,15 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
       double volume = 1;
       for (const std::uint32_t range : {c.x, c.y, c.z})
         volume *= static_cast<double>(range >> 16) - static_cast<double>(range & 0xffff);
-      if (volume > static_cast<double>(own[cell].voxels)) ++stretched;
+      if (volume > static_cast<double>(own[cell].voxels)) ++expanded;
       log_stretch += std::log(volume / static_cast<double>(own[cell].voxels));
       const double share = half_area(cast<double>(w) * size) / space;
       cells += share;
       tests += share * references_in(view, box.first);
     }
     EXPECT_EQ(told.cells_by_size, by_size);
-    EXPECT_EQ(told.stretched_cells, stretched);
-    EXPECT_NEAR(std::log(told.mean_stretch), log_stretch / static_cast<double>(own.size()), 1e-9);
+    EXPECT_EQ(told.expanded_cells, expanded);
+    EXPECT_NEAR(std::log(told.mean_expansion), log_stretch / static_cast<double>(own.size()), 1e-9);
     EXPECT_NEAR(told.ray.cells, cells, 1e-9 * cells);
     EXPECT_NEAR(told.ray.tests, tests, 1e-9 * (1 + tests));
     // With what is skipped, every voxel by itself.
@@ -179,21 +180,21 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
   Chance chance(this->seed_);
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
-    const Lattice lattice =
+    const GridLayout layout =
         lattice_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
-    const Grid grid = build_uniform(scene.view(), lattice, Overlap::exact);
+    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
     const GridView<TypeParam> view = view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.references));
     std::uint64_t occupied = 0, references = 0;
-    for_each_voxel_of(lattice.division, [&](const Vec3i& voxel) {
+    for_each_voxel_of(layout.division, [&](const Vec3i& voxel) {
       const std::uint32_t listed = references_in(view, voxel);
       occupied += listed > 0;
       references += listed;
     });
     const Vec3d size = cast<double>(view.voxel_size);
-    const double a_voxel = half_area(size) / half_area(cast<double>(lattice.division) * size);
-    const auto voxels = static_cast<double>(voxel_count(lattice.division));
-    EXPECT_EQ(told.voxels, voxel_count(lattice.division));
+    const double a_voxel = half_area(size) / half_area(cast<double>(layout.division) * size);
+    const auto voxels = static_cast<double>(voxel_count(layout.division));
+    EXPECT_EQ(told.voxels, voxel_count(layout.division));
     EXPECT_EQ(told.occupied_voxels, occupied);
     EXPECT_EQ(told.words, std::vector<std::uint64_t>{told.voxels});
     EXPECT_EQ(told.loads, 1);
@@ -210,8 +211,8 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
   Chance chance(this->seed_);
   TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 8);
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
-  const Lattice lattice = lattice_for(scene, n);
-  const Grid grid = build_uniform(scene.view(), lattice, Overlap::exact);
+  const GridLayout layout = lattice_for(scene, n);
+  const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
   const GridView<TypeParam> view = view_of<TypeParam>(grid);
   ASSERT_GT(view.block_log2, 0) << "choose a finer division";
   const MapStatistics told = map_statistics(view, std::span(grid.references));
@@ -244,8 +245,9 @@ TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
   Chance chance(this->seed_);
   for (std::int64_t i = cases(3); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 30);
-    const Lattice lattice = lattice_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
-    const Grid grid = build_merged(scene.view(), lattice, Overlap::exact, random_rule(chance));
+    const GridLayout layout =
+        lattice_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
+    const Grid grid = build_merged(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
     const std::vector<OwnVoxels> own = own_voxels(view, std::span(grid.cells));

@@ -15,14 +15,14 @@ namespace {
 using Lists = std::vector<std::set<PrimitiveIndex>>;
 
 template <class Stored>
-Lists lists_of(const TestScene<Stored>& scene, const Lattice& lattice, Overlap overlap,
+Lists lists_of(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap,
                bool with_cones = true) {
-  Lists lists(voxel_count(lattice.division));
+  Lists lists(voxel_count(layout.division));
   PrimitiveIndex number = 0;
   const auto add = [&](const auto& primitives) {
     for (const auto& primitive : primitives) {
-      for_each_overlap(lattice, overlap, widened(primitive), [&](const Vec3i& voxel) {
-        lists[linear_index(voxel, lattice.division)].insert(number);
+      for_each_overlap(layout, overlap, widened(primitive), [&](const Vec3i& voxel) {
+        lists[linear_index(voxel, layout.division)].insert(number);
       });
       ++number;
     }
@@ -105,11 +105,11 @@ protected:
     rule.nested_log2 = std::min(rule.nested_log2, 3);
     return rule;
   }
-  Lattice random_lattice(Chance& chance, const TestScene<Stored>& scene, const MergeRule& rule) const {
+  GridLayout random_lattice(Chance& chance, const TestScene<Stored>& scene, const MergeRule& rule) const {
     const int most = rule.merge == Merge::irregular ? 4 : 24;
-    Lattice lattice = masu::random_lattice<Stored>(chance, scene.bounds());
-    lattice.division = {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
-    return lattice;
+    GridLayout layout = masu::random_lattice<Stored>(chance, scene.bounds());
+    layout.division = {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
+    return layout;
   }
   Overlap random_overlap(Chance& chance) const { return chance.one_in(2) ? Overlap::exact : Overlap::box; }
 
@@ -120,11 +120,29 @@ TYPED_TEST_SUITE(Merged, Stores);
 
 // What lies nearer than this to a voxel must be listed in its cell; what lies farther than that must not.
 // Between them is what rounding may decide either way.
-Lattice with_margin(Lattice lattice, double share) {
-  lattice.margin *= share;
-  return lattice;
+GridLayout with_margin(GridLayout layout, double share) {
+  layout.margin *= share;
+  return layout;
 }
 constexpr double surely = 0.875, perhaps = 1.5;
+
+// What a merged grid must list. A flat cone's test takes for touching what is several margins off, and does
+// so for a voxel rather than for the larger box that a cell was found for: its margin is less by what its
+// side's slope makes of it.
+template <class Stored>
+Lists needed_lists(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+  Lists lists = lists_of(scene, with_margin(layout, surely), overlap, false);
+  auto number = static_cast<PrimitiveIndex>(scene.triangles.size() + scene.spheres.size());
+  for (const auto& cone : scene.cones) {
+    const Cone<double> wide = widened(cone);
+    const double steepest =
+        std::hypot(1.0, (wide.apex_radius - wide.base_radius) / length(wide.apex - wide.base));
+    for_each_overlap(with_margin(layout, surely / (1.5 * steepest)), overlap, wide,
+                     [&](const Vec3i& voxel) { lists[linear_index(voxel, layout.division)].insert(number); });
+    ++number;
+  }
+  return lists;
+}
 
 // needed: by voxel.
 void expect_listed(const Grid& grid, const Lists& needed) {
@@ -150,7 +168,7 @@ TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
     const MergeRule rule = this->random_rule(chance);
     const Overlap overlap = this->random_overlap(chance);
     const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule), overlap, rule);
-    expect_listed(grid, lists_of(scene, with_margin(finest_lattice(grid), surely), overlap));
+    expect_listed(grid, needed_lists(scene, finest_lattice(grid), overlap));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
 }
@@ -171,11 +189,11 @@ TEST(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
         const Vec3d a = corner(), b = corner(), c = corner();
         scene.triangles.push_back(triangle_of(a, b, c));
       }
-      Lattice lattice = random_lattice<double>(chance, scene.bounds());
-      lattice.division = {2, 3, 4};
-      const Grid grid = build_merged(scene.view(), lattice, Overlap::box, rule);
-      expect_listed(grid, lists_of(scene, with_margin(finest_lattice(grid), surely), Overlap::box));
-      build_merged(scene.view(), lattice, Overlap::exact, rule);
+      GridLayout layout = random_lattice<double>(chance, scene.bounds());
+      layout.division = {2, 3, 4};
+      const Grid grid = build_merged(scene.view(), layout, Overlap::box, rule);
+      expect_listed(grid, needed_lists(scene, finest_lattice(grid), Overlap::box));
+      build_merged(scene.view(), layout, Overlap::exact, rule);
       ASSERT_FALSE(testing::Test::HasFailure()) << described(grid) << '\n' << described(scene);
     }
   }
@@ -207,18 +225,18 @@ TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
 TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
-  std::int64_t stretched = 0, over_others = 0;
+  std::int64_t expanded = 0, over_others = 0;
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
     MergeRule rule = this->random_rule(chance);
     rule.merge = Merge::irregular;
-    rule.stretches = chance.one_of({1, 2, 6, 40});
+    rule.expansions = chance.one_of({1, 2, 6, 40});
     const Overlap overlap = this->random_overlap(chance);
     const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule), overlap, rule);
     const Cells cells(grid);
-    const Lists needed = lists_of(scene, with_margin(finest_lattice(grid), surely), overlap);
+    const Lists needed = needed_lists(scene, finest_lattice(grid), overlap);
     for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
-      stretched += volume(cells.boxes[cell]) > volume(cells.own[cell]);
+      expanded += volume(cells.boxes[cell]) > volume(cells.own[cell]);
       for_each_voxel_of(cells.boxes[cell], [&](const Vec3i& voxel) {
         const std::uint64_t place = linear_index(voxel, cells.division);
         const std::set<PrimitiveIndex>& others = cells.lists[cells.of_voxel[place]];
@@ -229,7 +247,7 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
     }
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
-  EXPECT_GT(stretched, cases(100));
+  EXPECT_GT(expanded, cases(100));
   EXPECT_GT(over_others, cases(10));
 }
 
@@ -239,7 +257,7 @@ TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
     MergeRule rule = this->random_rule(chance);
-    rule.stretches = 0;
+    rule.expansions = 0;
     const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule),
                                    this->random_overlap(chance), rule);
     const Cells cells(grid);
@@ -260,21 +278,21 @@ TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
     MergeRule rule;
     rule.merge = Merge::x;
     const Overlap overlap = this->random_overlap(chance);
-    const Lattice lattice = this->random_lattice(chance, scene, rule);
-    const Grid grid = build_merged(scene.view(), lattice, overlap, rule);
+    const GridLayout layout = this->random_lattice(chance, scene, rule);
+    const Grid grid = build_merged(scene.view(), layout, overlap, rule);
     const Cells cells(grid);
-    const Lists lists = lists_of(scene, lattice, overlap);
-    for_each_voxel_of({{0, 0, 0}, lattice.division}, [&](const Vec3i& voxel) {
+    const Lists lists = lists_of(scene, layout, overlap);
+    for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
       const auto is_empty = [&](std::int32_t x) {
-        return lists[linear_index({x, voxel.y, voxel.z}, lattice.division)].empty();
+        return lists[linear_index({x, voxel.y, voxel.z}, layout.division)].empty();
       };
-      const std::uint32_t cell = cells.of_voxel[linear_index(voxel, lattice.division)];
-      ASSERT_EQ(cells.lists[cell], lists[linear_index(voxel, lattice.division)]);
+      const std::uint32_t cell = cells.of_voxel[linear_index(voxel, layout.division)];
+      ASSERT_EQ(cells.lists[cell], lists[linear_index(voxel, layout.division)]);
       VoxelBox run{voxel, voxel + Vec3i{1, 1, 1}};
       if (is_empty(voxel.x)) {
         while (run.first.x > 0 && is_empty(run.first.x - 1))
           --run.first.x;
-        while (run.end.x < lattice.division.x && is_empty(run.end.x))
+        while (run.end.x < layout.division.x && is_empty(run.end.x))
           ++run.end.x;
       }
       ASSERT_TRUE(cells.boxes[cell].first == run.first && cells.boxes[cell].end == run.end);
@@ -317,17 +335,17 @@ TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
     MergeRule rule;
     rule.merge = Merge::balance;
     rule.target = chance.one_of({1U, 2U, 5U, 20U});
-    const Lattice lattice = this->random_lattice(chance, scene, rule);
-    const Grid grid = build_merged(scene.view(), lattice, Overlap::box, rule);
+    const GridLayout layout = this->random_lattice(chance, scene, rule);
+    const Grid grid = build_merged(scene.view(), layout, Overlap::box, rule);
     const Cells cells(grid);
-    const Lists lists = lists_of(scene, lattice, Overlap::box);
+    const Lists lists = lists_of(scene, layout, Overlap::box);
     for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
       if (cells.lists[cell].size() <= rule.target) {
         ++within;
         continue;
       }
       above += volume(cells.own[cell]) > 1;
-      ASSERT_FALSE(could_be_divided<TypeParam>(lists, cells.own[cell], lattice.division))
+      ASSERT_FALSE(could_be_divided<TypeParam>(lists, cells.own[cell], layout.division))
           << "cell " << cell << " lists " << cells.lists[cell].size() << ", not " << rule.target;
     }
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
@@ -351,12 +369,12 @@ TYPED_TEST(Merged, TheNumberOfThreadsShowsInNoByte) {
   for (const Merge merge : {Merge::x, Merge::balance, Merge::irregular}) {
     MergeRule rule;
     rule.merge = merge;
-    Lattice lattice = this->random_lattice(chance, scene, rule);
-    lattice.division = merge == Merge::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
+    GridLayout layout = this->random_lattice(chance, scene, rule);
+    layout.division = merge == Merge::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
     Grid first;
     for (const std::size_t threads : {1U, 2U, 4U}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Grid grid = build_merged(view, lattice, Overlap::exact, rule);
+      const Grid grid = build_merged(view, layout, Overlap::exact, rule);
       if (threads == 1) {
         first = grid;
         continue;

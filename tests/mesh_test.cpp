@@ -1,6 +1,6 @@
 // Closed meshes let no ray out.
-#include "tools/bench/stability/random_mesh.h"
 #include "tests/ray_case.h"
+#include "tools/bench/stability/random_mesh.h"
 
 namespace masu {
 namespace {
@@ -14,8 +14,8 @@ protected:
 };
 TYPED_TEST_SUITE(RayAndMesh, Arithmetics);
 
-// Sides of edges are decided exactly, so neither the order of the corners nor their winding can show. (t may
-// differ in its last bits: its sums are rounded in another order.)
+// ClippedBounds of edges are decided exactly, so neither the order of the corners nor their winding can show.
+// (t may differ in its last bits: its sums are rounded in another order.)
 TYPED_TEST(RayAndMesh, TheOrderOfCornersDoesNotDecideWhetherATriangleIsHit) {
   using Real = TypeParam;
   SCOPED_TRACE(this->seed_.trace());
@@ -23,7 +23,7 @@ TYPED_TEST(RayAndMesh, TheOrderOfCornersDoesNotDecideWhetherATriangleIsHit) {
   double worst = 0;
   for (std::int64_t i = cases(200'000); i > 0; --i) {
     const auto c = random_triangle_case<Real>(chance, chance.power_of_two(-10, 20));
-    const RayFrame<Real> ray = prepared(c.origin, c.direction);
+    const WatertightRay<Real> ray = prepared(c.origin, c.direction);
     const std::array corners{c.primitive.a, c.primitive.b, c.primitive.c};
     Real first = 0;
     const bool met = intersect(ray, c.primitive, first);
@@ -76,8 +76,8 @@ TYPED_TEST(RayAndMesh, NoRayLeavesAClosedMeshThroughItsEdgesAndCorners) {
       const std::size_t corner = chance.index(3);
       const Vec3<Real> a = mesh.corners[face[corner]], b = mesh.corners[face[(corner + 1) % 3]];
       const Real share = static_cast<Real>(chance.one_of({0.0, 0.0, 0.5, 0.25, chance.uniform(0, 1)}));
-      const Vec3<Real> towards = sized(chance, fused(b - a, share, a) - origin);
-      const RayFrame<Real> ray = prepared(origin, towards);
+      const Vec3<Real> towards = sized(chance, fma(b - a, share, a) - origin);
+      const WatertightRay<Real> ray = prepared(origin, towards);
       bool met = false;
       // From the face that stopped the last ray on: any order will do.
       for (std::size_t n = 0; n < triangles.size() && !met; ++n) {

@@ -1,6 +1,6 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
-#include "libgrid/trace/grid_view.h"
 #include "libgrid/build/nested_map.h"
+#include "libgrid/trace/grid_view.h"
 #include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>

@@ -27,15 +27,15 @@ struct WideBox {
   oracle::Point min, max;
 };
 
-WideBox voxel_box(const Lattice& lattice, const Vec3i& voxel) {
-  const oracle::Point low = oracle::point(lattice.space.min), extent = oracle::point(lattice.space.max) - low;
+WideBox voxel_box(const GridLayout& layout, const Vec3i& voxel) {
+  const oracle::Point low = oracle::point(layout.space.min), extent = oracle::point(layout.space.max) - low;
   const auto plane = [](Wide from, Wide along, std::int32_t number, std::int32_t division) {
     return from + along * number / division;
   };
   const auto corner = [&](int step) {
-    return oracle::Point{plane(low.x, extent.x, voxel.x + step, lattice.division.x),
-                         plane(low.y, extent.y, voxel.y + step, lattice.division.y),
-                         plane(low.z, extent.z, voxel.z + step, lattice.division.z)};
+    return oracle::Point{plane(low.x, extent.x, voxel.x + step, layout.division.x),
+                         plane(low.y, extent.y, voxel.y + step, layout.division.y),
+                         plane(low.z, extent.z, voxel.z + step, layout.division.z)};
   };
   return {corner(0), corner(1)};
 }
@@ -44,18 +44,19 @@ WideBox grown(const WideBox& box, Wide by) {
   return {box.min - oracle::Point{by, by, by}, box.max + oracle::Point{by, by, by}};
 }
 
-std::string described(const Lattice& lattice) {
-  return "space " + masu::described(lattice.space.min) + masu::described(lattice.space.max) + " division " +
-         std::to_string(lattice.division.x) + 'x' + std::to_string(lattice.division.y) + 'x' +
-         std::to_string(lattice.division.z) + " margin " + masu::described(lattice.margin);
+std::string described(const GridLayout& layout) {
+  return "space " + masu::described(layout.space.min) + masu::described(layout.space.max) + " division " +
+         std::to_string(layout.division.x) + 'x' + std::to_string(layout.division.y) + 'x' +
+         std::to_string(layout.division.z) + " margin " + masu::described(layout.margin);
 }
 
 // What the builder lists, in the order of voxels; each must come once and lie in the space.
 class Listing {
 public:
   template <class Primitive>
-  Listing(const Lattice& lattice, Overlap overlap, const Primitive& primitive) : division_(lattice.division) {
-    for_each_overlap(lattice, overlap, primitive, [&](const Vec3i& voxel) {
+  Listing(const GridLayout& layout, Overlap overlap, const Primitive& primitive)
+      : division_(layout.division) {
+    for_each_overlap(layout, overlap, primitive, [&](const Vec3i& voxel) {
       for (int axis = 0; axis < 3; ++axis)
         inside_ = inside_ && voxel[axis] >= 0 && voxel[axis] < division_[axis];
       voxels_.push_back(number(voxel));
@@ -111,8 +112,8 @@ bool meets(const Triangle<double>& triangle, const WideBox& box) {
 // The box's least and greatest distance from a point.
 std::pair<Wide, Wide> distances(const oracle::Point& p, const WideBox& box) {
   const auto axis = [](Wide at, Wide low, Wide high) {
-    const Wide gap = oracle::most(0, oracle::most(low - at, at - high));
-    const Wide far = oracle::most(oracle::magnitude(low - at), oracle::magnitude(high - at));
+    const Wide gap = oracle::max(0, oracle::max(low - at, at - high));
+    const Wide far = oracle::max(oracle::magnitude(low - at), oracle::magnitude(high - at));
     return std::pair{gap, far};
   };
   const auto [x, fx] = axis(p.x, box.min.x, box.max.x);
@@ -143,9 +144,9 @@ bool side_may_be_within(const Cone<double>& cone, const WideBox& box, Wide dista
 
 // --- Random cases ----------------------------------------------------------------------------------------
 
-// A lattice as gridbuild makes it, in a scene that reaches to ±scale.
+// A layout as gridbuild makes it, in a scene that reaches to ±scale.
 template <class Real>
-Lattice random_lattice(Chance& chance, double scale, int finest) {
+GridLayout random_lattice(Chance& chance, double scale, int finest) {
   const Boxd bounds{{-scale, -scale, -scale}, {scale, scale, scale}};
   const auto voxels = [&] {
     return static_cast<std::int32_t>(std::lround(chance.power_of_two(0, std::log2(finest))));
@@ -155,39 +156,39 @@ Lattice random_lattice(Chance& chance, double scale, int finest) {
           rounding_margin<Real>(bounds)};
 }
 
-Vec3d random_corner(Chance& chance, const Lattice& lattice) {
-  const Vec3d size = voxel_size(lattice);
+Vec3d random_corner(Chance& chance, const GridLayout& layout) {
+  const Vec3d size = voxel_size(layout);
   Vec3d corner{};
   for (int axis = 0; axis < 3; ++axis)
-    corner.set(axis, lattice.space.min[axis] + size[axis] * chance.whole(0, lattice.division[axis]));
+    corner.set(axis, layout.space.min[axis] + size[axis] * chance.whole(0, layout.division[axis]));
   return corner;
 }
 
 // In the space's middle half; anywhere along an axis of one voxel.
-Vec3d inner_corner(Chance& chance, const Lattice& lattice) {
-  const Vec3d size = voxel_size(lattice);
+Vec3d inner_corner(Chance& chance, const GridLayout& layout) {
+  const Vec3d size = voxel_size(layout);
   Vec3d corner{};
   for (int axis = 0; axis < 3; ++axis) {
-    const double share = chance.uniform(0.25, 0.75) * lattice.division[axis];
-    const double plane = std::clamp(std::round(share), 1.0, std::max(1.0, lattice.division[axis] - 1.0));
-    corner.set(axis, lattice.space.min[axis] + size[axis] * (lattice.division[axis] > 1 ? plane : share));
+    const double share = chance.uniform(0.25, 0.75) * layout.division[axis];
+    const double plane = std::clamp(std::round(share), 1.0, std::max(1.0, layout.division[axis] - 1.0));
+    corner.set(axis, layout.space.min[axis] + size[axis] * (layout.division[axis] > 1 ? plane : share));
   }
   return corner;
 }
 
-// Points for triangles: anywhere, on the lattice's planes, or on its corners.
-Vec3d random_point(Chance& chance, const Lattice& lattice, double scale) {
+// Points for triangles: anywhere, on the layout's planes, or on its corners.
+Vec3d random_point(Chance& chance, const GridLayout& layout, double scale) {
   Vec3d p = chance.in_cube(scale);
-  const Vec3d corner = random_corner(chance, lattice);
+  const Vec3d corner = random_corner(chance, layout);
   for (int axis = 0; axis < 3; ++axis)
     if (chance.one_in(4)) p.set(axis, corner[axis]);
   return chance.one_in(8) ? corner : p;
 }
 
 template <class Real>
-Triangle<double> random_triangle(Chance& chance, const Lattice& lattice, double scale) {
-  Vec3d a = random_point(chance, lattice, scale), b = random_point(chance, lattice, scale),
-        c = random_point(chance, lattice, scale);
+Triangle<double> random_triangle(Chance& chance, const GridLayout& layout, double scale) {
+  Vec3d a = random_point(chance, layout, scale), b = random_point(chance, layout, scale),
+        c = random_point(chance, layout, scale);
   const double size = chance.power_of_two(-12, 0);
   switch (chance.whole(0, 7)) {
   case 0: // a needle
@@ -213,14 +214,14 @@ Triangle<double> random_triangle(Chance& chance, const Lattice& lattice, double 
 }
 
 template <class Real>
-Sphere<double> random_sphere(Chance& chance, const Lattice& lattice, double scale) {
+Sphere<double> random_sphere(Chance& chance, const GridLayout& layout, double scale) {
   const double radius = scale / 2 * chance.power_of_two(-12, 0);
-  return {kept<Real>(random_point(chance, lattice, scale / 2)),
+  return {kept<Real>(random_point(chance, layout, scale / 2)),
           kept<Real>(chance.one_in(4) ? -radius : radius)};
 }
 
 template <class Real>
-Cone<double> random_cone(Chance& chance, const Lattice& lattice, double scale) {
+Cone<double> random_cone(Chance& chance, const GridLayout& layout, double scale) {
   const double length = scale / 2 * chance.power_of_two(-12, 0), r0 = scale / 4 * chance.power_of_two(-16, 0);
   Vec3d axis = chance.direction();
   if (chance.one_in(2)) {
@@ -229,7 +230,7 @@ Cone<double> random_cone(Chance& chance, const Lattice& lattice, double scale) {
     axis = chance.one_in(2) ? along : along + axis * chance.power_of_two(-40, -3);
   }
   const double r1 = chance.one_of({r0, 0.0, r0 * (1 + 1e-7), scale / 4 * chance.power_of_two(-16, 0)});
-  const Vec3d base = random_point(chance, lattice, scale / 4);
+  const Vec3d base = random_point(chance, layout, scale / 4);
   Cone<double> cone{kept<Real>(base), kept<Real>(r0), kept<Real>(base + axis * length), kept<Real>(r1)};
   if (cone.base == cone.apex) cone.apex.x = kept<Real>(cone.apex.x + length);
   if (chance.one_in(2)) {
@@ -279,16 +280,16 @@ Cone<double> moved(const Cone<double>& c, const Vec3d& by) {
 
 template <class Real, template <class> class Primitive>
 struct Kind {
-  static auto random(Chance& chance, const Lattice& lattice, double scale) {
+  static auto random(Chance& chance, const GridLayout& layout, double scale) {
     if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {
-      return random_triangle<Real>(chance, lattice, scale);
+      return random_triangle<Real>(chance, layout, scale);
     } else if constexpr (std::is_same_v<Primitive<Real>, Sphere<Real>>) {
-      return random_sphere<Real>(chance, lattice, scale);
+      return random_sphere<Real>(chance, layout, scale);
     } else {
-      return random_cone<Real>(chance, lattice, scale);
+      return random_cone<Real>(chance, layout, scale);
     }
   }
-  static Lattice lattice(Chance& chance, double scale, int finest) {
+  static GridLayout layout(Chance& chance, double scale, int finest) {
     return random_lattice<Real>(chance, scale, finest);
   }
   static auto stored(const Primitive<double>& p) {
@@ -324,30 +325,30 @@ TYPED_TEST_SUITE(Overlaps, Kinds, KindNames);
 
 // How close to a voxel a surface must be listed: what margin.h needs for hits and walks. The rest of the
 // margin is the builder's own, for its rounding.
-double needed(const Lattice& lattice, double scale) {
-  return lattice.margin - 28 * u * scale;
+double needed(const GridLayout& layout, double scale) {
+  return layout.margin - 28 * u * scale;
 }
 
 // Of all voxels that the point's neighbourhood meets, the first that the listing lacks.
-const Vec3i* missing(const Lattice& lattice, const Listing& listing, const oracle::Point& at, Wide reach,
+const Vec3i* missing(const GridLayout& layout, const Listing& listing, const oracle::Point& at, Wide reach,
                      Vec3i& voxel) {
-  const oracle::Point low = oracle::point(lattice.space.min), extent = oracle::point(lattice.space.max) - low;
+  const oracle::Point low = oracle::point(layout.space.min), extent = oracle::point(layout.space.max) - low;
   const auto first_last = [&](Wide p, Wide from, Wide along, std::int32_t division) {
     // A little more on both sides, to be looked at closely.
-    const auto held = [&](Wide number, double more) {
+    const auto voxel_of = [&](Wide number, double more) {
       return static_cast<std::int32_t>(
           std::clamp(std::floor(static_cast<double>(number) + more), 0.0, division - 1.0));
     };
-    return std::pair{held((p - reach - from) / along * division, -1e-6),
-                     held((p + reach - from) / along * division, 1e-6)};
+    return std::pair{voxel_of((p - reach - from) / along * division, -1e-6),
+                     voxel_of((p + reach - from) / along * division, 1e-6)};
   };
-  const auto [x0, x1] = first_last(at.x, low.x, extent.x, lattice.division.x);
-  const auto [y0, y1] = first_last(at.y, low.y, extent.y, lattice.division.y);
-  const auto [z0, z1] = first_last(at.z, low.z, extent.z, lattice.division.z);
+  const auto [x0, x1] = first_last(at.x, low.x, extent.x, layout.division.x);
+  const auto [y0, y1] = first_last(at.y, low.y, extent.y, layout.division.y);
+  const auto [z0, z1] = first_last(at.z, low.z, extent.z, layout.division.z);
   for (voxel.z = z0; voxel.z <= z1; ++voxel.z)
     for (voxel.y = y0; voxel.y <= y1; ++voxel.y)
       for (voxel.x = x0; voxel.x <= x1; ++voxel.x)
-        if (distances(at, voxel_box(lattice, voxel)).first <= reach && !listing.lists(voxel)) return &voxel;
+        if (distances(at, voxel_box(layout, voxel)).first <= reach && !listing.lists(voxel)) return &voxel;
   return nullptr;
 }
 
@@ -358,19 +359,19 @@ TYPED_TEST(Overlaps, EveryVoxelNearASampledPointOfTheSurfaceIsListed) {
   std::string first;
   for (std::int64_t i = cases(1500); i > 0; --i) {
     const double scale = std::exp2(chance.whole(-10, 20));
-    const Lattice lattice = TypeParam::lattice(chance, scale, 48);
-    const auto primitive = TypeParam::random(chance, lattice, scale);
-    const Listing exact(lattice, Overlap::exact, primitive), box(lattice, Overlap::box, primitive);
-    ASSERT_TRUE(exact.each_once() && box.each_once()) << described(primitive) << described(lattice);
-    ASSERT_TRUE(exact.inside() && box.inside()) << described(primitive) << described(lattice);
-    ASSERT_TRUE(exact.within(box)) << described(primitive) << described(lattice);
+    const GridLayout layout = TypeParam::layout(chance, scale, 48);
+    const auto primitive = TypeParam::random(chance, layout, scale);
+    const Listing exact(layout, Overlap::exact, primitive), box(layout, Overlap::box, primitive);
+    ASSERT_TRUE(exact.each_once() && box.each_once()) << described(primitive) << described(layout);
+    ASSERT_TRUE(exact.inside() && box.inside()) << described(primitive) << described(layout);
+    ASSERT_TRUE(exact.within(box)) << described(primitive) << described(layout);
     for (int k = 0; k < 100; ++k) {
       const Sample sample = on_surface(chance, primitive);
       const oracle::Point at = oracle::point(sample.at);
       const Wide off = oracle::distance(at, primitive); // the sample's own rounding
       Vec3i voxel{};
-      if (!missing(lattice, exact, at, needed(lattice, scale) - off, voxel) || ++lost > 1) continue;
-      first = described(primitive) + ' ' + described(lattice) + " not listed in " + std::to_string(voxel.x) +
+      if (!missing(layout, exact, at, needed(layout, scale) - off, voxel) || ++lost > 1) continue;
+      first = described(primitive) + ' ' + described(layout) + " not listed in " + std::to_string(voxel.x) +
               ' ' + std::to_string(voxel.y) + ' ' + std::to_string(voxel.z) + " by " + described(sample.at);
     }
   }
@@ -385,16 +386,16 @@ TYPED_TEST(Overlaps, WhatTouchesACornerIsListedAllRound) {
   std::string first;
   for (std::int64_t i = cases(40'000); i > 0; --i) {
     const double scale = std::exp2(chance.whole(-10, 20));
-    const Lattice lattice = TypeParam::lattice(chance, scale, 16);
-    const auto start = TypeParam::random(chance, lattice, scale / 4);
-    const Vec3d corner = inner_corner(chance, lattice);
+    const GridLayout layout = TypeParam::layout(chance, scale, 16);
+    const auto start = TypeParam::random(chance, layout, scale / 4);
+    const Vec3d corner = inner_corner(chance, layout);
     const auto primitive = TypeParam::stored(moved(start, corner - on_surface(chance, start).at));
-    const Listing exact(lattice, Overlap::exact, primitive);
+    const Listing exact(layout, Overlap::exact, primitive);
     const oracle::Point at = oracle::point(corner);
     const Wide off = oracle::distance(at, primitive);
     Vec3i voxel{};
-    if (!missing(lattice, exact, at, needed(lattice, scale) - off, voxel) || ++lost > 1) continue;
-    first = described(primitive) + ' ' + described(lattice) + " not listed in " + std::to_string(voxel.x) +
+    if (!missing(layout, exact, at, needed(layout, scale) - off, voxel) || ++lost > 1) continue;
+    first = described(primitive) + ' ' + described(layout) + " not listed in " + std::to_string(voxel.x) +
             ' ' + std::to_string(voxel.y) + ' ' + std::to_string(voxel.z) + " by " + described(corner);
   }
   EXPECT_EQ(lost, 0) << first;
@@ -433,19 +434,19 @@ TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
   std::string first_lost, first_needless;
   for (std::int64_t i = cases(2000); i > 0; --i) {
     const double scale = std::exp2(chance.whole(-10, 20));
-    const Lattice lattice = TypeParam::lattice(chance, scale, 12);
-    const auto primitive = TypeParam::random(chance, lattice, scale);
-    const Listing exact(lattice, Overlap::exact, primitive);
-    for_each_voxel({{0, 0, 0}, lattice.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      const WideBox box = voxel_box(lattice, voxel);
+    const GridLayout layout = TypeParam::layout(chance, scale, 12);
+    const auto primitive = TypeParam::random(chance, layout, scale);
+    const Listing exact(layout, Overlap::exact, primitive);
+    for_each_voxel({{0, 0, 0}, layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      const WideBox box = voxel_box(layout, voxel);
       const bool listed = exact.lists(voxel);
       const auto where = [&] {
-        return described(primitive) + ' ' + described(lattice) + " voxel " + std::to_string(voxel.x) + ' ' +
+        return described(primitive) + ' ' + described(layout) + " voxel " + std::to_string(voxel.x) + ' ' +
                std::to_string(voxel.y) + ' ' + std::to_string(voxel.z);
       };
-      if (!listed && must_be_listed(primitive, box, needed(lattice, scale)) && ++lost == 1)
+      if (!listed && must_be_listed(primitive, box, needed(layout, scale)) && ++lost == 1)
         first_lost = where();
-      if (listed && !may_be_listed(primitive, box, lattice.margin + 28 * u * scale) && ++needless == 1)
+      if (listed && !may_be_listed(primitive, box, layout.margin + 28 * u * scale) && ++needless == 1)
         first_needless = where();
     });
   }
@@ -459,12 +460,12 @@ TEST(OverlapsOfAFlatCone, StayByItsRims) {
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
   for (int i = 0; i < 20; ++i) {
-    const Lattice lattice{{{-1, -1, -1}, {1, 1, 1}}, {50, 50, 50}, 1e-5};
+    const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {50, 50, 50}, 1e-5};
     const Vec3d up = chance.direction() * 1e-6;
     const Cone<double> cone{{0, 0, 0}, 0.6, up, 0.3};
     std::int64_t far = 0, listed = 0;
-    for_each_overlap(lattice, Overlap::exact, cone, [&](const Vec3i& voxel) {
-      const WideBox box = voxel_box(lattice, voxel);
+    for_each_overlap(layout, Overlap::exact, cone, [&](const Vec3i& voxel) {
+      const WideBox box = voxel_box(layout, voxel);
       const oracle::Point center = (box.min + box.max) * 0.5;
       ++listed;
       far += oracle::distance(center, cone) > oracle::norm(box.max - box.min);
@@ -486,7 +487,7 @@ protected:
   }
 
   RandomSeed seed_;
-  Lattice lattice_{{{0, 0, 0}, {8, 8, 8}}, {8, 8, 4}, 0};
+  GridLayout lattice_{{{0, 0, 0}, {8, 8, 8}}, {8, 8, 4}, 0};
 };
 
 // Gaps between such things are far larger than this.
@@ -544,16 +545,16 @@ TEST_F(Touching, CountsForBoundingBoxes) {
 
 // A cylinder of radius 1 about the middle of the first voxels, 2 wide: it touches all four side faces.
 TEST_F(Touching, CountsForCylinders) {
-  const Lattice lattice{{{-1, -1, 0}, {7, 7, 4}}, {4, 4, 4}, 1e-15};
+  const GridLayout layout{{{-1, -1, 0}, {7, 7, 4}}, {4, 4, 4}, 1e-15};
   const Cone<double> cylinder{{1, 1, 0}, 1, {1, 1, 2}, 1};
-  const Listing exact(lattice, Overlap::exact, cylinder);
+  const Listing exact(layout, Overlap::exact, cylinder);
   // From 0 to 2 along x and y it crosses voxels 0 and 1, and along z it ends on the face between 1 and 2.
   for_each_voxel({{0, 0, 0}, {3, 3, 3}}, [&](const Vec3i& voxel) {
     EXPECT_EQ(exact.lists(voxel), voxel.x <= 1 && voxel.y <= 1 && voxel.z <= 2)
         << voxel.x << voxel.y << voxel.z;
   });
   const Cone<double> tight{{2, 2, 0}, 1, {2, 2, 2}, 1};
-  const Listing touching(lattice, Overlap::exact, tight);
+  const Listing touching(layout, Overlap::exact, tight);
   // Voxel (1, 1) is 1 to 3 wide: the cylinder touches its faces from inside, and so its four neighbours.
   for_each_voxel({{0, 0, 0}, {3, 3, 3}}, [&](const Vec3i& voxel) {
     const int off = std::abs(voxel.x - 1) + std::abs(voxel.y - 1);
@@ -572,10 +573,10 @@ TEST_F(Touching, AConesBoxIsTakenWithItsLargerRadius) {
 TEST_F(Touching, FlatScenesAreListedThroughTheirWholeThickness) {
   const Triangle<double> floor = triangle_of(Vec3d{0, 0, 5}, Vec3d{4, 0, 5}, Vec3d{0, 4, 5});
   const Boxd box = bounds(floor);
-  const Lattice lattice{space_of<float>(box, SpaceRule::tight), {4, 4, 1}, rounding_margin<float>(box)};
-  ASSERT_LT(lattice.space.min.z, 5);
-  ASSERT_GT(lattice.space.max.z, 5);
-  const Listing exact(lattice, Overlap::exact, floor);
+  const GridLayout layout{space_of<float>(box, SpaceRule::tight), {4, 4, 1}, rounding_margin<float>(box)};
+  ASSERT_LT(layout.space.min.z, 5);
+  ASSERT_GT(layout.space.max.z, 5);
+  const Listing exact(layout, Overlap::exact, floor);
   // Those on the diagonal touch it at a corner.
   for_each_voxel({{0, 0, 0}, {3, 3, 0}}, [&](const Vec3i& voxel) {
     EXPECT_EQ(exact.lists(voxel), voxel.x + voxel.y <= 4) << voxel.x << voxel.y;
@@ -584,8 +585,8 @@ TEST_F(Touching, FlatScenesAreListedThroughTheirWholeThickness) {
 
 TEST_F(Touching, ALargeTriangleIsListedInThePlaneOfVoxelsItCrosses) {
   const Triangle<double> large = triangle_of(Vec3d{0, 0, 0.3}, Vec3d{512, 0, 0.3}, Vec3d{0, 512, 0.3});
-  const Lattice lattice{{{0, 0, 0}, {512, 512, 512}}, {512, 512, 512}, 1e-9};
-  const Listing exact(lattice, Overlap::exact, large);
+  const GridLayout layout{{{0, 0, 0}, {512, 512, 512}}, {512, 512, 512}, 1e-9};
+  const Listing exact(layout, Overlap::exact, large);
   // Half of the squares, and the two diagonals of those that the long side crosses or touches.
   EXPECT_EQ(exact.size(), 512U * 513U / 2 + 511U);
 }

@@ -1,74 +1,74 @@
 // Grids built by passes, run as plain loops, against those built by the CPU.
-#include "tests/host_passes.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/same_grid.h"
+#include "tests/serial_executor.h"
 
 namespace masu {
 namespace {
 
 template <class Stored>
-class Passes : public testing::Test {};
+class Executor : public testing::Test {};
 using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(Passes, Stores);
+TYPED_TEST_SUITE(Executor, Stores);
 
-TYPED_TEST(Passes, BuildTheSameUniformGrid) {
+TYPED_TEST(Executor, BuildTheSameUniformGrid) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  HostPasses passes;
+  SerialExecutor passes;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
-    expect_same(build_uniform(scene.view(), lattice, overlap),
-                as_grid(uniform_by_passes(passes, scene.view(), lattice, overlap)));
+    const GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    expect_same(build_uniform(scene.view(), layout, overlap),
+                as_grid(uniform_by_passes(passes, scene.view(), layout, overlap)));
     ASSERT_FALSE(this->HasFailure()) << described(scene);
   }
 }
 
-TYPED_TEST(Passes, BuildTheSameUniformGridOfBlocks) {
+TYPED_TEST(Executor, BuildTheSameUniformGridOfBlocks) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  HostPasses passes;
+  SerialExecutor passes;
   for (std::int64_t s = cases(3); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
-    Lattice lattice = random_lattice<TypeParam>(chance, scene.bounds());
-    lattice.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
-    const Grid grid = build_uniform(scene.view(), lattice, Overlap::exact);
+    GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
+    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
     EXPECT_GT(grid.block_log2, 0);
-    expect_same(grid, as_grid(uniform_by_passes(passes, scene.view(), lattice, Overlap::exact)));
+    expect_same(grid, as_grid(uniform_by_passes(passes, scene.view(), layout, Overlap::exact)));
   }
 }
 
-TYPED_TEST(Passes, BuildTheSameIrregularGrid) {
+TYPED_TEST(Executor, BuildTheSameIrregularGrid) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  HostPasses passes;
+  SerialExecutor passes;
   std::int64_t divided = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const auto [lattice, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
-    const Grid grid = build_merged(scene.view(), lattice, overlap, rule);
-    divided += grid.voxel_map.size() > voxel_count(lattice.division) + 3;
-    expect_same(grid, as_grid(irregular_by_passes(passes, scene.view(), lattice, overlap, rule)));
+    const auto [layout, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    const Grid grid = build_merged(scene.view(), layout, overlap, rule);
+    divided += grid.voxel_map.size() > voxel_count(layout.division) + 3;
+    expect_same(grid, as_grid(irregular_by_passes(passes, scene.view(), layout, overlap, rule)));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
   EXPECT_GT(divided, cases(100));
 }
 
-TYPED_TEST(Passes, BuildTheSameOfNothing) {
-  HostPasses passes;
+TYPED_TEST(Executor, BuildTheSameOfNothing) {
+  SerialExecutor passes;
   TestScene<TypeParam> scene;
-  const Lattice lattice{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
+  const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
   MergeRule rule;
   rule.merge = Merge::irregular;
-  expect_same(build_uniform(scene.view(), lattice, Overlap::exact),
-              as_grid(uniform_by_passes(passes, scene.view(), lattice, Overlap::exact)));
-  expect_same(build_merged(scene.view(), lattice, Overlap::exact, rule),
-              as_grid(irregular_by_passes(passes, scene.view(), lattice, Overlap::exact, rule)));
+  expect_same(build_uniform(scene.view(), layout, Overlap::exact),
+              as_grid(uniform_by_passes(passes, scene.view(), layout, Overlap::exact)));
+  expect_same(build_merged(scene.view(), layout, Overlap::exact, rule),
+              as_grid(irregular_by_passes(passes, scene.view(), layout, Overlap::exact, rule)));
 }
 
 } // namespace

@@ -26,7 +26,7 @@ std::vector<Real> cuts(Chance& chance, const View& grid, const ClippedRay<Real>&
   const Real step = to / static_cast<Real>(pieces);
   if (kind == 0) {
     for (int i = 1; i < pieces; ++i)
-      at.push_back(fused(step, static_cast<Real>(i), Real(0)));
+      at.push_back(fma(step, static_cast<Real>(i), Real(0)));
   } else if (kind == 1) {
     for (int i = 1; i < pieces; ++i)
       at.push_back(static_cast<Real>(chance.uniform(0, 1) * static_cast<double>(to)));
@@ -49,13 +49,13 @@ Hit<Real> found_in_pieces(Chance& chance, const SceneView<Real>& scene, const Vi
   using M = Robust<Real>;
   ClippedRay<Real> near{};
   if (!clip(ray, scene.clip, near)) return {ray.t_max, no_primitive};
-  RayFrame<Real> frame{};
+  WatertightRay<Real> frame{};
   prepare(frame, near.ray.origin, near.ray.direction);
   NoCounts counts;
   const Hit<Real> nothing{near.ray.t_max, 0};
   Hit<Real> nearest = nothing;
   std::vector<Real> at =
-      cuts(chance, grid, near, least(Walk<Real, View>(grid, near).end(grid), near.ray.t_max));
+      cuts(chance, grid, near, fast_min(Walk<Real, View>(grid, near).end(grid), near.ray.t_max));
   at.insert(at.begin(), Real(0));
   for (std::size_t i = 0; i < at.size(); ++i) {
     NearestHit<M, Real, NoCounts> visitor{scene, frame, counts, near.ray.t_max, nothing};

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "libgrid/build/division.h"
-#include "libgrid/file/grid_file.h"
 #include "libgrid/build/merge.h"
+#include "libgrid/file/grid_file.h"
 #include "tools/bench/stability/test_scene.h"
 
 namespace masu {
 
 template <class Stored>
-Lattice random_lattice(Chance& chance, const Boxd& bounds) {
+GridLayout random_lattice(Chance& chance, const Boxd& bounds) {
   const auto voxels = [&] {
     if (chance.one_in(3)) return std::int32_t{1} << chance.whole(0, 5);
     return chance.whole(1, 64);
@@ -21,22 +21,22 @@ Lattice random_lattice(Chance& chance, const Boxd& bounds) {
 
 // The same grid with a map of two levels, which the builder makes for large divisions only.
 inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
-  Grid blocked{grid.lattice, Merge::none, block_log2, 0, {}, {}, grid.references};
-  const Vec3i blocks = blocks_of(grid.lattice.division, block_log2);
+  Grid blocks_grid{grid.layout, Merge::none, block_log2, 0, {}, {}, grid.references};
+  const Vec3i blocks = blocks_of(grid.layout.division, block_log2);
   const std::size_t words = std::size_t{1} << (3 * block_log2);
-  blocked.voxel_map.assign(voxel_count(blocks), 0);
+  blocks_grid.voxel_map.assign(voxel_count(blocks), 0);
   std::uint32_t count = 0;
-  for_each_voxel({{0, 0, 0}, grid.lattice.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-    const std::uint32_t word = grid.voxel_map[linear_index(voxel, grid.lattice.division)];
+  for_each_voxel({{0, 0, 0}, grid.layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+    const std::uint32_t word = grid.voxel_map[linear_index(voxel, grid.layout.division)];
     if ((word & occupied_bit) == 0) return;
-    std::uint32_t& block = blocked.voxel_map[linear_index(
+    std::uint32_t& block = blocks_grid.voxel_map[linear_index(
         {voxel.x >> block_log2, voxel.y >> block_log2, voxel.z >> block_log2}, blocks)];
     if (block == 0) block = occupied_bit | count++;
     const std::size_t begin = voxel_count(blocks) + (block & ~occupied_bit) * words;
-    if (blocked.voxel_map.size() < begin + words) blocked.voxel_map.resize(begin + words, 0);
-    blocked.voxel_map[begin + index_in_block(voxel, block_log2)] = word;
+    if (blocks_grid.voxel_map.size() < begin + words) blocks_grid.voxel_map.resize(begin + words, 0);
+    blocks_grid.voxel_map[begin + index_in_block(voxel, block_log2)] = word;
   });
-  return blocked;
+  return blocks_grid;
 }
 
 template <class Stored>
@@ -58,7 +58,7 @@ inline MergeRule random_merge_rule(Chance& chance) {
 
 // What an irregular grid is built by: few voxels, which are divided further.
 struct IrregularCase {
-  Lattice lattice;
+  GridLayout layout;
   Overlap overlap;
   MergeRule rule;
 };
@@ -66,7 +66,7 @@ template <class Stored>
 IrregularCase random_irregular_case(Chance& chance, const Boxd& bounds) {
   IrregularCase by{random_lattice<Stored>(chance, bounds), chance.one_in(2) ? Overlap::exact : Overlap::box,
                    random_merge_rule(chance)};
-  by.lattice.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
+  by.layout.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
   by.rule.merge = Merge::irregular;
   return by;
 }
@@ -75,10 +75,10 @@ template <class Stored>
 Grid random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
   const MergeRule rule = random_merge_rule(chance);
   const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-  Lattice lattice = random_lattice<Stored>(chance, bounds);
+  GridLayout layout = random_lattice<Stored>(chance, bounds);
   if (rule.merge == Merge::irregular && chance.one_in(2))
-    lattice.division = {chance.whole(1, 6), chance.whole(1, 6), chance.whole(1, 6)};
-  return build_merged(scene, lattice, overlap, rule);
+    layout.division = {chance.whole(1, 6), chance.whole(1, 6), chance.whole(1, 6)};
+  return build_merged(scene, layout, overlap, rule);
 }
 
 template <class Stored>
@@ -94,13 +94,13 @@ void with_view(const Grid& grid, const Act& act) {
 }
 
 // Of its smallest voxels.
-inline Lattice finest_lattice(const Grid& grid) {
-  return finer(grid.lattice, grid.nested_log2);
+inline GridLayout finest_lattice(const Grid& grid) {
+  return finer(grid.layout, grid.nested_log2);
 }
 
 inline std::string described(const Grid& grid) {
-  const Boxd& s = grid.lattice.space;
-  const Vec3i n = grid.lattice.division;
+  const Boxd& s = grid.layout.space;
+  const Vec3i n = grid.layout.division;
   return "space " + described(s.min) + described(s.max) + " division " + std::to_string(n.x) + 'x' +
          std::to_string(n.y) + 'x' + std::to_string(n.z) + " merge " +
          std::to_string(static_cast<int>(grid.merge)) + " blocks of 2^" + std::to_string(grid.block_log2) +

@@ -61,11 +61,11 @@ private:
   }
   // As the walk computes it.
   Real plane(int axis) {
-    return fused(static_cast<Real>(plane_number(axis)), static_cast<Real>(voxel_size(lattice_)[axis]),
-                 static_cast<Real>(lattice_.space.min[axis]));
+    return fma(static_cast<Real>(plane_number(axis)), static_cast<Real>(voxel_size(lattice_)[axis]),
+               static_cast<Real>(lattice_.space.min[axis]));
   }
 
-  // Anywhere; on the lattice's faces, edges and corners; on corners, edges and centers of primitives.
+  // Anywhere; on the layout's faces, edges and corners; on corners, edges and centers of primitives.
   Vec3<Real> place() {
     Vec3<Real> p = cast<Real>(chance_.in_box(padded()));
     switch (chance_.whole(0, 5)) {
@@ -78,8 +78,8 @@ private:
       if (!scene_.triangles.empty()) {
         const auto& t = scene_.triangles[chance_.index(scene_.triangles.size())];
         const Real share = static_cast<Real>(chance_.one_of({0.0, 0.5, chance_.uniform(0, 1)}));
-        p = fused(t.b - t.a, share, t.a);
-        if (chance_.one_in(2)) p = fused(t.c - p, static_cast<Real>(chance_.uniform(0, 1)), p);
+        p = fma(t.b - t.a, share, t.a);
+        if (chance_.one_in(2)) p = fma(t.c - p, static_cast<Real>(chance_.uniform(0, 1)), p);
       }
       return p;
     case 3:
@@ -109,7 +109,7 @@ private:
   const TestScene<Real>& scene_;
   const Boxd& bounds_;
   const Grid& grid_;
-  Lattice lattice_;
+  GridLayout lattice_;
 };
 
 template <class Real>

@@ -29,8 +29,8 @@ Interval slabs(const oracle::Line& line, const Boxd& box) {
     }
     const oracle::Wide t0 = (box.min[axis] - origin[axis]) / direction[axis],
                        t1 = (box.max[axis] - origin[axis]) / direction[axis];
-    interval.enter = oracle::most(interval.enter, oracle::least(t0, t1));
-    interval.leave = oracle::least(interval.leave, oracle::most(t0, t1));
+    interval.enter = oracle::max(interval.enter, oracle::min(t0, t1));
+    interval.leave = oracle::min(interval.leave, oracle::max(t0, t1));
   }
   return interval;
 }
@@ -159,8 +159,8 @@ oracle::Expected expect_nearest(const oracle::Line& line, const TestScene<Real>&
         nearest = one;
         continue;
       }
-      nearest.low = oracle::least(nearest.low, one.low);
-      nearest.high = oracle::least(nearest.high, one.high);
+      nearest.low = oracle::min(nearest.low, one.low);
+      nearest.high = oracle::min(nearest.high, one.high);
     }
   };
   look(scene.triangles);

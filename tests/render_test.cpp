@@ -137,10 +137,10 @@ TEST_P(Render, OfNothingIsTheBackground) {
   const Frame frame = render(empty_scene({0, 0, 5}, {0, 0, 0}));
   for (const Vec3f& color : frame.radiance)
     EXPECT_EQ(color, test_background);
-  for (const EyeHit& hit : frame.hits)
+  for (const HitRecord& hit : frame.hits)
     EXPECT_EQ(hit.name, -1);
-  EXPECT_EQ(frame.counts.eye_rays, 9U);
-  EXPECT_EQ(frame.counts.eye_hits, 0U);
+  EXPECT_EQ(frame.counts.camera_rays, 9U);
+  EXPECT_EQ(frame.counts.camera_hits, 0U);
 }
 
 TEST_P(Render, AMirrorShowsTheBackground) {
@@ -149,7 +149,7 @@ TEST_P(Render, AMirrorShowsTheBackground) {
   const Frame frame = render(scene);
   for (const Vec3f& color : frame.radiance)
     EXPECT_EQ(color, test_background);
-  EXPECT_EQ(frame.counts.eye_hits, 9U);
+  EXPECT_EQ(frame.counts.camera_hits, 9U);
   EXPECT_EQ(frame.counts.reflection_rays, 9U);
   EXPECT_EQ(frame.counts.secondary_hits, 0U);
 }

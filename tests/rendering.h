@@ -38,9 +38,9 @@ private:
   template <class Stored>
   void build(const std::string& division) {
     const SceneView<Stored> view = scene_->view<Stored>();
-    const Lattice lattice = make_lattice<Stored>(scene_->bounds(), SpaceRule::tight, parse_division(division),
-                                                 division_statistics(view));
-    write_grid(build_uniform(view, lattice, Overlap::exact),
+    const GridLayout layout = make_grid_layout<Stored>(scene_->bounds(), SpaceRule::tight,
+                                                       parse_division(division), division_statistics(view));
+    write_grid(build_uniform(view, layout, Overlap::exact),
                {scene_->hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
                folder_.file("grid"));
   }

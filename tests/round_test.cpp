@@ -97,7 +97,7 @@ TYPED_TEST(RayAndRound, ACylinderIsMetTheSameWhereAllConesAre) {
   for (std::int64_t i = cases(100'000); i > 0; --i) {
     Case<Real, Cone<Real>> c = random_case<Real, Cone>(chance, chance.power_of_two(-10, 20));
     c.primitive.apex_radius = c.primitive.base_radius;
-    RayLine<Real> ray{};
+    PreparedRay<Real> ray{};
     prepare(ray, c.origin, c.direction);
     Real as_cone = 0, as_cylinder = 0;
     const bool met = intersect<true>(ray, c.primitive, as_cone);
@@ -131,7 +131,7 @@ TYPED_TEST(RayAndRound, BoundsHoldTheWholeCone) {
         const oracle::Wide reach =
             sine * std::abs(static_cast<double>(at_apex ? cone.apex_radius : cone.base_radius));
         const oracle::Wide at = oracle::inner(center, unit);
-        const oracle::Wide out = oracle::most(box.min[axis] - (at - reach), (at + reach) - box.max[axis]);
+        const oracle::Wide out = oracle::max(box.min[axis] - (at - reach), (at + reach) - box.max[axis]);
         const double share = static_cast<double>(out) /
                              (static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(box));
         if (share <= worst) continue;

@@ -17,7 +17,7 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 inline void expect_same(const Grid& a, const Grid& b) {
   EXPECT_EQ(a.block_log2, b.block_log2);
   EXPECT_EQ(a.nested_log2, b.nested_log2);
-  EXPECT_TRUE(a.lattice.division == b.lattice.division);
+  EXPECT_TRUE(a.layout.division == b.layout.division);
   EXPECT_TRUE(same_bytes(a.references, b.references)) << a.references.size() << ' ' << b.references.size();
   EXPECT_TRUE(same_bytes(a.cells, b.cells)) << a.cells.size() << ' ' << b.cells.size();
   EXPECT_TRUE(same_bytes(a.voxel_map, b.voxel_map)) << a.voxel_map.size() << ' ' << b.voxel_map.size();

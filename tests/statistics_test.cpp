@@ -43,13 +43,13 @@ TestScene<Stored> random_scene(Chance& chance, int most) {
 using Lists = std::map<std::uint64_t, std::vector<PrimitiveIndex>>;
 
 template <class Stored>
-Lists lists_of(const TestScene<Stored>& scene, const Lattice& lattice, Overlap overlap) {
+Lists lists_of(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
   Lists lists;
   PrimitiveIndex number = 0;
   const auto add = [&](const auto& primitives) {
     for (const auto& primitive : primitives) {
-      for_each_overlap(lattice, overlap, widened(primitive), [&](const Vec3i& voxel) {
-        lists[linear_index(voxel, lattice.division)].push_back(number);
+      for_each_overlap(layout, overlap, widened(primitive), [&](const Vec3i& voxel) {
+        lists[linear_index(voxel, layout.division)].push_back(number);
       });
       ++number;
     }
@@ -64,10 +64,10 @@ template <class Stored>
 Lists lists_of(const Grid& grid) {
   const GridView<Stored> view = view_of<Stored>(grid);
   Lists lists;
-  for_each_voxel({{0, 0, 0}, grid.lattice.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+  for_each_voxel({{0, 0, 0}, grid.layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
     const MapEntry entry = look_up(view, voxel);
     if ((entry.word & occupied_bit) == 0) return;
-    std::vector<PrimitiveIndex>& listed = lists[linear_index(voxel, grid.lattice.division)];
+    std::vector<PrimitiveIndex>& listed = lists[linear_index(voxel, grid.layout.division)];
     for (std::uint32_t at = entry.word & ~occupied_bit;; ++at) {
       listed.push_back(view.references[at] & ~last_bit);
       if ((view.references[at] & last_bit) != 0) break;
@@ -79,7 +79,7 @@ Lists lists_of(const Grid& grid) {
 template <class Stored>
 class Built : public testing::Test {
 protected:
-  Lattice lattice(const TestScene<Stored>& scene, const Vec3i& division) const {
+  GridLayout layout(const TestScene<Stored>& scene, const Vec3i& division) const {
     const Boxd bounds = scene.bounds();
     return {space_of<Stored>(bounds, SpaceRule::tight), division,
             is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
@@ -98,11 +98,11 @@ TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
   Chance chance(this->seed_);
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
-    const Lattice lattice = this->lattice(scene, this->division(chance, 24));
+    const GridLayout layout = this->layout(scene, this->division(chance, 24));
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const Grid grid = build_uniform(scene.view(), lattice, overlap);
+    const Grid grid = build_uniform(scene.view(), layout, overlap);
     ASSERT_EQ(grid.block_log2, 0);
-    ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, lattice, overlap));
+    ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, overlap));
   }
 }
 
@@ -116,9 +116,9 @@ TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
     const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.002)); };
     scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
   }
-  const Lattice lattice = this->lattice(scene, {70, 50, 60});
-  ASSERT_EQ(lists_of<TypeParam>(build_uniform(scene.view(), lattice, Overlap::exact)),
-            lists_of(scene, lattice, Overlap::exact));
+  const GridLayout layout = this->layout(scene, {70, 50, 60});
+  ASSERT_EQ(lists_of<TypeParam>(build_uniform(scene.view(), layout, Overlap::exact)),
+            lists_of(scene, layout, Overlap::exact));
 }
 
 // Beyond 2²³ voxels the map has two levels; what it leads to is the same.
@@ -130,10 +130,10 @@ TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
     scene.spheres.clear(); // slow in so many voxels
     scene.cones.clear();
     scene.triangles.push_back(triangle_of<TypeParam>({-1, -1, -1}, {1, 1, 1}, {1, TypeParam(0.9), 1}));
-    const Lattice lattice = this->lattice(scene, division);
-    const Grid grid = build_uniform(scene.view(), lattice, Overlap::exact);
+    const GridLayout layout = this->layout(scene, division);
+    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
-    ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, lattice, Overlap::exact));
+    ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, Overlap::exact));
   }
 }
 
@@ -148,11 +148,11 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
   }
   const SceneView<TypeParam> view = scene.view();
   for (const Vec3i& division : {Vec3i{31, 32, 33}, {220, 220, 220}}) {
-    const Lattice lattice = this->lattice(scene, division);
+    const GridLayout layout = this->layout(scene, division);
     Grid first;
     for (const std::size_t threads : {1U, 2U, 4U}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Grid grid = build_uniform(view, lattice, Overlap::exact);
+      const Grid grid = build_uniform(view, layout, Overlap::exact);
       if (threads == 1) {
         first = grid;
         continue;
@@ -174,7 +174,7 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
 
 TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
   TestScene<TypeParam> scene;
-  const Grid grid = build_uniform(scene.view(), this->lattice(scene, {3, 4, 5}), Overlap::exact);
+  const Grid grid = build_uniform(scene.view(), this->layout(scene, {3, 4, 5}), Overlap::exact);
   EXPECT_EQ(grid.references.size(), 0U);
   EXPECT_EQ(grid.cells.size(), 0U);
   EXPECT_TRUE(std::all_of(grid.voxel_map.begin(), grid.voxel_map.end(),
@@ -193,26 +193,26 @@ TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
   Chance chance(this->seed_);
   for (std::int64_t i = cases(40); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
-    const Lattice lattice = this->lattice(scene, this->division(chance, 20));
+    const GridLayout layout = this->layout(scene, this->division(chance, 20));
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const Grid grid = build_uniform(scene.view(), lattice, overlap);
+    const Grid grid = build_uniform(scene.view(), layout, overlap);
     const GridView<TypeParam> view = view_of<TypeParam>(grid);
     const GridStatistics told = grid_statistics(view, grid.references);
 
     std::vector<std::uint64_t> counts; // of the occupied voxels
     std::uint64_t references = 0;
-    for_each_voxel({{0, 0, 0}, lattice.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+    for_each_voxel({{0, 0, 0}, layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
       const std::uint32_t count = references_in(view, voxel);
       if (count > 0) counts.push_back(count);
       references += count;
     });
     std::sort(counts.begin(), counts.end());
-    EXPECT_EQ(told.voxels, voxel_count(lattice.division));
+    EXPECT_EQ(told.voxels, voxel_count(layout.division));
     EXPECT_EQ(told.cells, told.voxels);
     EXPECT_EQ(told.occupied_voxels, counts.size());
     EXPECT_EQ(told.occupied_cells, counts.size());
     EXPECT_EQ(told.references, references);
-    EXPECT_EQ(occupied_voxels(scene.view(), lattice, overlap), counts.size());
+    EXPECT_EQ(occupied_voxels(scene.view(), layout, overlap), counts.size());
     if (counts.empty()) continue;
 
     const auto n = static_cast<double>(counts.size());
@@ -248,15 +248,15 @@ TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
 TEST(HalfOpenVoxels, HoldWhatLiesOnTheirLowerFaces) {
   TestScene<double> scene;
   scene.triangles.push_back(triangle_of<double>({0, 0, 0}, {1, 0, 0}, {0, 1, 0})); // to the faces at 1
-  const Lattice lattice{{{0, 0, 0}, {4, 4, 4}}, {4, 4, 4}, 0};
-  EXPECT_EQ(occupied_half_open(scene.view(), lattice), 4U);
-  EXPECT_EQ(occupied_voxels(scene.view(), lattice, Overlap::box), 4U);
+  const GridLayout layout{{{0, 0, 0}, {4, 4, 4}}, {4, 4, 4}, 0};
+  EXPECT_EQ(occupied_half_open(scene.view(), layout), 4U);
+  EXPECT_EQ(occupied_voxels(scene.view(), layout, Overlap::box), 4U);
   scene.triangles[0] = triangle_of<double>({1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1});
-  EXPECT_EQ(occupied_half_open(scene.view(), lattice), 1U);
-  EXPECT_EQ(occupied_voxels(scene.view(), lattice, Overlap::box), 8U);
+  EXPECT_EQ(occupied_half_open(scene.view(), layout), 1U);
+  EXPECT_EQ(occupied_voxels(scene.view(), layout, Overlap::box), 8U);
   // On the space's upper boundary: in the last voxel, for it must be somewhere.
   scene.triangles[0] = triangle_of<double>({4, 4, 4}, {4, 4, 4}, {4, 4, 4});
-  EXPECT_EQ(occupied_half_open(scene.view(), lattice), 1U);
+  EXPECT_EQ(occupied_half_open(scene.view(), layout), 1U);
 }
 
 } // namespace

@@ -114,7 +114,7 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
       if (!outside && !has_two_sides(c.primitive)) towards = -towards;
       if (dot(towards, n) == 0) continue;
       const Real by = dot(towards, n) < 0 ? -point.error : point.error;
-      const Vec3<Real> origin = fused(n, by, point.position);
+      const Vec3<Real> origin = fma(n, by, point.position);
       Hit<Real> again{};
       if (alone.hit({origin, towards, RealTraits<Real>::largest}, again) && ++self_hits == 1)
         self_case = case_described(c) + " left by " + described(origin, towards) + " met again at " +

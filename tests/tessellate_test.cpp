@@ -1,8 +1,8 @@
 // Triangles in place of spheres and cones.
 #include "libscene/mesh/tessellate.h"
 
-#include "libscene/geometry/cone.h"
 #include "libscene/error.h"
+#include "libscene/geometry/cone.h"
 #include "tests/scene_builder.h"
 
 #include <gtest/gtest.h>

@@ -62,7 +62,7 @@ inline std::uint32_t divided(std::uint32_t place, std::int32_t log2) {
 }
 
 // A merged one: 2×1×1 voxels, the first of them divided into five cells, its first eighth once more than the
-// rest. The third cell is stretched over the second voxel, which is empty.
+// rest. The third cell is expanded over the second voxel, which is empty.
 inline Grid tiny_merged_grid() {
   constexpr std::uint32_t cell0 = occupied_bit | 0, cell1 = occupied_bit | 1, cell2 = occupied_bit | 2,
                           cell3 = occupied_bit | 3, cell4 = occupied_bit | 4, cell5 = occupied_bit | 5;

@@ -1,6 +1,6 @@
 // Whatever goes wrong, a tool says so in one line, exits with the code for it, and leaves nothing behind.
-#include "tools/bench/stability/random_seed.h"
 #include "tests/run_tool.h"
+#include "tools/bench/stability/random_seed.h"
 
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -197,7 +197,7 @@ protected:
     EXPECT_TRUE(fails(2, "gridbuild", {path, "-o", file("new.grid")}, path, says));
     EXPECT_TRUE(fails(2, "gridrender", {path, grid_, "-o", file("new.png")}, path, says));
     EXPECT_TRUE(fails(2, "gridrender", {path, "--brute-force", "-o", file("new.png")}, path, says));
-    EXPECT_TRUE(fails(2, "gridstat", {"--study", path}, path, says));
+    EXPECT_TRUE(fails(2, "gridstat", {"--occupancy", path}, path, says));
   }
   void expect_grid_refused(const std::string& path, const std::string& says = "") const {
     EXPECT_TRUE(fails(2, "gridrender", {scene_, path, "-o", file("new.png")}, path, says));
@@ -559,10 +559,10 @@ TEST_F(BadCommand, OfGridstatIsAUsageError) {
     EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
   EXPECT_TRUE(refused("gridstat", {grid_, "--slice", "z=0"}, "--slice"));
   EXPECT_TRUE(refused("gridstat", {grid_, "--json", "--csv"}));
-  EXPECT_TRUE(refused("gridstat", {grid_, "--study", scene_}));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--occupancy", scene_}));
   EXPECT_TRUE(refused("gridstat", {grid_, "--divisions", "4"}));
-  EXPECT_TRUE(refused("gridstat", {"--study", scene_, "--divisions", "0"}, "--divisions"));
-  EXPECT_TRUE(refused("gridstat", {"--study", scene_, "--divisions", "4,100000"}, "--divisions"));
+  EXPECT_TRUE(refused("gridstat", {"--occupancy", scene_, "--divisions", "0"}, "--divisions"));
+  EXPECT_TRUE(refused("gridstat", {"--occupancy", scene_, "--divisions", "4,100000"}, "--divisions"));
 }
 
 TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {

@@ -173,7 +173,7 @@ TEST_F(Tools, DepthOneLeavesOutWhatMirrorsShow) {
 // -------------------------------------------------------------------------------------------
 
 TEST_F(Tools, ListedRaysHitWhatTheEyesRaysHit) {
-  // The view of small_nff, its lattice of corner rays written down as a list.
+  // The view of small_nff, its layout of corner rays written down as a list.
   const double from[3] = {3, -4, 2}, sight[3] = {-3, 4, -1.5};
   const double length = std::sqrt(9 + 16 + 2.25), flat = 5, reach = std::tan(22.5 / 180 * std::acos(-1.0));
   const double right[3] = {sight[1] / flat, -sight[0] / flat, 0};
@@ -231,8 +231,8 @@ TEST_F(Tools, TheStudysRuleStopsAtTheFirstCellThatHasAHit) {
       found.push_back(hit.object);
     return found;
   };
-  const auto right = objects("2x1x1", {}), wrong = objects("2x1x1", {"--study-rule"});
-  EXPECT_EQ(objects("1", {"--study-rule"}), right);
+  const auto right = objects("2x1x1", {}), wrong = objects("2x1x1", {"--first-cell-hit"});
+  EXPECT_EQ(objects("1", {"--first-cell-hit"}), right);
   ASSERT_EQ(wrong.size(), right.size());
   int overlooked = 0;
   for (std::size_t i = 0; i < right.size(); ++i) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "libgrid/build/division.h"
-#include "libgrid/file/grid_file.h"
 #include "libgrid/build/merge.h"
+#include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/backend.h"
 
@@ -25,13 +25,13 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
 template <class Stored>
 void build_a_little(const SceneFile& scene, Overlap overlap, Merge merge, const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();
-  const Lattice lattice = make_lattice<Stored>(scene.bounds(), SpaceRule::tight, parse_division("5x4x3"),
-                                               division_statistics(view));
+  const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
+                                                     parse_division("5x4x3"), division_statistics(view));
   MergeRule rule;
   rule.merge = merge;
   rule.target = 1;
-  write_grid(merge == Merge::none ? build_uniform(view, lattice, overlap)
-                                  : build_merged(view, lattice, overlap, rule),
+  write_grid(merge == Merge::none ? build_uniform(view, layout, overlap)
+                                  : build_merged(view, layout, overlap, rule),
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, overlap, "5x4x3", ""}, path);
 }
 inline void build_a_little(const SceneFile& scene, Overlap overlap, Merge merge, const std::string& path) {

@@ -1,6 +1,6 @@
 // gridbench tradeoff: what it measures, that it goes on where it was stopped, and that its front is one.
-#include "tools/bench/stability/random_seed.h"
 #include "tests/run_tool.h"
+#include "tools/bench/stability/random_seed.h"
 #include "tools/bench/tradeoff_csv.h"
 #include "tools/bench/tradeoff_front.h"
 
@@ -188,7 +188,7 @@ TEST_F(Tradeoff, TheTableIsTheFrontOfTheRows) {
   std::vector<Merit> front;
   for (const auto& row : table) {
     const double wrong =
-        row["missed"].get<double>() + row["imagined"].get<double>() + row["mistaken"].get<double>();
+        row["missed"].get<double>() + row["false_hits"].get<double>() + row["wrong_primitives"].get<double>();
     front.push_back({row["mrays_per_second"], wrong / row["rays_compared"].get<double>()});
   }
   for (const Merit& a : front) {

@@ -274,9 +274,9 @@ TEST(Orientation, SignIsExact) {
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
   for (int i = 0; i < 20000; ++i) {
-    // On a 2^-30 lattice products are exact in 128 bits; near collinear by construction.
-    const auto lattice = [&] { return whole(random, -(1 << 30), 1 << 30); };
-    const std::array<std::int64_t, 4> ends{lattice(), lattice(), lattice(), lattice()};
+    // On a 2^-30 layout products are exact in 128 bits; near collinear by construction.
+    const auto layout = [&] { return whole(random, -(1 << 30), 1 << 30); };
+    const std::array<std::int64_t, 4> ends{layout(), layout(), layout(), layout()};
     const double share = uniform(random, -1, 1);
     const auto part = [&](std::int64_t a, std::int64_t b) {
       return static_cast<std::int64_t>(static_cast<double>(a) + share * static_cast<double>(b - a)) +

@@ -53,8 +53,8 @@ private:
       // Anything nearer than about the hit, or the whole ray.
       if (expected.primitive != no_primitive && chance.one_in(2))
         ray.t_max = chance.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
-      const bool same_shadow = is_blocked<Robust<Real>>(view, grid_view, ray, counts) ==
-                               is_blocked<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const bool same_shadow = is_occluded<Robust<Real>>(view, grid_view, ray, counts) ==
+                               is_occluded<Robust<Real>>(view, NoGrid{}, ray, counts);
       if ((same && same_shadow) || ++different_ > 1) continue;
       first_ = described(ray.origin, ray.direction) + " t_max " + described(ray.t_max) + ": " +
                described(found) + ", expected " + described(expected) + "; " + described(grid) + '\n' +
@@ -110,16 +110,16 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
   for (std::int64_t s = cases(1000); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).pointed();
     const Boxd bounds = scene.bounds();
-    const Lattice lattice = random_lattice<Real>(chance, bounds);
-    const Vec3d size = voxel_size(lattice);
+    const GridLayout layout = random_lattice<Real>(chance, bounds);
+    const Vec3d size = voxel_size(layout);
     for (std::size_t i = 0; i < scene.cones.size(); ++i) {
       Cone<Real>& cone = scene.cones[i];
       Triangle<Real>& triangle = scene.triangles[i];
       for (int axis = 0; axis < 3; ++axis) {
         const double at = static_cast<double>(cone.apex[axis]);
-        const double number = std::round((at - lattice.space.min[axis]) / size[axis]);
-        if (number < 1 || number > lattice.division[axis] - 1) continue; // the space's own
-        const double plane = lattice.space.min[axis] + size[axis] * number;
+        const double number = std::round((at - layout.space.min[axis]) / size[axis]);
+        if (number < 1 || number > layout.division[axis] - 1) continue; // the space's own
+        const double plane = layout.space.min[axis] + size[axis] * number;
         const auto beside = [&] {
           return static_cast<Real>(plane + chance.sign() * chance.power_of_two(-40, -24));
         };
@@ -134,7 +134,7 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
           corner->set(axis, level);
       }
     }
-    const Grid grid = build_uniform(scene.view(), lattice, Overlap::exact);
+    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
     this->compare_each(chance, scene, grid, 200, [&] {
       const Cone<Real>& cone = scene.cones[chance.index(scene.cones.size())];
       const Vec3d tip = cast<double>(cone.apex), axis = normalized(cast<double>(cone.base) - tip);
@@ -156,10 +156,10 @@ TYPED_TEST(GridWalk, FindsThemThroughMillionsOfVoxels) {
   for (std::int64_t s = std::max<std::int64_t>(cases(4), 1); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).fine();
     const Boxd bounds = scene.bounds();
-    const Lattice lattice{space_of<Real>(bounds, SpaceRule::tight),
-                          {chance.whole(200, 300), chance.whole(200, 300), chance.whole(250, 300)},
-                          rounding_margin<Real>(bounds)};
-    const Grid grid = build_uniform(scene.view(), lattice, Overlap::exact);
+    const GridLayout layout{space_of<Real>(bounds, SpaceRule::tight),
+                            {chance.whole(200, 300), chance.whole(200, 300), chance.whole(250, 300)},
+                            rounding_margin<Real>(bounds)};
+    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     this->compare(chance, scene, grid, 3000);
   }
@@ -205,7 +205,7 @@ TYPED_TEST(GridWalk, FindsTheSameWithoutTheCodeForAbsentKinds) {
 template <class Real>
 Hit<Real> nearest_of_all(const SceneView<Real>& scene, const Ray<Real>& ray, std::int64_t& ties) {
   NoCounts counts;
-  const RayFrame<Real> frame = prepared(ray.origin, ray.direction);
+  const WatertightRay<Real> frame = prepared(ray.origin, ray.direction);
   Hit<Real> nearest{ray.t_max, no_primitive};
   for (std::uint32_t p = 0; p < scene.primitive_count(); ++p) {
     Real t = 0;
@@ -225,13 +225,13 @@ void expect_nearest(const SceneView<Real>& scene, const View& grid, Ray<Real> ra
       << described(ray.origin, ray.direction) << ": " << described(found) << ", expected "
       << described(expected);
   if (expected.primitive == no_primitive) return;
-  // t_max itself isn't reached, by either question.
+  // t_max itself isn't reached, by either query.
   for (const bool beyond : {false, true}) {
     ray.t_max = beyond ? nudged(expected.t, 1) : expected.t;
     const Hit<Real> up_to = nearest_hit<Robust<Real>>(scene, grid, ray, counts);
     ASSERT_EQ(up_to.primitive, beyond ? expected.primitive : no_primitive);
     ASSERT_TRUE(same_bits(up_to.t, expected.t));
-    ASSERT_EQ(is_blocked<Robust<Real>>(scene, grid, ray, counts), beyond);
+    ASSERT_EQ(is_occluded<Robust<Real>>(scene, grid, ray, counts), beyond);
   }
 }
 
@@ -318,7 +318,7 @@ TYPED_TEST(GridWalk, EndsAndGoesForward) {
           if (d > 0) slowest = std::min(slowest, d);
         }
         const bool single_voxels = grid.merge == Merge::none && grid.block_log2 == 0;
-        ASSERT_LE(whole.largest_fall * slowest, single_voxels ? 0 : grid.lattice.margin)
+        ASSERT_LE(whole.largest_fall * slowest, single_voxels ? 0 : grid.layout.margin)
             << described(grid) << described(ray.origin, ray.direction);
       }
     });
@@ -359,13 +359,13 @@ TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
-    const Lattice lattice = random_lattice<Real>(chance, bounds);
-    const Grid uniform = build_uniform(view, lattice, Overlap::exact);
+    const GridLayout layout = random_lattice<Real>(chance, bounds);
+    const Grid uniform = build_uniform(view, layout, Overlap::exact);
     std::vector<Grid> joined{in_blocks(uniform, 2)};
     for (const Merge merge : {Merge::x, Merge::balance})
-      joined.push_back(build_merged(view, lattice, Overlap::exact, {merge, 2}));
+      joined.push_back(build_merged(view, layout, Overlap::exact, {merge, 2}));
     for (int i = 0; i < 30; ++i) {
-      const Vec3<Real> origin = cast<Real>(chance.in_box(lattice.space));
+      const Vec3<Real> origin = cast<Real>(chance.in_box(layout.space));
       const Vec3<Real> d = cast<Real>(chance.direction());
       const ClippedRay<Real> ray{{origin, d, RealTraits<Real>::largest}, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
       const Wayfarer expected(view_of<Real>(uniform), ray);
@@ -403,11 +403,11 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
          std::numeric_limits<Real>::denorm_min(), RealTraits<Real>::largest, -RealTraits<Real>::largest,
          RealTraits<Real>::smallest_normal, static_cast<Real>(chance.uniform(-1, 1))});
   };
-  const Lattice lattice{space_of<Real>(bounds, SpaceRule::tight), {5, 6, 7}, rounding_margin<Real>(bounds)};
-  const Grid uniform = build_uniform(view, lattice, Overlap::exact);
+  const GridLayout layout{space_of<Real>(bounds, SpaceRule::tight), {5, 6, 7}, rounding_margin<Real>(bounds)};
+  const Grid uniform = build_uniform(view, layout, Overlap::exact);
   std::vector<Grid> grids{uniform, in_blocks(uniform, 2)};
   for (const Merge merge : {Merge::x, Merge::balance, Merge::irregular})
-    grids.push_back(build_merged(view, lattice, Overlap::exact, {merge, 1}));
+    grids.push_back(build_merged(view, layout, Overlap::exact, {merge, 1}));
   for (int i = 0; i < 45; ++i)
     grids.push_back(random_merged_grid(chance, view, bounds));
   for (const Grid& grid : grids) {

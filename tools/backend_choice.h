@@ -1,4 +1,4 @@
-// --backend, --precision and --study-rule: who traces, and how.
+// --backend, --precision and --first-cell-hit: who traces, and how.
 #pragma once
 
 #include "renderer/backend.h"
@@ -25,10 +25,10 @@ inline void add_precision(CLI::App& app, Precision& precision) {
              "comparison), robust (float32 that loses no hit) or double");
 }
 
-inline void add_study_rule(CLI::App& app, StopRule& stop) {
+inline void add_first_cell_hit(CLI::App& app, StopRule& stop) {
   app.add_flag_callback(
-      "--study-rule", [&stop] { stop = StopRule::first_cell; },
-      "take the first hit of the first cell that has any, wherever it lies: the shortcut of a study, for "
+      "--first-cell-hit", [&stop] { stop = StopRule::first_cell; },
+      "end with the first hit of the first cell that has any, wherever it lies: a shortcut of 2012, for "
       "comparison");
 }
 

@@ -12,7 +12,7 @@ enum class Device { cpu, cuda };
 
 struct Settings {
   std::string scene, output, division = "auto";
-  GridRecipe recipe;
+  BuildOptions recipe;
   Device device = Device::cpu;
   bool record_seconds = false, json = false;
   Threads threads;
@@ -28,7 +28,7 @@ void build(const Settings& settings, const SceneFile& file) {
   GridOrigin origin = origin_of(grid, settings.recipe, file.hash(), scene.primitive_count());
   if (settings.record_seconds) origin.build_seconds = seconds;
   write_grid(grid, origin, settings.output);
-  const Vec3i n = grid.lattice.division;
+  const Vec3i n = grid.layout.division;
   const GridStatistics counted = grid.merge == Merge::none
                                      ? grid_statistics(view_of<double>(grid), grid.references)
                                      : grid_statistics(merged_view_of<double>(grid), grid.cells);
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
                "irregular: divide while that makes the expected cost less than alpha times what it is")
             ->check(CLI::Range(0.0, 1.0))
             ->capture_default_str();
-        app.add_option("--stretch", settings.recipe.merge.stretches,
+        app.add_option("--expand", settings.recipe.merge.expansions,
                        "irregular: passes that stretch cells over neighbours that list nothing else")
             ->check(CLI::Range(0, 64))
             ->capture_default_str();

@@ -40,8 +40,8 @@ Json seconds_json(const Seconds& seconds) {
 
 Json counts_json(const Counts& counts) {
   return {
-      {"eye_rays", counts.eye_rays},
-      {"eye_hits", counts.eye_hits},
+      {"eye_rays", counts.camera_rays},
+      {"eye_hits", counts.camera_hits},
       {"reflection_rays", counts.reflection_rays},
       {"refraction_rays", counts.refraction_rays},
       {"shadow_rays", counts.shadow_rays},
@@ -61,9 +61,9 @@ void write_json(const Json& json, const std::string& path) {
   file.commit();
 }
 
-void write_hits(const std::vector<EyeHit>& hits, const std::string& path) {
+void write_hits(const std::vector<HitRecord>& hits, const std::string& path) {
   OutputFile file(path);
-  file.write(hits.data(), hits.size() * sizeof(EyeHit));
+  file.write(hits.data(), hits.size() * sizeof(HitRecord));
   file.commit();
 }
 
@@ -83,15 +83,15 @@ std::vector<ListedRay> read_rays(const std::string& path) {
   }
   std::vector<ListedRay> rays(count);
   constexpr double reach = 1e15;
-  const auto held = [&](const Vec3d& v) {
+  const auto is_within_reach = [&](const Vec3d& v) {
     return std::abs(v.x) <= reach && std::abs(v.y) <= reach && std::abs(v.z) <= reach;
   };
   for (std::size_t i = 0; i < count; ++i) {
     Stored stored{};
     std::memcpy(&stored, file.bytes().data() + i * sizeof(Stored), sizeof(Stored));
     rays[i] = {cast<double>(stored.origin), cast<double>(stored.direction)};
-    const char* const wrong = !held(rays[i].origin)      ? "an origin that isn't within 1e15 of zero"
-                              : !held(rays[i].direction) ? "a direction that isn't finite, or beyond 1e15"
+    const char* const wrong = !is_within_reach(rays[i].origin)      ? "an origin that isn't within 1e15 of zero"
+                              : !is_within_reach(rays[i].direction) ? "a direction that isn't finite, or beyond 1e15"
                               : !(largest_magnitude(rays[i].direction) >= 1e-15)
                                   ? "a direction of no length (below 1e-15)"
                                   : nullptr;
@@ -194,7 +194,7 @@ int main(int argc, char** argv) {
         app.add_option("-o,--output", settings.output, "picture: .png, or .pfm for linear floats");
         add_backend(app, settings.backend);
         add_precision(app, settings.tracing.precision);
-        add_study_rule(app, settings.tracing.stop);
+        add_first_cell_hit(app, settings.tracing.stop);
         app.add_option("--size", settings.size, "WxH pixels instead of the scene's own");
         app.add_option("--depth", settings.depth, "depth of the last rays; the eye's have 1")
             ->check(CLI::Range(1, largest_depth))

@@ -1,4 +1,4 @@
-// gridstat: what a grid holds, in numbers and as a picture; and the founding study's occupancy table of a
+// gridstat: what a grid holds, in numbers and as a picture; and the occupied voxels of a
 // scene.
 #include "libgrid/file/grid_file.h"
 #include "libgrid/map_statistics.h"
@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string grid, slice, picture, study;
+  std::string grid, slice, picture, occupancy;
   std::vector<std::int32_t> divisions{2, 4, 8, 16, 32};
   SpaceRule space = SpaceRule::cube;
   bool json = false, csv = false, histogram = false;
@@ -65,7 +65,7 @@ Json merged_report(const GridFile& file, const Statistics& statistics) {
   }
   return {{"merge_rule", file.table().merge_rule()->str()}, {"nested_log2", file.table().nested_log2()},
           {"smallest_division", {n.x, n.y, n.z}},           {"cells_by_size", sizes},
-          {"stretched_cells", map.stretched_cells},         {"mean_stretch", map.mean_stretch}};
+          {"expanded_cells", map.expanded_cells},           {"mean_expansion", map.mean_expansion}};
 }
 
 Json report(const GridFile& file, const Statistics& statistics, bool histogram) {
@@ -145,7 +145,7 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   };
   line("space", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {}", low.x(), low.y(), low.z(),
                             high.x(), high.y(), high.z(), fb::EnumNameSpace(table.space_rule())));
-  line("division", fmt::format("{} ({})", by_by(file.lattice().division), table.division_rule()->str()));
+  line("division", fmt::format("{} ({})", by_by(file.layout().division), table.division_rule()->str()));
   if (table.nested_log2() > 0) {
     line("  smallest voxels",
          fmt::format("{}, 2^{} times finer", by_by(statistics.division), table.nested_log2()));
@@ -156,8 +156,8 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   line("  empty", fmt::format("{}", map.voxels - map.occupied_voxels));
   line("cells", fmt::format("{}, {} occupied", s.cells, s.occupied_cells));
   if (file.is_merged()) {
-    line("  stretched", fmt::format("{}; boxes {:.3g} times their cells' own voxels (geometric mean)",
-                                    map.stretched_cells, map.mean_stretch));
+    line("  expanded", fmt::format("{}; boxes {:.3g} times their cells' own voxels (geometric mean)",
+                                   map.expanded_cells, map.mean_expansion));
   }
   line("references", fmt::format("{}", s.references));
   line("  per occupied cell",
@@ -203,7 +203,7 @@ void inspect(const Settings& settings) {
   if (!settings.slice.empty()) {
     if (settings.picture.empty())
       throw Error(ErrorCode::usage, "--slice", "needs -o PNG, the picture to write");
-    const Lattice voxels = finer(file.lattice(), static_cast<std::int32_t>(file.table().nested_log2()));
+    const GridLayout voxels = finer(file.layout(), static_cast<std::int32_t>(file.table().nested_log2()));
     return draw_slice(file, parse_slice(settings.slice, voxels.division), settings.picture);
   }
   const Statistics statistics(file);
@@ -218,13 +218,13 @@ void inspect(const Settings& settings) {
   }
 }
 
-// The study divides the objects' own space, without any margin.
+// As the 2012 thesis counted them: in the objects' own space, without any margin.
 template <class Stored>
-void study(const Settings& settings, const SceneFile& file) {
+void print_occupancy(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   Boxd space = file.bounds();
   if (is_empty(space))
-    throw Error(ErrorCode::input, settings.study, "holds no object: there is nothing to divide");
+    throw Error(ErrorCode::input, settings.occupancy, "holds no object: there is nothing to divide");
   if (settings.space == SpaceRule::cube) {
     const double half = largest_magnitude(space);
     space = {{-half, -half, -half}, {half, half, half}};
@@ -232,16 +232,16 @@ void study(const Settings& settings, const SceneFile& file) {
   Json rows = Json::array();
   for (const std::int32_t n : settings.divisions) {
     if (n < 1 || n > 1024) throw Error(ErrorCode::usage, "--divisions", "each must be between 1 and 1024");
-    const Lattice lattice{space, {n, n, n}, 0};
-    const std::uint64_t voxels = voxel_count(lattice.division);
+    const GridLayout layout{space, {n, n, n}, 0};
+    const std::uint64_t voxels = voxel_count(layout.division);
     const auto occupied = [&](std::uint64_t count) {
       return Json{{"occupied", count}, {"percent", percent(count, voxels)}};
     };
     rows.push_back({{"division", n},
                     {"voxels", voxels},
-                    {"half_open_box", occupied(occupied_half_open(scene, lattice))},
-                    {"box", occupied(occupied_voxels(scene, lattice, Overlap::box))},
-                    {"exact", occupied(occupied_voxels(scene, lattice, Overlap::exact))}});
+                    {"half_open_box", occupied(occupied_half_open(scene, layout))},
+                    {"box", occupied(occupied_voxels(scene, layout, Overlap::box))},
+                    {"exact", occupied(occupied_voxels(scene, layout, Overlap::exact))}});
   }
   if (settings.json) return fmt::print("{}\n", rows.dump(2));
   fmt::print(
@@ -273,22 +273,23 @@ int main(int argc, char** argv) {
     app.add_option("--slice", settings.slice,
                    "draw a layer of the smallest voxels: AXIS=K, such as z=12, or AXIS=P%, such as z=50%");
     app.add_option("-o,--output", settings.picture, "the slice's PNG");
-    auto* const study_option =
-        app.add_option("--study", settings.study,
+    auto* const occupancy_option =
+        app.add_option("--occupancy", settings.occupancy,
                        "instead: a scene's occupied voxels by division, both overlap tests")
             ->excludes(grid);
-    app.add_option("--divisions", settings.divisions, "the study's divisions, N voxels an axis")
+    app.add_option("--divisions", settings.divisions, "of --occupancy, N voxels an axis")
         ->delimiter(',')
         ->capture_default_str()
-        ->needs(study_option);
+        ->needs(occupancy_option);
     add_choice(app, "--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
-               "the study's space: tight, or cube (about the origin)")
-        ->needs(study_option);
+               "of --occupancy: tight, or cube (about the origin)")
+        ->needs(occupancy_option);
     parse();
-    check_files({settings.grid, settings.study}, {settings.picture});
-    if (!settings.study.empty()) {
-      const SceneFile scene(settings.study);
-      return scene.is_float64() ? study<double>(settings, scene) : study<float>(settings, scene);
+    check_files({settings.grid, settings.occupancy}, {settings.picture});
+    if (!settings.occupancy.empty()) {
+      const SceneFile scene(settings.occupancy);
+      return scene.is_float64() ? print_occupancy<double>(settings, scene)
+                                : print_occupancy<float>(settings, scene);
     }
     if (settings.grid.empty()) throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file");
     inspect(settings);

@@ -1,10 +1,10 @@
 // nff2bin: makes a scene file of an NFF text, and tells what either holds.
-#include "libscene/geometry/cone.h"
-#include "libscene/float32_doubt.h"
 #include "libscene/file/mapped_file.h"
-#include "libscene/nff/nff.h"
 #include "libscene/file/scene_file.h"
+#include "libscene/float32_precision.h"
+#include "libscene/geometry/cone.h"
 #include "libscene/mesh/tessellate.h"
+#include "libscene/nff/nff.h"
 #include "tools/cli.h"
 
 #include <nlohmann/json.hpp>
@@ -193,7 +193,7 @@ void warn_of_float32(const Scene& scene, Store store, const std::string& place) 
   const auto warn = [&](const std::string& what) {
     fmt::print(stderr, "nff2bin: {}: warning: {}: take --store float64\n", place, what);
   };
-  const Float32Doubt doubt = float32_doubt(scene);
+  const Float32Precision doubt = float32_precision(scene);
   if (doubt.is_far())
     warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and the scene is {:.2g} across",
                      doubt.margin, doubt.across));

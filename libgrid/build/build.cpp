@@ -64,7 +64,7 @@ Piece sorted_by_bucket(const std::vector<PlacedPair>& placed, const BucketOrder&
 }
 
 template <class Stored>
-std::vector<Piece> emit(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+std::vector<Piece> emit(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
                         const BucketOrder& order) {
   const std::uint32_t count = scene.primitive_count();
   std::vector<Piece> pieces((count + std::uint64_t{primitives_a_piece} - 1) / primitives_a_piece);
@@ -76,7 +76,7 @@ std::vector<Piece> emit(const SceneView<Stored>& scene, const Lattice& lattice, 
     for (std::uint32_t i = first; i != last; ++i) {
       const auto add = [&](const Vec3i& voxel) { placed.push_back({order.place(voxel), i}); };
       with_primitive(scene, i,
-                     [&](const auto& primitive) { for_each_overlap(lattice, overlap, primitive, add); });
+                     [&](const auto& primitive) { for_each_overlap(layout, overlap, primitive, add); });
       if (placed.size() > most_numbered) too_fine("more than 2^31 references");
     }
     if ((references += placed.size()) > most_numbered) too_fine("more than 2^31 references");
@@ -183,21 +183,21 @@ void check_primitives(std::uint64_t count) {
     throw Error(ErrorCode::input, "scene", "holds more than 2^31 primitives: grids can't number so many");
 }
 
-double expected_build_bytes(const Lattice& lattice, double references) {
+double expected_build_bytes(const GridLayout& layout, double references) {
   // Pairs and references; every reference in a cell of its own at worst; a block's map for each few cells.
-  const std::int32_t block_log2 = block_log2_for(lattice.division);
-  const double words = static_cast<double>(voxel_count(blocks_of(lattice.division, block_log2)));
+  const std::int32_t block_log2 = block_log2_for(layout.division);
+  const double words = static_cast<double>(voxel_count(blocks_of(layout.division, block_log2)));
   const double block_maps = block_log2 == 0 ? 0 : references / 16 * 512 * 4;
   return 4 * words + block_maps + references * (sizeof(Pair) + sizeof(PrimitiveIndex) + sizeof(BucketCell));
 }
 
 template <class Stored>
-Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap) {
+Grid build_uniform(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
   check_primitives(scene.primitive_count());
-  const BucketOrder order(lattice.division);
-  std::vector<Piece> pieces = emit(scene, lattice, overlap, order);
+  const BucketOrder order(layout.division);
+  std::vector<Piece> pieces = emit(scene, layout, overlap, order);
 
-  Grid grid{lattice, Merge::none, order.block_log2, 0, {}, {}, {}};
+  Grid grid{layout, Merge::none, order.block_log2, 0, {}, {}, {}};
   Offsets reference_offsets(order.buckets), block_offsets(order.buckets);
   for (const Piece& piece : pieces) {
     for (std::uint64_t bucket = 0; bucket < order.buckets; ++bucket) {
@@ -228,7 +228,7 @@ Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overl
   });
   return grid;
 }
-template Grid build_uniform(const SceneView<float>&, const Lattice&, Overlap);
-template Grid build_uniform(const SceneView<double>&, const Lattice&, Overlap);
+template Grid build_uniform(const SceneView<float>&, const GridLayout&, Overlap);
+template Grid build_uniform(const SceneView<double>&, const GridLayout&, Overlap);
 
 } // namespace masu

@@ -1,6 +1,6 @@
 // Building a uniform grid; and what a built grid is.
 //
-// Passes, in their order:
+// Executor, in their order:
 //   1. emit   primitives, in pieces of fixed size, list (voxel, primitive) pairs, sorted by bucket: a bucket
 //             is a run of voxels in the order the map stores them
 //   2. sort   each bucket gathers its pairs from all pieces and sorts them by voxel: references
@@ -9,10 +9,10 @@
 // has a place for each voxel but the map itself, and large maps have none for the empty blocks.
 #pragma once
 
-#include "libgrid/trace/grid_view.h"
-#include "libgrid/lattice.h"
 #include "libgrid/build/overlap.h"
 #include "libgrid/build/storage_order.h"
+#include "libgrid/grid_layout.h"
+#include "libgrid/trace/grid_view.h"
 #include "libscene/scene_view.h"
 
 #include <vector>
@@ -24,7 +24,7 @@ enum class Merge { none, x, balance, irregular };
 
 // In host memory; see grid_view.h for what the arrays hold.
 struct Grid {
-  Lattice lattice{}; // a merged grid's smallest voxels are 2^nested_log2 times smaller
+  GridLayout layout{}; // a merged grid's smallest voxels are 2^nested_log2 times smaller
   Merge merge = Merge::none;
   std::int32_t block_log2 = 0;  // of uniform grids
   std::int32_t nested_log2 = 0; // of merged ones
@@ -34,7 +34,7 @@ struct Grid {
 };
 
 // About how many bytes building takes at its peak, for so many references.
-double expected_build_bytes(const Lattice& lattice, double references);
+double expected_build_bytes(const GridLayout& layout, double references);
 
 // Throws Error(usage, "--division", "makes …").
 [[noreturn]] void too_fine(const char* makes);
@@ -44,6 +44,6 @@ void check_primitives(std::uint64_t count);
 
 // Throws Error(usage, "--division", …) past most_numbered references, Error(input) past as many primitives.
 template <class Stored>
-Grid build_uniform(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap);
+Grid build_uniform(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);
 
 } // namespace masu

@@ -7,11 +7,11 @@ template <class Stored>
 class CpuBuilder final : public GridBuilder<Stored> {
 public:
   explicit CpuBuilder(const SceneView<Stored>& scene) : scene_(scene) {}
-  Grid uniform(const Lattice& lattice, Overlap overlap) override {
-    return build_uniform(scene_, lattice, overlap);
+  Grid uniform(const GridLayout& layout, Overlap overlap) override {
+    return build_uniform(scene_, layout, overlap);
   }
-  Grid merged(const Lattice& lattice, Overlap overlap, const MergeRule& rule) override {
-    return build_merged(scene_, lattice, overlap, rule);
+  Grid merged(const GridLayout& layout, Overlap overlap, const MergeRule& rule) override {
+    return build_merged(scene_, layout, overlap, rule);
   }
   const SceneView<Stored>& scene() const override { return scene_; }
 

@@ -25,8 +25,8 @@ public:
   virtual ~GridBuilder() = default;
 
   // As build_uniform and build_merged do, and throw.
-  virtual Grid uniform(const Lattice& lattice, Overlap overlap) = 0;
-  virtual Grid merged(const Lattice& lattice, Overlap overlap, const MergeRule& rule) = 0;
+  virtual Grid uniform(const GridLayout& layout, Overlap overlap) = 0;
+  virtual Grid merged(const GridLayout& layout, Overlap overlap, const MergeRule& rule) = 0;
 
   virtual const SceneView<Stored>& scene() const = 0;
   virtual DeviceSeconds device_seconds() const { return {}; }

@@ -1,10 +1,10 @@
 // One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
 #include "libgrid/build/builder.h"
-#include "libgrid/build/device_passes.h"
+#include "libgrid/build/cuda_executor.h"
 #include "libgrid/build/merge_passes.h"
 #include "libscene/cuda/cuda_device.h"
-#include "libscene/stopwatch.h"
 #include "libscene/cuda/transfer.h"
+#include "libscene/stopwatch.h"
 
 namespace masu {
 namespace {
@@ -36,21 +36,21 @@ public:
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": use --device cpu");
     const Stopwatch watch;
-    passes_ = std::make_unique<DevicePasses>();
+    passes_ = std::make_unique<CudaExecutor>();
     build_something();
     seconds_.set_up = watch.seconds();
     device_ = std::make_unique<DevicePrimitives<Stored>>(scene);
     seconds_.upload = watch.seconds() - seconds_.set_up;
   }
 
-  Grid uniform(const Lattice& lattice, Overlap overlap) override {
-    return built([&] { return uniform_by_passes(*passes_, device_->view, lattice, overlap); });
+  Grid uniform(const GridLayout& layout, Overlap overlap) override {
+    return built([&] { return uniform_by_passes(*passes_, device_->view, layout, overlap); });
   }
-  Grid merged(const Lattice& lattice, Overlap overlap, const MergeRule& rule) override {
+  Grid merged(const GridLayout& layout, Overlap overlap, const MergeRule& rule) override {
     if (rule.merge != Merge::irregular)
       throw Error(ErrorCode::usage, "--device",
                   "cuda builds grids merged by none or irregular, not by x or balance: use --device cpu");
-    return built([&] { return irregular_by_passes(*passes_, device_->view, lattice, overlap, rule); });
+    return built([&] { return irregular_by_passes(*passes_, device_->view, layout, overlap, rule); });
   }
 
   const SceneView<Stored>& scene() const override { return host_; }
@@ -64,19 +64,19 @@ private:
     one.triangles = &triangle;
     one.triangle_count = 1;
     const DevicePrimitives<Stored> primitives(one);
-    const Lattice lattice{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
-    uniform_by_passes(*passes_, primitives.view, lattice, Overlap::exact);
-    irregular_by_passes(*passes_, primitives.view, lattice, Overlap::exact, {});
+    const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
+    uniform_by_passes(*passes_, primitives.view, layout, Overlap::exact);
+    irregular_by_passes(*passes_, primitives.view, layout, Overlap::exact, {});
     check(cudaDeviceSynchronize());
   }
 
   template <class Build>
   Grid built(const Build& build) {
     const DeviceTimer timer;
-    const PassesGrid<DevicePasses> grid = build();
+    const PassesGrid<CudaExecutor> grid = build();
     seconds_.build += timer.seconds();
     const Stopwatch watch;
-    Grid copy{grid.lattice, grid.merge, grid.block_log2, grid.nested_log2, {}, {}, {}};
+    Grid copy{grid.layout, grid.merge, grid.block_log2, grid.nested_log2, {}, {}, {}};
     Transfer transfer;
     const auto fetch = [&](const auto& from, auto& to) {
       to.resize(from.size());
@@ -92,7 +92,7 @@ private:
 
   SceneView<Stored> host_;
   std::unique_ptr<DevicePrimitives<Stored>> device_;
-  std::unique_ptr<DevicePasses> passes_;
+  std::unique_ptr<CudaExecutor> passes_;
   DeviceSeconds seconds_;
 };
 

@@ -26,7 +26,7 @@ std::size_t bytes_of(const Grid& grid) {
 } // namespace
 
 template <class Stored>
-Grid build_chosen(GridBuilder<Stored>& builder, const Lattice& uniform, const Lattice& nested,
+Grid build_chosen(GridBuilder<Stored>& builder, const GridLayout& uniform, const GridLayout& nested,
                   Overlap overlap, const MergeRule& rule) {
   constexpr double tie = 0.9;
   MergeRule irregular = rule;
@@ -44,7 +44,9 @@ Grid build_chosen(GridBuilder<Stored>& builder, const Lattice& uniform, const La
   const bool take_plain = clear ? plain_cost < merged_cost : bytes_of(plain) <= bytes_of(merged);
   return take_plain ? std::move(plain) : std::move(merged);
 }
-template Grid build_chosen(GridBuilder<float>&, const Lattice&, const Lattice&, Overlap, const MergeRule&);
-template Grid build_chosen(GridBuilder<double>&, const Lattice&, const Lattice&, Overlap, const MergeRule&);
+template Grid build_chosen(GridBuilder<float>&, const GridLayout&, const GridLayout&, Overlap,
+                           const MergeRule&);
+template Grid build_chosen(GridBuilder<double>&, const GridLayout&, const GridLayout&, Overlap,
+                           const MergeRule&);
 
 } // namespace masu

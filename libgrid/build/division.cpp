@@ -193,14 +193,12 @@ DivisionStatistics division_statistics(const SceneView<Stored>& scene) {
 template DivisionStatistics division_statistics(const SceneView<float>&);
 template DivisionStatistics division_statistics(const SceneView<double>&);
 
-double expected_references(const SurfaceSums& sums, const Lattice& lattice) {
-  const Vec3d h = voxel_size(lattice), e = sums.extents, p = sums.projections;
+double expected_references(const SurfaceSums& sums, const GridLayout& layout) {
+  const Vec3d h = voxel_size(layout), e = sums.extents, p = sums.projections;
   // Along an axis of one voxel nothing can be met twice.
-  const auto over = [&](double total, int axis) {
-    return lattice.division[axis] > 1 ? total / h[axis] : 0.0;
-  };
+  const auto over = [&](double total, int axis) { return layout.division[axis] > 1 ? total / h[axis] : 0.0; };
   const auto face = [&](double total, int u, int v) {
-    return lattice.division[u] > 1 && lattice.division[v] > 1 ? total / (h[u] * h[v]) : 0.0;
+    return layout.division[u] > 1 && layout.division[v] > 1 ? total / (h[u] * h[v]) : 0.0;
   };
   return static_cast<double>(sums.primitives) + over(e.x, 0) + over(e.y, 1) + over(e.z, 2) + face(p.x, 1, 2) +
          face(p.y, 2, 0) + face(p.z, 0, 1);
@@ -238,19 +236,19 @@ Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
 // What a random line through the crowd costs, in steps from voxel to voxel. A line through a box crosses a
 // plane of the division with the probability of the plane's two faces over the box's surface, and meets a
 // voxel likewise (Crofton).
-double expected_cost(const DivisionStatistics& statistics, const Lattice& lattice) {
+double expected_cost(const DivisionStatistics& statistics, const GridLayout& layout) {
   constexpr double test_over_step = 2.5;
   const auto surface = [](const Vec3d& w) { return 2 * (w.x * w.y + w.y * w.z + w.z * w.x); };
-  const Vec3d w = lattice.space.max - lattice.space.min;
-  const Vec3i n = lattice.division;
+  const Vec3d w = layout.space.max - layout.space.min;
+  const Vec3i n = layout.division;
   const double steps =
       1 + 2 * ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / surface(w);
   // The crowd is at least a voxel thick.
   Vec3d crowd = statistics.crowd.max - statistics.crowd.min;
-  const Vec3d h = voxel_size(lattice);
+  const Vec3d h = voxel_size(layout);
   for (int axis = 0; axis < 3; ++axis)
     crowd.set(axis, std::max(crowd[axis], h[axis]));
-  const double tests = expected_references(statistics.crowded, lattice) * surface(h) / surface(crowd);
+  const double tests = expected_references(statistics.crowded, layout) * surface(h) / surface(crowd);
   return steps + test_over_step * tests;
 }
 
@@ -335,13 +333,15 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
 }
 
 template <class Real>
-Lattice make_lattice(const Boxd& bounds, SpaceRule space_rule, const DivisionRule& rule,
-                     const DivisionStatistics& statistics) {
+GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space_rule, const DivisionRule& rule,
+                            const DivisionStatistics& statistics) {
   const Boxd space = space_of<Real>(bounds, space_rule);
   return {space, choose_division(rule, statistics, space),
           is_empty(bounds) ? 0 : rounding_margin<Real>(bounds)};
 }
-template Lattice make_lattice<float>(const Boxd&, SpaceRule, const DivisionRule&, const DivisionStatistics&);
-template Lattice make_lattice<double>(const Boxd&, SpaceRule, const DivisionRule&, const DivisionStatistics&);
+template GridLayout make_grid_layout<float>(const Boxd&, SpaceRule, const DivisionRule&,
+                                            const DivisionStatistics&);
+template GridLayout make_grid_layout<double>(const Boxd&, SpaceRule, const DivisionRule&,
+                                             const DivisionStatistics&);
 
 } // namespace masu

@@ -1,8 +1,8 @@
 // The space that is divided, and into how many voxels.
 #pragma once
 
-#include "libgrid/lattice.h"
 #include "libgrid/build/overlap.h"
+#include "libgrid/grid_layout.h"
 #include "libscene/scene_view.h"
 
 #include <string>
@@ -60,7 +60,7 @@ DivisionStatistics division_statistics(const SceneView<Stored>& scene);
 // About how many references the primitives make under the exact overlap test: a convex piece of surface,
 // placed at random, meets 1 + Σ extent/side + Σ projection/(area of a voxel's face) voxels (its Minkowski sum
 // with a voxel, by volume).
-double expected_references(const SurfaceSums& sums, const Lattice& lattice);
+double expected_references(const SurfaceSums& sums, const GridLayout& layout);
 
 // The box that is divided, its padding included, in numbers that Real holds: the tight one around `bounds`
 // (that of all primitives), or the smallest cube about the origin that holds it.
@@ -70,10 +70,10 @@ Boxd space_of(const Boxd& bounds, SpaceRule rule);
 // At least 1 along each axis. Throws Error(usage, "--division", …) when an axis would pass largest_division.
 Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space);
 
-// The lattice that a grid for arithmetic of type Real is built on: space, division, and the margin of
+// The layout that a grid for arithmetic of type Real is built on: space, division, and the margin of
 // libscene/geometry/margin.h.
 template <class Real>
-Lattice make_lattice(const Boxd& bounds, SpaceRule space, const DivisionRule& rule,
-                     const DivisionStatistics& statistics);
+GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space, const DivisionRule& rule,
+                            const DivisionStatistics& statistics);
 
 } // namespace masu

@@ -1,8 +1,8 @@
 #include "libgrid/build/merge.h"
 
-#include "libgrid/file/grid_file.h"
+#include "libgrid/build/expand.h"
 #include "libgrid/build/nested_map.h"
-#include "libgrid/build/stretch.h"
+#include "libgrid/file/grid_file.h"
 
 #include <tbb/parallel_for.h>
 
@@ -120,7 +120,7 @@ void join(std::vector<GridPart>& rows, Grid& grid) {
 
 template <class Divide>
 void merge_rows(const Grid& uniform, Grid& grid, const Divide& divide) {
-  const Vec3i n = grid.lattice.division;
+  const Vec3i n = grid.layout.division;
   std::vector<GridPart> rows(static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
   tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t row) {
     const auto y = static_cast<std::int32_t>(row % static_cast<std::size_t>(n.y)),
@@ -132,10 +132,10 @@ void merge_rows(const Grid& uniform, Grid& grid, const Divide& divide) {
 
 template <class Stored>
 void merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const PartitionRule& rule, Grid& grid) {
-  const Vec3i n = grid.lattice.division;
+  const Vec3i n = grid.layout.division;
   std::vector<PrimitiveIndex> all(scene.primitive_count());
   std::iota(all.begin(), all.end(), 0U);
-  const Partition whole = partition(scene, grid.lattice, overlap, rule, {{0, 0, 0}, n}, all);
+  const Partition whole = partition(scene, grid.layout, overlap, rule, {{0, 0, 0}, n}, all);
   std::vector<GridPart> parts(1);
   GridPart& part = parts.front();
   add_cells(whole, part);
@@ -172,15 +172,15 @@ std::int32_t nested_log2_for(const Vec3i& division, const MergeRule& rule) {
 }
 
 template <class Stored>
-Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+Grid build_merged(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
                   const MergeRule& rule) {
-  check_mergeable(lattice.division);
-  Grid grid{lattice, rule.merge, 0, 0, {}, {}, {}};
+  check_mergeable(layout.division);
+  Grid grid{layout, rule.merge, 0, 0, {}, {}, {}};
   if (rule.merge == Merge::balance) {
     merge_balanced(scene, overlap, {false, 0, 0, 1, rule.target}, grid);
     return grid;
   }
-  const Grid uniform = build_uniform(scene, lattice, overlap);
+  const Grid uniform = build_uniform(scene, layout, overlap);
   if (rule.merge == Merge::x) {
     merge_rows(uniform, grid, [](const VoxelBox& box, std::vector<PrimitiveIndex> primitives) {
       const auto count = static_cast<std::uint32_t>(primitives.size());
@@ -188,16 +188,16 @@ Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overla
     });
     return grid;
   }
-  grid.nested_log2 = nested_log2_for(lattice.division, rule);
-  const Lattice finest = finer(lattice, grid.nested_log2);
+  grid.nested_log2 = nested_log2_for(layout.division, rule);
+  const GridLayout finest = finer(layout, grid.nested_log2);
   const PartitionRule by_cost = partition_rule(rule);
   merge_rows(uniform, grid, [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
     return partition(scene, finest, overlap, by_cost, box, primitives);
   });
-  stretch(grid, rule.stretches);
+  stretch(grid, rule.expansions);
   return grid;
 }
-template Grid build_merged(const SceneView<float>&, const Lattice&, Overlap, const MergeRule&);
-template Grid build_merged(const SceneView<double>&, const Lattice&, Overlap, const MergeRule&);
+template Grid build_merged(const SceneView<float>&, const GridLayout&, Overlap, const MergeRule&);
+template Grid build_merged(const SceneView<double>&, const GridLayout&, Overlap, const MergeRule&);
 
 } // namespace masu

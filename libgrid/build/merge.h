@@ -3,11 +3,11 @@
 //   x          the empty voxels of a run along x are joined: it costs a ray along it one step
 //   balance    boxes of voxels that list no more than `target` primitives are one cell
 //   irregular  each voxel of a coarse division is divided further, as deep as its primitives ask for, by
-//              expected cost; cells are then stretched over neighbours (stretch.h)
+//              expected cost; cells are then expanded over neighbours (stretch.h)
 #pragma once
 
 #include "libgrid/build/build.h"
-#include "libgrid/build/partition.h"
+#include "libgrid/build/split.h"
 
 namespace masu {
 
@@ -18,7 +18,7 @@ struct MergeRule {
   double step_over_test = 5;    // irregular: what a step costs, in tests
   double detail = 3;            // irregular: how much finer than its primitives a place is divided
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
-  int stretches = 4;            // irregular: passes of stretching; 0 for none
+  int expansions = 4;           // irregular: passes of stretching; 0 for none
 };
 
 // The most voxels of a division whose grid is to be merged: its map has a word for each.
@@ -54,7 +54,7 @@ void check_merged_sizes(std::uint64_t cells, std::uint64_t references, std::uint
 // Doesn't depend on the number of threads. Throws Error(usage, "--division", …) for divisions that are too
 // fine.
 template <class Stored>
-Grid build_merged(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+Grid build_merged(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
                   const MergeRule& rule);
 
 } // namespace masu

@@ -1,25 +1,25 @@
 // An irregular grid by passes (passes.h): the same bytes as build_merged's.
 #pragma once
 
+#include "libgrid/build/expand_passes.h"
 #include "libgrid/build/nested_map_passes.h"
-#include "libgrid/build/partition_passes.h"
-#include "libgrid/build/stretch_passes.h"
+#include "libgrid/build/split_passes.h"
 
 namespace masu {
 
 // The voxels of a uniform grid that hold something: where, and which pairs.
-template <class Passes>
+template <class Executor>
 struct OccupiedVoxels {
-  ArrayOf<Passes, std::uint32_t> places{};  // in rising order
-  ArrayOf<Passes, std::uint32_t> begins{};  // one more than there are voxels
-  ArrayOf<Passes, std::uint32_t> numbers{}; // of each pair: how many voxels begin before it
+  ArrayOf<Executor, std::uint32_t> places{};  // in rising order
+  ArrayOf<Executor, std::uint32_t> begins{};  // one more than there are voxels
+  ArrayOf<Executor, std::uint32_t> numbers{}; // of each pair: how many voxels begin before it
 };
 
-template <class Passes>
-OccupiedVoxels<Passes> occupied_voxels(Passes& passes, const VoxelPairs<Passes>& pairs) {
+template <class Executor>
+OccupiedVoxels<Executor> occupied_voxels(Executor& passes, const VoxelPairs<Executor>& pairs) {
   const std::uint64_t count = pairs.places.size();
   const std::uint64_t* const place = pairs.places.data();
-  OccupiedVoxels<Passes> occupied;
+  OccupiedVoxels<Executor> occupied;
   occupied.numbers =
       numbered(passes, count, [=] MASU_PASS(std::uint64_t i) { return i == 0 || place[i] != place[i - 1]; });
   const std::uint32_t voxels = passes.value(occupied.numbers, count);
@@ -49,15 +49,15 @@ MASU_HD inline VoxelBox nested_box(const Vec3i& first, const Vec3i& end, std::in
 }
 
 // The voxels as boxes to be divided, and their parts.
-template <class Passes, class Stored>
-PartitionLevel<Passes> first_level(Passes& passes, const Partitioner<Stored>& partitioner,
-                                   const Vec3i& division, std::int32_t nested_log2,
-                                   const VoxelPairs<Passes>& pairs, const OccupiedVoxels<Passes>& occupied,
-                                   OpenParts<Passes>& open) {
+template <class Executor, class Stored>
+PartitionLevel<Executor> first_level(Executor& passes, const Splitter<Stored>& splitter,
+                                     const Vec3i& division, std::int32_t nested_log2,
+                                     const VoxelPairs<Executor>& pairs,
+                                     const OccupiedVoxels<Executor>& occupied, OpenParts<Executor>& open) {
   const std::uint64_t count = pairs.primitives.size(), voxels = occupied.places.size();
-  auto all = passes.template array<Part>(count);
+  auto all = passes.template array<Fragment>(count);
   auto kept = passes.template array<std::uint32_t>(count + 1);
-  Part* const part = all.data();
+  Fragment* const part = all.data();
   std::uint32_t* const kept_before = kept.data();
   const PrimitiveIndex* const primitive = pairs.primitives.data();
   const std::uint32_t* const number = occupied.numbers.data();
@@ -68,21 +68,21 @@ PartitionLevel<Passes> first_level(Passes& passes, const Partitioner<Stored>& pa
     if (i == count) return;
     const Vec3i voxel = voxel_at(place[number[i + 1] - 1], division);
     const VoxelBox box = nested_box(voxel, voxel + Vec3i{1, 1, 1}, nested_log2);
-    kept_before[i] = partitioner.part_in(box, primitive[i], part[i]) ? 1 : 0;
+    kept_before[i] = splitter.part_in(box, primitive[i], part[i]) ? 1 : 0;
   });
   passes.scan(kept);
   const std::uint32_t parts = passes.value(kept, count);
 
-  open.parts = passes.template array<Part>(parts);
+  open.parts = passes.template array<Fragment>(parts);
   open.box_of = passes.template array<std::uint32_t>(parts);
-  Part* const open_part = open.parts.data();
+  Fragment* const open_part = open.parts.data();
   std::uint32_t* const box_of_part = open.box_of.data();
   passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     if (kept_before[i + 1] == kept_before[i]) return;
     open_part[kept_before[i]] = part[i];
     box_of_part[kept_before[i]] = number[i + 1] - 1;
   });
-  PartitionLevel<Passes> level{passes.template array<LevelBox>(voxels), {}};
+  PartitionLevel<Executor> level{passes.template array<LevelBox>(voxels), {}};
   LevelBox* const boxes = level.boxes.data();
   passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
     const Vec3i voxel = voxel_at(place[i], division);
@@ -98,10 +98,10 @@ PartitionLevel<Passes> first_level(Passes& passes, const Partitioner<Stored>& pa
 
 // How many cells there are before each voxel of the division, and at its end before no more: those of the
 // occupied ones, and one for each run along x of those that hold nothing.
-template <class Passes>
-ArrayOf<Passes, std::uint32_t> cells_before_voxels(Passes& passes, const Vec3i& division,
-                                                   const std::uint32_t* occupied_number,
-                                                   const LeafCounts* leaves) {
+template <class Executor>
+ArrayOf<Executor, std::uint32_t> cells_before_voxels(Executor& passes, const Vec3i& division,
+                                                     const std::uint32_t* occupied_number,
+                                                     const LeafCounts* leaves) {
   const std::uint64_t voxels = voxel_count(division);
   auto cells = passes.template array<std::uint32_t>(voxels + 1);
   std::uint32_t* const before = cells.data();
@@ -120,9 +120,9 @@ ArrayOf<Passes, std::uint32_t> cells_before_voxels(Passes& passes, const Vec3i& 
 }
 
 // The cells of runs of empty voxels, and the words of their voxels.
-template <class Passes>
-void write_empty_runs(Passes& passes, const Vec3i& division, const std::uint32_t* occupied_number,
-                      const std::uint32_t* cells_before, PassesGrid<Passes>& grid) {
+template <class Executor>
+void write_empty_runs(Executor& passes, const Vec3i& division, const std::uint32_t* occupied_number,
+                      const std::uint32_t* cells_before, PassesGrid<Executor>& grid) {
   MergedCell* const cells = grid.cells.data();
   std::uint32_t* const map = grid.voxel_map.data();
   const std::int32_t log2 = grid.nested_log2;
@@ -142,9 +142,10 @@ void write_empty_runs(Passes& passes, const Vec3i& division, const std::uint32_t
 
 // The maps of the occupied voxels, cubes of the nested division. Makes the grid's map as large as it has to
 // be. `starts` and `leaves` say of each voxel where its cells begin, and how many they are.
-template <class Passes>
-void write_nested_maps(Passes& passes, const Vec3i& division, const ArrayOf<Passes, std::uint32_t>& places,
-                       const LeafCounts* starts, const LeafCounts* leaves, PassesGrid<Passes>& grid) {
+template <class Executor>
+void write_nested_maps(Executor& passes, const Vec3i& division,
+                       const ArrayOf<Executor, std::uint32_t>& places, const LeafCounts* starts,
+                       const LeafCounts* leaves, PassesGrid<Executor>& grid) {
   const std::uint64_t voxels = places.size(), top_words = rounded_to_unit(voxel_count(division));
   const std::uint32_t* const place = places.data();
   const std::int32_t log2 = grid.nested_log2;
@@ -158,10 +159,10 @@ void write_nested_maps(Passes& passes, const Vec3i& division, const ArrayOf<Pass
   passes.scan(several);
   const WordCounts all = passes.value(several, voxels);
 
-  std::vector<MapLevel<Passes>> levels(1);
+  std::vector<MapLevel<Executor>> levels(1);
   levels[0].boxes = passes.template array<MapBox>(all.children);
-  MapEntries<Passes> entries{passes.template array<std::uint32_t>(all.entries),
-                             passes.template array<std::uint32_t>(all.entries)};
+  MapEntries<Executor> entries{passes.template array<std::uint32_t>(all.entries),
+                               passes.template array<std::uint32_t>(all.entries)};
   MapBox* const boxes = levels[0].boxes.data();
   passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
     const WordCounts here = before[i], after = before[i + 1];
@@ -204,29 +205,28 @@ void write_nested_maps(Passes& passes, const Vec3i& division, const ArrayOf<Pass
   write_maps(passes, levels, counts, std::move(begins), grid.voxel_map);
 }
 
-template <class Passes>
-MergedGridView<double> merged_view(const PassesGrid<Passes>& grid) {
-  const Lattice finest = finer(grid.lattice, grid.nested_log2);
-  return {grid.voxel_map.data(), grid.cells.data(),     grid.references.data(), {}, {}, {},
-          finest.division,       grid.lattice.division, grid.nested_log2};
+template <class Executor>
+MergedGridView<double> merged_view(const PassesGrid<Executor>& grid) {
+  const GridLayout finest = finer(grid.layout, grid.nested_log2);
+  return {grid.voxel_map.data(), grid.cells.data(),    grid.references.data(), {}, {}, {},
+          finest.division,       grid.layout.division, grid.nested_log2};
 }
 
-template <class Passes, class Stored>
-PassesGrid<Passes> irregular_by_passes(Passes& passes, const SceneView<Stored>& scene, const Lattice& lattice,
-                                       Overlap overlap, const MergeRule& rule) {
+template <class Executor, class Stored>
+PassesGrid<Executor> irregular_by_passes(Executor& passes, const SceneView<Stored>& scene,
+                                         const GridLayout& layout, Overlap overlap, const MergeRule& rule) {
   check_primitives(scene.primitive_count());
-  check_mergeable(lattice.division);
-  const Vec3i division = lattice.division;
-  PassesGrid<Passes> grid{lattice, Merge::irregular, 0, nested_log2_for(division, rule)};
-  const Partitioner<Stored> partitioner(scene, finer(lattice, grid.nested_log2), overlap,
-                                        partition_rule(rule));
-  VoxelPairs<Passes> pairs = voxel_pairs(passes, scene, lattice, overlap, StorageOrder(division, 0));
-  OccupiedVoxels<Passes> occupied = occupied_voxels(passes, pairs);
-  OpenParts<Passes> open;
-  auto first = first_level(passes, partitioner, division, grid.nested_log2, pairs, occupied, open);
+  check_mergeable(layout.division);
+  const Vec3i division = layout.division;
+  PassesGrid<Executor> grid{layout, Merge::irregular, 0, nested_log2_for(division, rule)};
+  const Splitter<Stored> splitter(scene, finer(layout, grid.nested_log2), overlap, partition_rule(rule));
+  VoxelPairs<Executor> pairs = voxel_pairs(passes, scene, layout, overlap, StorageOrder(division, 0));
+  OccupiedVoxels<Executor> occupied = occupied_voxels(passes, pairs);
+  OpenParts<Executor> open;
+  auto first = first_level(passes, splitter, division, grid.nested_log2, pairs, occupied, open);
   pairs = {};
   occupied.numbers = {};
-  auto levels = partition_by_passes(passes, partitioner, std::move(first), std::move(open));
+  auto levels = partition_by_passes(passes, splitter, std::move(first), std::move(open));
 
   check_leaves(levels);
 
@@ -259,7 +259,7 @@ PassesGrid<Passes> irregular_by_passes(Passes& passes, const SceneView<Stored>& 
   levels.clear();
   write_nested_maps(passes, division, occupied.places, start, leaves, grid);
   write_empty_runs(passes, division, occupied_number, cell_before, grid);
-  stretch_by_passes(passes, merged_view(grid), cells, grid.cells.data(), rule.stretches);
+  stretch_by_passes(passes, merged_view(grid), cells, grid.cells.data(), rule.expansions);
   return grid;
 }
 

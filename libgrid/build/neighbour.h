@@ -10,8 +10,8 @@ inline constexpr std::int32_t most_neighbours = 32;
 
 // What a cell that wants to stretch needs to know of a neighbour: one half of a cache line.
 struct alignas(32) Neighbour {
-  std::uint32_t own[3];       // the voxels that lead to it
-  std::uint32_t stretched[3]; // its box after the pass before
+  std::uint32_t own[3];      // the voxels that lead to it
+  std::uint32_t expanded[3]; // its box after the pass before
   std::uint32_t signature;
   std::uint32_t list;
 };
@@ -22,9 +22,9 @@ MASU_HD inline Neighbour as_neighbour(const MergedCell& cell, const PrimitiveInd
 }
 
 MASU_HD inline void set_stretched(Neighbour& neighbour, const MergedCell& cell) {
-  neighbour.stretched[0] = cell.x;
-  neighbour.stretched[1] = cell.y;
-  neighbour.stretched[2] = cell.z;
+  neighbour.expanded[0] = cell.x;
+  neighbour.expanded[1] = cell.y;
+  neighbour.expanded[2] = cell.z;
 }
 
 } // namespace masu

@@ -1,8 +1,8 @@
 // The map of a cube of voxels that is divided into cells: see grid_view.h for its words.
 #pragma once
 
+#include "libgrid/build/split.h"
 #include "libgrid/trace/grid_view.h"
-#include "libgrid/build/partition.h"
 
 #include <algorithm>
 #include <vector>

@@ -2,9 +2,9 @@
 // cube.
 #pragma once
 
+#include "libgrid/build/executor.h"
 #include "libgrid/build/merge.h"
 #include "libgrid/build/nested_map.h"
-#include "libgrid/build/passes.h"
 #include "libgrid/build/uniform_passes.h"
 
 #include <vector>
@@ -28,15 +28,15 @@ MASU_HD inline MapBox undivided(const MapPlace& place, std::uint64_t begin, std:
 }
 
 // Cells, place by place.
-template <class Passes>
+template <class Executor>
 struct MapEntries {
-  ArrayOf<Passes, std::uint32_t> cells{}, box_of{};
+  ArrayOf<Executor, std::uint32_t> cells{}, box_of{};
 };
 
-template <class Passes>
+template <class Executor>
 struct MapLevel {
-  ArrayOf<Passes, MapBox> boxes{};
-  ArrayOf<Passes, std::uint32_t> words{};
+  ArrayOf<Executor, MapBox> boxes{};
+  ArrayOf<Executor, std::uint32_t> words{};
 };
 
 struct DivideMapBoxes {
@@ -46,8 +46,8 @@ struct DivideMapBoxes {
   const std::uint32_t* entries;
 
   MASU_HD std::uint32_t size(std::uint64_t i) const { return boxes[i].end - boxes[i].begin; }
-  template <class Lanes>
-  MASU_HD void operator()(const Lanes& lanes, NoScratch&, std::uint64_t i) const {
+  template <class ThreadGroup>
+  MASU_HD void operator()(const ThreadGroup& lanes, NoScratch&, std::uint64_t i) const {
     MapBox& own = boxes[i];
     std::uint32_t planes[3] = {};
     for (std::uint32_t entry = own.begin + lanes.lane(); entry < own.end; entry += lanes.size()) {
@@ -71,8 +71,8 @@ struct CopyMapWords {
   MASU_HD std::uint32_t size(std::uint64_t i) const {
     return static_cast<std::uint32_t>(rounded_to_unit(parts_of(boxes[i].division)));
   }
-  template <class Lanes>
-  MASU_HD void operator()(const Lanes& lanes, NoScratch&, std::uint64_t i) const {
+  template <class ThreadGroup>
+  MASU_HD void operator()(const ThreadGroup& lanes, NoScratch&, std::uint64_t i) const {
     for (std::uint32_t word = lanes.lane(); word < size(i); word += lanes.size())
       map[places[i] + word] = words[boxes[i].words + word];
   }
@@ -89,9 +89,9 @@ struct WordCounts {
 
 // Fills in the level's boxes and words, the places of what they lead to excepted, and returns the boxes of
 // the next level. `entries` are the level's, and afterwards those of the next.
-template <class Passes>
-MapLevel<Passes> divide_map_level(Passes& passes, const MergedCell* cells, MapLevel<Passes>& level,
-                                  MapEntries<Passes>& entries) {
+template <class Executor>
+MapLevel<Executor> divide_map_level(Executor& passes, const MergedCell* cells, MapLevel<Executor>& level,
+                                    MapEntries<Executor>& entries) {
   MapBox* const boxes = level.boxes.data();
   const std::uint32_t* const entry_cell = entries.cells.data();
   const std::uint32_t* const entry_box = entries.box_of.data();
@@ -127,9 +127,9 @@ MapLevel<Passes> divide_map_level(Passes& passes, const MergedCell* cells, MapLe
   check_merged_sizes(all.entries, 0, 0, 0);
 
   level.words = passes.template zeros<std::uint32_t>(word_count);
-  MapLevel<Passes> next{passes.template array<MapBox>(all.children), {}};
-  MapEntries<Passes> next_entries{passes.template array<std::uint32_t>(all.entries),
-                                  passes.template array<std::uint32_t>(all.entries)};
+  MapLevel<Executor> next{passes.template array<MapBox>(all.children), {}};
+  MapEntries<Executor> next_entries{passes.template array<std::uint32_t>(all.entries),
+                                    passes.template array<std::uint32_t>(all.entries)};
   std::uint32_t* const words = level.words.data();
   std::uint32_t* const next_cell = next_entries.cells.data();
   std::uint32_t* const next_box = next_entries.box_of.data();
@@ -166,10 +166,10 @@ MapLevel<Passes> divide_map_level(Passes& passes, const MergedCell* cells, MapLe
 }
 
 // Of every level's boxes: how many words there are of each, and of all that it leads to.
-template <class Passes>
-std::vector<ArrayOf<Passes, std::uint32_t>> count_words(Passes& passes,
-                                                        const std::vector<MapLevel<Passes>>& levels) {
-  std::vector<ArrayOf<Passes, std::uint32_t>> counts(levels.size());
+template <class Executor>
+std::vector<ArrayOf<Executor, std::uint32_t>> count_words(Executor& passes,
+                                                          const std::vector<MapLevel<Executor>>& levels) {
+  std::vector<ArrayOf<Executor, std::uint32_t>> counts(levels.size());
   for (std::size_t level = levels.size(); level-- > 0;) {
     const std::uint64_t count = levels[level].boxes.size();
     counts[level] = passes.template array<std::uint32_t>(count);
@@ -188,10 +188,10 @@ std::vector<ArrayOf<Passes, std::uint32_t>> count_words(Passes& passes,
 }
 
 // Writes the words of all levels. `places` says of the first level's boxes where their words are to begin.
-template <class Passes>
-void write_maps(Passes& passes, std::vector<MapLevel<Passes>>& levels,
-                const std::vector<ArrayOf<Passes, std::uint32_t>>& counts,
-                ArrayOf<Passes, std::uint32_t> places, ArrayOf<Passes, std::uint32_t>& map) {
+template <class Executor>
+void write_maps(Executor& passes, std::vector<MapLevel<Executor>>& levels,
+                const std::vector<ArrayOf<Executor, std::uint32_t>>& counts,
+                ArrayOf<Executor, std::uint32_t> places, ArrayOf<Executor, std::uint32_t>& map) {
   for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
     auto next_places = passes.template array<std::uint32_t>(levels[level + 1].boxes.size());
     const MapBox* const boxes = levels[level].boxes.data();

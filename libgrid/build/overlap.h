@@ -1,5 +1,5 @@
 // Which voxels a primitive is listed in. Two tests, both for closed voxels (touching counts), grown by the
-// lattice's margin:
+// layout's margin:
 //  - box: the primitive's bounding box meets the voxel; a cone's box is taken with the larger radius round
 //    both ends.
 //  - exact: its surface meets the voxel: the triangle; the sphere's shell; the cone's side.
@@ -7,8 +7,8 @@
 #pragma once
 
 #include "libgrid/build/cone_overlap.h"
-#include "libgrid/lattice.h"
 #include "libgrid/build/triangle_overlap.h"
+#include "libgrid/grid_layout.h"
 
 namespace masu {
 
@@ -97,22 +97,22 @@ private:
 };
 
 // A triangle's rows run along the axis that it faces: they hold few voxels of it each, however large it is.
-MASU_HD inline VoxelRows overlap_rows(const Lattice& lattice, Overlap overlap,
+MASU_HD inline VoxelRows overlap_rows(const GridLayout& layout, Overlap overlap,
                                       const Triangle<double>& triangle) {
-  const VoxelRange range = voxels_met(lattice, grown(bounds(triangle), lattice.margin));
+  const VoxelRange range = voxels_met(layout, grown(bounds(triangle), layout.margin));
   const bool all = overlap == Overlap::box || is_line(range);
   return {range, all ? 0 : facing_axis(plane_normal(triangle))};
 }
 // Spheres' and cones'.
 template <class Primitive>
-MASU_HD VoxelRows overlap_rows(const Lattice& lattice, Overlap overlap, const Primitive& primitive) {
+MASU_HD VoxelRows overlap_rows(const GridLayout& layout, Overlap overlap, const Primitive& primitive) {
   const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
-  return {voxels_met(lattice, grown(box, lattice.margin)), 0};
+  return {voxels_met(layout, grown(box, layout.margin)), 0};
 }
 
 // Calls emit(voxel) once for each voxel of rows first … end - 1 that the primitive is listed in.
 template <class Emit>
-MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Triangle<double>& triangle,
+MASU_HD void for_each_overlap(const GridLayout& layout, Overlap overlap, const Triangle<double>& triangle,
                               const VoxelRows& rows, std::uint64_t first, std::uint64_t end,
                               const Emit& emit) {
   const int w = rows.w;
@@ -123,10 +123,10 @@ MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Tri
     });
     return;
   }
-  const Vec3d size = voxel_size(lattice);
-  const TriangleOverlap test(triangle, size * 0.5 + Vec3d{lattice.margin, lattice.margin, lattice.margin});
+  const Vec3d size = voxel_size(layout);
+  const TriangleOverlap test(triangle, size * 0.5 + Vec3d{layout.margin, layout.margin, layout.margin});
   const auto center = [&](int axis, std::int32_t voxel) {
-    return lattice.space.min[axis] + (voxel + 0.5) * size[axis];
+    return layout.space.min[axis] + (voxel + 0.5) * size[axis];
   };
   rows.for_each(first, end, [&](std::int32_t i, std::int32_t j) {
     Vec3d at{};
@@ -135,7 +135,7 @@ MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Tri
     double low, high;
     if (!test.column(at, low, high)) return;
     const auto voxel_below = [&](double coordinate) {
-      return (coordinate - lattice.space.min[w]) / size[w] - 0.5;
+      return (coordinate - layout.space.min[w]) / size[w] - 0.5;
     };
     // The interval is of centres; a voxel more on both sides makes good its rounding, meets() decides.
     const double from = std::max(std::floor(voxel_below(low)), static_cast<double>(rows.range.first[w]));
@@ -150,25 +150,25 @@ MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Tri
 
 // Spheres and cones.
 template <class Primitive, class Emit>
-MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Primitive& primitive,
+MASU_HD void for_each_overlap(const GridLayout& layout, Overlap overlap, const Primitive& primitive,
                               const VoxelRows& rows, std::uint64_t first, std::uint64_t end,
                               const Emit& emit) {
-  const Vec3d size = voxel_size(lattice);
+  const Vec3d size = voxel_size(layout);
   rows.for_each(first, end, [&](std::int32_t i, std::int32_t j) {
     for (std::int32_t k = rows.range.first[rows.w]; k <= rows.range.last[rows.w]; ++k) {
       const Vec3i voxel = rows.voxel(i, j, k);
-      const Vec3d low = lattice.space.min + cast<double>(voxel) * size;
-      if (overlap == Overlap::box || meets(primitive, Boxd{low, low + size}, lattice.margin)) emit(voxel);
+      const Vec3d low = layout.space.min + cast<double>(voxel) * size;
+      if (overlap == Overlap::box || meets(primitive, Boxd{low, low + size}, layout.margin)) emit(voxel);
     }
   });
 }
 
 // Of all rows.
 template <class Primitive, class Emit>
-MASU_HD void for_each_overlap(const Lattice& lattice, Overlap overlap, const Primitive& primitive,
+MASU_HD void for_each_overlap(const GridLayout& layout, Overlap overlap, const Primitive& primitive,
                               const Emit& emit) {
-  const VoxelRows rows = overlap_rows(lattice, overlap, primitive);
-  for_each_overlap(lattice, overlap, primitive, rows, 0, rows.count(), emit);
+  const VoxelRows rows = overlap_rows(layout, overlap, primitive);
+  for_each_overlap(layout, overlap, primitive, rows, 0, rows.count(), emit);
 }
 
 } // namespace masu

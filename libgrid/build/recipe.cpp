@@ -20,10 +20,10 @@ double available_memory() {
   return HUGE_VAL;
 }
 
-void check_memory(const Lattice& lattice, double references) {
-  const double needed = expected_build_bytes(lattice, references), available = available_memory();
+void check_memory(const GridLayout& layout, double references) {
+  const double needed = expected_build_bytes(layout, references), available = available_memory();
   if (needed <= available) return;
-  const Vec3i n = lattice.division;
+  const Vec3i n = layout.division;
   throw Error(
       ErrorCode::usage, "--division",
       fmt::format("{}x{}x{} voxels need about {:.1f} GB to build, {:.1f} GB are free: choose a coarser one",
@@ -40,7 +40,7 @@ std::string merge_text(Merge merge, const MergeRule& rule) {
     return fmt::format("balance target {}", rule.target);
   case Merge::irregular:
     return fmt::format("irregular nested {} detail {} step {} alpha {} stretch {}", rule.nested_log2,
-                       rule.detail, rule.step_over_test, rule.alpha, rule.stretches);
+                       rule.detail, rule.step_over_test, rule.alpha, rule.expansions);
   }
   return "";
 }
@@ -54,13 +54,13 @@ DivisionRule nested_rule(DivisionRule rule) {
 } // namespace
 
 template <class Stored>
-Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const GridRecipe& recipe) {
+Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const BuildOptions& recipe) {
   const DivisionRule& rule = recipe.division;
   const DivisionStatistics statistics = division_statistics(builder.scene());
   const auto lattice_by = [&](const DivisionRule& by) {
-    const Lattice lattice = make_lattice<Stored>(bounds, recipe.space, by, statistics);
-    check_memory(lattice, expected_references(statistics.all, lattice));
-    return lattice;
+    const GridLayout layout = make_grid_layout<Stored>(bounds, recipe.space, by, statistics);
+    check_memory(layout, expected_references(statistics.all, layout));
+    return layout;
   };
   MergeRule merge = recipe.merge;
   switch (recipe.choice) {
@@ -82,10 +82,10 @@ Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const GridReci
   }
   return {};
 }
-template Grid build_grid(GridBuilder<float>&, const Boxd&, const GridRecipe&);
-template Grid build_grid(GridBuilder<double>&, const Boxd&, const GridRecipe&);
+template Grid build_grid(GridBuilder<float>&, const Boxd&, const BuildOptions&);
+template Grid build_grid(GridBuilder<double>&, const Boxd&, const BuildOptions&);
 
-GridOrigin origin_of(const Grid& grid, const GridRecipe& recipe, const Hash& scene_hash,
+GridOrigin origin_of(const Grid& grid, const BuildOptions& recipe, const Hash& scene_hash,
                      std::uint64_t primitives) {
   return {scene_hash,     primitives,           recipe.space,
           recipe.overlap, recipe.division.text, merge_text(grid.merge, recipe.merge)};

@@ -3,8 +3,8 @@
 
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
-#include "libgrid/file/grid_file.h"
 #include "libgrid/build/merge.h"
+#include "libgrid/file/grid_file.h"
 
 namespace masu {
 
@@ -12,7 +12,7 @@ namespace masu {
 // (choose.h).
 enum class MergeChoice { automatic, none, x, balance, irregular };
 
-struct GridRecipe {
+struct BuildOptions {
   DivisionRule division;
   MergeChoice choice = MergeChoice::automatic;
   MergeRule merge; // but for its kind, which is the choice's
@@ -23,10 +23,10 @@ struct GridRecipe {
 // Of the builder's scene; `bounds` is that of all its primitives. Throws Error(usage, "--division", …) where
 // the machine hasn't the memory, and as the builder does.
 template <class Stored>
-Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const GridRecipe& recipe);
+Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const BuildOptions& recipe);
 
 // As the grid's file is to tell it.
-GridOrigin origin_of(const Grid& grid, const GridRecipe& recipe, const Hash& scene_hash,
+GridOrigin origin_of(const Grid& grid, const BuildOptions& recipe, const Hash& scene_hash,
                      std::uint64_t primitives);
 
 } // namespace masu

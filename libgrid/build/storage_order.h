@@ -1,8 +1,8 @@
 // The order in which a uniform grid's map stores its voxels.
 #pragma once
 
+#include "libgrid/grid_layout.h"
 #include "libgrid/trace/grid_view.h"
-#include "libgrid/lattice.h"
 
 namespace masu {
 

@@ -2,45 +2,44 @@
 #pragma once
 
 #include "libgrid/build/build.h"
-#include "libgrid/build/passes.h"
+#include "libgrid/build/executor.h"
 
 #include <bit>
 
 namespace masu {
 
-// A grid in a Passes' memory; grid_view.h says what the arrays hold.
-template <class Passes>
+// A grid in a Executor' memory; grid_view.h says what the arrays hold.
+template <class Executor>
 struct PassesGrid {
-  Lattice lattice{};
+  GridLayout layout{};
   Merge merge = Merge::none;
   std::int32_t block_log2 = 0, nested_log2 = 0;
-  ArrayOf<Passes, std::uint32_t> voxel_map{};
-  ArrayOf<Passes, MergedCell> cells{};
-  ArrayOf<Passes, PrimitiveIndex> references{};
+  ArrayOf<Executor, std::uint32_t> voxel_map{};
+  ArrayOf<Executor, MergedCell> cells{};
+  ArrayOf<Executor, PrimitiveIndex> references{};
 };
 
 // Which primitives are in which voxels, by voxel in the order of their places, then by primitive.
-template <class Passes>
+template <class Executor>
 struct VoxelPairs {
-  ArrayOf<Passes, std::uint64_t> places{};
-  ArrayOf<Passes, PrimitiveIndex> primitives{};
+  ArrayOf<Executor, std::uint64_t> places{};
+  ArrayOf<Executor, PrimitiveIndex> primitives{};
 };
 
 // Primitives are gone through in pieces of so many rows of voxels, so that a large one is shared.
 inline constexpr std::uint64_t rows_a_piece = 32;
 
-template <class Passes, class Stored>
-VoxelPairs<Passes> voxel_pairs(Passes& passes, const SceneView<Stored>& scene, const Lattice& lattice,
-                               Overlap overlap, const StorageOrder& order) {
+template <class Executor, class Stored>
+VoxelPairs<Executor> voxel_pairs(Executor& passes, const SceneView<Stored>& scene, const GridLayout& layout,
+                                 Overlap overlap, const StorageOrder& order) {
   const std::uint32_t primitives = scene.primitive_count();
   auto pieces = passes.template array<std::uint64_t>(primitives + std::uint64_t{1});
   std::uint64_t* const first_piece = pieces.data();
   passes.for_each(primitives + std::uint64_t{1}, [=] MASU_PASS(std::uint64_t i) {
     std::uint64_t rows = 0;
     if (i != primitives) {
-      with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
-        rows = overlap_rows(lattice, overlap, primitive).count();
-      });
+      with_primitive(scene, static_cast<PrimitiveIndex>(i),
+                     [&](const auto& primitive) { rows = overlap_rows(layout, overlap, primitive).count(); });
     }
     first_piece[i] = (rows + rows_a_piece - 1) / rows_a_piece;
   });
@@ -55,8 +54,8 @@ VoxelPairs<Passes> voxel_pairs(Passes& passes, const SceneView<Stored>& scene, c
       const std::uint64_t i = owner_of(first_piece, primitives, piece);
       const std::uint64_t first = (piece - first_piece[i]) * rows_a_piece;
       with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
-        const VoxelRows rows = overlap_rows(lattice, overlap, primitive);
-        for_each_overlap(lattice, overlap, primitive, rows, first,
+        const VoxelRows rows = overlap_rows(layout, overlap, primitive);
+        for_each_overlap(layout, overlap, primitive, rows, first,
                          std::min(first + rows_a_piece, rows.count()), [&](const Vec3i&) { ++count; });
       });
     }
@@ -66,8 +65,8 @@ VoxelPairs<Passes> voxel_pairs(Passes& passes, const SceneView<Stored>& scene, c
   const std::uint64_t pair_count = passes.value(pairs, piece_count);
   if (pair_count > most_numbered) too_fine("more than 2^31 references");
 
-  VoxelPairs<Passes> result{passes.template array<std::uint64_t>(pair_count),
-                            passes.template array<PrimitiveIndex>(pair_count)};
+  VoxelPairs<Executor> result{passes.template array<std::uint64_t>(pair_count),
+                              passes.template array<PrimitiveIndex>(pair_count)};
   std::uint64_t* const place = result.places.data();
   PrimitiveIndex* const primitive_of = result.primitives.data();
   passes.for_each(piece_count, [=] MASU_PASS(std::uint64_t piece) {
@@ -75,8 +74,8 @@ VoxelPairs<Passes> voxel_pairs(Passes& passes, const SceneView<Stored>& scene, c
     const std::uint64_t first = (piece - first_piece[i]) * rows_a_piece;
     std::uint64_t at = first_pair[piece];
     with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
-      const VoxelRows rows = overlap_rows(lattice, overlap, primitive);
-      for_each_overlap(lattice, overlap, primitive, rows, first, std::min(first + rows_a_piece, rows.count()),
+      const VoxelRows rows = overlap_rows(layout, overlap, primitive);
+      for_each_overlap(layout, overlap, primitive, rows, first, std::min(first + rows_a_piece, rows.count()),
                        [&](const Vec3i& voxel) {
                          place[at] = order.place(voxel);
                          primitive_of[at++] = static_cast<PrimitiveIndex>(i);
@@ -89,8 +88,8 @@ VoxelPairs<Passes> voxel_pairs(Passes& passes, const SceneView<Stored>& scene, c
 
 // Numbers what begins anew along a list: numbers[i] is how many of 0 … i - 1 begin something, for i up to
 // `count`. begins(i) says whether i does.
-template <class Passes, class Begins>
-ArrayOf<Passes, std::uint32_t> numbered(Passes& passes, std::uint64_t count, const Begins& begins) {
+template <class Executor, class Begins>
+ArrayOf<Executor, std::uint32_t> numbered(Executor& passes, std::uint64_t count, const Begins& begins) {
   auto numbers = passes.template array<std::uint32_t>(count + 1);
   std::uint32_t* const number = numbers.data();
   passes.for_each(count + 1,
@@ -99,18 +98,18 @@ ArrayOf<Passes, std::uint32_t> numbered(Passes& passes, std::uint64_t count, con
   return numbers;
 }
 
-template <class Passes, class Stored>
-PassesGrid<Passes> uniform_by_passes(Passes& passes, const SceneView<Stored>& scene, const Lattice& lattice,
-                                     Overlap overlap) {
+template <class Executor, class Stored>
+PassesGrid<Executor> uniform_by_passes(Executor& passes, const SceneView<Stored>& scene,
+                                       const GridLayout& layout, Overlap overlap) {
   check_primitives(scene.primitive_count());
-  const StorageOrder order(lattice.division, block_log2_for(lattice.division));
-  VoxelPairs<Passes> pairs = voxel_pairs(passes, scene, lattice, overlap, order);
+  const StorageOrder order(layout.division, block_log2_for(layout.division));
+  VoxelPairs<Executor> pairs = voxel_pairs(passes, scene, layout, overlap, order);
   const std::uint64_t count = pairs.places.size(), block_words = voxel_count(order.blocks);
   const std::uint64_t* const place = pairs.places.data();
   const std::int32_t block_bits = 3 * order.block_log2;
 
-  PassesGrid<Passes> grid{lattice, Merge::none, order.block_log2, 0};
-  ArrayOf<Passes, std::uint32_t> blocks{};
+  PassesGrid<Executor> grid{layout, Merge::none, order.block_log2, 0};
+  ArrayOf<Executor, std::uint32_t> blocks{};
   std::uint64_t block_count = 0;
   if (block_bits > 0) {
     blocks = numbered(passes, count, [=] MASU_PASS(std::uint64_t i) {

@@ -23,18 +23,18 @@ std::span<const fb::Section> section_list(const fb::Grid& table) {
 }
 
 std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
-                                     const std::vector<fb::Section>& layout) {
+                                     const std::vector<fb::Section>& section_layout) {
   flatbuffers::FlatBufferBuilder builder;
-  const auto sections = builder.CreateVectorOfStructs(layout);
+  const auto sections = builder.CreateVectorOfStructs(section_layout);
   const auto rule = builder.CreateString(origin.division_rule);
   const auto merge_rule = builder.CreateString(origin.merge_rule);
   const fb::Hash scene_hash(origin.scene_hash.low, origin.scene_hash.high);
-  const Boxd& s = grid.lattice.space;
+  const Boxd& s = grid.layout.space;
   const fb::Box space({s.min.x, s.min.y, s.min.z}, {s.max.x, s.max.y, s.max.z});
-  const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.lattice.division);
+  const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.layout.division);
   const fb::Division division(n.x, n.y, n.z);
   builder.Finish(fb::CreateGrid(
-      builder, &scene_hash, origin.primitives, &space, grid.lattice.margin, &division,
+      builder, &scene_hash, origin.primitives, &space, grid.layout.margin, &division,
       static_cast<std::uint32_t>(grid.block_log2), static_cast<std::uint32_t>(grid.nested_log2),
       origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
       origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
@@ -71,29 +71,29 @@ bool is_divisible(const fb::Box& space) {
 }
 
 template <class Real>
-GridView<Real> view_of(const Lattice& lattice, std::int32_t block_log2,
+GridView<Real> view_of(const GridLayout& layout, std::int32_t block_log2,
                        std::span<const std::uint32_t> voxel_map, std::span<const PrimitiveIndex> references) {
-  const Vec3d size = voxel_size(lattice);
+  const Vec3d size = voxel_size(layout);
   return {voxel_map.data(),
           references.data(),
-          cast<Real>(lattice.space.min),
+          cast<Real>(layout.space.min),
           cast<Real>(size),
           cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
-          lattice.division,
-          blocks_of(lattice.division, block_log2),
+          layout.division,
+          blocks_of(layout.division, block_log2),
           block_log2};
 }
 
 template <class Real>
-MergedGridView<Real> view_of(const Lattice& lattice, std::int32_t nested_log2,
+MergedGridView<Real> view_of(const GridLayout& layout, std::int32_t nested_log2,
                              std::span<const std::uint32_t> voxel_map, std::span<const MergedCell> cells,
                              std::span<const PrimitiveIndex> references) {
-  const Lattice finest = finer(lattice, nested_log2);
+  const GridLayout finest = finer(layout, nested_log2);
   const Vec3d size = voxel_size(finest);
   return {voxel_map.data(),  cells.data(),
           references.data(), cast<Real>(finest.space.min),
           cast<Real>(size),  cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
-          finest.division,   lattice.division,
+          finest.division,   layout.division,
           nested_log2};
 }
 
@@ -181,8 +181,8 @@ void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& p
       section_data(number(fb::GridSection::cells), std::span(grid.cells)),
       section_data(number(fb::GridSection::references), std::span(grid.references)),
   };
-  const auto layout = lay_out(sections);
-  write_container(path, grid_file_kind, grid_table(grid, origin, layout), sections, layout);
+  const auto section_layout = lay_out(sections);
+  write_container(path, grid_file_kind, grid_table(grid, origin, section_layout), sections, section_layout);
 }
 
 GridFile::GridFile(const std::string& path, Checks checks) : GridFile(path, checks, Stopwatch()) {}
@@ -212,7 +212,7 @@ void GridFile::check(bool good, const char* what) const {
 
 void GridFile::check_sizes() const {
   const std::uint64_t words = voxel_map().size();
-  const Vec3i n = lattice().division;
+  const Vec3i n = layout().division;
   bool good = false;
   if (is_merged()) {
     const auto nested_log2 = table_->nested_log2();
@@ -240,7 +240,7 @@ void GridFile::check_records() const {
 void GridFile::check_uniform() const {
   const auto map = voxel_map();
   const auto block_log2 = static_cast<std::int32_t>(table_->block_log2());
-  const std::uint64_t blocks = voxel_count(blocks_of(lattice().division, block_log2));
+  const std::uint64_t blocks = voxel_count(blocks_of(layout().division, block_log2));
   const std::uint64_t block_maps = (map.size() - blocks) >> (3 * block_log2), lists = references().size();
   check(all(map.size(),
             [&](std::uint64_t i) {
@@ -267,7 +267,7 @@ void GridFile::check_merged() const {
         "its voxel map leads astray");
 }
 
-Lattice GridFile::lattice() const {
+GridLayout GridFile::layout() const {
   const fb::Division& n = *table_->division();
   return {{vector_of(table_->space()->min()), vector_of(table_->space()->max())},
           cast<std::int32_t>(Vec3<std::uint32_t>{n.x(), n.y(), n.z()}),
@@ -293,14 +293,14 @@ void GridFile::check_scene(const Hash& scene_hash, std::uint64_t primitives) con
 
 template <class Real>
 GridView<Real> GridFile::view() const {
-  return view_of<Real>(lattice(), static_cast<std::int32_t>(table_->block_log2()), voxel_map(), references());
+  return view_of<Real>(layout(), static_cast<std::int32_t>(table_->block_log2()), voxel_map(), references());
 }
 template GridView<float> GridFile::view() const;
 template GridView<double> GridFile::view() const;
 
 template <class Real>
 MergedGridView<Real> GridFile::merged_view() const {
-  return view_of<Real>(lattice(), static_cast<std::int32_t>(table_->nested_log2()), voxel_map(), cells(),
+  return view_of<Real>(layout(), static_cast<std::int32_t>(table_->nested_log2()), voxel_map(), cells(),
                        references());
 }
 template MergedGridView<float> GridFile::merged_view() const;
@@ -308,14 +308,14 @@ template MergedGridView<double> GridFile::merged_view() const;
 
 template <class Real>
 GridView<Real> view_of(const Grid& grid) {
-  return view_of<Real>(grid.lattice, grid.block_log2, grid.voxel_map, grid.references);
+  return view_of<Real>(grid.layout, grid.block_log2, grid.voxel_map, grid.references);
 }
 template GridView<float> view_of(const Grid&);
 template GridView<double> view_of(const Grid&);
 
 template <class Real>
 MergedGridView<Real> merged_view_of(const Grid& grid) {
-  return view_of<Real>(grid.lattice, grid.nested_log2, grid.voxel_map, grid.cells, grid.references);
+  return view_of<Real>(grid.layout, grid.nested_log2, grid.voxel_map, grid.cells, grid.references);
 }
 template MergedGridView<float> merged_view_of(const Grid&);
 template MergedGridView<double> merged_view_of(const Grid&);

@@ -39,7 +39,7 @@ public:
   const std::string& path() const { return container_.path(); }
   std::uint64_t bytes() const { return container_.bytes(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
-  Lattice lattice() const;
+  GridLayout layout() const;
   bool is_merged() const { return table_->merge() != fb::Merge::none; }
   std::span<const std::uint32_t> voxel_map() const;
   std::span<const MergedCell> cells() const;

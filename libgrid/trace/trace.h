@@ -12,11 +12,11 @@ namespace masu {
 struct NoGrid {};
 
 // When the search for the nearest hit ends: once nothing that is still to come can be nearer; or, as the
-// study did that motivated this project, with the first cell where anything is hit, wherever that hit lies:
+// 2012 thesis did (README), with the first cell where anything is hit, wherever that hit lies:
 // sooner, and sometimes wrong.
 enum class StopRule { proven, first_cell };
 
-// How rays are traced, compiled in: the ray says by which tests (RayLine<Real>, RayFrame<Real>,
+// How rays are traced, compiled in: the ray says by which tests (PreparedRay<Real>, WatertightRay<Real>,
 // TextbookRay), `kinds` is a set of primitive kinds.
 template <class TestRay_, unsigned kinds_, StopRule stop_ = StopRule::proven>
 struct Method {
@@ -122,13 +122,13 @@ MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Sto
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene, const Grid& grid,
                                                  const Ray<typename M::Real>& ray, Counts& counts) {
-  return seen_from_origin(nearest_hit_near<M>(scene, grid, ray, counts));
+  return relative_to_origin(nearest_hit_near<M>(scene, grid, ray, counts));
 }
 
 // Whether any primitive is hit at 0 < t < t_max.
 template <class M, class Stored, class Grid, class Counts>
-MASU_HD inline bool is_blocked(const SceneView<Stored>& scene, const Grid& grid,
-                               const Ray<typename M::Real>& ray, Counts& counts) {
+MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Grid& grid,
+                                const Ray<typename M::Real>& ray, Counts& counts) {
   using Real = typename M::Real;
   ClippedRay<Real> near{};
   if (!clip(ray, cast<Real>(scene.clip), near)) return false;

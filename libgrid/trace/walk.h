@@ -4,10 +4,10 @@
 // Grids", CGF 36(2), 2017.
 //
 // Why the grid never shows: along an axis the cell at distance t is bounded by planes whose computed
-// distances enclose t; each is off by less than the builder's margin (libscene/geometry/margin.h). So when the walk
-// has reached t, every primitive with a computed hit up to t is listed in a cell that was visited. A visitor
-// that stops once its nearest hit is no farther than the cell's exit has therefore seen all that could be
-// nearer, or as near.
+// distances enclose t; each is off by less than the builder's margin (libscene/geometry/margin.h). So when
+// the walk has reached t, every primitive with a computed hit up to t is listed in a cell that was visited. A
+// visitor that stops once its nearest hit is no farther than the cell's exit has therefore seen all that
+// could be nearer, or as near.
 #pragma once
 
 #include "libgrid/trace/grid_view.h"
@@ -28,13 +28,13 @@ struct WalkAxis {
   MASU_HD std::int32_t along(std::int32_t voxel) const { return voxel ^ reversed; }
   MASU_HD std::int32_t voxel() const { return at ^ reversed; }
   MASU_HD Real crossing(std::int32_t plane) const {
-    return fused(static_cast<Real>(plane), plane_step, plane_start);
+    return fma(static_cast<Real>(plane), plane_step, plane_start);
   }
-  MASU_HD std::int32_t voxel_at(Real t) const { return truncated(fused(t, voxel_step, voxel_start)); }
+  MASU_HD std::int32_t voxel_at(Real t) const { return truncated(fma(t, voxel_step, voxel_start)); }
 };
 
-MASU_HD inline std::int32_t held(std::int32_t value, std::int32_t low, std::int32_t high) {
-  return smaller(larger(value, low), high);
+MASU_HD inline std::int32_t clamp(std::int32_t value, std::int32_t low, std::int32_t high) {
+  return min(max(value, low), high);
 }
 
 template <class Real>
@@ -80,7 +80,7 @@ struct Walk {
   MASU_HD void enter(const Grid& grid) {
     cell = cell_at(grid, voxel(), {x.reversed, y.reversed, z.reversed});
     crossings = {x.crossing(cell.far.x), y.crossing(cell.far.y), z.crossing(cell.far.z)};
-    exit = least(crossings.x, least(crossings.y, crossings.z));
+    exit = fast_min(crossings.x, fast_min(crossings.y, crossings.z));
   }
 
   // To the voxel beyond the cell's exit; false when the space ends there.
@@ -99,20 +99,21 @@ struct Walk {
 
   // Where the ray leaves the space.
   MASU_HD Real end(const Grid& grid) const {
-    return least(x.crossing(grid.division.x & ~x.reversed),
-                 least(y.crossing(grid.division.y & ~y.reversed), z.crossing(grid.division.z & ~z.reversed)));
+    return fast_min(
+        x.crossing(grid.division.x & ~x.reversed),
+        fast_min(y.crossing(grid.division.y & ~y.reversed), z.crossing(grid.division.z & ~z.reversed)));
   }
 
   // How many voxels along the axis where they are most the ray passes from t to t + 1.
   MASU_HD Real speed() const {
-    return greatest(std::abs(x.voxel_step), greatest(std::abs(y.voxel_step), std::abs(z.voxel_step)));
+    return fast_max(std::abs(x.voxel_step), fast_max(std::abs(y.voxel_step), std::abs(z.voxel_step)));
   }
 
   // Goes on from t, a place on the ray's way through the space; from outside in the nearest voxel.
   MASU_HD void begin_at(const Grid& grid, Real t) {
-    x.at = x.along(held(x.voxel_at(t), 0, grid.division.x - 1));
-    y.at = y.along(held(y.voxel_at(t), 0, grid.division.y - 1));
-    z.at = z.along(held(z.voxel_at(t), 0, grid.division.z - 1));
+    x.at = x.along(clamp(x.voxel_at(t), 0, grid.division.x - 1));
+    y.at = y.along(clamp(y.voxel_at(t), 0, grid.division.y - 1));
+    z.at = z.along(clamp(z.voxel_at(t), 0, grid.division.z - 1));
     exit = t;
   }
 
@@ -130,7 +131,7 @@ private:
   MASU_HD std::int32_t next_along(const WalkAxis<Real>& axis, std::int32_t far, bool crosses) const {
     const std::int32_t beyond = axis.along(far) - axis.reversed; // of the plane: its two voxels are 1 apart
     if (cell.one_voxel) return crosses ? beyond : axis.at;
-    const std::int32_t reached = larger(smaller(axis.along(axis.voxel_at(exit)), beyond - 1), axis.at);
+    const std::int32_t reached = max(min(axis.along(axis.voxel_at(exit)), beyond - 1), axis.at);
     return crosses ? beyond : reached;
   }
   MASU_HD static bool is_within(std::int32_t voxel, std::int32_t division) {

@@ -1,8 +1,8 @@
 #include "libscene/file/scene_file.h"
 
-#include "libscene/geometry/cone.h"
 #include "libscene/error.h"
-#include "libscene/float32_doubt.h"
+#include "libscene/float32_precision.h"
+#include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/stopwatch.h"
 
@@ -91,20 +91,21 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
 
 // Every coordinate a number, and one that the store's arithmetic can take.
 template <class T>
-bool is_held(const Vec3<T>& v) {
+bool is_finite(const Vec3<T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 template <class T>
-bool is_held(const CornerNormals<T>& n) {
-  return is_held(n.a) && is_held(n.b) && is_held(n.c);
+bool is_finite(const CornerNormals<T>& n) {
+  return is_finite(n.a) && is_finite(n.b) && is_finite(n.c);
 }
 template <class T>
-bool is_held(const Cone<T>& c) {
-  return is_held(c.base) && is_held(c.apex) && std::isfinite(c.base_radius) && std::isfinite(c.apex_radius);
+bool is_finite(const Cone<T>& c) {
+  return is_finite(c.base) && is_finite(c.apex) && std::isfinite(c.base_radius) &&
+         std::isfinite(c.apex_radius);
 }
 template <class T>
-bool is_held(const Light<T>& l) {
-  return is_held(l.position) && is_held(l.intensity);
+bool is_finite(const Light<T>& l) {
+  return is_finite(l.position) && is_finite(l.intensity);
 }
 
 // How far from the origin the farthest coordinate may be, and must be, for products of three to stay in
@@ -162,7 +163,7 @@ void write_stored(const Scene& scene, const std::string& path) {
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
   const auto all_held = [](const auto& records) {
-    return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_held(record); });
+    return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_finite(record); });
   };
   if (!all_held(normals))
     throw Error(ErrorCode::input, path, "a corner's normal isn't finite: give it a length near 1");
@@ -197,7 +198,7 @@ std::span<const fb::Section> section_list(const fb::Scene& table) {
 
 bool fits_float32(const Scene& scene, Store store) {
   if (store != Store::automatic) return store == Store::float32;
-  return scene.float32_suffices && reaches_within<float>(bounds(scene)) && !float32_doubt(scene).any();
+  return scene.float32_suffices && reaches_within<float>(bounds(scene)) && !float32_precision(scene).any();
 }
 
 Boxd bounds(const Scene& scene) {
@@ -244,12 +245,12 @@ void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::ui
             const auto& t = view.triangles[i];
             return contains(corners, t.a) && contains(corners, t.b) && contains(corners, t.c);
           }) &&
-      all(view.normals_count, [&](std::uint32_t i) { return is_held(view.normals[i]); }) &&
+      all(view.normals_count, [&](std::uint32_t i) { return is_finite(view.normals[i]); }) &&
       all(view.sphere_count,
           [&](std::uint32_t i) { return within(cast<double>(masu::bounds(view.spheres[i]))); }) &&
       all(view.cone_count,
-          [&](std::uint32_t i) { return is_held(view.cones[i]) && within(masu::bounds(view.cones[i])); }) &&
-      all(view.light_count, [&](std::uint32_t i) { return is_held(view.lights[i]); });
+          [&](std::uint32_t i) { return is_finite(view.cones[i]) && within(masu::bounds(view.cones[i])); }) &&
+      all(view.light_count, [&](std::uint32_t i) { return is_finite(view.lights[i]); });
   if (!held)
     throw Error(ErrorCode::input, path,
                 "a coordinate isn't a number within the scene's bounds: make the file again");

@@ -14,8 +14,8 @@ namespace masu {
 inline constexpr FileKind scene_file_kind{{'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene"};
 
 // automatic: float32 when every coordinate's digits, as written in the text, survive it, and products of
-// coordinates do, and float32 arithmetic can tell the scene's parts from each other (float32_doubt.h); else
-// float64.
+// coordinates do, and float32 arithmetic can tell the scene's parts from each other (float32_precision.h);
+// else float64.
 enum class Store { automatic, float32, float64 };
 
 // Of all primitives; empty where there is none.

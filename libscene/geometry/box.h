@@ -25,8 +25,8 @@ MASU_HD inline bool is_empty(const Box<T>& b) {
 }
 template <class T>
 MASU_HD inline Box<T> join(const Box<T>& a, const Box<T>& b) {
-  return {{smaller(a.min.x, b.min.x), smaller(a.min.y, b.min.y), smaller(a.min.z, b.min.z)},
-          {larger(a.max.x, b.max.x), larger(a.max.y, b.max.y), larger(a.max.z, b.max.z)}};
+  return {{min(a.min.x, b.min.x), min(a.min.y, b.min.y), min(a.min.z, b.min.z)},
+          {max(a.max.x, b.max.x), max(a.max.y, b.max.y), max(a.max.z, b.max.z)}};
 }
 template <class T>
 MASU_HD inline Box<T> join(const Box<T>& a, const Vec3<T>& p) {
@@ -47,7 +47,7 @@ MASU_HD inline Box<To> cast(const Box<From>& b) {
 }
 template <class T>
 MASU_HD inline T largest_magnitude(const Box<T>& b) {
-  return larger(largest_magnitude(b.min), largest_magnitude(b.max));
+  return max(largest_magnitude(b.min), largest_magnitude(b.max));
 }
 
 } // namespace masu

@@ -26,8 +26,9 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
                             Real& enter) {
   constexpr Real slack = 8 * RealTraits<Real>::unit_roundoff;
   const Vec3<Real> t0 = (box.min - ray.origin) * inverse, t1 = (box.max - ray.origin) * inverse;
-  enter = greatest(greatest(Real(0), least(t0.x, t1.x)), greatest(least(t0.y, t1.y), least(t0.z, t1.z)));
-  const Real leave = least(greatest(t0.x, t1.x), least(greatest(t0.y, t1.y), greatest(t0.z, t1.z)));
+  enter =
+      fast_max(fast_max(Real(0), fast_min(t0.x, t1.x)), fast_max(fast_min(t0.y, t1.y), fast_min(t0.z, t1.z)));
+  const Real leave = fast_min(fast_max(t0.x, t1.x), fast_min(fast_max(t0.y, t1.y), fast_max(t0.z, t1.z)));
   enter = enter * (1 - slack);
   return enter <= leave * (1 + slack) && enter <= ray.t_max;
 }
@@ -37,8 +38,8 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
 template <class Real>
 MASU_HD inline bool departs(const Box<Real>& box, const Ray<Real>& ray, Real padding) {
   const Vec3<Real> above = ray.origin - box.min, below = box.max - ray.origin, d = ray.direction;
-  return least(d.x > 0 ? below.x : above.x, least(d.y > 0 ? below.y : above.y, d.z > 0 ? below.z : above.z)) <
-         padding;
+  return fast_min(d.x > 0 ? below.x : above.x,
+                  fast_min(d.y > 0 ? below.y : above.y, d.z > 0 ? below.z : above.z)) < padding;
 }
 
 // False when the ray misses the box, a scene's padded bounds (margin.h), or leaves the bounds for good. The
@@ -56,7 +57,7 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
   for (bool again = true; again;) {
     Real enter;
     if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;
-    clipped.ray.origin = fused(d, enter, clipped.ray.origin);
+    clipped.ray.origin = fma(d, enter, clipped.ray.origin);
     again = clipped.skipped == 0 && enter * largest_magnitude(d) > far;
     clipped.skipped += enter;
     clipped.ray.t_max -= enter;

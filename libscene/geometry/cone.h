@@ -39,7 +39,7 @@ MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
 // Whether the ray meets the side at a t > 0; then `t` is the first such place. A cone that doesn't taper, a
 // cylinder, takes less.
 template <bool may_taper = true, class Real, class Stored>
-MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone, Real& t) {
+MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& cone, Real& t) {
   const Vec3<Real> whole = cast<Real>(cone.apex) - cast<Real>(cone.base);
   const Vec3<Real> origin = ray.origin - cast<Real>(cone.base);
   const Real base = std::abs(static_cast<Real>(cone.base_radius)),
@@ -50,7 +50,7 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
 
   // How far apart the ray's line and the axis' are: most tests end here.
   const Vec3<Real> turn = cross(ray.direction, axis);
-  const Real turn_square = dot(turn, turn), apart = dot(origin, turn), widest = greatest(base, apex);
+  const Real turn_square = dot(turn, turn), apart = dot(origin, turn), widest = fast_max(base, apex);
   if (apart * apart > widest * widest * turn_square) return false;
   // Of the rest, most end with one more look. The ray is outside and moves away from the axis, as where it
   // leaves this very surface: whoever is taken for outside by a rounding alone is within the margin of it. Or
@@ -60,19 +60,19 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
   const Real parting = dot(beside, turn);
   const bool leaves = (parting >= 0) & (dot(beside, beside) > widest * widest * square);
   constexpr Real roundings = 64 * RealTraits<Real>::unit_roundoff;
-  const Vec3<Real> from_middle = fused(whole, Real(-0.5), origin);
+  const Vec3<Real> from_middle = fma(whole, Real(-0.5), origin);
   const Vec3<Real> past =
-      fused(ray.direction, -(dot(from_middle, ray.direction) * ray.inverse_square), from_middle);
-  const Real ball = fused(widest, widest, dot(whole, whole) / 4);
+      fma(ray.direction, -(dot(from_middle, ray.direction) * ray.inverse_square), from_middle);
+  const Real ball = fma(widest, widest, dot(whole, whole) / 4);
   const bool passes =
-      dot(past, past) > fused(roundings * roundings, dot(from_middle, from_middle), ball + ball / 256);
+      dot(past, past) > fma(roundings * roundings, dot(from_middle, from_middle), ball + ball / 256);
   if (leaves | passes) return false;
 
   // At t the height along the axis is z + t dz, from 0 (base) to `top` (apex); the distance ρ from the axis
   // is |from_base × axis + t turn| / |axis|, and the cone's radius R is (r + t dr) / rise. What R grows by
   // over the height, and that height, are brought to size together. A cylinder's doesn't grow, and `rise` is
   // 1: then the code for cones computes the same bits as that for cylinders alone.
-  const Real unit = inverse_power_of_two(greatest(longest, widest));
+  const Real unit = inverse_power_of_two(fast_max(longest, widest));
   const Vec3<Real> from_base = origin * unit;
   const Real base_radius = base * unit, top = dot(whole, axis) * unit;
   const Real z = dot(from_base, axis), dz = dot(ray.direction, axis);
@@ -81,7 +81,7 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
   Real bend = turn_square, pull = parting * unit;
   if constexpr (may_taper) {
     const Real growth = apex * unit - base_radius;
-    const Real size = inverse_power_of_two(greatest(top, std::abs(growth)));
+    const Real size = inverse_power_of_two(fast_max(top, std::abs(growth)));
     const Real rise = growth != 0 ? top * size : 1;
     rise_square = rise * rise;
     base_rise = base_radius * rise;
@@ -89,37 +89,37 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
     widening = growth * size;
     dr = widening * dz;
     dr_square = square * dr;
-    bend = fused(dr_square, dr, turn_rise);
-    pull = fused(dr_square, fused(widening, z, base_rise), rise_square * pull);
+    bend = fma(dr_square, dr, turn_rise);
+    pull = fma(dr_square, fma(widening, z, base_rise), rise_square * pull);
   }
 
   // Where ρ² + R² is least between the ends, give or take a rounding of heights: where it is least anywhere,
   // which is pull / bend before t = 0, or else at the nearer end.
   const Real distance = sum_of_magnitudes(from_base);
-  const Real middle = top / 2, within = fused(roundings, distance + top, middle);
-  const Real above_middle = fused(z - middle, bend, -(pull * dz)); // times bend
+  const Real middle = top / 2, within = fma(roundings, distance + top, middle);
+  const Real above_middle = fma(z - middle, bend, -(pull * dz)); // times bend
   const bool beyond = std::abs(above_middle) > within * bend;
   const Real start =
-      quotient(beyond ? middle + std::copysign(within, above_middle) - z : -pull, beyond ? dz : bend);
+      fast_divide(beyond ? middle + std::copysign(within, above_middle) - z : -pull, beyond ? dz : bend);
   // A ray all but across the axis comes between the ends' planes only far away, where every digit is lost;
   // but neither a hit nor that place is farther off than the cone (its length is less than twice its longest
   // component) and √2 times its radius.
-  const Real reach = Real(1.5) * fused(2 * longest + widest, unit, distance);
+  const Real reach = Real(1.5) * fma(2 * longest + widest, unit, distance);
   const Real speed = largest_magnitude(ray.direction);
 
   // From there, a s² + 2 b s + c = 0.
-  const Vec3<Real> there = fused(ray.direction, start, from_base);
+  const Vec3<Real> there = fma(ray.direction, start, from_base);
   const Vec3<Real> off = rough_cross(there, axis);
   const Real height = dot(there, axis);
   Real radius = base_radius, a = turn_square, b = dot(off, turn), c = dot(off, off);
   if constexpr (may_taper) {
-    radius = fused(widening, height, base_rise);
-    a = fused(-dr_square, dr, turn_rise);
-    b = fused(-radius, dr_square, rise_square * b);
+    radius = fma(widening, height, base_rise);
+    a = fma(-dr_square, dr, turn_rise);
+    b = fma(-radius, dr_square, rise_square * b);
     c = rise_square * c;
   }
-  c = fused(-square * radius, radius, c);
-  const Real discriminant = fused(b, b, -(a * c));
+  c = fma(-square * radius, radius, c);
+  const Real discriminant = fma(b, b, -(a * c));
   if (!((discriminant >= 0) & (std::abs(start) * speed <= reach))) return false;
   const Real magnitude = std::sqrt(discriminant);
   const Real root = b < 0 ? -magnitude : magnitude; // as for 0, so for -0
@@ -129,13 +129,13 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
   // leave more of a height than it is high.
   const bool flat = may_taper && widening * widening * square > rise_square;
   const auto shows = [&](Real step) {
-    const Real at = start + step, up = fused(step, dz, height);
+    const Real at = start + step, up = fma(step, dz, height);
     bool between = (up >= 0) & (up <= top);
     if (flat) {
-      const Vec3<Real> out = fused(turn, step, off);
+      const Vec3<Real> out = fma(turn, step, off);
       const Real rho_square = dot(out, out); // times |axis|²
-      const Real narrow = least(base, apex) * unit, wide = widest * unit;
-      between = std::abs(up - middle) <= within && fused(step, dr, radius) >= 0 &&
+      const Real narrow = fast_min(base, apex) * unit, wide = widest * unit;
+      between = std::abs(up - middle) <= within && fma(step, dr, radius) >= 0 &&
                 rho_square >= narrow * narrow * square && rho_square <= wide * wide * square;
     }
     return (at > 0) & (at * speed <= reach) & between;
@@ -149,7 +149,7 @@ MASU_HD inline bool intersect(const RayLine<Real>& ray, const Cone<Stored>& cone
     tries = 1;
   }
   for (; tries > 0; --tries, by_a = !by_a) {
-    const Real step = quotient(by_a ? q : c, by_a ? a : q);
+    const Real step = fast_divide(by_a ? q : c, by_a ? a : q);
     if (shows(step)) {
       t = (start + step) * inverse_power_of_two(unit);
       return t > 0;

@@ -2,12 +2,12 @@
 // cone.
 #pragma once
 
-#include "libscene/geometry/cone.h"
 #include "libscene/fetch.h"
-#include "libscene/scene_view.h"
+#include "libscene/geometry/cone.h"
 #include "libscene/geometry/sphere.h"
 #include "libscene/geometry/textbook.h"
 #include "libscene/geometry/triangle.h"
+#include "libscene/scene_view.h"
 
 namespace masu {
 

@@ -12,7 +12,8 @@
 //    15).
 //  - Cones (cone.h) are solved about the place where their terms are least: below 60 u M (millions of hard
 //    cases found none worse).
-//  - The walk (libgrid/trace/walk.h): plane i's distance along the ray is one fused multiply-add of two factors
+//  - The walk (libgrid/trace/walk.h): plane i's distance along the ray is one fused multiply-add of two
+//  factors
 //    rounded thrice, below 14 u M along that axis; the voxel reached at an exit another, below 14 u M too.
 // 128 u M covers their sum. The space that is divided, and the box that rays are clipped to, reach twice that
 // beyond the bounds: a hit on the bounds' own face, and a walk to it, stay inside. That also gives flat

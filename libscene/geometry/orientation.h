@@ -36,7 +36,7 @@ inline double sum_of_products(const std::array<std::array<double, 2>, 6>& factor
   };
   for (const auto& [a, b] : factors) {
     const double product = a * b;
-    add(fused(a, b, -product));
+    add(fma(a, b, -product));
     add(product);
   }
   while (count > 1 && parts[count - 1] == 0)

@@ -28,7 +28,7 @@ MASU_HD inline bool is_nearer(Real t, PrimitiveIndex primitive, const Hit<Real>&
 // The direction without components so small that they can't move the ray by a hundredth of a rounding on its
 // way through the scene: what lies exactly along the ray stays so, and no product with them underflows.
 template <class Real>
-MASU_HD inline Vec3<Real> without_traces(const Vec3<Real>& direction) {
+MASU_HD inline Vec3<Real> flush_tiny_components(const Vec3<Real>& direction) {
   const Real least = largest_magnitude(direction) * (RealTraits<Real>::unit_roundoff / 256);
   return {std::abs(direction.x) < least ? 0 : direction.x, std::abs(direction.y) < least ? 0 : direction.y,
           std::abs(direction.z) < least ? 0 : direction.z};
@@ -37,7 +37,7 @@ MASU_HD inline Vec3<Real> without_traces(const Vec3<Real>& direction) {
 // What all tests of one ray share, with which they lose no hit: the ray of `robust` and `double` arithmetic
 // (textbook.h has that of `fast`).
 template <class Real_>
-struct RayLine {
+struct PreparedRay {
   using Real = Real_;
   Vec3<Real> origin, direction;
   Real inverse_square; // 1 / |direction|²
@@ -46,14 +46,14 @@ struct RayLine {
 // The same with two vectors that span the plane across the ray: what each test of a triangle needs, and so
 // worth its registers where there are many.
 template <class Real_>
-struct RayFrame : RayLine<Real_> {
+struct WatertightRay : PreparedRay<Real_> {
   Vec3<Real_> across1, across2;
 };
 
 // across1 is exact: two of the direction's own components, swapped, the smallest left out. So the plane
 // deviates from perpendicular by no more than across2's rounding.
 template <class Real>
-MASU_HD inline RayFrame<Real> framed(const RayLine<Real>& ray) {
+MASU_HD inline WatertightRay<Real> prepare_watertight(const PreparedRay<Real>& ray) {
   const Vec3<Real> d = ray.direction;
   const Real x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
   const bool no_x = (x <= y) & (x <= z), no_y = !no_x & (y <= z);
@@ -70,20 +70,20 @@ MASU_HD inline RayFrame<Real> framed(const RayLine<Real>& ray) {
 }
 
 template <class Real>
-MASU_HD inline void prepare(RayLine<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
-  const Vec3<Real> direction = without_traces(along);
-  ray = {origin, direction, quotient(Real(1), dot(direction, direction))};
+MASU_HD inline void prepare(PreparedRay<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
+  const Vec3<Real> direction = flush_tiny_components(along);
+  ray = {origin, direction, fast_divide(Real(1), dot(direction, direction))};
 }
 template <class Real>
-MASU_HD inline void prepare(RayFrame<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
-  RayLine<Real> line{};
+MASU_HD inline void prepare(WatertightRay<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {
+  PreparedRay<Real> line{};
   prepare(line, origin, along);
-  ray = framed(line);
+  ray = prepare_watertight(line);
 }
 
 // A hit as of the ray from where it enters the scene's bounds (clip.h): `hit.t` counts from that ray's
 // origin, `skipped` is the t before it. Primitive no_primitive where nothing is hit; then t is the whole
-// ray's t_max. TestRay: RayLine<Real>, RayFrame<Real>
+// ray's t_max. TestRay: PreparedRay<Real>, WatertightRay<Real>
 // or TextbookRay.
 template <class TestRay>
 struct NearHit {
@@ -94,7 +94,7 @@ struct NearHit {
 };
 
 template <class TestRay>
-MASU_HD inline Hit<typename TestRay::Real> seen_from_origin(const NearHit<TestRay>& near) {
+MASU_HD inline Hit<typename TestRay::Real> relative_to_origin(const NearHit<TestRay>& near) {
   if (near.hit.primitive == no_primitive) return near.hit;
   return {near.hit.t + near.skipped, near.hit.primitive};
 }

@@ -27,10 +27,10 @@ struct RealTraits<double> {
 };
 
 // a*b + c, rounded once.
-MASU_SMALL float fused(float a, float b, float c) {
+MASU_SMALL float fma(float a, float b, float c) {
   return std::fma(a, b, c);
 }
-MASU_SMALL double fused(double a, double b, double c) {
+MASU_SMALL double fma(double a, double b, double c) {
   return std::fma(a, b, c);
 }
 
@@ -39,8 +39,8 @@ MASU_SMALL double fused(double a, double b, double c) {
 template <class Real>
 MASU_SMALL Real difference_of_products(Real a, Real b, Real c, Real d) {
   const Real cd = c * d;
-  const Real lost = fused(-c, d, cd);
-  return fused(a, b, -cd) + lost;
+  const Real lost = fma(-c, d, cd);
+  return fma(a, b, -cd) + lost;
 }
 
 // A number's bits, and back.
@@ -77,26 +77,26 @@ MASU_SMALL double double_of(std::uint64_t bits) {
 // once in a hundred thousand to the number beside; beyond, whatever it is, the same on host and device.
 // Without a branch, where the device's own division has a slow path that costs all code around it registers.
 // Newton's iteration, from a guess by the exponent.
-MASU_SMALL float quotient(float a, float b) {
+MASU_SMALL float fast_divide(float a, float b) {
   const float guess = float_of(0x7ef311c7U - bits_of(b)); // off by up to an eighth
-  const float lacks = fused(-b, guess, 1.0F);
-  const float better = fused(fused(lacks, lacks, lacks), guess, guess);
-  const float inverse = fused(fused(-b, better, 1.0F), better, better);
+  const float lacks = fma(-b, guess, 1.0F);
+  const float better = fma(fma(lacks, lacks, lacks), guess, guess);
+  const float inverse = fma(fma(-b, better, 1.0F), better, better);
   const float rough = a * inverse;
-  return fused(fused(-b, rough, a), inverse, rough);
+  return fma(fma(-b, rough, a), inverse, rough);
 }
-MASU_SMALL double quotient(double a, double b) {
+MASU_SMALL double fast_divide(double a, double b) {
   return a / b;
 }
 
 // The smaller and the larger of two numbers, spelled out so that host and device agree on NaN: it never wins
 // over `b`.
 template <class T>
-MASU_SMALL T smaller(T a, T b) {
+MASU_SMALL T min(T a, T b) {
   return a < b ? a : b;
 }
 template <class T>
-MASU_SMALL T larger(T a, T b) {
+MASU_SMALL T max(T a, T b) {
   return a > b ? a : b;
 }
 
@@ -105,7 +105,7 @@ MASU_SMALL T larger(T a, T b) {
 template <class Real>
 MASU_SMALL Real finite_inverse(Real v) {
   constexpr Real largest = RealTraits<Real>::largest;
-  return smaller(larger(quotient(Real(1), v), -largest), largest); // of 0 the quotient is NaN
+  return min(max(fast_divide(Real(1), v), -largest), largest); // of 0 the quotient is NaN
 }
 
 // Rounded towards zero; beyond 2^30, where nothing here depends on it, to a number as large or
@@ -143,25 +143,25 @@ MASU_SMALL double inverse_power_of_two(double magnitude) {
 }
 
 // The least and the greatest of numbers that are never NaN, in one instruction; of -0 and +0 either.
-MASU_SMALL float least(float a, float b) {
+MASU_SMALL float fast_min(float a, float b) {
 #ifdef __CUDA_ARCH__
   return fminf(a, b);
 #else
-  return smaller(a, b);
+  return min(a, b);
 #endif
 }
-MASU_SMALL float greatest(float a, float b) {
+MASU_SMALL float fast_max(float a, float b) {
 #ifdef __CUDA_ARCH__
   return fmaxf(a, b);
 #else
-  return larger(a, b);
+  return max(a, b);
 #endif
 }
-MASU_SMALL double least(double a, double b) {
-  return smaller(a, b);
+MASU_SMALL double fast_min(double a, double b) {
+  return min(a, b);
 }
-MASU_SMALL double greatest(double a, double b) {
-  return larger(a, b);
+MASU_SMALL double fast_max(double a, double b) {
+  return max(a, b);
 }
 
 } // namespace masu

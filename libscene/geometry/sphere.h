@@ -10,11 +10,11 @@ namespace masu {
 // Whether the ray meets the shell at a t > 0; then `t` is the first such place. Of a negative radius only the
 // inside is there: where the ray leaves.
 template <class Real, class Stored>
-MASU_HD inline bool intersect(const RayLine<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
+MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
   const Real radius = static_cast<Real>(sphere.radius);
   const Vec3<Real> to_center = cast<Real>(sphere.center) - ray.origin;
   const Real nearest = dot(to_center, ray.direction) * ray.inverse_square;
-  const Vec3<Real> off = fused(ray.direction, -nearest, to_center);
+  const Vec3<Real> off = fma(ray.direction, -nearest, to_center);
   const Real discriminant = difference_of_products(radius, radius, Real(1), dot(off, off));
   if (!(discriminant >= 0)) return false;
   const Real half_chord = std::sqrt(discriminant * ray.inverse_square);

@@ -23,12 +23,12 @@ MASU_HD inline Real surface_error(Real extent) {
 template <class Real>
 MASU_HD inline Vec3<Real> mean(const EdgeFunctions<Real>& shares, const Vec3<Real>& a, const Vec3<Real>& b,
                                const Vec3<Real>& c) {
-  return fused(a, shares.a, fused(b, shares.b, c * shares.c));
+  return fma(a, shares.a, fma(b, shares.b, c * shares.c));
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const RayFrame<Real>& ray, Real,
-                                             const Triangle<Stored>& triangle) {
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const WatertightRay<Real>& ray,
+                                             Real, const Triangle<Stored>& triangle) {
   const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
   const EdgeFunctions<Real> weights = edge_functions(ray, a - ray.origin, b - ray.origin, c - ray.origin);
   // Where the weights all underflow the middle is as good as any place.
@@ -52,27 +52,27 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
     // Opposite corners can cancel out.
     if (largest_magnitude(between) > 0) point.shading = normalized(between);
   }
-  point.error =
-      surface_error(larger(largest_magnitude(a), larger(largest_magnitude(b), largest_magnitude(c))));
+  point.error = surface_error(max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c))));
   point.material = static_cast<std::uint32_t>(triangle.material);
   return point;
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const RayLine<Real>& ray, Real t,
-                                             const Triangle<Stored>& triangle) {
-  return surface_at(scene, framed(ray), t, triangle);
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const PreparedRay<Real>& ray,
+                                             Real t, const Triangle<Stored>& triangle) {
+  return surface_at(scene, prepare_watertight(ray), t, triangle);
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const RayLine<Real>& ray, Real t, const Sphere<Stored>& sphere) {
+MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real t,
+                                             const Sphere<Stored>& sphere) {
   const Vec3<Real> center = cast<Real>(sphere.center);
   const Real radius = std::abs(static_cast<Real>(sphere.radius));
-  const Vec3<Real> from_center = fused(ray.direction, t, ray.origin) - center;
+  const Vec3<Real> from_center = fma(ray.direction, t, ray.origin) - center;
   // A sphere smaller than an ulp of its place has no better direction than back.
   const Vec3<Real> outwards = normalized(largest_magnitude(from_center) > 0 ? from_center : -ray.direction);
   SurfacePoint<Real> point{};
-  point.position = fused(outwards, radius, center);
+  point.position = fma(outwards, radius, center);
   point.normal = sphere.radius < 0 ? -outwards : outwards;
   point.shading = point.normal;
   point.error = surface_error(largest_magnitude(center) + radius);
@@ -80,18 +80,18 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayLine<Real>& ray, Real t, c
 }
 
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const RayLine<Real>& ray, Real t, const Cone<Stored>& cone) {
+MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real t, const Cone<Stored>& cone) {
   const ConeAxis<Real> c = cone_axis<Real>(cone);
-  const Vec3<Real> from_base = fused(ray.direction, t, ray.origin - c.base);
+  const Vec3<Real> from_base = fma(ray.direction, t, ray.origin - c.base);
   const Real anywhere = dot(from_base, c.axis) * c.inverse_square;
-  Vec3<Real> off_axis = fused(c.axis, -anywhere, from_base);
+  Vec3<Real> off_axis = fma(c.axis, -anywhere, from_base);
   Real distance = length(off_axis);
   const Real doubt = 16 * RealTraits<Real>::unit_roundoff *
                      (length(from_base) + largest_magnitude(c.base) + largest_magnitude(c.base + c.axis));
   // By a pointed end rounding leaves no direction: the side that the ray comes to is as good as any.
   if (distance <= doubt) {
     const Vec3<Real> against = -ray.direction;
-    off_axis = fused(c.axis, -dot(against, c.axis) * c.inverse_square, against);
+    off_axis = fma(c.axis, -dot(against, c.axis) * c.inverse_square, against);
     if (!(dot(off_axis, off_axis) > Real(1e-6) * dot(against, against)))
       off_axis = std::abs(c.axis.x) < std::abs(c.axis.y) ? Vec3<Real>{0, c.axis.z, -c.axis.y}
                                                          : Vec3<Real>{-c.axis.z, 0, c.axis.x};
@@ -99,22 +99,22 @@ MASU_HD inline SurfacePoint<Real> surface_at(const RayLine<Real>& ray, Real t, c
   }
   const Vec3<Real> aside = normalized(off_axis);
   // Once more, for what rounding left along the axis.
-  const Vec3<Real> away = normalized(fused(c.axis, -dot(aside, c.axis) * c.inverse_square, aside));
+  const Vec3<Real> away = normalized(fma(c.axis, -dot(aside, c.axis) * c.inverse_square, aside));
   // The nearest place of the side, a segment as seen over the axis: t is rounded, and what that moves a flat
   // cone's point along the axis may be more than its length.
   const Real square = dot(c.axis, c.axis);
   const Real place =
-      ((distance - c.base_radius) * c.growth + anywhere * square) / fused(c.growth, c.growth, square);
-  const Real z = larger(smaller(place, Real(1)), Real(0));
-  const Real radius = fused(c.growth, z, c.base_radius);
-  const Vec3<Real> outwards = normalized(fused(c.axis, -c.growth * c.inverse_square, away));
+      ((distance - c.base_radius) * c.growth + anywhere * square) / fma(c.growth, c.growth, square);
+  const Real z = max(min(place, Real(1)), Real(0));
+  const Real radius = fma(c.growth, z, c.base_radius);
+  const Vec3<Real> outwards = normalized(fma(c.axis, -c.growth * c.inverse_square, away));
   SurfacePoint<Real> point{};
-  point.position = c.base + fused(away, radius, c.axis * z);
+  point.position = c.base + fma(away, radius, c.axis * z);
   point.normal = is_inside_out(cone) ? -outwards : outwards;
   point.shading = point.normal;
-  point.error = surface_error(
-      larger(largest_magnitude(cast<Real>(cone.base)), largest_magnitude(cast<Real>(cone.apex))) +
-      larger(c.base_radius, c.base_radius + c.growth));
+  point.error =
+      surface_error(max(largest_magnitude(cast<Real>(cone.base)), largest_magnitude(cast<Real>(cone.apex))) +
+                    max(c.base_radius, c.base_radius + c.growth));
   return point;
 }
 
@@ -158,7 +158,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
                                              const Hit<Real>& hit) {
   ClippedRay<Real> clipped{};
   clip(ray, cast<Real>(scene.clip), clipped);
-  NearHit<RayFrame<Real>> near{{}, {hit.t - clipped.skipped, hit.primitive}, clipped.skipped};
+  NearHit<WatertightRay<Real>> near{{}, {hit.t - clipped.skipped, hit.primitive}, clipped.skipped};
   prepare(near.ray, clipped.ray.origin, clipped.ray.direction);
   Unasked unasked;
   intersect<kinds>(scene, near.ray, hit.primitive, near.hit.t, unasked);

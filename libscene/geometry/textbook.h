@@ -97,8 +97,8 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, 
   const Vec3f from_base = ray.origin - c.base;
   const float height = dot(from_base, c.axis) * c.inverse_square,
               rise = dot(ray.direction, c.axis) * c.inverse_square;
-  const Vec3f off = fused(c.axis, -height, from_base), across = fused(c.axis, -rise, ray.direction);
-  const float radius = fused(c.growth, height, c.base_radius), widening = c.growth * rise;
+  const Vec3f off = fma(c.axis, -height, from_base), across = fma(c.axis, -rise, ray.direction);
+  const float radius = fma(c.growth, height, c.base_radius), widening = c.growth * rise;
   const float qa = dot(across, across) - widening * widening, qb = dot(off, across) - radius * widening,
               qc = dot(off, off) - radius * radius;
   const float discriminant = qb * qb - qa * qc;
@@ -107,10 +107,10 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, 
   const float root1 = (-qb - root) * inverse, root2 = (-qb + root) * inverse;
   const bool inside_only = cone.base_radius < 0 || cone.apex_radius < 0;
   const auto shows = [&](float at) {
-    const float there = fused(rise, at, height);
-    return at > 0 && there >= 0 && there <= 1 && (!inside_only || fused(qa, at, qb) > 0);
+    const float there = fma(rise, at, height);
+    return at > 0 && there >= 0 && there <= 1 && (!inside_only || fma(qa, at, qb) > 0);
   };
-  const float first = least(root1, root2), second = greatest(root1, root2);
+  const float first = fast_min(root1, root2), second = fast_max(root1, root2);
   t = shows(first) ? first : second;
   return shows(t);
 }

@@ -51,7 +51,7 @@ MASU_SMALL bool operator==(const Vec3<T>& a, const Vec3<T>& b) {
 
 template <class T>
 MASU_SMALL T dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return fused(a.x, b.x, fused(a.y, b.y, a.z * b.z));
+  return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z));
 }
 template <class T>
 MASU_SMALL Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
@@ -61,12 +61,12 @@ MASU_SMALL Vec3<T> cross(const Vec3<T>& a, const Vec3<T>& b) {
 // The same to within roundings of |a||b|, in half the operations.
 template <class T>
 MASU_SMALL Vec3<T> rough_cross(const Vec3<T>& a, const Vec3<T>& b) {
-  return {fused(a.y, b.z, -(a.z * b.y)), fused(a.z, b.x, -(a.x * b.z)), fused(a.x, b.y, -(a.y * b.x))};
+  return {fma(a.y, b.z, -(a.z * b.y)), fma(a.z, b.x, -(a.x * b.z)), fma(a.x, b.y, -(a.y * b.x))};
 }
 // a + b*s, rounded once a component.
 template <class T>
-MASU_SMALL Vec3<T> fused(const Vec3<T>& b, T s, const Vec3<T>& a) {
-  return {fused(b.x, s, a.x), fused(b.y, s, a.y), fused(b.z, s, a.z)};
+MASU_SMALL Vec3<T> fma(const Vec3<T>& b, T s, const Vec3<T>& a) {
+  return {fma(b.x, s, a.x), fma(b.y, s, a.y), fma(b.z, s, a.z)};
 }
 template <class T>
 MASU_SMALL T length(const Vec3<T>& a) {
@@ -75,7 +75,7 @@ MASU_SMALL T length(const Vec3<T>& a) {
 // The largest component's magnitude; v has no NaN.
 template <class T>
 MASU_SMALL T largest_magnitude(const Vec3<T>& v) {
-  return greatest(std::abs(v.x), greatest(std::abs(v.y), std::abs(v.z)));
+  return fast_max(std::abs(v.x), fast_max(std::abs(v.y), std::abs(v.z)));
 }
 template <class T>
 MASU_SMALL T sum_of_magnitudes(const Vec3<T>& v) {
@@ -86,7 +86,7 @@ MASU_SMALL T sum_of_magnitudes(const Vec3<T>& v) {
 template <class T>
 MASU_SMALL Vec3<T> normalized(const Vec3<T>& v) {
   const Vec3<T> sized = v * inverse_power_of_two(largest_magnitude(v));
-  return sized * quotient(T(1), length(sized));
+  return sized * fast_divide(T(1), length(sized));
 }
 
 } // namespace masu

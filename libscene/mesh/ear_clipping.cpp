@@ -11,7 +11,7 @@ namespace {
 constexpr double slack = 32 * RealTraits<double>::unit_roundoff;
 
 double extent(const Point2& a, const Point2& b) {
-  return larger(std::abs(a.x - b.x), std::abs(a.y - b.y));
+  return max(std::abs(a.x - b.x), std::abs(a.y - b.y));
 }
 
 double squared_distance(const Point2& a, const Point2& b) {
@@ -19,7 +19,7 @@ double squared_distance(const Point2& a, const Point2& b) {
 }
 
 bool lies_between(double a, double value, double b) {
-  return smaller(a, b) < value && value < larger(a, b);
+  return min(a, b) < value && value < max(a, b);
 }
 
 } // namespace

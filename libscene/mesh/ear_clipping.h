@@ -21,10 +21,10 @@ public:
 private:
   // What a vertex is, in the order in which vertices are cut off.
   enum class Rank : std::uint8_t {
-    spike,   // both edges leave the same way: no area
-    open,    // convex, and nothing known to be in the way
-    grazed,  // straight but for rounding, or a vertex on its cut is: would make a sliver
-    flat,    // straight
+    spike,    // both edges leave the same way: no area
+    open,     // convex, and nothing known to be in the way
+    grazed,   // straight but for rounding, or a vertex on its cut is: would make a sliver
+    flat,     // straight
     blocked, // a vertex is in the way
     reflex,
   };

@@ -75,17 +75,17 @@ private:
 
   void build(std::size_t index, std::uint32_t first, std::uint32_t last) {
     if (nodes_.size() <= index) nodes_.resize(index + 1);
-    Point2 min = points_[members_[first]];
-    Point2 max = min;
+    Point2 low = points_[members_[first]];
+    Point2 high = low;
     for (std::uint32_t i = first + 1; i < last; ++i) {
       const Point2& p = points_[members_[i]];
-      min = {smaller(min.x, p.x), smaller(min.y, p.y)};
-      max = {larger(max.x, p.x), larger(max.y, p.y)};
+      low = {min(low.x, p.x), min(low.y, p.y)};
+      high = {max(high.x, p.x), max(high.y, p.y)};
     }
-    const Node node{min, max, first, last, last - first};
+    const Node node{low, high, first, last, last - first};
     nodes_[index] = node;
     if (node.is_leaf()) return;
-    const bool by_x = max.x - min.x >= max.y - min.y;
+    const bool by_x = high.x - low.x >= high.y - low.y;
     std::nth_element(members_.begin() + first, members_.begin() + node.middle(), members_.begin() + last,
                      [&](std::uint32_t a, std::uint32_t b) {
                        return by_x ? points_[a].x < points_[b].x : points_[a].y < points_[b].y;
@@ -96,9 +96,9 @@ private:
 
   static std::pair<Point2, Point2> box_of(const std::array<Point2, 3>& triangle, double slack) {
     const auto [a, b, c] = triangle;
-    const Point2 low{smaller(a.x, smaller(b.x, c.x)), smaller(a.y, smaller(b.y, c.y))};
-    const Point2 high{larger(a.x, larger(b.x, c.x)), larger(a.y, larger(b.y, c.y))};
-    const double margin = slack * larger(high.x - low.x, high.y - low.y);
+    const Point2 low{min(a.x, min(b.x, c.x)), min(a.y, min(b.y, c.y))};
+    const Point2 high{max(a.x, max(b.x, c.x)), max(a.y, max(b.y, c.y))};
+    const double margin = slack * max(high.x - low.x, high.y - low.y);
     return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
   }
 
@@ -109,7 +109,7 @@ private:
       const Point2 along{triangle[(i + 1) % 3].x - a.x, triangle[(i + 1) % 3].y - a.y};
       const Point2 inmost{along.y < 0 ? node.max.x : node.min.x, along.x > 0 ? node.max.y : node.min.y};
       const double side = along.x * (inmost.y - a.y) - along.y * (inmost.x - a.x);
-      if (side < -slack * larger(std::abs(along.x), std::abs(along.y))) return true;
+      if (side < -slack * max(std::abs(along.x), std::abs(along.y))) return true;
     }
     return false;
   }

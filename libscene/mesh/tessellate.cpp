@@ -58,7 +58,7 @@ std::vector<UnitTriangle> unit_sphere(int facets) {
 // pointing inwards: as it should be.
 void append_sphere(Scene& scene, const Sphere<double>& sphere, const Surface& surface,
                    const std::vector<UnitTriangle>& unit, std::uint64_t first_normals) {
-  const auto corner = [&](const Vec3d& direction) { return fused(direction, sphere.radius, sphere.center); };
+  const auto corner = [&](const Vec3d& direction) { return fma(direction, sphere.radius, sphere.center); };
   for (std::size_t i = 0; i < unit.size(); ++i)
     scene.triangles.push_back({corner(unit[i][0]), surface.object, corner(unit[i][1]), surface.material,
                                corner(unit[i][2]), first_normals + i});
@@ -103,10 +103,10 @@ std::vector<Edge> cone_edges(const Cone<double>& cone, int facets) {
   edges.reserve(static_cast<std::size_t>(facets));
   for (int i = 0; i < facets; ++i) {
     const double angle = 2 * std::numbers::pi * i / facets;
-    const Vec3d away = fused(u, std::cos(angle), v * std::sin(angle));
-    const Vec3d normal = fused(along, -growth / slant, away * (height / slant));
-    edges.push_back({{fused(away, cone.base_radius, cone.base), normal},
-                     {fused(away, cone.apex_radius, cone.apex), normal}});
+    const Vec3d away = fma(u, std::cos(angle), v * std::sin(angle));
+    const Vec3d normal = fma(along, -growth / slant, away * (height / slant));
+    edges.push_back(
+        {{fma(away, cone.base_radius, cone.base), normal}, {fma(away, cone.apex_radius, cone.apex), normal}});
   }
   return edges;
 }

@@ -30,8 +30,8 @@ bool split_convex_quad(std::span<const Vec3d, 4> q, Triangulation& result) {
   double coordinate = 0;
   double edge = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    coordinate = larger(coordinate, largest_magnitude(q[i]));
-    edge = larger(edge, largest_magnitude(q[(i + 1) % 4] - q[i]));
+    coordinate = max(coordinate, largest_magnitude(q[i]));
+    edge = max(edge, largest_magnitude(q[(i + 1) % 4] - q[i]));
   }
   const double limit = area_error(coordinate, edge);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -53,7 +53,7 @@ bool split_convex_quad(std::span<const Vec3d, 4> q, Triangulation& result) {
 double scale_to_one(std::span<const Vec3d> polygon) {
   double largest = 0;
   for (const Vec3d& p : polygon)
-    largest = larger(largest, largest_magnitude(p));
+    largest = max(largest, largest_magnitude(p));
   return largest > 0 ? std::ldexp(1.0, std::min(1000, -std::ilogb(largest) - 1)) : 1;
 }
 
@@ -72,7 +72,7 @@ Vec3d mean_normal(std::span<const Vec3d> polygon, double scale) {
     sum = sum + corner;
     if (largest_magnitude(corner) > largest_magnitude(greatest)) greatest = corner;
     length += largest_magnitude(b - a);
-    farthest = larger(farthest, larger(largest_magnitude(a), largest_magnitude(b)));
+    farthest = max(farthest, max(largest_magnitude(a), largest_magnitude(b)));
   }
   if (largest_magnitude(sum) > area_error(1, length)) return sum;
   return largest_magnitude(greatest) > area_error(1, farthest) ? greatest : Vec3d{0, 0, 0};
@@ -114,8 +114,8 @@ void drop_slivers(std::span<const Vec3d> polygon, Triangulation& result) {
 bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d to_b = b - a;
   const Vec3d to_c = c - a;
-  const double coordinate = larger(largest_magnitude(a), larger(largest_magnitude(b), largest_magnitude(c)));
-  const double edge = larger(largest_magnitude(to_b), largest_magnitude(to_c));
+  const double coordinate = max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c)));
+  const double edge = max(largest_magnitude(to_b), largest_magnitude(to_c));
   return largest_magnitude(cross(to_b, to_c)) > area_error(coordinate, edge);
 }
 

@@ -73,9 +73,9 @@ Camera complete_view(const View& view, const Scene& scene, const Text& text) {
   } else {
     const Ball ball = ball_round(scene);
     // The ball fills the angle, a wide image's height or a narrow one's width.
-    const double narrowing = smaller(1.0, static_cast<double>(camera.width) / camera.height);
+    const double narrowing = min(1.0, static_cast<double>(camera.width) / camera.height);
     const double half_angle = std::atan(narrowing * std::tan(camera.angle / 2 * std::numbers::pi / 180));
-    const double distance = larger(ball.radius / std::sin(half_angle), ball.radius);
+    const double distance = max(ball.radius / std::sin(half_angle), ball.radius);
     const Vec3d back = direction(default_sight) * -distance;
     camera.at = view.look_at.value_or(ball.center);
     camera.from = view.from.value_or(camera.at + back);

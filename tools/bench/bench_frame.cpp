@@ -117,7 +117,7 @@ void add_frame(CLI::App& app) {
       ->capture_default_str();
   add_backend(frame, settings.backend);
   add_precision(frame, settings.tracing.precision);
-  add_study_rule(frame, settings.tracing.stop);
+  add_first_cell_hit(frame, settings.tracing.stop);
   frame.add_flag("--general", settings.tracing.general,
                  "by the code for every kind of primitive, whatever the scene holds");
   frame.add_option("--size", settings.size, "the picture's, WxH")->capture_default_str();

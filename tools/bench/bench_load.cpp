@@ -1,7 +1,7 @@
 // What loading a scene and its grid costs, beside a plain copy of the two files' bytes to the same memory.
-#include "tools/bench/plain_copy.h"
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/plain_copy.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // Random rays of a real scene, each precision's hits against brute force by the oracle.
-#include "tools/bench/ray_sets.h"
-#include "tools/bench/stability/run.h"
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/ray_sets.h"
+#include "tools/bench/stability/run.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -22,7 +22,7 @@ struct Settings {
   std::vector<std::string> precisions;
   std::size_t rays = 100'000;
   std::uint64_t seed = 1;
-  bool study_rule = false, json = false;
+  bool first_cell_hit = false, json = false;
   Threads threads;
 };
 
@@ -34,7 +34,7 @@ std::vector<Way> ways_for(const Settings& settings, const SceneFile& scene) {
       continue;
     resolved(way.precision, scene); // or refused
     ways.push_back(way);
-    if (settings.study_rule) ways.back().stop = StopRule::first_cell;
+    if (settings.first_cell_hit) ways.back().stop = StopRule::first_cell;
   }
   return ways;
 }
@@ -92,7 +92,7 @@ void bench_oracle(const Settings& settings) {
     const Tally& t = tallies[i];
     if (settings.json) {
       rows.push_back({{"precision", ways[i].name},
-                      {"study_rule", settings.study_rule},
+                      {"first_cell_hit", settings.first_cell_hit},
                       {"rays", t.rays},
                       {"unsure", t.unsure},
                       {"missed", t.missed},
@@ -126,7 +126,7 @@ void add_oracle(CLI::App& app) {
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double"}))
       ->capture_default_str();
-  oracle.add_flag("--study-rule", settings.study_rule,
+  oracle.add_flag("--first-cell-hit", settings.first_cell_hit,
                   "take the first hit of the first cell that has any, wherever it lies");
   oracle.add_flag("--json", settings.json, "as JSON");
   settings.threads.add_to(oracle);

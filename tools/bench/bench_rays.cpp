@@ -1,8 +1,8 @@
 // Throughput by kind of ray, closest hit and any hit, and what a ray costs.
 #include "tools/bench/bench.h"
 
-#include "tools/bench/ray_sets.h"
 #include "tools/backend_choice.h"
+#include "tools/bench/ray_sets.h"
 
 #include <nlohmann/json.hpp>
 
@@ -34,13 +34,14 @@ struct Settings {
 
 struct RaySet {
   std::string name;
-  Question question;
+  Query query;
   bool coherent; // neighbours go the same way
   std::vector<ListedRay> rays;
 };
 
-const std::map<std::string, RayLoop> all_loops{
-    {"cells", RayLoop::cells}, {"warp", RayLoop::warp}, {"refill", RayLoop::refill}};
+const std::map<std::string, RayLoop> all_loops{{"thread_per_ray", RayLoop::thread_per_ray},
+                                               {"warp", RayLoop::warp},
+                                               {"warp_refill", RayLoop::warp_refill}};
 
 std::set<std::string> loop_names() {
   std::set<std::string> names{"auto"};
@@ -53,7 +54,7 @@ std::set<std::string> loop_names() {
 std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
                      const GridFile& grid) {
   if (wanted != "auto") return wanted;
-  const RayLoop usual = usual_loop(set.coherent, scene, grid);
+  const RayLoop usual = automatic_loop(set.coherent, scene, grid);
   return std::find_if(all_loops.begin(), all_loops.end(),
                       [&](const auto& loop) { return loop.second == usual; })
       ->first;
@@ -65,12 +66,12 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
       primary_rays(scene, resized(scene.camera(), settings.size), settings.order);
   std::vector<RaySet> sets;
   for (const std::string& name : settings.sets) {
-    if (name == "primary") sets.push_back({name, Question::nearest, true, primary});
+    if (name == "primary") sets.push_back({name, Query::nearest_hit, true, primary});
     if (name == "diffuse")
-      sets.push_back({name, Question::nearest, false, diffuse_rays(scene, grid, primary, settings.seed)});
+      sets.push_back({name, Query::nearest_hit, false, diffuse_rays(scene, grid, primary, settings.seed)});
     if (name == "random")
-      sets.push_back({name, Question::nearest, false, random_rays(scene, settings.random, settings.seed)});
-    if (name == "shadow") sets.push_back({name, Question::blocked, true, shadow_rays(scene, grid, primary)});
+      sets.push_back({name, Query::nearest_hit, false, random_rays(scene, settings.random, settings.seed)});
+    if (name == "shadow") sets.push_back({name, Query::occlusion, true, shadow_rays(scene, grid, primary)});
   }
   return sets;
 }
@@ -80,7 +81,7 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
   RaysRequest request{set.rays, settings.tracing};
   request.tracing.precision = resolved(all_precisions.at(precision), scene);
   request.hit_name = HitName::primitive;
-  request.question = set.question;
+  request.query = set.query;
   request.loop = all_loops.at(loop);
   const auto trace = [&] {
     return cuda ? trace_rays_cuda(scene, &grid, request) : trace_rays_cpu(scene, &grid, request);
@@ -99,15 +100,15 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
   return {{"grid", grid.path()},
           {"grid_bytes", grid.bytes()},
           {"rays", set.name},
-          {"question", set.question == Question::nearest ? "nearest" : "blocked"},
+          {"query", set.query == Query::nearest_hit ? "nearest_hit" : "occlusion"},
           {"count", set.rays.size()},
           {"backend", cuda ? "cuda" : "cpu"},
           {"precision", name_of(request.tracing.precision)},
-          {"loop", cuda ? loop : "cells"},
+          {"loop", cuda ? loop : "thread_per_ray"},
           {"median_seconds", seconds},
           {"mrays_per_second", seconds > 0 ? number / seconds * 1e-6 : 0.0},
           {"kernel", {{"registers", timed.kernel.registers}, {"local_bytes", timed.kernel.local_bytes}}},
-          {"hits_a_ray", a_ray(counts.eye_hits + counts.shadow_hits)},
+          {"hits_a_ray", a_ray(counts.camera_hits + counts.shadow_hits)},
           {"tests_a_ray", a_ray(counts.triangle_tests + counts.sphere_tests + counts.cone_tests)},
           {"cells_a_ray", a_ray(counts.cells_visited)},
           {"empty_cells_a_ray", a_ray(counts.empty_cells_visited)}};
@@ -172,16 +173,16 @@ void add_rays(CLI::App& app) {
              "how the eye's rays follow each other: rows, or tiles of 8x4");
   rays.add_option(
           "--loop", settings.loops,
-          "how the GPU goes about it: cells (a thread a ray, cell by cell), warp (32 threads share "
-          "what their rays have to test), refill (besides, threads that are done take the next ray), or "
-          "auto (refill for diffuse and random; else warp, or cells while the files are small)")
+          "how the GPU traces them: thread_per_ray (cell by cell), warp (32 threads share "
+          "what their rays have to test), warp_refill (besides, idle threads fetch the next ray), or "
+          "auto (warp_refill for diffuse and random; else warp, or thread_per_ray while the files are small)")
       ->delimiter(',')
       ->check(CLI::IsMember(loop_names()));
   rays.add_option("--precision", settings.precisions,
                   "by which arithmetic: auto, fast, robust, double (see gridrender --help)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double"}));
-  add_study_rule(rays, settings.tracing.stop);
+  add_first_cell_hit(rays, settings.tracing.stop);
   rays.add_flag("--general", settings.tracing.general,
                 "by the code for every kind of primitive, whatever the scene holds");
   rays.add_option("--size", settings.size, "the eye's rays, WxH")->capture_default_str();

@@ -1,8 +1,8 @@
 // Where ways to trace break: sweeps of one knob each, judged by an oracle; and the same rays on the GPU.
-#include "tools/bench/stability/backends.h"
-#include "tools/bench/stability/run.h"
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/stability/backends.h"
+#include "tools/bench/stability/run.h"
 
 #include <nlohmann/json.hpp>
 
@@ -126,12 +126,12 @@ void add_stability(CLI::App& app) {
       ->capture_default_str();
   stability.add_option("--seed", settings.run.seed, "of scenes and rays")->capture_default_str();
   stability
-      .add_option(
-          "--precision", settings.precisions,
-          "show only: fast, robust, double, study (robust that ends with the first cell where anything is "
-          "hit)")
+      .add_option("--precision", settings.precisions,
+                  "show only: fast, robust, double, first-cell (robust that ends with the first cell where "
+                  "anything is "
+                  "hit)")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double", "study"}));
+      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double", "first-cell"}));
   add_backend(stability, settings.backend);
   stability.add_flag("--json", settings.json, "as JSON");
   settings.threads.add_to(stability);

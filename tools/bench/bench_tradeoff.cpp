@@ -28,7 +28,7 @@ struct Settings {
   std::vector<std::string> scenes;
   std::string folder;
   Backend backend = Backend::automatic;
-  std::vector<std::string> precisions{"fast", "robust", "double"}, stops{"proven", "study"},
+  std::vector<std::string> precisions{"fast", "robust", "double"}, stops{"proven", "first-cell-hit"},
       merges{"none", "x", "balance", "irregular"}, overlaps{"box", "exact"}, divisions{"16", "64", "auto"},
       curve{"1", "2", "4", "8", "16", "32", "64", "128", "256", "auto"};
   // Empty and 0: as the backend can do in a minute or two.
@@ -101,7 +101,7 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
 
 // The grid's file is in memory, so that a run which is stopped leaves none behind.
 GridFile built(const SceneFile& scene, const GridPlan& plan) {
-  GridRecipe recipe;
+  BuildOptions recipe;
   recipe.division = parse_division(plan.division);
   recipe.choice = plan.merge;
   recipe.overlap = plan.overlap;
@@ -236,8 +236,8 @@ Json json_of(const TradeoffRow& row) {
           {"scene_bytes", m.scene_bytes},
           {"rays_compared", a.rays},
           {"missed", a.missed},
-          {"imagined", a.imagined},
-          {"mistaken", a.mistaken},
+          {"false_hits", a.false_hits},
+          {"wrong_primitives", a.wrong_primitives},
           {"ties", a.ties},
           {"worst_t_error", a.worst_t},
           {"median_t_error", a.median_t},
@@ -252,8 +252,8 @@ void print_row(const TradeoffRow& row) {
              "{:>9.1e}\n",
              row.scene, method_of(row.configuration), grid_of(row.configuration), m.mrays, m.picture_ms,
              static_cast<double>(m.grid_bytes) * 1e-6,
-             static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6, a.missed, a.imagined, a.mistaken,
-             a.worst_t, a.median_t, a.rmse);
+             static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6, a.missed, a.false_hits,
+             a.wrong_primitives, a.worst_t, a.median_t, a.rmse);
 }
 
 // The fronts of each scene, and of all together.
@@ -351,10 +351,10 @@ void add_tradeoff(CLI::App& app) {
     if (!among.empty()) added->check(CLI::IsMember(among));
   };
   add_list("--precisions", settings.precisions, "by which arithmetics", {"fast", "robust", "double"});
-  add_list(
-      "--stop-rules", settings.stops,
-      "when a ray ends: proven (nothing nearer can come), study (with the first cell where anything is hit)",
-      {"proven", "study"});
+  add_list("--stop-rules", settings.stops,
+           "when a ray ends: proven (nothing nearer can come), first-cell-hit (with the first cell where "
+           "anything is hit)",
+           {"proven", "first-cell-hit"});
   add_list("--merges", settings.merges, "through which grids (see gridbuild --help)",
            {"none", "x", "balance", "irregular"});
   add_list("--overlaps", settings.overlaps, "listing primitives by which tests", {"box", "exact"});

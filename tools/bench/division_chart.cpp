@@ -95,7 +95,7 @@ void write_division(ChartScript& script, const std::vector<TradeoffRow>& rows) {
         "set xlabel 'voxels an axis'; set ylabel 'ms a picture'\n"
         "set xtics (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)\nset ytics ({})\n"
         "set arrow from first 16, graph 0 to first 16, graph 1 nohead lw 1.5 dt '-' lc rgb '#444444'\n"
-        "set label '16: what the founding study found enough' at first 16, graph 0.97 offset 1,0 left\n",
+        "set label '16: what the 2012 thesis found enough' at first 16, graph 0.97 offset 1,0 left\n",
         x.low / 1.1, x.high * 1.1, y.low, y.high, log_ticks(y.low, y.high));
     write_labels(out, y, labels, 0.045);
     fmt::format_to(out, "plot ");

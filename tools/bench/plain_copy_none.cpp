@@ -1,4 +1,5 @@
-// Stands in for the copy to a device where the program was built without CUDA: --backend cuda is refused before.
+// Stands in for the copy to a device where the program was built without CUDA: --backend cuda is refused
+// before.
 #include "tools/bench/plain_copy.h"
 
 #include "libscene/error.h"

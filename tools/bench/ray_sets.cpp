@@ -51,8 +51,8 @@ BoundingSphere sphere_around(const SceneFile& scene) {
 // Coordinates that the scene's own store holds: all arithmetics see the same ray.
 template <class Stored>
 ListedRay random_ray(const BoundingSphere& sphere, Random& random) {
-  const Vec3d from = fused(direction_of(random), sphere.radius, sphere.center);
-  const Vec3d to = fused(direction_of(random), sphere.radius, sphere.center);
+  const Vec3d from = fma(direction_of(random), sphere.radius, sphere.center);
+  const Vec3d to = fma(direction_of(random), sphere.radius, sphere.center);
   return {cast<double>(cast<Stored>(from)), cast<double>(cast<Stored>(to - from))};
 }
 
@@ -64,7 +64,7 @@ void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const L
   const SceneView<Stored> scene = file.view<Stored>();
   const RayHits hits = trace_rays_cpu(file, &grid, {rays, {}, HitName::primitive});
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
-    const EyeHit& hit = hits.hits[i];
+    const HitRecord& hit = hits.hits[i];
     if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});
     const Ray<Stored> ray{cast<Stored>(rays[i].origin), cast<Stored>(rays[i].direction),
                           RealTraits<Stored>::largest};
@@ -120,11 +120,11 @@ std::vector<ListedRay> shadow(const SceneFile& file, const GridFile& grid, std::
 template <class Stored>
 std::vector<ListedRay> primary(const Camera& camera, RayOrder order) {
   constexpr std::int32_t tile_columns = 8, tile_rows = 4;
-  const EyeRays<Stored> eye = eye_rays<Stored>(camera, Sampling::centers, false);
+  const CameraRays<Stored> eye = camera_rays<Stored>(camera, Sampling::centers, false);
   std::vector<ListedRay> rays;
   rays.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   const auto add = [&](std::int32_t column, std::int32_t row) {
-    const Ray<Stored> ray = eye_ray(eye, column, row);
+    const Ray<Stored> ray = camera_ray(eye, column, row);
     rays.push_back({cast<double>(ray.origin), cast<double>(ray.direction)});
   };
   const std::int32_t columns = order == RayOrder::tiles ? tile_columns : camera.width;

@@ -23,7 +23,7 @@ Value named(const std::string& text, const std::array<Value, count>& values) {
 } // namespace
 
 const char* name_of(StopRule stop) {
-  return stop == StopRule::proven ? "proven" : "study";
+  return stop == StopRule::proven ? "proven" : "first-cell-hit";
 }
 
 const char* name_of(MergeChoice merge) {
@@ -65,7 +65,7 @@ Overlap overlap_named(const std::string& text) {
 
 std::string method_of(const Configuration& configuration) {
   return name_of(configuration.precision) +
-         std::string(configuration.stop == StopRule::proven ? "" : ", study's rule");
+         std::string(configuration.stop == StopRule::proven ? "" : ", first cell");
 }
 
 std::string grid_of(const Configuration& configuration) {

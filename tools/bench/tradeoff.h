@@ -34,14 +34,14 @@ struct Configuration {
 
 // How far from brute force in double.
 struct Accuracy {
-  std::uint64_t rays = 0;                               // compared
-  std::uint64_t missed = 0, imagined = 0, mistaken = 0; // hits: none found, none there, another's
+  std::uint64_t rays = 0;                                         // compared
+  std::uint64_t missed = 0, false_hits = 0, wrong_primitives = 0; // hits: none found, none there, another's
   std::uint64_t ties = 0; // another primitive in the same place to within float32's rounding: not wrong
   double worst_t = 0, median_t = 0; // relative error of t where the hit is right; reported as float32, so
                                     // that errors below 2^-24 read 0
   double rmse = 0, largest = 0;     // of the picture's channels, as linear light
 
-  std::uint64_t wrong() const { return missed + imagined + mistaken; }
+  std::uint64_t wrong() const { return missed + false_hits + wrong_primitives; }
 };
 
 struct Measurement {
@@ -60,7 +60,7 @@ struct TradeoffRow {
 };
 
 // In words, as the table and the file have them.
-const char* name_of(StopRule stop);     // proven, study
+const char* name_of(StopRule stop);     // proven, first-cell-hit
 const char* name_of(MergeChoice merge); // none, x, balance, irregular
 const char* name_of(Overlap overlap);   // box, exact
 // Throw Error(usage, text, …).
@@ -69,7 +69,7 @@ StopRule stop_named(const std::string& text);
 MergeChoice merge_named(const std::string& text);
 Overlap overlap_named(const std::string& text);
 
-// The precision, and whether the study's rule is used: a chart's series.
+// The precision, and whether rays end with the first cell's hit: a chart's series.
 std::string method_of(const Configuration& configuration);
 // The grid: merge mode, division, overlap test.
 std::string grid_of(const Configuration& configuration);

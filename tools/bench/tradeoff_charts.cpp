@@ -15,7 +15,7 @@ namespace {
 
 constexpr int tradeoff_height = 1240; // pixels
 
-// By precision, then by stop rule: filled shapes are proven, open ones the study's.
+// By precision, then by stop rule: filled shapes are proven, open ones end with the first cell.
 constexpr std::array<Look, 6> method_looks{{{"#d55e00", "1", 7},
                                             {"#d55e00", "1", 6},
                                             {"#0072b2", "1", 5},
@@ -144,7 +144,7 @@ void write_panel(Script out, const Panel& panel, double bottom, double top, cons
     const Configuration& c = panel.rows[i].configuration;
     labels.push_back({drawn(panel, i).speed, drawn(panel, i).error,
                       fmt::format("{}{}: {}", name_of(c.precision),
-                                  c.stop == StopRule::proven ? "" : ", study", grid_of(c))});
+                                  c.stop == StopRule::proven ? "" : ", first cell", grid_of(c))});
   }
   write_labels(out, y, labels, 0.05);
   for (std::size_t method = 0; method < method_looks.size(); ++method)
@@ -154,8 +154,8 @@ void write_panel(Script out, const Panel& panel, double bottom, double top, cons
   for (std::size_t k = front.size(); k-- > 0;) // to the right
     fmt::format_to(out, "{:g} {:g}\n", drawn(panel, front[k]).speed, drawn(panel, front[k]).error);
   fmt::format_to(out, "END\nplot ");
-  constexpr std::array<const char*, 6> titles{
-      "fast", "fast, study''s rule", "robust", "robust, study''s rule", "double", "double, study''s rule"};
+  constexpr std::array<const char*, 6> titles{"fast",   "fast, first cell",  "robust", "robust, first cell",
+                                              "double", "double, first cell"};
   for (std::size_t method = 0; method < method_looks.size(); ++method)
     fmt::format_to(out, "${}{} with points pt {} ps 1.3 lw 1.6 lc rgb '{}' title '{}', \\\n     ", panel.name,
                    method, method_looks[method].point, method_looks[method].color, titles[method]);

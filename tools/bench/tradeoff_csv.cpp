@@ -101,8 +101,8 @@ void for_each_column(Row& row, const Act& act) {
   act("picture_ms", measured.picture_ms);
   act("rays_compared", accuracy.rays);
   act("missed", accuracy.missed);
-  act("imagined", accuracy.imagined);
-  act("mistaken", accuracy.mistaken);
+  act("false_hits", accuracy.false_hits);
+  act("wrong_primitives", accuracy.wrong_primitives);
   act("ties", accuracy.ties);
   act("worst_t_error", accuracy.worst_t);
   act("median_t_error", accuracy.median_t);

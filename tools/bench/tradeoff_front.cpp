@@ -53,8 +53,8 @@ Measurement together(const std::vector<const TradeoffRow*>& rows) {
     all.scene_bytes += one.scene_bytes;
     all.accuracy.rays += accuracy.rays;
     all.accuracy.missed += accuracy.missed;
-    all.accuracy.imagined += accuracy.imagined;
-    all.accuracy.mistaken += accuracy.mistaken;
+    all.accuracy.false_hits += accuracy.false_hits;
+    all.accuracy.wrong_primitives += accuracy.wrong_primitives;
     all.accuracy.ties += accuracy.ties;
     all.accuracy.worst_t = std::max(all.accuracy.worst_t, accuracy.worst_t);
     all.accuracy.median_t = std::max(all.accuracy.median_t, accuracy.median_t);

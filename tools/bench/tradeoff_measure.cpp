@@ -68,20 +68,20 @@ private:
   double margin_;
 };
 
-void compare_hits(const TradeoffTask::Truth& truth, const std::vector<EyeHit>& hits, const SamePlace& same,
+void compare_hits(const TradeoffTask::Truth& truth, const std::vector<HitRecord>& hits, const SamePlace& same,
                   Accuracy& accuracy) {
   std::vector<double> errors; // of t, relative
   accuracy.rays = hits.size();
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    const EyeHit &is = hits[i], &should = truth.hits[i];
+    const HitRecord &is = hits[i], &should = truth.hits[i];
     if (is.name < 0 && should.name < 0) continue;
     const bool other = is.name != should.name;
     if (is.name < 0) {
       ++accuracy.missed;
     } else if (should.name < 0) {
-      ++accuracy.imagined;
+      ++accuracy.false_hits;
     } else if (!std::isfinite(is.t) || (other && !same(truth.rays[i], is.t, should.t))) {
-      ++accuracy.mistaken;
+      ++accuracy.wrong_primitives;
     } else {
       accuracy.ties += other ? 1 : 0;
       errors.push_back(std::abs(static_cast<double>(is.t) - should.t) / should.t);
@@ -122,7 +122,7 @@ const TradeoffTask::Truth& TradeoffTask::truth() {
   add_some(primary, setup.compared, found.rays);
   add_some(random, setup.compared, found.rays);
   const TracingRules rules{Precision::doubled};
-  found.hits = trace(*this, nullptr, rules, found.rays, RayLoop::cells, 1).hits;
+  found.hits = trace(*this, nullptr, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
   found.radiance = render(*this, nullptr, rules, 1).radiance;
   truth_ = std::move(found);
   return *truth_;
@@ -133,13 +133,13 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;
   // On a GPU each set by the loop that suits it.
-  const auto loop = [&](bool coherent) { return usual_loop(coherent, task.scene, grid); };
+  const auto loop = [&](bool coherent) { return automatic_loop(coherent, task.scene, grid); };
   const RayHits primary = trace(task, &grid, rules, task.primary, loop(true), repeat);
   const RayHits random = trace(task, &grid, rules, task.random, loop(false), repeat);
   const Frame frame = render(task, &grid, rules, repeat);
 
   Measurement measured;
-  measured.voxels = voxel_count(grid.lattice().division);
+  measured.voxels = voxel_count(grid.layout().division);
   measured.grid_bytes = grid.bytes();
   measured.scene_bytes = task.scene.bytes();
   measured.primary_mrays = mrays(task.primary.size(), primary.seconds.trace);
@@ -147,7 +147,7 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   measured.mrays =
       mrays(task.primary.size() + task.random.size(), primary.seconds.trace + random.seconds.trace);
   measured.picture_ms = frame.seconds.trace * 1e3;
-  std::vector<EyeHit> hits;
+  std::vector<HitRecord> hits;
   add_some(primary.hits, task.setup.compared, hits);
   add_some(random.hits, task.setup.compared, hits);
   compare_hits(truth, hits, SamePlace(task.scene), measured.accuracy);

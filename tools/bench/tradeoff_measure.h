@@ -20,7 +20,7 @@ struct TradeoffTask {
   // Answers by brute force, when first asked for: it takes a while.
   struct Truth {
     std::vector<ListedRay> rays; // spread evenly over both sets
-    std::vector<EyeHit> hits;    // by primitive
+    std::vector<HitRecord> hits; // by primitive
     std::vector<Vec3f> radiance;
   };
   const Truth& truth();

@@ -34,12 +34,12 @@ Scene scene_of(const TestScene<Stored>& trial) {
 template <class Stored>
 void write_built(const SceneFile& scene, const GridWanted& wanted, const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();
-  const Lattice lattice{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
-                        rounding_margin<Stored>(scene.bounds())};
+  const GridLayout layout{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
+                          rounding_margin<Stored>(scene.bounds())};
   MergeRule rule;
   rule.merge = wanted.merge;
-  write_grid(wanted.merge == Merge::none ? build_uniform(view, lattice, Overlap::exact)
-                                         : build_merged(view, lattice, Overlap::exact, rule),
+  write_grid(wanted.merge == Merge::none ? build_uniform(view, layout, Overlap::exact)
+                                         : build_merged(view, layout, Overlap::exact, rule),
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, "stability", ""},
              path);
 }
@@ -51,7 +51,7 @@ std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<
   request.hit_name = HitName::primitive;
   const RayHits cpu = trace_rays_cpu(scene, &grid, request);
   std::uint64_t different = 0;
-  for (const RayLoop loop : {RayLoop::cells, RayLoop::warp, RayLoop::refill}) {
+  for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
     request.loop = loop;
     const RayHits gpu = trace_rays_cuda(scene, &grid, request);
     for (std::size_t i = 0; i < rays.size(); ++i)

@@ -110,7 +110,7 @@ ClosestHit SceneOracle::closest(const ListedRay& ray, double slack) const {
       result.candidates.push_back({near.primitive, false, near.enter, near.leave});
     } else {
       result.candidates.push_back({near.primitive, true, expected.low, expected.high});
-      sure_by = least(sure_by, expected.high);
+      sure_by = min(sure_by, expected.high);
       result.may_miss = false;
     }
   }

@@ -53,8 +53,8 @@ inline Vec3d outwards_at(const Sphere<double>& s, const Vec3d& at, const Vec3d&)
 inline Vec3d outwards_at(const Cone<double>& c, const Vec3d& at, const Vec3d&) {
   const Vec3d axis = c.apex - c.base, from_base = at - c.base;
   const double square = dot(axis, axis);
-  const Vec3d away = normalized(fused(axis, -dot(from_base, axis) / square, from_base));
-  return normalized(fused(axis, -(c.apex_radius - c.base_radius) / square, away));
+  const Vec3d away = normalized(fma(axis, -dot(from_base, axis) / square, from_base));
+  return normalized(fma(axis, -(c.apex_radius - c.base_radius) / square, away));
 }
 
 // The middle of all triangles' corners: inside the body they make.
@@ -125,7 +125,7 @@ Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, cons
   return tallied(trial.rays.size(), [&](std::size_t i, Tally& tally) {
     const Ray<Real> ray = unit_ray<Real>(trial.rays[i]);
     NoCounts counts;
-    EyeHit first{};
+    HitRecord first{};
     const Vec3f light = radiance<M>(scene, NoGrid{}, rules, ray, first, counts);
     bool good = true, same = true;
     for (const float channel : {light.x, light.y, light.z})

@@ -49,10 +49,10 @@ inline Point outer(const Point& a, const Point& b) {
 inline Wide magnitude(Wide v) {
   return v < 0 ? -v : v;
 }
-inline Wide least(Wide a, Wide b) {
+inline Wide min(Wide a, Wide b) {
   return a < b ? a : b;
 }
-inline Wide most(Wide a, Wide b) {
+inline Wide max(Wide a, Wide b) {
   return a > b ? a : b;
 }
 
@@ -99,7 +99,7 @@ Wide distance(const Point& p, const Triangle<T>& triangle) {
   bool inside = inner(normal, normal) > 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point &a = corners[i], &b = corners[(i + 1) % 3];
-    nearest = least(nearest, distance_to_segment(p, a, b));
+    nearest = min(nearest, distance_to_segment(p, a, b));
     inside = inside && inner(outer(b - a, p - a), normal) >= 0;
   }
   return inside ? magnitude(inner(p - corners[0], normal)) / norm(normal) : nearest;
@@ -278,8 +278,8 @@ Expected agreed(const Line& ray, const std::array<Crossings, n>& versions, bool 
     const Crossing& crossing = version.at[static_cast<std::size_t>(seen)];
     if (crossing.leaving != versions[0].at[static_cast<std::size_t>(seen)].leaving)
       return {Answer::unsure, 0, 0};
-    expected.low = first ? crossing.t - step : least(expected.low, crossing.t - step);
-    expected.high = first ? crossing.t + step : most(expected.high, crossing.t + step);
+    expected.low = first ? crossing.t - step : min(expected.low, crossing.t - step);
+    expected.high = first ? crossing.t + step : max(expected.high, crossing.t + step);
     first = false;
   }
   return expected;

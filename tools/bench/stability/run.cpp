@@ -69,12 +69,12 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
                         const std::vector<GridWanted>& wanted) {
   std::vector<Grid> grids;
   for (const GridWanted& grid : wanted) {
-    const Lattice lattice{space_of<Stored>(bounds, SpaceRule::tight), grid.division,
-                          rounding_margin<Stored>(bounds)};
+    const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight), grid.division,
+                            rounding_margin<Stored>(bounds)};
     MergeRule rule;
     rule.merge = grid.merge;
-    grids.push_back(grid.merge == Merge::none ? build_uniform(view, lattice, Overlap::exact)
-                                              : build_merged(view, lattice, Overlap::exact, rule));
+    grids.push_back(grid.merge == Merge::none ? build_uniform(view, layout, Overlap::exact)
+                                              : build_merged(view, layout, Overlap::exact, rule));
   }
   return grids;
 }

@@ -16,10 +16,10 @@ struct Way {
   StopRule stop;
 };
 inline constexpr Way fast{"fast", Precision::fast, StopRule::proven},
-    study{"study", Precision::robust, StopRule::first_cell},
+    first_cell{"first-cell", Precision::robust, StopRule::first_cell},
     robust{"robust", Precision::robust, StopRule::proven},
     doubled{"double", Precision::doubled, StopRule::proven};
-inline constexpr std::array all_ways{fast, study, robust, doubled};
+inline constexpr std::array all_ways{fast, first_cell, robust, doubled};
 
 // One step of a sweep, traced in one way.
 struct Row {

@@ -41,7 +41,7 @@ Trial<Stored> on_faces(Chance& chance, double knob, std::size_t rays) {
     return voxels > 2 ? plane(chance.whole(1, voxels - 1)) : plane(voxels / 2) / 2;
   };
   const auto corner = [&] { return Vec3d{inner_plane(), inner_plane(), inner_plane()}; };
-  const auto held = [](const Vec3d& v) {
+  const auto clamp = [](const Vec3d& v) {
     return Vec3d{std::clamp(v.x, -1.0, 1.0), std::clamp(v.y, -1.0, 1.0), std::clamp(v.z, -1.0, 1.0)};
   };
   for (int i = 0; i < 10; ++i) {
@@ -50,14 +50,14 @@ Trial<Stored> on_faces(Chance& chance, double knob, std::size_t rays) {
     b.set(axis, a[axis]);
     c.set(axis, a[axis]);
     scene.triangles.push_back(
-        triangle_of<Stored>(cast<Stored>(held(a)), cast<Stored>(held(b)), cast<Stored>(held(c))));
+        triangle_of<Stored>(cast<Stored>(clamp(a)), cast<Stored>(clamp(b)), cast<Stored>(clamp(c))));
   }
   for (int i = 0; i < 4; ++i) {
-    const Vec3d center = held(corner() * 0.5);
+    const Vec3d center = clamp(corner() * 0.5);
     scene.spheres.push_back(sphere_of<Stored>(center, std::min(0.4, 2.0 / voxels)));
     Vec3d apex = center;
     const int axis = chance.whole(0, 2);
-    apex.set(axis, held(corner())[axis]);
+    apex.set(axis, clamp(corner())[axis]);
     add_cone(scene, cone_of<Stored>(center, 0.25, apex, chance.one_of({0.25, 0.0, 0.125})));
   }
   // From anywhere: from a plane, at a place off all of them, or outside.

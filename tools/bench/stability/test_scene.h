@@ -176,11 +176,11 @@ struct TestScene {
 // --- Tracing ---------------------------------------------------------------------------------------------
 
 template <class Real, unsigned kinds = with_all_kinds>
-using Robust = Method<RayFrame<Real>, kinds>;
+using Robust = Method<WatertightRay<Real>, kinds>;
 
 template <class Real>
-RayFrame<Real> prepared(const Vec3<Real>& origin, const Vec3<Real>& direction) {
-  RayFrame<Real> ray;
+WatertightRay<Real> prepared(const Vec3<Real>& origin, const Vec3<Real>& direction) {
+  WatertightRay<Real> ray;
   prepare(ray, origin, direction);
   return ray;
 }

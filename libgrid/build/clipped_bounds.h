@@ -10,13 +10,13 @@ namespace masu {
 
 // The parts of a primitive on either side of a plane: bounds of what is at most `low` along the axis, and of
 // what is at least `high`.
-struct Sides {
+struct ClippedBounds {
   Boxd below, above;
 };
 
-MASU_HD inline Sides sides_of(const Triangle<double>& triangle, int axis, double low, double high) {
+MASU_HD inline ClippedBounds sides_of(const Triangle<double>& triangle, int axis, double low, double high) {
   const Vec3d corners[] = {triangle.a, triangle.b, triangle.c};
-  Sides sides{empty_box<double>(), empty_box<double>()};
+  ClippedBounds sides{empty_box<double>(), empty_box<double>()};
   for (int i = 0; i < 3; ++i) {
     const Vec3d &p = corners[i], &q = corners[(i + 1) % 3];
     if (p[axis] <= low) sides.below = join(sides.below, p);
@@ -34,9 +34,9 @@ MASU_HD inline Sides sides_of(const Triangle<double>& triangle, int axis, double
   return sides;
 }
 
-MASU_HD inline Sides sides_of(const Sphere<double>& sphere, int axis, double low, double high) {
+MASU_HD inline ClippedBounds sides_of(const Sphere<double>& sphere, int axis, double low, double high) {
   const Boxd whole = bounds(sphere);
-  Sides sides{whole, whole};
+  ClippedBounds sides{whole, whole};
   const auto cut = [&](Boxd& box, double plane, bool below) {
     const double off = plane - sphere.center[axis], radius = std::abs(sphere.radius);
     if (below ? off < -radius : off > radius) {
@@ -57,8 +57,8 @@ MASU_HD inline Sides sides_of(const Sphere<double>& sphere, int axis, double low
   return sides;
 }
 
-MASU_HD inline Sides sides_of(const Cone<double>& cone, int axis, double low, double high) {
-  Sides sides{bounds(cone), bounds(cone)};
+MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double low, double high) {
+  ClippedBounds sides{bounds(cone), bounds(cone)};
   if (sides.below.min[axis] > low) sides.below = empty_box<double>();
   if (sides.above.max[axis] < high) sides.above = empty_box<double>();
   sides.below.max.set(axis, std::min(sides.below.max[axis], low));

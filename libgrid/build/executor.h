@@ -1,6 +1,6 @@
 // Building by passes: each does the same to every one of many things, in any order or all at once. What runs
-// them (a `Passes`) is a template parameter: DevicePasses (device_passes.h) has CUDA kernels for it; the
-// tests have plain loops, and so follow every pass without a device. A Passes has
+// them (a `Executor`) is a template parameter: CudaExecutor (device_passes.h) has CUDA kernels for it; the
+// tests have plain loops, and so follow every pass without a device. A Executor has
 //
 //   Array<T>                      in its memory: data(), size(); moves, doesn't copy
 //   array<T>(count)               of any content;  zeros<T>(count)
@@ -50,8 +50,8 @@ MASU_HD inline std::uint32_t counted(std::uint32_t& counter, std::uint32_t by) {
 #endif
 }
 
-template <class Passes, class T>
-using ArrayOf = typename Passes::template Array<T>;
+template <class Executor, class T>
+using ArrayOf = typename Executor::template Array<T>;
 
 // Work that needs nothing to share.
 struct NoScratch {};

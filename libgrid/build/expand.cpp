@@ -1,7 +1,7 @@
-#include "libgrid/build/stretch.h"
+#include "libgrid/build/expand.h"
 
-#include "libgrid/file/grid_file.h"
 #include "libgrid/build/neighbour.h"
+#include "libgrid/file/grid_file.h"
 
 #include <tbb/parallel_for.h>
 
@@ -16,7 +16,7 @@ std::uint32_t& range_of(MergedCell& cell) {
   return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
 }
 
-// A merged grid that is being stretched: the grid's cells are as this pass leaves them.
+// A merged grid that is being expanded: the grid's cells are as this pass leaves them.
 struct Stretching {
   Grid& grid;
   MergedGridView<double> view;
@@ -35,7 +35,7 @@ public:
   // For the cells from `begin` to before `end`.
   FaceLanes(Stretching& stretching, std::size_t begin, std::size_t end)
       : s_(stretching), next_cell_(begin), end_(end) {
-    // Lanes without a face go round in voxel 0.
+    // ThreadGroup without a face go round in voxel 0.
     u_end_.fill(1);
     v_end_.fill(1);
   }
@@ -82,7 +82,9 @@ private:
   }
 
   // What is in the way stays in the way: the face only grows.
-  void block(std::size_t cell) { s_.blocked[cell] = static_cast<std::uint8_t>(s_.blocked[cell] | side_bit); }
+  void block(std::size_t cell) {
+    s_.blocked[cell] = static_cast<std::uint8_t>(s_.blocked[cell] | side_bit);
+  }
 
   // cell_number (grid_view.h) for every lane.
   void find_neighbours() {
@@ -111,7 +113,7 @@ private:
         all &= w;
       if (all != 0) break;
       for (unsigned l = 0; l < lanes; ++l) {
-        // Lanes that have arrived divide their box by nothing, and keep their word.
+        // ThreadGroup that have arrived divide their box by nothing, and keep their word.
         const auto arrived = static_cast<std::uint32_t>(static_cast<std::int32_t>(word[l]) >> 31);
         const MapDivision division = map_division(word[l] & ~arrived);
         x_log2[l] -= division.log2.x;
@@ -134,7 +136,7 @@ private:
     for (unsigned l = 0; l < lanes; ++l) {
       const Neighbour& neighbour = s_.before[neighbour_[l]];
       signature[l] = neighbour.signature;
-      bound[l] = side == 0 ? first_of(neighbour.stretched[axis]) : end_of(neighbour.stretched[axis]);
+      bound[l] = side == 0 ? first_of(neighbour.expanded[axis]) : end_of(neighbour.expanded[axis]);
       u_own[l] = end_of(neighbour.own[u]);
       v_own[l] = end_of(neighbour.own[v]);
     }
@@ -169,7 +171,7 @@ private:
   bool ends(unsigned l, std::uint32_t why) {
     MergedCell& cell = s_.grid.cells[cell_[l]];
     if ((why & blocked) != 0 || ((why & doubted) != 0 && !lists_all(s_.grid.references.data(), cell.list,
-                                                                    s_.before[neighbour_[l]].list))) {
+                                                                     s_.before[neighbour_[l]].list))) {
       block(cell_[l]);
       return true;
     }

@@ -8,7 +8,7 @@ namespace masu {
 // margin: how far off float32 arithmetic may see a surface (margin.h). across: the scene's longest side.
 // lost: objects hardly larger than the margin; of triangles whole objects count, since a surface's triangles
 // have no gaps between them. flattened: cones that lose their length.
-struct Float32Doubt {
+struct Float32Precision {
   double margin = 0, across = 0;
   std::uint64_t lost = 0, flattened = 0;
 
@@ -17,6 +17,6 @@ struct Float32Doubt {
   bool any() const { return is_far() || lost > 0 || flattened > 0; }
 };
 
-Float32Doubt float32_doubt(const Scene& scene);
+Float32Precision float32_precision(const Scene& scene);
 
 } // namespace masu

@@ -9,7 +9,7 @@
 namespace masu {
 
 // Each lane has the numbers lane(), lane() + size(), … of what is to be done.
-struct OneLane {
+struct SingleThread {
   MASU_HD std::uint32_t lane() const { return 0; }
   MASU_HD std::uint32_t size() const { return 1; }
   // Until all lanes have come here, and see what each of them has written.

@@ -2,23 +2,23 @@
 // share a box (lanes.h), on the host or on the device.
 #pragma once
 
-#include "libgrid/build/lanes.h"
-#include "libgrid/build/partition.h"
-#include "libgrid/build/sides.h"
+#include "libgrid/build/clipped_bounds.h"
+#include "libgrid/build/split.h"
+#include "libgrid/build/thread_group.h"
 
 #include <limits>
 
 namespace masu {
 
 // What of a primitive lies in a box of voxels: the range of those it can meet, both ends included.
-struct Part {
+struct Fragment {
   PrimitiveIndex primitive;
   std::uint16_t first[3], last[3];
   // 2^31 over the side of a square of the primitive's size, in voxels: a whole number, so that sums don't
   // depend on their order.
   std::uint32_t inverse_breadth;
 };
-static_assert(sizeof(Part) == 20);
+static_assert(sizeof(Fragment) == 20);
 
 struct Plane {
   std::int32_t axis = 0, at = 0; // between the voxels at - 1 and at
@@ -48,20 +48,20 @@ struct PlaneCounts {
 };
 
 template <class Stored>
-struct Partitioner {
+struct Splitter {
   SceneView<Stored> scene;
-  Lattice lattice;
+  GridLayout layout;
   Overlap overlap;
   PartitionRule rule;
   Vec3d size;  // of a voxel
   double side; // of a cube as large
 
-  Partitioner(const SceneView<Stored>& s, const Lattice& l, Overlap o, const PartitionRule& r)
-      : scene(s), lattice(l), overlap(o), rule(r), size(voxel_size(l)),
+  Splitter(const SceneView<Stored>& s, const GridLayout& l, Overlap o, const PartitionRule& r)
+      : scene(s), layout(l), overlap(o), rule(r), size(voxel_size(l)),
         side(std::cbrt(size.x * size.y * size.z)) {}
 
   // Of a primitive in a box; false when there is none.
-  MASU_HD bool part_in(const VoxelBox& root, PrimitiveIndex number, Part& part) const {
+  MASU_HD bool part_in(const VoxelBox& root, PrimitiveIndex number, Fragment& part) const {
     part.primitive = number;
     for (int axis = 0; axis < 3; ++axis) {
       part.first[axis] = static_cast<std::uint16_t>(root.first[axis]);
@@ -71,16 +71,16 @@ struct Partitioner {
     with_primitive(scene, number, [&](const auto& primitive) {
       const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
       part.inverse_breadth = 0x80000000U / breadth_in_voxels(breadth(primitive));
-      some = shrink(part, grown(box, lattice.margin));
+      some = shrink(part, grown(box, layout.margin));
     });
     return some;
   }
 
   // The division of a box that makes the expected cost least, if any is worth it. To be called by all lanes,
   // for the first of them; `bins` is theirs to share.
-  template <class Lanes>
-  MASU_HD Plane cheapest_plane(const Lanes& lanes, PlaneBins& bins, const VoxelBox& box, const Part* parts,
-                               std::uint32_t count) const {
+  template <class ThreadGroup>
+  MASU_HD Plane cheapest_plane(const ThreadGroup& lanes, PlaneBins& bins, const VoxelBox& box,
+                               const Fragment* parts, std::uint32_t count) const {
     Plane best;
     if (count == 0) return best;
     const std::int32_t apart = spacing(lanes, box, parts, count);
@@ -109,9 +109,9 @@ struct Partitioner {
 
   // The most even division; of equally even ones the one across the longest side. Each axis has a few planes:
   // where all of them cut all that the box lists, no other leaves less on both sides.
-  template <class Lanes>
-  MASU_HD Plane middle_plane(const Lanes& lanes, PlaneBins& bins, const VoxelBox& box, const Part* parts,
-                             std::uint32_t count) const {
+  template <class ThreadGroup>
+  MASU_HD Plane middle_plane(const ThreadGroup& lanes, PlaneBins& bins, const VoxelBox& box,
+                             const Fragment* parts, std::uint32_t count) const {
     Plane best;
     if (count <= rule.target) return best;
     Vec3i spacings{};
@@ -132,12 +132,12 @@ struct Partitioner {
   struct Sided {
     bool below, above;
   };
-  MASU_HD static Sided sides_of_part(const Part& part, const Plane& plane) {
+  MASU_HD static Sided sides_of_part(const Fragment& part, const Plane& plane) {
     return {part.first[plane.axis] < plane.at, part.last[plane.axis] >= plane.at};
   }
 
   // What of a part on both sides is below and above the plane; its primitive may be on one side all the same.
-  MASU_HD Sided cut(const Part& part, const Plane& plane, Part& low, Part& high) const {
+  MASU_HD Sided cut(const Fragment& part, const Plane& plane, Fragment& low, Fragment& high) const {
     const std::int32_t axis = plane.axis;
     low = high = part;
     low.last[axis] = static_cast<std::uint16_t>(plane.at - 1);
@@ -145,9 +145,9 @@ struct Partitioner {
     Sided in{true, true};
     if (overlap == Overlap::box) return in;
     // Cutting rounds a little more than the margin foresees.
-    const double margin = lattice.margin * 1.0625, place = plane_at(axis, plane.at);
+    const double margin = layout.margin * 1.0625, place = plane_at(axis, plane.at);
     with_primitive(scene, part.primitive, [&](const auto& primitive) {
-      const Sides sides = sides_of(primitive, axis, place + margin, place - margin);
+      const ClippedBounds sides = sides_of(primitive, axis, place + margin, place - margin);
       in.below = !is_empty(sides.below) && shrink(low, grown(sides.below, margin));
       in.above = !is_empty(sides.above) && shrink(high, grown(sides.above, margin));
     });
@@ -161,7 +161,7 @@ struct Partitioner {
                      {plane_at(0, box.end.x), plane_at(1, box.end.y), plane_at(2, box.end.z)}};
     bool in = false;
     with_primitive(scene, number,
-                   [&](const auto& primitive) { in = meets(primitive, place, lattice.margin); });
+                   [&](const auto& primitive) { in = meets(primitive, place, layout.margin); });
     return in;
   }
 
@@ -170,9 +170,9 @@ private:
   static constexpr double patience = 1.3;
 
   // To the voxels that meet the box; false when none is left.
-  MASU_HD bool shrink(Part& part, const Boxd& box) const {
+  MASU_HD bool shrink(Fragment& part, const Boxd& box) const {
     if (is_empty(box)) return false;
-    const VoxelRange range = voxels_met(lattice, size, box);
+    const VoxelRange range = voxels_met(layout, size, box);
     bool some = true;
     for (int axis = 0; axis < 3; ++axis) {
       part.first[axis] = std::max(part.first[axis], static_cast<std::uint16_t>(range.first[axis]));
@@ -189,14 +189,14 @@ private:
   }
 
   MASU_HD double plane_at(int axis, std::int32_t plane) const {
-    return lattice.space.min[axis] + plane * size[axis];
+    return layout.space.min[axis] + plane * size[axis];
   }
 
   // Planes of a box are 2^spacing voxels apart: few along its longest side, since the map needs the more
   // words the finer they are for its size, and not much closer than the primitives are large, since cells
   // smaller than what they hold gain little.
-  template <class Lanes>
-  MASU_HD std::int32_t spacing(const Lanes& lanes, const VoxelBox& box, const Part* parts,
+  template <class ThreadGroup>
+  MASU_HD std::int32_t spacing(const ThreadGroup& lanes, const VoxelBox& box, const Fragment* parts,
                                std::uint32_t count) const {
     const Vec3i w = box.end - box.first;
     const std::int32_t longest = std::max(w.x, std::max(w.y, w.z));
@@ -217,9 +217,9 @@ private:
   }
 
   // Leaves in each bin the numbers of all parts that begin, and of all that end, up to there.
-  template <class Lanes>
-  MASU_HD static void count_parts(const Lanes& lanes, PlaneBins& bins, const VoxelBox& box,
-                                  const Vec3i& spacings, const Part* parts, std::uint32_t count) {
+  template <class ThreadGroup>
+  MASU_HD static void count_parts(const ThreadGroup& lanes, PlaneBins& bins, const VoxelBox& box,
+                                  const Vec3i& spacings, const Fragment* parts, std::uint32_t count) {
     std::uint32_t* const all = &bins[0][0][0];
     for (std::uint32_t i = lanes.lane(); i < sizeof(PlaneBins) / sizeof(*all); i += lanes.size())
       all[i] = 0;
@@ -242,8 +242,8 @@ private:
   }
 
   // act(axis, plane) for each plane within the box, in the planes' order along each axis; a lane has some.
-  template <class Lanes, class Act>
-  MASU_HD static void for_each_plane(const Lanes& lanes, const PlaneBins& bins, const VoxelBox& box,
+  template <class ThreadGroup, class Act>
+  MASU_HD static void for_each_plane(const ThreadGroup& lanes, const PlaneBins& bins, const VoxelBox& box,
                                      const Vec3i& spacings, std::uint32_t count, const Act& act) {
     for (int axis = 0; axis < 3; ++axis) {
       const std::int32_t last = bin_of(box.end[axis] - 1, box, spacings, axis);

@@ -1,9 +1,9 @@
 // Partitions of many boxes at once, by passes (passes.h): level by level what partition.h does box by box.
 #pragma once
 
+#include "libgrid/build/executor.h"
 #include "libgrid/build/merge.h"
-#include "libgrid/build/partitioner.h"
-#include "libgrid/build/passes.h"
+#include "libgrid/build/splitter.h"
 #include "libgrid/build/uniform_passes.h"
 
 #include <vector>
@@ -26,16 +26,16 @@ struct ListedPart {
   std::uint32_t box; // which lists it
 };
 
-template <class Passes>
+template <class Executor>
 struct PartitionLevel {
-  ArrayOf<Passes, LevelBox> boxes{};
-  ArrayOf<Passes, ListedPart> listed{}; // leaf by leaf
+  ArrayOf<Executor, LevelBox> boxes{};
+  ArrayOf<Executor, ListedPart> listed{}; // leaf by leaf
 };
 
-template <class Passes>
+template <class Executor>
 struct OpenParts {
-  ArrayOf<Passes, Part> parts{};
-  ArrayOf<Passes, std::uint32_t> box_of{};
+  ArrayOf<Executor, Fragment> parts{};
+  ArrayOf<Executor, std::uint32_t> box_of{};
 };
 
 // Of the parts before some place: how many there are of below a plane and above it; how many leaves list.
@@ -49,15 +49,15 @@ struct PartCounts {
 template <class Stored>
 struct ChoosePlanes {
   using Scratch = PlaneBins;
-  Partitioner<Stored> partitioner;
+  Splitter<Stored> splitter;
   LevelBox* boxes;
-  const Part* parts;
+  const Fragment* parts;
 
   MASU_HD std::uint32_t size(std::uint64_t i) const { return boxes[i].end - boxes[i].begin; }
-  template <class Lanes>
-  MASU_HD void operator()(const Lanes& lanes, PlaneBins& bins, std::uint64_t i) const {
+  template <class ThreadGroup>
+  MASU_HD void operator()(const ThreadGroup& lanes, PlaneBins& bins, std::uint64_t i) const {
     LevelBox& own = boxes[i];
-    const Plane plane = partitioner.cheapest_plane(lanes, bins, own.box, parts + own.begin, size(i));
+    const Plane plane = splitter.cheapest_plane(lanes, bins, own.box, parts + own.begin, size(i));
     if (lanes.lane() != 0) return;
     own.axis = plane.axis;
     own.at = plane.at;
@@ -68,11 +68,11 @@ struct ChoosePlanes {
 // Says of every part on which sides of its box's plane it is, or whether the leaf it is in lists it: the
 // counts before it, and after the last. A part that is on both sides stays in its place as what is below, and
 // is in `above` as what is above.
-template <class Passes, class Stored>
-ArrayOf<Passes, PartCounts> count_parts(Passes& passes, const Partitioner<Stored>& partitioner,
-                                        const LevelBox* boxes, OpenParts<Passes>& open, Part* above) {
+template <class Executor, class Stored>
+ArrayOf<Executor, PartCounts> count_parts(Executor& passes, const Splitter<Stored>& splitter,
+                                          const LevelBox* boxes, OpenParts<Executor>& open, Fragment* above) {
   const std::uint64_t count = open.parts.size();
-  Part* const parts = open.parts.data();
+  Fragment* const parts = open.parts.data();
   const std::uint32_t* const box_of = open.box_of.data();
   // Most parts are on one side. Those that take a look at their primitive are put on lists, so that the
   // threads of a warp all have one to look at.
@@ -92,7 +92,7 @@ ArrayOf<Passes, PartCounts> count_parts(Passes& passes, const Partitioner<Stored
       in_leaf[counted(length[1], 1)] = static_cast<std::uint32_t>(i);
       return;
     }
-    const auto sides = partitioner.sides_of_part(parts[i], Plane{own.axis, own.at, 0});
+    const auto sides = splitter.sides_of_part(parts[i], Plane{own.axis, own.at, 0});
     if (sides.below && sides.above) {
       cut[counted(length[0], 1)] = static_cast<std::uint32_t>(i);
     } else {
@@ -103,8 +103,8 @@ ArrayOf<Passes, PartCounts> count_parts(Passes& passes, const Partitioner<Stored
     if (i >= length[0]) return;
     const std::uint32_t part = cut[i];
     const LevelBox& own = boxes[box_of[part]];
-    Part low{}, high{};
-    const auto sides = partitioner.cut(parts[part], Plane{own.axis, own.at, 0}, low, high);
+    Fragment low{}, high{};
+    const auto sides = splitter.cut(parts[part], Plane{own.axis, own.at, 0}, low, high);
     before[part] = {sides.below ? 1U : 0U, sides.above ? 1U : 0U, 0};
     parts[part] = sides.below ? low : high;
     if (sides.below && sides.above) above[part] = high;
@@ -112,7 +112,7 @@ ArrayOf<Passes, PartCounts> count_parts(Passes& passes, const Partitioner<Stored
   passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     if (i >= length[1]) return;
     const std::uint32_t part = in_leaf[i];
-    before[part] = {0, 0, partitioner.lists(boxes[box_of[part]].box, parts[part].primitive) ? 1U : 0U};
+    before[part] = {0, 0, splitter.lists(boxes[box_of[part]].box, parts[part].primitive) ? 1U : 0U};
   });
   passes.scan(counts);
   return counts;
@@ -120,15 +120,16 @@ ArrayOf<Passes, PartCounts> count_parts(Passes& passes, const Partitioner<Stored
 
 // The next level's parts: of each divided box those below, then those above, in their order. What leaves list
 // goes to `listed`. `divided_before` numbers the boxes that are divided.
-template <class Passes>
-OpenParts<Passes> move_parts(Passes& passes, const LevelBox* boxes, const OpenParts<Passes>& open,
-                             const Part* above, const PartCounts* before, const std::uint32_t* divided_before,
-                             std::uint64_t next_count, ListedPart* listed) {
-  OpenParts<Passes> next{passes.template array<Part>(next_count),
-                         passes.template array<std::uint32_t>(next_count)};
-  const Part* const parts = open.parts.data();
+template <class Executor>
+OpenParts<Executor> move_parts(Executor& passes, const LevelBox* boxes, const OpenParts<Executor>& open,
+                               const Fragment* above, const PartCounts* before,
+                               const std::uint32_t* divided_before, std::uint64_t next_count,
+                               ListedPart* listed) {
+  OpenParts<Executor> next{passes.template array<Fragment>(next_count),
+                           passes.template array<std::uint32_t>(next_count)};
+  const Fragment* const parts = open.parts.data();
   const std::uint32_t* const box_of = open.box_of.data();
-  Part* const next_parts = next.parts.data();
+  Fragment* const next_parts = next.parts.data();
   std::uint32_t* const next_box_of = next.box_of.data();
   passes.for_each(open.parts.size(), [=] MASU_PASS(std::uint64_t i) {
     const PartCounts here = before[i], after = before[i + 1];
@@ -154,18 +155,18 @@ OpenParts<Passes> move_parts(Passes& passes, const LevelBox* boxes, const OpenPa
 
 // Divides the level's boxes, once or not at all, and returns the next level's. `open` are their parts, and
 // afterwards those of the next level's.
-template <class Passes, class Stored>
-PartitionLevel<Passes> divide_level(Passes& passes, const Partitioner<Stored>& partitioner,
-                                    PartitionLevel<Passes>& level, OpenParts<Passes>& open) {
+template <class Executor, class Stored>
+PartitionLevel<Executor> divide_level(Executor& passes, const Splitter<Stored>& splitter,
+                                      PartitionLevel<Executor>& level, OpenParts<Executor>& open) {
   LevelBox* const boxes = level.boxes.data();
   const std::uint64_t box_count = level.boxes.size(), part_count = open.parts.size();
-  passes.for_each_by_lanes(box_count, ChoosePlanes<Stored>{partitioner, boxes, open.parts.data()});
+  passes.for_each_by_lanes(box_count, ChoosePlanes<Stored>{splitter, boxes, open.parts.data()});
   const auto divided =
       numbered(passes, box_count, [=] MASU_PASS(std::uint64_t i) { return boxes[i].child != no_child; });
   const std::uint32_t* const divided_before = divided.data();
 
-  auto above = passes.template array<Part>(part_count);
-  const auto counts = count_parts(passes, partitioner, boxes, open, above.data());
+  auto above = passes.template array<Fragment>(part_count);
+  const auto counts = count_parts(passes, splitter, boxes, open, above.data());
   const PartCounts all = passes.value(counts, part_count);
   const std::uint64_t next_count = std::uint64_t{all.below} + all.above;
   if (next_count > most_numbered) too_fine("more than 2^31 cells or references");
@@ -174,7 +175,7 @@ PartitionLevel<Passes> divide_level(Passes& passes, const Partitioner<Stored>& p
   open =
       move_parts(passes, boxes, open, above.data(), before, divided_before, next_count, level.listed.data());
 
-  PartitionLevel<Passes> next{
+  PartitionLevel<Executor> next{
       passes.template array<LevelBox>(2 * std::uint64_t{passes.value(divided, box_count)}), {}};
   LevelBox* const next_boxes = next.boxes.data();
   passes.for_each(box_count, [=] MASU_PASS(std::uint64_t i) {
@@ -198,22 +199,22 @@ PartitionLevel<Passes> divide_level(Passes& passes, const Partitioner<Stored>& p
 }
 
 // All levels, from the one given down; the last has no boxes.
-template <class Passes, class Stored>
-std::vector<PartitionLevel<Passes>>
-partition_by_passes(Passes& passes, const Partitioner<Stored>& partitioner, PartitionLevel<Passes> first,
-                    OpenParts<Passes> open) {
-  std::vector<PartitionLevel<Passes>> levels;
+template <class Executor, class Stored>
+std::vector<PartitionLevel<Executor>> partition_by_passes(Executor& passes, const Splitter<Stored>& splitter,
+                                                          PartitionLevel<Executor> first,
+                                                          OpenParts<Executor> open) {
+  std::vector<PartitionLevel<Executor>> levels;
   levels.push_back(std::move(first));
   while (levels.back().boxes.size() > 0)
-    levels.push_back(divide_level(passes, partitioner, levels.back(), open));
+    levels.push_back(divide_level(passes, splitter, levels.back(), open));
   return levels;
 }
 
 // Throws where there are more leaves, or references of them, than can be numbered.
-template <class Passes>
-void check_leaves(const std::vector<PartitionLevel<Passes>>& levels) {
+template <class Executor>
+void check_leaves(const std::vector<PartitionLevel<Executor>>& levels) {
   std::uint64_t leaves = 0, references = 0;
-  for (const PartitionLevel<Passes>& level : levels) {
+  for (const PartitionLevel<Executor>& level : levels) {
     leaves += level.boxes.size();
     references += level.listed.size();
   }
@@ -232,10 +233,10 @@ struct LeafCounts {
 };
 
 // Of every level's boxes.
-template <class Passes>
-std::vector<ArrayOf<Passes, LeafCounts>> count_leaves(Passes& passes,
-                                                      const std::vector<PartitionLevel<Passes>>& levels) {
-  std::vector<ArrayOf<Passes, LeafCounts>> counts(levels.size());
+template <class Executor>
+std::vector<ArrayOf<Executor, LeafCounts>> count_leaves(Executor& passes,
+                                                        const std::vector<PartitionLevel<Executor>>& levels) {
+  std::vector<ArrayOf<Executor, LeafCounts>> counts(levels.size());
   for (std::size_t level = levels.size(); level-- > 0;) {
     const std::uint64_t count = levels[level].boxes.size();
     counts[level] = passes.template array<LeafCounts>(count);
@@ -253,10 +254,10 @@ std::vector<ArrayOf<Passes, LeafCounts>> count_leaves(Passes& passes,
 
 // Writes all leaves as cells, and what they list. `starts` says of each box of the first level how many cells
 // and references are before it.
-template <class Passes>
-void write_leaves(Passes& passes, const std::vector<PartitionLevel<Passes>>& levels,
-                  const std::vector<ArrayOf<Passes, LeafCounts>>& counts, ArrayOf<Passes, LeafCounts> starts,
-                  PassesGrid<Passes>& grid) {
+template <class Executor>
+void write_leaves(Executor& passes, const std::vector<PartitionLevel<Executor>>& levels,
+                  const std::vector<ArrayOf<Executor, LeafCounts>>& counts,
+                  ArrayOf<Executor, LeafCounts> starts, PassesGrid<Executor>& grid) {
   MergedCell* const cells = grid.cells.data();
   PrimitiveIndex* const references = grid.references.data();
   for (std::size_t level = 0; level + 1 < levels.size(); ++level) {

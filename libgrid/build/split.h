@@ -1,9 +1,9 @@
-// Dividing a box of voxels into cells, top down: a kd-tree whose planes are the lattice's and of which only
+// Dividing a box of voxels into cells, top down: a kd-tree whose planes are the layout's and of which only
 // the leaves are kept.
 #pragma once
 
-#include "libgrid/lattice.h"
 #include "libgrid/build/overlap.h"
+#include "libgrid/grid_layout.h"
 #include "libscene/scene_view.h"
 
 #include <span>
@@ -39,10 +39,10 @@ struct Partition {
   std::vector<PrimitiveIndex> references;
 };
 
-// Of the box `root` of the lattice's voxels, with all of `primitives` (in rising order) that the overlap test
-// finds in it. Doesn't depend on the number of threads. No axis of the lattice has more than 65535 voxels.
+// Of the box `root` of the layout's voxels, with all of `primitives` (in rising order) that the overlap test
+// finds in it. Doesn't depend on the number of threads. No axis of the layout has more than 65535 voxels.
 template <class Stored>
-Partition partition(const SceneView<Stored>& scene, const Lattice& lattice, Overlap overlap,
+Partition partition(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
                     const PartitionRule& rule, const VoxelBox& root,
                     std::span<const PrimitiveIndex> primitives);
 

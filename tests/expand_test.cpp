@@ -1,6 +1,6 @@
 // Stretching, against its definition followed voxel by voxel; and what it compares lists by.
+#include "libgrid/build/expand.h"
 #include "libgrid/build/list.h"
-#include "libgrid/build/stretch.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 
@@ -105,10 +105,10 @@ TEST(Stretch, MovesFacesAsDefined) {
     TestScene<float> scene = SceneMaker<float>(chance, chance.power_of_two(-10, 20)).scene();
     MergeRule rule = random_merge_rule(chance);
     rule.merge = Merge::irregular;
-    rule.stretches = 0;
-    Lattice lattice = random_lattice<float>(chance, scene.bounds());
-    lattice.division = {chance.whole(1, 12), chance.whole(1, 12), chance.whole(1, 12)};
-    Grid slow = build_merged(scene.view(), lattice, chance.one_in(2) ? Overlap::exact : Overlap::box, rule);
+    rule.expansions = 0;
+    GridLayout layout = random_lattice<float>(chance, scene.bounds());
+    layout.division = {chance.whole(1, 12), chance.whole(1, 12), chance.whole(1, 12)};
+    Grid slow = build_merged(scene.view(), layout, chance.one_in(2) ? Overlap::exact : Overlap::box, rule);
     const int passes = chance.whole(0, 5);
     Grid fast = slow;
     stretch(fast, passes);

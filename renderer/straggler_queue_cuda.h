@@ -12,7 +12,7 @@ namespace masu {
 
 // A ray that was followed to t = from.
 template <class Real>
-struct LeftRay {
+struct Straggler {
   Hit<Real> nearest; // so far
   Real from;
   std::uint32_t number; // in the list
@@ -27,27 +27,28 @@ struct WarpProgress {
   };
   std::uint32_t next_ray; // that no warp has fetched yet
   std::uint32_t left;     // rays
-  Signal run_out[lanes_a_warp];
+  Signal drained[lanes_a_warp];
 };
 
 template <class Real>
-struct LeftRays {
+struct StragglerQueue {
   WarpProgress* progress;
-  LeftRay<Real>* rays; // room for one a thread
+  Straggler<Real>* rays; // room for one a thread
 };
 
 // Owns what a kernel of so many warps leaves.
 template <class Real>
-class LeftRaysMemory {
+class StragglerQueueMemory {
 public:
-  explicit LeftRaysMemory(std::uint32_t warps) : progress_(1), rays_(std::size_t{warps} * lanes_a_warp) {}
+  explicit StragglerQueueMemory(std::uint32_t warps)
+      : progress_(1), rays_(std::size_t{warps} * lanes_a_warp) {}
   // Before each start.
   void reset() const { check(cudaMemsetAsync(progress_.data(), 0, sizeof(WarpProgress))); }
-  LeftRays<Real> view() const { return {progress_.data(), rays_.data()}; }
+  StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }
 
 private:
   DeviceArray<WarpProgress> progress_;
-  DeviceArray<LeftRay<Real>> rays_;
+  DeviceArray<Straggler<Real>> rays_;
 };
 
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
@@ -61,7 +62,7 @@ __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
 
 // Whether a warp has run out of rays, as lane 0 knew a turn ago: what is asked for now has come when it is
 // looked at next.
-class RunOutWatch {
+class DrainWatch {
 public:
   // For all lanes of a warp.
   static __device__ void tell(WarpProgress& progress) {
@@ -76,7 +77,7 @@ public:
 
 private:
   static __device__ DeviceAtomic<std::uint32_t> signal(WarpProgress& progress, unsigned number) {
-    return DeviceAtomic<std::uint32_t>(progress.run_out[number % lanes_a_warp].given);
+    return DeviceAtomic<std::uint32_t>(progress.drained[number % lanes_a_warp].given);
   }
   std::uint32_t given_ = 0;
 };

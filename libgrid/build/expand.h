@@ -1,5 +1,5 @@
 // Stretching cells over their neighbours, after Pérard-Gayot, Kalojanov & Slusallek, "GPU Ray Tracing using
-// Irregular Grids", CGF 36(2), 2017: a ray that leaves a stretched cell has passed neighbours that would have
+// Irregular Grids", CGF 36(2), 2017: a ray that leaves a expanded cell has passed neighbours that would have
 // told it nothing new.
 #pragma once
 

@@ -1,7 +1,7 @@
-// Passes (passes.h) on a CUDA device. CUDA sources only.
+// Executor (passes.h) on a CUDA device. CUDA sources only.
 #pragma once
 
-#include "libgrid/build/passes.h"
+#include "libgrid/build/executor.h"
 #include "libscene/cuda/device_memory.h"
 
 #include <cub/device/device_radix_sort.cuh>
@@ -42,7 +42,7 @@ private:
 
 // Some of a warp's threads, `width` (a power of two) side by side, as lanes.h has them.
 template <unsigned width>
-struct WarpLanes {
+struct WarpTile {
   __device__ std::uint32_t lane() const { return threadIdx.x % width; }
   __device__ std::uint32_t size() const { return width; }
   __device__ void wait() const { __syncwarp(all()); }
@@ -95,7 +95,7 @@ struct BlockLanes {
     __syncthreads(); // the last call's has been read by all
     if (threadIdx.x == 0) total = 0;
     __syncthreads();
-    const std::uint64_t own = WarpLanes<32>{}.sum(value);
+    const std::uint64_t own = WarpTile<32>{}.sum(value);
     if (threadIdx.x % 32 == 0) atomicAdd(&total, static_cast<unsigned long long>(own));
     __syncthreads();
     return total;
@@ -111,7 +111,7 @@ struct BlockLanes {
   }
   template <class Candidate>
   __device__ Candidate first_of_all(const Candidate& own) const {
-    return threadIdx.x < 32 ? WarpLanes<32>{}.first_of_all(own) : own;
+    return threadIdx.x < 32 ? WarpTile<32>{}.first_of_all(own) : own;
   }
 };
 
@@ -139,7 +139,7 @@ __global__ void __launch_bounds__(threads)
     if (threadIdx.x % few_lanes == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
     return;
   }
-  work(WarpLanes<few_lanes>{}, scratch[own], i);
+  work(WarpTile<few_lanes>{}, scratch[own], i);
 }
 
 inline constexpr unsigned blocks_for_large = 1024;
@@ -166,27 +166,27 @@ inline unsigned blocks_for(std::uint64_t threads_wanted) {
 
 } // namespace kernels
 
-class DevicePasses {
+class CudaExecutor {
 public:
   template <class T>
   using Array = PooledArray<T>;
 
   // Memory that is given back stays with the pool, for what comes next.
-  DevicePasses() {
+  CudaExecutor() {
     int device = 0;
     check(cudaGetDevice(&device));
     check(cudaDeviceGetDefaultMemPool(&pool_, device));
     std::uint64_t all = ~std::uint64_t{0};
     check(cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all));
   }
-  ~DevicePasses() {
+  ~CudaExecutor() {
     std::uint64_t none = 0;
     static_cast<void>(cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &none));
     static_cast<void>(cudaDeviceSynchronize());
     static_cast<void>(cudaMemPoolTrimTo(pool_, 0));
   }
-  DevicePasses(const DevicePasses&) = delete;
-  DevicePasses& operator=(const DevicePasses&) = delete;
+  CudaExecutor(const CudaExecutor&) = delete;
+  CudaExecutor& operator=(const CudaExecutor&) = delete;
 
   template <class T>
   Array<T> array(std::uint64_t count) const {

@@ -1,8 +1,8 @@
-#include "libscene/float32_doubt.h"
+#include "libscene/float32_precision.h"
 
+#include "libscene/file/scene_file.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
-#include "libscene/file/scene_file.h"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ std::uint64_t count_lost(const Scene& scene, double margin) {
 
 } // namespace
 
-Float32Doubt float32_doubt(const Scene& scene) {
+Float32Precision float32_precision(const Scene& scene) {
   const Boxd box = bounds(scene);
   if (is_empty(box)) return {0, 1, 0, 0};
   const double margin = rounding_margin<float>(box);

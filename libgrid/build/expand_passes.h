@@ -1,8 +1,8 @@
 // Stretching by passes (passes.h): the same cells as stretch's.
 #pragma once
 
+#include "libgrid/build/executor.h"
 #include "libgrid/build/neighbour.h"
-#include "libgrid/build/passes.h"
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ MASU_HD Reach reach_of(const MergedGridView<double>& grid, const Neighbour* neig
           !lists_all(grid.references, cell.list, neighbour.list))
         return {false, 0};
       ++seen;
-      const std::uint32_t along = neighbour.stretched[axis];
+      const std::uint32_t along = neighbour.expanded[axis];
       reach.at = upwards ? std::min(reach.at, end_of(along)) : std::max(reach.at, first_of(along));
       i = end_of(neighbour.own[u]);
       next_j = std::min(next_j, end_of(neighbour.own[v]));
@@ -46,8 +46,8 @@ MASU_HD Reach reach_of(const MergedGridView<double>& grid, const Neighbour* neig
 
 // Both of each cell's faces along an axis. What is in the way stays in the way, since faces only grow: a bit
 // of `blocked` for each of a cell's six.
-template <int axis, class Passes>
-void stretch_along(Passes& passes, const MergedGridView<double>& grid, const Neighbour* neighbours,
+template <int axis, class Executor>
+void stretch_along(Executor& passes, const MergedGridView<double>& grid, const Neighbour* neighbours,
                    std::uint64_t count, MergedCell* cells, std::uint8_t* blocked) {
   passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     constexpr unsigned both = 3U << (2 * axis);
@@ -55,7 +55,7 @@ void stretch_along(Passes& passes, const MergedGridView<double>& grid, const Nei
     if ((bits & both) == both) return;
     MergedCell cell = cells[i];
     std::uint32_t& range = axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
-    std::uint32_t stretched = range;
+    std::uint32_t expanded = range;
     for (unsigned side = 0; side < 2; ++side) {
       const unsigned bit = 1U << (2 * axis + static_cast<int>(side));
       if ((bits & bit) != 0) continue;
@@ -68,28 +68,28 @@ void stretch_along(Passes& passes, const MergedGridView<double>& grid, const Nei
         continue;
       }
       const auto at = static_cast<std::uint32_t>(reach.at);
-      stretched = upwards ? (stretched & 0xffffU) | at << 16 : (stretched & 0xffff0000U) | at;
+      expanded = upwards ? (expanded & 0xffffU) | at << 16 : (expanded & 0xffff0000U) | at;
     }
-    (axis == 0 ? cells[i].x : axis == 1 ? cells[i].y : cells[i].z) = stretched;
+    (axis == 0 ? cells[i].x : axis == 1 ? cells[i].y : cells[i].z) = expanded;
     blocked[i] = static_cast<std::uint8_t>(bits);
   });
 }
 
-// `grid` is a view of what `cells` are the cells of, in the Passes' memory.
-template <class Passes>
-void stretch_by_passes(Passes& passes, const MergedGridView<double>& grid, std::uint64_t count,
-                       MergedCell* cells, int stretches) {
-  if (stretches == 0) return;
+// `grid` is a view of what `cells` are the cells of, in the Executor' memory.
+template <class Executor>
+void stretch_by_passes(Executor& passes, const MergedGridView<double>& grid, std::uint64_t count,
+                       MergedCell* cells, int expansions) {
+  if (expansions == 0) return;
   auto neighbours = passes.template array<Neighbour>(count);
   auto blocked = passes.template zeros<std::uint8_t>(count);
   Neighbour* const neighbour = neighbours.data();
   passes.for_each(count,
                   [=] MASU_PASS(std::uint64_t i) { neighbour[i] = as_neighbour(cells[i], grid.references); });
-  for (int pass = 0; pass < stretches; ++pass) {
+  for (int pass = 0; pass < expansions; ++pass) {
     stretch_along<0>(passes, grid, neighbour, count, cells, blocked.data());
     stretch_along<1>(passes, grid, neighbour, count, cells, blocked.data());
     stretch_along<2>(passes, grid, neighbour, count, cells, blocked.data());
-    if (pass + 1 == stretches) break;
+    if (pass + 1 == expansions) break;
     passes.for_each(count, [=] MASU_PASS(std::uint64_t i) { set_stretched(neighbour[i], cells[i]); });
   }
 }

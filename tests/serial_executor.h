@@ -1,8 +1,8 @@
-// Passes (libgrid/build/passes.h) as plain loops, one thing after the other.
+// Executor (libgrid/build/executor.h) as plain loops, one thing after the other.
 #pragma once
 
-#include "libgrid/build/lanes.h"
 #include "libgrid/build/merge_passes.h"
+#include "libgrid/build/thread_group.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,7 +12,7 @@
 
 namespace masu {
 
-struct HostPasses {
+struct SerialExecutor {
   template <class T>
   using Array = std::vector<T>;
 
@@ -37,7 +37,7 @@ struct HostPasses {
   void for_each_by_lanes(std::uint64_t count, const Work& work) const {
     for (std::uint64_t i = 0; i < count; ++i) {
       typename Work::Scratch scratch;
-      work(OneLane{}, scratch, i);
+      work(SingleThread{}, scratch, i);
     }
   }
   template <class T>
@@ -68,8 +68,8 @@ struct HostPasses {
   }
 };
 
-inline Grid as_grid(PassesGrid<HostPasses> grid) {
-  return {grid.lattice,
+inline Grid as_grid(PassesGrid<SerialExecutor> grid) {
+  return {grid.layout,
           grid.merge,
           grid.block_log2,
           grid.nested_log2,
