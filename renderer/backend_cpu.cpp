@@ -21,21 +21,6 @@ void add(Counts& total, const Counts& part) {
 }
 void add(Counts&, const NoCounts&) {}
 
-// Calls render(first column, its end, first row, its end) for the tiles that the worker takes.
-template <class Render>
-void render_tiles(const Frame& frame, Schedule schedule, std::uint32_t worker,
-                  std::atomic<std::uint32_t>& fetched, const Render& render) {
-  const Tiles tiles = tiles_of(frame.columns, frame.rows);
-  const TileRun run = run_of(schedule, worker, frame.workers, tiles.count);
-  const bool fetches = schedule == Schedule::persistent;
-  for (std::uint32_t tile = fetches ? fetched++ : run.first; tile < run.end;
-       tile = fetches ? fetched++ : tile + run.step) {
-    const auto column = static_cast<std::int32_t>(tile % tiles.columns) * tile_side,
-               row = static_cast<std::int32_t>(tile / tiles.columns) * tile_side;
-    render(column, std::min(column + tile_side, frame.columns), row, std::min(row + tile_side, frame.rows));
-  }
-}
-
 template <class M, class Stored, class Grid, class C>
 void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
             const C&) {
@@ -56,37 +41,25 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
     }
     add(totals.local(), counts);
   };
-  if (request.schedule == Schedule::hardware) {
-    tbb::parallel_for(
-        tbb::blocked_range2d<std::int32_t>(0, frame.rows, task_side, 0, frame.columns, task_side),
-        [&](const auto& range) {
-          render_rays(range.cols().begin(), range.cols().end(), range.rows().begin(), range.rows().end());
-        });
-  } else {
-    std::atomic<std::uint32_t> fetched{0};
-    tbb::parallel_for(
-        tbb::blocked_range<std::uint32_t>(0, frame.workers),
-        [&](const auto& range) {
-          for (std::uint32_t worker = range.begin(); worker != range.end(); ++worker)
-            render_tiles(frame, request.schedule, worker, fetched, render_rays);
-        },
-        tbb::static_partitioner());
-  }
+  tbb::parallel_for(tbb::blocked_range2d<std::int32_t>(0, frame.rows, task_side, 0, frame.columns, task_side),
+                    [&](const auto& range) {
+                      render_rays(range.cols().begin(), range.cols().end(), range.rows().begin(),
+                                  range.rows().end());
+                    });
   totals.combine_each([&](const Counts& part) { frame.counts += part; });
 }
 
 template <Query query, class M, class Stored, class Grid, class C>
-void trace(const SceneView<Stored>& scene, const Grid& grid, const RaysRequest& request, RayHits& result,
-           const C&) {
+void trace(const SceneView<Stored>& scene, const Grid& grid, std::span<const ListedRay> rays,
+           const RaysRequest& request, RayHits& result, const C&) {
   tbb::combinable<Counts> totals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, request.rays.size(), rays_a_task),
-                    [&](const auto& range) {
-                      C counts;
-                      for (std::size_t i = range.begin(); i != range.end(); ++i)
-                        result.hits[i] = trace_listed<query, M>(
-                            scene, grid, typed<typename M::Real>(request.rays[i]), request.hit_name, counts);
-                      add(totals.local(), counts);
-                    });
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_a_task), [&](const auto& range) {
+    C counts;
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      result.hits[i] =
+          trace_listed<query, M>(scene, grid, typed<typename M::Real>(rays[i]), request.hit_name, counts);
+    add(totals.local(), counts);
+  });
   totals.combine_each([&](const Counts& part) { result.counts += part; });
 }
 
@@ -95,17 +68,6 @@ double seconds_of(const Act& act) {
   const Stopwatch watch;
   act();
   return watch.seconds();
-}
-
-// Seconds of act(), the median of so many, after some that don't count.
-template <class Act>
-double timed(int warm_up, int repeat, const Act& act) {
-  for (int i = 0; i < warm_up; ++i)
-    act();
-  std::vector<double> seconds(static_cast<std::size_t>(repeat));
-  for (double& one : seconds)
-    one = seconds_of(act);
-  return median(std::move(seconds));
 }
 
 // Calls act(SceneView, grid's view, Method, counts).
@@ -124,27 +86,22 @@ void with_everything(const SceneFile& scene, const GridFile* grid, const Tracing
 
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {
   Frame frame = empty_frame(request);
-  const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  const int each = request.schedule == Schedule::hardware ? 1 : std::max(request.workers_each, 1);
-  frame.workers = static_cast<std::uint32_t>(threads * static_cast<std::size_t>(each));
-  frame.seconds.upload = seconds_of(request.before_tracing);
   with_everything(
       scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
-        frame.seconds.trace = timed(request.warm_up, request.repeat,
-                                    [&] { render<M>(view, accelerator, request, frame, counts); });
+        frame.seconds.trace = seconds_of([&] { render<M>(view, accelerator, request, frame, counts); });
       });
   return frame;
 }
 
-RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RaysRequest& request) {
+RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
+                       const RaysRequest& request) {
   RayHits result;
-  result.hits.resize(request.rays.size());
-  result.seconds.upload = seconds_of(request.before_tracing);
+  result.hits.resize(rays.size());
   with_everything(
       scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
         with_query(request.query, [&]<Query query>(Asked<query>) {
-          result.seconds.trace = timed(request.warm_up, request.repeat,
-                                       [&] { trace<query, M>(view, accelerator, request, result, counts); });
+          result.seconds.trace =
+              seconds_of([&] { trace<query, M>(view, accelerator, rays, request, result, counts); });
         });
       });
   return result;

@@ -2,9 +2,10 @@
 
 namespace masu {
 
-template void render_on_device<TextbookRay>(const SceneView<float>&, const GridFile*, const FrameRequest&,
-                                            Frame&);
-template void trace_on_device<TextbookRay>(const SceneView<float>&, const GridFile*, const RaysRequest&,
+template void render_on_device<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                            const GridFile*, const FrameRequest&, Frame&);
+template void trace_on_device<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                           const GridFile*, const ResidentRays&, const RaysRequest&,
                                            RayHits&);
 
 } // namespace masu

@@ -2,9 +2,10 @@
 
 namespace masu {
 
-template void render_on_device<WatertightRay<float>>(const SceneView<float>&, const GridFile*,
-                                                     const FrameRequest&, Frame&);
-template void trace_on_device<WatertightRay<float>>(const SceneView<float>&, const GridFile*,
-                                                    const RaysRequest&, RayHits&);
+template void render_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                     const GridFile*, const FrameRequest&, Frame&);
+template void trace_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                    const GridFile*, const ResidentRays&, const RaysRequest&,
+                                                    RayHits&);
 
 } // namespace masu

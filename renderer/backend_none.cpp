@@ -14,13 +14,21 @@ namespace {
 
 } // namespace
 
-Frame render_cuda(const SceneFile&, const GridFile*, const FrameRequest&) {
+void set_up_cuda() {
   refuse();
 }
-RayHits trace_rays_cuda(const SceneFile&, const GridFile*, const RaysRequest&) {
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*,
+                                                     const std::function<void()>&) {
   refuse();
 }
-double upload_cuda(const SceneFile&, const GridFile*, const std::function<void()>&) {
+std::shared_ptr<const DeviceRays> upload_rays_cuda(std::span<const ListedRay>, bool) {
+  refuse();
+}
+Frame render_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const FrameRequest&) {
+  refuse();
+}
+RayHits trace_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const ResidentRays&,
+                        const RaysRequest&) {
   refuse();
 }
 

@@ -67,12 +67,12 @@ __global__ void __launch_bounds__(rays_a_culling_block)
 // Whether so many rays miss the bounds that choosing the others pays: measured on an H200, from 9 of 20 on.
 // As a sample of them tells.
 template <Query query, class Real, class Stored>
-bool often_misses(const SceneView<Stored>& scene, std::span<const TypedRay<Real>> rays) {
+bool often_misses(const SceneView<Stored>& scene, std::span<const ListedRay> rays) {
   constexpr std::size_t looked_at = 4096;
   const std::size_t step = rays.size() / looked_at + 1;
   std::size_t missing = 0, sampled = 0;
   for (std::size_t i = 0; i < rays.size(); i += step, ++sampled)
-    missing += clipped<query>(scene, rays[i]).meets ? 0 : 1;
+    missing += clipped<query>(scene, typed<Real>(rays[i])).meets ? 0 : 1;
   return missing * 20 >= sampled * 9;
 }
 

@@ -5,8 +5,11 @@
 #include "libgrid/trace/trace.h"
 #include "libscene/cuda/transfer.h"
 #include "libscene/scene_view.h"
-#include "libscene/stopwatch.h"
+#include "renderer/dispatch.h"
 #include "renderer/kernel_cuda.h"
+
+#include <optional>
+#include <type_traits>
 
 namespace masu {
 
@@ -66,21 +69,41 @@ struct DeviceGrid {
   NoGrid moved(NoGrid) const { return {}; }
 };
 
-// What is traced, on the device, and how many seconds getting it there took.
+// A scene and its grid on the device.
 template <class Stored>
-struct Uploaded {
-  Stopwatch watch;
-  Transfer upload;
+struct DeviceFilesOf {
   DeviceScene<Stored> scene;
   DeviceGrid grid;
-  double seconds;
 
-  // Copies, and follows no index until meanwhile() has been done.
-  Uploaded(const SceneView<Stored>& host_scene, const GridFile* host_grid,
-           const std::function<void()>& meanwhile)
-      : scene(host_scene, upload), grid(host_grid, upload) {
-    upload.run(meanwhile);
-    seconds = watch.seconds();
+  DeviceFilesOf(const SceneView<Stored>& host_scene, const GridFile* host_grid, Transfer& upload)
+      : scene(host_scene, upload), grid(host_grid, upload) {}
+};
+
+// Of either store: one of them.
+struct DeviceFiles {
+  std::optional<DeviceFilesOf<float>> float32;
+  std::optional<DeviceFilesOf<double>> float64;
+
+  template <class Stored>
+  const DeviceFilesOf<Stored>& of() const {
+    if constexpr (std::is_same_v<Stored, float>)
+      return *float32;
+    else
+      return *float64;
+  }
+};
+
+// A list of rays on the device, in the arithmetic's type: one of them.
+struct DeviceRays {
+  DeviceArray<TypedRay<float>> float32;
+  DeviceArray<TypedRay<double>> float64;
+
+  template <class Real>
+  const DeviceArray<TypedRay<Real>>& of() const {
+    if constexpr (std::is_same_v<Real, float>)
+      return float32;
+    else
+      return float64;
   }
 };
 

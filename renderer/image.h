@@ -1,7 +1,7 @@
 // Pictures: made from the layout of eye rays, written as PNG or PFM.
 #pragma once
 
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/cuda/device_memory.h"
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 
 #include <cuda/atomic>
 
@@ -39,23 +39,13 @@ KernelSize load(Kernel* kernel) {
   return {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};
 }
 
-// Launches so many times and waits; before() puts what launch() needs onto the stream, untimed. The median's
-// seconds.
-template <class Before, class Launch>
-double timed_launches(int warm_up, int repeat, const Before& before, const Launch& launch) {
-  for (int i = 0; i < warm_up; ++i) {
-    before();
-    launch();
-  }
-  std::vector<double> seconds;
-  for (int i = 0; i < repeat; ++i) {
-    before();
-    const DeviceTimer timer;
-    launch();
-    check(cudaGetLastError());
-    seconds.push_back(timer.seconds());
-  }
-  return median(std::move(seconds));
+// Seconds of what launch() puts on the device, which is waited for.
+template <class Launch>
+double timed(const Launch& launch) {
+  const DeviceTimer timer;
+  launch();
+  check(cudaGetLastError());
+  return timer.seconds();
 }
 
 // How many blocks of so many threads run at once: `each` on a multiprocessor, or for 0 as many as fit.

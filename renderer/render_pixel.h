@@ -51,7 +51,11 @@ struct RayStack {
   PendingRay<Real> rays[largest_depth];
   int size = 0;
 
-  MASU_HD void push(const PendingRay<Real>& ray) { rays[size++] = ray; }
+  // Depths are checked before anything is traced (Tracer): there is room. Should a caller have let a larger
+  // one pass, the ray is dropped.
+  MASU_HD void push(const PendingRay<Real>& ray) {
+    if (size < largest_depth) rays[size++] = ray;
+  }
   MASU_HD PendingRay<Real> pop() { return rays[--size]; }
 };
 

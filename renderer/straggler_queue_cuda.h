@@ -47,8 +47,8 @@ public:
   StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }
 
 private:
-  DeviceArray<WarpProgress> progress_;
-  DeviceArray<Straggler<Real>> rays_;
+  PooledArray<WarpProgress> progress_;
+  PooledArray<Straggler<Real>> rays_;
 };
 
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.

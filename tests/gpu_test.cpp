@@ -4,10 +4,11 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/nff/nff.h"
 #include "libscene/spd/spd.h"
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 #include "tests/temporary_folder.h"
 #include "tests/unchecked_grid.h"
 #include "tools/bench/ray_sets.h"
+#include "tools/bench/screen_division.h"
 #include "tools/bench/stability/random_seed.h"
 
 #include <gtest/gtest.h>
@@ -96,11 +97,18 @@ void expect_same_picture(const Frame& cpu, const Frame& gpu) {
   EXPECT_LE(worst, 1e-5F);
 }
 
+Frame render(Device device, const Built& built, const FrameRequest& request, bool with_grid = true) {
+  return Tracer(built.scene, with_grid ? &built.grid : nullptr, device).render(request);
+}
+RayHits trace(Device device, const Built& built, std::span<const ListedRay> rays,
+              const RaysRequest& request) {
+  return Tracer(built.scene, &built.grid, device).trace(rays, request);
+}
+
 TEST_P(CpuAndGpu, SeeTheSameHitsAndPicture) {
   const Built built = build(Store::float32, GetParam().standard, "auto");
   const FrameRequest wanted = request(built.scene, 512);
-  const Frame cpu = render_cpu(built.scene, &built.grid, wanted),
-              gpu = render_cuda(built.scene, &built.grid, wanted);
+  const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
   expect_same_hits(cpu.hits, gpu.hits);
   expect_same_picture(cpu, gpu);
 }
@@ -108,8 +116,7 @@ TEST_P(CpuAndGpu, SeeTheSameHitsAndPicture) {
 TEST_P(CpuAndGpu, SeeTheSameInDouble) {
   const Built built = build(Store::float64, GetParam().standard, "64");
   const FrameRequest wanted = request(built.scene, 256);
-  const Frame cpu = render_cpu(built.scene, &built.grid, wanted),
-              gpu = render_cuda(built.scene, &built.grid, wanted);
+  const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
   expect_same_hits(cpu.hits, gpu.hits);
   expect_same_picture(cpu, gpu);
 }
@@ -131,10 +138,10 @@ TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
     const Vec3f from = on_sphere();
     ray = {cast<double>(from), cast<double>(on_sphere() - from)};
   }
-  RaysRequest wanted{rays};
+  RaysRequest wanted;
   wanted.hit_name = HitName::primitive;
-  expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
-                   trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+  expect_same_hits(trace(Device::cpu, built, rays, wanted).hits,
+                   trace(Device::cuda, built, rays, wanted).hits);
 }
 
 // Of few rays and of many, through cells that list next to nothing and through such as list nearly all.
@@ -153,15 +160,16 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
       SCOPED_TRACE(count);
       for (const Query query : {Query::nearest_hit, Query::occlusion}) {
         for (const Precision precision : {Precision::robust, Precision::doubled}) {
-          RaysRequest wanted{std::span(rays).last(count)};
+          const std::span<const ListedRay> some = std::span(rays).last(count);
+          RaysRequest wanted;
           wanted.tracing.precision = precision;
           wanted.query = query;
           wanted.hit_name = HitName::primitive;
-          const RayHits cpu = trace_rays_cpu(built.scene, &built.grid, wanted);
+          const RayHits cpu = trace(Device::cpu, built, some, wanted);
           for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
             SCOPED_TRACE(static_cast<int>(loop));
             wanted.loop = loop;
-            expect_same_hits(cpu.hits, trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+            expect_same_hits(cpu.hits, trace(Device::cuda, built, some, wanted).hits);
           }
         }
       }
@@ -187,25 +195,24 @@ TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
       rays.insert(rays.begin() + static_cast<std::ptrdiff_t>(at), crossing.begin(), crossing.end());
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       for (const Precision precision : {Precision::robust, Precision::doubled}) {
-        RaysRequest wanted{rays};
+        RaysRequest wanted;
         wanted.tracing.precision = precision;
         wanted.query = query;
         wanted.hit_name = HitName::primitive;
-        expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
-                         trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+        expect_same_hits(trace(Device::cpu, built, rays, wanted).hits,
+                         trace(Device::cuda, built, rays, wanted).hits);
       }
     }
   }
 }
 
-TEST_P(CpuAndGpu, FindTheSameRaysBlocked) {
+TEST_P(CpuAndGpu, FindTheSameRaysOccluded) {
   const Built built = build(Store::float32, GetParam().standard, "auto");
   const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
-  RaysRequest wanted{rays};
+  RaysRequest wanted;
   wanted.query = Query::occlusion;
-  const RayHits nearest = trace_rays_cpu(built.scene, &built.grid, {rays});
-  const RayHits cpu = trace_rays_cpu(built.scene, &built.grid, wanted),
-                gpu = trace_rays_cuda(built.scene, &built.grid, wanted);
+  const RayHits nearest = trace(Device::cpu, built, rays, {});
+  const RayHits cpu = trace(Device::cpu, built, rays, wanted), gpu = trace(Device::cuda, built, rays, wanted);
   expect_same_hits(cpu.hits, gpu.hits);
   // The second point lies beyond the scene: what hits is occluded.
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -216,8 +223,7 @@ TEST_P(CpuAndGpu, CountTheSame) {
   const Built built = build(Store::float32, GetParam().least + 1, "33x20x5");
   FrameRequest wanted = request(built.scene, 128);
   wanted.tracing.count = true;
-  const Frame cpu = render_cpu(built.scene, &built.grid, wanted),
-              gpu = render_cuda(built.scene, &built.grid, wanted);
+  const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
   for (int i = 0; i < Counts::fields; ++i)
     EXPECT_EQ(cpu.counts.begin()[i], gpu.counts.begin()[i]) << "field " << i;
 }
@@ -225,9 +231,8 @@ TEST_P(CpuAndGpu, CountTheSame) {
 TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
   const Built built = build(Store::float32, GetParam().least + 1, "260");
   const FrameRequest wanted = request(built.scene, 64);
-  const Frame grid = render_cuda(built.scene, &built.grid, wanted),
-              none = render_cuda(built.scene, nullptr, wanted);
-  const Frame cpu = render_cpu(built.scene, &built.grid, wanted);
+  const Frame grid = render(Device::cuda, built, wanted), none = render(Device::cuda, built, wanted, false);
+  const Frame cpu = render(Device::cpu, built, wanted);
   expect_same_hits(cpu.hits, grid.hits);
   expect_same_hits(grid.hits, none.hits);
   EXPECT_EQ(std::memcmp(grid.radiance.data(), none.radiance.data(), grid.radiance.size() * sizeof(Vec3f)), 0);
@@ -240,16 +245,15 @@ TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
       const Built built = build(store, GetParam().least + 1, merge == Merge::irregular ? "5x4x3" : "33x20x5",
                                 merged_by(merge));
       FrameRequest wanted = request(built.scene, 64);
-      const Frame none = render_cuda(built.scene, nullptr, wanted),
-                  gpu = render_cuda(built.scene, &built.grid, wanted),
-                  cpu = render_cpu(built.scene, &built.grid, wanted);
+      const Frame none = render(Device::cuda, built, wanted, false),
+                  gpu = render(Device::cuda, built, wanted), cpu = render(Device::cpu, built, wanted);
       expect_same_hits(cpu.hits, gpu.hits);
       expect_same_hits(none.hits, gpu.hits);
       EXPECT_EQ(std::memcmp(none.radiance.data(), gpu.radiance.data(), gpu.radiance.size() * sizeof(Vec3f)),
                 0);
       wanted.tracing.count = true;
-      const Frame cpu_counted = render_cpu(built.scene, &built.grid, wanted),
-                  gpu_counted = render_cuda(built.scene, &built.grid, wanted);
+      const Frame cpu_counted = render(Device::cpu, built, wanted),
+                  gpu_counted = render(Device::cuda, built, wanted);
       for (int i = 0; i < Counts::fields; ++i)
         EXPECT_EQ(cpu_counted.counts.begin()[i], gpu_counted.counts.begin()[i]) << "field " << i;
     }
@@ -260,18 +264,30 @@ TEST_P(CpuAndGpu, FindTheSameForRandomRaysThroughAnIrregularGrid) {
   const Built built = build(Store::float32, GetParam().standard, "cleary:0.05", merged_by(Merge::irregular));
   const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
   for (const Query query : {Query::nearest_hit, Query::occlusion}) {
-    RaysRequest wanted{rays};
+    RaysRequest wanted;
     wanted.query = query;
     wanted.hit_name = HitName::primitive;
-    expect_same_hits(trace_rays_cpu(built.scene, &built.grid, wanted).hits,
-                     trace_rays_cuda(built.scene, &built.grid, wanted).hits);
+    expect_same_hits(trace(Device::cpu, built, rays, wanted).hits,
+                     trace(Device::cuda, built, rays, wanted).hits);
+  }
+}
+
+TEST_P(CpuAndGpu, RenderTheSameHoweverThePictureIsDivided) {
+  const Built built = build(Store::float32, GetParam().least + 1, "auto");
+  FrameRequest wanted = request(built.scene, 65);
+  wanted.hits = false;
+  const Frame expected = render(Device::cuda, built, wanted);
+  for (const ScreenDivision division :
+       {ScreenDivision::block, ScreenDivision::cyclic, ScreenDivision::persistent}) {
+    const DividedFrame divided = render_divided_cuda(built.scene, built.grid, wanted, division, 0);
+    EXPECT_EQ(divided.frame.radiance, expected.radiance) << static_cast<int>(division);
   }
 }
 
 TEST(UncheckedGrid, IsRefusedByTheGpuBeforeAnythingIsTraced) {
   std::string why;
   if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was refused: " << why;
-  EXPECT_TRUE(is_refused_while_rendering(render_cuda));
+  EXPECT_TRUE(is_refused_by_tracer(Device::cuda));
 }
 
 INSTANTIATE_TEST_SUITE_P(Spd, CpuAndGpu, testing::ValuesIn(spd_scenes().begin(), spd_scenes().end()),

@@ -25,7 +25,7 @@ TEST_P(HostileMergedGrid, IsRefused) {
 }
 
 TEST(UncheckedGrid, IsRefusedByTheCpuBeforeAnythingIsTraced) {
-  EXPECT_TRUE(is_refused_while_rendering(render_cpu));
+  EXPECT_TRUE(is_refused_by_tracer(Device::cpu));
 }
 
 WrongGrid map(const char* name, std::size_t i, std::uint32_t value) {

@@ -4,7 +4,7 @@
 #include "libgrid/build/division.h"
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 #include "tests/temporary_folder.h"
 
 #include <memory>
@@ -31,7 +31,9 @@ public:
     request.hits = request.tracing.count = true;
     return request;
   }
-  Frame frame(const FrameRequest& request) const { return render_cpu(*scene_, grid_.get(), request); }
+  Frame frame(const FrameRequest& request) const {
+    return Tracer(*scene_, grid_.get(), Device::cpu).render(request);
+  }
   Frame frame() const { return frame(request()); }
 
 private:

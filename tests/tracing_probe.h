@@ -5,7 +5,7 @@
 #include "libgrid/build/merge.h"
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 
 namespace masu {
 
@@ -16,9 +16,10 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
   FrameRequest request;
   request.camera = {vector(c.from()), vector(c.at()), vector(c.up()), c.angle(), c.hither(), 6, 6};
   request.hits = request.hither = true;
-  static_cast<void>(render_cpu(scene, grid, request));
+  const Tracer tracer(scene, grid, Device::cpu);
+  static_cast<void>(tracer.render(request));
   request.tracing.count = request.rules.spd_rules = true;
-  static_cast<void>(render_cpu(scene, grid, request));
+  static_cast<void>(tracer.render(request));
 }
 
 // Builds a coarse grid and writes it to `path`. Throws Error where the space can't be divided.

@@ -1,15 +1,14 @@
-// A grid that is checked only while it is brought to where it is traced, as gridrender has it on a GPU.
+// A damaged grid whose records weren't checked when it was opened, as gridrender opens it for a GPU.
 #pragma once
 
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 #include "tests/hostile_files.h"
 #include "tests/tiny_scene.h"
 
 namespace masu {
 
-// Whether render(scene, grid, request) refuses a grid that lists a primitive which isn't there.
-template <class Render>
-testing::AssertionResult is_refused_while_rendering(const Render& render) {
+// Whether a tracer refuses a grid that lists a primitive which isn't there.
+inline testing::AssertionResult is_refused_by_tracer(Device device) {
   const TemporaryFolder folder;
   const std::string scene_path = folder.file("good.scene"), grid_path = folder.file("hostile.grid");
   write_scene(tiny_scene(), Store::float32, scene_path);
@@ -22,8 +21,7 @@ testing::AssertionResult is_refused_while_rendering(const Render& render) {
     const GridFile grid(path, Checks::table);
     FrameRequest request;
     request.camera = scene.camera();
-    request.before_tracing = [&] { check_records(scene, &grid); };
-    render(scene, &grid, request);
+    static_cast<void>(Tracer(scene, &grid, device).render(request));
   };
   return is_refused(open_and_render, grid_path);
 }

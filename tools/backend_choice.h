@@ -1,7 +1,7 @@
 // --backend, --precision and --first-cell-hit: who traces, and how.
 #pragma once
 
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 #include "tools/cli.h"
 
 namespace masu {

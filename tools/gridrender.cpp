@@ -3,12 +3,13 @@
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"
+#include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstring>
-#include <memory>
+#include <optional>
 
 namespace masu {
 namespace {
@@ -90,11 +91,11 @@ std::vector<ListedRay> read_rays(const std::string& path) {
     Stored stored{};
     std::memcpy(&stored, file.bytes().data() + i * sizeof(Stored), sizeof(Stored));
     rays[i] = {cast<double>(stored.origin), cast<double>(stored.direction)};
-    const char* const wrong = !is_within_reach(rays[i].origin)      ? "an origin that isn't within 1e15 of zero"
-                              : !is_within_reach(rays[i].direction) ? "a direction that isn't finite, or beyond 1e15"
-                              : !(largest_magnitude(rays[i].direction) >= 1e-15)
-                                  ? "a direction of no length (below 1e-15)"
-                                  : nullptr;
+    const char* const wrong =
+        !is_within_reach(rays[i].origin)                   ? "an origin that isn't within 1e15 of zero"
+        : !is_within_reach(rays[i].direction)              ? "a direction that isn't finite, or beyond 1e15"
+        : !(largest_magnitude(rays[i].direction) >= 1e-15) ? "a direction of no length (below 1e-15)"
+                                                           : nullptr;
     if (wrong != nullptr) throw Error(ErrorCode::input, path, fmt::format("ray {} has {}", i, wrong));
   }
   return rays;
@@ -120,42 +121,37 @@ void render(const Settings& settings) {
   check(settings);
   const bool cuda = use_cuda(settings.backend);
   Seconds seconds;
-  const Checks checks = cuda ? Checks::table : Checks::all; // the rest while the GPU gets its copy
+  const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks the rest during the upload
   const SceneFile scene(settings.scene, checks);
   seconds.map += scene.load_seconds().map;
   seconds.validate += scene.load_seconds().validate;
-  std::unique_ptr<const GridFile> grid;
+  std::optional<GridFile> grid;
   if (!settings.brute_force) {
-    grid = std::make_unique<const GridFile>(settings.grid, checks);
+    grid.emplace(settings.grid, checks);
     seconds.map += grid->load_seconds().map;
     seconds.validate += grid->load_seconds().validate;
-    grid->check_scene(scene.hash(), scene.primitive_count());
   }
-  const auto check_rest = [&] {
-    if (checks == Checks::table) check_records(scene, grid.get());
-  };
+  const Tracer tracer(scene, grid ? &*grid : nullptr, cuda ? Device::cuda : Device::cpu);
   TracingRules tracing = settings.tracing;
   tracing.count = !settings.stats.empty();
   Counts counts;
   const auto finish = [&](const auto& result, const auto& write) {
     counts = result.counts;
     seconds.trace = result.seconds;
+    seconds.trace.upload += tracer.upload_seconds();
     const Stopwatch watch;
     write();
     if (!settings.hits.empty()) write_hits(result.hits, settings.hits);
     seconds.write = watch.seconds();
   };
   if (settings.rays.empty()) {
-    FrameRequest request{tracing,
-                         resized(scene.camera(), settings.size),
-                         settings.sampling,
-                         settings.hither,
-                         {settings.depth, settings.spd_rules, settings.hit_name},
-                         !settings.hits.empty(),
-                         settings.repeat};
-    request.before_tracing = check_rest;
-    const Frame frame =
-        cuda ? render_cuda(scene, grid.get(), request) : render_cpu(scene, grid.get(), request);
+    const FrameRequest request{tracing,
+                               resized(scene.camera(), settings.size),
+                               settings.sampling,
+                               settings.hither,
+                               {settings.depth, settings.spd_rules, settings.hit_name},
+                               !settings.hits.empty()};
+    const Frame frame = repeated(0, settings.repeat, [&] { return tracer.render(request); });
     finish(frame, [&] {
       if (!settings.output.empty())
         write_image(image_of(frame, settings.sampling), settings.output, settings.srgb);
@@ -164,10 +160,10 @@ void render(const Settings& settings) {
     const std::vector<ListedRay> rays = settings.ray_store == Store::float64
                                             ? read_rays<double>(settings.rays)
                                             : read_rays<float>(settings.rays);
-    RaysRequest request{rays, tracing, settings.hit_name, settings.repeat};
-    request.before_tracing = check_rest;
-    const RayHits hits =
-        cuda ? trace_rays_cuda(scene, grid.get(), request) : trace_rays_cpu(scene, grid.get(), request);
+    const ResidentRays resident = tracer.upload(rays, tracing.precision);
+    const RaysRequest request{tracing, settings.hit_name};
+    RayHits hits = repeated(0, settings.repeat, [&] { return tracer.trace(resident, request); });
+    hits.seconds.upload = resident.upload_seconds;
     finish(hits, [] {});
   }
   const Json head{{"backend", cuda ? "cuda" : "cpu"}}, times{{"seconds", seconds_json(seconds)}};

@@ -11,35 +11,6 @@
 
 namespace masu {
 
-// An array from the device's pool, which takes and gives memory in the order of the work: neither waits.
-template <class T>
-class PooledArray {
-public:
-  PooledArray() = default;
-  explicit PooledArray(std::uint64_t count) : count_(count) {
-    if (count > 0) check(cudaMallocAsync(reinterpret_cast<void**>(&data_), count * sizeof(T), nullptr));
-  }
-  PooledArray(PooledArray&& other) noexcept
-      : data_(std::exchange(other.data_, nullptr)), count_(std::exchange(other.count_, 0)) {}
-  PooledArray& operator=(PooledArray&& other) noexcept {
-    std::swap(data_, other.data_);
-    std::swap(count_, other.count_);
-    return *this;
-  }
-  PooledArray(const PooledArray&) = delete;
-  PooledArray& operator=(const PooledArray&) = delete;
-  ~PooledArray() {
-    if (data_ != nullptr) static_cast<void>(cudaFreeAsync(data_, nullptr));
-  }
-
-  T* data() const { return data_; }
-  std::uint64_t size() const { return count_; }
-
-private:
-  T* data_ = nullptr;
-  std::uint64_t count_ = 0;
-};
-
 // Some of a warp's threads, `width` (a power of two) side by side, as lanes.h has them.
 template <unsigned width>
 struct WarpTile {

@@ -202,7 +202,10 @@ GridFile::GridFile(const std::string& path, Checks checks, const Stopwatch& watc
   check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
   check_sizes();
-  if (checks == Checks::all) check_records();
+  if (checks == Checks::all) {
+    check_records();
+    is_checked_ = true;
+  }
   seconds_.validate = watch.seconds() - seconds_.map;
 }
 

@@ -34,6 +34,7 @@ public:
   explicit GridFile(const std::string& path, Checks checks = Checks::all);
   // What Checks::table leaves out. Throws Error(input, path, …).
   void check_records() const;
+  bool is_checked() const { return is_checked_; }
 
   const fb::Grid& table() const { return *table_; }
   const std::string& path() const { return container_.path(); }
@@ -64,6 +65,7 @@ private:
   ContainerFile container_;
   const fb::Grid* table_;
   LoadSeconds seconds_;
+  bool is_checked_ = false; // of all
 };
 
 // Of a grid in memory.

@@ -57,6 +57,39 @@ private:
   std::size_t count_ = 0;
 };
 
+// An array of the device's memory pool, in the order of the default stream: neither taking nor giving back
+// waits, and memory that was given back is used again.
+template <class T>
+class PooledArray {
+public:
+  PooledArray() = default;
+  explicit PooledArray(std::uint64_t count) : count_(count) {
+    if (count > 0) check(cudaMallocAsync(reinterpret_cast<void**>(&data_), count * sizeof(T), nullptr));
+  }
+  PooledArray(PooledArray&& other) noexcept
+      : data_(std::exchange(other.data_, nullptr)), count_(std::exchange(other.count_, 0)) {}
+  PooledArray& operator=(PooledArray&& other) noexcept {
+    std::swap(data_, other.data_);
+    std::swap(count_, other.count_);
+    return *this;
+  }
+  PooledArray(const PooledArray&) = delete;
+  PooledArray& operator=(const PooledArray&) = delete;
+  ~PooledArray() {
+    if (data_ != nullptr) static_cast<void>(cudaFreeAsync(data_, nullptr));
+  }
+
+  T* data() const { return data_; }
+  std::uint64_t size() const { return count_; }
+  void download(T* host) const {
+    if (count_ > 0) check(cudaMemcpy(host, data_, count_ * sizeof(T), cudaMemcpyDeviceToHost));
+  }
+
+private:
+  T* data_ = nullptr;
+  std::uint64_t count_ = 0;
+};
+
 // Page-locked memory of the host, from which the device copies without the driver's help.
 class PinnedBuffer {
 public:

@@ -299,7 +299,10 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
   check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
             counted.cones() < limit,
         "it counts impossibly many objects");
-  if (checks == Checks::all) check_records();
+  if (checks == Checks::all) {
+    check_records();
+    is_checked_ = true;
+  }
   seconds_.validate = watch.seconds() - seconds_.map;
 }
 

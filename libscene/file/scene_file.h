@@ -36,6 +36,7 @@ public:
   explicit SceneFile(const std::string& path, Checks checks = Checks::all);
   // What Checks::table leaves out. Throws Error(input, path, …).
   void check_records() const;
+  bool is_checked() const { return is_checked_; }
 
   const fb::Scene& table() const { return *table_; }
   const Hash& hash() const { return container_.hash(); }
@@ -58,6 +59,7 @@ private:
   ContainerFile container_;
   const fb::Scene* table_;
   LoadSeconds seconds_;
+  bool is_checked_ = false; // of all
 };
 
 } // namespace masu

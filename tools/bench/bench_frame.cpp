@@ -1,13 +1,15 @@
 // How long a whole picture takes by who traces which part of it.
-#include "renderer/schedule.h"
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/screen_division.h"
+#include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -17,10 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::pair<std::string, Schedule>> all_schedules{{"hardware", Schedule::hardware},
-                                                                  {"block", Schedule::block},
-                                                                  {"cyclic", Schedule::cyclic},
-                                                                  {"persistent", Schedule::persistent}};
+// None: the renderer's own.
+const std::vector<std::pair<std::string, std::optional<ScreenDivision>>> all_schedules{
+    {"hardware", {}},
+    {"block", ScreenDivision::block},
+    {"cyclic", ScreenDivision::cyclic},
+    {"persistent", ScreenDivision::persistent}};
 
 struct Settings {
   std::string scene, size = "1024x1024";
@@ -34,18 +38,24 @@ struct Settings {
   Threads threads;
 };
 
-Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const std::string& name,
-             Schedule schedule, bool cuda, std::vector<Vec3f>& picture) {
+Json measure(const Settings& settings, const Tracer& tracer, const std::string& name,
+             std::optional<ScreenDivision> division, std::vector<Vec3f>& picture) {
+  const SceneFile& scene = tracer.scene();
+  const GridFile& grid = *tracer.grid();
+  const bool cuda = tracer.device() == Device::cuda;
   FrameRequest request;
   request.tracing = settings.tracing;
   request.camera = resized(scene.camera(), settings.size);
   request.sampling = settings.sampling;
   request.rules = settings.rules;
-  request.warm_up = settings.warm_up;
-  request.repeat = settings.repeat;
-  request.schedule = schedule;
-  request.workers_each = settings.workers_each;
-  Frame frame = cuda ? render_cuda(scene, &grid, request) : render_cpu(scene, &grid, request);
+  std::uint32_t workers = 0;
+  Frame frame = repeated(settings.warm_up, settings.repeat, [&] {
+    if (!division) return tracer.render(request);
+    DividedFrame divided = cuda ? render_divided_cuda(scene, grid, request, *division, settings.workers_each)
+                                : render_divided_cpu(scene, grid, request, *division, settings.workers_each);
+    workers = divided.workers;
+    return std::move(divided.frame);
+  });
   if (picture.empty())
     picture = std::move(frame.radiance);
   else if (std::memcmp(picture.data(), frame.radiance.data(), picture.size() * sizeof(Vec3f)) != 0)
@@ -53,7 +63,7 @@ Json measure(const Settings& settings, const SceneFile& scene, const GridFile& g
                 "makes another picture than the schedule before: report it as a fault");
   return {{"grid", grid.path()},
           {"schedule", name},
-          {"workers", frame.workers},
+          {"workers", workers},
           {"rays", {frame.columns, frame.rows}},
           {"backend", cuda ? "cuda" : "cpu"},
           {"precision", name_of(resolved(settings.tracing.precision, scene))},
@@ -82,11 +92,11 @@ void bench_frame(const Settings& settings) {
   std::vector<Vec3f> picture;
   for (const std::string& path : settings.grids) {
     const GridFile grid(path);
-    grid.check_scene(scene.hash(), scene.primitive_count());
-    for (const auto& [name, schedule] : all_schedules) {
+    const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+    for (const auto& [name, division] : all_schedules) {
       const auto& asked = settings.schedules;
       if (!asked.empty() && std::find(asked.begin(), asked.end(), name) == asked.end()) continue;
-      rows.push_back(measure(settings, scene, grid, name, schedule, cuda, picture));
+      rows.push_back(measure(settings, tracer, name, division, picture));
       if (!settings.json) print_row(rows.back());
     }
   }

@@ -2,6 +2,7 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/plain_copy.h"
+#include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
 
@@ -33,11 +34,10 @@ std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
   const Checks checks = cuda ? Checks::table : Checks::all;
   const SceneFile scene(settings.scene, checks);
   const GridFile grid(settings.grid, checks);
-  grid.check_scene(scene.hash(), scene.primitive_count());
   runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
   runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
-  // The CPU reads the mapping in place.
-  runs.upload.push_back(cuda ? upload_cuda(scene, &grid, [&] { check_records(scene, &grid); }) : 0);
+  const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+  runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU reads the mapping in place
   runs.load.push_back(runs.map.back() + runs.validate.back() + runs.upload.back());
   return scene.bytes() + grid.bytes();
 }

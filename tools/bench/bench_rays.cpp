@@ -3,6 +3,7 @@
 
 #include "tools/backend_choice.h"
 #include "tools/bench/ray_sets.h"
+#include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,22 +77,18 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
   return sets;
 }
 
-Json measure(const Settings& settings, const SceneFile& scene, const GridFile& grid, const RaySet& set,
-             const std::string& precision, const std::string& loop, bool cuda) {
-  RaysRequest request{set.rays, settings.tracing};
-  request.tracing.precision = resolved(all_precisions.at(precision), scene);
-  request.hit_name = HitName::primitive;
-  request.query = set.query;
-  request.loop = all_loops.at(loop);
-  const auto trace = [&] {
-    return cuda ? trace_rays_cuda(scene, &grid, request) : trace_rays_cpu(scene, &grid, request);
-  };
+Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, const std::string& precision,
+             const std::string& loop) {
+  const GridFile& grid = *tracer.grid();
+  const bool cuda = tracer.device() == Device::cuda;
+  RaysRequest request{settings.tracing, HitName::primitive, set.query, all_loops.at(loop)};
+  request.tracing.precision = resolved(all_precisions.at(precision), tracer.scene());
+  const ResidentRays rays = tracer.upload(set.rays, request.tracing.precision);
   request.tracing.count = true;
-  const Counts counts = trace().counts;
+  const Counts counts = tracer.trace(rays, request).counts;
   request.tracing.count = false;
-  request.warm_up = settings.warm_up;
-  request.repeat = settings.repeat;
-  const RayHits timed = trace();
+  const RayHits timed =
+      repeated(settings.warm_up, settings.repeat, [&] { return tracer.trace(rays, request); });
   const double seconds = timed.seconds.trace;
   const auto number = static_cast<double>(set.rays.size());
   const auto a_ray = [&](std::uint64_t total) {
@@ -143,11 +140,11 @@ void bench_rays(const Settings& settings) {
                "Mray/s", "hit %", "tests", "cells", "empty");
   }
   for (const GridFile& grid : grids) {
+    const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     for (const RaySet& set : sets) {
       for (const std::string& precision : settings.precisions) {
         for (const std::string& loop : settings.loops) {
-          rows.push_back(
-              measure(settings, scene, grid, set, precision, loop_for(loop, set, scene, grid), cuda));
+          rows.push_back(measure(settings, tracer, set, precision, loop_for(loop, set, scene, grid)));
           if (!settings.json) print_row(rows.back());
         }
       }

@@ -62,7 +62,7 @@ template <class Stored, class Act>
 void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const ListedRay> rays,
                   const Act& act) {
   const SceneView<Stored> scene = file.view<Stored>();
-  const RayHits hits = trace_rays_cpu(file, &grid, {rays, {}, HitName::primitive});
+  const RayHits hits = Tracer(file, &grid, Device::cpu).trace(rays, {{}, HitName::primitive});
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
     const HitRecord& hit = hits.hits[i];
     if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});

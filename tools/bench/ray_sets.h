@@ -3,7 +3,7 @@
 // rays.
 #pragma once
 
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libgrid/build/recipe.h"
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 
 #include <string>
 #include <vector>

@@ -3,6 +3,7 @@
 #include "libscene/geometry/margin.h"
 #include "tools/bench/ray_sets.h"
 #include "tools/cli.h"
+#include "tools/repeated.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,38 +14,32 @@ namespace {
 // A run that takes so long is measured once: noise is a small part of it.
 constexpr double long_seconds = 0.5;
 
-// Runs trace(repeat) once, to warm up and to see how long it takes, and then as often as asked. The last
-// result, with the seconds that count.
+// The result of trace(), called once to warm up and to see how long it takes, and then `repeat` times.
 template <class Trace>
 auto traced(std::uint64_t repeat, const Trace& trace) {
-  auto once = trace(1);
+  auto once = trace();
   if (repeat <= 1 || once.seconds.trace >= long_seconds) return once;
-  return trace(static_cast<int>(repeat));
+  return repeated(0, static_cast<int>(repeat), trace);
 }
 
-RayHits trace(const TradeoffTask& task, const GridFile* grid, const TracingRules& rules,
-              const std::vector<ListedRay>& rays, RayLoop loop, std::uint64_t repeat) {
-  RaysRequest request{rays, rules};
-  request.hit_name = HitName::primitive;
-  request.loop = loop;
-  return traced(repeat, [&](int times) {
-    request.repeat = times;
-    return task.setup.backend == "cuda" ? trace_rays_cuda(task.scene, grid, request)
-                                        : trace_rays_cpu(task.scene, grid, request);
-  });
+Tracer tracer_of(const TradeoffTask& task, const GridFile* grid) {
+  return {task.scene, grid, task.setup.backend == "cuda" ? Device::cuda : Device::cpu};
 }
 
-Frame render(const TradeoffTask& task, const GridFile* grid, const TracingRules& rules,
+RayHits trace(const Tracer& tracer, const TracingRules& rules, const std::vector<ListedRay>& rays,
+              RayLoop loop, std::uint64_t repeat) {
+  const ResidentRays resident = tracer.upload(rays, rules.precision);
+  const RaysRequest request{rules, HitName::primitive, Query::nearest_hit, loop};
+  return traced(repeat, [&] { return tracer.trace(resident, request); });
+}
+
+Frame render(const TradeoffTask& task, const Tracer& tracer, const TracingRules& rules,
              std::uint64_t repeat) {
   FrameRequest request;
   request.tracing = rules;
   request.camera = task.picture;
   request.sampling = Sampling::centers;
-  return traced(repeat, [&](int times) {
-    request.repeat = times;
-    return task.setup.backend == "cuda" ? render_cuda(task.scene, grid, request)
-                                        : render_cpu(task.scene, grid, request);
-  });
+  return traced(repeat, [&] { return tracer.render(request); });
 }
 
 // So many of `all`, or all, spread evenly; added to `some`.
@@ -122,8 +117,9 @@ const TradeoffTask::Truth& TradeoffTask::truth() {
   add_some(primary, setup.compared, found.rays);
   add_some(random, setup.compared, found.rays);
   const TracingRules rules{Precision::doubled};
-  found.hits = trace(*this, nullptr, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
-  found.radiance = render(*this, nullptr, rules, 1).radiance;
+  const Tracer tracer = tracer_of(*this, nullptr);
+  found.hits = trace(tracer, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
+  found.radiance = render(*this, tracer, rules, 1).radiance;
   truth_ = std::move(found);
   return *truth_;
 }
@@ -134,9 +130,10 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   const std::uint64_t repeat = task.setup.repeat;
   // On a GPU each set by the loop that suits it.
   const auto loop = [&](bool coherent) { return automatic_loop(coherent, task.scene, grid); };
-  const RayHits primary = trace(task, &grid, rules, task.primary, loop(true), repeat);
-  const RayHits random = trace(task, &grid, rules, task.random, loop(false), repeat);
-  const Frame frame = render(task, &grid, rules, repeat);
+  const Tracer tracer = tracer_of(task, &grid);
+  const RayHits primary = trace(tracer, rules, task.primary, loop(true), repeat);
+  const RayHits random = trace(tracer, rules, task.random, loop(false), repeat);
+  const Frame frame = render(task, tracer, rules, repeat);
 
   Measurement measured;
   measured.voxels = voxel_count(grid.layout().division);

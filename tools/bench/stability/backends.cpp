@@ -46,14 +46,13 @@ void write_built(const SceneFile& scene, const GridWanted& wanted, const std::st
 
 std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const ListedRay> rays,
                         Precision precision) {
-  RaysRequest request{rays};
-  request.tracing.precision = precision;
-  request.hit_name = HitName::primitive;
-  const RayHits cpu = trace_rays_cpu(scene, &grid, request);
+  RaysRequest request{{precision}, HitName::primitive};
+  const RayHits cpu = Tracer(scene, &grid, Device::cpu).trace(rays, request);
+  const Tracer on_gpu(scene, &grid, Device::cuda);
   std::uint64_t different = 0;
   for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
     request.loop = loop;
-    const RayHits gpu = trace_rays_cuda(scene, &grid, request);
+    const RayHits gpu = on_gpu.trace(rays, request);
     for (std::size_t i = 0; i < rays.size(); ++i)
       different += same_bits(cpu.hits[i], gpu.hits[i]) ? 0 : 1;
   }

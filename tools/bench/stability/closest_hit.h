@@ -5,7 +5,7 @@
 #pragma once
 
 #include "libscene/scene_view.h"
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 #include "tools/bench/stability/oracle.h"
 
 #include <span>

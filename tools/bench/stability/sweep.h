@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/build/build.h"
-#include "renderer/backend.h"
+#include "renderer/tracer.h"
 #include "tools/bench/stability/test_scene.h"
 
 #include <iosfwd>

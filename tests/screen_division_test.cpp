@@ -1,31 +1,28 @@
-// Who traces which part of a picture doesn't show in it.
-#include "renderer/schedule.h"
+// However a picture's rays are divided among workers, each is traced once, and the picture is the same.
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
+#include "tools/bench/screen_division.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace masu {
 namespace {
 
-constexpr std::array all_schedules{Schedule::hardware, Schedule::block, Schedule::cyclic,
-                                   Schedule::persistent};
+constexpr std::array all_divisions{ScreenDivision::block, ScreenDivision::cyclic, ScreenDivision::persistent};
 
-TEST(Schedules, BlocksAndCyclesTakeEachTileOnceAndAboutAsMany) {
+TEST(ScreenDivision, BlocksAndCyclesHoldEachTileOnceAndAboutAsMany) {
   for (const std::uint32_t tiles : {1U, 2U, 7U, 64U, 1000U}) {
     for (const std::uint32_t workers : {1U, 2U, 3U, 64U, 1001U}) {
-      for (const Schedule schedule : {Schedule::hardware, Schedule::block, Schedule::cyclic}) {
+      for (const ScreenDivision division : {ScreenDivision::block, ScreenDivision::cyclic}) {
         std::vector<int> taken(tiles, 0);
         std::uint32_t least = tiles, most = 0;
         for (std::uint32_t worker = 0; worker < workers; ++worker) {
-          const TileRun run = run_of(schedule, worker, workers, tiles);
+          const TileRun run = run_of(division, worker, workers, tiles);
           std::uint32_t count = 0;
           for (std::uint32_t tile = run.first; tile < run.end; tile += run.step, ++count)
             ++taken.at(tile);
@@ -39,7 +36,7 @@ TEST(Schedules, BlocksAndCyclesTakeEachTileOnceAndAboutAsMany) {
   }
 }
 
-TEST(Schedules, AllMakeTheSamePicture) {
+TEST(ScreenDivision, EveryOneRendersTheSamePicture) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   SceneChance chance(seed);
@@ -49,33 +46,21 @@ TEST(Schedules, AllMakeTheSamePicture) {
     add_sphere(scene, center, chance.between(0.1, 0.8), i % 3 == 0 ? mirror() : matte(chance.color()));
   }
   add_light(scene, {3, 4, 5});
-  const Rendering rendering(scene, Store::automatic);
+  const Rendering rendering(scene, Store::float32);
   FrameRequest request = rendering.request();
+  request.tracing.count = request.hits = false;
   // One ray more each way: the last tiles are cut off.
   for (const auto& size : {std::pair{1, 1}, {7, 7}, {8, 7}, {40, 23}, {64, 65}}) {
     request.camera.width = size.first;
     request.camera.height = size.second;
-    request.schedule = Schedule::hardware;
     const Frame expected = rendering.frame(request);
-    for (const Schedule schedule : all_schedules) {
+    for (const ScreenDivision division : all_divisions) {
       for (const int workers_each : {0, 1, 5, 64}) {
-        request.schedule = schedule;
-        request.workers_each = workers_each;
-        const Frame frame = rendering.frame(request);
-        const auto what = [&] {
-          return "schedule " + std::to_string(static_cast<int>(schedule)) + ", " +
-                 std::to_string(size.first) + "x" + std::to_string(size.second) + ", workers " +
-                 std::to_string(workers_each);
-        };
-        EXPECT_EQ(frame.radiance, expected.radiance) << what();
-        ASSERT_EQ(frame.hits.size(), expected.hits.size());
-        EXPECT_EQ(
-            std::memcmp(frame.hits.data(), expected.hits.data(), frame.hits.size() * sizeof(frame.hits[0])),
-            0)
-            << what();
-        EXPECT_TRUE(
-            std::equal(frame.counts.begin(), frame.counts.begin() + Counts::fields, expected.counts.begin()))
-            << what();
+        const DividedFrame divided =
+            render_divided_cpu(rendering.scene(), rendering.grid(), request, division, workers_each);
+        EXPECT_EQ(divided.frame.radiance, expected.radiance)
+            << "division " << static_cast<int>(division) << ", " << size.first << "x" << size.second
+            << ", workers " << workers_each;
       }
     }
   }
