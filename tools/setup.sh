@@ -34,8 +34,8 @@ require() {
   while [ $# -gt 0 ] && [ "$1" != -- ]; do required+=("$1"); shift; done
   [ $# -gt 0 ] && shift
   useful=("$@")
-  mapfile -t required < <(missing_of "${required[@]}")
-  mapfile -t useful < <(missing_of "${useful[@]}")
+  required=($(missing_of "${required[@]}")) # no process substitution: /dev/fd may be missing
+  useful=($(missing_of "${useful[@]}"))
   missing=("${required[@]}" "${useful[@]}")
   [ ${#missing[@]} -gt 0 ] || return 0
   local command="apt-get install -y --no-install-recommends"
@@ -104,7 +104,8 @@ build() {
   while [ $# -gt 0 ] && [ "$1" != -- ]; do configure+=("$1"); shift; done
   [ $# -gt 0 ] && shift
   if [ -n "${MASU_STRICT:-}" ]; then configure+=("-DMASU_STRICT=$MASU_STRICT"); fi
-  if [ "$(uname -m)" = x86_64 ] && ! { grep -qw fma /proc/cpuinfo && grep -qw avx2 /proc/cpuinfo; }; then
+  if [ "$(uname -m)" = x86_64 ] && [ -r /proc/cpuinfo ] &&
+      ! { grep -qw fma /proc/cpuinfo && grep -qw avx2 /proc/cpuinfo; }; then
     configure+=(-DMASU_AVX2=OFF)
   fi
   # Ninja compiles kernels while it compiles what they are linked with.
