@@ -80,10 +80,27 @@ void print_row(const Json& row) {
   flush_standard_output();
 }
 
+// The renderer's own schedule renders in every way; the others by `robust` alone.
+std::vector<std::string> schedules_for(const Settings& settings, const SceneFile& scene) {
+  std::vector<std::string> names = settings.schedules;
+  const bool is_robust = resolved(settings.tracing.precision, scene) == Precision::robust &&
+                         settings.tracing.stop == StopRule::proven;
+  if (names.empty()) {
+    for (const auto& [name, division] : all_schedules) {
+      if (is_robust || !division) names.push_back(name);
+    }
+  }
+  if (!is_robust && names != std::vector<std::string>{"hardware"})
+    throw Error(ErrorCode::usage, "--schedule",
+                "block, cyclic and persistent render by --precision robust alone: name hardware");
+  return names;
+}
+
 void bench_frame(const Settings& settings) {
   const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend);
   const SceneFile scene(settings.scene);
+  const std::vector<std::string> names = schedules_for(settings, scene);
   Json rows = Json::array();
   if (!settings.json) {
     fmt::print("{}, median of {} after {}\n\n{:<24} {:<10} {:>8} {:>10}\n", cuda ? "cuda" : "cpu",
@@ -94,8 +111,7 @@ void bench_frame(const Settings& settings) {
     const GridFile grid(path);
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     for (const auto& [name, division] : all_schedules) {
-      const auto& asked = settings.schedules;
-      if (!asked.empty() && std::find(asked.begin(), asked.end(), name) == asked.end()) continue;
+      if (std::find(names.begin(), names.end(), name) == names.end()) continue;
       rows.push_back(measure(settings, tracer, name, division, picture));
       if (!settings.json) print_row(rows.back());
     }
