@@ -1,4 +1,4 @@
-// Reading a record whole, where a GPU's compiler would fetch member by member what is used of it.
+// Vector loads of whole records on a GPU, whose compiler would load each used member by itself.
 #pragma once
 
 #include "libscene/portable.h"
@@ -6,38 +6,37 @@
 namespace masu {
 
 #ifdef __CUDACC__
-// The record at `at`, read in loads of a Piece each.
+// *record, loaded in units of Piece by load(const Piece*).
 template <class Piece, class Record, class Load>
-__device__ inline Record read_in_parts(const Record* at, const Load& load) {
+__device__ inline Record load_in_pieces(const Record* record, const Load& load) {
   static_assert(sizeof(Record) % sizeof(Piece) == 0 && alignof(Record) >= sizeof(Piece));
-  union {
-    Piece parts[sizeof(Record) / sizeof(Piece)];
-    Record record;
+  struct Pieces {
+    Piece pieces[sizeof(Record) / sizeof(Piece)];
   } copy;
 #pragma unroll
   for (unsigned i = 0; i < sizeof(Record) / sizeof(Piece); ++i)
-    copy.parts[i] = load(reinterpret_cast<const Piece*>(at) + i);
-  return copy.record;
+    copy.pieces[i] = load(reinterpret_cast<const Piece*>(record) + i);
+  return __builtin_bit_cast(Record, copy);
 }
 #endif
 
-// The record at `at`: on the device in 16-byte loads through the cache for what doesn't change.
+// *record; on the device in 16-byte loads through the read-only cache (ld.global.nc).
 template <class Record>
-MASU_HD inline Record fetched(const Record* at) {
+MASU_HD inline Record fetched(const Record* record) {
 #ifdef __CUDA_ARCH__
-  return read_in_parts<uint4>(at, [](const uint4* part) { return __ldg(part); });
+  return load_in_pieces<uint4>(record, [](const uint4* piece) { return __ldg(piece); });
 #else
-  return *at;
+  return *record;
 #endif
 }
 
-// The same of a record that is read but once, and shall not stay in a cache; in 8-byte loads.
+// The same for a record that is read only once: 8-byte streaming loads (ld.global.cs), evicted first.
 template <class Record>
-MASU_HD inline Record streamed(const Record* at) {
+MASU_HD inline Record streamed(const Record* record) {
 #ifdef __CUDA_ARCH__
-  return read_in_parts<uint2>(at, [](const uint2* part) { return __ldcs(part); });
+  return load_in_pieces<uint2>(record, [](const uint2* piece) { return __ldcs(piece); });
 #else
-  return *at;
+  return *record;
 #endif
 }
 

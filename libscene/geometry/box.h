@@ -1,4 +1,4 @@
-// An axis-aligned box, closed: its faces belong to it.
+// A closed axis-aligned box: its faces belong to it.
 #pragma once
 
 #include "libscene/geometry/vector.h"
@@ -13,7 +13,7 @@ struct Box {
 using Boxf = Box<float>;
 using Boxd = Box<double>;
 
-// Holds nothing, and is neutral in join.
+// Contains nothing; the neutral element of join.
 template <class T>
 MASU_HD inline Box<T> empty_box() {
   const T far = RealTraits<T>::largest;
