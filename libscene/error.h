@@ -1,5 +1,4 @@
-// The one exception type. Libraries throw it; each tool's main turns it into a line on stderr and an exit
-// code.
+// The exception type of all libraries. Each tool's main prints it as one line on stderr and returns its code.
 #pragma once
 
 #include <exception>
@@ -18,7 +17,7 @@ enum class ErrorCode : int {
 
 class Error final : public std::exception {
 public:
-  // place: where it is wrong (`scene.nff:12:3`, a file, an option); message: what is wrong, and what to do.
+  // place: where the error is (`scene.nff:12:3`, a file, an option); message: what is wrong: what to do.
   Error(ErrorCode code, std::string place, std::string message)
       : code_(code), place_(std::move(place)), message_(std::move(message)), text_(place_ + ": " + message_) {
   }

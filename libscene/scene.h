@@ -1,4 +1,4 @@
-// A scene as its NFF text gives it, in host memory: what the parser makes and the scene file is written from.
+// A scene in host memory: made by the NFF parser, written to a scene file.
 #pragma once
 
 #include "libscene/geometry/primitives.h"
@@ -9,8 +9,8 @@
 
 namespace masu {
 
-// Where the picture is taken from. Right-handed; `angle` in degrees spans the image's height. `hither` is the
-// near plane's distance, kept as the file gives it.
+// Right-handed. `angle`: vertical field of view in degrees. `hither`: distance of the near plane, as given in
+// the file.
 struct Camera {
   Vec3d from, at, up;
   double angle;
@@ -19,7 +19,7 @@ struct Camera {
 };
 
 // The fill of an `f` line: colour, diffuse, specular, shine (the highlight's exponent), transmittance, index
-// of refraction. As it stands in the scene file.
+// of refraction. Also the record of the scene file.
 struct Material {
   Vec3f color;
   float diffuse, specular, shine, transmittance, refraction_index;
@@ -41,22 +41,22 @@ struct Light {
 };
 static_assert(sizeof(Light<float>) == 24 && sizeof(Light<double>) == 48);
 
-// What became of input that could not show: counted, so that a tool can warn.
+// Counts of input that can't be rendered as given, for a tool to warn about.
 struct SceneWarnings {
   std::uint64_t degenerate_polygons = 0;    // no area: dropped
   std::uint64_t degenerate_triangles = 0;   // slivers without area inside a polygon: dropped
   std::uint64_t degenerate_spheres = 0;     // radius 0: dropped
   std::uint64_t degenerate_cones = 0;       // no length, or both radii 0: dropped
-  std::uint64_t self_crossing_polygons = 0; // no triangulation covers them properly: drawn as well as can be
+  std::uint64_t self_crossing_polygons = 0; // have no proper triangulation: approximated
 };
 
-// How many objects the NFF holds, by entity: what a reader of the file would count, degenerate ones included.
+// Number of objects in the NFF text by entity, degenerate ones included.
 struct ObjectCounts {
   std::uint64_t polygons = 0, patches = 0, spheres = 0, cones = 0;
 };
 
-// Geometry is kept in double until the file is written: whether float32 holds the text's digits is known only
-// then.
+// Geometry is double until the file is written: only then is it known whether float32 represents the text's
+// digits.
 struct Scene {
   Camera camera;
   Vec3f background;

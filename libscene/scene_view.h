@@ -1,4 +1,4 @@
-// A scene as tracing sees it: where its arrays lie, on the host or on the device. Passed by value.
+// Pointers to a scene's arrays, in host or device memory, for tracing. Passed by value.
 #pragma once
 
 #include "libscene/scene.h"
@@ -18,8 +18,7 @@ struct SceneView {
 
   std::uint32_t triangle_count, normals_count, sphere_count, cone_count, material_count, light_count;
 
-  // Of all primitives, grown by the padding of libscene/geometry/margin.h; what a ray from outside is clipped
-  // to.
+  // Bounds of all primitives, padded (libscene/geometry/margin.h); rays from outside are clipped to it.
   Box<Stored> clip;
   Vec3f background;
   float ambient;
@@ -27,12 +26,12 @@ struct SceneView {
   MASU_HD std::uint32_t primitive_count() const { return triangle_count + sphere_count + cone_count; }
 };
 
-// Calls act(the primitive with this number, in double).
+// Calls act(the primitive of this index, in double).
 template <class Stored, class Act>
-MASU_HD void with_primitive(const SceneView<Stored>& scene, PrimitiveIndex number, const Act& act) {
-  const std::uint32_t sphere = number - scene.triangle_count;
-  if (number < scene.triangle_count) {
-    act(widened(scene.triangles[number]));
+MASU_HD void with_primitive(const SceneView<Stored>& scene, PrimitiveIndex index, const Act& act) {
+  const std::uint32_t sphere = index - scene.triangle_count;
+  if (index < scene.triangle_count) {
+    act(widened(scene.triangles[index]));
   } else if (sphere < scene.sphere_count) {
     act(widened(scene.spheres[sphere]));
   } else {

@@ -315,8 +315,8 @@ TEST(Nff, GarbageParsesOrThrows) {
 
 TEST(Nff, BadInputNamesItsPlaceAndWhatIsWrong) {
   const std::vector<std::array<std::string, 3>> cases{
-      {"", "t: ", "holds no NFF entity"},
-      {" # s 0 0 0 1", "t: ", "holds no NFF entity"},
+      {"", "t: ", "has no NFF entity"},
+      {" # s 0 0 0 1", "t: ", "has no NFF entity"},
       {"x 1 2 3", "t:1:1: ", "'x' is no NFF entity"},
       {"s 0 0 0 1\n  sphere 0 0 0 1", "t:2:3: ", "'sphere' is no NFF entity"},
       {"s 0 0 0 1\r\n\r\nq", "t:3:1: ", "no NFF entity"},

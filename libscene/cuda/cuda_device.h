@@ -1,11 +1,11 @@
-// Whether there is a CUDA device.
+// Looks for a CUDA device.
 #pragma once
 
 #include <string>
 
 namespace masu {
 
-// Whether this program was built for CUDA and there is a device to run on; if not, `why`.
+// Whether the program was built with CUDA and there is a device; if not, sets `why`.
 bool cuda_available(std::string& why);
 
 } // namespace masu

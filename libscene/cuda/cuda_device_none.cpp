@@ -1,4 +1,4 @@
-// Stands in where the program was built without CUDA.
+// For builds without CUDA.
 #include "libscene/cuda/cuda_device.h"
 
 namespace masu {

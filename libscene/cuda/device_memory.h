@@ -1,4 +1,4 @@
-// What CUDA sources need of the runtime: checked calls, arrays on the device, a timer.
+// RAII over the CUDA runtime: checked calls, device arrays, pinned memory, a timer.
 #pragma once
 
 #include "libscene/error.h"
@@ -13,7 +13,7 @@
 
 namespace masu {
 
-// Throws Error(device) with the place of the call.
+// Throws Error(device) with the source location of the call.
 inline void check(cudaError_t error, const std::source_location& where = std::source_location::current()) {
   if (error == cudaSuccess) return;
   const char* const advice =
@@ -23,7 +23,7 @@ inline void check(cudaError_t error, const std::source_location& where = std::so
                   std::to_string(where.line()) + ")" + advice);
 }
 
-// Owns `count` records on the device; none of them for count 0.
+// Owns an array of records in device memory; allocates nothing for count 0.
 template <class T>
 class DeviceArray {
 public:
@@ -57,8 +57,8 @@ private:
   std::size_t count_ = 0;
 };
 
-// An array of the device's memory pool, in the order of the default stream: neither taking nor giving back
-// waits, and memory that was given back is used again.
+// A device array from the stream-ordered memory pool, on the default stream: allocating and freeing don't
+// synchronise, and freed memory is reused.
 template <class T>
 class PooledArray {
 public:
@@ -90,7 +90,7 @@ private:
   std::uint64_t count_ = 0;
 };
 
-// Page-locked memory of the host, from which the device copies without the driver's help.
+// Page-locked host memory, which the device reads and writes directly.
 class PinnedBuffer {
 public:
   explicit PinnedBuffer(std::size_t bytes) : size_(bytes) {
@@ -107,7 +107,7 @@ private:
   std::size_t size_ = 0;
 };
 
-// Time on the device since it was made.
+// Time on the default stream since construction.
 class DeviceTimer {
 public:
   DeviceTimer() {
@@ -122,7 +122,7 @@ public:
   DeviceTimer(const DeviceTimer&) = delete;
   DeviceTimer& operator=(const DeviceTimer&) = delete;
 
-  // Waits for what was launched since.
+  // Waits for the work launched so far.
   double seconds() const {
     check(cudaEventRecord(stop_));
     check(cudaEventSynchronize(stop_));

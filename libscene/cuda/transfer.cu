@@ -12,8 +12,8 @@ namespace masu {
 namespace {
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 20;
-constexpr int lanes = 4;                       // threads that copy: about what it takes to fill the bus
-constexpr std::size_t small = 8 * piece_bytes; // less isn't worth the page-locked memory
+constexpr int copy_threads = 4;                           // about enough to saturate the bus
+constexpr std::size_t min_pinned_bytes = 8 * piece_bytes; // less isn't worth allocating page-locked memory
 
 class Stream {
 public:
@@ -27,30 +27,32 @@ private:
   cudaStream_t stream_ = nullptr;
 };
 
-// A thread's own. Upwards one half is on its way to the device while the other is filled.
-class Lane {
+// The staging buffers of one thread. Uploads alternate: one buffer is transferred while the other is filled.
+class StagingBuffers {
 public:
   void upload(void* device, const void* host, std::size_t bytes) {
-    Half& half = halves_[turn_];
-    turn_ = 1 - turn_;
-    check(cudaStreamSynchronize(half.stream));
-    std::memcpy(half.buffer.bytes().data(), host, bytes);
-    check(cudaMemcpyAsync(device, half.buffer.bytes().data(), bytes, cudaMemcpyHostToDevice, half.stream));
+    Staging& staging = stagings_[next_];
+    next_ = 1 - next_;
+    check(cudaStreamSynchronize(staging.stream));
+    std::memcpy(staging.buffer.bytes().data(), host, bytes);
+    check(cudaMemcpyAsync(device, staging.buffer.bytes().data(), bytes, cudaMemcpyHostToDevice,
+                          staging.stream));
   }
   void download(void* host, const void* device, std::size_t bytes) {
-    Half& half = halves_[0];
-    check(cudaMemcpyAsync(half.buffer.bytes().data(), device, bytes, cudaMemcpyDeviceToHost, half.stream));
-    check(cudaStreamSynchronize(half.stream));
-    std::memcpy(host, half.buffer.bytes().data(), bytes);
+    Staging& staging = stagings_[0];
+    check(cudaMemcpyAsync(staging.buffer.bytes().data(), device, bytes, cudaMemcpyDeviceToHost,
+                          staging.stream));
+    check(cudaStreamSynchronize(staging.stream));
+    std::memcpy(host, staging.buffer.bytes().data(), bytes);
   }
 
 private:
-  struct Half {
+  struct Staging {
     PinnedBuffer buffer{piece_bytes};
     Stream stream;
   };
-  Half halves_[2];
-  int turn_ = 0;
+  Staging stagings_[2];
+  int next_ = 0;
 };
 
 } // namespace
@@ -61,26 +63,27 @@ void Transfer::run(const std::function<void()>& meanwhile) {
 
 void Transfer::copy_all() {
   std::vector<Copy> pieces;
-  std::size_t all = 0;
+  std::size_t total = 0;
   for (const Copy& copy : copies_) {
-    all += copy.bytes;
-    for (std::size_t at = 0; at < copy.bytes; at += piece_bytes)
-      pieces.push_back({static_cast<std::uint8_t*>(copy.to) + at,
-                        static_cast<const std::uint8_t*>(copy.from) + at,
-                        std::min(piece_bytes, copy.bytes - at), copy.direction});
+    total += copy.bytes;
+    for (std::size_t offset = 0; offset < copy.bytes; offset += piece_bytes)
+      pieces.push_back({static_cast<std::uint8_t*>(copy.to) + offset,
+                        static_cast<const std::uint8_t*>(copy.from) + offset,
+                        std::min(piece_bytes, copy.bytes - offset), copy.direction});
   }
   check(cudaDeviceSynchronize());
-  if (all < small) {
+  if (total < min_pinned_bytes) {
     for (const Copy& copy : copies_)
       check(cudaMemcpy(copy.to, copy.from, copy.bytes, copy.direction));
   } else {
-    tbb::enumerable_thread_specific<Lane> own;
-    tbb::task_arena arena(lanes);
+    tbb::enumerable_thread_specific<StagingBuffers> buffers;
+    tbb::task_arena arena(copy_threads);
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         const Copy& piece = pieces[i];
-        piece.direction == cudaMemcpyHostToDevice ? own.local().upload(piece.to, piece.from, piece.bytes)
-                                                  : own.local().download(piece.to, piece.from, piece.bytes);
+        piece.direction == cudaMemcpyHostToDevice
+            ? buffers.local().upload(piece.to, piece.from, piece.bytes)
+            : buffers.local().download(piece.to, piece.from, piece.bytes);
       });
     });
     check(cudaDeviceSynchronize());

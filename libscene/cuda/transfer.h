@@ -1,4 +1,4 @@
-// Bringing arrays onto a CUDA device and back. CUDA sources only.
+// Copies arrays to a CUDA device and back. CUDA sources only.
 #pragma once
 
 #include "libscene/cuda/device_memory.h"
@@ -8,9 +8,8 @@
 
 namespace masu {
 
-// Copies to be made, and then made together. The driver copies from and to a program's own memory with one
-// thread, far below what the bus carries; a few threads that copy by way of page-locked memory keep the bus
-// busy.
+// A list of copies that are then made together. The driver copies pageable memory with one thread, far below
+// the bandwidth of the bus; a few threads that copy through page-locked memory saturate it.
 class Transfer {
 public:
   void to_device(void* device, const void* host, std::size_t bytes) {
@@ -19,7 +18,7 @@ public:
   void to_host(void* host, const void* device, std::size_t bytes) {
     if (bytes > 0) copies_.push_back({host, device, bytes, cudaMemcpyDeviceToHost});
   }
-  // To be uploaded. With room for so many records more behind, which are all zero.
+  // Allocates a device array and adds its upload; `room` more records follow it, all zero.
   template <class T>
   DeviceArray<T> array(std::span<const T> host, std::size_t room = 0) {
     DeviceArray<T> device(host.size() + room);
@@ -27,8 +26,8 @@ public:
     to_device(device.data(), host.data(), host.size_bytes());
     return device;
   }
-  // Waits until all is there, and meanwhile() has been done. Throws Error(device), and what meanwhile()
-  // throws.
+  // Makes the copies while it calls meanwhile(); returns when both are done. Throws Error(device) and what
+  // meanwhile() throws.
   void run(const std::function<void()>& meanwhile = [] {});
 
 private:

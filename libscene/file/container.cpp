@@ -14,7 +14,7 @@
 #include <cstring>
 
 static_assert(std::endian::native == std::endian::little,
-              "the files' arrays are used where they lie: little-endian");
+              "the files' little-endian arrays are used in place");
 
 namespace masu {
 namespace {
@@ -32,7 +32,7 @@ Hash hash_of(const void* data, std::size_t bytes) {
   return {hash.low64, hash.high64};
 }
 
-// Pieces are hashed in parallel; their order, and so the result, doesn't depend on the number of cores.
+// Pieces are hashed in parallel; the result doesn't depend on the number of threads.
 Hash hash_of_pieces(const std::uint8_t* data, std::uint64_t bytes) {
   const std::uint64_t pieces = (bytes + piece_bytes - 1) / piece_bytes;
   std::vector<Hash> hashes(pieces);
@@ -43,7 +43,7 @@ Hash hash_of_pieces(const std::uint8_t* data, std::uint64_t bytes) {
   return hash_of(hashes.data(), hashes.size() * sizeof(Hash));
 }
 
-// The hash field counts as zeros.
+// With a hash field of zeros.
 Hash content_hash(Prelude prelude, std::span<const std::uint8_t> table) {
   prelude.hash = {};
   std::vector<std::uint8_t> bytes(sizeof prelude + table.size());
@@ -101,13 +101,13 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
   file.write(table);
   write_zeros(file, prelude.body_offset - sizeof prelude - table.size());
   std::uint64_t written = 0;
-  auto place = layout.begin();
+  auto entry = layout.begin();
   for (const SectionData& section : sections) {
     if (section.count == 0) continue;
-    write_zeros(file, place->offset() - written);
-    file.write(section.data, section_size(*place));
-    written = place->offset() + section_size(*place);
-    ++place;
+    write_zeros(file, entry->offset() - written);
+    file.write(section.data, section_size(*entry));
+    written = entry->offset() + section_size(*entry);
+    ++entry;
   }
   file.commit();
   return prelude.hash;

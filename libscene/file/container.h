@@ -1,5 +1,5 @@
 // The container of scene and grid files, after Arrow's IPC format: a prelude, a small FlatBuffers table, and
-// raw little-endian arrays that are used where they lie.
+// raw little-endian arrays that are used in place.
 //
 //   byte 0        prelude, 64 bytes (struct Prelude)
 //        64       table, FlatBuffers, table_bytes long
@@ -7,9 +7,9 @@
 //   body_offset   sections, each at a multiple of 256 from the body's start, zeros between them
 //   the end       body_offset + body_bytes: the file ends here, nothing follows
 //
-// The content hash covers the prelude (hash field as zeros) and the table; the table holds each section's
-// hash; what lies between must be zero: so no byte can change unseen. A section's hash is the hash of its 4
-// MiB pieces' hashes, so that cores can share the work.
+// The content hash covers the prelude (with a hash field of zeros) and the table; the table contains each
+// section's hash; all bytes between must be zero: so any changed byte is detected. A section's hash is the
+// hash of the hashes of its 4 MiB pieces, which are computed in parallel.
 #pragma once
 
 #include "libscene/file/mapped_file.h"
@@ -23,7 +23,7 @@
 
 namespace masu {
 
-// A file's 128-bit content hash: what a grid remembers its scene by.
+// A file's 128-bit content hash. A grid file contains that of its scene.
 struct Hash {
   std::uint64_t low = 0, high = 0;
   friend bool operator==(const Hash&, const Hash&) = default;
@@ -48,7 +48,7 @@ struct Prelude {
 };
 static_assert(sizeof(Prelude) == 64);
 
-// An array to be written.
+// An array to write.
 struct SectionData {
   std::uint32_t kind;
   std::uint32_t record_bytes;
@@ -61,31 +61,31 @@ SectionData section_data(std::uint32_t kind, std::span<const T> records) {
   return {kind, sizeof(T), records.size(), records.data()};
 }
 
-// Where each section goes, and its hash: what the table has to list. Empty sections are left out.
+// Each section's offset and hash, as listed in the table. Empty sections are left out.
 std::vector<fb::Section> lay_out(std::span<const SectionData> sections);
 
-// Writes the file under a temporary name beside `path`, flushes it and renames it, so that a reader sees the
-// whole file or the old one. `layout` is lay_out(sections), and `table` a finished FlatBuffer that lists it.
+// Writes the file whole or not at all (output_file.h). `layout` is lay_out(sections), `table` a finished
+// FlatBuffer that lists it.
 // Returns the content hash. Throws Error(output).
 Hash write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
                      std::span<const SectionData> sections, std::span<const fb::Section> layout);
 
-// A verified table can still place its list where no 8-byte number may lie.
+// The list of sections in a verified table can still be misaligned for its 8-byte numbers.
 inline bool is_aligned(std::span<const fb::Section> sections) {
   return reinterpret_cast<std::uintptr_t>(sections.data()) % alignof(fb::Section) == 0;
 }
 
-// What is checked when a file is opened: all of it; or its table, so that its sections can be told apart and
-// copied, while check_records() is still to be called before anything in them is followed.
+// What is checked when a file is opened: everything; or only its table and the sections' bounds and hashes,
+// so that sections can be copied, but check_records() must be called before any index in them is used.
 enum class Checks { all, table };
 
-// What opening a file took: mapping it and checking its head; checking all the rest.
+// Seconds to open a file: mapping it and checking its prelude; the other checks.
 struct LoadSeconds {
   double map = 0, validate = 0;
 };
 
-// A mapped container whose prelude has been checked. The table is only bytes yet: verify it, then
-// check_sections.
+// A mapped container whose prelude has been checked. The caller must verify the table (FlatBuffers), then
+// call check_sections.
 class ContainerFile {
 public:
   // Throws Error(input, path, …).
@@ -98,11 +98,11 @@ public:
   const std::string& path() const { return file_.path(); }
   std::uint64_t bytes() const { return file_.bytes().size(); }
 
-  // Checks order, bounds, alignment, the zeros between, and every hash (in parallel). Throws Error(input).
+  // Checks the sections' order, bounds, alignment, padding, and hashes (in parallel). Throws Error(input).
   void check_sections(std::span<const fb::Section> sections) const;
 
-  // The records of the section of this kind, where they lie; empty when there is none.
-  // Throws Error(input) when its record size isn't T's. After check_sections.
+  // The records of the section of this kind, in place; empty when there is none. Call after check_sections.
+  // Throws Error(input) when its record size isn't T's.
   template <class T>
   std::span<const T> records(std::span<const fb::Section> sections, std::uint32_t kind) const {
     const auto bytes = section_bytes(sections, kind, sizeof(T));

@@ -1,4 +1,4 @@
-// A whole file mapped for reading.
+// A read-only memory mapping of a whole file.
 #pragma once
 
 #include <cstdint>

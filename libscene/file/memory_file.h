@@ -1,4 +1,4 @@
-// A file in memory, gone with its object or its process.
+// An anonymous file in memory (memfd), removed with its object.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace masu {
 
 class MemoryFile {
 public:
-  // Throws Error(output) where the system has none to give.
+  // Throws Error(output) when the system can't create one.
   MemoryFile();
   ~MemoryFile();
   MemoryFile(const MemoryFile&) = delete;
@@ -15,7 +15,7 @@ public:
   MemoryFile& operator=(const MemoryFile&) = delete;
   MemoryFile& operator=(MemoryFile&&) = delete;
 
-  // By which this process alone opens it, for writing (output_file.h) and for mapping.
+  // Valid in this process only; for OutputFile and MappedFile.
   std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
 
 private:

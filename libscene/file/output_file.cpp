@@ -1,6 +1,7 @@
 #include "libscene/file/output_file.h"
 
 #include "libscene/error.h"
+#include "libscene/file/same_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,35 +20,33 @@ namespace {
 int open_folder(const std::string& folder) {
   const char* const path = folder.empty() ? "." : folder.c_str();
   const int opened = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  // One that may be written but not listed can't be flushed either.
+  // A folder that may be written but not read: it can't be flushed, but names in it can be made.
   return opened < 0 && errno == EACCES ? open(path, O_PATH | O_DIRECTORY | O_CLOEXEC) : opened;
 }
 
-// Whether following links by their names leads to the same file: it doesn't for /proc/self/fd/N of an unnamed
-// file, or of one that was removed.
+// Whether `path` leads to the file by name. It doesn't for /proc/self/fd/N of an unnamed or removed file.
 bool has_name(const struct stat& file, const std::string& path) {
   struct stat found {};
-  return stat(followed(path).c_str(), &found) == 0 && found.st_dev == file.st_dev &&
-         found.st_ino == file.st_ino;
+  return stat(followed(path).c_str(), &found) == 0 && is_same_file(found, file);
 }
 
-void hand_on_owner_and_permissions(const struct stat& from, int to) {
-  constexpr uid_t as_it_is = ~uid_t{0};
+void copy_owner_and_permissions(const struct stat& from, int to) {
+  constexpr uid_t unchanged = ~uid_t{0};
   [[maybe_unused]] const bool done =
-      fchown(to, from.st_uid, from.st_gid) == 0 || fchown(to, as_it_is, from.st_gid) == 0;
+      fchown(to, from.st_uid, from.st_gid) == 0 || fchown(to, unchanged, from.st_gid) == 0;
   static_cast<void>(fchmod(to, from.st_mode & 0777U));
 }
 
 } // namespace
 
 std::string followed(const std::string& path) {
-  constexpr int most_links = 40; // as the kernel has it
-  std::filesystem::path at = path;
-  for (int links = 0; links <= most_links; ++links) {
+  constexpr int max_links = 40; // the kernel's limit
+  std::filesystem::path current = path;
+  for (int links = 0; links <= max_links; ++links) {
     std::error_code is_no_link;
-    const std::filesystem::path target = std::filesystem::read_symlink(at, is_no_link);
-    if (is_no_link) return at.string();
-    at = at.parent_path() / target; // an absolute one replaces what stands before it
+    const std::filesystem::path target = std::filesystem::read_symlink(current, is_no_link);
+    if (is_no_link) return current.string();
+    current = current.parent_path() / target; // an absolute target replaces the path
   }
   throw Error(ErrorCode::output, path, "leads through too many symbolic links: name the file itself");
 }
@@ -61,9 +60,9 @@ OutputFile::OutputFile(std::string path, UntilCommit until_commit) : path_(std::
   if (exists && (!S_ISREG(status.st_mode) || !has_name(status, path_))) {
     file = open(path_.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
   } else {
-    if (exists && access(path_.c_str(), W_OK) != 0) fail("can't be written"); // renaming wouldn't mind
+    if (exists && access(path_.c_str(), W_OK) != 0) fail("can't be written"); // rename doesn't check
     file = open_in_folder(until_commit);
-    if (file >= 0 && exists) hand_on_owner_and_permissions(status, file);
+    if (file >= 0 && exists) copy_owner_and_permissions(status, file);
   }
   if (file >= 0) stream_ = fdopen(file, "wb");
   if (stream_ != nullptr) return;
@@ -78,13 +77,13 @@ OutputFile::~OutputFile() {
   close_all();
 }
 
-// -1 and errno where that can't be.
+// Returns -1 and sets errno when it fails.
 int OutputFile::open_in_folder(UntilCommit until_commit) {
   const std::filesystem::path target = followed(path_);
   name_ = target.filename().string();
   folder_ = open_folder(target.parent_path().string());
   if (folder_ < 0) return -1;
-  // Told now, and not when all is written: a name that is too long, say.
+  // An impossible name (too long, say) fails now, not at commit.
   struct stat status {};
   if (fstatat(folder_, name_.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 &&
       (errno != ENOENT || name_.empty()))
@@ -94,7 +93,7 @@ int OutputFile::open_in_folder(UntilCommit until_commit) {
   return temporary_.emplace(folder_, name_).create();
 }
 
-// -1 where the file system has no such files, or nothing could give it a name later.
+// Returns -1 when the file system has no unnamed files, or they couldn't be linked later (no /proc).
 int OutputFile::open_unnamed() const {
   const int file = openat(folder_, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
   if (file < 0 || access(fmt::format("/proc/self/fd/{}", file).c_str(), F_OK) == 0) return file;
@@ -112,7 +111,7 @@ void OutputFile::write(const void* data, std::size_t bytes) {
 
 void OutputFile::commit() {
   if (std::ferror(stream_) != 0 || std::fflush(stream_) != 0) fail("can't be written");
-  if (folder_ < 0) { // nothing to name, and flushing may not be possible
+  if (folder_ < 0) { // written directly: no name to give, and flushing may not be possible
     if (std::fclose(std::exchange(stream_, nullptr)) != 0) fail("can't be written");
     return;
   }
@@ -131,7 +130,7 @@ bool OutputFile::give_name() {
   return temporary_->rename_to(name_);
 }
 
-// A temporary name goes before the file is unlocked.
+// The temporary name must be removed before the file is closed and so unlocked.
 void OutputFile::close_all() {
   temporary_.reset();
   if (stream_ != nullptr) static_cast<void>(std::fclose(std::exchange(stream_, nullptr)));

@@ -11,17 +11,18 @@
 
 namespace masu {
 
-// What a file is until it is committed: without a name, or with a temporary one.
+// Whether a file is unnamed or has a temporary name until it is committed.
 enum class UntilCommit { unnamed, named };
 
-// Written to an unnamed file in its folder (O_TMPFILE); commit flushes that and gives it its name, so that a
-// process killed before leaves nothing behind. Only where the file replaces another one it has a temporary
-// name for a moment, since a link can't replace a file; and where the system has no unnamed files, from the
-// start (temporary_name.h says who removes what is left of it). Without commit the destructor removes it.
+// Writes go to an unnamed file in the target's folder (O_TMPFILE); commit flushes it and links it to its
+// name, so that a process killed before leaves nothing behind. A temporary name is used only for a moment
+// when the file replaces another one, since a link can't replace a file, and from the start on file systems
+// without O_TMPFILE (temporary_name.h says how stale ones are removed). Without commit the destructor removes
+// the file.
 //
-// A symbolic link is written through, whether what it leads to exists or not. What is replaced hands its
-// permissions, and where that is allowed its owner, on to the new file. What exists and isn't a regular file
-// with a name (a pipe, /dev/null, /proc/self/fd/N of an unnamed file) is written directly.
+// Symbolic links are followed, dangling ones too. A file that replaces another one takes over its permissions
+// and, where allowed, its owner. Anything that exists and isn't a regular file with a name (a pipe,
+// /dev/null, /proc/self/fd/N of an unnamed file) is written directly.
 class OutputFile {
 public:
   // Throws Error(output, path, …): no such folder, a directory, no permission.
@@ -47,13 +48,13 @@ private:
   void close_all();
 
   std::string path_, name_;                // name_: in the folder, symbolic links followed
-  int folder_ = -1;                        // -1: written directly
-  std::optional<TemporaryName> temporary_; // while there is one
+  int folder_ = -1;                        // file descriptor; -1: written directly
+  std::optional<TemporaryName> temporary_; // while the file has one
   std::FILE* stream_ = nullptr;
 };
 
-// Where `path` leads: symbolic links followed to their end, which needn't exist. Throws Error(output, path,
-// …) where they lead in a circle.
+// `path` with symbolic links in its last component followed, the last of which may dangle. Throws
+// Error(output, path, …) for a cycle of links.
 std::string followed(const std::string& path);
 
 } // namespace masu

@@ -2,18 +2,16 @@
 
 #include "libscene/file/output_file.h"
 
-#include <sys/stat.h>
-
 #include <filesystem>
 
 namespace masu {
 
 bool is_same_file(const std::string& a, const std::string& b) {
-  struct stat of_a {
-  }, of_b{};
-  const bool a_exists = stat(a.c_str(), &of_a) == 0, b_exists = stat(b.c_str(), &of_b) == 0;
+  struct stat a_status {
+  }, b_status{};
+  const bool a_exists = stat(a.c_str(), &a_status) == 0, b_exists = stat(b.c_str(), &b_status) == 0;
   if (a_exists != b_exists) return false;
-  if (a_exists) return S_ISREG(of_a.st_mode) && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino;
+  if (a_exists) return S_ISREG(a_status.st_mode) && is_same_file(a_status, b_status);
   const std::filesystem::path a_target = followed(a), b_target = followed(b);
   const auto folder_of = [](const std::filesystem::path& path) {
     return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");

@@ -1,12 +1,18 @@
 // Whether two paths lead to one file.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <string>
 
 namespace masu {
 
-// By links and other spellings too; also where there is no file yet, but writing to both would make one.
-// Devices and pipes aren't files here: they may be named twice. Throws Error(output) for circles of links.
+// Considers links and different spellings, and paths that don't exist but would create one file. False for
+// devices and pipes: they may be given twice. Throws Error(output) for a cycle of links.
 bool is_same_file(const std::string& a, const std::string& b);
+
+inline bool is_same_file(const struct stat& a, const struct stat& b) {
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
 
 } // namespace masu

@@ -89,7 +89,6 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
-// Every coordinate a number, and one that the store's arithmetic can take.
 template <class T>
 bool is_finite(const Vec3<T>& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -108,10 +107,10 @@ bool is_finite(const Light<T>& l) {
   return is_finite(l.position) && is_finite(l.intensity);
 }
 
-// How far from the origin the farthest coordinate may be, and must be, for products of three to stay in
-// range.
+// The range of the largest coordinate's magnitude for which products of three coordinates neither overflow
+// nor underflow.
 struct Reach {
-  double least, most;
+  double min, max;
 };
 template <class Stored>
 constexpr Reach reach_of = std::is_same_v<Stored, float> ? Reach{1e-10, 1e12} : Reach{1e-90, 1e100};
@@ -122,12 +121,12 @@ template <class Stored>
 bool reaches_within(const Boxd& bounds) {
   if (bounds.min.x > bounds.max.x) return true; // no primitive
   const double reach = largest_magnitude(bounds);
-  return reach >= reach_of<Stored>.least && reach <= reach_of<Stored>.most;
+  return reach >= reach_of<Stored>.min && reach <= reach_of<Stored>.max;
 }
 
 template <class Stored>
 void write_stored(const Scene& scene, const std::string& path) {
-  // Kept until the file is written: the sections point into them.
+  // The sections point into these.
   const auto lights = converted<Stored>(scene.lights);
   const auto triangles = converted<Stored>(scene.triangles);
   const auto normals = converted<Stored>(scene.normals);
@@ -147,7 +146,7 @@ void write_stored(const Scene& scene, const std::string& path) {
       section(SceneSection::cones, cones),
       section(SceneSection::cone_surfaces, scene.cone_surfaces),
   };
-  // Such a cone would have no bounds.
+  // A cone without length would have no bounds.
   const auto flattened =
       std::count_if(cones.begin(), cones.end(), [](const auto& cone) { return cone.base == cone.apex; });
   if (flattened > 0) {
@@ -159,15 +158,15 @@ void write_stored(const Scene& scene, const std::string& path) {
   if (!reaches_within<Stored>(box)) {
     throw Error(ErrorCode::input, path,
                 fmt::format("the scene reaches to {:g}, {} holds {:g} to {:g}: {}", largest_magnitude(box),
-                            store_name<Stored>, reach_of<Stored>.least, reach_of<Stored>.most,
+                            store_name<Stored>, reach_of<Stored>.min, reach_of<Stored>.max,
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
-  const auto all_held = [](const auto& records) {
+  const auto all_finite = [](const auto& records) {
     return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_finite(record); });
   };
-  if (!all_held(normals))
+  if (!all_finite(normals))
     throw Error(ErrorCode::input, path, "a corner's normal isn't finite: give it a length near 1");
-  if (!all_held(lights))
+  if (!all_finite(lights))
     throw Error(ErrorCode::input, path,
                 fmt::format("a light is too far off for {}: move it closer", store_name<Stored>));
   const auto layout = lay_out(sections);
@@ -175,14 +174,14 @@ void write_stored(const Scene& scene, const std::string& path) {
   write_container(path, scene_file_kind, scene_table(scene, store, box, layout), sections, layout);
 }
 
-bool finite(const fb::Vec3& v) {
-  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
 Vec3d vector_of(const fb::Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
+bool is_finite(const fb::Vec3& v) {
+  return is_finite(vector_of(v));
+}
 
-// The view leads somewhere, and up somewhere else.
+// Whether the view direction and up aren't zero or parallel.
 bool has_direction(const fb::Camera& camera) {
   const Vec3d view = vector_of(camera.at()) - vector_of(camera.from()), up = vector_of(camera.up());
   if (!(largest_magnitude(view) > 0 && largest_magnitude(up) > 0)) return false;
@@ -211,15 +210,15 @@ void write_scene(const Scene& scene, Store store, const std::string& path) {
 
 namespace {
 
-// Bounds that the store's arithmetic can take, or none.
+// Whether bounds are in the store's range, or exactly those of no primitive.
 template <class Stored>
 bool are_possible(const Boxd& box) {
   return is_empty(box) ? box.min == empty_box<double>().min && box.max == empty_box<double>().max
                        : reaches_within<Stored>(box);
 }
 
-// Every coordinate must lie within the file's bounds, which are within the store's reach, and every number
-// that is an index must lead somewhere.
+// Every coordinate must lie within the file's bounds, which are within the store's range, and every index
+// must be valid.
 template <class Stored>
 void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::uint64_t objects,
                       const std::string& path) {
@@ -236,10 +235,10 @@ void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::ui
   const auto surface_good = [&](const Surface& s) {
     return s.material < view.material_count && s.object < objects;
   };
-  // The bounds are those of the stored numbers: to compare with them needs no rounding.
+  // The bounds were computed from the stored numbers: the cast is exact.
   const Box<Stored> corners = cast<Stored>(bounds);
   const auto within = [&](const auto& box) { return contains(bounds, box.min) && contains(bounds, box.max); };
-  const bool held =
+  const bool coordinates_good =
       all(view.triangle_count,
           [&](std::uint32_t i) {
             const auto& t = view.triangles[i];
@@ -251,10 +250,10 @@ void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::ui
       all(view.cone_count,
           [&](std::uint32_t i) { return is_finite(view.cones[i]) && within(masu::bounds(view.cones[i])); }) &&
       all(view.light_count, [&](std::uint32_t i) { return is_finite(view.lights[i]); });
-  if (!held)
+  if (!coordinates_good)
     throw Error(ErrorCode::input, path,
                 "a coordinate isn't a number within the scene's bounds: make the file again");
-  const bool good =
+  const bool indices_good =
       all(view.triangle_count,
           [&](std::uint32_t i) {
             const auto& t = view.triangles[i];
@@ -263,7 +262,7 @@ void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::ui
           }) &&
       all(view.sphere_count, [&](std::uint32_t i) { return surface_good(view.sphere_surfaces[i]); }) &&
       all(view.cone_count, [&](std::uint32_t i) { return surface_good(view.cone_surfaces[i]); });
-  if (!good)
+  if (!indices_good)
     throw Error(ErrorCode::input, path,
                 "a primitive names a material, object or normal that isn't there: make the file again");
 }
@@ -285,7 +284,7 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
   check(table_->store() == fb::Store::float32 || table_->store() == fb::Store::float64,
         "its coordinates are of an unknown type");
   const fb::Camera& camera = *table_->camera();
-  check(finite(camera.from()) && finite(camera.at()) && finite(camera.up()) && camera.angle() > 0 &&
+  check(is_finite(camera.from()) && is_finite(camera.at()) && is_finite(camera.up()) && camera.angle() > 0 &&
             camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
             camera.height() <= 65536 && std::isfinite(camera.hither()) && has_direction(camera),
         "its camera is impossible");

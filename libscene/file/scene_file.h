@@ -13,28 +13,27 @@ namespace masu {
 
 inline constexpr FileKind scene_file_kind{{'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene"};
 
-// automatic: float32 when every coordinate's digits, as written in the text, survive it, and products of
-// coordinates do, and float32 arithmetic can tell the scene's parts from each other (float32_precision.h);
-// else float64.
+// automatic: float32 when it represents every coordinate to the digits written in the text, products of
+// coordinates are in its range, and its arithmetic is precise enough (float32_precision.h); else float64.
 enum class Store { automatic, float32, float64 };
 
 // Of all primitives; empty where there is none.
 Boxd bounds(const Scene& scene);
 
-// Which store that makes of a scene.
+// Whether write_scene stores the scene as float32.
 bool fits_float32(const Scene& scene, Store store);
 
-// Writes `scene` to `path`, whole or not at all. Throws Error(output) when it can't, Error(input) when
-// coordinates don't fit the store asked for (the farthest one from 1e-10 to 1e12 for float32, from
-// 1e-90 to 1e100 for float64), or leave a cone no length.
+// Writes `scene` to `path`, whole or not at all. Throws Error(output) when it can't be written, Error(input)
+// when the largest coordinate is out of the store's range (1e-10 to 1e12 for float32, 1e-90 to 1e100 for
+// float64), or a cone has no length once rounded.
 void write_scene(const Scene& scene, Store store, const std::string& path);
 
-// A mapped scene file, checked: every index and range in it can be followed.
+// A mapped scene file, checked: every index and range in it is valid.
 class SceneFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
   explicit SceneFile(const std::string& path, Checks checks = Checks::all);
-  // What Checks::table leaves out. Throws Error(input, path, …).
+  // The checks that Checks::table leaves out. Throws Error(input, path, …).
   void check_records() const;
   bool is_checked() const { return is_checked_; }
 

@@ -1,5 +1,7 @@
 #include "libscene/file/temporary_name.h"
 
+#include "libscene/file/same_file.h"
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -17,56 +19,52 @@
 namespace masu {
 namespace {
 
-// The names taken, where a signal's handler, which is told nothing, finds them. Names beyond those that fit
-// aren't removed on signals.
-struct TakenName {
+// The names in use, in static storage for the signal handler. Names that don't fit in aren't removed on
+// signals.
+struct RegisteredName {
   std::atomic<bool> reserved{false};
-  std::atomic<int> folder{-1}; // at least 0: what follows is a name in it
+  std::atomic<int> folder{-1}; // 0 or more: `name` is valid
   std::array<char, 64> name{};
 };
-constinit std::array<TakenName, 64> taken_names;
+constinit std::array<RegisteredName, 64> registered_names;
 
-void remember(int folder, const std::string& name) {
-  for (TakenName& taken : taken_names) {
-    if (name.size() >= taken.name.size() || taken.reserved.exchange(true)) continue;
-    std::copy(name.begin(), name.end(), taken.name.begin());
-    taken.name[name.size()] = '\0';
-    taken.folder = folder;
+void register_name(int folder, const std::string& name) {
+  for (RegisteredName& entry : registered_names) {
+    if (name.size() >= entry.name.size() || entry.reserved.exchange(true)) continue;
+    std::copy(name.begin(), name.end(), entry.name.begin());
+    entry.name[name.size()] = '\0';
+    entry.folder = folder;
     return;
   }
 }
 
-void forget(int folder, const std::string& name) {
-  for (TakenName& taken : taken_names) {
-    if (taken.folder != folder || name != taken.name.data()) continue;
-    taken.folder = -1;
-    taken.reserved = false;
+void unregister_name(int folder, const std::string& name) {
+  for (RegisteredName& entry : registered_names) {
+    if (entry.folder != folder || name != entry.name.data()) continue;
+    entry.folder = -1;
+    entry.reserved = false;
     return;
   }
 }
 
-// Calls only what may be called in a signal's handler.
+// Calls only async-signal-safe functions.
 void remove_all_and_end(int signal) {
-  for (const TakenName& taken : taken_names) {
-    if (const int folder = taken.folder; folder >= 0) unlinkat(folder, taken.name.data(), 0);
+  for (const RegisteredName& entry : registered_names) {
+    if (const int folder = entry.folder; folder >= 0) unlinkat(folder, entry.name.data(), 0);
   }
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
-bool is_same_file(const struct stat& a, const struct stat& b) {
-  return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
-}
-
-// Whether the file still has that name.
+// Whether `name` still is a name of the file.
 bool has_name(int file, int folder, const char* name) {
-  struct stat its {
-  }, of_name{};
-  return fstat(file, &its) == 0 && fstatat(folder, name, &of_name, AT_SYMLINK_NOFOLLOW) == 0 &&
-         is_same_file(its, of_name);
+  struct stat status {
+  }, named{};
+  return fstat(file, &status) == 0 && fstatat(folder, name, &named, AT_SYMLINK_NOFOLLOW) == 0 &&
+         is_same_file(status, named);
 }
 
-// False where another process has the lock. File systems without locks have nothing to lock out.
+// False when another process holds the lock; true on file systems without locks.
 bool lock(int file) {
   return flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
@@ -79,14 +77,14 @@ TemporaryName::TemporaryName(int folder, const std::string& name)
 TemporaryName::~TemporaryName() {
   if (name_.empty()) return;
   unlinkat(folder_, name_.c_str(), 0);
-  forget(folder_, name_);
+  unregister_name(folder_, name_);
 }
 
-// The name's file is unlocked, regular, and still has the name once it is locked here: then only this process
-// may remove it.
-bool TemporaryName::remove_abandoned(const char* name) const {
+// Removes a stale file: regular, unlocked, and still of that name once this process has locked it, after
+// which no other process removes it.
+bool TemporaryName::remove_stale(const char* name) const {
   const int file = openat(folder_, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) return errno == ENOENT; // gone meanwhile
+  if (file < 0) return errno == ENOENT; // removed meanwhile
   struct stat status {};
   const bool removed = fstat(file, &status) == 0 && S_ISREG(status.st_mode) &&
                        flock(file, LOCK_EX | LOCK_NB) == 0 && has_name(file, folder_, name) &&
@@ -97,17 +95,17 @@ bool TemporaryName::remove_abandoned(const char* name) const {
 
 template <class Act>
 bool TemporaryName::take(const Act& act) {
-  constexpr int most_names = 1000, most_turns = 100;
-  for (int number = 0; number < most_names; ++number) {
+  constexpr int max_names = 1000, max_attempts = 100;
+  for (int number = 0; number < max_names; ++number) {
     const std::string name = fmt::format(".masu-{:016x}-{}.tmp", hash_, number);
-    for (int turn = 0; turn < most_turns; ++turn) {
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
       if (act(name.c_str())) {
         name_ = name;
-        remember(folder_, name_);
+        register_name(folder_, name_);
         return true;
       }
       if (errno != EEXIST) return false;
-      if (!remove_abandoned(name.c_str())) break; // somebody is at work there
+      if (!remove_stale(name.c_str())) break; // another process is writing it
     }
   }
   errno = EEXIST;
@@ -119,7 +117,7 @@ int TemporaryName::create() {
   take([&](const char* name) {
     file = openat(folder_, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (file < 0) return false;
-    // Until it was locked, another process could take it for abandoned.
+    // Before it was locked, another process could have removed it as stale.
     if (lock(file) && has_name(file, folder_, name)) return true;
     close(file);
     file = -1;
@@ -139,7 +137,7 @@ bool TemporaryName::link(int file) {
 
 bool TemporaryName::rename_to(const std::string& name) {
   if (renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) return false;
-  forget(folder_, name_);
+  unregister_name(folder_, name_);
   name_.clear();
   return true;
 }

@@ -1,4 +1,4 @@
-// A hidden name that a file has on its way to its own.
+// A hidden, temporary name for a file that is being written.
 #pragma once
 
 #include <cstddef>
@@ -6,13 +6,12 @@
 
 namespace masu {
 
-// A name in a folder that no other process has: it is taken with O_EXCL, and the file is locked (flock) for
-// as long as its process lives. So a name whose file isn't locked was left by a process that was killed, and
-// is taken over. Names derive from the file's own, so that whoever writes that file next meets what is left
-// of it.
+// A name in a folder that no other process uses: it is created with O_EXCL, and the file stays locked (flock)
+// as long as its process lives. So an unlocked file was left by a killed process, and is removed. Names are
+// derived from the final name, so that the next process that writes the same file finds stale ones.
 class TemporaryName {
 public:
-  // `folder` is open, and stays so for as long as this lives. No name is taken yet.
+  // `folder`: file descriptor, open for the lifetime of this object. No name is created yet.
   TemporaryName(int folder, const std::string& name);
   ~TemporaryName();
   TemporaryName(const TemporaryName&) = delete;
@@ -20,26 +19,26 @@ public:
   TemporaryName& operator=(const TemporaryName&) = delete;
   TemporaryName& operator=(TemporaryName&&) = delete;
 
-  // Makes an empty file of that name, and returns it, open for writing. -1 and errno where that can't be.
+  // Creates an empty file of that name; returns its descriptor, open for writing, or -1 and errno.
   int create();
-  // Gives it to an unnamed file (O_TMPFILE). False and errno where that can't be.
+  // Links an unnamed file (O_TMPFILE) to the name. Returns false and sets errno when it fails.
   bool link(int file);
-  // Gives the file its own name instead, replacing what has it. False and errno where that can't be.
+  // Renames the file to its final name, replacing any file there. Returns false and sets errno when it fails.
   bool rename_to(const std::string& name);
 
 private:
   // Tries names until act(name), which sets errno, is true or fails for another reason than EEXIST.
   template <class Act>
   bool take(const Act& act);
-  bool remove_abandoned(const char* name) const;
+  bool remove_stale(const char* name) const;
 
   int folder_;
   std::size_t hash_;
-  std::string name_; // empty: none is taken
+  std::string name_; // empty: none
 };
 
-// For a program's main: SIGINT, SIGTERM and SIGHUP remove the names that are taken before they end the
-// process as they do by default. A signal that is ignored stays so.
+// For a program's main: SIGINT, SIGTERM and SIGHUP remove all temporary names, then end the process as by
+// default. Ignored signals stay ignored.
 void remove_temporary_names_on_signals();
 
 } // namespace masu

@@ -1,7 +1,7 @@
-// A ray from outside starts where it enters the scene's bounds.
+// Moves the origin of a ray from outside to where it enters the scene's bounds.
 //
-// So arithmetic on the ray never sees coordinates larger than the scene's, however far off the eye is; and it
-// doesn't depend on the grid.
+// So no coordinate in later arithmetic is larger than the scene's, however far away the camera is. The new
+// origin doesn't depend on the grid.
 #pragma once
 
 #include "libscene/geometry/box.h"
@@ -10,8 +10,8 @@
 
 namespace masu {
 
-// The part of `ray` from where it enters `box` on. `skipped` is the t from the old origin to the new; t_max
-// is less it.
+// A ray from where it enters a box. `skipped` is t from the old origin to the new one; t_max is reduced by
+// it.
 template <class Real>
 struct ClippedRay {
   Ray<Real> ray;
@@ -19,8 +19,8 @@ struct ClippedRay {
   Real skipped;
 };
 
-// Whether the ray is in the box between `enter` and some larger t. The end is rounded up by more than
-// rounding can hide (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013), and so `enter` down.
+// The slab test: whether the ray is in the box between `enter` and some larger t. The exit is enlarged, and
+// `enter` reduced, by more than their rounding errors (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
 template <class Real>
 MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Vec3<Real>& inverse,
                             Real& enter) {
@@ -33,8 +33,8 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
   return enter <= leave * (1 + slack) && enter <= ray.t_max;
 }
 
-// Whether the ray moves away from all that lies at least `padding` inside the box: it starts beyond, as where
-// it leaves a scene's outermost face.
+// Whether the ray can't meet anything that lies `padding` or more inside the box: it starts past the far face
+// of an axis, less `padding`, as a ray does that leaves an outermost surface of the scene.
 template <class Real>
 MASU_HD inline bool departs(const Box<Real>& box, const Ray<Real>& ray, Real padding) {
   const Vec3<Real> above = ray.origin - box.min, below = box.max - ray.origin, d = ray.direction;
@@ -42,16 +42,16 @@ MASU_HD inline bool departs(const Box<Real>& box, const Ray<Real>& ray, Real pad
                   fast_min(d.y > 0 ? below.y : above.y, d.z > 0 ? below.z : above.z)) < padding;
 }
 
-// False when the ray misses the box, a scene's padded bounds (margin.h), or leaves the bounds for good. The
-// new origin is rounded once a coordinate: it stays on the ray to an ulp of the box's coordinates. It is held
-// back by the entry's own rounding, and so may lie before the box; from very far off the entry is coarse, and
-// is looked for once more from nearby.
+// `box`: a scene's padded bounds (margin.h). False when the ray misses the box or departs from the bounds.
+// Each coordinate of the new origin is rounded once: it is on the ray to an ulp of the box's coordinates.
+// Because `enter` is reduced by its rounding error, the origin may lie before the box. From very far away
+// that error is large, and a second clip from the first one's origin removes it.
 template <class Real>
 MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
   const Vec3<Real> d = ray.direction;
   clipped = {ray, {finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)}, 0};
   const Real largest = largest_magnitude(box), far = 256 * largest;
-  // What is in the padding is off the bounds by no more than the box' own rounding.
+  // The box's padding, less the rounding of the box itself.
   constexpr Real padding = (2 * margin_roundings - 16) * RealTraits<Real>::unit_roundoff;
   if (departs(box, ray, padding * largest)) return false;
   for (bool again = true; again;) {

@@ -1,11 +1,11 @@
-// Ray and the side of a cut-off cone or a cylinder; its bounds.
+// Ray and the side of a truncated cone or a cylinder; its bounds.
 //
 // With z from 0 (base) to 1 (apex) along the axis, the side is where the distance ρ from the axis equals the
-// radius R(z). Distances from the axis are lengths of cross products with it, whose components keep their
-// digits (Kahan's differences of products) however nearly parallel the ray runs. The quadratic ρ² = R² is set
-// up about the place between the ends where ρ² + R² is least: there every term is of the size of what is
-// solved for, so that nothing cancels however far the origin is, however slight the taper, however near a
-// pointed end. Radii are kept times a height, which spares a division.
+// radius R(z). Distances from the axis are lengths of cross products with it, whose components are accurate
+// (Kahan's differences of products) even for a ray nearly parallel to it. The quadratic ρ² = R² is set up
+// about the point between the ends where ρ² + R² is smallest: there all terms are of the size of the
+// solution, so that nothing cancels, however far away the origin, however slight the taper, however near a
+// pointed end. Radii are multiplied by a height, which saves a division.
 #pragma once
 
 #include "libscene/geometry/ray.h"
@@ -14,7 +14,7 @@
 
 namespace masu {
 
-// The cone as its surface needs it. Radii are magnitudes.
+// A cone by its axis. The radius grows from |base_radius| by `growth`.
 template <class Real>
 struct ConeAxis {
   Vec3<Real> base, axis; // axis: from base to apex
@@ -30,55 +30,55 @@ MASU_HD inline ConeAxis<Real> cone_axis(const Cone<Stored>& cone) {
           std::abs(static_cast<Real>(cone.apex_radius)) - base_radius};
 }
 
-// Only the inside shows.
+// Whether only the inside is visible.
 template <class Stored>
 MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
   return cone.base_radius < 0 || cone.apex_radius < 0;
 }
 
-// Whether the ray meets the side at a t > 0; then `t` is the first such place. A cone that doesn't taper, a
-// cylinder, takes less.
+// Whether the ray meets the side at a t > 0; then `t` is the nearest. may_taper = false is for cylinders
+// alone, with the same results in less time.
 template <bool may_taper = true, class Real, class Stored>
 MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& cone, Real& t) {
   const Vec3<Real> whole = cast<Real>(cone.apex) - cast<Real>(cone.base);
   const Vec3<Real> origin = ray.origin - cast<Real>(cone.base);
   const Real base = std::abs(static_cast<Real>(cone.base_radius)),
              apex = std::abs(static_cast<Real>(cone.apex_radius));
-  // Scaled by powers of two, so that no product leaves the range: the axis, and later all lengths.
+  // The axis, and later all lengths, are scaled by powers of two so that no product overflows or underflows.
   const Real longest = largest_magnitude(whole), shrink = inverse_power_of_two(longest);
   const Vec3<Real> axis = whole * shrink;
 
-  // How far apart the ray's line and the axis' are: most tests end here.
+  // The distance between the lines of ray and axis: most tests end here.
   const Vec3<Real> turn = cross(ray.direction, axis);
-  const Real turn_square = dot(turn, turn), apart = dot(origin, turn), widest = fast_max(base, apex);
-  if (apart * apart > widest * widest * turn_square) return false;
-  // Of the rest, most end with one more look. The ray is outside and moves away from the axis, as where it
-  // leaves this very surface: whoever is taken for outside by a rounding alone is within the margin of it. Or
-  // its line passes by the ball around the cone, with room for rounding, as where it passes one end.
+  const Real turn_square = dot(turn, turn), separation = dot(origin, turn), widest = fast_max(base, apex);
+  if (separation * separation > widest * widest * turn_square) return false;
+  // Most others end with one of two more tests. `leaves`: the ray is outside and moves away from the axis, as
+  // when it leaves this very surface; one that counts as outside only by rounding is within the margin of the
+  // surface. `passes`: its line misses the bounding sphere, enlarged for rounding, as when it passes an end.
   const Real square = dot(axis, axis);
-  const Vec3<Real> beside = rough_cross(origin, axis);
-  const Real parting = dot(beside, turn);
-  const bool leaves = (parting >= 0) & (dot(beside, beside) > widest * widest * square);
+  const Vec3<Real> moment = rough_cross(origin, axis);
+  const Real outward = dot(moment, turn);
+  const bool leaves = (outward >= 0) & (dot(moment, moment) > widest * widest * square);
   constexpr Real roundings = 64 * RealTraits<Real>::unit_roundoff;
   const Vec3<Real> from_middle = fma(whole, Real(-0.5), origin);
   const Vec3<Real> past =
       fma(ray.direction, -(dot(from_middle, ray.direction) * ray.inverse_square), from_middle);
-  const Real ball = fma(widest, widest, dot(whole, whole) / 4);
-  const bool passes =
-      dot(past, past) > fma(roundings * roundings, dot(from_middle, from_middle), ball + ball / 256);
+  const Real bounding_square = fma(widest, widest, dot(whole, whole) / 4);
+  const bool passes = dot(past, past) > fma(roundings * roundings, dot(from_middle, from_middle),
+                                            bounding_square + bounding_square / 256);
   if (leaves | passes) return false;
 
   // At t the height along the axis is z + t dz, from 0 (base) to `top` (apex); the distance ρ from the axis
-  // is |from_base × axis + t turn| / |axis|, and the cone's radius R is (r + t dr) / rise. What R grows by
-  // over the height, and that height, are brought to size together. A cylinder's doesn't grow, and `rise` is
-  // 1: then the code for cones computes the same bits as that for cylinders alone.
+  // is |from_base × axis + t turn| / |axis|, and the cone's radius R is (r + t dr) / rise. The growth of R
+  // and the height over which it grows are scaled together. For a cylinder the growth is 0 and `rise` is 1:
+  // so may_taper doesn't change the bits of its hits.
   const Real unit = inverse_power_of_two(fast_max(longest, widest));
   const Vec3<Real> from_base = origin * unit;
   const Real base_radius = base * unit, top = dot(whole, axis) * unit;
   const Real z = dot(from_base, axis), dz = dot(ray.direction, axis);
   Real rise_square = 1, base_rise = base_radius, turn_rise = turn_square;
   Real widening = 0, dr = 0, dr_square = 0;
-  Real bend = turn_square, pull = parting * unit;
+  Real bend = turn_square, pull = outward * unit;
   if constexpr (may_taper) {
     const Real growth = apex * unit - base_radius;
     const Real size = inverse_power_of_two(fast_max(top, std::abs(growth)));
@@ -93,21 +93,21 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
     pull = fma(dr_square, fma(widening, z, base_rise), rise_square * pull);
   }
 
-  // Where ρ² + R² is least between the ends, give or take a rounding of heights: where it is least anywhere,
-  // which is pull / bend before t = 0, or else at the nearer end.
+  // Where ρ² + R² is smallest between the ends, up to the rounding of heights: at its minimum,
+  // t = -pull / bend, or at the nearer end if that is beyond the ends.
   const Real distance = sum_of_magnitudes(from_base);
   const Real middle = top / 2, within = fma(roundings, distance + top, middle);
   const Real above_middle = fma(z - middle, bend, -(pull * dz)); // times bend
   const bool beyond = std::abs(above_middle) > within * bend;
   const Real start =
       fast_divide(beyond ? middle + std::copysign(within, above_middle) - z : -pull, beyond ? dz : bend);
-  // A ray all but across the axis comes between the ends' planes only far away, where every digit is lost;
-  // but neither a hit nor that place is farther off than the cone (its length is less than twice its longest
-  // component) and √2 times its radius.
+  // A ray nearly perpendicular to the axis may come between the ends' planes only far away, where rounding
+  // errors are larger than the cone. But neither a hit nor `start` is farther away than the cone (its length
+  // is less than twice its longest component) and √2 times its radius.
   const Real reach = Real(1.5) * fma(2 * longest + widest, unit, distance);
   const Real speed = largest_magnitude(ray.direction);
 
-  // From there, a s² + 2 b s + c = 0.
+  // With t = start + s: a s² + 2 b s + c = 0.
   const Vec3<Real> there = fma(ray.direction, start, from_base);
   const Vec3<Real> off = rough_cross(there, axis);
   const Real height = dot(there, axis);
@@ -122,13 +122,13 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   const Real discriminant = fma(b, b, -(a * c));
   if (!((discriminant >= 0) & (std::abs(start) * speed <= reach))) return false;
   const Real magnitude = std::sqrt(discriminant);
-  const Real root = b < 0 ? -magnitude : magnitude; // as for 0, so for -0
+  const Real root = b < 0 ? -magnitude : magnitude; // the same for b = 0 and -0
   const Real q = -(b + root);
 
-  // A flat cone's ends are told apart by their radii, of which the quadratic knows the squares: rounding may
-  // leave more of a height than it is high.
+  // For a flat cone (|growth| > height) the rounding error of a height can exceed the cone's height: whether
+  // a hit is between the ends is decided by ρ.
   const bool flat = may_taper && widening * widening * square > rise_square;
-  const auto shows = [&](Real step) {
+  const auto is_hit = [&](Real step) {
     const Real at = start + step, up = fma(step, dz, height);
     bool between = (up >= 0) & (up <= top);
     if (flat) {
@@ -140,8 +140,8 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
     }
     return (at > 0) & (at * speed <= reach) & between;
   };
-  // The roots are q / a and c / q, tried as they come along the ray. It leaves the solid where a s + b > 0,
-  // which is -root after the one and root after the other.
+  // The roots are q / a and c / q, tried in their order along the ray. The ray leaves the solid where
+  // a s + b > 0; this is -root for the first and root for the second.
   bool by_a = std::signbit(root) == (a < 0);
   int tries = 2;
   if (is_inside_out(cone)) {
@@ -150,7 +150,7 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   }
   for (; tries > 0; --tries, by_a = !by_a) {
     const Real step = fast_divide(by_a ? q : c, by_a ? a : q);
-    if (shows(step)) {
+    if (is_hit(step)) {
       t = (start + step) * inverse_power_of_two(unit);
       return t > 0;
     }
@@ -158,7 +158,7 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   return false;
 }
 
-// Both end discs', exactly but for rounding, which is made good outwards.
+// The bounds of both end discs, rounded outwards.
 template <class Stored>
 MASU_HD inline Boxd bounds(const Cone<Stored>& cone) {
   const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex);

@@ -1,5 +1,5 @@
-// Ray and primitive by number, compiled for the kinds that a scene holds: no cone code runs where there is no
-// cone.
+// Intersects a ray with a primitive given by its index. Compiled for the kinds of primitive in the scene: a
+// scene without cones runs no code for cones.
 #pragma once
 
 #include "libscene/fetch.h"
@@ -11,12 +11,13 @@
 
 namespace masu {
 
-// A set of primitive kinds. Cylinders are cones; with_tapers: there are cones that aren't cylinders.
+// A set of primitive kinds, as flags. Cylinders are cones; with_tapers: some cones aren't cylinders.
 inline constexpr unsigned with_triangles = 1, with_spheres = 2, with_cones = 4, with_tapers = 8,
                           with_all_kinds = 15;
 
-// Whether the ray meets the primitive at a t > 0, and where. `counts` is told which test was run. What kind
-// of ray it is says by which formulas.
+// Whether the ray meets the primitive at a t > 0; then `t` is the nearest. Calls the member of `counts` for
+// the test that was run. The type of ray selects the formulas: PreparedRay and WatertightRay the robust ones,
+// TextbookRay those of textbook.h.
 template <unsigned kinds, class TestRay, class Stored, class Counts>
 MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
                               typename TestRay::Real& t, Counts& counts) {

@@ -1,9 +1,9 @@
-// Which way three points of a plane turn, with an exact sign.
+// The orientation of three points in a plane, with an exact sign.
 //
-// A rounding bound settles nearly every case; the rest is summed as an expansion of doubles. Expansions are
-// exact on any machine with IEEE doubles and a fused multiply-add; a wider float type would be neither exact
-// nor portable. After J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-// Predicates", Discrete & Computational Geometry 18, 1997.
+// A bound on the rounding error decides nearly every case; the rest is summed as an expansion of doubles,
+// which is exact on any machine with IEEE doubles and fma. After J. R. Shewchuk, "Adaptive Precision
+// Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational Geometry 18,
+// 1997.
 #pragma once
 
 #include "libscene/geometry/real.h"
@@ -20,8 +20,8 @@ inline bool operator==(const Point2& a, const Point2& b) {
   return a.x == b.x && a.y == b.y;
 }
 
-// The sum of six products as twelve doubles that don't overlap; returns the largest that isn't zero: it has
-// the sum's sign. Products must not underflow.
+// Sums six products as an expansion of twelve nonoverlapping doubles; returns the largest one that isn't
+// zero, which has the sum's sign. Products must not underflow.
 inline double sum_of_products(const std::array<std::array<double, 2>, 6>& factors) {
   std::array<double, 12> parts{};
   std::size_t count = 0;
@@ -29,7 +29,7 @@ inline double sum_of_products(const std::array<std::array<double, 2>, 6>& factor
     for (std::size_t i = 0; i < count; ++i) {
       const double sum = carry + parts[i];
       const double of_part = sum - carry;
-      parts[i] = (carry - (sum - of_part)) + (parts[i] - of_part); // what the sum lost
+      parts[i] = (carry - (sum - of_part)) + (parts[i] - of_part); // the sum's rounding error
       carry = sum;
     }
     parts[count++] = carry;

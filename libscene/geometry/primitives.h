@@ -1,7 +1,7 @@
-// The primitives a ray can meet, as they stand in the scene file and in GPU memory, and what says which
-// object and material each belongs to.
+// The records of primitives, the same in the scene file and in GPU memory, with each primitive's object and
+// material.
 //
-// A primitive's number: triangles first, then spheres, then cones, each kind in the NFF's order.
+// Primitive indices: triangles first, then spheres, then cones, each kind in the NFF's order.
 #pragma once
 
 #include "libscene/geometry/box.h"
@@ -10,9 +10,9 @@ namespace masu {
 
 using PrimitiveIndex = std::uint32_t;
 inline constexpr PrimitiveIndex no_primitive = 0xffffffffU;
+inline constexpr std::uint64_t max_primitives = no_primitive - 1; // a scene's
 
-// What a primitive belongs to: `object` counts the NFF's objects in its order, `material` the scene's
-// materials.
+// `object`: index among the NFF's objects, in its order; `material`: index among the scene's materials.
 struct Surface {
   std::uint32_t object;
   std::uint32_t material;
@@ -20,7 +20,7 @@ struct Surface {
 
 inline constexpr std::uint32_t no_normals = 0xffffffffU;
 
-// Stored holds the coordinates; a tag fills each vertex up to a 16-byte (float) or 32-byte (double) load.
+// Stored: the coordinates' type. A tag pads each vertex to a 16-byte (float) or 32-byte (double) load.
 template <class Stored>
 struct TagOf;
 template <>
@@ -32,8 +32,8 @@ struct TagOf<double> {
   using type = std::uint64_t;
 };
 
-// Its front is where a, b, c run counter-clockwise. `normals` is a place in the scene's corner normals, or
-// no_normals when it is flat.
+// a, b, c are counter-clockwise seen from the front. `normals`: index among the scene's corner normals, or
+// no_normals for a flat triangle.
 template <class Stored>
 struct alignas(16) Triangle {
   using Tag = typename TagOf<Stored>::type;
@@ -45,15 +45,15 @@ struct alignas(16) Triangle {
   Tag normals;
 };
 
-// The shell. A negative radius shows only the inside.
+// The surface only. With a negative radius only the inside is visible.
 template <class Stored>
 struct alignas(16) Sphere {
   Vec3<Stored> center;
   Stored radius;
 };
 
-// The side of a cone cut off at both ends, without caps; a cylinder when the radii are equal. Both radii
-// negative: only the inside shows. One of them may be zero.
+// The side of a truncated cone, without caps; a cylinder when the radii are equal. With negative radii only
+// the inside is visible. One of them may be zero.
 template <class Stored>
 struct alignas(16) Cone {
   Vec3<Stored> base;
@@ -62,8 +62,8 @@ struct alignas(16) Cone {
   Stored apex_radius;
 };
 
-// The normals at a smooth triangle's corners, of any length but zero: as a `pp` gives them, or those of the
-// surface that the triangle stands for. Triangles may share them.
+// The normals at the corners of a smooth triangle, of any length but zero: given by `pp`, or of the surface
+// that was tessellated. Triangles may share a record.
 template <class Stored>
 struct CornerNormals {
   Vec3<Stored> a, b, c;
@@ -89,7 +89,7 @@ MASU_HD inline Box<T> bounds(const Sphere<T>& s) {
   return grown(Box<T>{s.center, s.center}, std::abs(s.radius));
 }
 
-// The same in double, which holds either store exactly.
+// The same in double, exactly.
 template <class T>
 MASU_HD inline Triangle<double> widened(const Triangle<T>& t) {
   return {cast<double>(t.a), t.object, cast<double>(t.b), t.material, cast<double>(t.c), t.normals};

@@ -1,41 +1,42 @@
-// A ray and what it hits.
+// Rays and hits.
 #pragma once
 
 #include "libscene/geometry/primitives.h"
 
 namespace masu {
 
-// Points origin + t·direction with 0 < t < t_max. The direction isn't zero; t counts in its length.
+// Points origin + t·direction with 0 < t < t_max. The direction isn't zero; t is in units of its length.
 template <class Real>
 struct Ray {
   Vec3<Real> origin, direction;
   Real t_max;
 };
 
-// t is t_max of the ray, and primitive no_primitive, where nothing is hit.
+// A miss has the ray's t_max and no_primitive.
 template <class Real>
 struct Hit {
   Real t;
   PrimitiveIndex primitive;
 };
 
-// The nearer hit; of equally near ones that of the lowest primitive, so that the order of tests never shows.
+// Ties go to the lowest primitive index: so results don't depend on the order of tests.
 template <class Real>
 MASU_HD inline bool is_nearer(Real t, PrimitiveIndex primitive, const Hit<Real>& than) {
   return (t < than.t) | ((t == than.t) & (primitive < than.primitive));
 }
 
-// The direction without components so small that they can't move the ray by a hundredth of a rounding on its
-// way through the scene: what lies exactly along the ray stays so, and no product with them underflows.
+// Sets components to zero that are so small that they can't move the ray by a hundredth of a rounding on its
+// way through the scene: then no product with them underflows, and what is parallel to the ray is so
+// exactly.
 template <class Real>
 MASU_HD inline Vec3<Real> flush_tiny_components(const Vec3<Real>& direction) {
-  const Real least = largest_magnitude(direction) * (RealTraits<Real>::unit_roundoff / 256);
-  return {std::abs(direction.x) < least ? 0 : direction.x, std::abs(direction.y) < least ? 0 : direction.y,
-          std::abs(direction.z) < least ? 0 : direction.z};
+  const Real limit = largest_magnitude(direction) * (RealTraits<Real>::unit_roundoff / 256);
+  return {std::abs(direction.x) < limit ? 0 : direction.x, std::abs(direction.y) < limit ? 0 : direction.y,
+          std::abs(direction.z) < limit ? 0 : direction.z};
 }
 
-// What all tests of one ray share, with which they lose no hit: the ray of `robust` and `double` arithmetic
-// (textbook.h has that of `fast`).
+// A ray with what is computed once for all its intersection tests, of `robust` and `double` precision
+// (textbook.h has the ray of `fast`).
 template <class Real_>
 struct PreparedRay {
   using Real = Real_;
@@ -43,15 +44,15 @@ struct PreparedRay {
   Real inverse_square; // 1 / |direction|²
 };
 
-// The same with two vectors that span the plane across the ray: what each test of a triangle needs, and so
-// worth its registers where there are many.
+// The same with two vectors that span the plane perpendicular to the ray, which every triangle test needs:
+// worth their registers when many triangles are tested.
 template <class Real_>
 struct WatertightRay : PreparedRay<Real_> {
   Vec3<Real_> across1, across2;
 };
 
-// across1 is exact: two of the direction's own components, swapped, the smallest left out. So the plane
-// deviates from perpendicular by no more than across2's rounding.
+// across1 is exact: the direction's two larger components, swapped, one negated. So the plane deviates from
+// perpendicular only by the rounding of across2.
 template <class Real>
 MASU_HD inline WatertightRay<Real> prepare_watertight(const PreparedRay<Real>& ray) {
   const Vec3<Real> d = ray.direction;
@@ -81,10 +82,9 @@ MASU_HD inline void prepare(WatertightRay<Real>& ray, const Vec3<Real>& origin, 
   ray = prepare_watertight(line);
 }
 
-// A hit as of the ray from where it enters the scene's bounds (clip.h): `hit.t` counts from that ray's
-// origin, `skipped` is the t before it. Primitive no_primitive where nothing is hit; then t is the whole
-// ray's t_max. TestRay: PreparedRay<Real>, WatertightRay<Real>
-// or TextbookRay.
+// A hit of a clipped ray (clip.h): `hit.t` is relative to the clipped ray's origin, `skipped` is t from the
+// original origin to it. For a miss `hit.t` is t_max of the original ray. TestRay: PreparedRay<Real>,
+// WatertightRay<Real> or TextbookRay.
 template <class TestRay>
 struct NearHit {
   using Real = typename TestRay::Real;
@@ -93,6 +93,7 @@ struct NearHit {
   Real skipped;
 };
 
+// With t from the original ray's origin.
 template <class TestRay>
 MASU_HD inline Hit<typename TestRay::Real> relative_to_origin(const NearHit<TestRay>& near) {
   if (near.hit.primitive == no_primitive) return near.hit;

@@ -1,14 +1,14 @@
 // Ray and sphere, after Haines, Günther & Akenine-Möller, "Precision Improvements for Ray/Sphere
-// Intersection", Ray Tracing Gems, chapter 7, 2019: the discriminant is taken from the vector between centre
-// and ray, which keeps its digits however far the origin is.
+// Intersection", Ray Tracing Gems, chapter 7, 2019: the discriminant is computed from the vector between
+// centre and ray, without cancellation however far away the origin is.
 #pragma once
 
 #include "libscene/geometry/ray.h"
 
 namespace masu {
 
-// Whether the ray meets the shell at a t > 0; then `t` is the first such place. Of a negative radius only the
-// inside is there: where the ray leaves.
+// Whether the ray meets the sphere at a t > 0; then `t` is the nearest. With a negative radius only where it
+// leaves the sphere counts.
 template <class Real, class Stored>
 MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
   const Real radius = static_cast<Real>(sphere.radius);

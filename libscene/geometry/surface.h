@@ -1,9 +1,9 @@
-// The surface where a ray hit it: where exactly, facing which way, and how uncertain that is.
+// The surface at a hit: position, normals, and a bound on the position's error.
 //
-// The point isn't taken from the ray (whose t is rounded) but put back onto the primitive, after Wächter &
-// Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, chapter 6, 2019. What
-// then remains is the rounding of coordinates and of the next ray's test of the same primitive: rays that
-// leave start that far off, whatever the scale.
+// The point isn't computed from the ray, whose t is rounded, but projected onto the primitive, after Wächter
+// & Binder, "A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems, chapter 6, 2019. The
+// remaining error is the rounding of the coordinates and of the next ray's test of the same primitive;
+// secondary rays start that far from the surface, at any scale.
 #pragma once
 
 #include "libscene/geometry/clip.h"
@@ -13,17 +13,17 @@
 
 namespace masu {
 
-// Of a primitive that reaches `extent` from the origin: subtracting the ray's origin from a vertex and
-// projecting it moves it by less than 60 u extent (see margin.h), the point itself is off by 4 u extent.
+// For a primitive whose coordinates are at most `extent`: subtracting the ray's origin from a vertex and
+// projecting it moves it by less than 60 u extent (see margin.h); the point's own error is 4 u extent.
 template <class Real>
 MASU_HD inline Real surface_error(Real extent) {
   return 64 * RealTraits<Real>::unit_roundoff * extent;
 }
 
 template <class Real>
-MASU_HD inline Vec3<Real> mean(const EdgeFunctions<Real>& shares, const Vec3<Real>& a, const Vec3<Real>& b,
-                               const Vec3<Real>& c) {
-  return fma(a, shares.a, fma(b, shares.b, c * shares.c));
+MASU_HD inline Vec3<Real> interpolate(const EdgeFunctions<Real>& barycentric, const Vec3<Real>& a,
+                                      const Vec3<Real>& b, const Vec3<Real>& c) {
+  return fma(a, barycentric.a, fma(b, barycentric.b, c * barycentric.c));
 }
 
 template <class Real, class Stored>
@@ -31,25 +31,25 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
                                              Real, const Triangle<Stored>& triangle) {
   const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
   const EdgeFunctions<Real> weights = edge_functions(ray, a - ray.origin, b - ray.origin, c - ray.origin);
-  // Where the weights all underflow the middle is as good as any place.
+  // If all weights underflow, any point of the triangle is within the error bound: its centroid.
   const Real sum = weights.a + weights.b + weights.c;
   const Real third = Real(1) / 3;
   const Real inverse = 1 / sum;
-  const EdgeFunctions<Real> shares =
+  const EdgeFunctions<Real> barycentric =
       std::abs(inverse) <= RealTraits<Real>::largest
           ? EdgeFunctions<Real>{weights.a * inverse, weights.b * inverse, weights.c * inverse}
           : EdgeFunctions<Real>{third, third, third};
   SurfacePoint<Real> point{};
-  point.position = mean(shares, a, b, c);
-  // A needle so thin that its edges, rounded, are parallel faces the ray.
+  point.position = interpolate(barycentric, a, b, c);
+  // The rounded edges of a very thin triangle may be parallel: its normal then points against the ray.
   const Vec3<Real> across = cross(b - a, c - a);
   point.normal = normalized(largest_magnitude(across) > 0 ? across : -ray.direction);
   point.shading = point.normal;
   if (triangle.normals != no_normals) {
     const CornerNormals<Stored>& n = scene.normals[triangle.normals];
-    const Vec3<Real> between =
-        mean(shares, normalized(cast<Real>(n.a)), normalized(cast<Real>(n.b)), normalized(cast<Real>(n.c)));
-    // Opposite corners can cancel out.
+    const Vec3<Real> between = interpolate(barycentric, normalized(cast<Real>(n.a)),
+                                           normalized(cast<Real>(n.b)), normalized(cast<Real>(n.c)));
+    // Opposite normals may sum to zero.
     if (largest_magnitude(between) > 0) point.shading = normalized(between);
   }
   point.error = surface_error(max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c))));
@@ -69,7 +69,7 @@ MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real 
   const Vec3<Real> center = cast<Real>(sphere.center);
   const Real radius = std::abs(static_cast<Real>(sphere.radius));
   const Vec3<Real> from_center = fma(ray.direction, t, ray.origin) - center;
-  // A sphere smaller than an ulp of its place has no better direction than back.
+  // For a sphere smaller than an ulp of its centre's coordinates: against the ray.
   const Vec3<Real> outwards = normalized(largest_magnitude(from_center) > 0 ? from_center : -ray.direction);
   SurfacePoint<Real> point{};
   point.position = fma(outwards, radius, center);
@@ -83,13 +83,13 @@ template <class Real, class Stored>
 MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real t, const Cone<Stored>& cone) {
   const ConeAxis<Real> c = cone_axis<Real>(cone);
   const Vec3<Real> from_base = fma(ray.direction, t, ray.origin - c.base);
-  const Real anywhere = dot(from_base, c.axis) * c.inverse_square;
-  Vec3<Real> off_axis = fma(c.axis, -anywhere, from_base);
+  const Real height = dot(from_base, c.axis) * c.inverse_square; // not clamped
+  Vec3<Real> off_axis = fma(c.axis, -height, from_base);
   Real distance = length(off_axis);
-  const Real doubt = 16 * RealTraits<Real>::unit_roundoff *
+  const Real error = 16 * RealTraits<Real>::unit_roundoff *
                      (length(from_base) + largest_magnitude(c.base) + largest_magnitude(c.base + c.axis));
-  // By a pointed end rounding leaves no direction: the side that the ray comes to is as good as any.
-  if (distance <= doubt) {
+  // Near a pointed end the direction is lost to rounding: take the side that faces the ray.
+  if (distance <= error) {
     const Vec3<Real> against = -ray.direction;
     off_axis = fma(c.axis, -dot(against, c.axis) * c.inverse_square, against);
     if (!(dot(off_axis, off_axis) > Real(1e-6) * dot(against, against)))
@@ -97,15 +97,15 @@ MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real 
                                                          : Vec3<Real>{-c.axis.z, 0, c.axis.x};
     distance = 0;
   }
-  const Vec3<Real> aside = normalized(off_axis);
-  // Once more, for what rounding left along the axis.
-  const Vec3<Real> away = normalized(fma(c.axis, -dot(aside, c.axis) * c.inverse_square, aside));
-  // The nearest place of the side, a segment as seen over the axis: t is rounded, and what that moves a flat
-  // cone's point along the axis may be more than its length.
+  const Vec3<Real> rough = normalized(off_axis);
+  // Projected once more, to remove what rounding left along the axis.
+  const Vec3<Real> away = normalized(fma(c.axis, -dot(rough, c.axis) * c.inverse_square, rough));
+  // The nearest point of the side, a segment in the plane of axis and `away`: for a flat cone the rounding of
+  // t may move the point along the axis by more than the cone's length.
   const Real square = dot(c.axis, c.axis);
-  const Real place =
-      ((distance - c.base_radius) * c.growth + anywhere * square) / fma(c.growth, c.growth, square);
-  const Real z = max(min(place, Real(1)), Real(0));
+  const Real nearest =
+      ((distance - c.base_radius) * c.growth + height * square) / fma(c.growth, c.growth, square);
+  const Real z = max(min(nearest, Real(1)), Real(0));
   const Real radius = fma(c.growth, z, c.base_radius);
   const Vec3<Real> outwards = normalized(fma(c.axis, -c.growth * c.inverse_square, away));
   SurfacePoint<Real> point{};
@@ -118,14 +118,14 @@ MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real 
   return point;
 }
 
-// Tells nothing to anybody.
-struct Unasked {
+// Counts nothing.
+struct NoTestCounts {
   MASU_HD void triangle_test() {}
   MASU_HD void sphere_test() {}
   MASU_HD void cone_test() {}
 };
 
-// Of what a ray met.
+// At a ray's hit; near.hit.primitive isn't no_primitive.
 template <unsigned kinds, class TestRay, class Stored>
 MASU_HD inline SurfacePoint<typename TestRay::Real> surface_at(const SceneView<Stored>& scene,
                                                                const NearHit<TestRay>& near) {
@@ -151,8 +151,8 @@ MASU_HD inline SurfacePoint<typename TestRay::Real> surface_at(const SceneView<S
   return point;
 }
 
-// Of a hit whose t counts from the ray's own origin, which may be far off and t so too coarse: the test is
-// run again from where the ray enters the scene.
+// At a hit whose t is relative to the ray's own origin. That may be far away, and t then too inaccurate: the
+// intersection test is run again from where the ray enters the scene.
 template <unsigned kinds, class Real, class Stored>
 MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
                                              const Hit<Real>& hit) {
@@ -160,8 +160,8 @@ MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, con
   clip(ray, cast<Real>(scene.clip), clipped);
   NearHit<WatertightRay<Real>> near{{}, {hit.t - clipped.skipped, hit.primitive}, clipped.skipped};
   prepare(near.ray, clipped.ray.origin, clipped.ray.direction);
-  Unasked unasked;
-  intersect<kinds>(scene, near.ray, hit.primitive, near.hit.t, unasked);
+  NoTestCounts counts;
+  intersect<kinds>(scene, near.ray, hit.primitive, near.hit.t, counts);
   return surface_at<kinds>(scene, near);
 }
 

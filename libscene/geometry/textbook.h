@@ -1,10 +1,10 @@
-// The tests of `fast` arithmetic: float32 formulas as textbooks have them, short and with no guard against
-// cancelled digits. They are here to be measured against (triangle.h, sphere.h and cone.h have those that
-// hold): rays slip between triangles, spheres dissolve when far off, surfaces shade themselves.
+// The intersection tests of `fast` precision: textbook formulas in float32, without care for cancellation.
+// They are a baseline for the robust tests of triangle.h, sphere.h and cone.h: with these, rays pass between
+// triangles, far spheres get holes, and surfaces shadow themselves.
 //
 // Triangles after Möller & Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics
-// Tools 2(1), 1997, without its absolute epsilon, which loses small triangles altogether; spheres and cones
-// by the quadratic formula. Host and device need not agree: the device's divisions and roots are approximate.
+// Tools 2(1), 1997, without its absolute epsilon, which would drop small triangles; spheres and cones by the
+// quadratic formula. Results on host and device differ: the device's divisions and roots are approximate.
 #pragma once
 
 #include "libscene/geometry/ray.h"
@@ -21,14 +21,14 @@ MASU_HD inline void prepare(TextbookRay& ray, const Vec3f& origin, const Vec3f& 
 }
 
 // 1 / v and √v to a few ulp.
-MASU_HD inline float quick_inverse(float v) {
+MASU_HD inline float approximate_inverse(float v) {
 #ifdef __CUDA_ARCH__
   return __fdividef(1.0F, v);
 #else
   return 1 / v;
 #endif
 }
-MASU_HD inline float quick_root(float v) {
+MASU_HD inline float approximate_root(float v) {
 #ifdef __CUDA_ARCH__
   float root;
   asm("sqrt.approx.f32 %0, %1;" : "=f"(root) : "f"(v));
@@ -38,9 +38,9 @@ MASU_HD inline float quick_root(float v) {
 #endif
 }
 
-// Where a ray's line meets a triangle's plane, and the shares that corners b and c have in that place.
+// Where a ray's line meets a triangle's plane; b and c: barycentric coordinates of those corners.
 struct PlaneHit {
-  float t, b_share, c_share;
+  float t, b, c;
 };
 
 template <class Stored>
@@ -49,7 +49,7 @@ MASU_HD inline PlaneHit plane_hit(const TextbookRay& ray, const Triangle<Stored>
   const Vec3f to_b = cast<float>(triangle.b) - a, to_c = cast<float>(triangle.c) - a;
   const Vec3f p = rough_cross(ray.direction, to_c);
   const float inverse =
-      quick_inverse(dot(to_b, p)); // infinite for a ray in the plane: no share is then in range
+      approximate_inverse(dot(to_b, p)); // infinite for a ray in the plane: then b and c are out of range
   const Vec3f from_a = ray.origin - a;
   const Vec3f q = rough_cross(from_a, to_b);
   return {dot(to_c, q) * inverse, dot(from_a, p) * inverse, dot(ray.direction, q) * inverse};
@@ -59,7 +59,7 @@ template <class Stored>
 MASU_HD inline bool intersect(const TextbookRay& ray, const Triangle<Stored>& triangle, float& t) {
   const PlaneHit hit = plane_hit(ray, triangle);
   t = hit.t;
-  return hit.b_share >= 0 && hit.c_share >= 0 && hit.b_share + hit.c_share <= 1;
+  return hit.b >= 0 && hit.c >= 0 && hit.b + hit.c <= 1;
 }
 
 template <class Stored>
@@ -70,13 +70,13 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Sphere<Stored>& sphe
   const float c = dot(from_center, from_center) - radius * radius;
   const float discriminant = b * b - a * c;
   if (!(discriminant >= 0)) return false;
-  const float root = quick_root(discriminant), inverse = quick_inverse(a);
+  const float root = approximate_root(discriminant), inverse = approximate_inverse(a);
   const float enter = (-b - root) * inverse, leave = (-b + root) * inverse;
   t = radius > 0 && enter > 0 ? enter : leave;
   return t > 0;
 }
 
-// A cone seen from its axis: height 0 is the base, 1 the apex.
+// A cone by its axis: height 0 is the base, 1 the apex.
 struct ConeHeights {
   Vec3f base, axis;
   float inverse_square, base_radius, growth;
@@ -86,11 +86,11 @@ template <class Stored>
 MASU_HD inline ConeHeights cone_heights(const Cone<Stored>& cone) {
   const Vec3f base = cast<float>(cone.base), axis = cast<float>(cone.apex) - base;
   const float base_radius = std::abs(static_cast<float>(cone.base_radius));
-  return {base, axis, quick_inverse(dot(axis, axis)), base_radius,
+  return {base, axis, approximate_inverse(dot(axis, axis)), base_radius,
           std::abs(static_cast<float>(cone.apex_radius)) - base_radius};
 }
 
-// Whether it may taper is no matter here.
+// The template argument, whether the cone may taper, is unused here.
 template <bool = true, class Stored>
 MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, float& t) {
   const ConeHeights c = cone_heights(cone);
@@ -103,16 +103,16 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, 
               qc = dot(off, off) - radius * radius;
   const float discriminant = qb * qb - qa * qc;
   if (!(discriminant >= 0)) return false;
-  const float root = quick_root(discriminant), inverse = quick_inverse(qa);
+  const float root = approximate_root(discriminant), inverse = approximate_inverse(qa);
   const float root1 = (-qb - root) * inverse, root2 = (-qb + root) * inverse;
   const bool inside_only = cone.base_radius < 0 || cone.apex_radius < 0;
-  const auto shows = [&](float at) {
+  const auto is_hit = [&](float at) {
     const float there = fma(rise, at, height);
     return at > 0 && there >= 0 && there <= 1 && (!inside_only || fma(qa, at, qb) > 0);
   };
   const float first = fast_min(root1, root2), second = fast_max(root1, root2);
-  t = shows(first) ? first : second;
-  return shows(t);
+  t = is_hit(first) ? first : second;
+  return is_hit(t);
 }
 
 } // namespace masu

@@ -1,5 +1,5 @@
-// The surface where a ray of `fast` arithmetic hit it: the ray's own point, and one fixed distance to start
-// the next ray at. Too large for a small scene, too small for a large one: surface.h has what holds.
+// The surface at a hit of `fast` precision: the point on the ray, and a fixed epsilon for secondary rays,
+// which is too large for a small scene and too small for a large one (surface.h has the robust version).
 #pragma once
 
 #include "libscene/geometry/surface_point.h"
@@ -23,9 +23,9 @@ MASU_HD inline SurfacePoint<float> surface_at(const SceneView<Stored>& scene, co
       ray, hit.t, normalized(rough_cross(cast<float>(triangle.b) - a, cast<float>(triangle.c) - a)));
   if (triangle.normals != no_normals) {
     const CornerNormals<Stored>& n = scene.normals[triangle.normals];
-    const Vec3f at_a = normalized(cast<float>(n.a)) * (1 - hit.b_share - hit.c_share);
-    point.shading = normalized(
-        fma(normalized(cast<float>(n.b)), hit.b_share, fma(normalized(cast<float>(n.c)), hit.c_share, at_a)));
+    const Vec3f at_a = normalized(cast<float>(n.a)) * (1 - hit.b - hit.c);
+    point.shading =
+        normalized(fma(normalized(cast<float>(n.b)), hit.b, fma(normalized(cast<float>(n.c)), hit.c, at_a)));
   }
   point.material = static_cast<std::uint32_t>(triangle.material);
   return point;

@@ -6,8 +6,8 @@
 namespace masu {
 namespace {
 
-// How far outside a cut a vertex still counts as on it, per edge length: twice what has_area calls no area,
-// since the plane seen here can foreshorten by √3.
+// A vertex this far outside a cut, relative to the edge's length, still counts as on it: twice the bound of
+// has_area, since the projection can foreshorten by √3.
 constexpr double slack = 32 * RealTraits<double>::unit_roundoff;
 
 double extent(const Point2& a, const Point2& b) {
@@ -42,7 +42,7 @@ EarClipper::EarClipper(std::span<const Point2> points, std::span<const std::uint
   obstacles_ = obstacles(ring);
   heap_.reserve(3 * ring.size());
   for (const std::uint32_t v : ring)
-    settle(v);
+    classify(v);
 }
 
 bool EarClipper::is_nearly_straight(std::uint32_t v, double turn) const {
@@ -55,7 +55,7 @@ EarClipper::Rank EarClipper::rank_by_turn(std::uint32_t v, double turn) const {
   return lies_between(a.x, p.x, b.x) || lies_between(a.y, p.y, b.y) ? Rank::flat : Rank::spike;
 }
 
-// An ear that holds any vertex of a simple polygon holds one that isn't strictly convex.
+// An ear that contains a vertex of a simple polygon contains one that isn't strictly convex.
 PointTree EarClipper::obstacles(std::span<const std::uint32_t> ring) const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t v : ring)
@@ -63,8 +63,8 @@ PointTree EarClipper::obstacles(std::span<const std::uint32_t> ring) const {
   return {points_, std::move(found)};
 }
 
-// Whether the edges' direction goes round once in all, as in every simple polygon: counts how often it passes
-// +x.
+// Whether the polygon's turning number is 1, as for every simple polygon: counts how often the edges'
+// direction passes +x.
 bool EarClipper::turns_once(std::span<const std::uint32_t> ring) const {
   const auto is_upward = [](const Point2& from, const Point2& to) {
     return to.y > from.y || (to.y == from.y && to.x > from.x);
@@ -72,7 +72,7 @@ bool EarClipper::turns_once(std::span<const std::uint32_t> ring) const {
   std::ptrdiff_t turns = 0;
   for (const std::uint32_t v : ring) {
     const double by = turn(v);
-    if (by == 0 && rank_by_turn(v, by) == Rank::spike) return true; // half a turn, but which way?
+    if (by == 0 && rank_by_turn(v, by) == Rank::spike) return true; // half a turn in either sense: undecided
     const bool up_before = is_upward(before(v), points_[v]);
     const bool up_after = is_upward(points_[v], after(v));
     if (by > 0 && !up_before && up_after) ++turns;
@@ -88,14 +88,14 @@ void EarClipper::run(Triangulation& result) {
     ring.push_back(v);
   if (!turns_once(ring)) result.crosses_itself = true;
   while (size_ > 3)
-    act(pop(), result);
+    process(pop(), result);
   if (size_ == 3) {
     if (turn(some_vertex_) < 0) result.crosses_itself = true;
     emit(some_vertex_, result);
   }
 }
 
-void EarClipper::act(const Candidate& candidate, Triangulation& result) {
+void EarClipper::process(const Candidate& candidate, Triangulation& result) {
   const std::uint32_t v = candidate.vertex;
   switch (candidate.rank) {
   case Rank::spike:
@@ -111,8 +111,8 @@ void EarClipper::act(const Candidate& candidate, Triangulation& result) {
   case Rank::flat:
   case Rank::blocked:
   case Rank::reflex:
-    // No ear is left, which no simple polygon does: go on as well as can be.
-    if (look_again()) {
+    // There is no ear, so the polygon isn't simple: make the best of it.
+    if (retest_blocked()) {
       if (candidate.rank != Rank::blocked) push(v, candidate.rank);
       return;
     }
@@ -125,8 +125,8 @@ void EarClipper::act(const Candidate& candidate, Triangulation& result) {
   }
 }
 
-// Makes the blocked ears candidates again, as long as there is hope and time.
-bool EarClipper::look_again() {
+// Makes blocked ears candidates again, if the ring has changed and the limit of tests isn't reached.
+bool EarClipper::retest_blocked() {
   if (!changed_ || retests_left_ < size_) return false;
   changed_ = false;
   retests_left_ -= size_;
@@ -161,7 +161,8 @@ EarClipper::Fit EarClipper::fit(const std::array<Point2, 3>& ear, std::uint32_t 
   if (by_bc < 0) return Fit::clear;
   if (by_cut < 0) return Fit::grazed;
   if (by_ab > 0 && by_bc > 0) return Fit::blocked;
-  // On a leg or a corner, as bridges to holes have it: in the way only if one of its edges leads inside.
+  // On an edge or a corner of the ear, as at bridges to holes: blocks it only if one of its edges leads
+  // inside.
   const auto leads_inside = [&](const Point2& to) {
     return (by_ab > 0 || orientation(a, b, to) > 0) && (by_bc > 0 || orientation(b, c, to) > 0) &&
            (by_cut > 0 || orientation(c, a, to) > 0);
@@ -187,8 +188,8 @@ EarClipper::Candidate EarClipper::pop() {
   }
 }
 
-// Sees what the vertex has become.
-void EarClipper::settle(std::uint32_t v) {
+// Updates a vertex whose neighbours have changed.
+void EarClipper::classify(std::uint32_t v) {
   const double by = turn(v);
   const Rank rank = rank_by_turn(v, by);
   const bool is_straight = is_nearly_straight(v, by);
@@ -206,8 +207,8 @@ void EarClipper::unlink(std::uint32_t v) {
   some_vertex_ = left;
   --size_;
   changed_ = true;
-  settle(left);
-  settle(right);
+  classify(left);
+  classify(right);
 }
 
 void EarClipper::cut(std::uint32_t v, Triangulation& result) {

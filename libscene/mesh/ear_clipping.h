@@ -1,4 +1,4 @@
-// Ear clipping of one ring of points in a plane; triangulate.cpp brings a polygon into it.
+// Ear clipping of a polygon in a plane; triangulate.cpp projects it.
 #pragma once
 
 #include "libscene/mesh/point_tree.h"
@@ -11,26 +11,26 @@ namespace masu {
 
 class EarClipper {
 public:
-  // `ring` counts from `points`, counter-clockwise by its area; no two neighbours in it are the same point,
-  // and magnitudes are at most 1. Both must outlive the clipper.
+  // `ring`: indices of `points`, of positive signed area; no two neighbours are the same point. Magnitudes of
+  // coordinates are at most 1. Both must outlive the clipper.
   EarClipper(std::span<const Point2> points, std::span<const std::uint32_t> ring);
 
   // Appends the triangles.
   void run(Triangulation& result);
 
 private:
-  // What a vertex is, in the order in which vertices are cut off.
+  // The kinds of vertices, in the order in which they are cut off.
   enum class Rank : std::uint8_t {
-    spike,    // both edges leave the same way: no area
-    open,     // convex, and nothing known to be in the way
-    grazed,   // straight but for rounding, or a vertex on its cut is: would make a sliver
-    flat,     // straight
-    blocked, // a vertex is in the way
+    spike,   // both edges have the same direction: no area
+    open,    // convex, and not known to be blocked
+    grazed,  // nearly straight, or a vertex is nearly on its cut: would make a sliver
+    flat,    // straight
+    blocked, // the ear contains a vertex
     reflex,
   };
   struct Candidate {
     Rank rank;
-    double shape; // the corner's sine / the cut's length²: short cuts and no slivers first
+    double shape; // sine of the corner / length² of the cut: short cuts first, slivers last
     std::uint32_t vertex, stamp;
     bool operator<(const Candidate& other) const;
   };
@@ -48,22 +48,22 @@ private:
   Fit fit(const std::array<Point2, 3>& ear, std::uint32_t other) const;
   void push(std::uint32_t v, Rank rank);
   Candidate pop();
-  void settle(std::uint32_t v);
-  void act(const Candidate& candidate, Triangulation& result);
-  bool look_again();
+  void classify(std::uint32_t v);
+  void process(const Candidate& candidate, Triangulation& result);
+  bool retest_blocked();
   void unlink(std::uint32_t v);
   void cut(std::uint32_t v, Triangulation& result);
   void emit(std::uint32_t v, Triangulation& result) const;
 
   std::span<const Point2> points_;
   std::vector<std::uint32_t> previous_, next_;
-  std::vector<std::uint32_t> stamps_; // of a vertex's valid candidate: older ones are void
+  std::vector<std::uint32_t> stamps_; // of each vertex's valid candidate: older ones are ignored
   std::vector<Rank> ranks_;
-  std::vector<Candidate> heap_; // one valid candidate for each vertex in the ring
-  PointTree obstacles_;         // what can be in the way: all but clearly convex vertices
+  std::vector<Candidate> heap_; // one valid candidate for each vertex of the ring
+  PointTree obstacles_;         // vertices that can block an ear: all that aren't clearly convex
   std::size_t size_;            // vertices in the ring
   std::size_t retests_left_;
-  bool changed_ = false; // since blocked ears were last looked at again
+  bool changed_ = false; // since blocked ears were last tested again
   std::uint32_t some_vertex_;
 };
 

@@ -1,4 +1,4 @@
-// A k-d tree of points in a plane that can be taken out one by one and are asked for by triangle.
+// A k-d tree of points in a plane, with removal of points and queries by triangle.
 #pragma once
 
 #include "libscene/geometry/orientation.h"
@@ -14,30 +14,30 @@ namespace masu {
 
 class PointTree {
 public:
-  // The points `members` counts from `points`, which must outlive the tree.
+  // `members`: indices of `points`, which must outlive the tree.
   PointTree(std::span<const Point2> points, std::vector<std::uint32_t> members)
       : points_(points), members_(std::move(members)) {
-    place_.assign(points.size(), absent);
+    position_.assign(points.size(), absent);
     if (members_.empty()) return;
     build(0, 0, static_cast<std::uint32_t>(members_.size()));
     for (std::uint32_t i = 0; i < members_.size(); ++i)
-      place_[members_[i]] = i;
+      position_[members_[i]] = i;
   }
 
-  bool holds(std::uint32_t point) const { return place_[point] != absent; }
+  bool holds(std::uint32_t point) const { return position_[point] != absent; }
 
   void remove(std::uint32_t point) {
-    const std::uint32_t place = std::exchange(place_[point], absent);
+    const std::uint32_t position = std::exchange(position_[point], absent);
     for (std::size_t node = 0;;) {
       --nodes_[node].alive;
       const std::uint32_t middle = nodes_[node].middle();
       if (nodes_[node].is_leaf()) return;
-      node = 2 * node + (place < middle ? 1 : 2);
+      node = 2 * node + (position < middle ? 1 : 2);
     }
   }
 
-  // Calls visit(point) for every point in the counter-clockwise triangle, and for some close by: all that lie
-  // within `slack` times the edge's length outside an edge. Stops early once visit returns true.
+  // Calls visit(point) for every point in the counter-clockwise triangle, including all within `slack` times
+  // an edge's length outside it, and maybe for others nearby. Stops when visit returns true.
   template <class Visit>
   void visit(const std::array<Point2, 3>& triangle, double slack, Visit visit) const {
     if (nodes_.empty()) return;
@@ -65,7 +65,7 @@ private:
   static constexpr std::uint32_t absent = 0xffffffffU;
   static constexpr std::uint32_t leaf_size = 8;
 
-  // Node i's children are 2i+1 and 2i+2; they halve its range of members.
+  // The children of node i are 2i+1 and 2i+2; each has half of its members.
   struct Node {
     Point2 min, max;
     std::uint32_t first, last, alive;
@@ -102,7 +102,7 @@ private:
     return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
   }
 
-  // Whether all of the node's box lies outside one edge, judged at the corner that lies farthest inside.
+  // Whether the node's box is outside an edge, tested at the box's corner farthest inside.
   static bool is_outside(const Node& node, const std::array<Point2, 3>& triangle, double slack) {
     for (std::size_t i = 0; i < 3; ++i) {
       const Point2& a = triangle[i];
@@ -115,8 +115,8 @@ private:
   }
 
   std::span<const Point2> points_;
-  std::vector<std::uint32_t> members_; // in the tree's order
-  std::vector<std::uint32_t> place_;   // of each point among members_
+  std::vector<std::uint32_t> members_;  // in the tree's order
+  std::vector<std::uint32_t> position_; // of each point in members_
   std::vector<Node> nodes_;
 };
 

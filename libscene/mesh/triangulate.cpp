@@ -8,8 +8,8 @@
 namespace masu {
 namespace {
 
-// A difference of coordinates up to m is off by up to 2um once their digits have been rounded to doubles; a
-// component of the product of two such edges no longer than l, by 8uml.
+// The error of a cross product's components when coordinates up to m were rounded to doubles: a difference of
+// them is off by up to 2um, a component of the product of two such edges no longer than l by up to 8uml.
 double area_error(double largest_coordinate, double longest_edge) {
   return 8 * RealTraits<double>::unit_roundoff * largest_coordinate * longest_edge;
 }
@@ -21,7 +21,7 @@ int largest_axis(const Vec3d& v) {
   return x > y && x > z ? 0 : y > z ? 1 : 2;
 }
 
-// The short way for four vertices: two triangles by the shorter diagonal, if all corners are clearly convex.
+// The fast path for four vertices: split along the shorter diagonal, if all corners are clearly convex.
 bool split_convex_quad(std::span<const Vec3d, 4> q, Triangulation& result) {
   const Vec3d diagonals[2] = {q[2] - q[0], q[3] - q[1]};
   const Vec3d normal = cross(diagonals[0], diagonals[1]);
@@ -38,7 +38,7 @@ bool split_convex_quad(std::span<const Vec3d, 4> q, Triangulation& result) {
     const Vec3d turn = cross(q[(i + 1) % 4] - q[i], q[(i + 2) % 4] - q[(i + 1) % 4]);
     if (!(turn[axis] * facing > limit)) return false;
   }
-  // Clearly shorter: rounding shall not mix both ways in a regular mesh.
+  // Clearly shorter, so that rounding doesn't mix both diagonals in a regular mesh.
   if (dot(diagonals[1], diagonals[1]) < 0.999 * dot(diagonals[0], diagonals[0])) {
     result.triangles.push_back({0, 1, 3});
     result.triangles.push_back({1, 2, 3});
@@ -49,7 +49,7 @@ bool split_convex_quad(std::span<const Vec3d, 4> q, Triangulation& result) {
   return true;
 }
 
-// A power of two that brings magnitudes to at most 1: no digit changes.
+// A power of two that scales magnitudes to at most 1, exactly.
 double scale_to_one(std::span<const Vec3d> polygon) {
   double largest = 0;
   for (const Vec3d& p : polygon)
@@ -57,8 +57,8 @@ double scale_to_one(std::span<const Vec3d> polygon) {
   return largest > 0 ? std::ldexp(1.0, std::min(1000, -std::ilogb(largest) - 1)) : 1;
 }
 
-// Newell's mean normal, of any length. Where it vanishes though the vertices aren't collinear (a figure of
-// eight), one corner's. Zero when all are collinear.
+// Newell's mean normal, of any length. If it vanishes though the vertices aren't collinear (a figure eight),
+// the largest normal of a corner. Zero when all vertices are collinear.
 Vec3d mean_normal(std::span<const Vec3d> polygon, double scale) {
   const Vec3d origin = polygon[0] * scale;
   Vec3d sum{0, 0, 0};
@@ -78,7 +78,7 @@ Vec3d mean_normal(std::span<const Vec3d> polygon, double scale) {
   return largest_magnitude(greatest) > area_error(1, farthest) ? greatest : Vec3d{0, 0, 0};
 }
 
-// Drops the normal's largest axis, and keeps the turning sense.
+// Projects along the normal's largest axis, keeping the orientation.
 std::vector<Point2> project(std::span<const Vec3d> polygon, double scale, const Vec3d& normal) {
   const int axis = largest_axis(normal);
   int first = (axis + 1) % 3;
@@ -91,7 +91,7 @@ std::vector<Point2> project(std::span<const Vec3d> polygon, double scale, const 
   return points;
 }
 
-// The vertices without those that repeat the one before.
+// The vertices without those equal to the one before.
 std::vector<std::uint32_t> distinct_ring(std::span<const Vec3d> polygon) {
   std::vector<std::uint32_t> ring;
   ring.reserve(polygon.size());
@@ -102,7 +102,7 @@ std::vector<std::uint32_t> distinct_ring(std::span<const Vec3d> polygon) {
   return ring;
 }
 
-// Triangles that have an area in the projection only by rounding.
+// Drops triangles that have an area in the projection only by rounding.
 void drop_slivers(std::span<const Vec3d> polygon, Triangulation& result) {
   result.slivers += std::erase_if(result.triangles, [&](const std::array<std::uint32_t, 3>& t) {
     return !has_area(polygon[t[0]], polygon[t[1]], polygon[t[2]]);

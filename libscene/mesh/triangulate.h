@@ -1,9 +1,9 @@
-// Triangles of a polygon of any vertex count, concave ones too.
+// Triangulation of polygons of any number of vertices, convex or not.
 //
-// Ears are cut off in the polygon's own plane, short cuts first, as G. H. Meisters proved possible
-// ("Polygons Have Ears", American Mathematical Monthly 82(6), 1975). Signs are exact, and a vertex on a
-// straight edge counts as one that ears must leave outside: so a simple polygon is always covered, without
-// flipped triangles and without slivers. Time is about n log n for n vertices, n² in the worst case.
+// Ear clipping in the polygon's plane, short cuts first, after G. H. Meisters, "Polygons Have Ears", American
+// Mathematical Monthly 82(6), 1975. Orientations are exact, and an ear may not touch a vertex on a straight
+// edge: so a simple polygon is always covered, without flipped triangles and without slivers. Time is about
+// n log n for n vertices, n² in the worst case.
 #pragma once
 
 #include "libscene/geometry/vector.h"
@@ -16,21 +16,21 @@
 namespace masu {
 
 struct Triangulation {
-  std::vector<std::array<std::uint32_t, 3>> triangles; // vertex numbers; each turns as the polygon does
-  std::uint64_t slivers = 0;   // vertices that only a triangle without area could have used: left out
-  bool crosses_itself = false; // no triangulation covers it properly: covered as well as can be
+  std::vector<std::array<std::uint32_t, 3>> triangles; // vertex indices, oriented as the polygon
+  std::uint64_t slivers = 0;                           // triangles without area that were left out
+  bool crosses_itself = false;                         // has no proper triangulation: approximated
 };
 
-// Every vertex of `polygon` stays a triangle's corner, so that edges shared with neighbours stay shared; of
-// vertices that repeat the one before, the first does. Holes may be cut in by a bridge (an edge walked both
-// ways). Vertices may stray from a plane a little: they are seen along the polygon's mean normal.
-// Coordinates' magnitudes must be at most 1e100. Empty when the polygon has no area.
+// Every vertex of `polygon` is a corner of some triangle, so that edges shared with other polygons stay
+// shared; of equal consecutive vertices the first one. Holes may be connected by a bridge (an edge used in
+// both directions). Vertices needn't be exactly coplanar: they are projected along the polygon's mean normal.
+// Magnitudes of coordinates must be at most 1e100. Empty when the polygon has no area.
 Triangulation triangulate(std::span<const Vec3d> polygon);
 
-// The same into `result`, whose memory is used again. Triangles and convex quadrilaterals take a short way.
+// The same into `result`, whose memory is reused. Triangles and convex quadrilaterals have a fast path.
 void triangulate(std::span<const Vec3d> polygon, Triangulation& result);
 
-// False for a triangle no higher than the error its corners can have had when their digits became doubles.
+// False for a triangle no higher than the rounding error of its corners' decimal coordinates.
 bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 
 } // namespace masu

@@ -1,4 +1,4 @@
-// Cuts the text into pieces, parses them on every core, and joins them in their order.
+// Cuts the text into pieces, parses them in parallel, and joins them in order.
 #include "libscene/nff/nff.h"
 
 #include "libscene/error.h"
@@ -23,46 +23,47 @@ namespace {
 using nff::Piece;
 using nff::Text;
 
-constexpr std::uint64_t most_objects = 0x7fffffff; // an object's number fits an int32, whose -1 means none
-constexpr std::uint64_t most_primitives = no_primitive - 1; // the last number means none
+constexpr std::uint64_t max_objects = 0x7fffffff; // object indices are int32, with -1 for none
 constexpr Material default_material{{1, 1, 1}, 1, 0, 0, 0, 1};
 
-// Whether an entity starts at `at`, if a line does. A view's parts don't count.
-bool is_entity_start(const char* at, const char* end) {
-  while (at != end && (*at == ' ' || *at == '\t'))
-    ++at;
-  const char* word_end = at;
-  while (word_end != end && word_end - at < 3 && nff::kind_of(*word_end) == nff::Character::other)
+// Whether the line at `line` starts with an entity. The lines of a view (from, at, …) aren't entities.
+bool is_entity_start(const char* line, const char* end) {
+  const char* start = line;
+  while (start != end && (*start == ' ' || *start == '\t'))
+    ++start;
+  const char* word_end = start;
+  while (word_end != end && word_end - start < 3 && nff::kind_of(*word_end) == nff::Character::other)
     ++word_end;
-  const std::string_view word(at, static_cast<std::size_t>(word_end - at));
+  const std::string_view word(start, static_cast<std::size_t>(word_end - start));
   return word == "pp" ||
          (word.size() == 1 && std::string_view("pscflbv").find(word[0]) != std::string_view::npos);
 }
 
-// The end of the piece that starts at `from`: a line's start where an entity starts, piece_bytes on or later.
+// The end of the piece that starts at `from`: the first line that starts with an entity, piece_bytes later or
+// more.
 const char* piece_end(const Text& text, const char* from, std::size_t piece_bytes) {
   if (static_cast<std::size_t>(text.end() - from) <= piece_bytes) return text.end();
   const std::size_t start = static_cast<std::size_t>(from - text.begin()) + piece_bytes;
-  // No comment goes past a line's end.
+  // A comment ends with its line, so that no such line is inside one.
   for (std::size_t i = text.characters.find('\n', start); i != std::string_view::npos;
        i = text.characters.find('\n', i + 1))
     if (is_entity_start(text.begin() + i + 1, text.end())) return text.begin() + i + 1;
   return text.end();
 }
 
-// The scene so far.
+// The joined pieces.
 struct Assembly {
   Scene scene{};
   std::vector<nff::WrittenLight> lights;
   std::optional<nff::View> view;
   nff::MaterialTable materials;
-  Material material = default_material; // in force at the end of what has been joined
+  Material material = default_material; // current at the end of the joined pieces
   std::uint64_t objects = 0;
   bool holds_entities = false;
 };
 
-// Appends `piece`, which ends after `share` of the text: what the whole will need is reserved by that, within
-// four times what is needed now.
+// Appends `piece`, which ends after a fraction `share` of the text. Reserves what the whole text is expected
+// to need, at most four times the current size.
 template <class Record>
 void append(std::vector<Record>& all, std::vector<Record>&& piece, double share) {
   const std::size_t needed = all.size() + piece.size();
@@ -79,14 +80,14 @@ void append(std::vector<Record>& all, std::vector<Record>&& piece, double share)
 
 std::vector<std::uint32_t> join_materials(Assembly& assembly, const Piece& piece) {
   std::vector<std::uint32_t> numbers(piece.materials.materials.size() + 1, 0);
-  if (piece.uses_inherited) numbers[Piece::inherited] = assembly.materials.place_of(assembly.material);
+  if (piece.uses_inherited) numbers[Piece::inherited] = assembly.materials.index_of(assembly.material);
   for (std::size_t i = 1; i < numbers.size(); ++i)
-    numbers[i] = assembly.materials.place_of(piece.materials.materials[i - 1]);
+    numbers[i] = assembly.materials.index_of(piece.materials.materials[i - 1]);
   if (piece.last_material) assembly.material = *piece.last_material;
   return numbers;
 }
 
-// Numbers the piece's objects, materials and normals as the scene does.
+// Replaces the piece's indices of objects, materials and normals by the scene's.
 void renumber(Piece& piece, const std::vector<std::uint32_t>& materials, std::uint32_t first_object,
               std::uint64_t first_normals) {
   for (Triangle<double>& triangle : piece.triangles) {
@@ -114,7 +115,7 @@ void add(SceneWarnings& all, const SceneWarnings& more) {
   all.self_crossing_polygons += more.self_crossing_polygons;
 }
 
-// Counts the piece in; throws where numbers would no longer fit.
+// Adds the piece's counts. Throws when indices would overflow.
 void join_counts(Assembly& assembly, const Piece& piece, const std::string& name) {
   Scene& scene = assembly.scene;
   add(scene.objects, piece.objects);
@@ -123,11 +124,12 @@ void join_counts(Assembly& assembly, const Piece& piece, const std::string& name
       scene.objects.polygons + scene.objects.patches + scene.objects.spheres + scene.objects.cones;
   const std::uint64_t primitives = scene.triangles.size() + scene.spheres.size() + scene.cones.size() +
                                    piece.triangles.size() + piece.spheres.size() + piece.cones.size();
-  if (assembly.objects > most_objects)
-    throw Error(ErrorCode::input, name, fmt::format("holds over {} objects: split the scene", most_objects));
-  if (primitives > most_primitives)
+  if (assembly.objects > max_objects)
     throw Error(ErrorCode::input, name,
-                fmt::format("holds over {} primitives: split the scene", most_primitives));
+                fmt::format("has more than {} objects: split the scene", max_objects));
+  if (primitives > max_primitives)
+    throw Error(ErrorCode::input, name,
+                fmt::format("has more than {} primitives: split the scene", max_primitives));
 }
 
 void join(Assembly& assembly, Piece&& piece, double share, const std::string& name) {
@@ -148,7 +150,7 @@ void join(Assembly& assembly, Piece&& piece, double share, const std::string& na
   assembly.holds_entities = assembly.holds_entities || piece.holds_entities;
 }
 
-// A piece on its way through the pipeline.
+// A piece in the pipeline.
 struct Job {
   const char* from = nullptr;
   const char* to = nullptr;
@@ -156,8 +158,8 @@ struct Job {
   std::exception_ptr error{};
 };
 
-// Calls body() and returns what it throws. A pipeline that is left by an exception can lose its tokens, and
-// which of several exceptions it passes on is chance.
+// Calls body() and returns what it throws. oneTBB's pipeline may leak tokens when a filter throws, and
+// rethrows any one of several exceptions.
 template <class Body>
 std::exception_ptr caught(const Body& body) {
   try {
@@ -172,7 +174,7 @@ void parse_all(const Text& text, const char* from, const NffOptions& options, As
   const std::size_t piece_bytes = std::max<std::size_t>(options.piece_bytes, 1);
   const int cores = tbb::this_task_arena::max_concurrency();
   tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
-  // As many as are on their way: pieces leave in order, so the next one's place is free again.
+  // One for each token of the pipeline: pieces leave it in order, so that the oldest job is free.
   std::vector<Job> jobs(2 * static_cast<std::size_t>(arena.max_concurrency()));
   std::size_t started = 0;
   std::exception_ptr error; // the first in the text
@@ -210,7 +212,7 @@ void parse_all(const Text& text, const char* from, const NffOptions& options, As
   if (error) std::rethrow_exception(error);
 }
 
-// Lights and the ambient light of n lights: √n/(2n), the SPD's rule.
+// Lights, and the ambient light for n lights, √n/(2n) by the SPD's rule.
 void finish_lights(Assembly& assembly) {
   Scene& scene = assembly.scene;
   if (assembly.lights.empty()) {
@@ -239,7 +241,7 @@ Scene parse_nff(std::string_view characters, const std::string& name, const NffO
     parse_all(text, start, options, assembly);
   if (!assembly.holds_entities)
     throw Error(ErrorCode::input, name,
-                "holds no NFF entity: give a text with at least one of v b l f c s p pp");
+                "has no NFF entity: give a text with at least one of v b l f c s p pp");
   assembly.scene.materials = std::move(assembly.materials.materials);
   assembly.scene.has_camera = assembly.view.has_value();
   assembly.scene.camera = nff::complete_view(assembly.view.value_or(nff::View{}), assembly.scene, text);

@@ -1,4 +1,4 @@
-// The parser of Eric Haines' Neutral File Format: v b l f c s p pp #, any white space and line breaks.
+// The parser of Eric Haines' Neutral File Format: v b l f c s p pp #, with any white space and line breaks.
 #pragma once
 
 #include "libscene/scene.h"
@@ -11,22 +11,22 @@ namespace masu {
 
 struct NffOptions {
   int threads = 0; // 0: every core
-  // Text is cut into pieces of about this many bytes, where an entity starts a line. The scene doesn't depend
-  // on it.
+  // The text is parsed in parallel in pieces of about this many bytes; each starts with an entity at the
+  // start of a line. The scene doesn't depend on it.
   std::size_t piece_bytes = std::size_t{1} << 20;
 };
 
-// Parses `text`; `name` is what errors call it. Throws Error(input, "name:line:column", …) for an unknown
-// entity, a missing or malformed number, NaN or infinity, a coordinate past 1e100 (past 1e12 needs float64),
-// fewer than three vertices or more than the text can hold, a negative Kd, Ks, shine or T, cone radii of
-// opposite signs, a normal without length, and a view without direction; Error(input, "name", …) for a text
-// without any entity, and for more than 2^31-1 objects or 2^32-2 primitives. Numbers are doubles; no
-// coordinate is rounded to float here.
+// Parses `text`; `name` is its name in errors. Throws Error(input, "name:line:column", …) for an unknown
+// entity, a missing or malformed number, NaN or infinity, a coordinate beyond 1e100 (beyond 1e12 it needs
+// float64), a polygon of fewer than three vertices or more than the rest of the text can contain, a negative
+// Kd, Ks, shine or T, cone radii of opposite signs, a normal of length 0, and a view without direction;
+// Error(input, "name", …) for a text without any entity, and for more than 2^31-1 objects or 2^32-2
+// primitives. Numbers are doubles; no coordinate is rounded to float.
 //
-// A `v` may hold from, at, up, angle, hither, resolution in any order, or lack some. The last `v` and the
-// last `b` count. What is missing gets defaults: b black; f white diffuse; l one light at the eye; v a view
-// of everything along
-// (-1, 2, -1.2), up +z, 45°, hither 0.01, 512×512. Only materials that a primitive uses are kept, each once.
+// A `v` may give from, at, up, angle, hither, resolution in any order, or only some of them. The last `v` and
+// the last `b` apply. Defaults: b black; f white and diffuse; l one light at the camera; v a view of the
+// whole scene along (-1, 2, -1.2), up +z, 45°, hither 0.01, 512×512. Materials that no primitive uses are
+// dropped, equal ones merged.
 Scene parse_nff(std::string_view text, const std::string& name, const NffOptions& options = {});
 
 // Maps the file and parses it.

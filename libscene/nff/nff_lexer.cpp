@@ -13,15 +13,16 @@ namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-// The worth of the last digit written, of a token that is a valid number.
+// One unit of the last digit written, for a token that is a valid number.
 double last_digit_unit(std::string_view token) {
-  const std::size_t exponent_at = std::min(token.find_first_of("eE"), token.size());
-  const std::size_t point = std::min(token.find('.'), exponent_at);
-  const auto decimals = static_cast<std::ptrdiff_t>(point == exponent_at ? 0 : exponent_at - point - 1);
+  const std::size_t exponent_start = std::min(token.find_first_of("eE"), token.size());
+  const std::size_t point = std::min(token.find('.'), exponent_start);
+  const auto decimals = static_cast<std::ptrdiff_t>(point == exponent_start ? 0 : exponent_start - point - 1);
   int exponent = 0;
-  if (exponent_at < token.size()) {
-    const bool has_plus = token[exponent_at + 1] == '+';
-    std::from_chars(token.data() + exponent_at + (has_plus ? 2 : 1), token.data() + token.size(), exponent);
+  if (exponent_start < token.size()) {
+    const bool has_plus = token[exponent_start + 1] == '+';
+    std::from_chars(token.data() + exponent_start + (has_plus ? 2 : 1), token.data() + token.size(),
+                    exponent);
   }
   return std::pow(10.0, static_cast<double>(exponent - decimals));
 }
@@ -51,16 +52,16 @@ void fail(const Text& text, const char* at, const std::string& message) {
 }
 
 std::string quoted(const Text& text, const char* at) {
-  constexpr std::size_t longest = 24;
+  constexpr std::size_t max_size = 24;
   std::string result = "'";
   const char* p = at;
-  for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= longest; ++p)
+  for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= max_size; ++p)
     result += *p > ' ' && *p < 127 ? *p : '?';
   if (p != text.end() && kind_of(*p) == Character::other) result += "...";
   return result + "'";
 }
 
-// What plain_number leaves: exponents, a leading plus, many digits; and what is no number.
+// The slow path of plain_number: exponents, a leading plus, many digits; and errors.
 double Lexer::other_number(double& unit, const char* syntax) {
   const char* const start = at_;
   const std::string_view token = word();
@@ -105,13 +106,12 @@ float Lexer::factor(const char* syntax) {
   return static_cast<float>(value) + 0.0F; // never -0
 }
 
-std::uint64_t Lexer::whole(std::uint64_t least, std::uint64_t most, const char* syntax) {
+std::uint64_t Lexer::whole(std::uint64_t min, std::uint64_t max, const char* syntax) {
   const char* const start = next();
   const double value = number(syntax);
-  if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) ||
-      value != std::floor(value))
+  if (!(value >= static_cast<double>(min) && value <= static_cast<double>(max)) || value != std::floor(value))
     fail(*text_, start,
-         fmt::format("{} is no whole number from {} to {}: write `{}`", quoted(*text_, start), least, most,
+         fmt::format("{} is no whole number from {} to {}: write `{}`", quoted(*text_, start), min, max,
                      syntax));
   return static_cast<std::uint64_t>(value);
 }

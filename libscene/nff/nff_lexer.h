@@ -1,4 +1,4 @@
-// Tokens of NFF text: words and numbers between white space and comments, and the place of what is wrong.
+// The lexer of NFF text: words and numbers separated by white space and comments; positions for errors.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace masu::nff {
 
-// A text as a whole, and what errors call it.
+// A whole text and its name in errors.
 struct Text {
   std::string_view characters;
   const std::string& name;
@@ -17,11 +17,11 @@ struct Text {
   const char* end() const { return characters.data() + characters.size(); }
 };
 
-// Throws Error(input, "name:line:column", message) for what stands at `at`. Lines end with LF, CR or both;
+// Throws Error(input, "name:line:column", message) for the position `at`. Lines end with LF, CR or both;
 // columns count bytes from 1.
 [[noreturn]] void fail(const Text& text, const char* at, const std::string& message);
 
-// The token at `at` as a message can quote it: cut short, control characters as '?'.
+// The token at `at`, quoted for a message: truncated, with '?' for control characters.
 std::string quoted(const Text& text, const char* at);
 
 enum class Character : std::uint8_t { other, blank, comment };
@@ -39,7 +39,7 @@ inline Character kind_of(char c) {
 inline bool is_digit(char c) {
   return static_cast<unsigned char>(c - '0') < 10;
 }
-// Whether a number may start so.
+// Whether a number may start with c.
 inline bool is_number_start(char c) {
   return is_digit(c) || c == '-' || c == '+' || c == '.';
 }
@@ -48,11 +48,11 @@ inline constexpr std::array<double, 23> powers_of_ten = {1e0,  1e1,  1e2,  1e3, 
                                                          1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-// What the float32 store holds, so that products of coordinates stay in range: magnitudes up to this.
+// The largest magnitude in the float32 store, so that products of coordinates don't overflow.
 inline constexpr double largest_float32_coordinate = 1e12;
 
-// Whether a value written down to `unit` (its last digit's worth) survives float32: a normal number up to
-// 1e12 or zero, and off by at most half that unit.
+// Whether float32 represents a value written to `unit` (one unit of its last digit): zero, or a normal number
+// up to 1e12 with an error of at most half that unit.
 inline bool survives_float32(double value, double unit) {
   const double magnitude = value < 0 ? -value : value;
   if (value == 0) return true;
@@ -61,8 +61,7 @@ inline bool survives_float32(double value, double unit) {
   return (off < 0 ? -off : off) <= 0.5 * unit;
 }
 
-// Reads one token after the other. `syntax`, where a function takes it, is what the entity should look like:
-// errors repeat it.
+// Reads token by token. `syntax` is the form of the current entity, for error messages.
 class Lexer {
 public:
   // `text` must outlive the lexer.
@@ -86,15 +85,16 @@ public:
   }
 
   double number(const char* syntax);
-  // A number of geometry: at most 1e100, and digits_survive_float32 hears of it.
+  // A coordinate or radius: magnitude at most 1e100; updates digits_survive_float32.
   double coordinate(const char* syntax);
-  // At most 1e100.
+  // A number of magnitude at most 1e100.
   double bounded(const char* syntax);
-  // A number that a float32 can hold.
+  // A number in the range of float32.
   float factor(const char* syntax);
-  // A whole number from `least` to `most`.
-  std::uint64_t whole(std::uint64_t least, std::uint64_t most, const char* syntax);
+  // A whole number from `min` to `max`.
+  std::uint64_t whole(std::uint64_t min, std::uint64_t max, const char* syntax);
 
+  // Whether float32 represents all coordinates so far to the digits written.
   bool digits_survive_float32() const { return digits_survive_; }
 
 private:
@@ -117,9 +117,9 @@ inline void Lexer::skip_blank() {
     ++at_;
 }
 
-// Up to 19 digits without exponent whose value is exact short of one division, which rounds correctly: nearly
-// every number there is. False leaves the lexer where it was. is_short: at most six significant digits, which
-// always survive float32.
+// The fast path for nearly all numbers: up to 19 digits without exponent, whose value is an exact integer
+// divided once, and so correctly rounded. False leaves the lexer's position unchanged. is_short: at most six
+// significant digits, which float32 always represents.
 inline bool Lexer::plain_number(double& value, double& unit, bool& is_short) {
   const char* p = at_;
   const bool is_negative = p != end_ && *p == '-';

@@ -19,16 +19,16 @@ constexpr const char* syntax_cone = "c base.x y z radius apex.x y z radius";
 constexpr const char* syntax_polygon = "p count, then x y z a vertex";
 constexpr const char* syntax_patch = "pp count, then x y z nx ny nz a vertex";
 
-// What parsing a piece needs besides the piece: the lexer, the fill in force, and memory that is used again.
+// The state of parsing a piece. Vectors are members to reuse their memory.
 struct Reader {
   Lexer lexer;
   Piece piece;
-  std::optional<std::uint32_t> material; // in the piece's numbering, once an object has used it
+  std::optional<std::uint32_t> material; // the current fill's index in the piece, once an object has used it
   std::vector<Vec3d> vertices, normals;
   Triangulation triangulation;
 };
 
-// Braces evaluate from left to right.
+// Braced initialisers are evaluated from left to right.
 Vec3d read_coordinates(Lexer& lexer, const char* syntax) {
   return Vec3d{lexer.coordinate(syntax), lexer.coordinate(syntax), lexer.coordinate(syntax)};
 }
@@ -65,9 +65,9 @@ double read_angle(Lexer& lexer) {
 }
 
 Vec3i read_resolution(Lexer& lexer) {
-  constexpr std::uint64_t most = 65536;
-  return Vec3i{static_cast<std::int32_t>(lexer.whole(1, most, syntax_view)),
-               static_cast<std::int32_t>(lexer.whole(1, most, syntax_view)), 0};
+  constexpr std::uint64_t max = 65536;
+  return Vec3i{static_cast<std::int32_t>(lexer.whole(1, max, syntax_view)),
+               static_cast<std::int32_t>(lexer.whole(1, max, syntax_view)), 0};
 }
 
 void read_view(Reader& reader, const char* at) {
@@ -116,18 +116,18 @@ void read_fill(Reader& reader) {
   fill.shine = read_unsigned_factor(lexer, syntax_fill);
   fill.transmittance = read_unsigned_factor(lexer, syntax_fill);
   fill.refraction_index = lexer.factor(syntax_fill);
-  // Opaque fills often say 0.
+  // Files often give 0 for opaque fills.
   if (transmits(fill) && fill.refraction_index <= 0) fill.refraction_index = 1;
   reader.piece.last_material = fill;
   reader.material.reset();
 }
 
-// The number of the fill in force, entered now that something shows it.
+// The index of the current fill, which is added to the table when first used.
 std::uint32_t material_in_use(Reader& reader) {
   Piece& piece = reader.piece;
   if (!reader.material) {
     if (piece.last_material)
-      reader.material = piece.materials.place_of(*piece.last_material) + 1;
+      reader.material = piece.materials.index_of(*piece.last_material) + 1;
     else
       reader.material = Piece::inherited;
   }
@@ -135,20 +135,19 @@ std::uint32_t material_in_use(Reader& reader) {
   return *reader.material;
 }
 
-// The place of the next object among the piece's.
-std::uint32_t object_number(const ObjectCounts& objects) {
+std::uint32_t next_object_index(const ObjectCounts& objects) {
   return static_cast<std::uint32_t>(objects.polygons + objects.patches + objects.spheres + objects.cones);
 }
 
-// The float32 store's limit holds for bounds too.
-void mind_reach(Piece& piece, const Vec3d& center, double radius) {
+// The limit of the float32 store applies to bounds, too.
+void check_float32_range(Piece& piece, const Vec3d& center, double radius) {
   if (largest_magnitude(center) + std::abs(radius) > largest_float32_coordinate)
     piece.float32_suffices = false;
 }
 
 void read_sphere(Reader& reader) {
   Piece& piece = reader.piece;
-  const std::uint32_t object = object_number(piece.objects);
+  const std::uint32_t object = next_object_index(piece.objects);
   const Vec3d center = read_coordinates(reader.lexer, syntax_sphere);
   const double radius = reader.lexer.coordinate(syntax_sphere);
   ++piece.objects.spheres;
@@ -156,7 +155,7 @@ void read_sphere(Reader& reader) {
     ++piece.warnings.degenerate_spheres;
     return;
   }
-  mind_reach(piece, center, radius);
+  check_float32_range(piece, center, radius);
   piece.spheres.push_back({center, radius});
   piece.sphere_surfaces.push_back({object, material_in_use(reader)});
 }
@@ -164,7 +163,7 @@ void read_sphere(Reader& reader) {
 void read_cone(Reader& reader) {
   Piece& piece = reader.piece;
   Lexer& lexer = reader.lexer;
-  const std::uint32_t object = object_number(piece.objects);
+  const std::uint32_t object = next_object_index(piece.objects);
   Cone<double> cone{};
   cone.base = read_coordinates(lexer, syntax_cone);
   cone.base_radius = lexer.coordinate(syntax_cone);
@@ -178,26 +177,27 @@ void read_cone(Reader& reader) {
     ++piece.warnings.degenerate_cones;
     return;
   }
-  mind_reach(piece, cone.base, cone.base_radius);
-  mind_reach(piece, cone.apex, cone.apex_radius);
+  check_float32_range(piece, cone.base, cone.base_radius);
+  check_float32_range(piece, cone.apex, cone.apex_radius);
   piece.cones.push_back(cone);
   piece.cone_surfaces.push_back({object, material_in_use(reader)});
 }
 
-// A normal's length doesn't count: it is kept as written unless its square could leave float32's range.
+// Normals needn't have unit length: they are kept as written unless their square may be out of float32's
+// range.
 Vec3d read_normal(Lexer& lexer) {
   const char* const at = lexer.next();
   const Vec3d normal = read_bounded(lexer, syntax_patch);
   const double size = largest_magnitude(normal);
   if (size == 0) fail(lexer.text(), at, "the patch's normal has no length: give it a direction");
   if (size > 1e-12 && size < 1e12) return normal;
-  return {normal.x / size, normal.y / size, normal.z / size}; // 1 / size would overflow for the smallest
+  return {normal.x / size, normal.y / size, normal.z / size}; // 1 / size may overflow
 }
 
 std::uint64_t read_vertex_count(Lexer& lexer, std::uint64_t numbers_each, const char* syntax) {
   const char* const at = lexer.next();
   const std::uint64_t count = lexer.whole(3, 0xffffffffU, syntax);
-  // Each number takes a blank and a digit at least.
+  // A number takes two characters or more: a blank and a digit.
   const auto left = static_cast<std::uint64_t>(lexer.text().end() - at);
   if (count > left / (2 * numbers_each))
     fail(lexer.text(), at,
@@ -220,12 +220,12 @@ void add_triangles(Reader& reader, std::uint32_t object, bool is_patch) {
   }
 }
 
-// Both `p` and `pp`.
+// `p` and `pp`.
 void read_polygon(Reader& reader, bool is_patch) {
   Piece& piece = reader.piece;
   Lexer& lexer = reader.lexer;
   const char* const syntax = is_patch ? syntax_patch : syntax_polygon;
-  const std::uint32_t object = object_number(piece.objects);
+  const std::uint32_t object = next_object_index(piece.objects);
   const std::uint64_t count = read_vertex_count(lexer, is_patch ? 6 : 3, syntax);
   reader.vertices.clear();
   reader.normals.clear();
@@ -279,8 +279,8 @@ bool MaterialEqual::operator()(const Material& a, const Material& b) const {
          a.transmittance == b.transmittance && a.refraction_index == b.refraction_index;
 }
 
-std::uint32_t MaterialTable::place_of(const Material& material) {
-  const auto [found, is_new] = places.try_emplace(material, static_cast<std::uint32_t>(materials.size()));
+std::uint32_t MaterialTable::index_of(const Material& material) {
+  const auto [found, is_new] = indices.try_emplace(material, static_cast<std::uint32_t>(materials.size()));
   if (is_new) materials.push_back(material);
   return found->second;
 }

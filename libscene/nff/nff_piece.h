@@ -1,4 +1,4 @@
-// A piece of NFF text, parsed by itself: what nff.cpp joins to a scene.
+// Parses a piece of NFF text by itself. nff.cpp joins the pieces to a scene.
 #pragma once
 
 #include "libscene/nff/nff_lexer.h"
@@ -18,15 +18,15 @@ struct MaterialEqual {
   bool operator()(const Material& a, const Material& b) const;
 };
 
-// Materials in the order of their first use, each once.
+// Distinct materials in the order of their first use.
 struct MaterialTable {
   std::vector<Material> materials;
-  std::unordered_map<Material, std::uint32_t, MaterialHash, MaterialEqual> places;
+  std::unordered_map<Material, std::uint32_t, MaterialHash, MaterialEqual> indices;
 
-  std::uint32_t place_of(const Material& material);
+  std::uint32_t index_of(const Material& material);
 };
 
-// A `v` as written; where it stands is for errors that show only once the scene is whole.
+// A `v` as written. `at`: its position, for errors found once the scene is complete.
 struct View {
   const char* at = nullptr;
   std::optional<Vec3d> from, look_at, up;
@@ -39,8 +39,8 @@ struct WrittenLight {
   std::optional<Vec3d> color;
 };
 
-// Objects and normals are numbered from the piece's own start. Material `inherited` is the one in force
-// before the piece, n > 0 is materials.materials[n - 1].
+// Indices of objects and normals are relative to the piece. Material `inherited` is the current one at the
+// piece's start, n > 0 is materials.materials[n - 1].
 struct Piece {
   static constexpr std::uint32_t inherited = 0;
 
@@ -52,7 +52,7 @@ struct Piece {
   std::vector<Surface> cone_surfaces;
   MaterialTable materials;
   bool uses_inherited = false;
-  std::optional<Material> last_material; // in force at the piece's end, if the piece says
+  std::optional<Material> last_material; // current at the piece's end, if the piece sets one
 
   std::vector<WrittenLight> lights;
   std::optional<View> view; // the last one
@@ -64,8 +64,8 @@ struct Piece {
   bool float32_suffices = true;
 };
 
-// Parses the entities that start in [from, to). Reads on to the text's end where an entity goes on, so that
-// errors don't depend on where the text was cut. Throws Error(input).
+// Parses the entities that start in [from, to). The last one may continue beyond `to`, so that errors don't
+// depend on where the text was cut. Throws Error(input).
 Piece parse_piece(const Text& text, const char* from, const char* to);
 
 } // namespace masu::nff

@@ -1,12 +1,12 @@
-// The camera of an NFF view that leaves something out, or isn't there.
+// The camera of an NFF view that is incomplete or missing.
 #pragma once
 
 #include "libscene/nff/nff_piece.h"
 
 namespace masu::nff {
 
-// Fills in what `view` lacks so that everything in `scene` is seen. Throws Error(input) when its up runs
-// along the line of sight.
+// Replaces missing parts of `view` by defaults that show the whole scene. Throws Error(input) when its up is
+// parallel to the view direction.
 Camera complete_view(const View& view, const Scene& scene, const Text& text);
 
 } // namespace masu::nff

@@ -1,4 +1,4 @@
-// Sphereflake: every sphere carries nine of a third of its radius, tangent to it, and so on down.
+// Sphereflake: every sphere has nine children of a third of its radius, tangent to it, recursively.
 #include "libscene/spd/scenes.h"
 
 #include <array>
@@ -9,8 +9,8 @@ namespace {
 
 using Directions = std::array<Vec3d, 9>;
 
-// Where the children of a sphere facing +z sit: a trio of neighbours, tilted so that it lies between the
-// equator and the pole, and its copies a third of a turn on either side.
+// Directions to the children of a sphere facing +z: three neighbours, tilted to lie between equator and pole,
+// and two copies, rotated by a third of a turn either way.
 Directions child_directions() {
   const double half = std::sqrt(0.5);
   const std::array<Vec3d, 3> trio = {{{half, half, 0}, {half, 0, -half}, {0, half, -half}}};
@@ -20,12 +20,12 @@ Directions child_directions() {
   std::size_t i = 0;
   for (const double turn : {0, 120, 240})
     for (const Vec3d& v : trio)
-      directions[i++] = turned(turned(v, hinge, tilt), z_axis, radians(turn));
+      directions[i++] = rotated(rotated(v, hinge, tilt), z_axis, radians(turn));
   return directions;
 }
 
-// The shortest rotation that takes +z to a unit direction. Near the poles, where its axis is ill-defined, the
-// scene is defined by the identity and by half a turn about y.
+// The shortest rotation from +z to a unit direction. Near the poles, where its axis is ill-defined, the
+// scene's definition uses the identity and half a turn about y.
 Frame frame_facing(const Vec3d& d) {
   if (d.z >= 0.9999) return {x_axis, y_axis, z_axis};
   if (d.z <= -0.9999) return {-x_axis, y_axis, -z_axis};
@@ -34,7 +34,7 @@ Frame frame_facing(const Vec3d& d) {
 }
 
 struct Ball {
-  Vec3d center, direction; // the unit direction leads away from the parent
+  Vec3d center, direction; // direction: unit vector away from the parent
   double radius;
 };
 

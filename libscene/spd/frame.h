@@ -1,4 +1,4 @@
-// Turning and framing vectors, as far as the scenes need it.
+// Rotations and coordinate frames for the scenes.
 #pragma once
 
 #include "libscene/geometry/vector.h"
@@ -13,9 +13,9 @@ constexpr double radians(double degrees) {
   return degrees * (std::numbers::pi / 180);
 }
 
-// v turned about a unit axis by an angle in radians, counter-clockwise seen from the axis' tip (Rodrigues'
+// v rotated about a unit axis by an angle in radians, counter-clockwise seen from the axis' tip (Rodrigues'
 // formula).
-inline Vec3d turned(const Vec3d& v, const Vec3d& axis, double angle) {
+inline Vec3d rotated(const Vec3d& v, const Vec3d& axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return v * c + cross(axis, v) * s + axis * (dot(axis, v) * (1 - c));
 }
@@ -25,7 +25,7 @@ struct Frame {
   Vec3d x, y, z;
 };
 
-// v, given along the frame's axes, in the coordinates that the axes are given in.
+// v, given in the frame's coordinates, in the coordinates of its axes.
 inline Vec3d from_frame(const Frame& frame, const Vec3d& v) {
   return frame.x * v.x + frame.y * v.y + frame.z * v.z;
 }

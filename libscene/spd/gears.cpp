@@ -1,4 +1,4 @@
-// Layers of meshing gears over a mirror; their faces are concave polygons of 144 corners.
+// Layers of meshing gears over a mirror; the faces of gears are concave polygons of 144 corners.
 #include "libscene/spd/scenes.h"
 
 #include <algorithm>
@@ -14,14 +14,14 @@ constexpr double tooth_depth = 0.1; // of the gear's radius
 
 using Outline = std::array<Vec3d, 4 * teeth>;
 
-// Place in the block of size^3 gears: column along x, row along y, layer from the top downwards.
-struct Place {
+// Index in the block of size^3 gears: column along x, row along y, layer from the top downwards.
+struct GearIndex {
   int column, row, layer;
 };
 
-// Two corners on a tooth's tip, two in the gap after it; `turn` in radians.
+// Two corners on a tooth's tip, two in the gap after it; rotated by `turn`, in radians.
 Outline gear_outline(double radius, double turn) {
-  // The tips stop short of the bottom of their neighbours' gaps.
+  // Tips don't quite reach the bottom of the neighbours' gaps.
   const double tip = 0.995 * radius, gap = (1 - tooth_depth) * radius;
   Outline outline{};
   std::size_t i = 0;
@@ -38,16 +38,16 @@ Outline gear_outline(double radius, double turn) {
   return outline;
 }
 
-// Each channel runs through seven levels with its own stride; the strongest is brought to full intensity.
-Vec3d gear_color(const Place& p) {
+// Each channel cycles through seven levels with its own stride; the color is scaled to a maximum of 1.
+Vec3d gear_color(const GearIndex& p) {
   const int r = (5 + p.column + 3 * p.row + 5 * p.layer) % 7;
   const int g = (3 + 3 * p.column + 2 * p.row + 6 * p.layer) % 7;
   const int b = (2 + 4 * p.column + 2 * p.row + 6 * p.layer) % 7;
-  constexpr double least = 0.07; // keeps a channel off zero
-  return Vec3d{r + least, g + least, b + least} * (1 / (std::max({r, g, b}) + least));
+  constexpr double offset = 0.07; // no channel is zero
+  return Vec3d{r + offset, g + offset, b + offset} * (1 / (std::max({r, g, b}) + offset));
 }
 
-void put_gear_material(NffWriter& nff, const Place& p) {
+void put_gear_material(NffWriter& nff, const GearIndex& p) {
   const Vec3d color = gear_color(p);
   const bool glass = (4 * p.column + 2 * p.row + p.layer) % 5 == 0;
   if (glass)
@@ -56,7 +56,7 @@ void put_gear_material(NffWriter& nff, const Place& p) {
     put_material(nff, {color.x, color.y, color.z, 1, 0, 100000, 0, 0});
 }
 
-// All polygons are counter-clockwise seen from outside. `center` is that of the top face.
+// All polygons are counter-clockwise seen from outside. `center`: of the top face.
 void put_gear(NffWriter& nff, const Outline& outline, const Vec3d& center, double thickness) {
   constexpr std::size_t n = std::tuple_size_v<Outline>;
   Outline top{}, bottom{}, seen_from_below{};
@@ -86,7 +86,7 @@ void write_gears(NffWriter& nff, int size, bool background) {
     put_polygon(nff, {{2, 2, 0}, {-2, 2, 0}, {-2, -2, 0}, {2, -2, 0}});
   }
 
-  // Neighbours are a tooth's depth closer than two radii, so that they mesh; a row just fills [-1, 1].
+  // Neighbours are closer than two radii by a tooth's depth, so that they mesh; a row spans [-1, 1].
   const double radius = 1 / (size - (size - 1) * tooth_depth / 2);
   const double step = (2 - tooth_depth) * radius;
   const double thickness = std::min(0.1, 0.5 / size);
@@ -94,10 +94,10 @@ void write_gears(NffWriter& nff, int size, bool background) {
   for (int layer = 0; layer < size; ++layer)
     for (int row = 0; row < size; ++row)
       for (int column = 0; column < size; ++column) {
-        const Place place = {column, row, layer};
+        const GearIndex index = {column, row, layer};
         const Vec3d center = {radius - 1 + step * column, radius - 1 + step * row,
                               1 - static_cast<double>(layer) / size};
-        put_gear_material(nff, place);
+        put_gear_material(nff, index);
         put_gear(nff, outlines[static_cast<std::size_t>((column + row + layer) % 2)], center, thickness);
       }
 }

@@ -1,5 +1,5 @@
-// A fractal mountain by midpoint displacement, under four spheres of glass.
-// Random numbers depend on the place alone. So neighbouring squares agree on the edge they share without
+// A fractal mountain by midpoint displacement, under four glass spheres.
+// Random numbers depend only on the lattice point: so neighbouring squares agree on their shared edge without
 // being stored, and a larger size refines the same mountain.
 #include "libscene/spd/scenes.h"
 
@@ -11,26 +11,25 @@ namespace masu::spd {
 namespace {
 
 constexpr double fractal_dimension = 2.2;
-constexpr double root_2 = 1.4142136; // the scene's own digits of it
+constexpr double root_2 = 1.4142136; // with the digits of the scene's definition
 
-// How far a square's midpoints are displaced, as a part of half its side.
+// The displacement of a square's midpoints, relative to half its side.
 double roughness() {
   const double ratio = 2 / std::exp2(1 / (fractal_dimension - 1));
   return std::sqrt(ratio * ratio - 1);
 }
 
-// The scene defines its random numbers on a lattice of 2^7 steps a side; the finest that can be asked for has
-// 2^14.
+// The scene's definition has random numbers for a lattice of 2^7 steps a side; the finest one here has 2^14.
 constexpr int original_bits = 7, finest_bits = 14;
 constexpr std::uint32_t finest_steps = 1U << finest_bits;
 
-// A place on the finest lattice.
-struct Place {
+// A point of the finest lattice.
+struct LatticePoint {
   std::uint32_t x, y;
 };
 
-// SplitMix64's finalizer (G. Steele, D. Lea, C. Flood, OOPSLA 2014): every bit of k reaches every bit
-// returned.
+// SplitMix64's finalizer (G. Steele, D. Lea, C. Flood, OOPSLA 2014): every bit of the result depends on every
+// bit of k.
 std::uint64_t mixed(std::uint64_t k) {
   k = (k ^ (k >> 30)) * 0xbf58476d1ce4e5b9;
   k = (k ^ (k >> 27)) * 0x94d049bb133111eb;
@@ -39,16 +38,16 @@ std::uint64_t mixed(std::uint64_t k) {
 
 constexpr std::uint32_t modulus = 134456; // of the generator below
 
-// Size 7 uses up the scene's own lattice; between its places the seeds are hashed.
-std::uint32_t seed_at(Place p) {
+// The definition's seeds, which suffice up to size 7; hashes between its lattice points.
+std::uint32_t seed_at(LatticePoint p) {
   constexpr std::uint32_t spacing = 1U << (finest_bits - original_bits);
   if (p.x % spacing == 0 && p.y % spacing == 0) return 21 + 256 * (p.y / spacing) + p.x / spacing;
   return static_cast<std::uint32_t>(mixed((std::uint64_t{p.y} << 32) + p.x) % modulus);
 }
 
-// A normally distributed number: the first of the pair that the polar method makes of a linear congruence,
-// which has full period.
-double gaussian_at(Place p) {
+// A normally distributed number: the first of a pair of the polar method, from a linear congruential
+// generator of full period.
+double gaussian_at(LatticePoint p) {
   std::uint32_t state = seed_at(p);
   const auto draw = [&state] {
     state = (28411 + 8121 * state) % modulus; // no overflow: below 2^31 before the remainder
@@ -62,21 +61,21 @@ double gaussian_at(Place p) {
 
 // Corners run counter-clockwise from the lower left, as do the quarters.
 struct Square {
-  Place place;        // of the lower left corner
-  std::uint32_t side; // in steps of the finest lattice
-  double reach;       // how far its midpoints are displaced
+  LatticePoint corner; // lower left
+  std::uint32_t side;  // in steps of the finest lattice
+  double displacement; // of its midpoints
   std::array<double, 4> heights;
 };
 
-Vec3d on_ground(Place p) {
+Vec3d on_ground(LatticePoint p) {
   constexpr double step = 2.0 / finest_steps;
   return {p.x * step - 1, p.y * step - 1, 0};
 }
 
 // A cell: two triangles.
 void put_cell(NffWriter& nff, const Square& square) {
-  const auto& [place, side, reach, heights] = square;
-  const Vec3d low = on_ground(place), high = on_ground({place.x + side, place.y + side});
+  const auto& [corner, side, displacement, heights] = square;
+  const Vec3d low = on_ground(corner), high = on_ground({corner.x + side, corner.y + side});
   const std::array<Vec3d, 4> corners = {{{low.x, low.y, heights[0]},
                                          {high.x, low.y, heights[1]},
                                          {high.x, high.y, heights[2]},
@@ -86,23 +85,23 @@ void put_cell(NffWriter& nff, const Square& square) {
 }
 
 std::array<Square, 4> quarters(const Square& square) {
-  const auto& [place, side, reach, heights] = square;
+  const auto& [corner, side, displacement, heights] = square;
   const auto [h0, h1, h2, h3] = heights;
   const std::uint32_t half = side / 2;
-  const Place center = {place.x + half, place.y + half};
-  const Place south = {center.x, place.y}, east = {place.x + side, center.y};
-  const Place north = {center.x, place.y + side}, west = {place.x, center.y};
+  const LatticePoint center = {corner.x + half, corner.y + half};
+  const LatticePoint south = {center.x, corner.y}, east = {corner.x + side, center.y};
+  const LatticePoint north = {center.x, corner.y + side}, west = {corner.x, center.y};
 
-  const double s = (h0 + h1) / 2 + reach * gaussian_at(south);
-  const double e = (h1 + h2) / 2 + reach * gaussian_at(east);
-  const double n = (h2 + h3) / 2 + reach * gaussian_at(north);
-  const double w = (h3 + h0) / 2 + reach * gaussian_at(west);
-  const double c = (h0 + h1 + h2 + h3) / 4 + root_2 * reach * gaussian_at(center);
-  const double less = reach / 2;
-  return {{{place, half, less, {h0, s, c, w}},
-           {south, half, less, {s, h1, e, c}},
-           {center, half, less, {c, e, h2, n}},
-           {west, half, less, {w, c, n, h3}}}};
+  const double s = (h0 + h1) / 2 + displacement * gaussian_at(south);
+  const double e = (h1 + h2) / 2 + displacement * gaussian_at(east);
+  const double n = (h2 + h3) / 2 + displacement * gaussian_at(north);
+  const double w = (h3 + h0) / 2 + displacement * gaussian_at(west);
+  const double c = (h0 + h1 + h2 + h3) / 4 + root_2 * displacement * gaussian_at(center);
+  const double next = displacement / 2;
+  return {{{corner, half, next, {h0, s, c, w}},
+           {south, half, next, {s, h1, e, c}},
+           {center, half, next, {c, e, h2, n}},
+           {west, half, next, {w, c, n, h3}}}};
 }
 
 void put_terrain(NffWriter& nff, const Square& square, int depth) {
@@ -117,11 +116,11 @@ void put_spheres(NffWriter& nff) {
   const double radius = 0.17;
   const Vec3d top = z_axis * (radius * std::sqrt(1.5));
   const double half = std::sqrt(0.5);
-  const Vec3d side = turned(top, {half, half, 0}, std::acos(-1.0 / 3));
+  const Vec3d side = rotated(top, {half, half, 0}, std::acos(-1.0 / 3));
   put_material(nff, {1, 1, 1, 0.1, 0.1, 101.148, 0.9, 1.5});
   put_sphere(nff, center + top, radius);
   for (int i = 0; i < 3; ++i)
-    put_sphere(nff, center + turned(side, z_axis, radians(120.0 * i)), radius);
+    put_sphere(nff, center + rotated(side, z_axis, radians(120.0 * i)), radius);
 }
 
 } // namespace

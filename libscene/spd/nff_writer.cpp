@@ -14,15 +14,15 @@ namespace masu::spd {
 
 namespace {
 
-constexpr std::size_t block = 1 << 16; // bytes handed over at once
-constexpr std::size_t longest_line = 256;
+constexpr std::size_t block = 1 << 16; // bytes written at once
+constexpr std::size_t max_line = 256;
 
-// Scenes are about one unit wide: what is smaller than this is rounding noise round an exact zero.
+// Scenes are about one unit wide: smaller magnitudes are rounding errors of an exact zero.
 constexpr double smallest = 1e-12;
 
 [[noreturn]] void fail(const NffWriter& nff) {
   throw Error(ErrorCode::output, nff.place,
-              fmt::format("can't be written ({}): choose another place", std::strerror(errno)));
+              fmt::format("can't be written ({}): choose another file", std::strerror(errno)));
 }
 
 void flush(NffWriter& nff) {
@@ -33,7 +33,7 @@ void flush(NffWriter& nff) {
 
 void append_number(std::string& text, double x) {
   if (std::abs(x) < smallest) x = 0;
-  char digits[32]; // six significant digits in `%g` form never fill it
+  char digits[32]; // more than enough for `%g` of six significant digits
   const auto end = std::to_chars(digits, digits + sizeof digits, x, std::chars_format::general, 6).ptr;
   text.append(digits, end);
 }
@@ -54,13 +54,13 @@ void put_corner(NffWriter& nff, const Vec3d& v) {
 }
 
 void put_corner(NffWriter& nff, const Corner& c) {
-  put_line(nff, "", {c.at.x, c.at.y, c.at.z, c.normal.x, c.normal.y, c.normal.z});
+  put_line(nff, "", {c.position.x, c.position.y, c.position.z, c.normal.x, c.normal.y, c.normal.z});
 }
 
 } // namespace
 
 NffWriter::NffWriter(std::FILE* file, std::string name) : out(file), place(std::move(name)) {
-  text.reserve(block + longest_line);
+  text.reserve(block + max_line);
 }
 
 void put_view(NffWriter& nff, const View& view) {
@@ -76,8 +76,8 @@ void put_view(NffWriter& nff, const View& view) {
   put_line(nff, "resolution", {pixels, pixels});
 }
 
-void put_light(NffWriter& nff, const Vec3d& at) {
-  put_line(nff, "l", {at.x, at.y, at.z});
+void put_light(NffWriter& nff, const Vec3d& position) {
+  put_line(nff, "l", {position.x, position.y, position.z});
 }
 
 void put_material(NffWriter& nff, const Material& m) {

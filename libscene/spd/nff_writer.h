@@ -1,5 +1,4 @@
-// Buffered NFF text. Every line of it is a keyword and numbers; these are written with six significant
-// digits.
+// Buffered output of NFF text. A line is a keyword and numbers, which have six significant digits.
 #pragma once
 
 #include "libscene/spd/frame.h"
@@ -17,16 +16,16 @@ struct NffWriter {
 
   std::FILE* out;
   std::string place; // names `out` in errors
-  std::string text;  // waits to be written; bounded
+  std::string text;  // buffer; bounded
 };
 
-// The eye, and what most scenes share.
+// The view; the defaults are those of most scenes.
 struct View {
   Vec3d from{}, at{}, up{};
-  double hither = 1; // nothing nearer is seen
+  double hither = 1; // near plane
   Vec3d background = {0.078, 0.361, 0.753};
-  double angle = 45;    // that the image spans, in degrees
-  int resolution = 512; // pixels each way
+  double angle = 45;    // field of view in degrees
+  int resolution = 512; // pixels along each side
 };
 
 struct Material {
@@ -35,14 +34,14 @@ struct Material {
   double transmittance, index_of_refraction;
 };
 
-// A corner with the surface's unit normal there.
+// A corner with its unit normal.
 struct Corner {
-  Vec3d at, normal;
+  Vec3d position, normal;
 };
 
-// All of these throw Error(output) when the file takes no more.
+// All of these throw Error(output) when the file can't be written.
 void put_view(NffWriter& nff, const View& view);
-void put_light(NffWriter& nff, const Vec3d& at);
+void put_light(NffWriter& nff, const Vec3d& position);
 void put_material(NffWriter& nff, const Material& material);
 void put_sphere(NffWriter& nff, const Vec3d& center, double radius);
 void put_cone(NffWriter& nff, const Vec3d& base, double base_radius, const Vec3d& apex, double apex_radius);
@@ -50,7 +49,7 @@ void put_polygon(NffWriter& nff, std::span<const Vec3d> corners);
 void put_polygon(NffWriter& nff, std::initializer_list<Vec3d> corners);
 void put_triangle(NffWriter& nff, const Corner& a, const Corner& b, const Corner& c);
 
-// Writes what is still buffered and flushes the file.
+// Writes the rest of the buffer and flushes the file.
 void finish(NffWriter& nff);
 
 } // namespace masu::spd

@@ -1,5 +1,4 @@
-// A B-spline surface: cubic both ways, over a level 5 x 6 net of control points, tessellated into triangles
-// with normals.
+// A bicubic B-spline surface over a 5 x 6 net of control points, tessellated into triangles with normals.
 #include "libscene/spd/scenes.h"
 
 #include <array>
@@ -12,7 +11,7 @@ namespace {
 
 constexpr std::size_t columns = 5, rows = 6;
 
-// The control points' heights. They lie a unit apart on the ground, round the origin.
+// The control points' heights. Their ground positions are one unit apart, centred on the origin.
 constexpr std::array<std::array<double, columns>, rows> heights = {{{0, 3, -3, 3, 0},
                                                                     {0, 0, 0, 0, 0},
                                                                     {0, 0, 5, 0, 0},
@@ -20,17 +19,17 @@ constexpr std::array<std::array<double, columns>, rows> heights = {{{0, 3, -3, 3
                                                                     {0, 0, 0, 0, 0},
                                                                     {0, -3, 3, -3, 0}}};
 
-// The surface is turned about y by this.
+// The surface's rotation about y.
 constexpr double turn = radians(30);
 
-// Knots 0 0 0 0, evenly spaced ones between, 1 1 1 1: i from 0 to count + 3.
+// Knot i from 0 to count + 3: 0 0 0 0, evenly spaced ones, 1 1 1 1.
 double knot(std::size_t i, std::size_t count) {
   if (i < 4) return 0;
   if (i >= count) return 1;
   return static_cast<double>(i - 3) / static_cast<double>(count - 3);
 }
 
-// The basis function of a degree that starts at knot i (Cox and de Boor's recursion; 0/0 counts as 0).
+// The basis function of a degree that starts at knot i (the Cox–de Boor recursion with 0/0 = 0).
 double basis(std::size_t i, int degree, double t, std::size_t count) {
   const double start = knot(i, count), next = knot(i + 1, count);
   if (degree == 0) return start <= t && (t < next || (t == 1 && start < 1 && next == 1)) ? 1 : 0;
@@ -52,12 +51,12 @@ double basis_slope(std::size_t i, double t, std::size_t count) {
   return slope;
 }
 
-// What each control point along one direction weighs at some place, and how fast that changes.
+// The weights of the control points along one direction, and their derivatives.
 struct Weights {
   std::array<double, rows> value, slope; // columns < rows: the last one is unused there
 };
 
-// At `steps` + 1 evenly spaced places.
+// At `steps` + 1 evenly spaced parameters.
 std::vector<Weights> weights_along(std::size_t count, int steps) {
   std::vector<Weights> weights;
   for (int step = 0; step <= steps; ++step) {
@@ -80,22 +79,22 @@ Net control_net() {
     for (std::size_t column = 0; column < columns; ++column) {
       const double x = static_cast<double>(column) - (columns - 1) / 2.0;
       const double z = (rows - 1) / 2.0 - static_cast<double>(row);
-      net[row][column] = turned({x, heights[row][column], z}, y_axis, turn);
+      net[row][column] = rotated({x, heights[row][column], z}, y_axis, turn);
     }
   return net;
 }
 
 // u runs along the columns, v along the rows.
 Corner corner_at(const Net& net, const Weights& u, const Weights& v) {
-  Vec3d at{}, along_u{}, along_v{};
+  Vec3d position{}, along_u{}, along_v{};
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column) {
       const Vec3d& p = net[row][column];
-      at = at + p * (v.value[row] * u.value[column]);
+      position = position + p * (v.value[row] * u.value[column]);
       along_u = along_u + p * (v.value[row] * u.slope[column]);
       along_v = along_v + p * (v.slope[row] * u.value[column]);
     }
-  return {at, normalized(cross(along_u, along_v))};
+  return {position, normalized(cross(along_u, along_v))};
 }
 
 using Row = std::vector<Corner>;
@@ -120,7 +119,7 @@ void write_nurbs(NffWriter& nff, int size, bool) {
   for (std::size_t i = 1; i < vs.size(); ++i) {
     Row lower = corners_along(net, us, vs[i]);
     for (std::size_t j = 0; j + 1 < us.size(); ++j) {
-      // The scene's triangles run clockwise about their normals, which point up.
+      // The scene's triangles are clockwise seen from above, where their normals point.
       put_triangle(nff, upper[j], lower[j], lower[j + 1]);
       put_triangle(nff, upper[j], lower[j + 1], upper[j + 1]);
     }

@@ -1,4 +1,4 @@
-// One function a scene; spd.cpp checks the size before it calls them.
+// One function for each scene; spd.cpp checks the size first.
 #pragma once
 
 #include "libscene/spd/nff_writer.h"

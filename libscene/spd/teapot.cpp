@@ -13,18 +13,18 @@ namespace masu::spd {
 namespace {
 
 using Cubic = std::array<Vec3d, 4>;
-using Patch = std::array<Cubic, 4>; // [row along the profile][column round it]
+using Patch = std::array<Cubic, 4>; // [row along the profile][column about the axis]
 
-// A control point of a profile: its distance from the axis, its height, and how far along the tangent the
-// next control point round the axis lies.
-struct Turning {
+// A control point of a profile: its distance from the axis, its height, and the distance along the tangent to
+// the next control point about the axis.
+struct ProfilePoint {
   double radius, height, tangent;
 };
-using Profile = std::array<Turning, 4>;
+using Profile = std::array<ProfilePoint, 4>;
 
-constexpr double circle = 0.56; // Newell's tangent, of the radius
+constexpr double circle = 0.56; // Newell's tangent length for a circle of radius 1
 
-constexpr Turning circular(double radius, double height) {
+constexpr ProfilePoint circular(double radius, double height) {
   return {radius, height, circle * radius};
 }
 
@@ -38,7 +38,7 @@ constexpr Profile knob = {{{0, 3.15, 0}, {0.8, 3.15, 0.45}, {0, 2.85, 0}, circul
 constexpr Profile lid = {{circular(0.2, 2.7), circular(0.4, 2.55), circular(1.3, 2.55), circular(1.3, 2.4)}};
 constexpr Profile bottom = {{{0, 0, 0}, circular(1.425, 0), circular(1.5, 0.075), circular(1.5, 0.15)}};
 
-// A cross-section of half the handle or spout: its ends in the plane y = 0, and how far it bulges from there.
+// A cross-section of half the handle or spout: its ends in the plane y = 0, and its bulge from that plane.
 struct Section {
   double first_x, first_z, last_x, last_z, bulge;
 };
@@ -61,18 +61,18 @@ constexpr Tube upper_spout = {{{2.7, 2.4, 3.3, 2.4, 0.25},
                                {2.9, 2.475, 3.45, 2.5125, 0.15},
                                {2.8, 2.4, 3.2, 2.4, 0.15}}};
 
-// Which way round the columns of a solid of revolution run, seen from above.
+// The sense of the columns of a solid of revolution, seen from above.
 constexpr double clockwise = -1, counterclockwise = 1;
 
 // The quarter that starts at +x.
-Patch quarter(const Profile& profile, double way) {
+Patch quarter(const Profile& profile, double sense) {
   Patch patch{};
   for (std::size_t row = 0; row < 4; ++row) {
     const auto [radius, height, tangent] = profile[row];
     patch[row] = {{{radius, 0, height},
-                   {radius, way * tangent, height},
-                   {tangent, way * radius, height},
-                   {0, way * radius, height}}};
+                   {radius, sense * tangent, height},
+                   {tangent, sense * radius, height},
+                   {0, sense * radius, height}}};
   }
   return patch;
 }
@@ -87,14 +87,14 @@ Patch half(const Tube& tube) {
   return patch;
 }
 
-Patch turned_by_quarter(Patch patch, double way) {
+Patch rotated_by_quarter(Patch patch, double sense) {
   for (Cubic& row : patch)
     for (Vec3d& v : row)
-      v = {way * -v.y, way * v.x, v.z};
+      v = {sense * -v.y, sense * v.x, v.z};
   return patch;
 }
 
-// The other half of a tube, which goes on round it from where this one ends.
+// The other half of a tube, mirrored at y = 0, its columns in the reverse order.
 Patch other_half(Patch patch) {
   for (Cubic& row : patch) {
     std::ranges::reverse(row);
@@ -114,8 +114,8 @@ Vec3d derivative(const Cubic& c, double t) {
   return ((c[1] - c[0]) * (s * s) + (c[2] - c[1]) * (2 * s * t) + (c[3] - c[2]) * (t * t)) * 3.0;
 }
 
-// u runs along the profile, v round it. At a pole the surface doesn't change with v: how that changes with u
-// gives the limit of the normal instead.
+// u runs along the profile, v about the axis. At a pole the derivative by v is zero, and the normal's limit
+// is computed with its derivative by u.
 Corner corner_at(const Patch& patch, double u, double v) {
   Cubic profile{}, change{};
   for (std::size_t row = 0; row < 4; ++row) {
@@ -136,7 +136,7 @@ Row corners_along(const Patch& patch, double u, int size) {
   return row;
 }
 
-// A quadrilateral each between neighbouring corners of the two rows.
+// A quadrilateral for each pair of neighbouring corners of the two rows.
 void put_strip(NffWriter& nff, const Row& upper, const Row& lower, bool upper_is_pole) {
   for (std::size_t i = 0; i + 1 < upper.size(); ++i) {
     if (!upper_is_pole) put_triangle(nff, upper[i], upper[i + 1], lower[i + 1]);
@@ -154,11 +154,11 @@ void put_patch(NffWriter& nff, const Patch& patch, int size) {
   }
 }
 
-void put_quarters(NffWriter& nff, const Profile& profile, double way, int size) {
-  Patch patch = quarter(profile, way);
+void put_quarters(NffWriter& nff, const Profile& profile, double sense, int size) {
+  Patch patch = quarter(profile, sense);
   for (int i = 0; i < 4; ++i) {
     put_patch(nff, patch, size);
-    patch = turned_by_quarter(patch, way);
+    patch = rotated_by_quarter(patch, sense);
   }
 }
 
@@ -168,7 +168,7 @@ void put_halves(NffWriter& nff, const Tube& tube, int size) {
   put_patch(nff, other_half(patch), size);
 }
 
-// Those squares of the board whose column and row add up to an odd number, or an even one.
+// The squares of the board whose sum of column and row is odd, or even.
 void put_squares(NffWriter& nff, int size, bool odd) {
   const auto line = [size](int i) { return 8.0 * i / size - 4; };
   for (int column = 0; column < size; ++column)

@@ -1,4 +1,4 @@
-// Sierpinski's tetrahedron in the cube of side 2 about the origin.
+// Sierpinski's tetrahedron in the cube of side 2 centred on the origin.
 #include "libscene/spd/scenes.h"
 
 #include <array>
@@ -7,13 +7,13 @@ namespace masu::spd {
 
 namespace {
 
-// Every other corner of the cube +-1: those whose signs multiply to +1.
+// Alternate corners of the cube from -1 to 1: those whose coordinates have the product 1.
 constexpr std::array<Vec3d, 4> corners = {{{-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}, {1, 1, 1}}};
 
 // The faces, counter-clockwise seen from outside.
 constexpr std::array<std::array<std::size_t, 3>, 4> faces = {{{0, 1, 2}, {3, 2, 1}, {2, 3, 0}, {1, 0, 3}}};
 
-// half: half the side of the cube about the tetrahedron.
+// half: half the side of the tetrahedron's bounding cube.
 void put_tetrahedron(NffWriter& nff, const Vec3d& center, double half) {
   for (const auto [a, b, c] : faces)
     put_polygon(nff, {center + corners[a] * half, center + corners[b] * half, center + corners[c] * half});

@@ -8,18 +8,18 @@ namespace masu::spd {
 
 namespace {
 
-constexpr double taper = 0.67; // the radius at a branch's end, of that at its start
+constexpr double taper = 0.67; // the ratio of a branch's radii at its end and its base
 
 struct Branch {
   Vec3d base;
-  Frame frame;   // z leads along the branch and is as long
+  Frame frame;   // z: from the branch's base to its end
   double radius; // at the base
 };
 
-// A child's frame in its parent's: turned about the parent's x axis, then about its z axis, and shortened.
+// A child's frame in its parent's: rotated about the parent's x axis, then about its z axis, and scaled.
 Frame forked(double tilt_degrees, double turn_degrees, double scale) {
   const auto placed = [&](const Vec3d& axis) {
-    return turned(turned(axis, x_axis, radians(tilt_degrees)), z_axis, radians(turn_degrees)) * scale;
+    return rotated(rotated(axis, x_axis, radians(tilt_degrees)), z_axis, radians(turn_degrees)) * scale;
   };
   return {placed(x_axis), placed(y_axis), placed(z_axis)};
 }
