@@ -9,23 +9,23 @@
 namespace masu {
 namespace {
 
-std::uint64_t count_lost(const Scene& scene, double margin) {
-  const auto is_lost = [margin](const Boxd& box) {
+std::uint64_t count_too_small(const Scene& scene, double margin) {
+  const auto is_too_small = [margin](const Boxd& box) {
     return largest_magnitude(box.max - box.min) < 2 * margin;
   };
-  std::uint64_t lost = 0;
+  std::uint64_t count = 0;
   for (std::size_t i = 0; i < scene.triangles.size();) {
     const auto object = scene.triangles[i].object;
     Boxd box = empty_box<double>();
     for (; i < scene.triangles.size() && scene.triangles[i].object == object; ++i)
       box = join(box, bounds(scene.triangles[i]));
-    lost += is_lost(box) ? 1 : 0;
+    count += is_too_small(box) ? 1 : 0;
   }
   for (const auto& sphere : scene.spheres)
-    lost += is_lost(bounds(sphere)) ? 1 : 0;
+    count += is_too_small(bounds(sphere)) ? 1 : 0;
   for (const auto& cone : scene.cones)
-    lost += is_lost(bounds(cone)) ? 1 : 0;
-  return lost;
+    count += is_too_small(bounds(cone)) ? 1 : 0;
+  return count;
 }
 
 } // namespace
@@ -37,7 +37,7 @@ Float32Precision float32_precision(const Scene& scene) {
   const auto flattened = std::count_if(scene.cones.begin(), scene.cones.end(), [](const Cone<double>& cone) {
     return cast<float>(cone.base) == cast<float>(cone.apex);
   });
-  return {margin, largest_magnitude(box.max - box.min), count_lost(scene, margin),
+  return {margin, largest_magnitude(box.max - box.min), count_too_small(scene, margin),
           static_cast<std::uint64_t>(flattened)};
 }
 

@@ -1,20 +1,20 @@
-// Where float32 holds a scene's numbers, but not its answers.
+// Whether float32 arithmetic is precise enough for a scene whose numbers float32 can represent.
 #pragma once
 
 #include "libscene/scene.h"
 
 namespace masu {
 
-// margin: how far off float32 arithmetic may see a surface (margin.h). across: the scene's longest side.
-// lost: objects hardly larger than the margin; of triangles whole objects count, since a surface's triangles
-// have no gaps between them. flattened: cones that lose their length.
+// margin: the error bound of float32 arithmetic (margin.h). across: the longest side of the scene's bounds.
+// too_small: objects smaller than twice the margin, which rays may miss; triangles count by object, since
+// there are no gaps between a surface's triangles. flattened: cones whose ends coincide in float32.
 struct Float32Precision {
   double margin = 0, across = 0;
-  std::uint64_t lost = 0, flattened = 0;
+  std::uint64_t too_small = 0, flattened = 0;
 
-  // So far from the origin for its size that most rays' answers are in doubt (docs/stability.md).
+  // So far from the origin for its size that most hits are unreliable.
   bool is_far() const { return across < 256 * margin; }
-  bool any() const { return is_far() || lost > 0 || flattened > 0; }
+  bool any() const { return is_far() || too_small > 0 || flattened > 0; }
 };
 
 Float32Precision float32_precision(const Scene& scene);

@@ -219,7 +219,7 @@ TEST(Spd, StandardSizesHaveThePublishedCounts) {
 
 TEST(Spd, CountsAtTheLargestSizesFitInt32) {
   for (const SpdInfo& info : masu::spd_scenes())
-    EXPECT_LE(objects_by_formula(info.scene, info.most), std::size_t{INT32_MAX}) << info.name;
+    EXPECT_LE(objects_by_formula(info.scene, info.max_size), std::size_t{INT32_MAX}) << info.name;
 }
 
 TEST(Spd, BackgroundIsLeftOutOnRequest) {
@@ -479,9 +479,9 @@ TEST(Spd, UnknownScenesAndSizesOutOfRangeAreUsageErrors) {
   EXPECT_EQ(code_thrown_by([] { masu::spd_info("bolls"); }), ErrorCode::usage);
   EXPECT_EQ(code_thrown_by([] { masu::spd_info(""); }), ErrorCode::usage);
   for (const SpdInfo& info : masu::spd_scenes()) {
-    EXPECT_NO_THROW(masu::check_spd_size(info.scene, info.least));
-    EXPECT_NO_THROW(masu::check_spd_size(info.scene, info.most));
-    for (const int size : {INT_MIN, info.least - 1, info.most + 1, INT_MAX})
+    EXPECT_NO_THROW(masu::check_spd_size(info.scene, info.min_size));
+    EXPECT_NO_THROW(masu::check_spd_size(info.scene, info.max_size));
+    for (const int size : {INT_MIN, info.min_size - 1, info.max_size + 1, INT_MAX})
       EXPECT_EQ(code_thrown_by([&] {
                   masu::write_spd({info.scene, size}, nullptr, "");
                 }),

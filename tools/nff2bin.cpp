@@ -197,9 +197,9 @@ void warn_of_float32(const Scene& scene, Store store, const std::string& place) 
   if (doubt.is_far())
     warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and the scene is {:.2g} across",
                      doubt.margin, doubt.across));
-  else if (doubt.lost > 0)
+  else if (doubt.too_small > 0)
     warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and {} object(s) are hardly larger",
-                     doubt.margin, doubt.lost));
+                     doubt.margin, doubt.too_small));
   else if (!scene.float32_suffices)
     warn("coordinates lose digits in float32");
 }
@@ -224,10 +224,10 @@ bool is_scene_file(const std::string& path) {
 std::string check_facets(const std::string& text) {
   int facets = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), facets);
-  if (error == std::errc{} && end == text.data() + text.size() && facets % 4 == 0 && facets >= least_facets &&
-      facets <= most_facets)
+  if (error == std::errc{} && end == text.data() + text.size() && facets % 4 == 0 && facets >= min_facets &&
+      facets <= max_facets)
     return {};
-  return fmt::format("'{}' isn't a multiple of 4 from {} to {}", text, least_facets, most_facets);
+  return fmt::format("'{}' isn't a multiple of 4 from {} to {}", text, min_facets, max_facets);
 }
 
 void convert(const Settings& settings) {
@@ -280,7 +280,7 @@ int main(int argc, char** argv) {
         app.add_option("--tessellate", settings.facets,
                        "triangles instead of spheres and cones, by how many flat sides go round one: "
                        "2N triangles a cone (N if pointed), 12(N/4)^2 a sphere; 12 is the SPD's")
-            ->check(CLI::Validator(check_facets, fmt::format("{}..{}", least_facets, most_facets)))
+            ->check(CLI::Validator(check_facets, fmt::format("{}..{}", min_facets, max_facets)))
             ->type_name("N");
         auto* const info = app.add_flag("--info", settings.info, "tell what the scene holds and needs");
         app.add_flag("--json", settings.json, "--info as JSON")->needs(info);

@@ -19,7 +19,7 @@ struct Command {
 void describe(CLI::App& app, Command& command) {
   std::string sizes = "Sizes (standard, largest):";
   for (const masu::SpdInfo& info : masu::spd_scenes())
-    sizes += fmt::format("\n  {:<7} {:>2} {:>5}", info.name, info.standard, info.most);
+    sizes += fmt::format("\n  {:<7} {:>2} {:>5}", info.name, info.standard, info.max_size);
   app.footer(sizes);
   app.add_option("scene", command.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
       ->required();

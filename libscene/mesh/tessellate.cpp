@@ -12,12 +12,11 @@
 namespace masu {
 namespace {
 
-// Corners on the unit sphere about the origin, counter-clockwise as seen from outside: they are the normals
-// there too.
+// Corners on the unit sphere, which are also their normals; counter-clockwise seen from outside.
 using UnitTriangle = std::array<Vec3d, 3>;
 
-// A square of a face by its corners, cut in two along the shorter diagonal; clearly shorter: rounding shall
-// not mix both ways where they are equal.
+// Splits a square of a face along its shorter diagonal; along the first one when they are equal up to
+// rounding, so that equal squares are split alike.
 void append_square(std::vector<UnitTriangle>& triangles, const std::array<Vec3d, 4>& q) {
   const Vec3d first = q[2] - q[0], second = q[3] - q[1];
   if (dot(second, second) < 0.999 * dot(first, first)) {
@@ -31,21 +30,21 @@ void append_square(std::vector<UnitTriangle>& triangles, const std::array<Vec3d,
 
 std::vector<UnitTriangle> unit_sphere(int facets) {
   const int squares = facets / 4; // along a face's edge
-  // A place on the cube from -squares to squares an axis. Faces that meet ask for the same place, and so get
-  // the same bits.
-  const auto direction = [&](const Vec3i& place) {
+  // Lattice points on the cube, each coordinate from -squares to squares. Faces that meet share them, and so
+  // get the same bits.
+  const auto direction = [&](const Vec3i& point) {
     const auto coordinate = [&](int i) { return std::tan(std::numbers::pi / 4 * i / squares); };
-    return normalized(Vec3d{coordinate(place.x), coordinate(place.y), coordinate(place.z)});
+    return normalized(Vec3d{coordinate(point.x), coordinate(point.y), coordinate(point.z)});
   };
   std::vector<UnitTriangle> triangles;
   for (int face = 0; face < 6; ++face) {
     const int axis = face / 2, side = face % 2 == 0 ? 1 : -1;
     const auto corner = [&](int i, int j) {
-      Vec3i place{};
-      place.set(axis, side * squares);
-      place.set((axis + side + 3) % 3, 2 * i - squares); // on the far side the other two axes change places
-      place.set((axis - side + 3) % 3, 2 * j - squares);
-      return direction(place);
+      Vec3i point{};
+      point.set(axis, side * squares);
+      point.set((axis + side + 3) % 3, 2 * i - squares); // the negative side swaps the other two axes
+      point.set((axis - side + 3) % 3, 2 * j - squares);
+      return direction(point);
     };
     for (int i = 0; i < squares; ++i)
       for (int j = 0; j < squares; ++j)
@@ -54,8 +53,8 @@ std::vector<UnitTriangle> unit_sphere(int facets) {
   return triangles;
 }
 
-// A negative radius puts every corner opposite, which turns the triangles inside out, and leaves the normals
-// pointing inwards: as it should be.
+// A negative radius mirrors every corner, so that the triangles face inwards, as the unchanged normals then
+// do.
 void append_sphere(Scene& scene, const Sphere<double>& sphere, const Surface& surface,
                    const std::vector<UnitTriangle>& unit, std::uint64_t first_normals) {
   const auto corner = [&](const Vec3d& direction) { return fma(direction, sphere.radius, sphere.center); };
@@ -84,13 +83,13 @@ void append(Scene& scene, const Surface& surface, const Point& a, const Point& b
   scene.normals.push_back({a.normal, b.normal, c.normal});
 }
 
-// Where a side's edge, a line of the surface, starts and ends.
+// An edge between two sides, a line on the surface.
 struct Edge {
   Point base, apex;
 };
 
-// The `facets` edges, counter-clockwise about the axis; clockwise for negative radii: these put every edge
-// half a turn on, and only the other sense turns the fronts inwards.
+// The `facets` edges, counter-clockwise about the axis, or clockwise for negative radii: these rotate every
+// edge by half a turn, which by itself leaves the fronts outside.
 std::vector<Edge> cone_edges(const Cone<double>& cone, int facets) {
   const Vec3d axis = cone.apex - cone.base;
   const Vec3d along = normalized(axis * 1e100); // scaled: a difference of coordinates can be denormal
@@ -116,7 +115,7 @@ void append_cone(Scene& scene, const Cone<double>& cone, const Surface& surface,
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Edge& left = edges[i];
     const Edge& right = edges[(i + 1) % edges.size()];
-    // A pointed end has every normal: the side's middle one will do.
+    // A pointed end has no normal: take the mean of the side's.
     const Vec3d middle = left.base.normal + right.base.normal;
     if (cone.base_radius != 0)
       append(scene, surface, left.base, right.base,
@@ -133,7 +132,7 @@ std::uint64_t triangles_a_sphere(int facets) {
 }
 
 std::uint64_t triangles_of_cones(const Scene& scene, int facets) {
-  std::uint64_t sides = 0; // each counted once for either end that has a width
+  std::uint64_t sides = 0; // of one triangle: one for each end that isn't pointed
   for (const Cone<double>& cone : scene.cones)
     sides += (cone.base_radius != 0 ? 1U : 0U) + (cone.apex_radius != 0 ? 1U : 0U);
   return sides * static_cast<std::uint64_t>(facets);
@@ -142,14 +141,14 @@ std::uint64_t triangles_of_cones(const Scene& scene, int facets) {
 } // namespace
 
 Scene tessellated(Scene scene, int facets) {
-  constexpr std::uint64_t most_primitives = no_primitive - 1; // the last number means none
   const std::uint64_t a_sphere = triangles_a_sphere(facets);
   const std::uint64_t of_cones = triangles_of_cones(scene, facets);
   const std::uint64_t all = scene.triangles.size() + scene.spheres.size() * a_sphere + of_cones;
-  if (all > most_primitives)
-    throw Error(ErrorCode::usage, "--tessellate",
-                fmt::format("would make {} triangles, over {}: choose fewer facets", all, most_primitives));
-  // At once: growing by doubling would need as much again.
+  if (all > max_primitives)
+    throw Error(
+        ErrorCode::usage, "--tessellate",
+        fmt::format("would make {} triangles, more than {}: choose fewer facets", all, max_primitives));
+  // Growing by doubling would need twice the memory.
   scene.triangles.reserve(all);
   scene.normals.reserve(scene.normals.size() + (scene.spheres.empty() ? 0 : a_sphere) + of_cones);
   append_spheres(scene, facets);

@@ -13,10 +13,10 @@ namespace masu {
 
 namespace {
 
-// In the order of SpdScene. What bounds the sizes:
+// In the order of SpdScene. The largest sizes are limited by
 // balls, gears, mount, tetra: fewer than 2^31 objects;
-// rings: coordinates stay below 1000, so that they are exact to 1 % of the rings' thickness;
-// tree: the last twigs are 2e-4 long, and known to 5e-6;
+// rings: coordinates below 1000, so that six digits are exact to 1 % of the rings' thickness;
+// tree: the last twigs are 2e-4 long, with an error of 5e-6;
 // nurbs, teapot: neighbouring corners still print as different numbers.
 constexpr std::array<SpdInfo, 8> scenes = {{
     {SpdScene::balls, "balls", 4, 1, 9},
@@ -53,9 +53,10 @@ const SpdInfo& spd_info(std::string_view name) {
 
 void check_spd_size(SpdScene scene, int size) {
   const SpdInfo& info = spd_info(scene);
-  if (size < info.least || size > info.most)
-    throw Error(ErrorCode::usage, fmt::format("size {}", size),
-                fmt::format("{} can't be made that size: choose {} to {}", info.name, info.least, info.most));
+  if (size < info.min_size || size > info.max_size)
+    throw Error(
+        ErrorCode::usage, fmt::format("size {}", size),
+        fmt::format("{} can't be made that size: choose {} to {}", info.name, info.min_size, info.max_size));
 }
 
 void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place) {

@@ -1,6 +1,6 @@
-// The Standard Procedural Databases, written as NFF text: the scenes that ray tracers are compared on.
+// The Standard Procedural Databases (SPD) as NFF text: standard scenes for comparing ray tracers.
 // Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987.
-// Every scene is streamed: memory depends on the recursion's depth, never on the number of objects.
+// Scenes are streamed: memory depends on the recursion's depth, not on the number of objects.
 #pragma once
 
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 namespace masu {
 
-// What each scene shows, and its number of objects at size n (background included).
+// The scenes, with their number of objects at size n (background included).
 enum class SpdScene {
   balls,  // sphereflake: 1 + 9 + ... + 9^n spheres on a floor
   gears,  // n^3 interlocked gears of 146 polygons over a mirror
@@ -25,15 +25,15 @@ enum class SpdScene {
 struct SpdInfo {
   SpdScene scene;
   std::string_view name;
-  int standard;    // the size that results are quoted for
-  int least, most; // the sizes that can be made
+  int standard;           // the size used in published results
+  int min_size, max_size; // supported sizes
 };
 
 struct SpdOptions {
   SpdScene scene = SpdScene::balls;
   int size = 4;
-  // false leaves out what only surrounds the geometry under study: the floors, walls and grounds of balls,
-  // gears, rings and tree, and the mountain's four spheres. The teapot keeps its checkerboard.
+  // false omits the surroundings: the floors, walls and grounds of balls, gears, rings and tree, and the
+  // mountain's four spheres. The teapot keeps its checkerboard.
   bool background = true;
 };
 
@@ -42,17 +42,17 @@ std::span<const SpdInfo> spd_scenes();
 
 const SpdInfo& spd_info(SpdScene scene);
 
-// The scene of that name. Throws Error(usage) when there is none.
+// By name. Throws Error(usage) for an unknown one.
 const SpdInfo& spd_info(std::string_view name);
 
-// Throws Error(usage) unless least <= size <= most. Beyond `most` either the count of objects would leave
-// int32, or six significant digits would no longer tell the scene's smallest parts apart.
+// Throws Error(usage) unless min_size <= size <= max_size. Beyond, the number of objects would overflow
+// int32, or six significant digits couldn't distinguish the scene's smallest parts.
 void check_spd_size(SpdScene scene, int size);
 
-// Writes the scene to `out` as NFF text of six significant digits, and flushes it. Coordinates have no unit:
-// but for grounds and floors every scene lies within 4 of the origin along each axis, rings within 2.62n + 1.
+// Writes the scene to `out` as NFF text of six significant digits, and flushes it. Coordinates have no unit;
+// without grounds and floors they are at most 4, those of rings at most 2.62n + 1.
 // The same options give the same bytes. `place` names `out` in errors.
-// Throws Error(usage) for a size out of range, Error(output) when `out` doesn't take all of the text.
+// Throws Error(usage) for a size out of range, Error(output) when `out` can't be written.
 void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place);
 
 } // namespace masu
