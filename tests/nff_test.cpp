@@ -33,8 +33,7 @@ Scene parse(const std::string& text, const NffOptions& options = {}) {
   return parse_nff(text, "t", options);
 }
 
-// --- Scenes as tokens, which can be written down in many ways
-// -------------------------------------------------
+// --- Scenes as tokens, which can be written in many ways
 
 using Entity = std::vector<std::string>;
 
@@ -111,7 +110,7 @@ std::string plainly(const std::vector<Entity>& entities) {
   return text;
 }
 
-// The same number in other words: a sign, leading zeros, an exponent, no zero before the point.
+// Another spelling of the number: a sign, leading zeros, an exponent, no zero before the point.
 std::string respelled(Random& random, const std::string& number) {
   const bool is_negative = number[0] == '-';
   const std::string digits = number.substr(is_negative ? 1 : 0);
@@ -155,7 +154,6 @@ NffOptions random_options(Random& random) {
 }
 
 // --- Comparison
-// -----------------------------------------------------------------------------------------------
 
 template <class Record>
 void expect_same_bytes(const std::vector<Record>& a, const std::vector<Record>& b, const char* what) {
@@ -198,7 +196,7 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.float32_suffices, b.float32_suffices);
 }
 
-// What the error says, or nothing.
+// The error's message, or nothing.
 std::optional<std::string> error_of(const std::string& text, const NffOptions& options = {}) {
   try {
     parse(text, options);
@@ -212,9 +210,8 @@ std::optional<std::string> error_of(const std::string& text, const NffOptions& o
 }
 
 // --- The same scene
-// -------------------------------------------------------------------------------------------
 
-TEST(Nff, SceneIsTheSameHoweverItIsWritten) {
+TEST(Nff, SceneIsIndependentOfSpelling) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
@@ -230,7 +227,7 @@ TEST(Nff, SceneIsTheSameHoweverItIsWritten) {
   }
 }
 
-TEST(Nff, SceneIsTheSameHoweverItIsCut) {
+TEST(Nff, SceneIsIndependentOfPieces) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
@@ -244,7 +241,7 @@ TEST(Nff, SceneIsTheSameHoweverItIsCut) {
   }
 }
 
-TEST(Nff, ErrorIsTheSameHoweverTheTextIsCut) {
+TEST(Nff, ErrorIsIndependentOfPieces) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
@@ -258,7 +255,6 @@ TEST(Nff, ErrorIsTheSameHoweverTheTextIsCut) {
 }
 
 // --- Damage
-// ---------------------------------------------------------------------------------------------------
 
 constexpr const char* small_scene =
     "# a bit of everything\n"
@@ -273,7 +269,7 @@ TEST(Nff, EveryTruncationParsesOrThrows) {
   const std::string text = small_scene;
   EXPECT_FALSE(error_of(text));
   for (std::size_t length = 0; length < text.size(); ++length) {
-    // Exact allocation: a sanitizer sees a read past the end.
+    // An exact allocation, so that a sanitizer detects a read past the end.
     const std::vector<char> part(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length));
     try {
       parse_nff({part.data(), part.size()}, "t",
@@ -313,7 +309,7 @@ TEST(Nff, GarbageParsesOrThrows) {
   }
 }
 
-TEST(Nff, BadInputNamesItsPlaceAndWhatIsWrong) {
+TEST(Nff, ErrorsHavePositionAndCause) {
   const std::vector<std::array<std::string, 3>> cases{
       {"", "t: ", "has no NFF entity"},
       {" # s 0 0 0 1", "t: ", "has no NFF entity"},
@@ -336,8 +332,8 @@ TEST(Nff, BadInputNamesItsPlaceAndWhatIsWrong) {
       {"s 0 0 infinity 1", "t:1:7: ", "'infinity'"},
       {"s 0 0 1e400 1", "t:1:7: ", "out of a double's range"},
       {"s 0 0 -1e-400 1", "t:1:7: ", "out of a double's range"},
-      {"s 0 0 2e100 1", "t:1:7: ", "too far out"},
-      {"l 0 0 -2e100", "t:1:7: ", "too far out"},
+      {"s 0 0 2e100 1", "t:1:7: ", "is too large"},
+      {"l 0 0 -2e100", "t:1:7: ", "is too large"},
       {"s 0 0 0", "t:1:8: ", "the text ends where a number is missing"},
       {"s 0 0 0 # the end\n", "t:2:1: ", "the text ends"},
       {"s 0 0\ns 0 0 0 1", "t:2:1: ", "'s' where a number is expected"},
@@ -377,7 +373,7 @@ TEST(Nff, BadInputNamesItsPlaceAndWhatIsWrong) {
   }
 }
 
-TEST(Nff, FileThatIsMissingIsNamed) {
+TEST(Nff, MissingFileIsNamed) {
   try {
     read_nff("/no/such/file.nff");
     FAIL();
@@ -397,7 +393,6 @@ TEST(Nff, FileParsesAsItsText) {
 }
 
 // --- Numbers
-// --------------------------------------------------------------------------------------------------
 
 std::string random_digits(Random& random, int least, int most) {
   std::string digits;
@@ -420,7 +415,7 @@ TEST(Nff, NumbersRoundToNearest) {
   }
 }
 
-TEST(Nff, Float32SufficesWhenTheDigitsSurvive) {
+TEST(Nff, Float32SufficesWhenItRepresentsTheDigits) {
   const auto suffices = [](const std::string& number) {
     return parse("l 0 0 0\ns 0 " + number + " 0 1").float32_suffices &&
            parse("l 0 0 0\nc 0 0 0 1 0 0 " + number + " 2").float32_suffices;
@@ -433,9 +428,9 @@ TEST(Nff, Float32SufficesWhenTheDigitsSurvive) {
                              "1e-39", "1.000000001e0", "100000000.5", "0.1000000000"})
     EXPECT_FALSE(suffices(number)) << number;
   EXPECT_FALSE(parse("p 3 0 0 0 1.00000001 0 0 0 1 0").float32_suffices);
-  EXPECT_FALSE(parse("s 0.9e12 0 0 0.2e12").float32_suffices); // its bounds pass the limit
+  EXPECT_FALSE(parse("s 0.9e12 0 0 0.2e12").float32_suffices); // its bounds are beyond the limit
   EXPECT_FALSE(parse("l 0 0 2e12").float32_suffices);
-  // What isn't geometry doesn't count.
+  // Numbers that aren't geometry don't matter.
   EXPECT_TRUE(parse("v from 1.00000001 0 0 at 0 0 0\nl 1.00000001 0 0\nb 0.123456789 0 0\ns 0 0 0 1")
                   .float32_suffices);
   EXPECT_TRUE(parse("pp 3 0 0 0 0.123456789 0 1 1 0 0 0 0 1 0 1 0 0 0 1").float32_suffices);
@@ -454,7 +449,7 @@ TEST(Nff, Float32SufficesByItsDefinition) {
     const long double off =
         std::abs(written - static_cast<long double>(std::strtof(number.c_str(), nullptr)));
     const long double half_unit = 0.5L * std::pow(10.0L, -decimals);
-    if (std::abs(off - half_unit) < 1e-15L) continue; // too close to call
+    if (std::abs(off - half_unit) < 1e-15L) continue; // undecided: rounding of this test
     const bool expected = off <= half_unit;
     ASSERT_EQ(parse("s " + number + " 0 0 1").float32_suffices, expected) << number;
     survived += expected;
@@ -463,10 +458,9 @@ TEST(Nff, Float32SufficesByItsDefinition) {
   EXPECT_LT(survived, 19000);
 }
 
-// --- What a scene holds
-// ---------------------------------------------------------------------------------------
+// --- Contents of a scene
 
-TEST(Nff, ViewIsKeptAsWritten) {
+TEST(Nff, ViewIsReadAsWritten) {
   const Scene scene = parse("v up 0 1 0.5 resolution 640 480 hither 0.25 angle 30 at 4 5 6 from 1 2 3");
   const Camera& camera = scene.camera;
   EXPECT_TRUE(scene.has_camera);
@@ -478,19 +472,19 @@ TEST(Nff, ViewIsKeptAsWritten) {
   EXPECT_EQ(camera.height, 480);
 }
 
-TEST(Nff, LastViewAndBackgroundCount) {
+TEST(Nff, LastViewAndBackgroundApply) {
   const Scene scene = parse("v from 1 2 3 at 0 0 0\nb 1 1 1\nv from 4 5 6 at 0 0 0 angle 20\nb 0.5 0.25 0");
   EXPECT_TRUE(scene.camera.from == (Vec3d{4, 5, 6}));
   EXPECT_EQ(scene.camera.angle, 20);
   EXPECT_TRUE(scene.background == (Vec3f{0.5F, 0.25F, 0}));
 }
 
-TEST(Nff, LookingAlongZNeedsNoUp) {
+TEST(Nff, ViewAlongZHasADefaultUp) {
   const Camera camera = parse("v from 0 0 9 at 0 0 0").camera;
   EXPECT_TRUE(camera.up == (Vec3d{0, 1, 0}));
 }
 
-// Half the angle under which a point is seen, from the line of sight, in degrees.
+// The angle between the view direction and a point, in degrees.
 double off_axis(const Camera& camera, const Vec3d& point) {
   const double scale = 1 / largest_magnitude(camera.at - camera.from);
   const Vec3d sight = normalized((camera.at - camera.from) * scale);
@@ -498,7 +492,7 @@ double off_axis(const Camera& camera, const Vec3d& point) {
   return std::acos(std::min(1.0, dot(sight, to))) * 180 / std::numbers::pi;
 }
 
-TEST(Nff, DefaultViewSeesEverything) {
+TEST(Nff, DefaultViewShowsTheWholeScene) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
@@ -525,7 +519,7 @@ TEST(Nff, DefaultViewSeesEverything) {
   }
 }
 
-TEST(Nff, DefaultViewOfNextToNothingHasADirection) {
+TEST(Nff, DefaultViewOfATinySceneHasADirection) {
   for (const char* text : {"b 0 0 0", "s 0 0 0 0", "s 5 5 5 1e-90", "s 1e12 0 0 1e-9", "s 0 0 0 1e-99",
                            "v from 0 0 0\ns 0 0 0 1", "v at 0 0 0", "v"}) {
     const Camera camera = parse(text).camera;
@@ -547,7 +541,7 @@ TEST(Nff, LightsShareTheDefaultIntensity) {
   EXPECT_TRUE(scene.lights[1].position == (Vec3d{4, 5, 6}));
 }
 
-TEST(Nff, WithoutLightsTheEyeShines) {
+TEST(Nff, DefaultLightIsAtTheCamera) {
   const Scene scene = parse("v from 1 2 3 at 0 0 0");
   ASSERT_EQ(scene.lights.size(), 1U);
   EXPECT_TRUE(scene.lights[0].position == (Vec3d{1, 2, 3}));
@@ -556,7 +550,7 @@ TEST(Nff, WithoutLightsTheEyeShines) {
   EXPECT_TRUE(scene.background == (Vec3f{0, 0, 0}));
 }
 
-TEST(Nff, OnlyMaterialsInUseAreKeptEachOnce) {
+TEST(Nff, MaterialsAreUsedAndDistinct) {
   const std::string text = "s 0 0 0 1\n"
                            "f 1 0 0 1 0 0 0 1\ns 0 0 0 1\ns 0 0 0 1\n"
                            "f 0 1 0 1 0 0 0 1\n"
@@ -566,7 +560,7 @@ TEST(Nff, OnlyMaterialsInUseAreKeptEachOnce) {
   for (const std::size_t bytes : {1, 1000000}) {
     const Scene scene = parse(text, {1, bytes});
     ASSERT_EQ(scene.materials.size(), 2U);
-    EXPECT_TRUE(scene.materials[0].color == (Vec3f{1, 1, 1})); // the default: the last f says the same
+    EXPECT_TRUE(scene.materials[0].color == (Vec3f{1, 1, 1})); // the default, equal to the last f
     EXPECT_EQ(scene.materials[0].diffuse, 1);
     EXPECT_EQ(scene.materials[0].refraction_index, 1);
     EXPECT_TRUE(scene.materials[1].color == (Vec3f{1, 0, 0}));
@@ -577,7 +571,7 @@ TEST(Nff, OnlyMaterialsInUseAreKeptEachOnce) {
   }
 }
 
-TEST(Nff, RefractionIndexOfNothingIsOneWhereLightPasses) {
+TEST(Nff, RefractionIndexZeroOfATransmittingMaterialIsOne) {
   EXPECT_EQ(parse("f 1 1 1 1 0 0 0.5 0\ns 0 0 0 1").materials[0].refraction_index, 1);
   EXPECT_EQ(parse("f 1 1 1 1 0 0 0.5 -2\ns 0 0 0 1").materials[0].refraction_index, 1);
   EXPECT_EQ(parse("f 1 1 1 1 0 0 0 0\ns 0 0 0 1").materials[0].refraction_index, 0);
@@ -600,8 +594,8 @@ TEST(Nff, DegenerateObjectsAreDroppedButCounted) {
   EXPECT_EQ(scene.triangles[1].normals, no_normals);
 }
 
-TEST(Nff, PatchNormalsStayWithTheirCorners) {
-  // Each normal's z tells its vertex.
+TEST(Nff, PatchNormalsBelongToTheirCorners) {
+  // Each normal's z encodes its vertex.
   const Scene scene = parse("p 3 0 0 0 1 0 0 0 1 0\n"
                             "pp 5  0 0 0 0 0 1  4 0 0 0 0 2  4 4 0 0 0 3  2 1 0 0 0 4  0 4 0 0 0 5\n"
                             "pp 3  0 0 0 0 0 1e50  4 0 0 0 0 1e-50  4 4 0 0 0 -3",
@@ -616,12 +610,12 @@ TEST(Nff, PatchNormalsStayWithTheirCorners) {
     EXPECT_TRUE(triangle.b == vertices.at(static_cast<std::size_t>(normals.b.z - 1)));
     EXPECT_TRUE(triangle.c == vertices.at(static_cast<std::size_t>(normals.c.z - 1)));
   }
-  // Lengths that float32 couldn't square are made 1.
+  // Normals whose square is out of float32's range are scaled.
   const CornerNormals<double>& last = scene.normals[3];
   EXPECT_TRUE(last.a == (Vec3d{0, 0, 1}) && last.b == (Vec3d{0, 0, 1}) && last.c == (Vec3d{0, 0, -3}));
 }
 
-TEST(Nff, PolygonsKeepTheirOrderAndTurn) {
+TEST(Nff, PolygonsKeepTheirOrderAndOrientation) {
   const Scene scene = parse("p 4 0 0 0 1 0 0 1 1 0 0 1 0\np 4 0 1 0 1 1 0 1 0 0 0 0 0");
   ASSERT_EQ(scene.triangles.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {

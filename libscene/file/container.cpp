@@ -113,16 +113,17 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
   return prelude.hash;
 }
 
+void throw_damaged(const std::string& path, const std::string& what) {
+  throw Error(ErrorCode::input, path, what + ": make the file again");
+}
+
 ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : file_(path) {
-  const auto damaged = [&](const std::string& what) {
-    throw Error(ErrorCode::input, path, what + ": make it again");
-  };
   const auto bytes = file_.bytes();
   if (bytes.size() < kind.magic.size() ||
       std::memcmp(bytes.data(), kind.magic.data(), kind.magic.size()) != 0) {
-    throw Error(ErrorCode::input, path, fmt::format("isn't a {} file", kind.name));
+    throw Error(ErrorCode::input, path, fmt::format("isn't a {0} file: name a {0} file", kind.name));
   }
-  if (bytes.size() < sizeof(Prelude)) damaged(fmt::format("the {} file is cut short", kind.name));
+  if (bytes.size() < sizeof(Prelude)) throw_damaged(path, fmt::format("the {} file is truncated", kind.name));
   const Prelude& head = prelude();
   if (head.version != kind.version) {
     throw Error(ErrorCode::input, path,
@@ -134,17 +135,19 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : fi
   const bool fits = head.reserved == 0 && head.reserved2 == 0 && head.table_bytes < size - sizeof(Prelude) &&
                     head.body_offset == rounded_up(sizeof(Prelude) + head.table_bytes, body_alignment) &&
                     head.body_offset <= size && head.body_bytes == size - head.body_offset;
-  if (!fits) damaged(fmt::format("the {} file is cut short, too long, or its head is damaged", kind.name));
+  if (!fits)
+    throw_damaged(path,
+                  fmt::format("the {} file is truncated, too long, or its prelude is damaged", kind.name));
   if (content_hash(head, table()) != head.hash ||
       !all_zero(bytes.subspan(sizeof(Prelude) + head.table_bytes,
                               head.body_offset - sizeof(Prelude) - head.table_bytes))) {
-    damaged(fmt::format("the {} file's table is damaged (its hash is wrong)", kind.name));
+    throw_damaged(path, fmt::format("the {} file's table is damaged (its hash is wrong)", kind.name));
   }
 }
 
 void ContainerFile::check_sections(std::span<const fb::Section> sections) const {
   const auto check = [&](bool good, const char* what) {
-    if (!good) throw Error(ErrorCode::input, path(), std::string(what) + ": make the file again");
+    if (!good) throw_damaged(path(), what);
   };
   const auto body = file_.bytes().subspan(prelude().body_offset);
   std::uint64_t end = 0;
@@ -154,11 +157,11 @@ void ContainerFile::check_sections(std::span<const fb::Section> sections) const 
     check(section.count() > 0 && section.record_bytes() > 0 &&
               section.offset() == rounded_up(end, section_alignment) && section.offset() <= body.size() &&
               section.count() <= (body.size() - section.offset()) / section.record_bytes(),
-          "a section leaves the file");
-    check(all_zero(body.subspan(end, section.offset() - end)), "there is something between its sections");
+          "a section's size, offset or alignment is wrong");
+    check(all_zero(body.subspan(end, section.offset() - end)), "there are bytes between its sections");
     end = section.offset() + section_size(section);
   }
-  check(end == body.size(), "something follows its last section");
+  check(end == body.size(), "there are bytes after its last section");
   for (const fb::Section& section : sections) {
     const Hash hash = hash_of_pieces(body.data() + section.offset(), section_size(section));
     check(hash == Hash{section.hash().low(), section.hash().high()},
@@ -172,7 +175,7 @@ std::span<const std::uint8_t> ContainerFile::section_bytes(std::span<const fb::S
   for (const fb::Section& section : sections) {
     if (section.kind() != kind) continue;
     if (section.record_bytes() != record_bytes)
-      throw Error(ErrorCode::input, path(), "a section's records have the wrong size: make the file again");
+      throw_damaged(path(), "a section's records have the wrong size");
     return file_.bytes().subspan(prelude().body_offset + section.offset(), section_size(section));
   }
   return {};

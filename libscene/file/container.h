@@ -75,6 +75,9 @@ inline bool is_aligned(std::span<const fb::Section> sections) {
   return reinterpret_cast<std::uintptr_t>(sections.data()) % alignof(fb::Section) == 0;
 }
 
+// Throws Error(input, path, "<what>: make the file again").
+[[noreturn]] void throw_damaged(const std::string& path, const std::string& what);
+
 // What is checked when a file is opened: everything; or only its table and the sections' bounds and hashes,
 // so that sections can be copied, but check_records() must be called before any index in them is used.
 enum class Checks { all, table };

@@ -28,7 +28,7 @@ MappedFile::MappedFile(std::string path) : path_(std::move(path)) {
     close(file);
     throw Error(ErrorCode::input, path_,
                 S_ISDIR(status.st_mode) ? "is a directory: name a file"
-                                        : "isn't a regular file: can't be mapped");
+                                        : "isn't a regular file and can't be mapped: name a file");
   }
   size_ = static_cast<std::size_t>(status.st_size);
   if (size_ > 0) {

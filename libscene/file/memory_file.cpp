@@ -12,7 +12,7 @@ namespace masu {
 
 MemoryFile::MemoryFile() : file_(memfd_create("masu", MFD_CLOEXEC)) {
   if (file_ < 0)
-    throw Error(ErrorCode::output, "memory", std::string("no file can be made: ") + std::strerror(errno));
+    throw Error(ErrorCode::output, "memory", std::string("can't be created: ") + std::strerror(errno));
 }
 
 MemoryFile::~MemoryFile() {

@@ -151,14 +151,15 @@ void write_stored(const Scene& scene, const std::string& path) {
       std::count_if(cones.begin(), cones.end(), [](const auto& cone) { return cone.base == cone.apex; });
   if (flattened > 0) {
     throw Error(ErrorCode::input, path,
-                fmt::format("{} cone(s) lose their length in {}: {}", flattened, store_name<Stored>,
+                fmt::format("{} cone(s) have no length in {}: {}", flattened, store_name<Stored>,
                             std::is_same_v<Stored, float> ? "store it as float64" : "make them longer"));
   }
   const Boxd box = join(join(bounds_of(triangles), bounds_of(spheres)), bounds_of(cones));
   if (!reaches_within<Stored>(box)) {
     throw Error(ErrorCode::input, path,
-                fmt::format("the scene reaches to {:g}, {} holds {:g} to {:g}: {}", largest_magnitude(box),
-                            store_name<Stored>, reach_of<Stored>.min, reach_of<Stored>.max,
+                fmt::format("the largest coordinate is {:g}, but {} allows {:g} to {:g}: {}",
+                            largest_magnitude(box), store_name<Stored>, reach_of<Stored>.min,
+                            reach_of<Stored>.max,
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
   const auto all_finite = [](const auto& records) {
@@ -168,7 +169,7 @@ void write_stored(const Scene& scene, const std::string& path) {
     throw Error(ErrorCode::input, path, "a corner's normal isn't finite: give it a length near 1");
   if (!all_finite(lights))
     throw Error(ErrorCode::input, path,
-                fmt::format("a light is too far off for {}: move it closer", store_name<Stored>));
+                fmt::format("a light's position isn't finite in {}: move it closer", store_name<Stored>));
   const auto layout = lay_out(sections);
   const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
   write_container(path, scene_file_kind, scene_table(scene, store, box, layout), sections, layout);
@@ -250,9 +251,7 @@ void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::ui
       all(view.cone_count,
           [&](std::uint32_t i) { return is_finite(view.cones[i]) && within(masu::bounds(view.cones[i])); }) &&
       all(view.light_count, [&](std::uint32_t i) { return is_finite(view.lights[i]); });
-  if (!coordinates_good)
-    throw Error(ErrorCode::input, path,
-                "a coordinate isn't a number within the scene's bounds: make the file again");
+  if (!coordinates_good) throw_damaged(path, "a coordinate isn't within the scene's bounds");
   const bool indices_good =
       all(view.triangle_count,
           [&](std::uint32_t i) {
@@ -262,9 +261,7 @@ void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::ui
           }) &&
       all(view.sphere_count, [&](std::uint32_t i) { return surface_good(view.sphere_surfaces[i]); }) &&
       all(view.cone_count, [&](std::uint32_t i) { return surface_good(view.cone_surfaces[i]); });
-  if (!indices_good)
-    throw Error(ErrorCode::input, path,
-                "a primitive names a material, object or normal that isn't there: make the file again");
+  if (!indices_good) throw_damaged(path, "a primitive's material, object or normals don't exist");
 }
 
 } // namespace
@@ -275,7 +272,7 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
     : container_(path, scene_file_kind) {
   seconds_.map = watch.seconds();
   const auto check = [&](bool good, const char* what) {
-    if (!good) throw Error(ErrorCode::input, path, std::string(what) + ": make the file again");
+    if (!good) throw_damaged(path, what);
   };
   const auto bytes = container_.table();
   flatbuffers::Verifier verifier(bytes.data(), bytes.size());
@@ -287,9 +284,9 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
   check(is_finite(camera.from()) && is_finite(camera.at()) && is_finite(camera.up()) && camera.angle() > 0 &&
             camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
             camera.height() <= 65536 && std::isfinite(camera.hither()) && has_direction(camera),
-        "its camera is impossible");
+        "its camera is invalid");
   check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
-        "its bounds are impossible");
+        "its bounds are invalid");
   check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
 
@@ -297,7 +294,7 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
   const std::uint64_t limit = std::uint64_t{1} << 31;
   check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
             counted.cones() < limit,
-        "it counts impossibly many objects");
+        "its counts of objects are too large");
   if (checks == Checks::all) {
     check_records();
     is_checked_ = true;
@@ -347,7 +344,7 @@ SceneView<Stored> SceneFile::view() const {
   if (spheres.size() != sphere_surfaces.size() || cones.size() != cone_surfaces.size() ||
       triangles.size() + spheres.size() + cones.size() >= no_primitive || lights.size() >= no_primitive ||
       materials.size() >= no_primitive || normals.size() >= no_primitive) {
-    throw Error(ErrorCode::input, path(), "its sections don't go together: make the file again");
+    throw_damaged(path(), "its sections have inconsistent sizes");
   }
   const fb::Color& background = *table_->background();
   return {triangles.data(),

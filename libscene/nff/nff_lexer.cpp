@@ -33,8 +33,8 @@ bool has_nonzero_digit(std::string_view token) {
 
 } // namespace
 
-void fail(const Text& text, const char* at, const std::string& message) {
-  std::string_view before(text.begin(), static_cast<std::size_t>(at - text.begin()));
+void fail(const Text& text, const char* position, const std::string& message) {
+  std::string_view before(text.begin(), static_cast<std::size_t>(position - text.begin()));
   if (before.substr(0, byte_order_mark.size()) == byte_order_mark)
     before.remove_prefix(byte_order_mark.size());
   std::size_t line = 1;
@@ -51,10 +51,10 @@ void fail(const Text& text, const char* at, const std::string& message) {
               message);
 }
 
-std::string quoted(const Text& text, const char* at) {
+std::string quoted(const Text& text, const char* position) {
   constexpr std::size_t max_size = 24;
   std::string result = "'";
-  const char* p = at;
+  const char* p = position;
   for (; p != text.end() && kind_of(*p) == Character::other && result.size() <= max_size; ++p)
     result += *p > ' ' && *p < 127 ? *p : '?';
   if (p != text.end() && kind_of(*p) == Character::other) result += "...";
@@ -63,7 +63,7 @@ std::string quoted(const Text& text, const char* at) {
 
 // The slow path of plain_number: exponents, a leading plus, many digits; and errors.
 double Lexer::other_number(double& unit, const char* syntax) {
-  const char* const start = at_;
+  const char* const start = position_;
   const std::string_view token = word();
   if (token.empty())
     fail(*text_, start, fmt::format("the text ends where a number is missing: write `{}`", syntax));
@@ -72,9 +72,9 @@ double Lexer::other_number(double& unit, const char* syntax) {
   const char* const digits = start + (has_sign ? 1 : 0);
   double value = 0;
   std::from_chars_result read{start, std::errc::invalid_argument};
-  if (digits != at_ && (is_digit(*digits) || *digits == '.'))
-    read = std::from_chars(has_plus ? digits : start, at_, value);
-  if (read.ec == std::errc::invalid_argument || read.ptr != at_)
+  if (digits != position_ && (is_digit(*digits) || *digits == '.'))
+    read = std::from_chars(has_plus ? digits : start, position_, value);
+  if (read.ec == std::errc::invalid_argument || read.ptr != position_)
     fail(*text_, start,
          fmt::format("{} where a number is expected: write `{}`", quoted(*text_, start), syntax));
   if (read.ec != std::errc{} || !std::isfinite(value) || (value == 0 && has_nonzero_digit(token)))
@@ -86,8 +86,7 @@ double Lexer::other_number(double& unit, const char* syntax) {
 
 void Lexer::check_bound(double value, const char* start) const {
   if (std::abs(value) > 1e100)
-    fail(*text_, start,
-         quoted(*text_, start) + " is too far out: scale the scene to coordinates within 1e100");
+    fail(*text_, start, quoted(*text_, start) + " is too large: scale the scene to coordinates within 1e100");
 }
 
 double Lexer::bounded(const char* syntax) {

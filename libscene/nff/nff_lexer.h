@@ -17,12 +17,12 @@ struct Text {
   const char* end() const { return characters.data() + characters.size(); }
 };
 
-// Throws Error(input, "name:line:column", message) for the position `at`. Lines end with LF, CR or both;
+// Throws Error(input, "name:line:column", message) for `position`. Lines end with LF, CR or both;
 // columns count bytes from 1.
-[[noreturn]] void fail(const Text& text, const char* at, const std::string& message);
+[[noreturn]] void fail(const Text& text, const char* position, const std::string& message);
 
-// The token at `at`, quoted for a message: truncated, with '?' for control characters.
-std::string quoted(const Text& text, const char* at);
+// The token at `position`, quoted for a message: truncated, with '?' for control characters.
+std::string quoted(const Text& text, const char* position);
 
 enum class Character : std::uint8_t { other, blank, comment };
 
@@ -65,23 +65,23 @@ inline bool survives_float32(double value, double unit) {
 class Lexer {
 public:
   // `text` must outlive the lexer.
-  Lexer(const Text& text, const char* from) : text_(&text), at_(from), end_(text.end()) {}
+  Lexer(const Text& text, const char* from) : text_(&text), position_(from), end_(text.end()) {}
 
   const Text& text() const { return *text_; }
-  bool is_at_end() const { return at_ == end_; }
+  bool is_at_end() const { return position_ == end_; }
   // The next token's first character, or the text's end.
   const char* next() {
-    while (at_ != end_ && kind_of(*at_) != Character::other)
+    while (position_ != end_ && kind_of(*position_) != Character::other)
       skip_blank();
-    return at_;
+    return position_;
   }
-  bool next_is_number() { return next() != end_ && is_number_start(*at_); }
+  bool next_is_number() { return next() != end_ && is_number_start(*position_); }
   // The next token; empty at the end.
   std::string_view word() {
     const char* start = next();
-    while (at_ != end_ && kind_of(*at_) == Character::other)
-      ++at_;
-    return {start, static_cast<std::size_t>(at_ - start)};
+    while (position_ != end_ && kind_of(*position_) == Character::other)
+      ++position_;
+    return {start, static_cast<std::size_t>(position_ - start)};
   }
 
   double number(const char* syntax);
@@ -104,24 +104,24 @@ private:
   void check_bound(double value, const char* start) const;
 
   const Text* text_;
-  const char* at_;
+  const char* position_;
   const char* end_;
   bool digits_survive_ = true;
 };
 
 inline void Lexer::skip_blank() {
-  if (*at_ == '#')
-    while (at_ != end_ && *at_ != '\n' && *at_ != '\r')
-      ++at_;
+  if (*position_ == '#')
+    while (position_ != end_ && *position_ != '\n' && *position_ != '\r')
+      ++position_;
   else
-    ++at_;
+    ++position_;
 }
 
 // The fast path for nearly all numbers: up to 19 digits without exponent, whose value is an exact integer
 // divided once, and so correctly rounded. False leaves the lexer's position unchanged. is_short: at most six
 // significant digits, which float32 always represents.
 inline bool Lexer::plain_number(double& value, double& unit, bool& is_short) {
-  const char* p = at_;
+  const char* p = position_;
   const bool is_negative = p != end_ && *p == '-';
   if (is_negative) ++p;
   const char* const digits = p;
@@ -139,7 +139,7 @@ inline bool Lexer::plain_number(double& value, double& unit, bool& is_short) {
   }
   if (count == 0 || count > 19 || mantissa > (1ULL << 53) || (p != end_ && kind_of(*p) == Character::other))
     return false;
-  at_ = p;
+  position_ = p;
   is_short = mantissa < 1'000'000;
   const double scale = powers_of_ten[static_cast<std::size_t>(decimals)];
   const double magnitude = static_cast<double>(mantissa) / scale;

@@ -42,25 +42,28 @@ Vec3f read_color(Lexer& lexer, const char* syntax) {
 }
 
 float read_unsigned_factor(Lexer& lexer, const char* syntax) {
-  const char* const at = lexer.next();
+  const char* const position = lexer.next();
   const float value = lexer.factor(syntax);
   if (value < 0)
-    fail(lexer.text(), at, quoted(lexer.text(), at) + " is negative: Kd, Ks, shine and T must be 0 or more");
+    fail(lexer.text(), position,
+         quoted(lexer.text(), position) + " is negative: Kd, Ks, shine and T must be 0 or more");
   return value;
 }
 
 Vec3d read_up(Lexer& lexer) {
-  const char* const at = lexer.next();
+  const char* const position = lexer.next();
   const Vec3d up = read_bounded(lexer, syntax_view);
-  if (largest_magnitude(up) == 0) fail(lexer.text(), at, "the view's up has no length: give it a direction");
+  if (largest_magnitude(up) == 0)
+    fail(lexer.text(), position, "the view's up has no length: give it a direction");
   return up;
 }
 
 double read_angle(Lexer& lexer) {
-  const char* const at = lexer.next();
+  const char* const position = lexer.next();
   const double angle = lexer.number(syntax_view);
   if (!(angle > 0 && angle < 180))
-    fail(lexer.text(), at, quoted(lexer.text(), at) + " is no view angle: give degrees between 0 and 180");
+    fail(lexer.text(), position,
+         quoted(lexer.text(), position) + " is no view angle: give degrees between 0 and 180");
   return angle;
 }
 
@@ -70,10 +73,10 @@ Vec3i read_resolution(Lexer& lexer) {
                static_cast<std::int32_t>(lexer.whole(1, max, syntax_view)), 0};
 }
 
-void read_view(Reader& reader, const char* at) {
+void read_view(Reader& reader, const char* position) {
   Lexer& lexer = reader.lexer;
   View view;
-  view.at = at;
+  view.position = position;
   for (;;) {
     Lexer ahead = lexer;
     const std::string_view word = ahead.word();
@@ -94,7 +97,7 @@ void read_view(Reader& reader, const char* at) {
     lexer = ahead;
   }
   if (view.from && view.look_at && *view.from == *view.look_at)
-    fail(lexer.text(), at, "the view's from and at are the same point: move one of them");
+    fail(lexer.text(), position, "the view's from and at are the same point: move one of them");
   reader.piece.view = view;
 }
 
@@ -168,10 +171,11 @@ void read_cone(Reader& reader) {
   cone.base = read_coordinates(lexer, syntax_cone);
   cone.base_radius = lexer.coordinate(syntax_cone);
   cone.apex = read_coordinates(lexer, syntax_cone);
-  const char* const at = lexer.next();
+  const char* const position = lexer.next();
   cone.apex_radius = lexer.coordinate(syntax_cone);
   if ((cone.base_radius < 0 && cone.apex_radius > 0) || (cone.base_radius > 0 && cone.apex_radius < 0))
-    fail(lexer.text(), at, "the cone's radii have opposite signs: make both positive, or both negative");
+    fail(lexer.text(), position,
+         "the cone's radii have opposite signs: make both positive, or both negative");
   ++piece.objects.cones;
   if (cone.base == cone.apex || (cone.base_radius == 0 && cone.apex_radius == 0)) {
     ++piece.warnings.degenerate_cones;
@@ -186,23 +190,23 @@ void read_cone(Reader& reader) {
 // Normals needn't have unit length: they are kept as written unless their square may be out of float32's
 // range.
 Vec3d read_normal(Lexer& lexer) {
-  const char* const at = lexer.next();
+  const char* const position = lexer.next();
   const Vec3d normal = read_bounded(lexer, syntax_patch);
   const double size = largest_magnitude(normal);
-  if (size == 0) fail(lexer.text(), at, "the patch's normal has no length: give it a direction");
+  if (size == 0) fail(lexer.text(), position, "the patch's normal has no length: give it a direction");
   if (size > 1e-12 && size < 1e12) return normal;
   return {normal.x / size, normal.y / size, normal.z / size}; // 1 / size may overflow
 }
 
 std::uint64_t read_vertex_count(Lexer& lexer, std::uint64_t numbers_each, const char* syntax) {
-  const char* const at = lexer.next();
+  const char* const position = lexer.next();
   const std::uint64_t count = lexer.whole(3, 0xffffffffU, syntax);
   // A number takes two characters or more: a blank and a digit.
-  const auto left = static_cast<std::uint64_t>(lexer.text().end() - at);
+  const auto left = static_cast<std::uint64_t>(lexer.text().end() - position);
   if (count > left / (2 * numbers_each))
-    fail(lexer.text(), at,
-         quoted(lexer.text(), at) + " vertices are more than the rest of the text can hold: "
-                                    "correct the count, or complete the file");
+    fail(lexer.text(), position,
+         quoted(lexer.text(), position) + " vertices are more than the rest of the text can hold: "
+                                          "correct the count, or complete the file");
   return count;
 }
 
@@ -245,7 +249,7 @@ void read_polygon(Reader& reader, bool is_patch) {
 }
 
 void read_entity(Reader& reader) {
-  const char* const at = reader.lexer.next();
+  const char* const position = reader.lexer.next();
   const std::string_view word = reader.lexer.word();
   if (word == "p") return read_polygon(reader, false);
   if (word == "s") return read_sphere(reader);
@@ -253,15 +257,17 @@ void read_entity(Reader& reader) {
   if (word == "c") return read_cone(reader);
   if (word == "f") return read_fill(reader);
   if (word == "l") return read_light(reader);
-  if (word == "v") return read_view(reader, at);
+  if (word == "v") return read_view(reader, position);
   if (word == "b") {
     reader.piece.background = read_color(reader.lexer, syntax_background);
     return;
   }
   const Text& text = reader.lexer.text();
-  if (is_number_start(*at))
-    fail(text, at, quoted(text, at) + " is one number too many: start an entity with v b l f c s p or pp");
-  fail(text, at, quoted(text, at) + " is no NFF entity: use v b l f c s p or pp, and # for comments");
+  if (is_number_start(*position))
+    fail(text, position,
+         quoted(text, position) + " is one number too many: start an entity with v b l f c s p or pp");
+  fail(text, position,
+       quoted(text, position) + " is no NFF entity: use v b l f c s p or pp, and # for comments");
 }
 
 } // namespace

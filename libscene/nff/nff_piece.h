@@ -26,9 +26,9 @@ struct MaterialTable {
   std::uint32_t index_of(const Material& material);
 };
 
-// A `v` as written. `at`: its position, for errors found once the scene is complete.
+// A `v` as written. `position`: in the text, for errors found once the scene is complete.
 struct View {
-  const char* at = nullptr;
+  const char* position = nullptr;
   std::optional<Vec3d> from, look_at, up;
   std::optional<double> angle, hither;
   std::optional<Vec3i> resolution; // z unused

@@ -49,7 +49,7 @@ Vec3d complete_up(const View& view, const Vec3d& forward, const Text& text) {
   constexpr double nearly_parallel = 1e-12;
   const Vec3d up = view.up.value_or(Vec3d{0, 0, 1});
   if (largest_magnitude(cross(direction(up), forward)) > nearly_parallel) return up;
-  if (view.up) fail(text, view.at, "the view's up is parallel to its direction: turn it");
+  if (view.up) fail(text, view.position, "the view's up is parallel to its line of sight: turn it");
   return {0, 1, 0};
 }
 
