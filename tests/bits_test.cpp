@@ -1,4 +1,4 @@
-// Bits taken apart and put together, by the simplest words for it.
+// Bit operations of the grid's map, compared with strings of binary digits.
 #include "libgrid/bits.h"
 #include "tools/bench/stability/random_seed.h"
 
@@ -16,7 +16,7 @@ std::string digits(std::uint32_t word) {
   return all;
 }
 
-TEST(Bits, AreAppendedFromTheTop) {
+TEST(Bits, AppendedTakesTheTopBits) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto engine = seed.engine();
@@ -28,7 +28,7 @@ TEST(Bits, AreAppendedFromTheTop) {
   }
 }
 
-TEST(Bits, AreMovedToTheTop) {
+TEST(Bits, MovedToTopShiftsTheLowestBits) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto engine = seed.engine();
@@ -41,7 +41,7 @@ TEST(Bits, AreMovedToTheTop) {
   }
 }
 
-TEST(Bits, AreHalved) {
+TEST(Bits, HalfSelectsSixteenBits) {
   EXPECT_EQ(half(0x12345678, -1), 0x5678);
   EXPECT_EQ(half(0x12345678, 0), 0x1234);
   EXPECT_EQ(half(0xfedcba98, -1), 0xba98);

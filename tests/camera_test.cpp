@@ -1,4 +1,4 @@
-// The eye's rays go where the view says: right-handed, upright, to the very corners of the pixels.
+// Camera rays follow the view: right-handed, upright, through the corners or centres of pixels.
 #include "libscene/nff/nff.h"
 #include "renderer/image.h"
 #include "tests/rendering.h"
@@ -15,7 +15,7 @@ struct View {
   Vec3d forward, right, up; // of unit length
 };
 
-// A camera that looks anywhere, its up not at right angles to its sight.
+// A camera of any direction, with an up vector that isn't perpendicular to it.
 View random_view(SceneChance& chance, Camera& camera) {
   camera.from = chance.direction() * chance.between(0, 5);
   const Vec3d forward = chance.direction();
@@ -28,7 +28,7 @@ View random_view(SceneChance& chance, Camera& camera) {
   return {forward, right, cross(right, forward)};
 }
 
-TEST(Camera, SeesTheRightOnTheRightAndUpAbove) {
+TEST(Camera, ImageIsUprightAndNotMirrored) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   SceneChance chance(seed);
@@ -49,7 +49,7 @@ TEST(Camera, SeesTheRightOnTheRightAndUpAbove) {
   }
 }
 
-TEST(Camera, RaysPassThroughTheirPlacesInThePixels) {
+TEST(Camera, RaysPassThroughPixelCornersOrCentres) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   SceneChance chance(seed);
@@ -86,8 +86,8 @@ TEST(Camera, RaysPassThroughTheirPlacesInThePixels) {
   }
 }
 
-TEST(Camera, TheTopmostRayIsHalfTheAngleUp) {
-  // A needle's eye of a target, half the angle above the sight.
+TEST(Camera, AngleIsTheVerticalFieldOfView) {
+  // A tiny target, half the angle above the view direction.
   for (const double angle : {20.0, 45.0, 90.0, 120.0}) {
     Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
     scene.camera.angle = angle;
@@ -99,7 +99,7 @@ TEST(Camera, TheTopmostRayIsHalfTheAngleUp) {
   }
 }
 
-TEST(Camera, HitherHidesWhatIsNearerOnlyOnRequest) {
+TEST(Camera, HitherClipsOnlyOnRequest) {
   Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
   scene.camera.hither = 2;
   scene.camera.angle = 1;
@@ -112,7 +112,7 @@ TEST(Camera, HitherHidesWhatIsNearerOnlyOnRequest) {
   EXPECT_EQ(rendering.frame(request).hits[4].name, 1);
 }
 
-TEST(Image, APixelIsTheMeanOfItsCornersOrItsCentre) {
+TEST(Image, PixelIsTheMeanOfItsCornersOrItsCentre) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   SceneChance chance(seed);
@@ -126,10 +126,10 @@ TEST(Image, APixelIsTheMeanOfItsCornersOrItsCentre) {
   ASSERT_EQ(corners.height, 2);
   for (std::size_t y = 0; y < 2; ++y) {
     for (std::size_t x = 0; x < 3; ++x) {
-      const std::size_t at = y * 4 + x;
+      const std::size_t i = y * 4 + x;
       for (int channel = 0; channel < 3; ++channel) {
-        const float sum = frame.radiance[at][channel] + frame.radiance[at + 1][channel] +
-                          frame.radiance[at + 4][channel] + frame.radiance[at + 5][channel];
+        const float sum = frame.radiance[i][channel] + frame.radiance[i + 1][channel] +
+                          frame.radiance[i + 4][channel] + frame.radiance[i + 5][channel];
         EXPECT_FLOAT_EQ(corners.pixels[y * 3 + x][channel], sum / 4);
       }
     }
@@ -139,7 +139,7 @@ TEST(Image, APixelIsTheMeanOfItsCornersOrItsCentre) {
   EXPECT_EQ(centers.pixels, frame.radiance);
 }
 
-// Facing each light squarely, a white matte wall shows the sum of them and of the ambient light.
+// The radiance of a white diffuse wall that faces all lights: their sum and the ambient light.
 Vec3f wall_lit_by(const std::string& lights) {
   const Scene scene = parse_nff("v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 0.001\nhither 1\nresolution 2 2\n" +
                                     lights + "\nf 1 1 1 1 0 0 0 1\np 3\n-9 -9 0\n9 -9 0\n0 9 0\n",
@@ -147,7 +147,7 @@ Vec3f wall_lit_by(const std::string& lights) {
   return Rendering(scene, Store::automatic).frame().radiance[4];
 }
 
-TEST(Light, HasByDefaultTheIntensityThatTheirNumberGives) {
+TEST(Light, DefaultIntensityDependsOnTheNumberOfLights) {
   std::string lights;
   for (int n = 1; n <= 9; ++n) {
     lights += "l 0 0 1000\n";
@@ -159,7 +159,7 @@ TEST(Light, HasByDefaultTheIntensityThatTheirNumberGives) {
   }
 }
 
-TEST(Light, OfItsOwnColourKeepsIt) {
+TEST(Light, OwnColourReplacesTheDefaultIntensity) {
   const float ambient = std::sqrt(2.0F) / 4;
   const Vec3f color = wall_lit_by("l 0 0 1000 0.5 0.25 0.125\nl 0 0 1000\n");
   EXPECT_NEAR(color.x, ambient + ambient + 0.5F, 1e-5);

@@ -1,4 +1,4 @@
-// Scene and grid files: the same input gives the same bytes, and no damage goes unnoticed.
+// Scene and grid files: equal input gives equal bytes, and any damage is detected.
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"
@@ -24,7 +24,7 @@ std::string written_scene(const TemporaryFolder& folder, const Scene& scene, Sto
   return path;
 }
 
-// A kind of file: how a small one is made, and how it is opened.
+// A kind of file: writes a small one, and opens it.
 struct Kind {
   const char* name;
   const char* called; // in messages
@@ -77,10 +77,10 @@ protected:
   }
 
   // Overwrites one byte of the file in place.
-  void set_byte(std::size_t at, std::uint8_t value) const {
+  void set_byte(std::size_t offset, std::uint8_t value) const {
     const int file = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
     ASSERT_GE(file, 0);
-    EXPECT_EQ(pwrite(file, &value, 1, static_cast<off_t>(at)), 1);
+    EXPECT_EQ(pwrite(file, &value, 1, static_cast<off_t>(offset)), 1);
     close(file);
   }
 
@@ -91,7 +91,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(All, Container, testing::ValuesIn(kinds()),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(Container, EveryBitOfTheHeadCounts) {
+TEST_P(Container, AnyFlippedBitOfThePreludeIsDetected) {
   const Bytes bytes = read_bytes(path_);
   for (std::size_t at = 0; at < sizeof(Prelude); ++at) {
     for (unsigned bit = 0; bit < 8; ++bit) {
@@ -103,7 +103,7 @@ TEST_P(Container, EveryBitOfTheHeadCounts) {
   EXPECT_NO_THROW(GetParam().open(path_));
 }
 
-TEST_P(Container, AnyFlippedByteIsNoticed) {
+TEST_P(Container, AnyChangedByteIsDetected) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
@@ -116,14 +116,14 @@ TEST_P(Container, AnyFlippedByteIsNoticed) {
   EXPECT_NO_THROW(GetParam().open(path_));
 }
 
-TEST_P(Container, AnyTruncationIsNoticed) {
+TEST_P(Container, AnyTruncationIsDetected) {
   for (std::size_t size = read_bytes(path_).size(); size-- > 0;) {
     ASSERT_EQ(truncate(path_.c_str(), static_cast<off_t>(size)), 0);
     ASSERT_TRUE(refused(path_)) << "cut down to " << size << " bytes";
   }
 }
 
-TEST_P(Container, AnyTrailingBytesAreNoticed) {
+TEST_P(Container, AnyTrailingBytesAreDetected) {
   const Bytes bytes = read_bytes(path_);
   for (const std::size_t more : {1, 2, 3, 4, 7, 8, 16, 64, 255, 256, 257, 4095, 4096, 65536}) {
     for (const unsigned value : {0x00U, 0x01U, 0xffU}) {
@@ -135,7 +135,7 @@ TEST_P(Container, AnyTrailingBytesAreNoticed) {
   }
 }
 
-TEST_P(Container, WhatIsNoSuchFileIsRefused) {
+TEST_P(Container, MissingAndOtherFilesAreRefused) {
   EXPECT_TRUE(refused(folder_.file("missing"), "No such file"));
   EXPECT_TRUE(refused(folder_.path().string(), "is a directory"));
   EXPECT_TRUE(refused("/dev/null", "isn't a regular file"));
@@ -154,7 +154,7 @@ TEST_P(Container, TheOtherKindIsRefused) {
   }
 }
 
-TEST_P(Container, OtherVersionsAreRefusedByTheirNumber) {
+TEST_P(Container, OtherVersionsAreRefusedAndNamed) {
   for (const std::uint32_t version : {0U, 1U, 2U, 3U, 0xffffffffU}) {
     FileKind kind = GetParam().file_kind;
     if (kind.version == version) continue;
@@ -172,7 +172,7 @@ TEST_P(Container, TheSameInputGivesTheSameBytes) {
   EXPECT_TRUE(read_bytes(path_) == read_bytes(again));
 }
 
-// Sections of several of the pieces that are hashed one by one.
+// A section of several pieces, which are hashed separately.
 constexpr std::size_t large_words = 5 * (std::size_t{1} << 19) + 77; // 20 MiB and some
 
 struct LargeFile {
@@ -213,7 +213,7 @@ TEST(ContainerHash, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(hashes.size(), 1U);
 }
 
-TEST(SceneHash, ChangesWithAnyPartOfTheScene) {
+TEST(SceneHash, DependsOnEveryPartOfTheScene) {
   using Change = std::function<void(Scene&)>;
   const std::vector<std::pair<const char*, Change>> changes{
       {"from", [](Scene& s) { s.camera.from.x += 1; }},
@@ -225,7 +225,7 @@ TEST(SceneHash, ChangesWithAnyPartOfTheScene) {
       {"height", [](Scene& s) { s.camera.height += 1; }},
       {"background", [](Scene& s) { s.background.z += 0.125F; }},
       {"ambient", [](Scene& s) { s.ambient += 0.125F; }},
-      {"light's place", [](Scene& s) { s.lights[1].position.x += 1; }},
+      {"light's position", [](Scene& s) { s.lights[1].position.x += 1; }},
       {"light's colour", [](Scene& s) { s.lights[1].intensity.z += 1; }},
       {"one light less", [](Scene& s) { s.lights.pop_back(); }},
       {"colour", [](Scene& s) { s.materials[0].color.x = 0.5F; }},
@@ -255,7 +255,7 @@ TEST(SceneHash, ChangesWithAnyPartOfTheScene) {
       Scene scene = tiny_scene();
       change(scene);
       EXPECT_TRUE(hashes.insert(to_hex(SceneFile(written_scene(folder, scene, store)).hash())).second)
-          << what << ": the hash is one seen before";
+          << what << ": the hash didn't change";
     }
   }
 }
@@ -267,7 +267,7 @@ TEST(SceneHash, DiffersBetweenStores) {
   EXPECT_NE(narrow, wide);
 }
 
-TEST(SceneStore, AutomaticFollowsTheDigits) {
+TEST(SceneStore, AutomaticDependsOnTheDigits) {
   const TemporaryFolder folder;
   Scene scene = tiny_scene();
   EXPECT_FALSE(SceneFile(written_scene(folder, scene)).is_float64());
@@ -275,7 +275,7 @@ TEST(SceneStore, AutomaticFollowsTheDigits) {
   EXPECT_TRUE(SceneFile(written_scene(folder, scene)).is_float64());
 }
 
-TEST(SceneStore, CoordinatesBeyondItAreRefused) {
+TEST(SceneStore, CoordinatesOutOfRangeAreRefused) {
   const TemporaryFolder folder;
   using Change = std::function<void(Scene&, double far)>;
   const std::vector<std::pair<const char*, Change>> changes{
@@ -294,7 +294,7 @@ TEST(SceneStore, CoordinatesBeyondItAreRefused) {
        }},
   };
   for (const auto& [what, change] : changes) {
-    // Just beyond the limit, and beyond what the numbers themselves reach.
+    // Beyond the store's limit, and beyond the type's range.
     for (const auto& [store, far] :
          {std::pair{Store::float32, 1e13}, {Store::float32, 1e40}, {Store::float64, 1e101}}) {
       Scene scene = tiny_scene();
@@ -306,8 +306,8 @@ TEST(SceneStore, CoordinatesBeyondItAreRefused) {
   EXPECT_TRUE(folder.listing().empty());
 }
 
-// Far lights do no harm as long as there is a number for where they are.
-TEST(SceneStore, LightsBeyondAllNumbersAreRefused) {
+// Lights may be beyond the store's limit, but must be finite.
+TEST(SceneStore, LightsThatAreNotFiniteAreRefused) {
   const TemporaryFolder folder;
   Scene scene = tiny_scene();
   scene.lights[1].position.y = -1e39;
@@ -316,7 +316,7 @@ TEST(SceneStore, LightsBeyondAllNumbersAreRefused) {
   EXPECT_TRUE(folder.listing().empty());
 }
 
-TEST(SceneFile, OfNothingIsReadBack) {
+TEST(SceneFile, EmptySceneIsReadBack) {
   const TemporaryFolder folder;
   Scene scene{};
   scene.camera = tiny_scene().camera;
@@ -346,7 +346,7 @@ TEST(GridFile, OfAnotherSceneIsRefused) {
   EXPECT_TRUE(check(hash, 0));
 }
 
-TEST(GridFile, KeepsHowItCameAbout) {
+TEST(GridFile, RecordsItsOrigin) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
   write_grid(tiny_grid(), {{3, 4}, 4, SpaceRule::cube, Overlap::box, "cleary:2.5", "balance target 8", 1.25},

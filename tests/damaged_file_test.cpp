@@ -1,5 +1,5 @@
-// Files damaged at random, with every hash made right again: whatever still opens can be built on and traced.
-// Under the sanitizers this says that no index is followed out of the file.
+// Files damaged at random, with correct hashes: any that still opens can be built on and traced. With
+// sanitizers this shows that no index leads out of the file.
 #include "libgrid/statistics.h"
 #include "libscene/error.h"
 #include "tests/hostile_files.h"
@@ -16,37 +16,37 @@ namespace {
 
 constexpr int cases = 1500;
 
-// Overwrites up to four places with what breaks things most easily.
+// Overwrites up to four values, often with limits of some type.
 void damage(Bytes& bytes, std::mt19937_64& random) {
-  constexpr std::array<std::uint64_t, 16> favourites{0,
-                                                     1,
-                                                     0xff,
-                                                     0xffff,
-                                                     0x7fffffff,
-                                                     0x80000000,
-                                                     0x80000001,
-                                                     0xffffffff,
-                                                     0x7f800000,
-                                                     0x7fc00000,
-                                                     0xff7fffff,
-                                                     0x7ff0000000000000,
-                                                     0x7ff8000000000000,
-                                                     0x7fefffffffffffff,
-                                                     0x8000000000000000,
-                                                     0xffffffffffffffff};
+  constexpr std::array<std::uint64_t, 16> values{0,
+                                                 1,
+                                                 0xff,
+                                                 0xffff,
+                                                 0x7fffffff,
+                                                 0x80000000,
+                                                 0x80000001,
+                                                 0xffffffff,
+                                                 0x7f800000,
+                                                 0x7fc00000,
+                                                 0xff7fffff,
+                                                 0x7ff0000000000000,
+                                                 0x7ff8000000000000,
+                                                 0x7fefffffffffffff,
+                                                 0x8000000000000000,
+                                                 0xffffffffffffffff};
   if (bytes.empty()) return;
-  for (std::uint64_t places = 1 + random() % 4; places > 0; --places) {
+  for (std::uint64_t count = 1 + random() % 4; count > 0; --count) {
     const std::size_t size = std::size_t{1} << (random() % 4);
     if (bytes.size() < size) continue;
-    const std::size_t at = random() % (bytes.size() / size) * size;
-    const std::uint64_t value = random() % 3 == 0 ? random() : favourites[random() % favourites.size()];
-    std::memcpy(bytes.data() + at, &value, size);
+    const std::size_t offset = random() % (bytes.size() / size) * size;
+    const std::uint64_t value = random() % 3 == 0 ? random() : values[random() % values.size()];
+    std::memcpy(bytes.data() + offset, &value, size);
   }
 }
 
-// In the table, or in one of the sections.
-template <class Fragments>
-Fragments damaged(Fragments parts, std::mt19937_64& random) {
+// Damages the table, or one of the sections.
+template <class Parts>
+Parts damaged(Parts parts, std::mt19937_64& random) {
   const std::size_t where = random() % (2 * parts.sections.size());
   if (where < parts.sections.size())
     damage(parts.sections[where].bytes, random);
@@ -55,7 +55,7 @@ Fragments damaged(Fragments parts, std::mt19937_64& random) {
   return parts;
 }
 
-// Opens the file as T; null when it is refused as it should be.
+// Opens the file as T; null when it is refused with the right error.
 template <class T>
 std::unique_ptr<T> opened(const std::string& path) {
   try {
@@ -72,11 +72,11 @@ void build_and_trace(const SceneFile& scene, const std::string& path) {
     for (const Merge merge : {Merge::none, Merge::x, Merge::balance, Merge::irregular}) {
       try {
         build_a_little(scene, overlap, merge, path);
-      } catch (const Error&) { // a space that can't be divided
+      } catch (const Error&) { // the space can't be divided
         return;
       }
       const std::unique_ptr<GridFile> grid = opened<GridFile>(path);
-      if (grid == nullptr) { // a space too large for its own numbers
+      if (grid == nullptr) { // the space is too large for its store
         ASSERT_EQ(merge, Merge::none);
         return;
       }

@@ -1,5 +1,5 @@
-// Whatever numbers a text holds, what is written of it can be opened: each is refused in the text, or finite
-// in the file.
+// Any scene file that is written can be opened: extreme numbers are refused in the text, or finite in the
+// file.
 #include "libscene/error.h"
 #include "libscene/file/memory_file.h"
 #include "libscene/file/scene_file.h"
@@ -12,7 +12,7 @@
 namespace masu {
 namespace {
 
-// Often at an end of what some type can hold.
+// Numbers that are often near a limit of some type.
 std::string number(Chance& chance) {
   static const std::vector<std::string> extremes{
       "0",      "-0",    "1",       "5e-324",  "1e-310", "2.3e-308", "1e-300", "1e-160",
@@ -31,7 +31,7 @@ std::string numbers(Chance& chance, int count) {
   return text;
 }
 
-// Of each kind of entity sometimes one, with a number or two that are extreme.
+// At most one entity of each kind, with one or two extreme numbers.
 std::string extreme_text(Chance& chance) {
   const auto usual_but = [&](const std::string& usual) {
     return fmt::format(" {}", chance.one_in(3) ? number(chance) : usual);
@@ -69,7 +69,7 @@ void expect_openable(const Scene& scene, Store store, const std::string& text) {
   EXPECT_NO_THROW(SceneFile(file.path())) << text;
 }
 
-TEST(ExtremeScene, WhatIsWrittenCanBeOpened) {
+TEST(ExtremeScene, WrittenFilesCanBeOpened) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
@@ -88,7 +88,7 @@ TEST(ExtremeScene, WhatIsWrittenCanBeOpened) {
   EXPECT_GT(written, 0);
 }
 
-TEST(ExtremeScene, TheShortestNormalsAreDirections) {
+TEST(ExtremeScene, DenormalNormalsKeepTheirDirection) {
   for (const char* const tiny : {"5e-324", "1e-310", "1e-300", "1e-13"}) {
     const std::string normal = std::string(" 0 0 ") + tiny;
     const Scene scene = parse_nff("pp 3 0 0 0" + normal + " 1 0 0" + normal + " 0 1 0" + normal, "t");

@@ -1,4 +1,4 @@
-// Rays that begin far off: clipping them to the scene, and what they hit then.
+// Rays from far away: clipping to the scene's bounds, and their hits.
 #include "libscene/geometry/surface.h"
 #include "tests/ray_case.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using Arithmetics = testing::Types<float, double>;
 
-// What can be asked of clip.h, in u M.
+// The error bound of clip.h, in u M.
 constexpr double clip_error = 8;
 
 struct Interval {
@@ -35,7 +35,7 @@ Interval slabs(const oracle::Line& line, const Boxd& box) {
   return interval;
 }
 
-// Whether the ray starts beyond the box on a side that it doesn't come back to.
+// Whether the ray starts beyond the box and moves away from it.
 template <class Real>
 bool starts_beyond(const Boxd& box, const Ray<Real>& ray) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -46,9 +46,9 @@ bool starts_beyond(const Boxd& box, const Ray<Real>& ray) {
   return false;
 }
 
-// From up to 2^`distance` times the box's size away, aimed at what's in it or by its side.
+// A ray from up to 2^`distance` times the box's size away, aimed into the box or close by it.
 template <class Real>
-Ray<Real> from_afar(Chance& chance, const Boxd& box, double distance) {
+Ray<Real> far_ray(Chance& chance, const Boxd& box, double distance) {
   const double size = largest_magnitude(box.max - box.min);
   Vec3d target = chance.in_box(box);
   const int axis = chance.whole(0, 2);
@@ -75,11 +75,11 @@ Ray<Real> from_afar(Chance& chance, const Boxd& box, double distance) {
 }
 
 template <class Real>
-class RayFromAfar : public testing::Test {
+class FarRay : public testing::Test {
 protected:
   RandomSeed seed_;
 };
-TYPED_TEST_SUITE(RayFromAfar, Arithmetics);
+TYPED_TEST_SUITE(FarRay, Arithmetics);
 
 template <class Real>
 Boxd random_bounds(Chance& chance) {
@@ -91,7 +91,7 @@ Boxd random_bounds(Chance& chance) {
   return kept<Real>(box);
 }
 
-TYPED_TEST(RayFromAfar, ClippingKeepsTheRayAndMissesNothing) {
+TYPED_TEST(FarRay, ClippingIsAccurateAndConservative) {
   using Real = TypeParam;
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
@@ -101,10 +101,10 @@ TYPED_TEST(RayFromAfar, ClippingKeepsTheRayAndMissesNothing) {
     const Boxd bounds = random_bounds<Real>(chance);
     const Box<Real> box = cast<Real>(padded_bounds<Real>(bounds));
     const Boxd wide = cast<double>(box);
-    const Ray<Real> ray = from_afar<Real>(chance, wide, 23.25);
+    const Ray<Real> ray = far_ray<Real>(chance, wide, 23.25);
     const double unit = static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(wide);
     const oracle::Line line = oracle::line(ray.origin, ray.direction);
-    // Where hits can lie: the padding beyond may be entered late, or missed.
+    // Where hits can be: the padding outside may be entered late, or missed.
     const Interval met = slabs(line, grown(bounds, rounding_margin<Real>(bounds)));
     ClippedRay<Real> clipped{};
     if (!clip(ray, box, clipped)) {
@@ -138,16 +138,15 @@ TYPED_TEST(RayFromAfar, ClippingKeepsTheRayAndMissesNothing) {
   this->RecordProperty("worst_distance_from_the_ray_in_uM", std::to_string(worst_off));
   this->RecordProperty("worst_distance_beyond_the_entry_in_uM", std::to_string(worst_late));
   this->RecordProperty("worst_distance_before_the_box_in_uM", std::to_string(worst_outside));
-  // Rounded once a coordinate from nearby, and once before that from a few times the box's size.
+  // Each coordinate is rounded once, and once before when clipped from far away.
   EXPECT_LE(worst_off, clip_error) << worst_case;
   EXPECT_LE(worst_late, clip_error);
-  // From up to 256 times the box's size it is looked for once, and held back by 8 roundings of that, with 4
-  // of its own: of the difference, the inverse, their product, and that held back. Then the origin is
-  // rounded.
+  // From up to 256 times the box's size the ray is clipped once: `enter` is reduced by 8 roundings and has 4
+  // of its own (difference, inverse, product, reduction). Then the origin is rounded.
   EXPECT_LE(worst_outside, (8 + 4) * 256 + 1);
 }
 
-// What the oracle expects of a scene: nothing where any primitive leaves it unsure.
+// The oracle's nearest hit in a scene; unsure where it is for any primitive in question.
 template <class Real>
 oracle::Expected expect_nearest(const oracle::Line& line, const TestScene<Real>& scene, double slack) {
   oracle::Expected nearest{oracle::Answer::miss, 0, 0};
@@ -185,7 +184,7 @@ TestScene<Real> small_scene(Chance& chance) {
   return scene;
 }
 
-TYPED_TEST(RayFromAfar, FindsTheOraclesNearestHit) {
+TYPED_TEST(FarRay, FindsTheOraclesNearestHit) {
   using Real = TypeParam;
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
@@ -197,7 +196,7 @@ TYPED_TEST(RayFromAfar, FindsTheOraclesNearestHit) {
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
     for (int i = 0; i < 8; ++i) {
-      const Ray<Real> ray = from_afar<Real>(chance, bounds, 23.25);
+      const Ray<Real> ray = far_ray<Real>(chance, bounds, 23.25);
       const auto expected =
           expect_nearest(oracle::line(ray.origin, ray.direction), scene, rounding_margin<Real>(bounds));
       ++answers[expected.answer];
@@ -206,7 +205,7 @@ TYPED_TEST(RayFromAfar, FindsTheOraclesNearestHit) {
       const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
       const bool met = hit.primitive != no_primitive;
       bool good = met == (expected.answer == oracle::Answer::hit);
-      // The t from afar is rounded once or twice more.
+      // t from far away is rounded once or twice more.
       const oracle::Wide rounding = 4 * oracle::Wide(hit.t) * RealTraits<Real>::unit_roundoff;
       if (good && met) good = hit.t >= expected.low - rounding && hit.t <= expected.high + rounding;
       if (good || ++wrong > 1) continue;
@@ -222,8 +221,8 @@ TYPED_TEST(RayFromAfar, FindsTheOraclesNearestHit) {
   EXPECT_GT(answers[oracle::Answer::miss], cases(500));
 }
 
-// The eye may be far off: what it sees must be placed as well as from nearby.
-TYPED_TEST(RayFromAfar, SurfacesLieWhereTheRayMeetsThem) {
+// Hit points of a far camera are as accurate as those of a near one.
+TYPED_TEST(FarRay, SurfacePointsAreAccurate) {
   using Real = TypeParam;
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
@@ -234,14 +233,14 @@ TYPED_TEST(RayFromAfar, SurfacesLieWhereTheRayMeetsThem) {
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
     for (int i = 0; i < 8; ++i) {
-      const Ray<Real> ray = from_afar<Real>(chance, bounds, 12);
+      const Ray<Real> ray = far_ray<Real>(chance, bounds, 12);
       NoCounts counts;
       const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
       if (hit.primitive == no_primitive) continue;
       const oracle::Line line = oracle::line(ray.origin, ray.direction);
       const SurfacePoint<Real> point = surface_at<with_all_kinds>(view, ray, hit);
       const oracle::Point at = oracle::point(point.position), n = oracle::point(point.normal);
-      // Off the ray, that is; what a rounding moves a surface met aslant counts for little.
+      // Measured from the ray: at a grazing hit a rounding moves the point far along the surface.
       const oracle::Wide square = oracle::inner(line.direction, line.direction);
       const oracle::Wide along = oracle::inner(at - line.origin, line.direction) / square;
       const oracle::Wide cosine = oracle::magnitude(oracle::inner(n, line.direction)) / oracle::root(square);

@@ -1,5 +1,4 @@
-// Files as they must stay, byte by byte: hex lines `offset: bytes`, lines of zeros left out; `end: size`
-// last.
+// Golden bytes of files as text: lines `offset: bytes` in hex without lines of zeros, then `end: size`.
 #pragma once
 
 #include "tests/temporary_folder.h"

@@ -1,4 +1,4 @@
-// The formats stay what they are: files written today are these very bytes, and these bytes are read.
+// The file formats don't change: files are written as these bytes, and these bytes are read.
 #include "tests/golden.h"
 
 #include "tests/golden/grid.h"
@@ -28,7 +28,7 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 
 class GoldenFile : public testing::TestWithParam<Golden> {};
 
-// To accept a new format: raise the version (scene_file_kind, grid_file_kind), then paste what this prints.
+// To accept a new format: raise the version (scene_file_kind, grid_file_kind), then paste the test's output.
 TEST_P(GoldenFile, IsWrittenByteForByte) {
   const TemporaryFolder folder;
   const std::string path = folder.file("file");

@@ -1,4 +1,4 @@
-// The stability sweeps' rays on the CPU and on the GPU, bit for bit.
+// The rays of the stability sweeps have the same hits on CPU and GPU, bit for bit.
 #include "tools/bench/stability/backends.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@ namespace {
 
 class StabilityOnGpu : public testing::TestWithParam<Sweep> {};
 
-TEST_P(StabilityOnGpu, RobustAndDoubleAreTheSameBits) {
+TEST_P(StabilityOnGpu, RobustAndDoubleHitsEqualTheCpus) {
   std::string why;
   if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was compared: " << why;
   const RandomSeed seed;

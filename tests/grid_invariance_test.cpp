@@ -1,5 +1,5 @@
-// The grid never shows: pictures and hits are the same bytes for every grid, for none, and for any number of
-// threads; and so are equal grids.
+// Results are independent of the grid: images and hits are the same bytes for every grid, for brute force,
+// and for any number of threads; and a grid file is the same bytes for any number of threads.
 #include "tests/run_tool.h"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace {
 struct Case {
   const char* scene;
   int size;          // small: brute force and 1×1×1 voxels try every primitive
-  const char* store; // of the scene file, and so the arithmetic
+  const char* store; // of the scene file, and so the default precision
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -21,18 +21,18 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 class GridInvariance : public ToolTest, public testing::WithParamInterface<Case> {
 protected:
-  struct Answer {
+  struct Result {
     Bytes picture, hits;
-    bool operator==(const Answer&) const = default;
+    bool operator==(const Result&) const = default;
   };
 
-  // `how`: the grid, or --brute-force, and options.
-  Answer rendered(Arguments how) const {
+  // `arguments`: the grid, or --brute-force, and options.
+  Result rendered(Arguments arguments) const {
     const Arguments common{"--backend", "cpu",         "--size", "24x24",
                            "-o",        file("a.pfm"), "--hits", file("hits")};
-    how.insert(how.begin(), scene_);
-    how.insert(how.end(), common.begin(), common.end());
-    EXPECT_TRUE(succeeded(run("gridrender", how)));
+    arguments.insert(arguments.begin(), scene_);
+    arguments.insert(arguments.end(), common.begin(), common.end());
+    EXPECT_TRUE(succeeded(run("gridrender", arguments)));
     return {read_bytes(file("a.pfm")), read_bytes(file("hits"))};
   }
 
@@ -43,7 +43,7 @@ protected:
     threads2.insert(threads2.end(), {"--threads", "2"});
     const std::string path = grid("a.grid", scene_, division, threads1);
     EXPECT_TRUE(read_bytes(path) == read_bytes(grid("b.grid", scene_, division, threads2)))
-        << "threads show in the grid file";
+        << "the grid file depends on the number of threads";
     return path;
   }
 
@@ -51,8 +51,8 @@ protected:
       scene("a.scene", spd("a.nff", GetParam().scene, GetParam().size), {"--store", GetParam().store});
 };
 
-TEST_P(GridInvariance, NoGridShows) {
-  const Answer expected = rendered({"--brute-force"});
+TEST_P(GridInvariance, ResultsAreIndependentOfUniformGrids) {
+  const Result expected = rendered({"--brute-force"});
   ASSERT_EQ(expected.picture.size(), std::string_view("PF\n24 24\n-1.0\n").size() + 24 * 24 * 12);
   ASSERT_EQ(expected.hits.size(), 25U * 25 * 8);
   EXPECT_TRUE(rendered({"--brute-force", "--threads", "1"}) == expected);
@@ -66,7 +66,7 @@ TEST_P(GridInvariance, NoGridShows) {
       }
     }
   }
-  // Counting runs other code.
+  // With counters the kernels are other instances.
   EXPECT_TRUE(rendered({grid("c.grid", scene_), "--stats", file("stats")}) == expected);
 }
 
@@ -75,8 +75,8 @@ struct MergeCase {
   Arguments rules;
 };
 
-TEST_P(GridInvariance, NoMergedGridShows) {
-  const Answer expected = rendered({"--brute-force"});
+TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
+  const Result expected = rendered({"--brute-force"});
   const std::array<MergeCase, 8> merges{{
       {"33x20x5", {"--merge", "x"}},
       {"auto", {"--merge", "x", "--overlap", "box", "--space", "cube"}},
@@ -91,18 +91,18 @@ TEST_P(GridInvariance, NoMergedGridShows) {
     SCOPED_TRACE(fmt::format("division {}, {}", merge.division, fmt::join(merge.rules, " ")));
     const std::string path = built(merge.division, merge.rules);
     EXPECT_TRUE(rendered({path, "--threads", "2"}) == expected);
-    // Counting runs other code.
+    // With counters the kernels are other instances.
     EXPECT_TRUE(rendered({path, "--stats", file("stats")}) == expected);
   }
 }
 
-// The store's own arithmetic is the default; double shows no grid on float32 stores either.
-TEST_P(GridInvariance, NoGridShowsInDouble) {
+// The default precision is the store's; double precision on a float32 store must be independent, too.
+TEST_P(GridInvariance, ResultsInDoubleAreIndependentOfGrids) {
   const bool is_float32 = std::string_view(GetParam().store) == "float32";
   const std::string uniform = built("16", {"--merge", "none"}),
                     merged = built("auto", {"--merge", "irregular"});
   EXPECT_TRUE(rendered({uniform}) == rendered({uniform, "--precision", is_float32 ? "robust" : "double"}));
-  const Answer expected = rendered({"--brute-force", "--precision", "double"});
+  const Result expected = rendered({"--brute-force", "--precision", "double"});
   for (const std::string& path : {uniform, merged})
     EXPECT_TRUE(rendered({path, "--precision", "double"}) == expected);
 }

@@ -1,11 +1,11 @@
-// Scene and grid files taken apart, to be put together again with something wrong in them and every hash
-// right.
+// Scene and grid files taken apart, to be written again with invalid contents and correct hashes.
 #pragma once
 
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
+#include "tests/tiny_scene.h"
 
 #include <cstring>
 #include <functional>
@@ -22,7 +22,7 @@ struct SectionBytes {
     std::memcpy(&record, bytes.data() + i * sizeof record, sizeof record);
     return record;
   }
-  // Lets `change` at record i.
+  // Calls change(record i).
   template <class Record, class Change>
   void edit(std::size_t i, const Change& change) {
     Record record = get<Record>(i);
@@ -45,10 +45,10 @@ inline std::vector<SectionBytes> sections_of(const std::string& path,
   return sections;
 }
 
-// What both kinds of file have in common.
+// What scene and grid files have in common.
 struct TakenApart {
   std::vector<SectionBytes> sections;
-  std::function<void(std::vector<fb::Section>&)> falsify; // the table then tells another layout than the true
+  std::function<void(std::vector<fb::Section>&)> falsify; // changes the table's list of sections
   std::function<void(Bytes&)> damage_table;
 
   SectionBytes& section(std::uint32_t kind) {
@@ -58,16 +58,16 @@ struct TakenApart {
     std::erase_if(sections, [&](const SectionBytes& s) { return s.kind == kind; });
   }
 
-  // make_table(layout) gives the table's bytes.
+  // make_table(layout) returns the table's bytes.
   template <class MakeTable>
   void write(const std::string& path, const FileKind& kind, const MakeTable& make_table) const {
     std::vector<SectionData> data;
     for (const SectionBytes& s : sections)
       data.push_back({s.kind, s.record_bytes, s.bytes.size() / s.record_bytes, s.bytes.data()});
     const auto layout = lay_out(data);
-    auto told = layout;
-    if (falsify) falsify(told);
-    Bytes table = make_table(told);
+    auto listed = layout;
+    if (falsify) falsify(listed);
+    Bytes table = make_table(listed);
     if (damage_table) damage_table(table);
     write_container(path, kind, table, data, layout);
   }
@@ -131,7 +131,7 @@ struct GridParts : TakenApart {
     return TakenApart::section(static_cast<std::uint32_t>(kind));
   }
   void drop(fb::GridSection kind) { TakenApart::drop(static_cast<std::uint32_t>(kind)); }
-  // Sets word i of a section; appends when there is none.
+  // Sets word i of a section, appending it if necessary.
   void set(fb::GridSection kind, std::size_t i, std::uint32_t value) {
     Bytes& bytes = section(kind).bytes;
     bytes.resize(std::max(bytes.size(), 4 * (i + 1)));
@@ -152,14 +152,14 @@ struct GridParts : TakenApart {
   }
 };
 
-// A way to spoil a file, by name.
-template <class Fragments>
+// A named way to make a file invalid.
+template <class Parts>
 struct Wrong {
   const char* name;
-  std::function<void(Fragments&)> spoil;
+  std::function<void(Parts&)> spoil;
 };
-template <class Fragments>
-void PrintTo(const Wrong<Fragments>& wrong, std::ostream* out) {
+template <class Parts>
+void PrintTo(const Wrong<Parts>& wrong, std::ostream* out) {
   *out << wrong.name;
 }
 inline const auto by_name = [](const auto& test) { return std::string(test.param.name); };
@@ -178,7 +178,7 @@ inline WrongGrid blocks(const char* name, std::uint32_t log2) {
   return {name, [log2](GridParts& p) { p.block_log2 = log2; }};
 }
 
-// Refused when it is checked as it is opened, and when its records are checked later.
+// Whether the file is refused both when it is opened with all checks, and when its records are checked later.
 template <class File>
 testing::AssertionResult is_refused_as(const std::string& path) {
   const auto at_once = is_refused([](const std::string& name) { const File file(name); }, path);
@@ -187,6 +187,24 @@ testing::AssertionResult is_refused_as(const std::string& path) {
     file.check_records();
   };
   return at_once ? is_refused(later, path) : at_once;
+}
+
+// Expects the file at `path`, which is valid, to be refused when it is spoilt.
+template <class File, class Parts>
+void expect_refused(const std::string& path, const Wrong<Parts>& wrong) {
+  Parts parts(path);
+  parts.write(path);
+  ASSERT_NO_THROW(const File unspoilt(path));
+  wrong.spoil(parts);
+  parts.write(path);
+  EXPECT_TRUE(is_refused_as<File>(path));
+}
+
+inline void expect_grid_refused(const Grid& grid, const std::string& merge_rule, const WrongGrid& wrong) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.grid");
+  write_grid(grid, tiny_grid_origin({1, 2}, merge_rule), path);
+  expect_refused<GridFile>(path, wrong);
 }
 
 } // namespace masu

@@ -1,5 +1,5 @@
-// Merged grids whose every hash is right and whose contents are not: each gets an error; none leads a walk
-// out of its arrays, or round and round.
+// Merged grids with correct hashes and invalid contents are refused with an error; none leads traversal out
+// of its arrays or into an endless loop.
 #include "tests/tracing_probe.h"
 #include "tests/unchecked_grid.h"
 
@@ -13,18 +13,10 @@ constexpr const char* merge_rule = "irregular";
 class HostileMergedGrid : public testing::TestWithParam<WrongGrid> {};
 
 TEST_P(HostileMergedGrid, IsRefused) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("hostile.grid");
-  write_grid(tiny_merged_grid(), tiny_grid_origin({1, 2}, merge_rule), path);
-  GridParts parts(path);
-  parts.write(path);
-  ASSERT_NO_THROW(const GridFile unspoilt(path));
-  GetParam().spoil(parts);
-  parts.write(path);
-  EXPECT_TRUE(is_refused_as<GridFile>(path));
+  expect_grid_refused(tiny_merged_grid(), merge_rule, GetParam());
 }
 
-TEST(UncheckedGrid, IsRefusedByTheCpuBeforeAnythingIsTraced) {
+TEST(UncheckedGrid, IsRefusedByTheCpuBeforeTracing) {
   EXPECT_TRUE(is_refused_by_tracer(Device::cpu));
 }
 
@@ -34,7 +26,7 @@ WrongGrid map(const char* name, std::size_t i, std::uint32_t value) {
 WrongGrid map_of(const char* name, std::size_t words) {
   return {name, [=](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(4 * words); }};
 }
-// axis 3: the list.
+// axis 3: the list of references.
 WrongGrid cell(const char* name, std::size_t i, std::size_t axis, std::uint32_t value) {
   return word(name, GridSection::cells, 4 * i + axis, value);
 }
@@ -48,8 +40,8 @@ WrongGrid merged_as(const char* name, int merge) {
   return {name, [merge](GridParts& p) { p.merge = static_cast<fb::Merge>(merge); }};
 }
 
-// See tiny_scene.h: the words 0 and 1 are the top level, 8 to 15 divide the first cube, 16 to 23 that one's
-// first part.
+// See tiny_scene.h: words 0 and 1 are the top level, 8 to 15 divide the first cube, 16 to 23 divide the first
+// of its parts.
 INSTANTIATE_TEST_SUITE_P(
     Map, HostileMergedGrid,
     testing::Values(
@@ -99,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }}),
     by_name);
 
-// Few words that divide the space again and again, each map by the same next one: 8^15 ways through them.
-TEST(HostileNestedMap, ThatManyCubesShareIsRefusedAtOnce) {
+// Few words that divide the space 15 times, all eight of each level by the same next one: 8^15 paths.
+TEST(HostileNestedMap, SharedByCubesIsRefusedQuickly) {
   const TemporaryFolder folder;
   const std::string path = folder.file("hostile.grid");
   constexpr std::uint32_t depth = 15, side = 1U << depth;
@@ -117,8 +109,8 @@ TEST(HostileNestedMap, ThatManyCubesShareIsRefusedAtOnce) {
   EXPECT_TRUE(is_refused_as<GridFile>(path));
 }
 
-// Whatever still opens can be walked to the end.
-TEST(HostileMergedGridBits, AnyOneOfThemFlippedIsRefusedOrHarmless) {
+// Traversal of any that still opens ends.
+TEST(HostileMergedGridBits, AnyFlippedBitIsRefusedOrHarmless) {
   const TemporaryFolder folder;
   const std::string scene_path = folder.file("scene"), path = folder.file("grid");
   write_scene(tiny_scene(), Store::float32, scene_path);

@@ -1,5 +1,5 @@
-// Rays and single primitives: the tracer's answer against the oracle's, and the promise on which the grid's
-// invisibility rests: a computed hit lies within libscene/geometry/margin.h's bound of the surface.
+// Intersection of rays with single primitives, compared with an exact oracle: computed hits lie within the
+// error bound of libscene/geometry/margin.h, on which the results' independence of the grid rests.
 #include "tests/ray_case.h"
 
 #include <map>
@@ -40,21 +40,21 @@ void expect_hits_on_the_surface(const RandomSeed& seed, std::int64_t tries, cons
   EXPECT_LE(worst, documented) << worst_case;
 }
 
-// The property on which the grid's invisibility rests.
+// Conservative grids rely on this bound.
 TYPED_TEST(RayAndPrimitive, ComputedHitsLieWithinTheDocumentedErrorOfTheSurface) {
   expect_hits_on_the_surface<TypeParam>(this->seed_, 100'000,
                                         [](Chance& chance) { return TypeParam::random(chance); });
 }
 
-TYPED_TEST(RayAndPrimitive, HitsAreAsGoodInScenesOfAnyScale) {
+TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAtAnyScale) {
   using Real = typename TypeParam::Real;
   expect_hits_on_the_surface<TypeParam>(this->seed_, 100'000, [](Chance& chance) {
     return TypeParam::random(chance, unusual_scale<Real>(chance));
   });
 }
 
-// Directions all but across an axis, down to denormal components.
-TYPED_TEST(RayAndPrimitive, HitsAreAsGoodAlongDirectionsWithTinyComponents) {
+// Directions nearly perpendicular to an axis, with components down to denormal numbers.
+TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAlongDirectionsWithTinyComponents) {
   using Real = typename TypeParam::Real;
   constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
   expect_hits_on_the_surface<TypeParam>(this->seed_, 50'000, [](Chance& chance) {
@@ -71,8 +71,8 @@ TYPED_TEST(RayAndPrimitive, HitsAreAsGoodAlongDirectionsWithTinyComponents) {
   });
 }
 
-// Nothing is hit that isn't there, nor missed that is, but within the documented error of an edge, a rim or a
-// silhouette; and t is right to that error, taken across the surface.
+// There are no false hits and no missed ones except within the documented error of an edge, a rim or a
+// silhouette; the error of t, measured perpendicular to the surface, is within that bound.
 TYPED_TEST(RayAndPrimitive, AgreesWithTheOracle) {
   using Real = typename TypeParam::Real;
   SCOPED_TRACE(this->seed_.trace());

@@ -1,4 +1,4 @@
-// Closed meshes let no ray out.
+// Closed meshes are watertight.
 #include "tests/ray_case.h"
 #include "tools/bench/stability/random_mesh.h"
 
@@ -14,9 +14,9 @@ protected:
 };
 TYPED_TEST_SUITE(RayAndMesh, Arithmetics);
 
-// ClippedBounds of edges are decided exactly, so neither the order of the corners nor their winding can show.
-// (t may differ in its last bits: its sums are rounded in another order.)
-TYPED_TEST(RayAndMesh, TheOrderOfCornersDoesNotDecideWhetherATriangleIsHit) {
+// The side of an edge is decided exactly, so that a hit doesn't depend on the corners' order or winding. (t
+// may differ in its last bits: its sums are rounded in another order.)
+TYPED_TEST(RayAndMesh, HitIsIndependentOfTheOrderOfCorners) {
   using Real = TypeParam;
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
@@ -39,7 +39,7 @@ TYPED_TEST(RayAndMesh, TheOrderOfCornersDoesNotDecideWhetherATriangleIsHit) {
   EXPECT_LE(worst, 2 * triangle_error);
 }
 
-// Somewhere among the numbers that Real holds; or on a raster so coarse that differences, too, are exact.
+// Any numbers in the range of Real; or on a raster so coarse that differences are exact, too.
 template <class Real>
 Mesh<Real> placed(Chance& chance, const Mesh<double>& mesh, bool raster, Vec3<Real>& origin) {
   const double scale = chance.power_of_two(-10, 20),
@@ -57,7 +57,7 @@ Mesh<Real> placed(Chance& chance, const Mesh<double>& mesh, bool raster, Vec3<Re
   return result;
 }
 
-TYPED_TEST(RayAndMesh, NoRayLeavesAClosedMeshThroughItsEdgesAndCorners) {
+TYPED_TEST(RayAndMesh, ClosedMeshIsWatertightAtEdgesAndCorners) {
   using Real = TypeParam;
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
@@ -79,7 +79,7 @@ TYPED_TEST(RayAndMesh, NoRayLeavesAClosedMeshThroughItsEdgesAndCorners) {
       const Vec3<Real> towards = sized(chance, fma(b - a, share, a) - origin);
       const WatertightRay<Real> ray = prepared(origin, towards);
       bool met = false;
-      // From the face that stopped the last ray on: any order will do.
+      // Starting with the face that the last ray hit: the order doesn't matter.
       for (std::size_t n = 0; n < triangles.size() && !met; ++n) {
         Real t = 0;
         met = intersect(ray, triangles[start], t) && t > 0;

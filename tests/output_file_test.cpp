@@ -29,7 +29,7 @@ void write_whole(const std::string& path, std::string_view text,
   file.commit();
 }
 
-// Whether `act` throws Error(output) that names `path`.
+// Whether `act` throws Error(output, path).
 testing::AssertionResult fails_as_output(const std::string& path, const std::function<void()>& act) {
   try {
     act();
@@ -41,7 +41,7 @@ testing::AssertionResult fails_as_output(const std::string& path, const std::fun
   return testing::AssertionFailure() << "nothing was thrown";
 }
 
-TEST(OutputFile, CommittedIsAllThatIsThere) {
+TEST(OutputFile, CommitLeavesOneFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
   write_whole(path, "new");
@@ -49,7 +49,7 @@ TEST(OutputFile, CommittedIsAllThatIsThere) {
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
 }
 
-TEST(OutputFile, CommittedReplacesTheOldOne) {
+TEST(OutputFile, CommitReplacesAnExistingFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
   write_text(path, "something much longer than the new text");
@@ -58,13 +58,13 @@ TEST(OutputFile, CommittedReplacesTheOldOne) {
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
 }
 
-TEST(OutputFile, EmptyIsAFileToo) {
+TEST(OutputFile, CommitMayLeaveAnEmptyFile) {
   const TemporaryFolder folder;
   write_whole(folder.file("a"), "");
   EXPECT_EQ(read_text(folder.file("a")), "");
 }
 
-TEST(OutputFile, WithoutCommitNothingIsLeft) {
+TEST(OutputFile, NothingRemainsWithoutCommit) {
   const TemporaryFolder folder;
   {
     OutputFile file(folder.file("a"));
@@ -73,7 +73,7 @@ TEST(OutputFile, WithoutCommitNothingIsLeft) {
   EXPECT_TRUE(folder.listing().empty());
 }
 
-TEST(OutputFile, WithoutCommitTheOldFileStays) {
+TEST(OutputFile, ExistingFileIsUnchangedWithoutCommit) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
   write_text(path, "old");
@@ -86,7 +86,7 @@ TEST(OutputFile, WithoutCommitTheOldFileStays) {
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
 }
 
-TEST(OutputFile, ReadersOfTheOldFileKeepIt) {
+TEST(OutputFile, OpenReadersKeepTheOldFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
   write_text(path, "old");
@@ -95,7 +95,7 @@ TEST(OutputFile, ReadersOfTheOldFileKeepIt) {
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "old");
 }
 
-TEST(OutputFile, KilledHalfWayTheOldFileStays) {
+TEST(OutputFile, ExistingFileIsUnchangedWhenTheWriterIsKilled) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
   write_text(path, "old");
@@ -113,7 +113,7 @@ TEST(OutputFile, KilledHalfWayTheOldFileStays) {
   EXPECT_EQ(read_text(path), "old");
 }
 
-TEST(OutputFile, KilledHalfWayNoNewFileAppears) {
+TEST(OutputFile, NoFileAppearsWhenTheWriterIsKilled) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
   const pid_t child = fork();
@@ -128,7 +128,7 @@ TEST(OutputFile, KilledHalfWayNoNewFileAppears) {
   EXPECT_TRUE(folder.listing().empty());
 }
 
-TEST(OutputFile, WhereNoFileCanBeIsAnOutputError) {
+TEST(OutputFile, ImpossiblePathIsAnOutputError) {
   const TemporaryFolder folder;
   const std::string nowhere = folder.file("no/such/folder/a"), directory = folder.path().string(),
                     below_a_file = folder.file("file/a"), too_long = folder.file(std::string(5000, 'a'));
@@ -139,7 +139,7 @@ TEST(OutputFile, WhereNoFileCanBeIsAnOutputError) {
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"file"});
 }
 
-// In a process of its own, which may not do what root may.
+// In a child process without root's privileges.
 int code_without_privileges(const std::string& path) {
   const pid_t child = fork();
   if (child == 0) {
@@ -156,10 +156,10 @@ int code_without_privileges(const std::string& path) {
   return WEXITSTATUS(status);
 }
 
-TEST(OutputFile, WithoutPermissionIsAnOutputError) {
+TEST(OutputFile, MissingPermissionIsAnOutputError) {
   const TemporaryFolder folder;
   namespace fs = std::filesystem;
-  fs::permissions(folder.path(), fs::perms(0755)); // others must reach what is inside
+  fs::permissions(folder.path(), fs::perms(0755)); // the child process must be able to enter it
   fs::create_directory(folder.file("closed"));
   fs::permissions(folder.file("closed"), fs::perms(0555));
   EXPECT_EQ(code_without_privileges(folder.file("closed/a")), 3);
@@ -179,7 +179,7 @@ TEST(OutputFile, DevicesAreWrittenDirectly) {
   EXPECT_TRUE(S_ISCHR(status.st_mode));
 }
 
-TEST(OutputFile, AFullDeviceIsAnOutputError) {
+TEST(OutputFile, FullDeviceIsAnOutputError) {
   EXPECT_TRUE(fails_as_output("/dev/full", [] { write_whole("/dev/full", "some text"); }));
   EXPECT_TRUE(fails_as_output("/dev/full", [] { write_whole("/dev/full", std::string(1 << 20, 'x')); }));
 }
@@ -196,7 +196,7 @@ TEST(OutputFile, PipesAreWrittenDirectly) {
   EXPECT_TRUE(std::filesystem::is_fifo(path));
 }
 
-TEST(OutputFile, ASymbolicLinkStaysAndItsTargetIsReplaced) {
+TEST(OutputFile, SymbolicLinkIsFollowed) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("elsewhere"));
   write_text(folder.file("elsewhere/target"), "old");
@@ -206,7 +206,7 @@ TEST(OutputFile, ASymbolicLinkStaysAndItsTargetIsReplaced) {
   EXPECT_EQ(read_text(folder.file("elsewhere/target")), "new");
 }
 
-TEST(OutputFile, ADanglingLinkStaysAndItsTargetIsMade) {
+TEST(OutputFile, DanglingLinkIsFollowed) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("elsewhere"));
   std::filesystem::create_symlink("elsewhere/target", folder.file("inner"));
@@ -217,14 +217,14 @@ TEST(OutputFile, ADanglingLinkStaysAndItsTargetIsMade) {
   EXPECT_EQ(read_text(folder.file("elsewhere/target")), "new");
 }
 
-TEST(OutputFile, ACircleOfLinksIsAnOutputError) {
+TEST(OutputFile, CycleOfLinksIsAnOutputError) {
   const TemporaryFolder folder;
   std::filesystem::create_symlink("b", folder.file("a"));
   std::filesystem::create_symlink("a", folder.file("b"));
   EXPECT_TRUE(fails_as_output(folder.file("a"), [&] { write_whole(folder.file("a"), "new"); }));
 }
 
-TEST(OutputFile, ALongNameIsAName) {
+TEST(OutputFile, LongestNamesCanBeWritten) {
   const TemporaryFolder folder;
   for (const std::size_t length : {252U, 255U}) {
     for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
@@ -240,7 +240,7 @@ TEST(OutputFile, ALongNameIsAName) {
   EXPECT_TRUE(folder.listing().empty());
 }
 
-TEST(OutputFile, UntilItIsCommittedNothingHasAName) {
+TEST(OutputFile, FileHasNoNameBeforeCommit) {
   const TemporaryFolder folder;
   write_text(folder.file("a"), "old");
   OutputFile replacing(folder.file("a")), creating(folder.file("b"));
@@ -249,7 +249,7 @@ TEST(OutputFile, UntilItIsCommittedNothingHasAName) {
   EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
 }
 
-TEST(OutputFile, AReplacedFileKeepsItsPermissions) {
+TEST(OutputFile, ReplacingKeepsPermissions) {
   const TemporaryFolder folder;
   for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
     for (const unsigned mode : {0600U, 0755U, 0666U, 0640U}) {
@@ -261,7 +261,7 @@ TEST(OutputFile, AReplacedFileKeepsItsPermissions) {
   }
 }
 
-TEST(OutputFile, TwoWritersOfOneFileDoNotMeet) {
+TEST(OutputFile, ConcurrentWritersOfOneFileAreIndependent) {
   const TemporaryFolder folder;
   for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
     OutputFile first(folder.file("a"), until_commit), second(folder.file("a"), until_commit);
@@ -275,7 +275,7 @@ TEST(OutputFile, TwoWritersOfOneFileDoNotMeet) {
   }
 }
 
-// Names that a file has on its way are known: whoever may write to the folder can put something there first.
+// Temporary names are predictable: anyone with write permission for the folder can create them first.
 std::string first_temporary_name(const TemporaryFolder& folder, const std::string& name) {
   const OutputFile file(folder.file(name), UntilCommit::named);
   for (const std::string& there : folder.listing()) {
@@ -284,7 +284,7 @@ std::string first_temporary_name(const TemporaryFolder& folder, const std::strin
   return {};
 }
 
-TEST(OutputFile, APlantedLinkIsNotFollowed) {
+TEST(OutputFile, PlantedLinkIsNotFollowed) {
   const TemporaryFolder folder;
   const std::string planted = first_temporary_name(folder, "a");
   ASSERT_FALSE(planted.empty());
@@ -299,7 +299,7 @@ TEST(OutputFile, APlantedLinkIsNotFollowed) {
   }
 }
 
-// Runs act in a process of its own, which it must end by that signal.
+// Runs act in a child process, which it must end by that signal.
 void expect_ended_by(int signal, const std::function<void()>& act) {
   const pid_t child = fork();
   ASSERT_GE(child, 0);
@@ -312,7 +312,7 @@ void expect_ended_by(int signal, const std::function<void()>& act) {
   EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
 }
 
-TEST(OutputFile, ASignalRemovesWhatHasATemporaryName) {
+TEST(OutputFile, SignalsRemoveTemporaryNames) {
   const TemporaryFolder folder;
   write_text(folder.file("a"), "old");
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -328,7 +328,7 @@ TEST(OutputFile, ASignalRemovesWhatHasATemporaryName) {
   }
 }
 
-TEST(OutputFile, WhatAKilledProcessLeftIsRemovedByTheNextThatWritesTheFile) {
+TEST(OutputFile, NextWriterRemovesTheStaleFileOfAKilledProcess) {
   const TemporaryFolder folder;
   for (const UntilCommit until_commit : {UntilCommit::unnamed, UntilCommit::named}) {
     expect_ended_by(SIGKILL, [&] {
@@ -338,7 +338,7 @@ TEST(OutputFile, WhatAKilledProcessLeftIsRemovedByTheNextThatWritesTheFile) {
     });
     EXPECT_FALSE(std::filesystem::exists(folder.file("a")));
     write_text(folder.file("a"), "old");
-    EXPECT_EQ(folder.listing().size(), 2U); // and what was left
+    EXPECT_EQ(folder.listing().size(), 2U); // with the stale one
     write_whole(folder.file("a"), "new", until_commit);
     EXPECT_EQ(read_text(folder.file("a")), "new");
     EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
@@ -346,11 +346,11 @@ TEST(OutputFile, WhatAKilledProcessLeftIsRemovedByTheNextThatWritesTheFile) {
   }
 }
 
-TEST(OutputFile, WhatAnotherProcessIsWritingStays) {
+TEST(OutputFile, TemporaryFileOfARunningProcessIsKept) {
   const TemporaryFolder folder;
   OutputFile other(folder.file("a"), UntilCommit::named);
   put(other, "other");
-  expect_ended_by(SIGKILL, [&] { // in a process of its own, as locks go by processes
+  expect_ended_by(SIGKILL, [&] { // in another process, since locks belong to processes
     write_whole(folder.file("a"), "mine", UntilCommit::named);
     std::raise(SIGKILL);
   });
@@ -359,14 +359,14 @@ TEST(OutputFile, WhatAnotherProcessIsWritingStays) {
   EXPECT_EQ(read_text(folder.file("a")), "other");
 }
 
-TEST(OutputFile, AFileWithoutANameIsWrittenDirectly) {
+TEST(OutputFile, UnnamedFilesAreWrittenDirectly) {
   const MemoryFile file;
   write_whole(file.path(), "something long");
   write_whole(file.path(), "new");
   EXPECT_EQ(read_text(file.path()), "new");
 }
 
-TEST(OutputFile, NewFilesHaveTheUsualPermissions) {
+TEST(OutputFile, NewFilesHaveDefaultPermissions) {
   const TemporaryFolder folder;
   const mode_t mask = umask(0027);
   write_whole(folder.file("a"), "new");
@@ -374,7 +374,7 @@ TEST(OutputFile, NewFilesHaveTheUsualPermissions) {
   EXPECT_EQ(std::filesystem::status(folder.file("a")).permissions(), std::filesystem::perms(0640));
 }
 
-TEST(SameFile, IsOneByEveryNameAndSpelling) {
+TEST(SameFile, IsRecognisedByAnyNameAndSpelling) {
   const TemporaryFolder folder;
   namespace fs = std::filesystem;
   fs::create_directory(folder.file("in"));

@@ -19,7 +19,7 @@ GridLayout random_lattice(Chance& chance, const Boxd& bounds) {
           is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
 }
 
-// The same grid with a map of two levels, which the builder makes for large divisions only.
+// The same uniform grid with a map of two levels, which the builder uses only for large divisions.
 inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
   Grid blocks_grid{grid.layout, Merge::none, block_log2, 0, {}, {}, grid.references};
   const Vec3i blocks = blocks_of(grid.layout.division, block_log2);
@@ -56,7 +56,7 @@ inline MergeRule random_merge_rule(Chance& chance) {
           chance.one_of({0, 1, 6})};
 }
 
-// What an irregular grid is built by: few voxels, which are divided further.
+// Input for an irregular grid with few top-level voxels.
 struct IrregularCase {
   GridLayout layout;
   Overlap overlap;
@@ -87,13 +87,13 @@ Grid random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bou
                           : random_merged_grid(chance, scene, bounds);
 }
 
-// act(the grid's view).
+// Calls act(the grid's view).
 template <class Real, class Act>
 void with_view(const Grid& grid, const Act& act) {
   grid.merge == Merge::none ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
 }
 
-// Of its smallest voxels.
+// The layout of the grid's smallest voxels.
 inline GridLayout finest_lattice(const Grid& grid) {
   return finer(grid.layout, grid.nested_log2);
 }

@@ -1,5 +1,5 @@
-// Random rays that are hard on walks: along axes and across them, through voxels' and primitives' corners,
-// from faces, from far off.
+// Random rays that are hard cases of traversal: parallel and perpendicular to axes, through corners of voxels
+// and primitives, from faces, from far away.
 #pragma once
 
 #include "libscene/geometry/ray.h"
@@ -14,19 +14,19 @@ template <class Real>
 class RayMaker {
 public:
   RayMaker(Chance& chance, const TestScene<Real>& scene, const Boxd& bounds, const Grid& grid)
-      : chance_(chance), scene_(scene), bounds_(bounds), grid_(grid), lattice_(finest_lattice(grid)) {}
+      : chance_(chance), scene_(scene), bounds_(bounds), grid_(grid), finest_(finest_lattice(grid)) {}
 
   Ray<Real> ray() {
-    const Vec3<Real> target = place();
-    Vec3<Real> origin = chance_.one_in(4) ? afar(target) : place();
-    // Along an axis, or across one: through the target's own coordinates.
+    const Vec3<Real> target = point();
+    Vec3<Real> origin = chance_.one_in(4) ? far_point(target) : point();
+    // Perpendicular to one axis, or to two: share coordinates with the target.
     if (chance_.one_in(3)) {
       const int axis = chance_.whole(0, 2);
       origin.set(axis, target[axis]);
       if (chance_.one_in(2)) origin.set((axis + 1) % 3, target[(axis + 1) % 3]);
     }
     if (origin == target) origin = cast<Real>(chance_.in_box(padded()));
-    Vec3<Real> direction = sized(target - origin);
+    Vec3<Real> direction = scaled(target - origin);
     for (int axis = 0; axis < 3; ++axis) {
       if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, Real(-0.0));
       if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, tiny());
@@ -40,12 +40,12 @@ private:
   Boxd padded() const { return padded_bounds<Real>(bounds_); }
   double size() const { return largest_magnitude(bounds_.max - bounds_.min); }
 
-  static Vec3<Real> sized(const Vec3<Real>& v) {
+  // v scaled by a power of two to a largest component between a half and one; {1, 0, 0} for zero.
+  static Vec3<Real> scaled(const Vec3<Real>& v) {
     int exponent = 0;
     std::frexp(largest_magnitude(v), &exponent);
-    const Vec3<Real> scaled{std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent),
-                            std::ldexp(v.z, -exponent)};
-    return largest_magnitude(scaled) == 0 ? Vec3<Real>{1, 0, 0} : scaled;
+    if (largest_magnitude(v) == 0) return {1, 0, 0};
+    return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
   }
 
   Real tiny() {
@@ -53,20 +53,20 @@ private:
     return static_cast<Real>(chance_.sign() * chance_.power_of_two(lowest, -20));
   }
 
-  // Between voxels; more often than not between cells.
-  std::int32_t plane_number(int axis) {
-    if (grid_.cells.empty() || chance_.one_in(4)) return chance_.whole(0, lattice_.division[axis]);
+  // The index of a plane between voxels; mostly one between cells.
+  std::int32_t plane_index(int axis) {
+    if (grid_.cells.empty() || chance_.one_in(4)) return chance_.whole(0, finest_.division[axis]);
     const VoxelBox box = box_of(grid_.cells[chance_.index(grid_.cells.size())]);
     return chance_.one_in(2) ? box.first[axis] : box.end[axis];
   }
-  // As the walk computes it.
+  // The plane's coordinate, computed as in traversal.
   Real plane(int axis) {
-    return fma(static_cast<Real>(plane_number(axis)), static_cast<Real>(voxel_size(lattice_)[axis]),
-               static_cast<Real>(lattice_.space.min[axis]));
+    return fma(static_cast<Real>(plane_index(axis)), static_cast<Real>(voxel_size(finest_)[axis]),
+               static_cast<Real>(finest_.space.min[axis]));
   }
 
-  // Anywhere; on the layout's faces, edges and corners; on corners, edges and centers of primitives.
-  Vec3<Real> place() {
+  // Anywhere; on faces, edges and corners of voxels; on corners, edges and centers of primitives.
+  Vec3<Real> point() {
     Vec3<Real> p = cast<Real>(chance_.in_box(padded()));
     switch (chance_.whole(0, 5)) {
     case 0:
@@ -101,7 +101,7 @@ private:
     }
   }
 
-  Vec3<Real> afar(const Vec3<Real>& target) {
+  Vec3<Real> far_point(const Vec3<Real>& target) {
     return cast<Real>(cast<double>(target) + chance_.direction() * (size() * chance_.power_of_two(0, 23.25)));
   }
 
@@ -109,7 +109,7 @@ private:
   const TestScene<Real>& scene_;
   const Boxd& bounds_;
   const Grid& grid_;
-  GridLayout lattice_;
+  GridLayout finest_;
 };
 
 template <class Real>

@@ -1,12 +1,12 @@
-// Random scenes that are hard on grids: clusters, floors, planes across an axis, needles, primitives on
-// voxels' faces, ties.
+// Random scenes that are hard cases for grids: clusters, floors, axis-aligned planes, needles, primitives on
+// faces of voxels, ties.
 #pragma once
 
 #include "tools/bench/stability/test_scene.h"
 
 namespace masu {
 
-// Puts scenes together; everything lies within ±scale of some place.
+// Makes scenes; everything lies within ±scale of some point.
 template <class Stored>
 class SceneMaker {
 public:
@@ -41,7 +41,7 @@ public:
     }
   }
 
-  // Triangles, and small things: quickly listed however fine the grid is.
+  // Triangles and small objects: fast to build, even with fine grids.
   TestScene<Stored> fine() {
     TestScene<Stored> scene = floor_with_crumbs();
     const TestScene<Stored> sheet = mesh();
@@ -49,7 +49,7 @@ public:
     return scene;
   }
 
-  // Overlapping triangles in one plane across an axis.
+  // Overlapping triangles in one axis-aligned plane.
   TestScene<Stored> flat() {
     TestScene<Stored> scene;
     const int axis = chance_.whole(0, 2);
@@ -62,8 +62,8 @@ public:
       add_triangle(scene, corner(), corner(), corner());
     return scene;
   }
-  // Cones whose tips nearly touch triangles, all across the same axis; and a last triangle as large as the
-  // space.
+  // Cones whose tips nearly touch triangles, all perpendicular to one axis; and a last triangle as large as
+  // the space.
   TestScene<Stored> pointed() {
     TestScene<Stored> scene;
     const int axis = chance_.whole(0, 2);
@@ -132,7 +132,7 @@ private:
     scene.cones.insert(scene.cones.end(), cluster.cones.begin(), cluster.cones.end());
     return scene;
   }
-  // Everything twice or more, so that hits are tied.
+  // Every primitive twice or more, so that hits are ties.
   TestScene<Stored> doubled() {
     TestScene<Stored> scene = mixed(at_, scale_);
     const auto again = [&](auto& primitives) {
@@ -145,7 +145,7 @@ private:
     again(scene.cones);
     return scene;
   }
-  // Overlapping triangles in a few planes across an axis.
+  // Overlapping triangles in a few parallel, axis-aligned planes.
   TestScene<Stored> coplanar() {
     TestScene<Stored> scene;
     const int axis = chance_.whole(0, 2);
@@ -169,7 +169,7 @@ private:
     add_triangle(scene, low, low + Vec3d{far, far, 0}, low + Vec3d{0, far, 0});
     return scene;
   }
-  // Corners on a coarse raster, with the raster's own bounds: most lie on faces of divisions by 2, 4 or 8.
+  // Corners on a coarse raster that spans the bounds: most lie on faces of divisions by 2, 4 or 8.
   TestScene<Stored> on_a_raster() {
     TestScene<Stored> scene;
     const double unit = std::exp2(std::round(std::log2(scale_)) - 2);

@@ -1,7 +1,7 @@
-// Rays aimed at single primitives, drawn so that they are hard to answer: far off and close by, along edges
-// and axes, grazing, at tips.
+// Random rays aimed at single primitives that are hard cases of intersection: from far away and nearby, along
+// edges and axes, grazing, at tips.
 //
-// Errors are told in u M (unit roundoff times the largest coordinate of the scene's bounds), as
+// Errors are in u M (unit roundoff times the largest coordinate of the scene's bounds), as
 // libscene/geometry/margin.h does.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 namespace masu {
 
-// What margin.h grants the hit, of the margin that covers all.
+// The parts of margin.h's bound for hits, in u M.
 inline constexpr double triangle_error = 85, sphere_error = 60, cone_error = 60;
 
 template <class T>
@@ -49,7 +49,7 @@ std::string case_described(const Case<Real, Primitive>& c) {
   return described(c.primitive) + "; " + described(c.origin, c.direction) + "; uM " + described(c.unit);
 }
 
-// Of the lengths that the renderer traces: one, or with a largest component between a half and one.
+// Scaled as the renderer's directions: to unit length, or to a largest component between a half and one.
 template <class Real>
 Vec3<Real> sized(Chance& chance, const Vec3<Real>& direction) {
   int exponent = 0;
@@ -60,7 +60,7 @@ Vec3<Real> sized(Chance& chance, const Vec3<Real>& direction) {
   return chance.one_in(2) ? scaled : normalized(scaled);
 }
 
-// The bounds of a scene that holds the primitive, and perhaps more; not much smaller than the scale.
+// Bounds of a scene with the primitive and maybe others; not much smaller than the scale.
 template <class Primitive>
 Boxd scene_bounds(Chance& chance, const Primitive& primitive, double scale) {
   const Boxd own = cast<double>(bounds(primitive));
@@ -69,8 +69,8 @@ Boxd scene_bounds(Chance& chance, const Primitive& primitive, double scale) {
   return join(own, Boxd{{-scale, -scale, -scale}, {scale, scale, scale}});
 }
 
-// A ray through `target` from `wanted`, or from as close to it as a clipped ray can start; `towards` is kept
-// where the origin was not moved and a direction is wanted.
+// A ray through `target` from `wanted`, or from the nearest point at which a clipped ray can start.
+// `towards`: its direction instead, if given.
 template <class Real, class Primitive>
 Case<Real, Primitive> aimed(Chance& chance, const Primitive& primitive, const Boxd& bounds,
                             const Vec3d& wanted, const Vec3d& target, const Vec3d* towards = nullptr) {
@@ -79,7 +79,7 @@ Case<Real, Primitive> aimed(Chance& chance, const Primitive& primitive, const Bo
   if (chance.one_in(3)) origin = nudged(chance, origin, 3);
   for (int axis = 0; axis < 3; ++axis)
     origin.set(axis, std::clamp(origin[axis], clip.min[axis], clip.max[axis]));
-  // Now and then along an axis, or across one.
+  // Sometimes parallel or perpendicular to an axis.
   const Vec3<Real> aim = cast<Real>(target);
   if (chance.one_in(6)) {
     const int kept = chance.whole(0, 2);
@@ -100,7 +100,7 @@ Case<Real, Primitive> aimed(Chance& chance, const Primitive& primitive, const Bo
           static_cast<double>(RealTraits<Real>::unit_roundoff) * largest_magnitude(bounds), clip};
 }
 
-// How many of a number's digits a small difference may be lost behind.
+// Small differences are drawn down to this many binary digits.
 template <class Real>
 constexpr double digits = std::numeric_limits<Real>::digits;
 
@@ -112,7 +112,7 @@ Triangle<Real> random_triangle(Chance& chance, double scale) {
              c = cast<Real>(around + chance.in_cube(size));
   const double share = chance.uniform(-0.5, 1.5), thin = chance.power_of_two(-1.2 * digits<Real>, -2);
   switch (chance.whole(0, 6)) {
-  case 0: // a needle, or three points in a row
+  case 0: // thin, or three collinear points
     c = cast<Real>(cast<double>(a) + cast<double>(b - a) * share + chance.in_cube(size * thin));
     if (chance.one_in(2)) c = nudged(chance, cast<Real>(cast<double>(a) + cast<double>(b - a) * share), 3);
     break;
@@ -304,7 +304,7 @@ Case<Real, Primitive<Real>> random_case(Chance& chance, double scale) {
   }
 }
 
-// A scene of this primitive alone, in the case's own bounds.
+// A scene of one primitive with the case's bounds.
 template <class Real, class Primitive>
 class Alone {
 public:
@@ -340,8 +340,7 @@ bool hit(const Case<Real, Primitive>& c, Real& t) {
   return met;
 }
 
-// A scene's scale: smaller than usual, a millionth of a unit at least, or as large as the scene file takes
-// it.
+// A scene's scale: small, or as large as the scene file allows.
 template <class Real>
 double unusual_scale(Chance& chance) {
   if constexpr (std::is_same_v<Real, float>) {
@@ -351,7 +350,7 @@ double unusual_scale(Chance& chance) {
   }
 }
 
-// Every kind, to be tested alike.
+// The type parameters of tests: every kind of primitive.
 template <class Real_, template <class> class Primitive>
 struct Kind {
   using Real = Real_;

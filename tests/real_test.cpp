@@ -1,4 +1,4 @@
-// Arithmetic by itself.
+// Divisions of real.h.
 #include "libscene/geometry/real.h"
 #include "tools/bench/stability/random_seed.h"
 #include "tools/bench/stability/test_scene.h"
@@ -10,12 +10,12 @@
 namespace masu {
 namespace {
 
-class Quotient : public testing::Test {
+class FastDivide : public testing::Test {
 protected:
   RandomSeed seed_;
 };
 
-TEST_F(Quotient, IsRoundedAsDivisionIs) {
+TEST_F(FastDivide, IsRoundedLikeDivision) {
   SCOPED_TRACE(seed_.trace());
   Chance chance(seed_);
   std::int64_t others = 0;
@@ -31,14 +31,14 @@ TEST_F(Quotient, IsRoundedAsDivisionIs) {
   EXPECT_LE(others, tries / 100'000);
 }
 
-TEST_F(Quotient, ByNothingIsNoNumberThatCounts) {
+TEST_F(FastDivide, ByZeroIsHugeOrNaN) {
   for (const float over : {0.0F, 1.0F, -1.0F, 1e-30F, 1e30F}) {
     for (const float by : {0.0F, -0.0F, std::numeric_limits<float>::denorm_min()})
       EXPECT_FALSE(std::abs(fast_divide(over, by)) <= 1e30F) << over << " / " << by;
   }
 }
 
-TEST_F(Quotient, OfOneIsNeverInfinite) {
+TEST_F(FastDivide, FiniteInverseIsNeverInfinite) {
   SCOPED_TRACE(seed_.trace());
   Chance chance(seed_);
   constexpr float largest = RealTraits<float>::largest;

@@ -1,4 +1,4 @@
-// Whether a bad file is refused as it should be: Error(input) that names the file, and nothing else.
+// Whether an invalid file is refused with Error(input, path).
 #pragma once
 
 #include "libscene/error.h"
@@ -10,7 +10,7 @@
 
 namespace masu {
 
-// `open` is called with `path`. `says`, unless empty, must be part of the message.
+// Calls open(path). `says` must be part of the message.
 template <class Open>
 testing::AssertionResult is_refused(const Open& open, const std::string& path, const std::string& says = "") {
   try {

@@ -1,4 +1,4 @@
-// Rays and what is particular to spheres and cones: insides, open ends, bounds.
+// Rays and the special cases of spheres and cones: insides, open ends, bounds.
 #include "tests/ray_case.h"
 
 namespace masu {
@@ -24,7 +24,7 @@ template <class Real>
 class RayAndRound : public testing::Test {};
 TYPED_TEST_SUITE(RayAndRound, Arithmetics);
 
-TYPED_TEST(RayAndRound, ANegativeRadiusShowsTheInsideOnly) {
+TYPED_TEST(RayAndRound, NegativeRadiusShowsOnlyTheInside) {
   using Real = TypeParam;
   const Vec3<Real> left{-5, 0, 0}, middle{0, 0, 0}, right{5, 0, 0}, x{1, 0, 0};
   EXPECT_TRUE(meets_at(Sphere<Real>{{0, 0, 0}, 2}, left, x, 3));
@@ -38,7 +38,7 @@ TYPED_TEST(RayAndRound, ANegativeRadiusShowsTheInsideOnly) {
   EXPECT_TRUE(misses(Cone<Real>{{0, -1, 0}, -2, {0, 1, 0}, -2}, right, x));
 }
 
-TYPED_TEST(RayAndRound, AConeIsOpenAtItsEnds) {
+TYPED_TEST(RayAndRound, ConesAreOpenAtTheirEnds) {
   using Real = TypeParam;
   const Cone<Real> pipe{{0, 0, 0}, 1, {0, 0, 4}, 1}, tip{{0, 0, 0}, 2, {0, 0, 4}, 0},
       flare{{0, 0, 0}, 1, {0, 0, 4}, 3};
@@ -47,17 +47,17 @@ TYPED_TEST(RayAndRound, AConeIsOpenAtItsEnds) {
   EXPECT_TRUE(misses(pipe, Vec3<Real>{2, 0, -1}, Vec3<Real>{0, 0, 1}));
   EXPECT_TRUE(misses(tip, Vec3<Real>{-5, 0, 5}, Vec3<Real>{1, 0, 0}));
   EXPECT_TRUE(misses(tip, Vec3<Real>{-5, 0, -1}, Vec3<Real>{1, 0, 0}));
-  // Parallel to the axis, inside, and out through the side.
+  // Parallel to the axis, from inside out through the side.
   EXPECT_TRUE(meets_at(tip, Vec3<Real>{1, 0, 0.5}, Vec3<Real>{0, 0, 1}, 1.5));
   EXPECT_TRUE(meets_at(flare, Vec3<Real>{2, 0, 3.5}, Vec3<Real>{0, 0, -1}, 1.5));
-  // Parallel to one side, which leaves one place to meet the other.
+  // Parallel to one side: one hit on the other side.
   EXPECT_TRUE(meets_at(flare, Vec3<Real>{0, 0, 3}, Vec3<Real>{-0.5, 0, -1}, 2.5));
   EXPECT_TRUE(meets_at(tip, Vec3<Real>{0, 0, 1}, Vec3<Real>{-0.5, 0, 1}, 1.5));
 }
 
-// Across the axis but for the smallest numbers, or a rounding: the ray reaches the ends' planes only where it
-// is far off the axis, and must not be taken for met there.
-TYPED_TEST(RayAndRound, ARayThatPassesBeyondTheEndsMisses) {
+// Perpendicular to the axis up to the smallest numbers, or a rounding: the ray reaches the ends' planes only
+// far from the axis, where there must be no hit.
+TYPED_TEST(RayAndRound, RaysBeyondTheEndsMiss) {
   using Real = TypeParam;
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
@@ -86,9 +86,8 @@ TYPED_TEST(RayAndRound, ARayThatPassesBeyondTheEndsMisses) {
   EXPECT_EQ(hits, 0) << first;
 }
 
-// Scenes whose cones are all cylinders are traced by code for these, and any other scene's by that for all
-// cones: an extra cone must not show.
-TYPED_TEST(RayAndRound, ACylinderIsMetTheSameWhereAllConesAre) {
+// Scenes whose cones are all cylinders use specialised code: adding a cone must not change any hit.
+TYPED_TEST(RayAndRound, CylinderCodeGivesTheBitsOfConeCode) {
   using Real = TypeParam;
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
@@ -108,8 +107,8 @@ TYPED_TEST(RayAndRound, ACylinderIsMetTheSameWhereAllConesAre) {
   EXPECT_GT(hits, cases(100'000) / 10);
 }
 
-// The scene is clipped to this box, and voxels list the cone by it: no point of the side may lie outside.
-TYPED_TEST(RayAndRound, BoundsHoldTheWholeCone) {
+// Rays are clipped to this box, and voxels list cones by it: it must contain every point of the side.
+TYPED_TEST(RayAndRound, BoundsContainTheWholeCone) {
   using Real = TypeParam;
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
@@ -121,7 +120,7 @@ TYPED_TEST(RayAndRound, BoundsHoldTheWholeCone) {
     const Boxd box = bounds(cone);
     const oracle::Profile side = oracle::profile(cone);
     for (int axis = 0; axis < 3; ++axis) {
-      // An end's disc reaches as far along the axis as its radius times the sine of the angle to it.
+      // The extent of an end's disc along an axis is its radius times the sine of the angle between them.
       Vec3d axis_vector{};
       axis_vector.set(axis, 1);
       const oracle::Point unit = oracle::point(axis_vector);

@@ -1,4 +1,4 @@
-// Grids compared, byte for byte.
+// Comparison of grids, byte for byte.
 #pragma once
 
 #include "libgrid/build/build.h"

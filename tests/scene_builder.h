@@ -1,4 +1,4 @@
-// Scenes of a few objects, put together in a test.
+// Functions to make scenes of a few objects in tests.
 #pragma once
 
 #include "libscene/scene.h"
@@ -20,8 +20,8 @@ inline Material glass(float index) {
 
 inline constexpr Vec3f test_background{0.25F, 0.5F, 0.75F};
 
-// Holds nothing yet. Ambient light of 1: a matte surface shows its own colour. The camera sees 90° by 90° in
-// 2×2 pixels, so that the middle one of its 3×3 corner rays goes straight ahead.
+// Ambient light of 1: a matte surface has its own colour. The camera's field of view is 90° by 90° with 2×2
+// pixels, so that the middle one of its 3×3 corner rays is the view direction.
 inline Scene empty_scene(const Vec3d& from, const Vec3d& at) {
   Scene scene{};
   const Vec3d sight = normalized(at - from);
@@ -58,7 +58,7 @@ inline void add_triangle(Scene& scene, const Vec3d& a, const Vec3d& b, const Vec
   scene.triangles.push_back({a, object, b, add_material(scene, material), c, no_normals});
   ++scene.objects.polygons;
 }
-// A triangle about `center` that holds a disc of radius `reach`, its front to `normal`.
+// A triangle that contains a disc of radius `reach` about `center`, with the front towards `normal`.
 inline void add_wall(Scene& scene, const Vec3d& center, const Vec3d& normal, const Material& material,
                      double reach = 100) {
   const Vec3d n = normalized(normal);
@@ -71,7 +71,7 @@ inline void add_light(Scene& scene, const Vec3d& position, const Vec3d& intensit
   scene.lights.push_back({position, intensity});
 }
 
-// Numbers, colours and directions by chance.
+// Random numbers, colours and directions.
 class SceneChance {
 public:
   explicit SceneChance(const RandomSeed& seed) : engine_(seed.engine()) {}
@@ -81,11 +81,11 @@ public:
   }
   float share() { return static_cast<float>(between(0, 1)); }
   Vec3f color() { return {share(), share(), share()}; }
-  // Any direction whose cosine with `axis` is over `least`.
-  Vec3d towards(const Vec3d& axis, double least = 0.15) {
+  // A direction whose cosine with `axis` is larger than `min_cosine`.
+  Vec3d towards(const Vec3d& axis, double min_cosine = 0.15) {
     for (;;) {
       const Vec3d v{between(-1, 1), between(-1, 1), between(-1, 1)};
-      if (dot(v, v) <= 1 && dot(v, v) > 0.01 && dot(normalized(v), axis) > least) return normalized(v);
+      if (dot(v, v) <= 1 && dot(v, v) > 0.01 && dot(normalized(v), axis) > min_cosine) return normalized(v);
     }
   }
   Vec3d direction() { return towards({0, 0, 1}, -2); }

@@ -1,4 +1,4 @@
-// The shading formula once more, in double and straight from its definition:
+// A reference implementation of the shading formula, in double:
 //   I = Ia Kd C + Σ visible Il (Kd C (N·L) + Ks max(0, R·V)^n)
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace masu {
 
-// At `point`, with unit normal and unit vector to the viewer; every light visible.
+// `outwards` and `to_viewer` are unit vectors; all lights are visible.
 inline Vec3d direct_light_of(const Scene& scene, const Material& material, const Vec3d& point,
                              const Vec3d& outwards, const Vec3d& to_viewer) {
   const Vec3d normal = dot(outwards, to_viewer) >= 0 ? outwards : -outwards;

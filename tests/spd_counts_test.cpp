@@ -1,7 +1,7 @@
-// The standard scenes cast as many rays of each kind as has been published for them.
+// The numbers of rays of each kind for the SPD scenes are those published.
 //
 // Sources: the SPD's own documentation ("should be within about 10%"), and V. Havran & J. Sixta, "Comparison
-// of Hierarchical Grids", Ray Tracing News 12(1), 1999, for a second count of the eye's hits.
+// of Hierarchical Grids", Ray Tracing News 12(1), 1999, for a second count of camera rays' hits.
 #include "tests/run_tool.h"
 
 #include <nlohmann/json.hpp>
@@ -11,13 +11,13 @@
 namespace masu {
 namespace {
 
-// At 513×513 corner rays, five deep, by the SPD's rules.
+// For 513×513 corner rays, depth 5, and the SPD's rules.
 struct Published {
   const char* scene;
   double objects;
   double camera_hits, eye_hits_of_1999;
   double reflection_rays, refraction_rays, shadow_rays;
-  const char* another_division; // than `auto`
+  const char* another_division; // other than `auto`
 };
 
 constexpr std::array<Published, 7> published{{
@@ -49,7 +49,7 @@ testing::AssertionResult is_within(double share, double counted, double expected
                                      << expected;
 }
 
-TEST_P(SpdCounts, AreThosePublished) {
+TEST_P(SpdCounts, EqualThePublishedOnes) {
   const Published& expected = GetParam();
   const std::string text = spd("a.nff", expected.scene);
   const std::string scene_path = scene("a.scene", text);
@@ -70,7 +70,7 @@ TEST_P(SpdCounts, AreThosePublished) {
   EXPECT_TRUE(is_within(for_refraction, count("refraction_rays"), expected.refraction_rays));
   EXPECT_TRUE(is_within(0.01, count("shadow_rays"), expected.shadow_rays));
 
-  // Another grid: the same hits to the bit, the same rays to the last one.
+  // Another grid: the same hits and counts.
   const std::string another = grid("b.grid", scene_path, expected.another_division, {"--overlap", "box"});
   const auto again = rendered(another, file("hits-again"));
   for (const char* const name : {"eye_rays", "eye_hits", "reflection_rays", "refraction_rays", "shadow_rays",

@@ -1,4 +1,4 @@
-// The standard scenes keep the properties that define them, at every size.
+// The SPD scenes have their defining properties at every size.
 #include "libscene/spd/spd.h"
 
 #include "libscene/error.h"
@@ -126,7 +126,7 @@ Key key(const Vec3d& v) {
   return {v.x, v.y, v.z};
 }
 
-// For every edge between two corners: how often it runs forwards less how often backwards.
+// For every edge between two corners: uses forwards minus uses backwards.
 std::map<std::pair<Key, Key>, int> edge_balance(const std::vector<Polygon>& polygons) {
   std::map<std::pair<Key, Key>, int> balance;
   for (const Polygon& polygon : polygons)
@@ -143,7 +143,7 @@ std::size_t open_edges(const std::vector<Polygon>& polygons) {
       std::ranges::count_if(balance, [](const auto& edge) { return edge.second != 0; }));
 }
 
-// Six times the volume inside a closed surface; positive when it is seen counter-clockwise from outside.
+// Six times the volume inside a closed surface; positive when it is counter-clockwise seen from outside.
 double sixfold_volume(const std::vector<Polygon>& polygons) {
   double sum = 0;
   for (const Polygon& p : polygons)
@@ -241,7 +241,7 @@ TEST(Spd, TheSameOptionsGiveTheSameBytes) {
     EXPECT_EQ(text_of(info.scene, 3), text_of(info.scene, 3)) << info.name;
 }
 
-TEST(Spd, NumbersAreFiniteAndFreeOfNoise) {
+TEST(Spd, NumbersAreFiniteAndRounded) {
   for (const SpdInfo& info : masu::spd_scenes()) {
     std::istringstream words(text_of(info.scene, 4));
     std::string word;
@@ -269,7 +269,7 @@ TEST(Spd, BallsTouchTheirParents) {
   }
 }
 
-TEST(Spd, BallsOfOneParentKeepApart) {
+TEST(Spd, BallsOfOneParentDontOverlap) {
   const std::vector<Sphere> spheres = scene_of(SpdScene::balls, 1).spheres;
   for (std::size_t i = 1; i < spheres.size(); ++i)
     for (std::size_t j = i + 1; j < spheres.size(); ++j)
@@ -292,7 +292,7 @@ TEST(Spd, TetraFillsItsCubeWithConstantArea) {
 TEST(Spd, TetraIsClosedAndFacesOutwards) {
   const std::vector<Polygon> triangles = scene_of(SpdScene::tetra, 4).polygons;
   EXPECT_EQ(open_edges(triangles), 0U);
-  // Half the volume goes at every level.
+  // Every level halves the volume.
   EXPECT_NEAR(sixfold_volume(triangles) / 6, 8.0 / 3 / 8, digit);
 }
 
@@ -320,7 +320,8 @@ TEST(Spd, RingsOfOneObjectDontMeet) {
     for (std::size_t b = 5 * (a / 5 + 1); b < tubes.size(); ++b)
       for (int i = 0; i <= steps; ++i)
         for (int j = 0; j <= steps; ++j)
-          ASSERT_GT(distance(along(tubes[a], i), along(tubes[b], j)), 0.13); // the axes; the tubes graze
+          ASSERT_GT(distance(along(tubes[a], i), along(tubes[b], j)),
+                    0.13); // of the axes; the tubes nearly touch
 }
 
 TEST(Spd, BranchesOfTheTreeGrowFromKnots) {
@@ -352,7 +353,7 @@ TEST(Spd, GearsAreClosedAndFaceOutwards) {
   }
 }
 
-TEST(Spd, GearsKeepInsideTheirBlock) {
+TEST(Spd, GearsLieInTheirBlock) {
   for (int size = 1; size <= 4; ++size)
     for (const Polygon& polygon : scene_of(SpdScene::gears, size, false).polygons)
       for (const Vec3d& v : polygon) {
@@ -362,7 +363,7 @@ TEST(Spd, GearsKeepInsideTheirBlock) {
       }
 }
 
-// One height at every place of the lattice; EXPECTs that cells agree on it.
+// The height at every lattice point; EXPECTs that cells agree on it.
 std::map<std::pair<double, double>, double> heights_of_mount(int size) {
   std::map<std::pair<double, double>, double> heights;
   for (const Polygon& triangle : scene_of(SpdScene::mount, size).polygons)
@@ -392,7 +393,7 @@ TEST(Spd, MountsOuterCornersLieAtHeightZero) {
 }
 
 TEST(Spd, LargerMountsRefineSmallerOnes) {
-  // Size 8 is the first that needs random numbers of our own.
+  // Size 8 is the first beyond the definition's random numbers.
   const auto coarse = heights_of_mount(5), fine = heights_of_mount(8);
   EXPECT_EQ(fine.size(), 257U * 257U);
   for (const auto& [place, height] : coarse)
@@ -427,7 +428,7 @@ TEST(Spd, TeapotHasItsPatchesAndSquares) {
 }
 
 TEST(Spd, TeapotsPatchesShareTheirEdges) {
-  // What stays open: the rim's inner and the lid's outer edge, both ends of the handle and of the spout.
+  // Open edges: the rim's inner and the lid's outer edge, both ends of the handle and of the spout.
   for (const std::size_t n : {2U, 7U, 12U})
     EXPECT_EQ(open_edges(scene_of(SpdScene::teapot, static_cast<int>(n)).triangles), 16 * n) << n;
 }
@@ -437,7 +438,7 @@ TEST(Spd, TeapotIsSymmetric) {
   for (const Polygon& triangle : scene_of(SpdScene::teapot, 6).triangles)
     for (const Vec3d& v : triangle)
       corners.insert(key(v));
-  const auto has_near = [&](const Vec3d& v) { // heights half-way between two digits may go either way
+  const auto has_near = [&](const Vec3d& v) { // heights half-way between two digits may be rounded either way
     return std::ranges::any_of(corners, [&](const Key& k) {
       const auto [x, y, z] = k;
       return distance(v, {x, y, z}) < 2 * digit;
@@ -458,11 +459,11 @@ void expect_unit_normals_beside_triangles(const Parsed& scene, double side) {
   }
 }
 
-TEST(Spd, TeapotsNormalsFaceAsItsTrianglesDo) {
+TEST(Spd, TeapotsNormalsAgreeWithItsTriangles) {
   expect_unit_normals_beside_triangles(scene_of(SpdScene::teapot, 12), 1);
 }
 
-TEST(Spd, NurbsNormalsFaceAgainstItsTriangles) {
+TEST(Spd, NurbsNormalsAreOppositeToItsTriangles) {
   expect_unit_normals_beside_triangles(scene_of(SpdScene::nurbs, 5), -1);
 }
 
@@ -490,10 +491,10 @@ TEST(Spd, UnknownScenesAndSizesOutOfRangeAreUsageErrors) {
   }
 }
 
-TEST(Spd, AFullDiskIsAnOutputError) {
+TEST(Spd, FullDiskIsAnOutputError) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> full(std::fopen("/dev/full", "wb"), std::fclose);
   if (!full) GTEST_SKIP() << "no /dev/full here";
-  for (const int size : {1, 6}) { // fails in the last flush, and on the way
+  for (const int size : {1, 6}) { // fails in the last flush, and before
     try {
       masu::write_spd({SpdScene::tetra, size}, full.get(), "disk.nff");
       ADD_FAILURE() << "nothing was thrown";
@@ -511,7 +512,7 @@ long peak_memory() {
   return usage.ru_maxrss;
 }
 
-TEST(Spd, MemoryStaysFlat) {
+TEST(Spd, MemoryIsIndependentOfSize) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> nowhere(std::fopen("/dev/null", "wb"), std::fclose);
   const auto write = [&](int size) { masu::write_spd({SpdScene::balls, size}, nowhere.get(), "nowhere"); };
   write(1);

@@ -1,4 +1,4 @@
-// The surface at a hit: where it is, which way it faces, and that whoever leaves it does not meet it again.
+// The surface at a hit: position and normal, and no self-intersection of secondary rays.
 #include "libscene/geometry/surface.h"
 #include "tests/ray_case.h"
 
@@ -21,8 +21,8 @@ oracle::Wide extent(const Cone<Real>& c) {
          std::max(std::abs(c.base_radius), std::abs(c.apex_radius));
 }
 
-// Which way the front faces at a point of the surface; any length. None where a triangle's edges, rounded,
-// have no side any more.
+// The normal at a point of the surface, of any length. Zero where a triangle is too thin to have one after
+// rounding.
 template <class Real>
 oracle::Point front(const Triangle<Real>& t, const oracle::Point&) {
   const oracle::Point ab = oracle::point(t.b) - oracle::point(t.a),
@@ -41,13 +41,14 @@ oracle::Point front(const Cone<Real>& c, const oracle::Point& at) {
   const oracle::Profile side = oracle::profile(c);
   const oracle::Point off = at - side.base - side.up * side.height(at);
   const oracle::Wide distance = oracle::norm(off);
-  // By a pointed end rounding leaves no direction off the axis.
+  // Near a pointed end the direction is lost to rounding.
   if (distance <= 64 * RealTraits<Real>::unit_roundoff * extent(c)) return {0, 0, 0};
   const oracle::Point away = off * (1 / distance);
   return (away - side.up * side.slope) * (c.base_radius < 0 || c.apex_radius < 0 ? -1 : 1);
 }
 
-// A triangle is left on either side, the others to the outside: to where they never are again.
+// Rays may leave a triangle on either side, other primitives only to the outside, where they can't hit them
+// again.
 template <class Real>
 constexpr bool has_two_sides(const Triangle<Real>&) {
   return true;
@@ -106,7 +107,7 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
     if (!has_two_sides(c.primitive) && oracle::inner(facing, facing) == 0) continue; // a tip
     for (int k = 0; k < 4; ++k) {
       Vec3<Real> towards = cast<Real>(chance.direction());
-      if (k > 1) { // along the surface, nearly
+      if (k > 1) { // nearly tangential
         const Vec3d along = masu::across(chance, cast<double>(n));
         towards = cast<Real>(along + cast<double>(n) * (chance.sign() * chance.power_of_two(-30, -3)));
       }
@@ -129,12 +130,12 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
   EXPECT_LE(worst_off, 4 * std::sqrt(3.0)) << "u extent: " << off_case;
 }
 
-TYPED_TEST(SurfaceAtHit, RaysThatLeaveASurfaceDoNotMeetItAgain) {
+TYPED_TEST(SurfaceAtHit, SecondaryRaysDoNotHitTheirSurface) {
   expect_good_surfaces<TypeParam>(this->seed_, 40'000,
                                   [](Chance& chance) { return TypeParam::random(chance); });
 }
 
-TYPED_TEST(SurfaceAtHit, SurfacesAreAsGoodInScenesOfAnyScale) {
+TYPED_TEST(SurfaceAtHit, SurfacesAreAsAccurateAtAnyScale) {
   expect_good_surfaces<TypeParam>(this->seed_, 20'000, [](Chance& chance) {
     return TypeParam::random(chance, unusual_scale<typename TypeParam::Real>(chance));
   });

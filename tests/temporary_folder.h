@@ -1,4 +1,4 @@
-// A folder of a test's own, gone with everything in it when the test ends; and whole files in and out.
+// A temporary folder for a test, removed with its contents at the end; reading and writing of whole files.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ public:
   const std::filesystem::path& path() const { return path_; }
   std::string file(std::string_view name) const { return (path_ / name).string(); }
 
-  // Names of what lies in it, sorted.
+  // The names of its entries, sorted.
   std::vector<std::string> listing() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_))
@@ -47,8 +47,8 @@ public:
   }
 
 private:
-  // In memory where there is room, and unless TMPDIR says otherwise: flushing many small files to a disk
-  // takes most of a test's time.
+  // /dev/shm if it has room and TMPDIR isn't set: flushing many small files to a disk would take most of the
+  // tests' time.
   static std::filesystem::path parent() {
     std::error_code failed;
     const std::filesystem::path memory = "/dev/shm";

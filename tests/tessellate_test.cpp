@@ -1,4 +1,4 @@
-// Triangles in place of spheres and cones.
+// Tessellation of spheres and cones.
 #include "libscene/mesh/tessellate.h"
 
 #include "libscene/error.h"
@@ -39,7 +39,7 @@ Sphere<double> random_sphere(SceneChance& chance, double sign) {
   const double scale = std::exp(chance.between(-20, 20));
   return {chance.direction() * (scale * chance.between(0, 30)), sign * scale};
 }
-// Slender ones and flat ones, pointed at either end or not, of any size.
+// Slender and flat cones, pointed at either end or not, of any size.
 Cone<double> random_cone(SceneChance& chance, double sign) {
   const double scale = std::exp(chance.between(-20, 20));
   const Vec3d base = chance.direction() * (scale * chance.between(0, 30));
@@ -50,7 +50,7 @@ Cone<double> random_cone(SceneChance& chance, double sign) {
   return {base, base_radius, apex, apex_radius};
 }
 
-// Calls body(sign) for the random cases with either sign of the radius, saying the seed.
+// Calls body(sign) for random cases with either sign of the radius.
 template <class Body>
 void for_random_cases(const Body& body) {
   const RandomSeed seed;
@@ -68,7 +68,7 @@ std::array<Vec3d, 3> normals(const Scene& scene, const Triangle<double>& t) {
   return {n.a, n.b, n.c};
 }
 
-// How often each edge is walked from one corner to the other; corners are the same when their bits are.
+// How often each directed edge is used; corners are compared bit for bit.
 using Place = std::tuple<double, double, double>;
 std::map<std::pair<Place, Place>, int> edges(const Scene& scene) {
   const auto place = [](const Vec3d& v) { return Place{v.x, v.y, v.z}; };
@@ -80,7 +80,7 @@ std::map<std::pair<Place, Place>, int> edges(const Scene& scene) {
   }
   return walked;
 }
-// Edges that aren't walked once each way.
+// Edges that aren't used exactly once in each direction.
 std::size_t open_edges(const Scene& scene) {
   const auto walked = edges(scene);
   return static_cast<std::size_t>(std::count_if(walked.begin(), walked.end(), [&](const auto& edge) {
@@ -95,7 +95,7 @@ double distance_from_axis(const Cone<double>& cone, const Vec3d& p) {
 
 // --- Counts
 
-TEST(Tessellation, MakesTheTrianglesItSays) {
+TEST(Tessellation, HasTheDocumentedNumberOfTriangles) {
   for (const int n : all_facets) {
     const auto sides = static_cast<std::size_t>(n);
     EXPECT_EQ(one_sphere({{1, 2, 3}, 4}, n).triangles.size(), 12 * (sides / 4) * (sides / 4));
@@ -106,12 +106,12 @@ TEST(Tessellation, MakesTheTrianglesItSays) {
   }
 }
 
-TEST(Tessellation, TwelveFacetsMakeTheSpdsCounts) {
+TEST(Tessellation, TwelveFacetsGiveTheSpdsCounts) {
   EXPECT_EQ(one_sphere({{1, 2, 3}, 4}, 12).triangles.size(), 108U);
   EXPECT_EQ(one_cone({{0, 0, 0}, 2, {0, 0, 1}, 1}, 12).triangles.size(), 24U);
 }
 
-TEST(Tessellation, LeavesTrianglesAlone) {
+TEST(Tessellation, KeepsTriangles) {
   Scene scene = nothing();
   add_wall(scene, {1, 2, 3}, {0, 0, 1}, gray);
   const Triangle<double> wall = scene.triangles[0];
@@ -122,7 +122,7 @@ TEST(Tessellation, LeavesTrianglesAlone) {
   EXPECT_EQ(scene.triangles[0].normals, no_normals);
 }
 
-TEST(Tessellation, OfMoreThanPrimitivesCanBeNumberedIsRefused) {
+TEST(Tessellation, TooManyTrianglesAreRefused) {
   Scene scene = nothing();
   // 12 (1024/4)² triangles each: 5462 of them are over 2^32.
   scene.spheres.resize(5462, {{0, 0, 0}, 1});
@@ -164,11 +164,11 @@ TEST(Tessellation, CornersLieOnTheConesEnds) {
   });
 }
 
-TEST(Tessellation, ASphereIsClosed) {
+TEST(Tessellation, SpheresAreClosed) {
   for_random_cases([](SceneChance& chance, double sign, int facets) {
     const Scene scene = one_sphere(random_sphere(chance, sign), facets);
     ASSERT_EQ(open_edges(scene), 0U);
-    // Euler: as many corners and triangles as edges, and two more.
+    // Euler: corners + triangles = edges + 2.
     std::vector<Place> places;
     for (const auto& [edge, times] : edges(scene))
       places.push_back(edge.first);
@@ -178,7 +178,7 @@ TEST(Tessellation, ASphereIsClosed) {
   });
 }
 
-TEST(Tessellation, AConeIsOpenAtItsWideEndsAlone) {
+TEST(Tessellation, ConesAreOpenAtTheirWideEndsOnly) {
   for_random_cases([](SceneChance& chance, double sign, int facets) {
     const Cone<double> cone = random_cone(chance, sign);
     const std::size_t ends = (cone.base_radius != 0 ? 1U : 0U) + (cone.apex_radius != 0 ? 1U : 0U);
@@ -218,7 +218,7 @@ TEST(Tessellation, CornerNormalsAreTheSurfaces) {
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3d n = normals(scene, t)[i], p = corners(t)[i] - cone.base;
         const Vec3d off_axis = p - axis * (dot(p, axis) / dot(axis, axis));
-        if (length(off_axis) < 1e-9 * length(axis)) continue; // a pointed end has no normal of its own
+        if (length(off_axis) < 1e-9 * length(axis)) continue; // a pointed end has no normal
         const double growth = std::abs(cone.apex_radius) - std::abs(cone.base_radius);
         const Vec3d outwards = normalized(normalized(off_axis) * dot(axis, axis) - axis * growth);
         ASSERT_LT(length(n - outwards * sign), 1e-12);
@@ -258,7 +258,7 @@ TEST(Tessellation, ConesOfExtremeShapeHaveFiniteNormals) {
     }
 }
 
-// --- What they belong to
+// --- Objects and materials
 
 TEST(Tessellation, ObjectsAndMaterialsAreKept) {
   Scene scene = nothing();
@@ -273,7 +273,7 @@ TEST(Tessellation, ObjectsAndMaterialsAreKept) {
   EXPECT_EQ(made.materials.size(), scene.materials.size());
   EXPECT_TRUE(made.spheres.empty() && made.sphere_surfaces.empty());
   EXPECT_TRUE(made.cones.empty() && made.cone_surfaces.empty());
-  // Triangles first, then spheres, then cones; each object carries its own material here.
+  // Triangles first, then spheres, then cones; each object has its own material here.
   std::vector<std::uint64_t> expected{2};
   expected.insert(expected.end(), 48, 1);
   expected.insert(expected.end(), 48, 3);

@@ -1,4 +1,4 @@
-// A scene with one of everything, and grids for it: small enough to be compared byte by byte.
+// A scene with primitives of every kind, and grids for it, small enough for golden bytes.
 #pragma once
 
 #include "libgrid/file/grid_file.h"
@@ -32,7 +32,7 @@ inline Scene tiny_scene() {
 }
 inline constexpr std::uint64_t tiny_scene_primitives = 4;
 
-// Made up by hand: 2×2×1 voxels, three occupied.
+// 2×2×1 voxels, three occupied.
 inline Grid tiny_grid() {
   return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 2, 1}, 0.0625},
           Merge::none,
@@ -43,7 +43,7 @@ inline Grid tiny_grid() {
           {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
 }
 
-// The same kind of thing with a map of two levels: 5×1×1 voxels in three blocks, the middle one empty.
+// A map of two levels: 5×1×1 voxels in three blocks, the middle one empty.
 inline Grid tiny_grid_of_blocks() {
   constexpr std::uint32_t block0 = occupied_bit | 0, block1 = occupied_bit | 1;
   constexpr std::uint32_t list0 = occupied_bit | 0, list1 = occupied_bit | 1, list2 = occupied_bit | 3;
@@ -56,13 +56,14 @@ inline Grid tiny_grid_of_blocks() {
           {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
 }
 
-// A word of a merged grid's map that divides its box so often along each axis.
-inline std::uint32_t divided(std::uint32_t place, std::int32_t log2) {
-  return map_word({place, {log2, log2, log2}});
+// A word of a merged grid's map that divides its box by 2^log2 along each axis; `index`: of the first nested
+// word.
+inline std::uint32_t divided(std::uint32_t index, std::int32_t log2) {
+  return map_word({index, {log2, log2, log2}});
 }
 
-// A merged one: 2×1×1 voxels, the first of them divided into five cells, its first eighth once more than the
-// rest. The third cell is expanded over the second voxel, which is empty.
+// A merged grid of 2×1×1 voxels: the first is divided into five cells, its first eighth once more than the
+// others. The third cell is expanded over the second voxel, which is empty.
 inline Grid tiny_merged_grid() {
   constexpr std::uint32_t cell0 = occupied_bit | 0, cell1 = occupied_bit | 1, cell2 = occupied_bit | 2,
                           cell3 = occupied_bit | 3, cell4 = occupied_bit | 4, cell5 = occupied_bit | 5;

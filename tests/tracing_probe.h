@@ -1,4 +1,4 @@
-// Follows every kind of index that a scene and a grid hold: for files that were made to lead astray.
+// Uses every kind of index in a scene and a grid, for tests with hostile files.
 #pragma once
 
 #include "libgrid/build/division.h"
@@ -9,7 +9,7 @@
 
 namespace masu {
 
-// A few pixels, by the narrow code and by the general one. grid: null for brute force.
+// Renders a few pixels, without and with counters and the SPD's rules. grid: null for brute force.
 inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
   const auto vector = [](const fb::Vec3& v) { return Vec3d{v.x(), v.y(), v.z()}; };
   const fb::Camera& c = *scene.table().camera();
@@ -22,7 +22,7 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
   static_cast<void>(tracer.render(request));
 }
 
-// Builds a coarse grid and writes it to `path`. Throws Error where the space can't be divided.
+// Builds a coarse grid and writes it to `path`. Throws Error when the space can't be divided.
 template <class Stored>
 void build_a_little(const SceneFile& scene, Overlap overlap, Merge merge, const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();

@@ -66,7 +66,6 @@ std::vector<Vec3d> place(const Flat& flat, const Placement& placement) {
 }
 
 // --- Polygons
-// -------------------------------------------------------------------------------------------------
 
 Flat regular(int corners) {
   Flat flat;
@@ -112,8 +111,8 @@ Flat spiral(int steps) {
   return flat;
 }
 
-// The outline of a blob of grid cells grown from one, with every grid point on it as a vertex: many are
-// collinear, and all coordinates whole. The outline may touch itself at points, never cross.
+// The outline of a connected set of grid cells, with every grid point on it as a vertex: many are collinear,
+// and all coordinates are integers. The outline may touch itself at points, but doesn't cross itself.
 Flat blob_outline(Random& random, int cells) {
   std::set<std::pair<int, int>> blob{{0, 0}};
   const std::array<std::pair<int, int>, 4> sides{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
@@ -138,7 +137,7 @@ Flat blob_outline(Random& random, int cells) {
     const std::pair<int, int> cell{from->first + side.first, from->second + side.second};
     if (!blob.count(cell) && neighbours(cell) == 1 && !touches_by_corner_only(cell)) blob.insert(cell);
   }
-  // Walk round with the blob on the left, from the lowest cell's lower edge.
+  // Follow the outline with the set on the left, from the lowest cell's lower edge.
   const auto lowest = *std::min_element(blob.begin(), blob.end(), [](const auto& a, const auto& b) {
     return std::pair(a.second, a.first) < std::pair(b.second, b.first);
   });
@@ -188,11 +187,10 @@ Flat square_with_holes(int holes) {
   return flat;
 }
 
-// --- What must hold
-// -------------------------------------------------------------------------------------------
+// --- Properties
 
-// Each edge of the polygon bounds one triangle, each other edge two, one each way: with triangles that all
-// turn as the polygon does, a simple polygon is covered exactly once.
+// Each edge of the polygon bounds one triangle, each other edge two in opposite directions: with triangles
+// oriented as the polygon, a simple polygon is then covered exactly once.
 void expect_edges_match(std::size_t size, const Triangulation& result) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::uint32_t i = 0; i < size; ++i)
@@ -267,16 +265,15 @@ void expect_covers_each(Make make) {
 }
 
 // --- Tests
-// ----------------------------------------------------------------------------------------------------
 
 TEST(Orientation, SignIsExact) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
   for (int i = 0; i < 20000; ++i) {
-    // On a 2^-30 layout products are exact in 128 bits; near collinear by construction.
-    const auto layout = [&] { return whole(random, -(1 << 30), 1 << 30); };
-    const std::array<std::int64_t, 4> ends{layout(), layout(), layout(), layout()};
+    // On a lattice of 2^-30 products are exact in 128 bits; nearly collinear by construction.
+    const auto lattice = [&] { return whole(random, -(1 << 30), 1 << 30); };
+    const std::array<std::int64_t, 4> ends{lattice(), lattice(), lattice(), lattice()};
     const double share = uniform(random, -1, 1);
     const auto part = [&](std::int64_t a, std::int64_t b) {
       return static_cast<std::int64_t>(static_cast<double>(a) + share * static_cast<double>(b - a)) +
@@ -295,8 +292,8 @@ TEST(Orientation, SignIsExact) {
   }
 }
 
-TEST(Orientation, SumOfProductsSeesTheLastBit) {
-  // (1+e)² - 1 - 2e = e² with e = 2^-40: lost by every rounded evaluation.
+TEST(Orientation, SumOfProductsIsExact) {
+  // (1+e)² - 1 - 2e = e² with e = 2^-40: zero in double arithmetic.
   const double e = std::exp2(-40);
   const double sum = sum_of_products({{{1 + e, 1 + e}, {-1, 1}, {-2, e}, {0, 0}, {0, 0}, {0, 0}}});
   EXPECT_EQ(sum, e * e);
@@ -331,7 +328,7 @@ TEST(Triangulate, CoversOutlinesWithManyCollinearVertices) {
 
 TEST(Triangulate, UsesEveryVertexOnAStraightEdge) {
   expect_covers_each([](Random& random) {
-    // Halves, quarters and eighths of whole coordinates are exact, so collinear vertices are just that.
+    // Halves, quarters and eighths of integers are exact, and so are collinear vertices.
     Flat flat = blob_outline(random, whole(random, 1, 10));
     Flat finer;
     for (std::size_t i = 0; i < flat.size(); ++i) {
@@ -343,7 +340,7 @@ TEST(Triangulate, UsesEveryVertexOnAStraightEdge) {
   });
 }
 
-// Vertices on edges, off by rounding: still no slivers and no vertex left out, in space as well.
+// Vertices on edges up to rounding: no slivers, and every vertex is used; in space, too.
 TEST(Triangulate, UsesEveryVertexOnARoundedStraightEdge) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
@@ -382,7 +379,7 @@ TEST(Triangulate, CoversHolesCutInByBridges) {
   }
 }
 
-TEST(Triangulate, PassesOverRepeatedVertices) {
+TEST(Triangulate, SkipsRepeatedVertices) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
@@ -399,19 +396,19 @@ TEST(Triangulate, PassesOverRepeatedVertices) {
   }
 }
 
-TEST(Triangulate, LeavesOutWhatHasNoArea) {
+TEST(Triangulate, DropsPolygonsWithoutArea) {
   const auto count = [](const Flat& flat) { return triangulate(in_plane(flat)).triangles.size(); };
   EXPECT_EQ(count({}), 0U);
   EXPECT_EQ(count({{0, 0}, {1, 1}}), 0U);
   EXPECT_EQ(count({{0, 0}, {1, 1}, {3, 3}}), 0U);
-  EXPECT_EQ(count({{0.1, 0.3}, {0.2, 0.6}, {0.3, 0.9}}), 0U); // collinear but for rounding
+  EXPECT_EQ(count({{0.1, 0.3}, {0.2, 0.6}, {0.3, 0.9}}), 0U); // collinear up to rounding
   EXPECT_EQ(count({{0, 0}, {0, 0}, {0, 0}, {0, 0}}), 0U);
   EXPECT_EQ(count({{0, 0}, {1, 1}, {3, 3}, {2, 2}, {5, 5}}), 0U);
   EXPECT_EQ(count({{0, 0}, {1, 0}, {1, 1}, {1, 1}}), 1U);
 }
 
 TEST(Triangulate, CutsOffSpikes) {
-  // A square with a line out of one corner, walked both ways.
+  // A square with a line out of one corner and back.
   const Triangulation result =
       triangulate(in_plane({{0, 0}, {1, 0}, {1, 1}, {2, 2}, {3, 3}, {2, 2}, {1, 1}, {0, 1}}));
   EXPECT_EQ(result.triangles.size(), 2U);
@@ -419,7 +416,7 @@ TEST(Triangulate, CutsOffSpikes) {
   EXPECT_GE(result.slivers, 1U);
 }
 
-TEST(Triangulate, FlagsPolygonsThatCross) {
+TEST(Triangulate, ReportsSelfCrossingPolygons) {
   const auto crosses = [](const Flat& flat) { return triangulate(in_plane(flat)).crosses_itself; };
   EXPECT_TRUE(crosses({{0, 0}, {2, 2}, {2, 0}, {0, 2}}));
   EXPECT_TRUE(crosses({{0, 0}, {4, 0}, {4, 2}, {3, 2}, {2, -1}, {1, 2}, {0, 2}}));
@@ -427,7 +424,7 @@ TEST(Triangulate, FlagsPolygonsThatCross) {
   EXPECT_TRUE(crosses({corners[0], corners[2], corners[4], corners[1], corners[3]}));
 }
 
-TEST(Triangulate, EndsOnAnyInput) {
+TEST(Triangulate, TerminatesOnAnyInput) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();
@@ -449,7 +446,7 @@ TEST(Triangulate, EndsOnAnyInput) {
   }
 }
 
-TEST(Triangulate, TakesThinTriangles) {
+TEST(Triangulate, KeepsThinTriangles) {
   EXPECT_TRUE(has_area({0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}));
   EXPECT_FALSE(has_area({0, 0, 0}, {1, 0, 0}, {0.5, 1e-17, 0}));
   EXPECT_TRUE(has_area({0, 0, 0}, {1e-90, 0, 0}, {0, 1e-90, 0}));
@@ -474,7 +471,7 @@ TEST(Triangulate, HugePolygonsTakeSeconds) {
   }
 }
 
-TEST(Triangulate, HugeTanglesTakeSeconds) {
+TEST(Triangulate, HugeSelfCrossingPolygonsTakeSeconds) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Random random = seed.engine();

@@ -7,7 +7,7 @@
 
 namespace masu {
 
-// Whether a tracer refuses a grid that lists a primitive which isn't there.
+// Whether a tracer refuses a grid with a reference to a primitive that doesn't exist.
 inline testing::AssertionResult is_refused_by_tracer(Device device) {
   const TemporaryFolder folder;
   const std::string scene_path = folder.file("good.scene"), grid_path = folder.file("hostile.grid");

@@ -1,5 +1,5 @@
-// Any bytes as a grid file: an Error, or a grid whose every index can be followed. Seeds: files that
-// gridbuild makes.
+// libFuzzer target: any bytes as a grid file throw Error, or all indices are valid. Seeds: files made by
+// gridbuild.
 #include "libgrid/file/grid_file.h"
 #include "libgrid/statistics.h"
 #include "libgrid/trace/trace.h"
@@ -9,13 +9,13 @@
 
 namespace {
 
-// Reads what a walk would read.
+// Checks the primitive indices that traversal meets.
 struct Visitor {
   std::uint64_t primitives;
   masu::NoCounts counts;
 
-  void primitive(masu::PrimitiveIndex number) const {
-    if (number >= primitives) std::abort();
+  void primitive(masu::PrimitiveIndex index) const {
+    if (index >= primitives) std::abort();
   }
   template <class Real>
   bool done(Real) const {
@@ -24,18 +24,18 @@ struct Visitor {
 };
 
 template <class Real, class Grid>
-void walk_through(const Grid& grid, std::uint64_t primitives) {
+void traverse(const Grid& grid, std::uint64_t primitives) {
   Visitor visitor{primitives, {}};
-  const Real nearly = Real(0.99);
+  const Real almost_one = Real(0.99);
   for (const masu::Vec3<Real>& d :
-       {masu::Vec3<Real>{1, nearly, Real(0.5)}, {-1, Real(0.001), 0}, {0, 0, 1}, {-1, -1, -1}}) {
+       {masu::Vec3<Real>{1, almost_one, Real(0.5)}, {-1, Real(0.001), 0}, {0, 0, 1}, {-1, -1, -1}}) {
     const masu::ClippedRay<Real> ray{
         {grid.min, d, masu::RealTraits<Real>::largest}, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
     masu::visit(grid, ray, 0, visitor);
   }
 }
 
-void open_and_walk(std::span<const std::uint8_t> bytes) {
+void open_and_traverse(std::span<const std::uint8_t> bytes) {
   try {
     const masu::MemoryFile memory;
     masu::fill(memory, bytes);
@@ -43,12 +43,12 @@ void open_and_walk(std::span<const std::uint8_t> bytes) {
     const std::uint64_t primitives = file.table().primitives();
     if (file.is_merged()) {
       static_cast<void>(masu::grid_statistics(file.merged_view<double>(), file.cells()));
-      walk_through<float>(file.merged_view<float>(), primitives);
-      walk_through<double>(file.merged_view<double>(), primitives);
+      traverse<float>(file.merged_view<float>(), primitives);
+      traverse<double>(file.merged_view<double>(), primitives);
     } else {
       static_cast<void>(masu::grid_statistics(file.view<double>(), file.references()));
-      walk_through<float>(file.view<float>(), primitives);
-      walk_through<double>(file.view<double>(), primitives);
+      traverse<float>(file.view<float>(), primitives);
+      traverse<double>(file.view<double>(), primitives);
     }
   } catch (const masu::Error&) {
   }
@@ -57,7 +57,7 @@ void open_and_walk(std::span<const std::uint8_t> bytes) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  open_and_walk({data, size});
-  open_and_walk(masu::repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind));
+  open_and_traverse({data, size});
+  open_and_traverse(masu::repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind));
   return 0;
 }

@@ -1,4 +1,4 @@
-// libFuzzer target: any bytes parse or throw Error. The first byte chooses how the text is cut.
+// libFuzzer target: any text is parsed or throws Error. The first byte selects the size of pieces.
 #include "libscene/error.h"
 #include "libscene/nff/nff.h"
 
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
   try {
     masu::parse_nff(text, "fuzz", {1, data[0] < 128 ? std::size_t{1} << 20 : data[0]});
-  } catch (const masu::Error&) { // what bad input is told
+  } catch (const masu::Error&) {
   }
   return 0;
 }

@@ -1,4 +1,4 @@
-// Bytes as a file, and containers whose hashes are made right so that what lies behind is reached.
+// Files in memory, and containers with corrected hashes, so that fuzzing reaches the checks behind them.
 #pragma once
 
 #include "libscene/file/container.h"
@@ -18,8 +18,8 @@ inline void fill(const MemoryFile& file, std::span<const std::uint8_t> bytes) {
   output.commit();
 }
 
-// The input with its head and its hashes set right, where there is a table to be found in it. Table is
-// fb::Scene or fb::Grid; sections stay below 4 MiB, which are hashed as one piece.
+// The input with its prelude and, if it has a valid table, its hashes corrected. Table is fb::Scene or
+// fb::Grid; sections must be smaller than 4 MiB, and so are hashed as one piece.
 template <class Table>
 std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const FileKind& kind) {
   std::vector<std::uint8_t> bytes(input.begin(), input.end());
@@ -42,7 +42,7 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
     const auto* const sections = flatbuffers::GetRoot<Table>(table)->sections();
     const auto list = static_cast<std::size_t>(sections->Data() - table);
     for (std::size_t i = 0; i < sections->size(); ++i) {
-      fb::Section section; // the list may lie anywhere
+      fb::Section section; // the list may be misaligned
       std::memcpy(&section, table + list + i * sizeof section, sizeof section);
       const std::uint64_t size = section.record_bytes() * section.count();
       if (section.offset() > head.body_bytes || size > head.body_bytes - section.offset()) continue;

@@ -1,4 +1,5 @@
-// Any bytes as a scene file: an Error, or a scene that can be traced. Seeds: files that nff2bin makes.
+// libFuzzer target: any bytes as a scene file throw Error, or the scene can be traced. Seeds: files made by
+// nff2bin.
 #include "libscene/error.h"
 #include "tests/fuzz/repaired.h"
 #include "tests/tracing_probe.h"
