@@ -35,6 +35,7 @@ public:
   explicit SceneFile(const std::string& path, Checks checks = Checks::all);
   // The checks that Checks::table leaves out. Throws Error(input, path, …).
   void check_records() const;
+  // Whether it was opened with Checks::all.
   bool is_checked() const { return is_checked_; }
 
   const fb::Scene& table() const { return *table_; }
@@ -58,7 +59,7 @@ private:
   ContainerFile container_;
   const fb::Scene* table_;
   LoadSeconds seconds_;
-  bool is_checked_ = false; // of all
+  bool is_checked_ = false; // by check_records when opened
 };
 
 } // namespace masu
