@@ -116,7 +116,7 @@ TEST_F(Tradeoff, NothingButResultsIsLeftInTheFolder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder()))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"tradeoff.csv", "tradeoff.gp"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"charts.csv", "tradeoff.csv"}));
 }
 
 TEST_F(Tradeoff, WhatIsMeasuredIsNotMeasuredAgain) {

@@ -3,10 +3,10 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/gnuplot.h"
-#include "tools/bench/tradeoff_charts.h"
 #include "tools/bench/tradeoff_csv.h"
 #include "tools/bench/tradeoff_front.h"
 #include "tools/bench/tradeoff_measure.h"
+#include "tradeoff_script.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -125,14 +125,14 @@ std::string name_of_scene(const std::string& path) {
 // Throws Error(usage) where two scenes, or a scene and another chart, would have one name, or where what is
 // written would replace a scene.
 void check_names(const std::vector<std::string>& scenes, const std::string& folder) {
-  std::set<std::string> taken{"tradeoff", "division"};
+  std::set<std::string> taken{"all", "tradeoff", "division"}; // all: the mean's rows
   for (const std::string& path : scenes) {
     if (!taken.insert(name_of_scene(path)).second)
       throw Error(
           ErrorCode::usage, path,
           fmt::format("'{}' would name two charts: give the scene's file another name", name_of_scene(path)));
   }
-  std::vector<std::string> outputs{folder + "/tradeoff.csv", folder + "/tradeoff.gp"};
+  std::vector<std::string> outputs{folder + "/tradeoff.csv", folder + "/charts.csv"};
   for (const std::string& name : taken) {
     for (const char* const kind : {".svg", ".png"})
       outputs.push_back(folder + "/" + name + kind);
@@ -211,13 +211,17 @@ std::vector<TradeoffRow> comparable(const std::vector<TradeoffRow>& rows, const 
   return kept;
 }
 
-std::vector<TradeoffRow> front_of(const std::vector<TradeoffRow>& rows) {
-  std::vector<Merit> merits;
-  std::transform(rows.begin(), rows.end(), std::back_inserter(merits), merit_of_hits);
-  std::vector<TradeoffRow> front;
-  for (const std::size_t i : pareto_front(merits))
-    front.push_back(rows[i]);
-  return front;
+// The rows of each scene, and the mean of all scenes where there are several.
+std::vector<std::vector<TradeoffRow>> groups_of(const std::vector<TradeoffRow>& rows) {
+  std::vector<std::vector<TradeoffRow>> groups;
+  for (const TradeoffRow& row : rows) {
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& g) { return g.front().scene == row.scene; });
+    if (group == groups.end()) group = groups.insert(groups.end(), std::vector<TradeoffRow>{});
+    group->push_back(row);
+  }
+  if (groups.size() > 1) groups.push_back(over_all_scenes(rows));
+  return groups;
 }
 
 Json json_of(const TradeoffRow& row) {
@@ -256,40 +260,49 @@ void print_row(const TradeoffRow& row) {
              a.wrong_primitives, a.worst_t, a.median_t, a.rmse);
 }
 
-// The fronts of each scene, and of all together.
-void report(const std::vector<TradeoffRow>& rows, bool as_json) {
-  std::vector<std::vector<TradeoffRow>> groups;
-  for (const TradeoffRow& row : rows) {
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const auto& g) { return g.front().scene == row.scene; });
-    if (group == groups.end()) group = groups.insert(groups.end(), std::vector<TradeoffRow>{});
-    group->push_back(row);
-  }
-  if (groups.size() > 1) groups.push_back(over_all_scenes(rows));
+// Prints the front of each group, by hits.
+void report(const std::vector<std::vector<TradeoffRow>>& groups, bool as_json) {
   Json json = Json::array();
-  const TradeoffSetup& setup = rows.front().setup;
+  const TradeoffSetup& setup = groups.front().front().setup;
   if (!as_json) {
-    fmt::print(
-        "{}, {} primary and {} random rays, up to {} of each compared with brute force in double, "
-        "pictures of {}\nNothing else is as fast and as right (millions of rays a second, wrong hits):\n\n"
-        "{:<10} {:<23} {:<20} {:>8} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>9} {:>9} {:>9}\n",
-        setup.backend, setup.size, setup.random, setup.compared, setup.picture, "scene", "method", "grid",
-        "Mray/s", "ms", "grid MB", "all MB", "missed", "imagin.", "mistak.", "worst t", "median t", "RMSE");
+    fmt::print("{}, {} primary and {} random rays, up to {} of each compared with brute force in double, "
+               "pictures of {}\nThe Pareto fronts of speed (millions of rays a second) and wrong hits:\n\n"
+               "{:<10} {:<23} {:<20} {:>8} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>9} {:>9} {:>9}\n",
+               setup.backend, setup.size, setup.random, setup.compared, setup.picture, "scene", "method",
+               "grid", "Mray/s", "ms", "grid MB", "all MB", "missed", "false", "wrong", "worst t", "median t",
+               "RMSE");
   }
   for (const auto& group : groups) {
-    for (const TradeoffRow& row : front_of(group))
-      as_json ? json.push_back(json_of(row)) : print_row(row);
+    for (const std::size_t i : front_of(group, merit_of_hits))
+      as_json ? json.push_back(json_of(group[i])) : print_row(group[i]);
   }
   if (as_json) fmt::print("{}\n", json.dump(2));
 }
 
-void draw(const std::vector<TradeoffRow>& rows, const std::string& folder) {
-  if (!draw_charts(charts_script(rows), folder, "tradeoff.gp"))
+void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string& folder) {
+  write_charts_csv(folder + "/charts.csv", groups);
+  std::vector<std::string> charts;
+  const auto add = [&](const std::string& name) {
+    for (const char* const kind : {".svg", ".png"})
+      charts.push_back(name + kind);
+  };
+  for (const auto& group : groups) {
+    if (!group.empty()) add(group.front().scene == "all" ? "tradeoff" : group.front().scene);
+  }
+  add("division");
+  if (!draw_charts(tradeoff_script, folder, charts))
     fmt::print(
         stderr,
         "gridbench: gnuplot: isn't on the PATH, so no chart was drawn: install gnuplot (Debian's package is "
         "gnuplot-nox) and run gridbench tradeoff --charts-only -o {}\n",
         folder);
+}
+
+// Draws what can be compared, and reports it.
+void present(const Settings& settings, const std::vector<TradeoffRow>& rows) {
+  const auto groups = groups_of(rows);
+  draw(groups, settings.folder);
+  report(groups, settings.json);
 }
 
 void bench_tradeoff(const Settings& settings) {
@@ -303,9 +316,7 @@ void bench_tradeoff(const Settings& settings) {
       throw Error(ErrorCode::usage, "--charts-only", "takes no scenes: it draws what was measured");
     if (rows.empty())
       throw Error(ErrorCode::input, path, "holds no measurements: run gridbench tradeoff on scenes first");
-    const std::vector<TradeoffRow> shown = comparable(rows, rows.back().setup, {});
-    draw(shown, settings.folder);
-    return report(shown, settings.json);
+    return present(settings, comparable(rows, rows.back().setup, {}));
   }
   if (settings.scenes.empty())
     throw Error(ErrorCode::usage, "SCENE", "is missing: name a scene file, or more");
@@ -326,9 +337,7 @@ void bench_tradeoff(const Settings& settings) {
   TradeoffCsv csv(path);
   for (const std::string& scene : settings.scenes)
     measure_scene(settings, setup, scene, csv, rows);
-  const std::vector<TradeoffRow> shown = comparable(rows, setup, hashes);
-  draw(shown, settings.folder);
-  report(shown, settings.json);
+  present(settings, comparable(rows, setup, hashes));
 }
 
 } // namespace

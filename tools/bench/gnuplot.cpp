@@ -1,14 +1,17 @@
 #include "tools/bench/gnuplot.h"
 
 #include "libscene/error.h"
+#include "libscene/file/memory_file.h"
 #include "libscene/file/output_file.h"
 
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <list>
 #include <string_view>
@@ -17,8 +20,7 @@
 namespace masu {
 namespace {
 
-// This process's environment, but for the locale: charts are in UTF-8 wherever they are drawn, and gnuplot
-// warns of a degree sign in a locale that hasn't any.
+// This process's environment with a UTF-8 locale: in others gnuplot warns of characters that they lack.
 std::vector<std::string> environment_in_utf8() {
   std::vector<std::string> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -37,14 +39,15 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Runs it in that folder, with those files open. False where there is no such program.
+// Runs a program in that folder, with those files open under the same descriptors. False where there is no
+// such program.
 bool run(std::vector<std::string> command, const std::string& folder, const std::vector<int>& files) {
   std::vector<std::string> environment = environment_in_utf8();
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   for (const int file : files)
-    posix_spawn_file_actions_adddup2(&actions, file, file); // stays open
+    posix_spawn_file_actions_adddup2(&actions, file, file); // clears close-on-exec
   pid_t process = 0;
   const int error = posix_spawnp(&process, command.front().c_str(), &actions, nullptr,
                                  pointers_to(command).data(), pointers_to(environment).data());
@@ -57,26 +60,32 @@ bool run(std::vector<std::string> command, const std::string& folder, const std:
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw Error(ErrorCode::output, command.front(),
-                "fails on " + folder + "/" + command.back() + ": see what it says of it");
+                "fails on the data in " + folder + ": see its own message above");
   return true;
 }
 
 } // namespace
 
-bool draw_charts(const ChartScript& script, const std::string& folder, const std::string& name) {
-  OutputFile text(folder + "/" + name);
-  text.write(script.text.data(), script.text.size());
-  text.commit();
+bool draw_charts(const std::string& script, const std::string& folder,
+                 const std::vector<std::string>& names) {
+  const auto path_of = [](int file) { return fmt::format("/proc/self/fd/{}", file); };
+  const MemoryFile memory;
+  OutputFile text(memory.path());
+  text.write(script.data(), script.size());
+  static_cast<void>(std::fflush(text.stream())); // into memory
+  std::vector<int> files{fileno(text.stream())};
   std::list<OutputFile> charts;
-  std::vector<int> files;
   std::string outputs;
-  for (std::size_t i = 0; i < script.files.size(); ++i) {
-    files.push_back(fileno(charts.emplace_back(folder + "/" + script.files[i]).stream()));
-    outputs += fmt::format("chart_{} = '/proc/self/fd/{}'; ", i, files.back());
+  for (const std::string& name : names) {
+    files.push_back(fileno(charts.emplace_back(folder + "/" + name).stream()));
+    outputs += name + " " + path_of(files.back()) + " ";
   }
-  if (!run({"gnuplot", "-e", outputs, name}, folder, files)) return false;
-  for (OutputFile& chart : charts)
-    chart.commit();
+  if (!run({"gnuplot", "-e", "outputs = '" + outputs + "'", path_of(files.front())}, folder, files))
+    return false;
+  for (OutputFile& chart : charts) {
+    struct stat state {};
+    if (fstat(fileno(chart.stream()), &state) == 0 && state.st_size > 0) chart.commit();
+  }
   return true;
 }
 

@@ -1,14 +1,15 @@
 // gnuplot, as a process.
 #pragma once
 
-#include "tools/bench/chart.h"
-
 #include <string>
+#include <vector>
 
 namespace masu {
 
-// Writes the script into the folder under that name, and the charts that it draws beside it: each whole or
-// not at all. False where gnuplot isn't installed. Throws Error(output), also where gnuplot fails.
-bool draw_charts(const ChartScript& script, const std::string& folder, const std::string& name);
+// Runs the script in that folder. Of the charts with these names it may draw some; it finds where to write
+// them in its variable `outputs`, in pairs: NAME PATH NAME PATH … (no spaces in either). They appear in the
+// folder whole or not at all. False where gnuplot isn't installed. Throws Error(output), also where gnuplot
+// fails.
+bool draw_charts(const std::string& script, const std::string& folder, const std::vector<std::string>& names);
 
 } // namespace masu

@@ -65,7 +65,7 @@ Overlap overlap_named(const std::string& text) {
 
 std::string method_of(const Configuration& configuration) {
   return name_of(configuration.precision) +
-         std::string(configuration.stop == StopRule::proven ? "" : ", first cell");
+         std::string(configuration.stop == StopRule::proven ? "" : ", first cell hit");
 }
 
 std::string grid_of(const Configuration& configuration) {

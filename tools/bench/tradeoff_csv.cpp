@@ -1,6 +1,8 @@
 #include "tools/bench/tradeoff_csv.h"
 
 #include "libscene/error.h"
+#include "libscene/file/output_file.h"
+#include "tools/bench/tradeoff_front.h"
 
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -110,17 +112,17 @@ void for_each_column(Row& row, const Act& act) {
   act("picture_largest_error", accuracy.largest);
 }
 
+// Both without the line's end.
 std::string header() {
   std::vector<std::string> cells;
   TradeoffRow row{};
   for_each_column(row, [&](const char* name, const auto&) { cells.emplace_back(name); });
-  return fmt::format("{}\n", fmt::join(cells, ","));
+  return fmt::format("{}", fmt::join(cells, ","));
 }
-
 std::string line_of(const TradeoffRow& row) {
   std::vector<std::string> cells;
   for_each_column(row, [&](const char*, const auto& value) { cells.push_back(text_of(value)); });
-  return fmt::format("{}\n", fmt::join(cells, ","));
+  return fmt::format("{}", fmt::join(cells, ","));
 }
 
 // `line` is without its end. Throws Error.
@@ -153,7 +155,7 @@ std::string content_of(const std::string& path) {
 } // namespace
 
 std::vector<TradeoffRow> read_tradeoff_csv(const std::string& path) {
-  const std::string text = content_of(path), head = header();
+  const std::string text = content_of(path), head = header() + "\n";
   if (head.starts_with(text)) return {}; // nothing yet, or not even all of the head
   if (!text.starts_with(head))
     throw Error(ErrorCode::input, path + ":1",
@@ -185,16 +187,29 @@ TradeoffCsv::TradeoffCsv(std::string path) : path_(std::move(path)), file_(std::
   std::error_code failed;
   if (whole < text.size()) std::filesystem::resize_file(path_, whole, failed);
   if (failed) throw Error(ErrorCode::output, path_, "can't be shortened to whole lines: " + failed.message());
-  if (whole == 0) write(header());
+  if (whole == 0) write(header() + "\n");
 }
 
 void TradeoffCsv::add(const TradeoffRow& row) {
-  write(line_of(row));
+  write(line_of(row) + "\n");
 }
 
 void TradeoffCsv::write(const std::string& line) {
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
     fail(path_, "can't be written");
+}
+
+void write_charts_csv(const std::string& path, const std::vector<std::vector<TradeoffRow>>& groups) {
+  std::string text = header() + ",hits_front,picture_front\n";
+  for (const std::vector<TradeoffRow>& rows : groups) {
+    const auto hits = front_of(rows, merit_of_hits), picture = front_of(rows, merit_of_picture);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      text += fmt::format("{},{},{}\n", line_of(rows[i]), std::count(hits.begin(), hits.end(), i),
+                          std::count(picture.begin(), picture.end(), i));
+  }
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
 }
 
 } // namespace masu

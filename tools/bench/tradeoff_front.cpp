@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -34,12 +35,19 @@ Merit merit_of_picture(const TradeoffRow& row) {
   return {row.measured.picture_ms > 0 ? 1e3 / row.measured.picture_ms : 0, row.measured.accuracy.rmse};
 }
 
+std::vector<std::size_t> front_of(const std::vector<TradeoffRow>& rows, Merit (*merit)(const TradeoffRow&)) {
+  std::vector<Merit> merits;
+  std::transform(rows.begin(), rows.end(), std::back_inserter(merits), merit);
+  return pareto_front(merits);
+}
+
 namespace {
 
-// Of the rows of one configuration, a scene each.
+// The mean of rows with one configuration, one for each scene.
 Measurement together(const std::vector<const TradeoffRow*>& rows) {
   Measurement all;
-  double primary = 0, random = 0, both = 0, picture = 0, squares = 0; // logarithms, but for squares
+  double primary = 0, random = 0, both = 0, picture = 0,
+         squares = 0; // sums of logarithms, and of squared errors
   for (const TradeoffRow* const row : rows) {
     const Measurement& one = row->measured;
     const Accuracy& accuracy = one.accuracy;

@@ -1,4 +1,4 @@
-// What is worth choosing: rows that no other row is better than.
+// Pareto fronts: the rows that no other row is better than.
 #pragma once
 
 #include "tools/bench/tradeoff.h"
@@ -7,7 +7,7 @@
 
 namespace masu {
 
-// How good a row is: more speed is better, less error is.
+// How good a row is: more speed is better, less error is better.
 struct Merit {
   double speed, error;
 };
@@ -17,18 +17,21 @@ inline bool dominates(const Merit& a, const Merit& b) {
   return a.speed >= b.speed && a.error <= b.error && (a.speed > b.speed || a.error < b.error);
 }
 
-// The places of those that none dominates (the Pareto front), from the fastest on: errors then fall from one
-// to the next. Of equals, the first.
+// Indices of those that none dominates, in order of falling speed, and so of falling error. Of equals, the
+// first.
 std::vector<std::size_t> pareto_front(const std::vector<Merit>& merits);
 
-// The share of wrong hits, by millions of rays a second.
+// Closest hits: millions of rays a second, and the fraction of wrong hits.
 Merit merit_of_hits(const TradeoffRow& row);
-// The picture's RMSE, by pictures a second.
+// Pictures: pictures a second, and the RMSE.
 Merit merit_of_picture(const TradeoffRow& row);
 
-// One row for each configuration that all scenes have: of speeds and times the geometric mean, of hits and
-// bytes the sum, of errors of t the largest, the RMSE of all pictures together. Scenes are told apart by
-// name.
+// The front of rows by one of these.
+std::vector<std::size_t> front_of(const std::vector<TradeoffRow>& rows, Merit (*merit)(const TradeoffRow&));
+
+// The mean over scenes, which are distinguished by name: one row, of a scene named `all`, for each
+// configuration that was measured on every scene. Speeds and times are geometric means; counts of hits and
+// bytes are sums; errors of t are maxima; the RMSE is that of all pictures together.
 std::vector<TradeoffRow> over_all_scenes(const std::vector<TradeoffRow>& rows);
 
 } // namespace masu
