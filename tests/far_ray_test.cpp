@@ -149,12 +149,12 @@ TYPED_TEST(FarRay, ClippingIsAccurateAndConservative) {
 // The oracle's nearest hit in a scene; unsure where it is for any primitive in question.
 template <class Real>
 oracle::Expected expect_nearest(const oracle::Line& line, const TestScene<Real>& scene, double slack) {
-  oracle::Expected nearest{oracle::Answer::miss, 0, 0};
+  oracle::Expected nearest{oracle::Result::miss, 0, 0};
   const auto look = [&](const auto& primitives) {
     for (const auto& primitive : primitives) {
       const oracle::Expected one = oracle::expect(line, primitive, slack);
-      if (one.answer == oracle::Answer::miss || nearest.answer == oracle::Answer::unsure) continue;
-      if (one.answer == oracle::Answer::unsure || nearest.answer == oracle::Answer::miss) {
+      if (one.result == oracle::Result::miss || nearest.result == oracle::Result::unsure) continue;
+      if (one.result == oracle::Result::unsure || nearest.result == oracle::Result::miss) {
         nearest = one;
         continue;
       }
@@ -188,7 +188,7 @@ TYPED_TEST(FarRay, FindsTheOraclesNearestHit) {
   using Real = TypeParam;
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
-  std::map<oracle::Answer, std::int64_t> answers;
+  std::map<oracle::Result, std::int64_t> results;
   std::int64_t wrong = 0;
   std::string first;
   for (std::int64_t s = cases(1500); s > 0; --s) {
@@ -199,26 +199,26 @@ TYPED_TEST(FarRay, FindsTheOraclesNearestHit) {
       const Ray<Real> ray = far_ray<Real>(chance, bounds, 23.25);
       const auto expected =
           expect_nearest(oracle::line(ray.origin, ray.direction), scene, rounding_margin<Real>(bounds));
-      ++answers[expected.answer];
-      if (expected.answer == oracle::Answer::unsure) continue;
+      ++results[expected.result];
+      if (expected.result == oracle::Result::unsure) continue;
       NoCounts counts;
       const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
       const bool met = hit.primitive != no_primitive;
-      bool good = met == (expected.answer == oracle::Answer::hit);
+      bool good = met == (expected.result == oracle::Result::hit);
       // t from far away is rounded once or twice more.
       const oracle::Wide rounding = 4 * oracle::Wide(hit.t) * RealTraits<Real>::unit_roundoff;
       if (good && met) good = hit.t >= expected.low - rounding && hit.t <= expected.high + rounding;
       if (good || ++wrong > 1) continue;
       std::ostringstream out;
       out << described(ray.origin, ray.direction) << ": " << (met ? described(hit.t) : "missed")
-          << ", expected " << (expected.answer == oracle::Answer::hit ? "a hit between " : "a miss ")
+          << ", expected " << (expected.result == oracle::Result::hit ? "a hit between " : "a miss ")
           << static_cast<double>(expected.low) << " and " << static_cast<double>(expected.high);
       first = out.str();
     }
   }
   EXPECT_EQ(wrong, 0) << first;
-  EXPECT_GT(answers[oracle::Answer::hit], cases(500));
-  EXPECT_GT(answers[oracle::Answer::miss], cases(500));
+  EXPECT_GT(results[oracle::Result::hit], cases(500));
+  EXPECT_GT(results[oracle::Result::miss], cases(500));
 }
 
 // Hit points of a far camera are as accurate as those of a near one.

@@ -1,5 +1,4 @@
-// Ended at any moment, by a signal that can be caught or by one that can't, a tool leaves each output as it
-// was or whole, and nothing else.
+// A tool that a signal terminates at any moment leaves each output unchanged or complete, and no other files.
 #include "tests/run_tool.h"
 #include "tools/bench/stability/random_seed.h"
 #include "tools/bench/stability/test_scene.h"
@@ -36,8 +35,8 @@ protected:
     return std::chrono::steady_clock::now() - begin;
   }
 
-  // Runs the tool to its end, and then again and again, to be ended by that signal somewhere on the way.
-  // is_whole(name, bytes) judges an output that isn't what it was before.
+  // Runs the tool once to its end, and then several times until a random moment, when the signal is sent.
+  // Outputs that changed must satisfy is_whole(name, bytes).
   template <class IsWhole>
   void interrupt(int signal, const std::string& tool, const Arguments& arguments,
                  const IsWhole& is_whole) const {
@@ -61,11 +60,11 @@ protected:
       else
         EXPECT_EQ(WEXITSTATUS(status), 0);
       Files after = files();
-      // Killed between a file's link and its renaming: the next run removes what is left.
+      // Killed between linking and renaming: the next run removes the temporary file.
       if (signal == SIGKILL && remove_temporary(after)) {
         static_cast<void>(seconds_of(tool, arguments));
-        Files mended = files();
-        EXPECT_FALSE(remove_temporary(mended));
+        Files cleaned = files();
+        EXPECT_FALSE(remove_temporary(cleaned));
       }
       for (const auto& [name, bytes] : after) {
         if (!before.contains(name)) {
@@ -83,31 +82,31 @@ protected:
     return std::erase_if(files, [](const auto& file) { return file.first.starts_with(".masu-"); }) > 0;
   }
 
-  // What the tool writes is the same every time.
+  // For tools whose outputs are deterministic.
   template <class Act>
-  void expect_same_or_new(const std::string& tool, const Arguments& arguments, const Act& spoil) const {
+  void expect_same_or_new(const std::string& tool, const Arguments& arguments, const Act& write_old) const {
     for (const int signal : {SIGKILL, SIGTERM, SIGINT}) {
       static_cast<void>(seconds_of(tool, arguments));
-      const Files right = files();
-      spoil();
+      const Files expected = files();
+      write_old();
       interrupt(signal, tool, arguments,
-                [&](const std::string& name, const Bytes& bytes) { return bytes == right.at(name); });
+                [&](const std::string& name, const Bytes& bytes) { return bytes == expected.at(name); });
     }
   }
 };
 
-TEST_F(InterruptedTool, Nff2binLeavesTheOldSceneOrTheNew) {
+TEST_F(InterruptedTool, Nff2binLeavesTheOldOrTheNewScene) {
   const std::string text = spd("a.nff", "balls", 3), out = file("a.scene");
   expect_same_or_new("nff2bin", {text, "-o", out, "--tessellate", "12"}, [&] { write_text(out, "old"); });
 }
 
-TEST_F(InterruptedTool, GridbuildLeavesTheOldGridOrTheNew) {
+TEST_F(InterruptedTool, GridbuildLeavesTheOldOrTheNewGrid) {
   const std::string in = scene("a.scene", spd("a.nff", "balls", 3), {"--tessellate", "12"}),
                     out = file("a.grid");
   expect_same_or_new("gridbuild", {in, "-o", out}, [&] { write_text(out, "old"); });
 }
 
-TEST_F(InterruptedTool, GridrenderLeavesOldFilesOrNew) {
+TEST_F(InterruptedTool, GridrenderLeavesOldOrNewFiles) {
   const std::string in = scene("a.scene", spd("a.nff", "balls", 3)), divided = grid("a.grid", in),
                     picture = file("a.pfm"), hits = file("a.hits");
   expect_same_or_new("gridrender",
@@ -118,8 +117,8 @@ TEST_F(InterruptedTool, GridrenderLeavesOldFilesOrNew) {
                      });
 }
 
-// The table grows by rows, which are kept; charts are drawn again whenever it is run.
-TEST_F(InterruptedTool, GridbenchKeepsItsRowsAndChartsAreWhole) {
+// tradeoff.csv grows row by row; charts and charts.csv are written by every run.
+TEST_F(InterruptedTool, TradeoffKeepsItsRowsAndChartsAreComplete) {
   const std::string in = scene("a.scene", nff("a.nff", small_nff));
   const Arguments arguments{"tradeoff",    in,      "-o",        folder_.path().string(),
                             "--size",      "24x18", "--random",  "100",
@@ -136,12 +135,12 @@ TEST_F(InterruptedTool, GridbenchKeepsItsRowsAndChartsAreWhole) {
     const std::string all_rows = read_text(table);
     write_text(table, all_rows.substr(0, all_rows.find('\n') + 1));
     interrupt(signal, "gridbench", arguments, [&](const std::string& name, const Bytes& bytes) {
-      if (name.ends_with(".csv")) return true;
-      return name.ends_with(".gp")    ? ends_with(bytes, "unset output\n")
+      if (name == "tradeoff.csv") return true;
+      return name.ends_with(".csv")   ? ends_with(bytes, "\n")
              : name.ends_with(".svg") ? ends_with(bytes, "</svg>\n\n") || ends_with(bytes, "</svg>\n")
                                       : ends_with(bytes, "IEND\xae\x42\x60\x82");
     });
-    EXPECT_EQ(run("gridbench", arguments).code, 0); // goes on from the rows that are there
+    EXPECT_EQ(run("gridbench", arguments).code, 0); // continues from the rows in the file
     EXPECT_EQ(std::ranges::count(read_text(table), '\n'), std::ranges::count(all_rows, '\n'));
   }
 }

@@ -77,29 +77,29 @@ TYPED_TEST(RayAndPrimitive, AgreesWithTheOracle) {
   using Real = typename TypeParam::Real;
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
-  std::map<oracle::Answer, std::int64_t> answers;
+  std::map<oracle::Result, std::int64_t> results;
   std::int64_t wrong = 0;
   std::string first;
   for (std::int64_t i = cases(60'000); i > 0; --i) {
     const auto c = TypeParam::random(chance);
     const auto expected = oracle::expect(oracle::line(c.origin, c.direction), c.primitive,
                                          documented_error(c.primitive) * c.unit);
-    ++answers[expected.answer];
-    if (expected.answer == oracle::Answer::unsure) continue;
+    ++results[expected.result];
+    if (expected.result == oracle::Result::unsure) continue;
     Real t = 0;
     const bool met = hit(c, t);
-    bool good = met == (expected.answer == oracle::Answer::hit);
+    bool good = met == (expected.result == oracle::Result::hit);
     if (good && met) good = oracle::Wide(t) >= expected.low && oracle::Wide(t) <= expected.high;
     if (good || ++wrong > 1) continue;
     std::ostringstream out;
     out << case_described(c) << (met ? ": met at " + described(t) : ": missed") << ", expected "
-        << (expected.answer == oracle::Answer::hit ? "a hit between " : "a miss ")
+        << (expected.result == oracle::Result::hit ? "a hit between " : "a miss ")
         << static_cast<double>(expected.low) << " and " << static_cast<double>(expected.high);
     first = out.str();
   }
   EXPECT_EQ(wrong, 0) << first;
-  EXPECT_GT(answers[oracle::Answer::hit], cases(500));
-  EXPECT_GT(answers[oracle::Answer::miss], cases(500));
+  EXPECT_GT(results[oracle::Result::hit], cases(500));
+  EXPECT_GT(results[oracle::Result::miss], cases(500));
 }
 
 } // namespace

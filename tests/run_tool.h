@@ -1,4 +1,4 @@
-// Runs the real tools, each in a process of its own, and says what came of it.
+// Runs the built tools, each in a process of its own.
 #pragma once
 
 #include "tests/temporary_folder.h"
@@ -13,37 +13,37 @@ namespace masu {
 using Arguments = std::vector<std::string>;
 
 struct ToolResult {
-  int code = -1; // the exit code; minus the signal's number if one ended it
+  int code = -1; // exit code; minus the signal's number where a signal terminated it
   std::string out, err;
 };
 
-// What a tool is started with, besides its arguments.
+// Standard input and output and environment of a tool.
 struct Surroundings {
   std::string input = "/dev/null"; // a file as standard input
-  std::string output;              // a file that takes standard output instead of ToolResult::out
+  std::string output;              // a file for standard output, instead of ToolResult::out
   std::string environment;         // one more variable, NAME=value
 };
 
-// `tool` is its bare name.
+// `tool`: its name, without a path.
 ToolResult run(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings = {});
 
-// Starts the tool and leaves it running, its output thrown away.
+// Starts the tool without waiting for it. Its output is discarded.
 pid_t start(const std::string& tool, const Arguments& arguments);
 
-// Whether it exited with 0 and said nothing on stderr.
+// Whether its exit code is 0 and stderr is empty.
 testing::AssertionResult succeeded(const ToolResult& result);
 
-// Whether it exited with `code`, wrote nothing to stdout, and one line `tool: place: message` to stderr that
-// holds `says`.
+// Whether its exit code is `code`, stdout is empty, and stderr is one line `tool: place: message` that
+// contains `says`.
 testing::AssertionResult failed(const ToolResult& result, int code, const std::string& tool,
                                 const std::string& place, const std::string& says = "");
 
-// A test with a folder for what the tools read and write.
+// A test with a temporary folder for files.
 class ToolTest : public testing::Test {
 protected:
   std::string file(std::string_view name) const { return folder_.file(name); }
 
-  // Each writes a file of that name and returns its path; a failure is the test's own.
+  // Each writes a file of that name and returns its path; the test fails where that fails.
   std::string nff(const std::string& name, std::string_view text) const;
   std::string spd(const std::string& name, const std::string& scene,
                   int size = 0) const; // 0: the standard size
@@ -54,13 +54,13 @@ protected:
   const TemporaryFolder folder_;
 };
 
-// A light, a floor, a ball, and a view of them.
+// A light, a floor, a sphere, and a view.
 inline constexpr std::string_view small_nff =
     "v\nfrom 3 -4 2\nat 0 0 0.5\nup 0 0 1\nangle 45\nhither 0.1\n"
     "resolution 16 12\nb 0.1 0.2 0.3\nl 5 -5 9\n"
     "f 1 0.5 0.25 0.7 0.3 10 0 1\np 4\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n"
     "f 0.2 0.4 0.9 0.6 0.4 30 0 1\ns 0 0 0.5 0.5\n";
-// The same with another ball.
+// The same with a sphere of another radius.
 inline constexpr std::string_view other_nff =
     "v\nfrom 3 -4 2\nat 0 0 0.5\nup 0 0 1\nangle 45\nhither 0.1\n"
     "resolution 16 12\nb 0.1 0.2 0.3\nl 5 -5 9\n"

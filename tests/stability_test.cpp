@@ -1,5 +1,4 @@
-// Robust and double arithmetic fail nowhere, and within the envelopes of docs/stability.md they tell most
-// rays' answers.
+// Robust and double precision fail nowhere, and within the envelopes of docs/stability.md most rays are sure.
 #include "tools/bench/stability/backends.h"
 #include "tools/bench/stability/run.h"
 
@@ -22,11 +21,11 @@ TEST_P(Stability, RobustAndDoubleFailNowhere) {
     rays += row.within ? t.rays : 0;
     unsure += row.within ? t.unsure : 0;
     EXPECT_EQ(t.failures(), 0U) << row.way.name << (row.float64 ? ", float64 store" : "") << " at "
-                                << row.step << " (" << row.knob << "): of " << t.rays << " rays " << t.missed
-                                << " missed, " << t.false_hit << " false, " << t.wrong << " wrong, "
-                                << t.misplaced << " misplaced, " << t.by_grid << " by grid";
+                                << row.step << " (" << row.parameter << "): of " << t.rays << " rays "
+                                << t.missed << " missed, " << t.false_hit << " false, " << t.wrong
+                                << " wrong, " << t.misplaced << " misplaced, " << t.by_grid << " by grid";
   });
-  // Else nothing would have been said.
+  // Otherwise the check above would say little.
   EXPECT_GT(rays, 0U);
   EXPECT_LE(2 * unsure, rays);
 }

@@ -1,4 +1,4 @@
-// Whatever goes wrong, a tool says so in one line, exits with the code for it, and leaves nothing behind.
+// Errors: one line on stderr, the exit code of the error, and no files left behind.
 #include "tests/run_tool.h"
 #include "tools/bench/stability/random_seed.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 class ToolErrors : public ToolTest {
 protected:
-  // Runs the tool; afterwards the folder must hold what it held before.
+  // Runs the tool, which must fail and leave the folder's files as they are.
   testing::AssertionResult fails(int code, const std::string& tool, const Arguments& arguments,
                                  const std::string& place, const std::string& says = "",
                                  const Surroundings& surroundings = {}) const {
@@ -28,8 +28,7 @@ protected:
   }
 };
 
-// --- NFF
-// -----------------------------------------------------------------------------------------------------
+// --- NFF ------------------------------------------------------------------------------------------------
 
 struct BadNff {
   const char* name;
@@ -43,7 +42,7 @@ void PrintTo(const BadNff& bad, std::ostream* out) {
 
 class BadNffText : public ToolErrors, public testing::WithParamInterface<BadNff> {};
 
-TEST_P(BadNffText, IsRefusedWithItsPlace) {
+TEST_P(BadNffText, IsRefusedWithLineAndColumn) {
   const std::string path = nff("bad.nff", GetParam().text);
   EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene")}, path + GetParam().at, GetParam().says));
   EXPECT_TRUE(fails(2, "nff2bin", {path, "--info"}, path + GetParam().at, GetParam().says));
@@ -100,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadNff{"OnlyComments", "# nothing\n\n  # more\n", "", "no NFF entity"}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST_F(ToolErrors, NffThatIsNoFileIsRefused) {
+TEST_F(ToolErrors, NffThatCannotBeReadIsRefused) {
   EXPECT_TRUE(
       fails(2, "nff2bin", {file("missing.nff"), "-o", file("a.scene")}, file("missing.nff"), "No such file"));
   EXPECT_TRUE(fails(2, "nff2bin", {folder_.path().string(), "-o", file("a.scene")}, folder_.path().string(),
@@ -108,7 +107,7 @@ TEST_F(ToolErrors, NffThatIsNoFileIsRefused) {
   EXPECT_TRUE(fails(2, "nff2bin", {"-", "-o", file("a.scene")}, "stdin", "no NFF entity"));
 }
 
-TEST_F(ToolErrors, ABadTextOnStandardInputIsRefusedWithItsPlace) {
+TEST_F(ToolErrors, InvalidStandardInputIsRefusedWithLineAndColumn) {
   const std::string path = nff("bad.nff", "s 0 0 0 1\n\n s 1 2 x\n");
   EXPECT_TRUE(fails(2, "nff2bin", {"-", "-o", file("a.scene")}, "stdin:3:8", "'x'", {path, {}, {}}));
 }
@@ -136,9 +135,8 @@ TEST_F(ToolErrors, AConeThatLosesItsLengthInItsStoreIsRefused) {
       fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
 }
 
-// Where float32 holds the numbers, but its arithmetic can't tell things apart, and is asked for all the same:
-// the scene is written, and a line says what to do.
-TEST_F(ToolErrors, AScenePoorlyServedByFloat32IsWarnedOf) {
+// Where --store float32 is too coarse, the scene is written, and a warning recommends float64.
+TEST_F(ToolErrors, Float32ThatIsTooCoarseForTheSceneIsWarnedOf) {
   const auto warned = [&](const std::string& text, const Arguments& more, const std::string& of) {
     const std::string path = nff("far.nff", text);
     Arguments arguments{path, "-o", file("far.scene")};
@@ -154,15 +152,15 @@ TEST_F(ToolErrors, AScenePoorlyServedByFloat32IsWarnedOf) {
   const std::string far = "s 1000000 0 0 1\ns 1000004 0 0 1\n", small = "s 0 0 0 1000\ns 0 0 1000 0.0001\n",
                     digits = "s 0.123456789012 0 0 1\n";
   EXPECT_TRUE(warned(far, {"--store", "float32"}, "6 across"));
-  EXPECT_TRUE(warned(far, {}, "")); // which takes float64, here and below
+  EXPECT_TRUE(warned(far, {}, "")); // stored as float64, here and below
   EXPECT_TRUE(warned(small, {"--store", "float32"}, "1 object(s)"));
   EXPECT_TRUE(warned(small, {}, ""));
   EXPECT_TRUE(warned(digits, {"--store", "float32"}, "lose digits"));
   EXPECT_TRUE(warned(digits, {}, ""));
 }
 
-// A text cut anywhere is another text or none: never a crash, never half a scene.
-TEST_F(ToolErrors, TextCutShortIsReadOrRefused) {
+// Truncated text is valid or refused: no crash, no incomplete scene file.
+TEST_F(ToolErrors, TruncatedTextIsReadOrRefused) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
@@ -183,8 +181,7 @@ TEST_F(ToolErrors, TextCutShortIsReadOrRefused) {
   EXPECT_GT(refused, 0);
 }
 
-// --- Scene and grid files
-// ------------------------------------------------------------------------------------
+// --- Scene and grid files -------------------------------------------------------------------------------
 
 class BadFiles : public ToolErrors {
 protected:
@@ -192,7 +189,7 @@ protected:
       : scene_(scene("a.scene", nff("a.nff", small_nff))), grid_(grid("a.grid", scene_)),
         other_scene_(scene("b.scene", nff("b.nff", other_nff))) {}
 
-  // Every tool that reads such a file refuses this one.
+  // All tools that read such a file must refuse this one.
   void expect_scene_refused(const std::string& path, const std::string& says = "") const {
     EXPECT_TRUE(fails(2, "gridbuild", {path, "-o", file("new.grid")}, path, says));
     EXPECT_TRUE(fails(2, "gridrender", {path, grid_, "-o", file("new.png")}, path, says));
@@ -208,7 +205,7 @@ protected:
   const std::string scene_, grid_, other_scene_;
 };
 
-TEST_F(BadFiles, MissingOnesAreRefused) {
+TEST_F(BadFiles, MissingFilesAreRefused) {
   expect_scene_refused(file("missing"), "No such file");
   expect_grid_refused(file("missing"), "No such file");
 }
@@ -218,17 +215,17 @@ TEST_F(BadFiles, DirectoriesAreRefused) {
   expect_grid_refused(folder_.path().string(), "is a directory");
 }
 
-TEST_F(BadFiles, EmptyOnesAreRefused) {
+TEST_F(BadFiles, EmptyFilesAreRefused) {
   expect_scene_refused(nff("empty", ""), "isn't a scene file");
   expect_grid_refused(nff("empty", ""), "isn't a grid file");
 }
 
-TEST_F(BadFiles, NffIsNoSceneAndNoGrid) {
+TEST_F(BadFiles, NffTextIsRefused) {
   expect_scene_refused(file("a.nff"), "isn't a scene file");
   expect_grid_refused(file("a.nff"), "isn't a grid file");
 }
 
-TEST_F(BadFiles, ASceneIsNoGridAndAGridNoScene) {
+TEST_F(BadFiles, ScenesAndGridsAreNotInterchangeable) {
   expect_scene_refused(grid_, "isn't a scene file");
   expect_grid_refused(scene_, "isn't a grid file");
 }
@@ -237,7 +234,7 @@ TEST_F(BadFiles, AGridOfAnotherSceneIsRefused) {
   EXPECT_TRUE(fails(2, "gridrender", {other_scene_, grid_, "-o", file("new.png")}, grid_, "another scene"));
 }
 
-TEST_F(BadFiles, TruncatedOnesAreRefused) {
+TEST_F(BadFiles, TruncatedFilesAreRefused) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
@@ -251,7 +248,7 @@ TEST_F(BadFiles, TruncatedOnesAreRefused) {
   }
 }
 
-TEST_F(BadFiles, OnesWithAFlippedBitAreRefused) {
+TEST_F(BadFiles, FilesWithAFlippedBitAreRefused) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
@@ -265,7 +262,7 @@ TEST_F(BadFiles, OnesWithAFlippedBitAreRefused) {
   }
 }
 
-TEST_F(BadFiles, Nff2binTellsASceneFileFromAText) {
+TEST_F(BadFiles, Nff2binRecognisesSceneFiles) {
   EXPECT_TRUE(fails(1, "nff2bin", {scene_, "-o", file("new.scene")}, scene_, "scene file already"));
   Bytes bytes = read_bytes(scene_);
   bytes.back() ^= 1;
@@ -273,7 +270,7 @@ TEST_F(BadFiles, Nff2binTellsASceneFileFromAText) {
   EXPECT_TRUE(fails(2, "nff2bin", {file("flipped"), "--info"}, file("flipped"), "hash"));
 }
 
-TEST_F(BadFiles, ListsOfRaysThatCannotBeFollowedAreRefused) {
+TEST_F(BadFiles, ListsOfInvalidRaysAreRefused) {
   const auto list = [&](const std::vector<float>& numbers) {
     write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(numbers.data()), 4 * numbers.size()});
     return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
@@ -298,10 +295,9 @@ TEST_F(BadFiles, ListsOfRaysThatCannotBeFollowedAreRefused) {
                     file("missing"), "No such file"));
 }
 
-// --- Output
-// --------------------------------------------------------------------------------------------------
+// --- Output ---------------------------------------------------------------------------------------------
 
-TEST_F(BadFiles, WhatCannotBeWrittenIsAnOutputError) {
+TEST_F(BadFiles, UnwritableOutputsAreOutputErrors) {
   for (const std::string& place :
        {file("no/folder/new"), folder_.path().string(), std::string("/dev/full")}) {
     EXPECT_TRUE(fails(3, "nffgen", {"tetra", "--size", "3", "-o", place}, place));
@@ -327,7 +323,7 @@ TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
   EXPECT_TRUE(fails(3, "gridstat", {grid_}, place, "", full));
   EXPECT_TRUE(fails(3, "gridstat", {grid_, "--json"}, place, "", full));
   EXPECT_TRUE(failed(run("gridbuild", {scene_, "-o", file("new.grid")}, full), 3, "gridbuild", place));
-  // What prints row by row.
+  // Subcommands that print row by row.
   const Arguments quick{"--repeat", "1", "--warm-up", "0", "--size", "16x12"};
   for (const Arguments& more : {Arguments{}, Arguments{"--json"}}) {
     const auto with = [&](Arguments arguments, const Arguments& options) {
@@ -338,7 +334,7 @@ TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
     EXPECT_TRUE(
         fails(3, "gridbench", with({"rays", scene_, grid_, "--random", "100"}, quick), place, "", full));
     EXPECT_TRUE(fails(3, "gridbench", with({"frame", scene_, grid_}, quick), place, "", full));
-    EXPECT_TRUE(fails(3, "gridbench", with({"stability", "--rays", "10"}, {}), place, "", full));
+    EXPECT_TRUE(fails(3, "gridbench", with({"stability", "--count", "10"}, {}), place, "", full));
     EXPECT_TRUE(fails(3, "gridbench", with({"load", scene_, grid_, "--repeat", "1"}, {}), place, "", full));
   }
 }
@@ -355,8 +351,7 @@ TEST_F(ToolErrors, AClosedPipeIsAnOutputError) {
   reader.join();
 }
 
-// --- What is read is never written
-// ---------------------------------------------------------------------------------------------------
+// --- Inputs are never written ---------------------------------------------------------------------------
 
 class Inputs : public BadFiles {
 protected:
@@ -368,7 +363,7 @@ protected:
     std::filesystem::create_directory(file("sub"));
   }
 
-  // An input's other names.
+  // Other names of the same file.
   std::vector<std::string> names_of(const std::string& input) const {
     namespace fs = std::filesystem;
     const std::string soft = input + ".soft", hard = input + ".hard";
@@ -378,8 +373,8 @@ protected:
     return {input, file("./" + name), file("sub/../" + name), fs::relative(input).string(), soft, hard};
   }
 
-  // Whether the tool, given this input, refuses to write to it by any name and leaves it as it is. An
-  // output's name may have to end as pictures' names do: then all are links that do.
+  // The tool must refuse to write to this input by any of its names. Where outputs need a file name
+  // extension, they are symbolic links with `ending`.
   void expect_spared(const std::string& input, const std::string& tool, const Arguments& arguments,
                      const std::string& option, const std::string& ending = "") const {
     const Bytes before = read_bytes(input);
@@ -418,7 +413,7 @@ TEST_F(Inputs, AreNeverOutputs) {
   expect_spared(grid_, "gridstat", {grid_, "--slice", "z=0"}, "-o", ".png");
 }
 
-TEST_F(Inputs, OfStandardInputAreNeverOutputs) {
+TEST_F(Inputs, FromStandardInputAreNeverOutputs) {
   const Bytes before = read_bytes(file("a.nff"));
   EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("a.nff")}, {file("a.nff"), {}, {}}), 1, "nff2bin",
                      file("a.nff"), "itself"));
@@ -426,13 +421,13 @@ TEST_F(Inputs, OfStandardInputAreNeverOutputs) {
 }
 
 TEST_F(Inputs, OfTheTradeoffAreNeverOutputs) {
-  for (const char* const name : {"tradeoff.csv", "tradeoff.gp", "chart.svg", "chart.png", "division.svg"}) {
+  for (const char* const name : {"tradeoff.csv", "charts.csv", "chart.svg", "chart.png", "division.svg"}) {
     const std::string path = file(name);
     std::filesystem::copy_file(scene_, path);
-    const std::string other = file("chart.scene"); // whose chart's name that may be
+    const std::string other = file("chart.scene"); // whose chart may have that name
     if (!std::filesystem::exists(other)) std::filesystem::copy_file(scene_, other);
     const Bytes before = read_bytes(path);
-    const bool is_own_name = std::string_view(name).starts_with("chart");
+    const bool is_own_name = std::string_view(name).starts_with("chart.");
     const Arguments scenes = is_own_name ? Arguments{path} : Arguments{other, path};
     Arguments arguments{"tradeoff", "-o", folder_.path().string()};
     arguments.insert(arguments.end(), scenes.begin(), scenes.end());
@@ -443,7 +438,7 @@ TEST_F(Inputs, OfTheTradeoffAreNeverOutputs) {
   }
 }
 
-TEST_F(Inputs, OutputsOfOneRunAreFilesOfTheirOwn) {
+TEST_F(Inputs, OutputsOfOneRunAreDistinctFiles) {
   const std::string a = file("new");
   std::filesystem::create_symlink("new", file("link"));
   for (const std::string& other : {a, file("./new"), file("link")}) {
@@ -458,8 +453,7 @@ TEST_F(Inputs, OutputsOfOneRunAreFilesOfTheirOwn) {
   EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "--stats", "/dev/null", "--hits", "/dev/null"})));
 }
 
-// --- Command lines
-// -------------------------------------------------------------------------------------------
+// --- Command lines --------------------------------------------------------------------------------------
 
 class BadCommand : public BadFiles {
 protected:
@@ -527,7 +521,7 @@ TEST_F(BadCommand, OfGridbuildIsAUsageError) {
     EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), "--division", division}, "--division"))
         << division;
   }
-  // More voxels than there is memory.
+  // More voxels than fit in memory.
   EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), "--division", "65535"}, "--division"));
   for (const char* const option : {"--space", "--overlap", "--merge", "--threads"})
     EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), option, "what"})) << option;
@@ -558,6 +552,10 @@ TEST_F(BadCommand, OfGridstatIsAUsageError) {
   for (const char* const slice : {"z", "z=", "w=0", "z=-1", "z=99999", "=0", "z=0x"})
     EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
   EXPECT_TRUE(refused("gridstat", {grid_, "--slice", "z=0"}, "--slice"));
+  EXPECT_TRUE(refused("gridstat", {grid_, "-o", file("new.png")})); // without --slice
+  for (const char* const name : {"new.jpg", "new.pfm", "new", "new.PNG", "-"})
+    EXPECT_TRUE(refused("gridstat", {grid_, "--slice", "z=0", "-o", name}, name));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--csv", "--histogram"}));
   EXPECT_TRUE(refused("gridstat", {grid_, "--json", "--csv"}));
   EXPECT_TRUE(refused("gridstat", {grid_, "--occupancy", scene_}));
   EXPECT_TRUE(refused("gridstat", {grid_, "--divisions", "4"}));
@@ -565,23 +563,37 @@ TEST_F(BadCommand, OfGridstatIsAUsageError) {
   EXPECT_TRUE(refused("gridstat", {"--occupancy", scene_, "--divisions", "4,100000"}, "--divisions"));
 }
 
+// The message points to the help that lists the options.
+TEST_F(BadCommand, OfASubcommandPointsToItsHelp) {
+  const auto points_to = [&](const Arguments& arguments, const std::string& command) {
+    return fails(1, "gridbench", arguments, "command line", ": see " + command + " --help\n");
+  };
+  for (const char* const name : {"rays", "frame", "load", "tradeoff", "stability", "oracle"}) {
+    EXPECT_TRUE(points_to({name, "--no-such-option"}, std::string("gridbench ") + name));
+    EXPECT_NE(run("gridbench", {name, "--help"}).out.find("--json"), std::string::npos) << name;
+  }
+  EXPECT_TRUE(points_to({"rays", scene_, grid_, "--sets", "what"}, "gridbench rays"));
+  EXPECT_TRUE(points_to({}, "gridbench"));
+  EXPECT_TRUE(points_to({"what"}, "gridbench"));
+}
+
 TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
-  // With this no device is seen, whether there is one or not.
-  const Surroundings blind{"/dev/null", {}, "CUDA_VISIBLE_DEVICES=-1"};
+  // Hides all devices.
+  const Surroundings no_device{"/dev/null", {}, "CUDA_VISIBLE_DEVICES=-1"};
   EXPECT_TRUE(fails(4, "gridrender", {scene_, grid_, "-o", file("new.png"), "--backend", "cuda"}, "cuda",
-                    "--backend cpu", blind));
-  EXPECT_TRUE(
-      fails(4, "gridbench", {"load", scene_, grid_, "--backend", "cuda"}, "cuda", "--backend cpu", blind));
+                    "--backend cpu", no_device));
+  EXPECT_TRUE(fails(4, "gridbench", {"load", scene_, grid_, "--backend", "cuda"}, "cuda", "--backend cpu",
+                    no_device));
   EXPECT_TRUE(fails(4, "gridbuild", {scene_, "-o", file("new.grid"), "--device", "cuda"}, "cuda",
-                    "--device cpu", blind));
-  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("new.png")}, blind)));
+                    "--device cpu", no_device));
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("new.png")}, no_device)));
 }
 
 TEST(Help, GoesToStandardOutput) {
   for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridbench"}) {
     const ToolResult result = run(tool, {"--help"});
     EXPECT_TRUE(succeeded(result)) << tool;
-    EXPECT_NE(result.out.find(tool), std::string::npos) << tool << " doesn't name itself";
+    EXPECT_NE(result.out.find(tool), std::string::npos) << tool;
     EXPECT_NE(result.out.find("--help"), std::string::npos) << tool;
   }
 }

@@ -1,4 +1,4 @@
-// The tools together, as a person runs them: from a text to a picture, to lists of hits, to numbers.
+// End-to-end runs of the tools: pictures, hits, statistics and files.
 #include "tests/run_tool.h"
 
 #include <fmt/format.h>
@@ -16,10 +16,10 @@ namespace {
 
 struct Picture {
   std::uint32_t width = 0, height = 0;
-  Bytes rgb; // from the top
+  Bytes rgb; // top row first
 };
 
-// By libpng; of no size when it isn't a PNG.
+// Decoded by libpng; empty for anything but a PNG.
 Picture decoded_png(const std::string& path) {
   Picture picture;
   png_image png{};
@@ -33,15 +33,16 @@ Picture decoded_png(const std::string& path) {
   return picture;
 }
 
-// The floats after a PFM's head, from the bottom row up; empty when the head isn't this.
+// A PFM's floats, bottom row first; empty where its header isn't of that size.
 std::vector<float> decoded_pfm(const std::string& path, int width, int height) {
   const Bytes bytes = read_bytes(path);
-  const std::string head = fmt::format("PF\n{} {}\n-1.0\n", width, height);
+  const std::string header = fmt::format("PF\n{} {}\n-1.0\n", width, height);
   const std::size_t floats = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
-  if (bytes.size() != head.size() + 4 * floats || std::memcmp(bytes.data(), head.data(), head.size()) != 0)
+  if (bytes.size() != header.size() + 4 * floats ||
+      std::memcmp(bytes.data(), header.data(), header.size()) != 0)
     return {};
   std::vector<float> values(floats);
-  std::memcpy(values.data(), bytes.data() + head.size(), 4 * floats);
+  std::memcpy(values.data(), bytes.data() + header.size(), 4 * floats);
   return values;
 }
 
@@ -81,10 +82,9 @@ protected:
   const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_);
 };
 
-// --- Pictures
-// ------------------------------------------------------------------------------------------------
+// --- Pictures -------------------------------------------------------------------------------------------
 
-TEST_F(Tools, ThePictureHasTheViewsSizeOrTheOneAskedFor) {
+TEST_F(Tools, PicturesHaveTheSizeOfTheViewOrOfTheOption) {
   render({"-o", file("a.pfm")});
   EXPECT_FALSE(decoded_pfm(file("a.pfm"), 16, 12).empty());
   render({"-o", file("a.pfm"), "--size", "7x5"});
@@ -103,7 +103,7 @@ std::uint8_t encoded(float value) {
   return stored(v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F);
 }
 
-TEST_F(Tools, ThePngHoldsThePfmsValuesInEightBits) {
+TEST_F(Tools, PngsHoldThePfmsValuesInEightBits) {
   render({"-o", file("a.pfm")});
   render({"-o", file("stored.png")});
   render({"-o", file("encoded.png"), "--srgb"});
@@ -122,7 +122,7 @@ TEST_F(Tools, ThePngHoldsThePfmsValuesInEightBits) {
   }
 }
 
-TEST_F(Tools, CornersAverageFourRaysAndCentersShootOne) {
+TEST_F(Tools, SamplingCornersTracesOneMoreRowAndColumnOfRays) {
   render({"--hits", file("hits"), "--sampling", "corners"});
   EXPECT_EQ(hits_in(file("hits")).size(), 17U * 13);
   render({"--hits", file("hits"), "--sampling", "centers"});
@@ -136,7 +136,7 @@ TEST_F(Tools, CornersAverageFourRaysAndCentersShootOne) {
   EXPECT_FALSE(read_bytes(file("a.pfm")) == read_bytes(file("b.pfm")));
 }
 
-TEST_F(Tools, ASceneOfNothingIsAllBackground) {
+TEST_F(Tools, AnEmptySceneIsAllBackground) {
   for (const char* const text :
        {"b 0.25 0.5 0.75\n", "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\n"
                              "resolution 4 4\nb 0.25 0.5 0.75\nl 1 1 1\nf 1 1 1 1 1 1 1 1\n"}) {
@@ -152,8 +152,8 @@ TEST_F(Tools, ASceneOfNothingIsAllBackground) {
   }
 }
 
-// No view, no light, no fill: defaults stand in for them.
-TEST_F(Tools, ABareObjectIsSeenAndLit) {
+// View, light and material have defaults.
+TEST_F(Tools, AnObjectWithoutViewLightAndMaterialIsVisible) {
   const std::string bare = scene("bare.scene", nff("bare.nff", "s 10 20 30 2\n"));
   EXPECT_TRUE(succeeded(run("gridrender", {bare, grid("bare.grid", bare), "-o", file("a.pfm"), "--hits",
                                            file("hits"), "--size", "9x9"})));
@@ -164,16 +164,15 @@ TEST_F(Tools, ABareObjectIsSeenAndLit) {
   EXPECT_GE(std::ranges::count(hits, 0, &Hit::object), 9);
 }
 
-TEST_F(Tools, DepthOneLeavesOutWhatMirrorsShow) {
+TEST_F(Tools, DepthOneHasNoReflectionRays) {
   EXPECT_EQ(stats_of({"--depth", "1"})["reflection_rays"], 0);
   EXPECT_GT(stats_of({})["reflection_rays"], 0);
 }
 
-// --- Hits and rays
-// -------------------------------------------------------------------------------------------
+// --- Hits and rays --------------------------------------------------------------------------------------
 
-TEST_F(Tools, ListedRaysHitWhatTheEyesRaysHit) {
-  // The view of small_nff, its layout of corner rays written down as a list.
+TEST_F(Tools, ListedRaysHitWhatCameraRaysHit) {
+  // The camera rays of small_nff, through pixel corners, as a list.
   const double from[3] = {3, -4, 2}, sight[3] = {-3, 4, -1.5};
   const double length = std::sqrt(9 + 16 + 2.25), flat = 5, reach = std::tan(22.5 / 180 * std::acos(-1.0));
   const double right[3] = {sight[1] / flat, -sight[0] / flat, 0};
@@ -192,39 +191,39 @@ TEST_F(Tools, ListedRaysHitWhatTheEyesRaysHit) {
     }
   }
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
-  render({"--hits", file("eye")});
+  render({"--hits", file("camera")});
   render({"--rays", file("rays"), "--hits", file("listed")});
   EXPECT_TRUE(succeeded(
       run("gridrender", {scene_, "--brute-force", "--rays", file("rays"), "--hits", file("brute-force")})));
   EXPECT_TRUE(read_bytes(file("listed")) == read_bytes(file("brute-force")));
-  const std::vector<Hit> eye = hits_in(file("eye")), listed = hits_in(file("listed"));
-  ASSERT_EQ(eye.size(), 17U * 13);
-  ASSERT_EQ(listed.size(), eye.size());
+  const std::vector<Hit> camera = hits_in(file("camera")), listed = hits_in(file("listed"));
+  ASSERT_EQ(camera.size(), 17U * 13);
+  ASSERT_EQ(listed.size(), camera.size());
   std::set<std::int32_t> objects;
-  for (std::size_t i = 0; i < eye.size(); ++i) {
-    EXPECT_EQ(eye[i].object, listed[i].object) << "ray " << i;
-    objects.insert(eye[i].object);
-    if (eye[i].object < 0) {
+  for (std::size_t i = 0; i < camera.size(); ++i) {
+    EXPECT_EQ(camera[i].object, listed[i].object) << "ray " << i;
+    objects.insert(camera[i].object);
+    if (camera[i].object < 0) {
       EXPECT_EQ(listed[i].t, std::numeric_limits<float>::infinity());
       continue;
     }
-    // Along the list t counts in the direction's length.
+    // For listed rays t counts in lengths of the direction.
     const float* const d = rays.data() + 6 * i + 3;
     const float scale = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-    EXPECT_NEAR(listed[i].t * scale, eye[i].t, 1e-4 * eye[i].t);
+    EXPECT_NEAR(listed[i].t * scale, camera[i].t, 1e-4 * camera[i].t);
   }
-  EXPECT_EQ(objects, (std::set<std::int32_t>{-1, 0, 1})); // the sky, the floor, the ball
+  EXPECT_EQ(objects, (std::set<std::int32_t>{-1, 0, 1})); // background, floor, sphere
 }
 
-TEST_F(Tools, TheStudysRuleStopsAtTheFirstCellThatHasAHit) {
-  // One voxel holds all: its first hit is the nearest. In two a floor that reaches into both is hit in the
-  // first, where it is listed, though a ball of the second stands before it.
+TEST_F(Tools, FirstCellHitMissesCloserHitsOfLaterCells) {
+  // In one voxel the first hit is the closest. In two, the floor lies in both and is hit in the first,
+  // although a sphere of the second is closer.
   const std::string before = scene(
       "b.scene", nff("b.nff", "v\nfrom -9 0 2\nat 9 0 -2\nup 0 0 1\nangle 10\nhither 1\nresolution 9 9\n"
                               "f 1 1 1 1 0 0 0 1\np 4\n-9 -9 -1\n9 -9 -1\n9 9 -1\n-9 9 -1\ns 3 0 0 0.9\n"));
-  const auto objects = [&](const char* division, const Arguments& how) {
+  const auto objects = [&](const char* division, const Arguments& options) {
     Arguments arguments{before, grid("b.grid", before, division), "--backend", "cpu", "--hits", file("hits")};
-    arguments.insert(arguments.end(), how.begin(), how.end());
+    arguments.insert(arguments.end(), options.begin(), options.end());
     EXPECT_TRUE(succeeded(run("gridrender", arguments)));
     std::vector<std::int32_t> found;
     for (const Hit& hit : hits_in(file("hits")))
@@ -234,16 +233,16 @@ TEST_F(Tools, TheStudysRuleStopsAtTheFirstCellThatHasAHit) {
   const auto right = objects("2x1x1", {}), wrong = objects("2x1x1", {"--first-cell-hit"});
   EXPECT_EQ(objects("1", {"--first-cell-hit"}), right);
   ASSERT_EQ(wrong.size(), right.size());
-  int overlooked = 0;
+  int missed = 0;
   for (std::size_t i = 0; i < right.size(); ++i) {
-    overlooked += right[i] == 1 && wrong[i] == 0 ? 1 : 0;
+    missed += right[i] == 1 && wrong[i] == 0 ? 1 : 0;
     EXPECT_TRUE(right[i] == wrong[i] || (right[i] == 1 && wrong[i] == 0)) << "ray " << i;
   }
-  EXPECT_GT(overlooked, 0);
+  EXPECT_GT(missed, 0);
 }
 
-TEST_F(Tools, ListedRaysMayBeDoubles) {
-  // Far off, where floats are two apart: a ball of radius 1, met by every other ray.
+TEST_F(Tools, ListedRaysMayBeFloat64) {
+  // Where float32 numbers are 2 apart: a sphere of radius 1, hit by every other ray.
   const std::string far = scene("far.scene", nff("far.nff", "f 1 1 1 1 0 0 0 1\ns 20000000.25 0 0 1\n"));
   const std::string far_grid = grid("far.grid", far);
   std::vector<double> rays;
@@ -254,20 +253,20 @@ TEST_F(Tools, ListedRaysMayBeDoubles) {
                                            "--hits", file("hits")})));
   const std::vector<Hit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 6U);
-  const std::array<bool, 6> met{true, false, true, false, true, false};
-  for (std::size_t i = 0; i < met.size(); ++i)
-    EXPECT_EQ(hits[i].object, met[i] ? 0 : -1) << "ray " << i;
+  const std::array<bool, 6> hit{true, false, true, false, true, false};
+  for (std::size_t i = 0; i < hit.size(); ++i)
+    EXPECT_EQ(hits[i].object, hit[i] ? 0 : -1) << "ray " << i;
   EXPECT_EQ(hits[0].t, static_cast<float>(3 - std::sqrt(1 - 0.0625)));
 }
 
-TEST_F(Tools, ListedRaysMayHaveAnyLengthAndStart) {
+TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
   const std::vector<float> rays{
-      0,     0, 5,    0, 0, -1,      // down on the ball's top: 4 away
-      0,     0, 5,    0, 0, -1e-15F, // the same, in tiny steps
-      0,     0, 5,    0, 0, -1e15F,  // the same, in giant ones
-      0,     0, 0.5F, 0, 0, 1,       // from inside: half away
-      0,     0, 5,    0, 0, 1,       // away
-      1,     1, 1e9F, 0, 0, -1,      // from far off onto the floor
+      0,     0, 5,    0, 0, -1,      // down onto the sphere: distance 4
+      0,     0, 5,    0, 0, -1e-15F, // the same, with a short direction
+      0,     0, 5,    0, 0, -1e15F,  // the same, with a long direction
+      0,     0, 0.5F, 0, 0, 1,       // from inside: distance 0.5
+      0,     0, 5,    0, 0, 1,       // away from the scene
+      1,     1, 1e9F, 0, 0, -1,      // from afar onto the floor
       1e15F, 0, 0,    0, 1, 0,       // past everything
   };
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
@@ -289,8 +288,8 @@ TEST_F(Tools, AnEmptyListOfRaysHasNoHits) {
   EXPECT_TRUE(hits_in(file("hits")).empty());
 }
 
-TEST_F(Tools, HitsNameObjectsOrPrimitives) {
-  // Object 0 is a ball, object 1 a square of two triangles: primitives count triangles first.
+TEST_F(Tools, HitRecordsHoldObjectsOrPrimitives) {
+  // Object 0 is a sphere, object 1 a square of two triangles; primitives are triangles first.
   const std::string mixed =
       scene("mixed.scene", nff("mixed.nff", "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\n"
                                             "hither 1\nresolution 8 8\ns 0 0 2 1\n"
@@ -307,8 +306,7 @@ TEST_F(Tools, HitsNameObjectsOrPrimitives) {
   EXPECT_EQ(names("primitive"), (std::set<std::int32_t>{-1, 0, 1, 2}));
 }
 
-// --- Numbers
-// -------------------------------------------------------------------------------------------------
+// --- Numbers --------------------------------------------------------------------------------------------
 
 std::set<std::string> keys(const nlohmann::json& json) {
   std::set<std::string> names;
@@ -317,7 +315,7 @@ std::set<std::string> keys(const nlohmann::json& json) {
   return names;
 }
 
-TEST_F(Tools, StatsHaveTheirKeysAndNoOther) {
+TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
   const auto stats = stats_of({});
   EXPECT_EQ(keys(stats),
             (std::set<std::string>{"backend", "eye_rays", "eye_hits", "reflection_rays", "refraction_rays",
@@ -354,7 +352,7 @@ TEST_F(Tools, StatsCountTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one, two);
 }
 
-TEST_F(Tools, Nff2binTellsTheSameOfTextAndFile) {
+TEST_F(Tools, InfoIsTheSameForTextAndSceneFile) {
   auto text = json_of("nff2bin", {file("a.nff"), "--info", "--json"});
   auto made = json_of("nff2bin", {scene_, "--info", "--json"});
   EXPECT_EQ(text["objects"]["polygons"], 1);
@@ -371,38 +369,38 @@ TEST_F(Tools, Nff2binTellsTheSameOfTextAndFile) {
     EXPECT_EQ(text[name], made[name]) << name;
 }
 
-TEST_F(Tools, Nff2binTessellatesAndCountsObjectsAsBefore) {
+TEST_F(Tools, TessellationKeepsTheObjectCounts) {
   const std::string made = scene("t.scene", file("a.nff"), {"--tessellate", "12"});
-  auto told = json_of("nff2bin", {made, "--info", "--json"});
+  auto info = json_of("nff2bin", {made, "--info", "--json"});
   const auto curved = json_of("nff2bin", {scene_, "--info", "--json"});
-  EXPECT_EQ(told["objects"], curved["objects"]);
-  EXPECT_EQ(told["store"], "float32");
-  EXPECT_EQ(told["primitives"]["triangles"], 2 + 108);
-  EXPECT_EQ(told["primitives"]["spheres"], 0);
-  EXPECT_EQ(told["smooth_triangles"], 108);
+  EXPECT_EQ(info["objects"], curved["objects"]);
+  EXPECT_EQ(info["store"], "float32");
+  EXPECT_EQ(info["primitives"]["triangles"], 2 + 108);
+  EXPECT_EQ(info["primitives"]["spheres"], 0);
+  EXPECT_EQ(info["smooth_triangles"], 108);
   auto text = json_of("nff2bin", {file("a.nff"), "--tessellate", "12", "--info", "--json"});
   for (const char* const name : {"objects", "primitives", "smooth_triangles", "store"})
-    EXPECT_EQ(told[name], text[name]) << name;
+    EXPECT_EQ(info[name], text[name]) << name;
 }
 
 TEST_F(Tools, GridbuildAndGridstatAgree) {
   const auto built = json_of("gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--merge",
                                            "none", "--space", "cube", "--json"});
-  const auto told = json_of("gridstat", {file("b.grid"), "--json"});
+  const auto info = json_of("gridstat", {file("b.grid"), "--json"});
   EXPECT_EQ(built["division"], (std::vector<int>{5, 4, 3}));
-  EXPECT_EQ(told["division"], built["division"]);
-  EXPECT_EQ(told["voxels"], 60);
-  EXPECT_EQ(told["references"], built["references"]);
-  EXPECT_EQ(told["occupied_cells"], built["occupied_cells"]);
-  EXPECT_EQ(told["occupied_voxels"].get<int>() + told["empty_voxels"].get<int>(), 60);
-  EXPECT_EQ(told["space_rule"], "cube");
-  EXPECT_EQ(told["overlap"], "exact");
-  EXPECT_EQ(told["division_rule"], "5x4x3");
-  EXPECT_EQ(told["bytes"]["file"], std::filesystem::file_size(file("b.grid")));
-  EXPECT_TRUE(told["build_seconds"].is_null());
+  EXPECT_EQ(info["division"], built["division"]);
+  EXPECT_EQ(info["voxels"], 60);
+  EXPECT_EQ(info["references"], built["references"]);
+  EXPECT_EQ(info["occupied_cells"], built["occupied_cells"]);
+  EXPECT_EQ(info["occupied_voxels"].get<int>() + info["empty_voxels"].get<int>(), 60);
+  EXPECT_EQ(info["space_rule"], "cube");
+  EXPECT_EQ(info["overlap"], "exact");
+  EXPECT_EQ(info["division_rule"], "5x4x3");
+  EXPECT_EQ(info["bytes"]["file"], std::filesystem::file_size(file("b.grid")));
+  EXPECT_TRUE(info["build_seconds"].is_null());
 }
 
-TEST_F(Tools, GridbuildLeavesADivisionThatIsGivenAsItIs) {
+TEST_F(Tools, AGivenDivisionIsNotMerged) {
   for (const char* const merge : {"auto", "none"}) {
     EXPECT_TRUE(succeeded(
         run("gridbuild", {scene_, "-o", file(merge), "--division", "700x700x700", "--merge", merge})));
@@ -410,19 +408,19 @@ TEST_F(Tools, GridbuildLeavesADivisionThatIsGivenAsItIs) {
   EXPECT_TRUE(read_bytes(file("auto")) == read_bytes(file("none")));
 }
 
-TEST_F(Tools, GridbenchComparesLoadingWithPlainCopies) {
-  const auto told =
+TEST_F(Tools, BenchLoadComparesLoadingWithPlainCopies) {
+  const auto info =
       json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3", "--json"});
-  EXPECT_EQ(told["bytes"], std::filesystem::file_size(scene_) + std::filesystem::file_size(grid_));
-  const auto& seconds = told["median_seconds"];
+  EXPECT_EQ(info["bytes"], std::filesystem::file_size(scene_) + std::filesystem::file_size(grid_));
+  const auto& seconds = info["median_seconds"];
   for (const char* const name : {"map", "validate", "load", "copy_mapped", "copy_read"})
     EXPECT_GT(seconds[name].get<double>(), 0) << name;
   EXPECT_EQ(seconds["upload"], 0);
-  EXPECT_DOUBLE_EQ(told["load_over_copy"]["mapped"].get<double>(),
+  EXPECT_DOUBLE_EQ(info["load_over_copy"]["mapped"].get<double>(),
                    seconds["load"].get<double>() / seconds["copy_mapped"].get<double>());
 }
 
-TEST_F(Tools, ASliceIsAPicture) {
+TEST_F(Tools, ASliceIsAPngWithSquareVoxels) {
   EXPECT_TRUE(
       succeeded(run("gridstat", {grid("b.grid", scene_, "8x4x2"), "--slice", "z=1", "-o", file("s.png")})));
   const Picture picture = decoded_png(file("s.png"));
@@ -430,10 +428,28 @@ TEST_F(Tools, ASliceIsAPicture) {
   EXPECT_EQ(picture.width, 2 * picture.height);
 }
 
-// --- Files
-// ---------------------------------------------------------------------------------------------------
+// CSV of several grids can be joined: the columns don't depend on the kind of grid.
+TEST_F(Tools, GridstatsCsvHasTheSameColumnsForEveryGrid) {
+  std::set<std::string> headers;
+  for (const char* const merge : {"none", "x", "balance", "irregular"}) {
+    const std::string path = grid("b.grid", scene_, "6", {"--merge", merge});
+    const ToolResult result = run("gridstat", {path, "--csv"});
+    EXPECT_TRUE(succeeded(result));
+    const std::size_t end = result.out.find('\n') + 1;
+    headers.insert(result.out.substr(0, end));
+    const std::string values = result.out.substr(end);
+    EXPECT_EQ(std::ranges::count(values, '\n'), 1);
+    EXPECT_EQ(std::ranges::count(values, ','), std::ranges::count(*headers.begin(), ',')) << values;
+    EXPECT_EQ(values.find("null"), std::string::npos) << values;
+    const auto uniform = keys(json_of("gridstat", {grid_, "--json"}));
+    EXPECT_EQ(keys(json_of("gridstat", {path, "--json"})), uniform);
+  }
+  EXPECT_EQ(headers.size(), 1U);
+}
 
-TEST_F(Tools, APipeAndAFileGiveTheSameScene) {
+// --- Files ----------------------------------------------------------------------------------------------
+
+TEST_F(Tools, StandardInputAndAFileGiveTheSameScene) {
   const ToolResult result = run("nff2bin", {"-", "-o", file("piped.scene")}, {file("a.nff"), {}, {}});
   EXPECT_TRUE(succeeded(result));
   EXPECT_TRUE(read_bytes(file("piped.scene")) == read_bytes(scene_));
@@ -445,13 +461,13 @@ TEST_F(Tools, NffgenWritesTheSameToAFileAndToStandardOutput) {
   EXPECT_TRUE(printed.out == read_text(spd("rings.nff", "rings", 2)));
 }
 
-TEST_F(Tools, ThreadsDontShowInASceneFile) {
+TEST_F(Tools, SceneFilesAreIndependentOfTheNumberOfThreads) {
   const std::string text = spd("mount.nff", "mount", 6);
   const Bytes one = read_bytes(scene("one", text, {"--threads", "1"}));
   EXPECT_TRUE(one == read_bytes(scene("two", text, {"--threads", "2"})));
 }
 
-TEST_F(Tools, DoubleIsStoredWhereTheDigitsNeedIt) {
+TEST_F(Tools, Float64IsStoredWhereFloat32IsTooCoarse) {
   const auto store = [&](const char* text) {
     return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json"})["store"];
   };
@@ -460,7 +476,7 @@ TEST_F(Tools, DoubleIsStoredWhereTheDigitsNeedIt) {
   EXPECT_EQ(store("s 0.123456789 0 0 1\n"), "float64");
   EXPECT_EQ(store("s 16777217 0 0 1\n"), "float64");
   EXPECT_EQ(store("s 1e20 0 0 1\n"), "float64");
-  // Of numbers that float32 holds: too far off for their size, too small, too flat.
+  // Float32 numbers: too far from the origin for their size, too small, too flat.
   EXPECT_EQ(store("s 1000000 0 0 1\n"), "float64");
   EXPECT_EQ(store("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "float64");
   EXPECT_EQ(store("c 1 0 0 1 1.000000001 0 0 2\n"), "float64");
@@ -473,7 +489,7 @@ TEST_F(Tools, EqualBuildsAreEqualFilesUnlessSecondsAreRecorded) {
   EXPECT_GE(json_of("gridstat", {file("c.grid"), "--json"})["build_seconds"].get<double>(), 0);
 }
 
-// The scene of small_nff with a cone, `scale` times as large.
+// The scene of small_nff and a cone, scaled.
 std::string scaled_text(double scale) {
   const auto number = [&](double value) { return fmt::format(" {:.6g}", value * scale); };
   const auto all = [&](std::initializer_list<double> values) {
@@ -488,8 +504,8 @@ std::string scaled_text(double scale) {
          "f 0.2 0.4 0.9 0.6 0.4 30 0 1\ns" + all({0, 0, 0.5, 0.5}) + "c" + all({1, 1, 0, 0.3, 1, 1, 1, 0.1});
 }
 
-// A scene in other units is the same picture, or is refused where numbers end.
-TEST_F(Tools, TheScenesScaleNeverShows) {
+// A scaled scene gives the same picture, or is refused beyond the range of numbers.
+TEST_F(Tools, PicturesAreIndependentOfTheScenesScale) {
   const auto rendered = [&](int exponent) {
     const std::string text = nff("scaled.nff", scaled_text(std::pow(10, exponent)));
     const ToolResult made = run("nff2bin", {text, "-o", file("scaled.scene")});
@@ -500,7 +516,8 @@ TEST_F(Tools, TheScenesScaleNeverShows) {
                                              "--backend", "cpu", "--stats", file("stats.json")})));
     EXPECT_TRUE(succeeded(run(
         "gridrender", {file("scaled.scene"), "--brute-force", "-o", file("none.pfm"), "--backend", "cpu"})));
-    EXPECT_TRUE(read_bytes(file("grid.pfm")) == read_bytes(file("none.pfm"))) << "the grid shows";
+    EXPECT_TRUE(read_bytes(file("grid.pfm")) == read_bytes(file("none.pfm")))
+        << "the picture depends on the grid";
     return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
   };
   const auto expected = rendered(0);
@@ -514,20 +531,20 @@ TEST_F(Tools, TheScenesScaleNeverShows) {
   }
 }
 
-TEST_F(Tools, GridbenchTellsWhereEachPrecisionBreaks) {
-  const auto rows = json_of("gridbench", {"stability", "--sweep", "closed-ball,leaving-scaled", "--rays",
+TEST_F(Tools, BenchStabilityReportsFailuresOfFastOnly) {
+  const auto rows = json_of("gridbench", {"stability", "--sweep", "closed-ball,leaving-scaled", "--count",
                                           "200", "--seed", "7", "--json"});
   std::set<std::string> sweeps, failing;
   for (const auto& row : rows) {
     sweeps.insert(row["sweep"]);
-    if (row["missed"].get<int>() + row["false"].get<int>() > 0) failing.insert(row["way"]);
+    if (row["missed"].get<int>() + row["false"].get<int>() > 0) failing.insert(row["mode"]);
   }
   EXPECT_EQ(sweeps, (std::set<std::string>{"closed-ball", "leaving-scaled"}));
   EXPECT_EQ(failing, std::set<std::string>{"fast"});
 }
 
-TEST_F(Tools, GridbenchJudgesRandomRaysByTheOracle) {
-  const auto rows = json_of("gridbench", {"oracle", scene_, grid_, "--rays", "2000", "--precision",
+TEST_F(Tools, BenchOracleFindsNoFailuresOfRobustAndDouble) {
+  const auto rows = json_of("gridbench", {"oracle", scene_, grid_, "--count", "2000", "--precision",
                                           "fast,robust,double", "--json"});
   ASSERT_EQ(rows.size(), 3U);
   for (const auto& row : rows) {

@@ -1,4 +1,4 @@
-// gridbench tradeoff: what it measures, that it goes on where it was stopped, and that its front is one.
+// gridbench tradeoff: measurements, continuing after a stop, Pareto fronts, charts.
 #include "tests/run_tool.h"
 #include "tools/bench/stability/random_seed.h"
 #include "tools/bench/tradeoff_csv.h"
@@ -13,10 +13,9 @@
 namespace masu {
 namespace {
 
-// --- The front
-// -----------------------------------------------------------------------------------------------
+// --- The front ------------------------------------------------------------------------------------------
 
-// Few values, so that many are equal.
+// Few distinct values, so that many are equal.
 std::vector<Merit> random_merits(std::mt19937_64& random) {
   std::vector<Merit> merits(random() % 40);
   for (Merit& merit : merits)
@@ -24,7 +23,7 @@ std::vector<Merit> random_merits(std::mt19937_64& random) {
   return merits;
 }
 
-TEST(ParetoFront, HoldsNoneThatIsDominatedAndLeavesOutNoneButThoseAndEquals) {
+TEST(ParetoFront, HoldsExactlyTheRowsThatNoOtherDominates) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
@@ -48,8 +47,7 @@ TEST(ParetoFront, HoldsNoneThatIsDominatedAndLeavesOutNoneButThoseAndEquals) {
   }
 }
 
-// --- The tool
-// ------------------------------------------------------------------------------------------------
+// --- The tool -------------------------------------------------------------------------------------------
 
 class Tradeoff : public ToolTest {
 protected:
@@ -59,8 +57,8 @@ protected:
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run("gridbench", arguments, surroundings);
   }
-  // A few configurations; whether gnuplot is installed doesn't matter.
-  ToolResult measured_little(const Arguments& more = {}) const {
+  // A few configurations, without gnuplot.
+  ToolResult measured_few(const Arguments& more = {}) const {
     Arguments arguments{"--merges", "none,irregular", "--overlaps", "exact", "--divisions",
                         "3",        "--curve",        "2"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -78,8 +76,8 @@ protected:
 TEST_F(Tradeoff, EachConfigurationHasARow) {
   EXPECT_EQ(measured({"--divisions", "4,auto", "--curve", "2,auto"}, without_gnuplot).code, 0);
   const std::vector<TradeoffRow> all = rows();
-  // Three merge modes of two divisions, and irregular; two overlap tests; six methods. And division 2 for the
-  // curve, which has the other one already.
+  // Three merge modes with two divisions, and irregular; two overlap tests; six precisions and stop rules.
+  // And division 2 of the curve.
   EXPECT_EQ(all.size(), (3U * 2 + 1) * 2 * 6 + 1);
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j)
@@ -105,13 +103,13 @@ TEST_F(Tradeoff, ProvenRobustAndDoubleHaveNoWrongHits) {
     EXPECT_EQ(accuracy.wrong(), 0U);
     EXPECT_LT(accuracy.worst_t, 1e-5);
     if (c.precision != Precision::doubled) continue;
-    EXPECT_EQ(accuracy.worst_t, 0); // a grid never shows
+    EXPECT_EQ(accuracy.worst_t, 0); // results are independent of the grid
     EXPECT_EQ(accuracy.largest, 0);
   }
 }
 
-TEST_F(Tradeoff, NothingButResultsIsLeftInTheFolder) {
-  EXPECT_EQ(measured_little().code, 0);
+TEST_F(Tradeoff, OnlyResultsAreLeftInTheFolder) {
+  EXPECT_EQ(measured_few().code, 0);
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder()))
     names.push_back(entry.path().filename().string());
@@ -119,54 +117,54 @@ TEST_F(Tradeoff, NothingButResultsIsLeftInTheFolder) {
   EXPECT_EQ(names, (std::vector<std::string>{"charts.csv", "tradeoff.csv"}));
 }
 
-TEST_F(Tradeoff, WhatIsMeasuredIsNotMeasuredAgain) {
-  EXPECT_EQ(measured_little().code, 0);
+TEST_F(Tradeoff, RowsInTheFileAreNotMeasuredAgain) {
+  EXPECT_EQ(measured_few().code, 0);
   const std::string first = read_text(csv());
-  EXPECT_EQ(measured_little().code, 0);
+  EXPECT_EQ(measured_few().code, 0);
   EXPECT_TRUE(read_text(csv()) == first);
-  // More is added; what is there stays.
-  EXPECT_EQ(measured_little({"--overlaps", "box"}).code, 0);
+  // Other configurations are appended.
+  EXPECT_EQ(measured_few({"--overlaps", "box"}).code, 0);
   const std::string second = read_text(csv());
   EXPECT_TRUE(second.starts_with(first));
   EXPECT_GT(second.size(), first.size());
 }
 
-TEST_F(Tradeoff, AnotherSetupOrSceneIsMeasuredAnew) {
-  EXPECT_EQ(measured_little().code, 0);
+TEST_F(Tradeoff, AnotherSetupOrSceneIsMeasured) {
+  EXPECT_EQ(measured_few().code, 0);
   const std::size_t count = rows().size();
-  EXPECT_EQ(measured_little({"--seed", "2"}).code, 0);
+  EXPECT_EQ(measured_few({"--seed", "2"}).code, 0);
   EXPECT_EQ(rows().size(), 2 * count);
   scene("small.scene", nff("small.nff", other_nff)); // another scene in the same file
-  EXPECT_EQ(measured_little().code, 0);
+  EXPECT_EQ(measured_few().code, 0);
   EXPECT_EQ(rows().size(), 3 * count);
 }
 
-TEST_F(Tradeoff, ACutLastLineIsMeasuredAgain) {
-  EXPECT_EQ(measured_little().code, 0);
+TEST_F(Tradeoff, AnIncompleteLastLineIsMeasuredAgain) {
+  EXPECT_EQ(measured_few().code, 0);
   const std::string whole = read_text(csv());
   const std::size_t count = rows().size();
   const std::string kept = whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1);
   for (const std::size_t cut : {whole.size() - 1, whole.size() - 9, kept.size() + 1}) {
     write_text(csv(), whole.substr(0, cut));
     EXPECT_EQ(rows().size(), count - 1);
-    EXPECT_EQ(measured_little().code, 0);
+    EXPECT_EQ(measured_few().code, 0);
     EXPECT_EQ(rows().size(), count);
     EXPECT_TRUE(read_text(csv()).starts_with(kept));
   }
-  write_text(csv(), whole.substr(0, 20)); // not even all of the head
-  EXPECT_EQ(measured_little().code, 0);
+  write_text(csv(), whole.substr(0, 20)); // less than the header
+  EXPECT_EQ(measured_few().code, 0);
   EXPECT_EQ(rows().size(), count);
 }
 
-TEST_F(Tradeoff, AForeignOrDamagedFileIsRefusedAndLeftAsItIs) {
+TEST_F(Tradeoff, ForeignAndDamagedFilesAreRefusedAndKept) {
   const auto refused = [&](const std::string& text, const std::string& place, const std::string& says) {
     write_text(csv(), text);
-    EXPECT_TRUE(failed(measured_little(), 2, "gridbench", place, says));
+    EXPECT_TRUE(failed(measured_few(), 2, "gridbench", place, says));
     EXPECT_TRUE(
         failed(run("gridbench", {"tradeoff", "--charts-only", "-o", folder()}), 2, "gridbench", place, says));
     EXPECT_TRUE(read_text(csv()) == text);
   };
-  EXPECT_EQ(measured_little().code, 0);
+  EXPECT_EQ(measured_few().code, 0);
   const std::string whole = read_text(csv());
   const std::size_t head = whole.find('\n') + 1, next_line = rows().size() + 2;
   refused("name,value\nballs,3\n", csv() + ":1", "isn't the head");
@@ -179,8 +177,8 @@ TEST_F(Tradeoff, AForeignOrDamagedFileIsRefusedAndLeftAsItIs) {
   refused(whole.substr(0, whole.size() - 1) + ",1\n", csv() + ":" + std::to_string(next_line - 1), "goes on");
 }
 
-TEST_F(Tradeoff, TheTableIsTheFrontOfTheRows) {
-  const ToolResult result = measured_little({"--json"});
+TEST_F(Tradeoff, TheTableIsTheParetoFront) {
+  const ToolResult result = measured_few({"--json"});
   EXPECT_EQ(result.code, 0);
   const auto table = nlohmann::json::parse(result.out, nullptr, false);
   ASSERT_TRUE(table.is_array());
@@ -202,8 +200,8 @@ TEST_F(Tradeoff, TheTableIsTheFrontOfTheRows) {
   }
 }
 
-TEST_F(Tradeoff, WithoutGnuplotThereAreRowsAndATableAndAHint) {
-  const ToolResult result = measured_little();
+TEST_F(Tradeoff, WithoutGnuplotThereAreRowsATableAndAHint) {
+  const ToolResult result = measured_few();
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.err.find("gnuplot-nox"), std::string::npos) << result.err;
   EXPECT_NE(result.out.find("small"), std::string::npos);
@@ -211,9 +209,9 @@ TEST_F(Tradeoff, WithoutGnuplotThereAreRowsAndATableAndAHint) {
   EXPECT_FALSE(std::filesystem::exists(folder() + "/small.svg"));
 }
 
-TEST_F(Tradeoff, ChartsAreDrawnAndDrawnAgain) {
+TEST_F(Tradeoff, ChartsAreDrawnFromTheFile) {
   if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "gnuplot isn't installed";
-  EXPECT_EQ(measured_little().code, 0);
+  EXPECT_EQ(measured_few().code, 0);
   for (int turn = 0; turn < 2; ++turn) {
     EXPECT_TRUE(succeeded(run("gridbench", {"tradeoff", "--charts-only", "-o", folder()})));
     for (const char* const name : {"small", "division"}) {
@@ -224,7 +222,7 @@ TEST_F(Tradeoff, ChartsAreDrawnAndDrawnAgain) {
       std::filesystem::remove(path + ".png");
     }
   }
-  // Several scenes have a chart of them all.
+  // With several scenes there is a chart of their mean.
   const std::string other = scene("other.scene", nff("other.nff", other_nff));
   EXPECT_TRUE(succeeded(measured(
       {other, "--merges", "none,irregular", "--overlaps", "exact", "--divisions", "3", "--curve", "2"})));
@@ -232,24 +230,24 @@ TEST_F(Tradeoff, ChartsAreDrawnAndDrawnAgain) {
     EXPECT_TRUE(std::filesystem::exists(folder() + "/" + name + ".svg")) << name;
 }
 
-TEST_F(Tradeoff, ScenesOfDoublesAreTracedInDoubleAlone) {
+TEST_F(Tradeoff, Float64ScenesAreTracedInDoubleOnly) {
   scene("small.scene", nff("small.nff", small_nff), {"--store", "float64"});
-  EXPECT_EQ(measured_little().code, 0);
+  EXPECT_EQ(measured_few().code, 0);
   EXPECT_EQ(rows().size(), 2U * 2 + 1);
   for (const TradeoffRow& row : rows())
     EXPECT_EQ(row.configuration.precision, Precision::doubled);
-  EXPECT_TRUE(failed(measured_little({"--precisions", "fast"}), 1, "gridbench", "--precision", "float64"));
+  EXPECT_TRUE(failed(measured_few({"--precisions", "fast"}), 1, "gridbench", "--precision", "float64"));
 }
 
-TEST_F(Tradeoff, WhatMakesNoSenseIsRefused) {
+TEST_F(Tradeoff, InvalidArgumentsAreRefused) {
   const auto refused = [&](const Arguments& more, const std::string& place) {
-    EXPECT_TRUE(failed(measured_little(more), 1, "gridbench", place));
+    EXPECT_TRUE(failed(measured_few(more), 1, "gridbench", place));
     EXPECT_FALSE(std::filesystem::exists(folder()));
   };
   refused({"--divisions", "0"}, "--division");
   refused({"--curve", "many"}, "--division");
   refused({"--precisions", "quick"}, "command line");
-  refused({"--seed", "1", scene_}, scene_); // twice
+  refused({"--seed", "1", scene_}, scene_); // the same scene twice
   refused({"--charts-only"}, "--charts-only");
   EXPECT_TRUE(failed(run("gridbench", {"tradeoff", scene_, "-o", folder(), "--size", "24"}), 1, "gridbench",
                      "--size"));

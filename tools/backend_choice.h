@@ -1,4 +1,4 @@
-// --backend, --precision and --first-cell-hit: who traces, and how.
+// The options --backend, --precision and --first-cell-hit.
 #pragma once
 
 #include "renderer/tracer.h"
@@ -11,7 +11,7 @@ enum class Backend { automatic, cpu, cuda };
 inline void add_backend(CLI::App& app, Backend& backend) {
   add_choice(app, "--backend", backend,
              {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"cuda", Backend::cuda}},
-             "auto (the GPU where there is one), cpu or cuda");
+             "cpu, cuda, or auto: cuda where there is a usable GPU, else cpu");
 }
 
 inline const std::map<std::string, Precision> all_precisions{{"auto", Precision::automatic},
@@ -20,19 +20,21 @@ inline const std::map<std::string, Precision> all_precisions{{"auto", Precision:
                                                              {"double", Precision::doubled}};
 
 inline void add_precision(CLI::App& app, Precision& precision) {
-  add_choice(app, "--precision", precision, all_precisions,
-             "auto (robust; double where the scene is stored so), fast (float32 by textbook formulas, for "
-             "comparison), robust (float32 that loses no hit) or double");
+  add_choice(
+      app, "--precision", precision, all_precisions,
+      "arithmetic of intersection and traversal: fast (float32, textbook formulas, for comparison), robust "
+      "(float32, watertight triangles, error-bounded), double, or auto: robust, and double where the "
+      "scene is stored in float64");
 }
 
 inline void add_first_cell_hit(CLI::App& app, StopRule& stop) {
   app.add_flag_callback(
       "--first-cell-hit", [&stop] { stop = StopRule::first_cell; },
-      "end with the first hit of the first cell that has any, wherever it lies: a shortcut of 2012, for "
-      "comparison");
+      "terminate at the first cell in which anything is hit, even if the hit lies beyond it: the rule of the "
+      "2012 thesis, which misses closer hits; for comparison");
 }
 
-// `auto` takes the GPU where there is one. Throws Error(device) where one was asked for in vain.
+// Whether to trace by CUDA. Throws Error(device) where `cuda` is given and there is no usable GPU.
 inline bool use_cuda(Backend backend) {
   std::string why;
   const bool available = backend != Backend::cpu && cuda_available(why);

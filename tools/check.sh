@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# For developers: judges the code, where test.sh tests what it does. Format, and a build with warnings as errors;
-# check.sh --full also runs the unit tests under the sanitizers, clang-tidy, and the fuzz targets for a few seconds.
+# For developers: static checks. Formatting, and a build with warnings as errors; check.sh --full also runs the unit
+# tests under sanitizers, clang-tidy, and each fuzz target for 20 seconds.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/setup.sh
@@ -10,14 +10,14 @@ find_cuda
 cores=$(nproc)
 step() { echo; echo "== $*"; }
 
-# Other versions lay code out, and judge it, in other ways.
+# Other versions format differently and warn of other things.
 llvm=14
 version_of() { "$1" --version | sed -nE 's/.*version ([0-9]+).*/\1/p' | head -n 1; }
 require_llvm() { # program…
   local program
   for program in "$@"; do
     [ "$(version_of "$program")" = $llvm ] && continue
-    echo "$0: $program is version $(version_of "$program"), the code is kept by version $llvm (Debian 12's): check there" >&2
+    echo "$0: $program is version $(version_of "$program"), the checks need version $llvm (Debian 12's)" >&2
     exit 1
   done
 }

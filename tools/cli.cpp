@@ -1,4 +1,4 @@
-// Compiled once for all tools: parsing a command line takes a compiler longer than what most of them do.
+// Compiled once for all tools, since compiling CLI11 takes longer than most of them.
 #include "tools/cli.h"
 
 #include "libscene/file/same_file.h"
@@ -11,7 +11,7 @@
 namespace masu {
 namespace {
 
-// What this program was compiled for must be there.
+// Throws Error(device) where the processor lacks the instructions that this program was compiled for.
 void check_processor() {
 #if defined(__x86_64__) && defined(__AVX2__)
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
@@ -62,8 +62,11 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
     } catch (const CLI::Success& success) { // --help
       app.exit(success);
     } catch (const CLI::ParseError& error) {
+      std::string command = name; // with the subcommand whose help lists the options
+      for (const CLI::App* const subcommand : app.get_subcommands())
+        command += " " + subcommand->get_name();
       return report(ErrorCode::usage,
-                    (std::string("command line: ") + error.what() + ": see " + name + " --help").c_str());
+                    fmt::format("command line: {}: see {} --help", error.what(), command).c_str());
     }
     flush_standard_output();
     return 0;

@@ -1,4 +1,4 @@
-// What every tool's main shares: one line on stderr and an exit code for whatever goes wrong.
+// Shared by all tools: command lines, errors as one line on stderr, exit codes.
 #pragma once
 
 #include "libscene/error.h"
@@ -19,19 +19,19 @@
 
 namespace masu {
 
-// Brings what was printed to standard output. Throws Error(output) where any of it was lost.
+// Flushes standard output. Throws Error(output) where anything printed could not be written.
 void flush_standard_output();
 
-// No tool writes over what it reads, nor twice to one file: to be called before anything is opened. Empty
-// names are none; - is standard input or output. Throws Error(usage, output, …).
+// Refuses outputs that are an input, or each other, by whatever name. To be called before anything is opened.
+// Empty names are ignored; - is standard input or output. Throws Error(usage, output, …).
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
-// A tool's main: body(app, parse) adds the options to the CLI::App, calls parse(), and does the work. Returns
-// the exit code of libscene/error.h; 0 for --help.
+// A tool's main: body(app, parse) adds options to the app, calls parse(), and runs the tool. Returns the exit
+// code of libscene/error.h; 0 for --help.
 using ToolBody = std::function<void(CLI::App& app, const std::function<void()>& parse)>;
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body);
 
-// An option with one of some names for its value, which must be among them before.
+// An option whose values have names. The initial `value` is its default, and must be among them.
 template <class Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
                         std::map<std::string, std::type_identity_t<Value>> names, const std::string& help) {
@@ -43,7 +43,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
   const auto to_number = [names, all](std::string& text) {
     const auto found = names.find(text);
     if (found == names.end()) return fmt::format("'{}' isn't one of {}", text, all);
-    text = std::to_string(static_cast<int>(found->second)); // how CLI11 reads an enumeration
+    text = std::to_string(static_cast<int>(found->second)); // CLI11 reads enumerations as numbers
     return std::string();
   };
   return app.add_option(option, value, help)
@@ -52,18 +52,18 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
       ->default_str(chosen);
 }
 
-// --size WxH; none keeps the camera's own. Throws Error(usage).
+// The camera with the pixels of --size WxH; unchanged where `size` is empty. Throws Error(usage).
 Camera resized(Camera camera, const std::string& size);
 
-// --threads N; 0 is every core.
+// --threads N; 0: all cores.
 class Threads {
 public:
   void add_to(CLI::App& app) {
-    app.add_option("--threads", threads_, "threads; 0: every core")
+    app.add_option("--threads", threads_, "number of CPU threads; 0: all cores")
         ->check(CLI::Range(0, 4096))
         ->capture_default_str();
   }
-  // Holds for as long as the result lives.
+  // The limit is in force while the result lives.
   tbb::global_control limit() const {
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     return {tbb::global_control::max_allowed_parallelism,

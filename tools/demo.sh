@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and does the main job once: generate, convert, build a grid, inspect, render.
-# demo.sh [SCENE]: balls (unless said otherwise), gears, mount, nurbs, rings, teapot, tetra or tree.
+# Installs missing packages, builds, and runs the tools once: generate, convert, build a grid, inspect, render.
+# demo.sh [SCENE]: balls (default), gears, mount, nurbs, rings, teapot, tetra or tree.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scene=${1:-balls}

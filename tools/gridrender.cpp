@@ -1,4 +1,4 @@
-// gridrender: maps a scene and its grid, traces them, writes the picture.
+// gridrender: maps a scene and its grid, traces rays through them, writes the picture.
 #include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
@@ -68,8 +68,8 @@ void write_hits(const std::vector<HitRecord>& hits, const std::string& path) {
   file.commit();
 }
 
-// Rays that can be followed: finite, with a direction, and not so far off that t overflows. Number: float or
-// double, as the file holds them.
+// Refuses rays that aren't finite, have no direction, or are so far away that t would overflow. Number: float
+// or double, as in the file.
 template <class Number>
 std::vector<ListedRay> read_rays(const std::string& path) {
   struct Stored {
@@ -106,8 +106,7 @@ void check(const Settings& settings) {
   if (settings.rays.empty() && settings.output.empty() && settings.hits.empty() && settings.stats.empty() &&
       settings.times.empty())
     fail("-o", "is missing: nothing would be written");
-  if (!settings.rays.empty() && !settings.output.empty())
-    fail("--rays", "traces a list, which makes no picture: leave out -o");
+  if (!settings.rays.empty() && !settings.output.empty()) fail("--rays", "makes no picture: leave out -o");
   if (!settings.rays.empty() && settings.hits.empty() && settings.stats.empty() && settings.times.empty())
     fail("--rays", "needs --hits, --stats or --times, or nothing would be written");
   if (settings.grid.empty() && !settings.brute_force)
@@ -121,7 +120,7 @@ void render(const Settings& settings) {
   check(settings);
   const bool cuda = use_cuda(settings.backend);
   Seconds seconds;
-  const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks the rest during the upload
+  const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks records during the upload
   const SceneFile scene(settings.scene, checks);
   seconds.map += scene.load_seconds().map;
   seconds.validate += scene.load_seconds().validate;
@@ -182,7 +181,7 @@ void render(const Settings& settings) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
-      "gridrender", "Traces a scene through its grid and writes the picture.", argc, argv,
+      "gridrender", "Renders a scene through its grid, or traces a list of rays.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
@@ -191,35 +190,38 @@ int main(int argc, char** argv) {
         add_backend(app, settings.backend);
         add_precision(app, settings.tracing.precision);
         add_first_cell_hit(app, settings.tracing.stop);
-        app.add_option("--size", settings.size, "WxH pixels instead of the scene's own");
-        app.add_option("--depth", settings.depth, "depth of the last rays; the eye's have 1")
+        app.add_option("--size", settings.size, "WxH pixels instead of the view's resolution");
+        app.add_option("--depth", settings.depth, "largest depth of rays; camera rays have depth 1")
             ->check(CLI::Range(1, largest_depth))
             ->capture_default_str();
         add_choice(app, "--sampling", settings.sampling,
                    {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
-                   "corners (rays through pixel corners, four averaged) or centers");
+                   "rays through pixel corners, four averaged (corners), or through pixel centers");
         app.add_flag("--spd-rules", settings.spd_rules,
-                     "spawn rays as the SPD counts them, even where they can't be seen");
-        app.add_flag("--hither", settings.hither, "the eye sees nothing nearer than the view's hither");
+                     "spawn the secondary rays that the SPD counts, even those of weight zero");
+        app.add_flag("--hither", settings.hither, "ignore hits in front of the view's hither plane");
         app.add_flag("--srgb", settings.srgb,
-                     "encode PNG values as sRGB instead of storing them as they are");
+                     "encode PNG values as sRGB; without it they are stored as they are");
         app.add_flag("--brute-force", settings.brute_force,
-                     "try every primitive for every ray; GRID isn't read");
-        auto* const stats = app.add_option("--stats", settings.stats,
-                                           "write ray counts and seconds as JSON; counting takes time");
-        app.add_option("--times", settings.times, "write the seconds alone, of tracing that counts nothing")
-            ->excludes(stats);
-        app.add_option("--repeat", settings.repeat, "trace so many times; the median's seconds are told")
+                     "test every ray against every primitive, without a grid");
+        auto* const stats = app.add_option(
+            "--stats", settings.stats, "write ray counts and seconds as JSON; counting slows tracing down");
+        app.add_option("--times", settings.times, "write seconds as JSON, without counting")->excludes(stats);
+        app.add_option("--repeat", settings.repeat, "trace N times and report the median's seconds")
             ->check(CLI::Range(1, 10000))
             ->excludes(stats);
         app.add_option("--rays", settings.rays,
-                       "trace a list of rays (6 floats each: origin, direction) instead of the camera's");
+                       "trace the rays of a file (6 floats each: origin, direction) instead of camera rays");
         add_choice(app, "--ray-store", settings.ray_store,
-                   {{"float32", Store::float32}, {"float64", Store::float64}}, "what --rays holds");
-        app.add_option("--hits", settings.hits, "write what each ray hits: float t, int32 object (-1: none)");
-        add_choice(app, "--hit-name", settings.hit_name,
-                   {{"object", HitName::object}, {"primitive", HitName::primitive}},
-                   "what --hits names: object (its place among the NFF's) or primitive (the scene file's)");
+                   {{"float32", Store::float32}, {"float64", Store::float64}},
+                   "number type in the file of --rays");
+        app.add_option(
+            "--hits", settings.hits,
+            "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss)");
+        add_choice(
+            app, "--hit-name", settings.hit_name,
+            {{"object", HitName::object}, {"primitive", HitName::primitive}},
+            "what --hits identifies: object (index in the NFF text) or primitive (index in the scene file)");
         settings.threads.add_to(app);
         parse();
         const auto limit = settings.threads.limit();

@@ -1,5 +1,4 @@
-// gridstat: what a grid holds, in numbers and as a picture; and the occupied voxels of a
-// scene.
+// gridstat: statistics of a grid, pictures of its layers, and the occupied voxels of a scene.
 #include "libgrid/file/grid_file.h"
 #include "libgrid/map_statistics.h"
 #include "libgrid/statistics.h"
@@ -10,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <numeric>
 #include <vector>
 
 namespace masu {
@@ -32,7 +32,7 @@ double percent(std::uint64_t part, std::uint64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// What cells and lists hold, and where they are.
+// Of cells and references, and of the voxel map.
 struct Statistics {
   GridStatistics cells;
   MapStatistics map;
@@ -51,12 +51,19 @@ struct Statistics {
       division = view.division;
     }
   }
-  // How evenly occupied cells share the references: 0 when all list as many.
+  // Coefficient of variation of the references of occupied cells: 0 when all list the same number.
   double evenness() const { return cells.mean > 0 ? cells.stddev / cells.mean : 0; }
 };
 
-// Of merged grids alone.
+// What only merged grids have; null for uniform ones, so that every report has the same keys.
 Json merged_report(const GridFile& file, const Statistics& statistics) {
+  if (!file.is_merged())
+    return {{"merge_rule", nullptr},
+            {"nested_log2", nullptr},
+            {"smallest_division", {nullptr, nullptr, nullptr}},
+            {"cells_by_size", nullptr},
+            {"expanded_cells", nullptr},
+            {"mean_expansion", nullptr}};
   const MapStatistics& map = statistics.map;
   const Vec3i& n = statistics.division;
   Json sizes = Json::array();
@@ -109,7 +116,7 @@ Json report(const GridFile& file, const Statistics& statistics, bool histogram) 
       {"build_seconds", nullptr},
   };
   if (table.build_seconds() >= 0) json["build_seconds"] = table.build_seconds();
-  if (file.is_merged()) json.update(merged_report(file, statistics));
+  json.update(merged_report(file, statistics));
   if (histogram) {
     for (std::size_t references = 0; references < s.histogram.size(); ++references) {
       if (s.histogram[references] > 0) json["histogram"].push_back({references, s.histogram[references]});
@@ -118,17 +125,22 @@ Json report(const GridFile& file, const Statistics& statistics, bool histogram) 
   return json;
 }
 
-// Nested keys joined by points, one header line and one line of values.
-void print_csv(const Json& json) {
-  std::string head, values;
+// One header line, with nested keys joined by points, and one line of values. The columns are the same for
+// every grid: what a grid doesn't have is empty, the map's words are added up, and what has no fixed length
+// (cells_by_size) is left out.
+void print_csv(Json json, const MapStatistics& map) {
+  json["map"].erase("words_by_level");
+  json["map"]["words"] = std::accumulate(map.words.begin(), map.words.end(), std::uint64_t{0});
+  json.erase("cells_by_size");
+  std::vector<std::string> names, values;
   const Json flat = json.flatten();
   for (const auto& [path, value] : flat.items()) {
     std::string name = path.substr(1);
     std::replace(name.begin(), name.end(), '/', '.');
-    head += (head.empty() ? "" : ",") + name;
-    values += (values.empty() ? "" : ",") + (value.is_string() ? value.get<std::string>() : value.dump());
+    names.push_back(name);
+    values.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
   }
-  fmt::print("{}\n{}\n", head, values);
+  fmt::print("{}\n{}\n", fmt::join(names, ","), fmt::join(values, ","));
 }
 
 std::string by_by(const Vec3i& n) {
@@ -176,7 +188,7 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   line("scene", json["scene_hash"].get<std::string>());
 }
 
-// A line for each number that counts[number] isn't 0 of, with a bar beside it.
+// A line for each i with counts[i] > 0, with a bar.
 template <class Name>
 void print_bars(const char* head, const std::vector<std::uint64_t>& counts, const Name& name) {
   std::uint64_t most = 1;
@@ -202,7 +214,7 @@ void inspect(const Settings& settings) {
   const GridFile file(settings.grid);
   if (!settings.slice.empty()) {
     if (settings.picture.empty())
-      throw Error(ErrorCode::usage, "--slice", "needs -o PNG, the picture to write");
+      throw Error(ErrorCode::usage, "--slice", "needs -o FILE.png, the picture to write");
     const GridLayout voxels = finer(file.layout(), static_cast<std::int32_t>(file.table().nested_log2()));
     return draw_slice(file, parse_slice(settings.slice, voxels.division), settings.picture);
   }
@@ -211,14 +223,14 @@ void inspect(const Settings& settings) {
   if (settings.json) {
     fmt::print("{}\n", json.dump(2));
   } else if (settings.csv) {
-    print_csv(json);
+    print_csv(json, statistics.map);
   } else {
     print_table(file, statistics, json);
     if (settings.histogram) print_histogram(statistics);
   }
 }
 
-// As the 2012 thesis counted them: in the objects' own space, without any margin.
+// Counted as in the 2012 thesis: within the objects' bounds, without a margin.
 template <class Stored>
 void print_occupancy(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
@@ -245,7 +257,7 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
   }
   if (settings.json) return fmt::print("{}\n", rows.dump(2));
   fmt::print(
-      "{} primitives in a {} space: voxels that hold one, by test\n\n{:>8} {:>11} {:>21} {:>21} {:>21}\n",
+      "{} primitives in a {} space: occupied voxels, by overlap test\n\n{:>8} {:>11} {:>21} {:>21} {:>21}\n",
       scene.primitive_count(), settings.space == SpaceRule::cube ? "cubic" : "tight", "division", "voxels",
       "box, half-open voxels", "box", "exact");
   for (const Json& row : rows) {
@@ -263,35 +275,45 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool("gridstat", "Shows what a grid holds.", argc, argv, [](CLI::App& app, const auto& parse) {
-    Settings settings;
-    auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
-    app.add_flag("--json", settings.json, "as JSON");
-    app.add_flag("--csv", settings.csv, "as a line of names and a line of values")->excludes("--json");
-    app.add_flag("--histogram", settings.histogram,
-                 "with the number of cells by their references, and of merged ones by size");
-    app.add_option("--slice", settings.slice,
-                   "draw a layer of the smallest voxels: AXIS=K, such as z=12, or AXIS=P%, such as z=50%");
-    app.add_option("-o,--output", settings.picture, "the slice's PNG");
-    auto* const occupancy_option =
-        app.add_option("--occupancy", settings.occupancy,
-                       "instead: a scene's occupied voxels by division, both overlap tests")
-            ->excludes(grid);
-    app.add_option("--divisions", settings.divisions, "of --occupancy, N voxels an axis")
-        ->delimiter(',')
-        ->capture_default_str()
-        ->needs(occupancy_option);
-    add_choice(app, "--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
-               "of --occupancy: tight, or cube (about the origin)")
-        ->needs(occupancy_option);
-    parse();
-    check_files({settings.grid, settings.occupancy}, {settings.picture});
-    if (!settings.occupancy.empty()) {
-      const SceneFile scene(settings.occupancy);
-      return scene.is_float64() ? print_occupancy<double>(settings, scene)
-                                : print_occupancy<float>(settings, scene);
-    }
-    if (settings.grid.empty()) throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file");
-    inspect(settings);
-  });
+  return run_tool(
+      "gridstat", "Prints statistics of a grid, or draws a layer of it.", argc, argv,
+      [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
+        app.add_flag("--json", settings.json, "print JSON");
+        auto* const csv = app.add_flag("--csv", settings.csv,
+                                       "print CSV: a header and one line, the same columns for every grid")
+                              ->excludes("--json");
+        app.add_flag("--histogram", settings.histogram,
+                     "also print the number of cells by references, and of merged cells by size")
+            ->excludes(csv);
+        auto* const slice = app.add_option(
+            "--slice", settings.slice,
+            "draw a layer of the smallest voxels: AXIS=K, such as z=12, or AXIS=P%, such as z=50%");
+        app.add_option("-o,--output", settings.picture, "the slice's picture, FILE.png")->needs(slice);
+        auto* const occupancy_option = app.add_option("--occupancy", settings.occupancy,
+                                                      "instead of GRID: a scene file, whose occupied voxels "
+                                                      "are counted by division and overlap test")
+                                           ->excludes(grid);
+        app.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
+            ->delimiter(',')
+            ->capture_default_str()
+            ->needs(occupancy_option);
+        add_choice(app, "--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
+                   "of --occupancy: the objects' bounds (tight), or the smallest cube centred on the origin "
+                   "that holds them (cube)")
+            ->needs(occupancy_option);
+        parse();
+        if (!settings.picture.empty() && !settings.picture.ends_with(".png"))
+          throw Error(ErrorCode::usage, settings.picture,
+                      "a slice is written as PNG: give a name that ends in .png");
+        check_files({settings.grid, settings.occupancy}, {settings.picture});
+        if (!settings.occupancy.empty()) {
+          const SceneFile scene(settings.occupancy);
+          return scene.is_float64() ? print_occupancy<double>(settings, scene)
+                                    : print_occupancy<float>(settings, scene);
+        }
+        if (settings.grid.empty()) throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file");
+        inspect(settings);
+      });
 }

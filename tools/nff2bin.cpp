@@ -1,4 +1,4 @@
-// nff2bin: makes a scene file of an NFF text, and tells what either holds.
+// nff2bin: converts NFF text to a scene file, and reports the content of either.
 #include "libscene/file/mapped_file.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/float32_precision.h"
@@ -25,22 +25,22 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   std::string input, output;
   Store store = Store::automatic;
-  int facets = 0; // --tessellate; 0: spheres and cones stay what they are
+  int facets = 0; // --tessellate; 0: spheres and cones are kept
   bool info = false, json = false;
   Threads threads;
 };
 
-// What --info tells, of a text or of a scene file.
+// The report of --info, of a text or of a scene file.
 struct Summary {
   ObjectCounts objects;
   std::uint64_t triangles = 0, smooth = 0, spheres = 0, cones = 0;
-  std::uint64_t corner_normals = 0; // records: smooth triangles can share them
+  std::uint64_t corner_normals = 0; // records, which smooth triangles can share
   std::uint64_t materials = 0, reflecting = 0, transmitting = 0, lights = 0;
   std::int32_t width = 0, height = 0;
   Boxd bounds = empty_box<double>();
   bool is_float64 = false;
-  std::optional<std::uint64_t> file_bytes; // once there is a file
-  std::optional<SceneWarnings> warnings;   // of a text
+  std::optional<std::uint64_t> file_bytes; // where there is a file
+  std::optional<SceneWarnings> warnings;   // of a text only
 };
 
 std::uint64_t count(const std::vector<Material>& materials, bool (*property)(const Material&)) {
@@ -96,7 +96,7 @@ Summary summary_of(const SceneFile& file) {
           {}};
 }
 
-// What the sections hold; the file's table and padding add a few KiB.
+// Bytes of all records; the file's table and padding add a few KiB.
 template <class Stored>
 std::uint64_t record_bytes(const Summary& s) {
   return s.triangles * sizeof(Triangle<Stored>) + s.corner_normals * sizeof(CornerNormals<Stored>) +
@@ -183,23 +183,23 @@ void print_warnings(const SceneWarnings& warnings, const std::string& place) {
   line(warnings.degenerate_triangles, "vertices on triangles without area left out");
   line(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
   line(warnings.degenerate_cones, "cone(s) without length or without radius left out");
-  line(warnings.self_crossing_polygons, "polygon(s) cross themselves: covered as well as can be");
+  line(warnings.self_crossing_polygons, "polygon(s) cross themselves: triangulated as well as possible");
 }
 
-// What is lost where float32 was asked for: far from the origin for its size, small things in a large scene,
-// or digits.
+// Warns where --store float32 loses accuracy: a scene far from the origin for its size, small objects in a
+// large scene, or coordinates with more digits.
 void warn_of_float32(const Scene& scene, Store store, const std::string& place) {
   if (store != Store::float32) return;
   const auto warn = [&](const std::string& what) {
-    fmt::print(stderr, "nff2bin: {}: warning: {}: take --store float64\n", place, what);
+    fmt::print(stderr, "nff2bin: {}: warning: {}: use --store float64\n", place, what);
   };
-  const Float32Precision doubt = float32_precision(scene);
-  if (doubt.is_far())
-    warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and the scene is {:.2g} across",
-                     doubt.margin, doubt.across));
-  else if (doubt.too_small > 0)
-    warn(fmt::format("float32 arithmetic may see surfaces {:.2g} off, and {} object(s) are hardly larger",
-                     doubt.margin, doubt.too_small));
+  const Float32Precision precision = float32_precision(scene);
+  if (precision.is_far())
+    warn(fmt::format("with float32 arithmetic surfaces may be {:.2g} off, and the scene is {:.2g} across",
+                     precision.margin, precision.across));
+  else if (precision.too_small > 0)
+    warn(fmt::format("with float32 arithmetic surfaces may be {:.2g} off, and {} object(s) are hardly larger",
+                     precision.margin, precision.too_small));
   else if (!scene.float32_suffices)
     warn("coordinates lose digits in float32");
 }
@@ -220,7 +220,7 @@ bool is_scene_file(const std::string& path) {
          std::memcmp(file.bytes().data(), magic.data(), magic.size()) == 0;
 }
 
-// What is wrong with an N of --tessellate; empty when nothing is.
+// The error message for an N of --tessellate; empty where it is valid.
 std::string check_facets(const std::string& text) {
   int facets = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), facets);
@@ -241,7 +241,7 @@ void convert(const Settings& settings) {
   }
   if (!settings.info) return;
   Summary summary = summary_of(scene, settings.store);
-  std::error_code failed; // of a pipe
+  std::error_code failed; // where the output is a pipe
   const std::uint64_t bytes = std::filesystem::file_size(settings.output, failed);
   if (!failed) summary.file_bytes = bytes;
   report(summary, settings);
@@ -268,22 +268,26 @@ void run(const Settings& settings) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
-      "nff2bin", "Makes a scene file of an NFF text, and tells what either holds and needs.", argc, argv,
+      "nff2bin", "Converts NFF text to a scene file, and reports the content of either.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
-        app.add_option("IN", settings.input, "NFF file, - for standard input; with --info also a scene file")
+        app.add_option("IN", settings.input,
+                       "NFF file, or - for standard input; with --info also a scene file")
             ->required();
         app.add_option("-o,--output", settings.output, "scene file to write");
-        add_choice(app, "--store", settings.store,
-                   {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
-                   "how coordinates are kept; auto: float32 when the text's digits survive it");
+        add_choice(
+            app, "--store", settings.store,
+            {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
+            "number type of coordinates; auto: float32 unless its arithmetic is too coarse for the scene");
         app.add_option("--tessellate", settings.facets,
-                       "triangles instead of spheres and cones, by how many flat sides go round one: "
-                       "2N triangles a cone (N if pointed), 12(N/4)^2 a sphere; 12 is the SPD's")
+                       "replace spheres and cones by triangles, N facets around: 2N triangles per cone (N if "
+                       "pointed), "
+                       "12(N/4)^2 per sphere; the SPD uses 12")
             ->check(CLI::Validator(check_facets, fmt::format("{}..{}", min_facets, max_facets)))
             ->type_name("N");
-        auto* const info = app.add_flag("--info", settings.info, "tell what the scene holds and needs");
-        app.add_flag("--json", settings.json, "--info as JSON")->needs(info);
+        auto* const info = app.add_flag("--info", settings.info,
+                                        "print the numbers of objects and primitives, bounds and memory");
+        app.add_flag("--json", settings.json, "print --info as JSON")->needs(info);
         settings.threads.add_to(app);
         parse();
         run(settings);

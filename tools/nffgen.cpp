@@ -1,4 +1,4 @@
-// nffgen: writes a standard scene as NFF text.
+// nffgen: writes a scene of the Standard Procedural Databases as NFF text.
 #include "libscene/file/output_file.h"
 #include "libscene/spd/spd.h"
 #include "tools/cli.h"
@@ -12,7 +12,7 @@ namespace {
 
 struct Command {
   std::string scene, output = "-";
-  int size = 0; // when given
+  int size = 0; // where it is given
   bool no_background = false;
 };
 
@@ -23,8 +23,9 @@ void describe(CLI::App& app, Command& command) {
   app.footer(sizes);
   app.add_option("scene", command.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
       ->required();
-  app.add_option("--size", command.size, "how far the scene is subdivided (default: its standard size)");
-  app.add_option("-o,--output", command.output, "file to write; - is standard output")->capture_default_str();
+  app.add_option("--size", command.size, "subdivision level (default: the standard size)");
+  app.add_option("-o,--output", command.output, "NFF file to write; - is standard output")
+      ->capture_default_str();
   app.add_flag("--no-background", command.no_background,
                "leave out floors, walls, grounds, and the mountain's spheres");
 }
@@ -47,8 +48,8 @@ void run(const CLI::App& app, const Command& command) {
 } // namespace
 
 int main(int argc, char** argv) {
-  return masu::run_tool("nffgen", "Writes a standard ray-tracing scene (SPD) as NFF text.", argc, argv,
-                        [](CLI::App& app, const auto& parse) {
+  return masu::run_tool("nffgen", "Writes a scene of the Standard Procedural Databases (SPD) as NFF text.",
+                        argc, argv, [](CLI::App& app, const auto& parse) {
                           Command command;
                           describe(app, command);
                           parse();

@@ -1,6 +1,6 @@
-# Sourced by demo.sh, test.sh and check.sh: installs what is missing, says whether CUDA is there, and builds.
+# Sourced by demo.sh, test.sh and check.sh: installs missing packages, finds CUDA, builds.
 
-# Whether what a Debian package brings is there, wherever it came from: a command, or a header.
+# Whether the command or header that a Debian package provides exists, from whatever source.
 has() { # package
   header() { if command -v c++ >/dev/null; then echo "#include <$1>" | c++ -E -x c++ - >/dev/null 2>&1; else false; fi; }
   case $1 in
@@ -27,8 +27,8 @@ missing_of() { # package…
   for package in "$@"; do has "$package" || echo "$package"; done
 }
 
-# require PACKAGE… [-- PACKAGE…]: what follows -- is of use, but nothing fails without it. Installs what is
-# missing where that can be done; else one line says how.
+# require PACKAGE… [-- PACKAGE…]: packages after -- are optional. Installs missing packages where it may; otherwise
+# prints how to install them.
 require() {
   local required=() useful=() missing root=()
   while [ $# -gt 0 ] && [ "$1" != -- ]; do required+=("$1"); shift; done
@@ -49,7 +49,7 @@ require() {
     echo "$0: missing, and only root can install it: sudo $command ${required[*]}" >&2
     exit 1
   else
-    echo "== going on without ${useful[*]} (sudo $command ${useful[*]})"
+    echo "== continuing without ${useful[*]} (sudo $command ${useful[*]})"
   fi
 }
 
@@ -58,10 +58,10 @@ basics=(build-essential cmake flatbuffers-compiler libcli11-dev libflatbuffers-d
 
 # Sets cuda_options for cmake.
 find_cuda() {
-  # CUDA's own installer leaves nvcc off the PATH.
+  # CUDA's installer doesn't add nvcc to the PATH.
   if ! command -v nvcc >/dev/null && [ -x /usr/local/cuda/bin/nvcc ]; then PATH=$PATH:/usr/local/cuda/bin; fi
   if [ "${MASU_CUDA:-AUTO}" != OFF ] && command -v nvcc >/dev/null; then
-    # For the GPU that is here; where there is none, for one kind, to see that it compiles.
+    # For this machine's GPU; without a GPU for one architecture, to check that it compiles.
     local architecture
     architecture=$( (nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null || true) | head -n 1 | tr -d .)
     cuda_options=(-DMASU_CUDA=ON "-DMASU_CUDA_ARCHITECTURES=${architecture:-90}")
@@ -72,18 +72,18 @@ find_cuda() {
   fi
 }
 
-# Shows how far a build is: on a terminal in one line, else in a line for every tenth and for every half minute
-# in which nothing gets done.
+# Shows a build's progress: on a terminal in one line, otherwise a line for each tenth, and for each half minute without
+# progress.
 show_progress() {
-  local line told=0 tenth begin=$SECONDS last=$SECONDS
+  local line shown=0 tenth begin=$SECONDS last=$SECONDS
   while true; do
     if IFS= read -r -t 5 line; then
       [[ $line =~ ^\[\ *([0-9]+)[/%] ]] || continue
       if [ -t 1 ]; then printf '\r\033[K%.*s' "$((${COLUMNS:-80} - 1))" "$line"; continue; fi
       [[ $line =~ ^\[([0-9]+)/([0-9]+) ]] && tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2])) || tenth=$((BASH_REMATCH[1] / 10))
-      [ "$tenth" -gt "$told" ] || continue
-      told=$tenth
-    elif [ $? -gt 128 ]; then # nothing for 5 s
+      [ "$tenth" -gt "$shown" ] || continue
+      shown=$tenth
+    elif [ $? -gt 128 ]; then # no output for 5 s
       [ -t 1 ] || [ $((SECONDS - last)) -ge 30 ] || continue
       line="still compiling"
     else
@@ -96,8 +96,7 @@ show_progress() {
   echo "   done in $((SECONDS - begin)) s"
 }
 
-# build FOLDER [cmake option…] [-- build option…]: configures and builds. The environment's MASU_STRICT is an option
-# too (.ci/run sets it).
+# build FOLDER [cmake option…] [-- build option…]: configures and builds. MASU_STRICT of the environment is passed on.
 build() {
   local folder=$1 configure=() log
   shift
@@ -108,7 +107,7 @@ build() {
       ! { grep -qw fma /proc/cpuinfo && grep -qw avx2 /proc/cpuinfo; }; then
     configure+=(-DMASU_AVX2=OFF)
   fi
-  # Ninja compiles kernels while it compiles what they are linked with.
+  # Ninja compiles kernels and the libraries they are linked with at the same time.
   if command -v ninja >/dev/null && [ ! -e "$folder/CMakeCache.txt" ]; then configure+=(-G Ninja); fi
   log=$(mktemp)
   if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&

@@ -15,7 +15,7 @@
 namespace masu {
 namespace {
 
-// White is empty; from light yellow over red to black the references double at each step.
+// White: empty. Light yellow to red to black: 1 to 256 references and more, logarithmic.
 std::array<double, 3> color_of(std::uint32_t references) {
   if (references == 0) return {1, 1, 1};
   const double step = std::min(1.0, std::log2(static_cast<double>(references)) / 8);
@@ -23,12 +23,13 @@ std::array<double, 3> color_of(std::uint32_t references) {
   return {channel(1.9 - 1.9 * step), channel(0.85 - 1.6 * step), channel(0.45 - 1.6 * step)};
 }
 
-// From the layer's first voxel to before its end, along the picture's two axes.
+// Voxels of the layer along the picture's two axes: from `first` up to, not including, `end`.
 struct Rectangle {
   std::array<std::int32_t, 2> first, end;
 };
 
-// A small layer's voxels are drawn as squares, and of a large one each pixel shows the fullest of its voxels.
+// Voxels of a small layer are squares of pixels; in a large layer a pixel is several voxels and shows the
+// largest number of references among them.
 class Canvas {
 public:
   explicit Canvas(const std::array<std::int32_t, 2>& voxels) {
@@ -48,9 +49,9 @@ public:
     }
   }
 
-  // Lines on the first pixels of the rectangle and on the first beyond it: two neighbours' is one. None
-  // where they would leave little between them.
-  void frame(const Rectangle& r) {
+  // Lines on the first pixels of the rectangle and on the first ones beyond it, so that neighbours share a
+  // line. None where they would leave fewer than `room` pixels.
+  void outline(const Rectangle& r) {
     constexpr std::int32_t room = 4;
     for (std::size_t along = 0; along < 2; ++along) {
       const std::size_t across = 1 - along;
@@ -68,7 +69,7 @@ public:
     rgb.reserve(pixels_.size() * 3);
     for (std::int32_t v = size_[1] - 1; v >= 0; --v) {
       for (std::int32_t u = 0; u < size_[0]; ++u) {
-        const Pixel& pixel = pixels_[place(u, v)];
+        const Pixel& pixel = pixels_[index(u, v)];
         for (const double channel : color_of(pixel.references))
           rgb.push_back(static_cast<std::uint8_t>(255 * channel * (pixel.line ? 0.6 : 1)));
       }
@@ -84,10 +85,10 @@ private:
 
   std::int32_t pixel(std::int32_t voxel) const { return voxel / share_ * square_; }
   std::int32_t pixel_end(std::int32_t voxel) const { return (voxel + share_ - 1) / share_ * square_; }
-  std::size_t place(std::int32_t u, std::int32_t v) const {
+  std::size_t index(std::int32_t u, std::int32_t v) const {
     return static_cast<std::size_t>(v) * static_cast<std::size_t>(size_[0]) + static_cast<std::size_t>(u);
   }
-  Pixel& at(std::int32_t u, std::int32_t v) { return pixels_[place(u, v)]; }
+  Pixel& at(std::int32_t u, std::int32_t v) { return pixels_[index(u, v)]; }
 
   std::int32_t square_, share_; // pixels a voxel, voxels a pixel: one of them is 1
   std::array<std::int32_t, 2> size_{};
@@ -128,7 +129,7 @@ Canvas drawn(const MergedGridView<double>& grid, std::span<const MergedCell> cel
     if (own[i].voxels == 0 || slice.at < box.first[slice.axis] || slice.at >= box.end[slice.axis]) continue;
     const Rectangle rectangle{{box.first[axes[0]], box.first[axes[1]]}, {box.end[axes[0]], box.end[axes[1]]}};
     canvas.fill(rectangle, references_of(grid.references, cells[i].list));
-    canvas.frame(rectangle);
+    canvas.outline(rectangle);
   }
   return canvas;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds (with CUDA where there is a toolkit), and runs every test. GPU tests run where there
-# is a GPU; elsewhere they are reported as skipped.
+# Installs missing packages, builds (with CUDA where there is a toolkit), and runs all tests. GPU tests are skipped where
+# there is no GPU.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/setup.sh

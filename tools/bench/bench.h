@@ -1,4 +1,5 @@
-// gridbench's subcommands: each adds its options, and does its work when it is the one named.
+// gridbench's subcommands: each adds itself with its options to the command line, and a callback that runs
+// it.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// How long a whole picture takes by who traces which part of it.
+// Seconds of whole pictures by screen division: how tiles of the picture are scheduled.
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/screen_division.h"
@@ -60,7 +60,7 @@ Json measure(const Settings& settings, const Tracer& tracer, const std::string& 
     picture = std::move(frame.radiance);
   else if (std::memcmp(picture.data(), frame.radiance.data(), picture.size() * sizeof(Vec3f)) != 0)
     throw Error(ErrorCode::device, name,
-                "makes another picture than the schedule before: report it as a fault");
+                "the picture differs from the previous schedule's: please report this bug");
   return {{"grid", grid.path()},
           {"schedule", name},
           {"workers", workers},
@@ -122,44 +122,47 @@ void bench_frame(const Settings& settings) {
 } // namespace
 
 void add_frame(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // the callback's
+  const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
-  CLI::App& frame = *app.add_subcommand("frame", "Whole pictures, by who traces which part of them");
+  CLI::App& frame =
+      *app.add_subcommand("frame", "Whole pictures, by screen division: how tiles are scheduled");
   frame.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   frame.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
   std::set<std::string> names;
   for (const auto& [name, schedule] : all_schedules)
     names.insert(name);
   frame
-      .add_option("--schedule", settings.schedules,
-                  "which: hardware (each tile of 8x8 rays as it comes), block (each worker a run of tiles), "
-                  "cyclic (every W-th of W workers), persistent (the next that nobody has); all by default")
+      .add_option(
+          "--schedule", settings.schedules,
+          "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
+          "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
+          "take the next tile from a counter); default: all")
       ->delimiter(',')
       ->check(CLI::IsMember(names));
   frame
       .add_option("--workers", settings.workers_each,
-                  "workers a multiprocessor (or thread); 0: as many as it holds at once")
+                  "workers per multiprocessor (or per CPU thread); 0: as many as are resident at once")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
   add_backend(frame, settings.backend);
   add_precision(frame, settings.tracing.precision);
   add_first_cell_hit(frame, settings.tracing.stop);
   frame.add_flag("--general", settings.tracing.general,
-                 "by the code for every kind of primitive, whatever the scene holds");
-  frame.add_option("--size", settings.size, "the picture's, WxH")->capture_default_str();
+                 "use the kernel for all kinds of primitives, not the one for those in the scene");
+  frame.add_option("--size", settings.size, "size of the picture, WxH")->capture_default_str();
   add_choice(frame, "--sampling", settings.sampling,
              {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
-             "rays through the pixels' corners or centers");
-  frame.add_option("--depth", settings.rules.depth, "depth of the last rays; the eye's have 1")
+             "rays through pixel corners or centers");
+  frame.add_option("--depth", settings.rules.depth, "largest depth of rays; camera rays have depth 1")
       ->check(CLI::Range(1, largest_depth))
       ->capture_default_str();
-  frame.add_option("--warm-up", settings.warm_up, "untimed pictures before")
+  frame.add_option("--warm-up", settings.warm_up, "untimed pictures before the timed ones")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  frame.add_option("--repeat", settings.repeat, "timed pictures")
+  frame.add_option("--repeat", settings.repeat, "timed pictures, of which the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  frame.add_flag("--json", settings.json, "as JSON");
+  frame.add_flag("--json", settings.json, "print JSON");
   settings.threads.add_to(frame);
   frame.callback([owned] { bench_frame(*owned); });
 }

@@ -1,4 +1,4 @@
-// What loading a scene and its grid costs, beside a plain copy of the two files' bytes to the same memory.
+// Seconds of loading a scene and its grid, compared with plain copies of the files' bytes to the same memory.
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/plain_copy.h"
@@ -22,10 +22,10 @@ struct Settings {
   Threads threads;
 };
 
-// Seconds of each step, one for each run. A GPU's files are validated while they are uploaded, but for their
-// tables: that counts as uploading.
+// Seconds of each step, for each run. With a GPU records are validated while they are uploaded: that counts
+// as uploading.
 struct Runs {
-  std::vector<double> map, validate, upload, load; // load: the three together
+  std::vector<double> map, validate, upload, load; // load: sum of the three
   std::vector<double> copy_mapped, copy_read;
 };
 
@@ -51,7 +51,7 @@ double copy(const Settings& settings, bool cuda, CopyFrom from) {
 
 Json measure(const Settings& settings, bool cuda) {
   Runs runs;
-  load(settings, cuda, runs); // brings the files into the page cache; isn't counted
+  load(settings, cuda, runs); // not counted: brings the files into the page cache
   runs = {};
   std::uint64_t bytes = 0;
   for (int i = 0; i < settings.repeat; ++i) {
@@ -75,50 +75,52 @@ Json measure(const Settings& settings, bool cuda) {
           {"load_over_copy", {{"mapped", whole / mapped}, {"read", whole / read}}}};
 }
 
-void print_table(const Json& told) {
-  const auto bytes = told["bytes"].get<double>();
+void print_table(const Json& report) {
+  const auto bytes = report["bytes"].get<double>();
   fmt::print("{}, {} bytes, median of {}, page cache warm\n\n{:<28} {:>10} {:>8}\n",
-             told["backend"].get<std::string>(), told["bytes"].get<std::uint64_t>(),
-             told["repeat"].get<int>(), "", "ms", "GB/s");
+             report["backend"].get<std::string>(), report["bytes"].get<std::uint64_t>(),
+             report["repeat"].get<int>(), "", "ms", "GB/s");
   const auto line = [&](const char* what, const char* name, bool sees_every_byte = true) {
-    const double seconds = told["median_seconds"][name].get<double>();
+    const double seconds = report["median_seconds"][name].get<double>();
     fmt::print("{:<28} {:>10.3f} {:>8}\n", what, seconds * 1e3,
                seconds > 0 && sees_every_byte ? fmt::format("{:.2f}", bytes / seconds * 1e-9) : "-");
   };
   line("map", "map", false);
-  const bool cuda = told["backend"] == "cuda";
+  const bool cuda = report["backend"] == "cuda";
   line(cuda ? "validate the tables" : "validate", "validate", !cuda);
-  line(cuda ? "upload, validate meanwhile" : "upload", "upload");
-  line("load: the three together", "load");
+  line(cuda ? "upload and validate" : "upload", "upload");
+  line("load: sum of the three", "load");
   line("plain copy of the mapping", "copy_mapped");
   line("plain copy by read(2)", "copy_read");
   fmt::print("load / plain copy            {:.2f} (mapping), {:.2f} (read)\n",
-             told["load_over_copy"]["mapped"].get<double>(), told["load_over_copy"]["read"].get<double>());
+             report["load_over_copy"]["mapped"].get<double>(),
+             report["load_over_copy"]["read"].get<double>());
 }
 
 void bench_load(const Settings& settings) {
   const auto limit = settings.threads.limit();
-  const Json told = measure(settings, use_cuda(settings.backend));
+  const Json report = measure(settings, use_cuda(settings.backend));
   if (settings.json)
-    fmt::print("{}\n", told.dump(2));
+    fmt::print("{}\n", report.dump(2));
   else
-    print_table(told);
+    print_table(report);
 }
 
 } // namespace
 
 void add_load(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // the callback's
+  const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
   CLI::App& command = *app.add_subcommand(
-      "load", "Mapping, validating and uploading a scene and its grid, beside plain copies of their bytes");
+      "load",
+      "Mapping, validating and uploading a scene and its grid, compared with plain copies of their bytes");
   command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
   add_backend(command, settings.backend);
-  command.add_option("--repeat", settings.repeat, "timed runs, after one that isn't")
+  command.add_option("--repeat", settings.repeat, "timed runs after an untimed one; the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  command.add_flag("--json", settings.json, "as JSON");
+  command.add_flag("--json", settings.json, "print JSON");
   settings.threads.add_to(command);
   command.callback([owned] { bench_load(*owned); });
 }

@@ -1,4 +1,4 @@
-// Random rays of a real scene, each precision's hits against brute force by the oracle.
+// Closest hits of random rays in a scene by each precision, compared with the oracle's brute force.
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/ray_sets.h"
@@ -20,7 +20,7 @@ using namespace stability;
 struct Settings {
   std::string scene, grid;
   std::vector<std::string> precisions;
-  std::size_t rays = 100'000;
+  std::size_t count = 100'000;
   std::uint64_t seed = 1;
   bool first_cell_hit = false, json = false;
   Threads threads;
@@ -32,14 +32,14 @@ std::vector<Way> ways_for(const Settings& settings, const SceneFile& scene) {
     if (std::find(settings.precisions.begin(), settings.precisions.end(), way.name) ==
         settings.precisions.end())
       continue;
-    resolved(way.precision, scene); // or refused
+    resolved(way.precision, scene); // throws where the scene doesn't allow it
     ways.push_back(way);
     if (settings.first_cell_hit) ways.back().stop = StopRule::first_cell;
   }
   return ways;
 }
 
-constexpr std::size_t rays_a_piece = 1 << 17; // their memory is used again
+constexpr std::size_t rays_a_batch = 1 << 17; // bounds the memory
 
 void show_progress(std::size_t done, std::size_t all) {
   if (isatty(STDERR_FILENO) != 0)
@@ -51,24 +51,24 @@ std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, c
                              const std::vector<Way>& ways) {
   const oracle::SceneOracle oracle = scene.is_float64() ? oracle::SceneOracle(scene.view<double>())
                                                         : oracle::SceneOracle(scene.view<float>());
-  const std::vector<ListedRay> rays = random_rays(scene, settings.rays, settings.seed);
+  const std::vector<ListedRay> rays = random_rays(scene, settings.count, settings.seed);
   std::vector<Tally> tallies(ways.size());
-  for (std::size_t begin = 0; begin < rays.size(); begin += rays_a_piece) {
+  for (std::size_t begin = 0; begin < rays.size(); begin += rays_a_batch) {
     show_progress(begin, rays.size());
-    const auto piece = std::span(rays).subspan(begin, std::min(rays_a_piece, rays.size() - begin));
-    // float32's ways are judged by the same answers.
+    const auto batch = std::span(rays).subspan(begin, std::min(rays_a_batch, rays.size() - begin));
+    // All float32 modes are compared with the same reference hits.
     for (const bool wide : {false, true}) {
       std::vector<std::size_t> judged_ways;
       std::vector<std::vector<Found>> found;
       for (std::size_t i = 0; i < ways.size(); ++i) {
         if ((ways[i].precision == Precision::doubled) != wide) continue;
         judged_ways.push_back(i);
-        found.push_back(found_through(scene, grid, piece, ways[i]));
+        found.push_back(found_through(scene, grid, batch, ways[i]));
       }
       if (found.empty()) continue;
       const Precision precision = ways[judged_ways.front()].precision;
       const auto part =
-          judged(oracle, piece, slack_for(precision, scene.bounds()), unit_roundoff_of(precision), found);
+          judged(oracle, batch, slack_for(precision, scene.bounds()), unit_roundoff_of(precision), found);
       for (std::size_t i = 0; i < part.size(); ++i)
         tallies[judged_ways[i]] += part[i];
     }
@@ -86,7 +86,7 @@ void bench_oracle(const Settings& settings) {
   const std::vector<Tally> tallies = judge_all(settings, scene, grid, ways);
   Json rows = Json::array();
   if (!settings.json)
-    fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "by", "rays", "unsure", "missed",
+    fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "prec.", "rays", "unsure", "missed",
                "false", "wrong", "misplaced", "t error");
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const Tally& t = tallies[i];
@@ -111,24 +111,24 @@ void bench_oracle(const Settings& settings) {
 } // namespace
 
 void add_oracle(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // the callback's
+  const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
   settings.precisions = {"robust", "double"};
   CLI::App& oracle = *app.add_subcommand(
-      "oracle", "Hits of random rays against a slow tracer with 113 bits that tries every primitive");
+      "oracle", "Closest hits of random rays, compared with brute force in 113-bit arithmetic");
   oracle.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   oracle.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
-  oracle.add_option("--rays", settings.rays, "how many")
+  oracle.add_option("--count", settings.count, "number of random rays")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
       ->capture_default_str();
-  oracle.add_option("--seed", settings.seed, "of the rays")->capture_default_str();
-  oracle.add_option("--precision", settings.precisions, "which: fast, robust, double")
+  oracle.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
+  oracle.add_option("--precision", settings.precisions, "precisions: fast, robust, double")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double"}))
       ->capture_default_str();
   oracle.add_flag("--first-cell-hit", settings.first_cell_hit,
-                  "take the first hit of the first cell that has any, wherever it lies");
-  oracle.add_flag("--json", settings.json, "as JSON");
+                  "terminate at the first cell in which anything is hit (see gridrender --help)");
+  oracle.add_flag("--json", settings.json, "print JSON");
   settings.threads.add_to(oracle);
   oracle.callback([owned] { bench_oracle(*owned); });
 }

@@ -1,4 +1,4 @@
-// Throughput by kind of ray, closest hit and any hit, and what a ray costs.
+// Throughput of sets of rays (closest hit and any hit), and the tests and cells per ray.
 #include "tools/bench/bench.h"
 
 #include "tools/backend_choice.h"
@@ -36,7 +36,7 @@ struct Settings {
 struct RaySet {
   std::string name;
   Query query;
-  bool coherent; // neighbours go the same way
+  bool coherent; // neighbouring rays have similar directions
   std::vector<ListedRay> rays;
 };
 
@@ -51,7 +51,7 @@ std::set<std::string> loop_names() {
   return names;
 }
 
-// The loop's name: `auto` is the usual one for the rays and the files.
+// The loop's name, with `auto` resolved.
 std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
                      const GridFile& grid) {
   if (wanted != "auto") return wanted;
@@ -61,7 +61,8 @@ std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFi
       ->first;
 }
 
-// Every grid is asked the same rays; the first one makes those that depend on what is hit.
+// All grids are measured by the same rays. Sets that begin at hit points are generated through the first
+// grid.
 std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, const GridFile& grid) {
   const std::vector<ListedRay> primary =
       primary_rays(scene, resized(scene.camera(), settings.size), settings.order);
@@ -97,7 +98,7 @@ Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, 
   return {{"grid", grid.path()},
           {"grid_bytes", grid.bytes()},
           {"rays", set.name},
-          {"query", set.query == Query::nearest_hit ? "nearest_hit" : "occlusion"},
+          {"query", set.query == Query::nearest_hit ? "closest_hit" : "any_hit"},
           {"count", set.rays.size()},
           {"backend", cuda ? "cuda" : "cpu"},
           {"precision", name_of(request.tracing.precision)},
@@ -112,7 +113,7 @@ Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, 
 }
 
 void print_row(const Json& row) {
-  fmt::print("{:<24} {:<8} {:<6} {:<6} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
+  fmt::print("{:<24} {:<8} {:<6} {:<14} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
              row["grid"].get<std::string>(), row["rays"].get<std::string>(),
              row["precision"].get<std::string>(), row["loop"].get<std::string>(),
              row["count"].get<std::uint64_t>(), row["mrays_per_second"].get<double>(),
@@ -133,10 +134,10 @@ void bench_rays(const Settings& settings) {
   const std::vector<RaySet> sets = ray_sets(settings, scene, grids.front());
   Json rows = Json::array();
   if (!settings.json) {
-    fmt::print("{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:<6} {:>9} {:>9} {:>7} {:>8} "
+    fmt::print("{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:<14} {:>9} {:>9} {:>7} {:>8} "
                "{:>8} {:>8}\n",
                cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
-               settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "by", "loop", "count",
+               settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "prec.", "loop", "count",
                "Mray/s", "hit %", "tests", "cells", "empty");
   }
   for (const GridFile& grid : grids) {
@@ -156,44 +157,44 @@ void bench_rays(const Settings& settings) {
 } // namespace
 
 void add_rays(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // the callback's
+  const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
-  CLI::App& rays = *app.add_subcommand(
-      "rays", "Throughput by kind of ray, and what a ray costs: tests, cells, empty cells");
+  CLI::App& rays =
+      *app.add_subcommand("rays", "Throughput of sets of rays, with intersection tests and cells per ray");
   rays.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   rays.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
-  rays.add_option("--rays", settings.sets, "which: primary, diffuse, random (nearest hit), shadow (any hit)")
+  rays.add_option("--sets", settings.sets,
+                  "sets of rays: primary, diffuse, random (closest hit), shadow (any hit)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"primary", "diffuse", "random", "shadow"}));
   add_backend(rays, settings.backend);
   add_choice(rays, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
-             "how the eye's rays follow each other: rows, or tiles of 8x4");
+             "order of primary rays: rows, or tiles of 8x4");
   rays.add_option(
           "--loop", settings.loops,
-          "how the GPU traces them: thread_per_ray (cell by cell), warp (32 threads share "
-          "what their rays have to test), warp_refill (besides, idle threads fetch the next ray), or "
-          "auto (warp_refill for diffuse and random; else warp, or thread_per_ray while the files are small)")
+          "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
+          "tests), warp_refill (warp, and idle threads fetch the next ray), or auto (warp_refill for diffuse "
+          "and random; else warp, or thread_per_ray for small files)")
       ->delimiter(',')
       ->check(CLI::IsMember(loop_names()));
-  rays.add_option("--precision", settings.precisions,
-                  "by which arithmetic: auto, fast, robust, double (see gridrender --help)")
+  rays.add_option("--precision", settings.precisions, "auto, fast, robust, double (see gridrender --help)")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double"}));
   add_first_cell_hit(rays, settings.tracing.stop);
   rays.add_flag("--general", settings.tracing.general,
-                "by the code for every kind of primitive, whatever the scene holds");
-  rays.add_option("--size", settings.size, "the eye's rays, WxH")->capture_default_str();
-  rays.add_option("--random", settings.random, "how many random rays")
+                "use the kernel for all kinds of primitives, not the one for those in the scene");
+  rays.add_option("--size", settings.size, "number of primary rays, WxH")->capture_default_str();
+  rays.add_option("--random", settings.random, "number of random rays")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
       ->capture_default_str();
-  rays.add_option("--seed", settings.seed, "of diffuse and random rays")->capture_default_str();
-  rays.add_option("--warm-up", settings.warm_up, "untimed runs before")
+  rays.add_option("--seed", settings.seed, "seed of diffuse and random rays")->capture_default_str();
+  rays.add_option("--warm-up", settings.warm_up, "untimed runs before the timed ones")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  rays.add_option("--repeat", settings.repeat, "timed runs")
+  rays.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  rays.add_flag("--json", settings.json, "as JSON");
+  rays.add_flag("--json", settings.json, "print JSON");
   settings.threads.add_to(rays);
   rays.callback([owned] { bench_rays(*owned); });
 }

@@ -1,4 +1,4 @@
-// Where ways to trace break: sweeps of one knob each, judged by an oracle; and the same rays on the GPU.
+// Where tracing fails: sweeps of one parameter each, compared with an oracle; and the same rays on the GPU.
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/stability/backends.h"
@@ -29,34 +29,34 @@ bool wanted(const std::vector<std::string>& list, const std::string& name) {
 
 Json to_json(const Row& row) {
   const Tally& t = row.tally;
-  return {{"sweep", row.sweep},   {"knob", row.knob},
+  return {{"sweep", row.sweep},   {"parameter", row.parameter},
           {"step", row.step},     {"store", row.float64 ? "float64" : "float32"},
-          {"way", row.way.name},  {"within_envelope", row.within},
+          {"mode", row.way.name}, {"within_envelope", row.within},
           {"rays", t.rays},       {"unsure", t.unsure},
           {"missed", t.missed},   {"false", t.false_hit},
           {"wrong", t.wrong},     {"misplaced", t.misplaced},
           {"by_grid", t.by_grid}, {"worst_t_error", t.worst_t}};
 }
 
-// Shares of the rays; nothing where there is none.
+// Fractions of the rays; - for none.
 void print_row(const Row& row) {
   const Tally& t = row.tally;
   const auto share = [&](std::uint64_t number) {
     return number == 0 ? std::string("-")
                        : fmt::format("{:.3g}", static_cast<double>(number) / static_cast<double>(t.rays));
   };
-  fmt::print("{:<15} {:>8.3g} {:<7} {:<6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
+  fmt::print("{:<15} {:>8.3g} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
              row.step, row.float64 ? "float64" : "float32", row.way.name, t.rays, share(t.unsure),
              share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
              t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
   flush_standard_output();
 }
 
-// How many steps on the GPU differ that mustn't.
+// Returns the number of steps at which CPU and GPU differ in robust or double.
 std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps, Json& rows) {
   std::uint64_t bad = 0;
   if (!settings.json)
-    fmt::print("\n{:<15} {:>8} {:<7} {:<6} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "by", "rays",
+    fmt::print("\n{:<15} {:>8} {:<7} {:<14} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "mode", "rays",
                "differing");
   for (const Sweep& sweep : sweeps) {
     compare_backends(sweep, settings.run, [&](const Difference& d) {
@@ -65,12 +65,12 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
       rows.push_back({{"sweep", d.sweep},
                       {"step", d.step},
                       {"store", d.float64 ? "float64" : "float32"},
-                      {"way", d.way.name},
+                      {"mode", d.way.name},
                       {"backends", "cpu,cuda"},
                       {"rays", d.rays},
                       {"differing", d.differing}});
       if (!settings.json)
-        fmt::print("{:<15} {:>8.3g} {:<7} {:<6} {:>8} {:>9}\n", d.sweep, d.step,
+        fmt::print("{:<15} {:>8.3g} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, d.step,
                    d.float64 ? "float64" : "float32", d.way.name, d.rays, d.differing);
     });
   }
@@ -92,8 +92,8 @@ void bench_stability(const Settings& settings) {
   std::erase_if(sweeps, [&](const Sweep& sweep) { return !wanted(settings.sweeps, sweep.name); });
   Json rows = Json::array();
   if (!settings.json)
-    fmt::print("{:<15} {:>8} {:<7} {:<6} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
-               "store", "by", "rays", "unsure", "missed", "false", "wrong", "misplaced", "by grid",
+    fmt::print("{:<15} {:>8} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
+               "store", "mode", "rays", "unsure", "missed", "false", "wrong", "misplaced", "by grid",
                "t error");
   for (const Sweep& sweep : sweeps) {
     run(sweep, settings.run, [&](const Row& row) {
@@ -108,32 +108,32 @@ void bench_stability(const Settings& settings) {
   if (settings.json) fmt::print("{}\n", rows.dump(2));
   if (bad == 0) return;
   flush_standard_output();
-  throw Error(ErrorCode::device, "cuda",
-              fmt::format("differs from the CPU at {} steps of robust or double: this is a fault", bad));
+  throw Error(
+      ErrorCode::device, "cuda",
+      fmt::format("differs from the CPU at {} steps of robust or double: please report this bug", bad));
 }
 
 } // namespace
 
 void add_stability(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // the callback's
+  const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
-  CLI::App& stability = *app.add_subcommand(
-      "stability",
-      "Where each precision breaks: missed, false and wrong hits against an oracle, as one knob turns");
-  stability.add_option("--sweep", settings.sweeps, "which sweeps; all unless given")->delimiter(',');
-  stability.add_option("--rays", settings.run.rays, "rays a step, about")
+  CLI::App& stability =
+      *app.add_subcommand("stability", "Where each precision fails: missed, false and wrong hits, compared "
+                                       "with an oracle, as one parameter varies");
+  stability.add_option("--sweep", settings.sweeps, "sweeps to run; default: all")->delimiter(',');
+  stability.add_option("--count", settings.run.rays, "rays per step, approximately")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30))
       ->capture_default_str();
-  stability.add_option("--seed", settings.run.seed, "of scenes and rays")->capture_default_str();
+  stability.add_option("--seed", settings.run.seed, "seed of scenes and rays")->capture_default_str();
   stability
       .add_option("--precision", settings.precisions,
-                  "show only: fast, robust, double, first-cell (robust that ends with the first cell where "
-                  "anything is "
-                  "hit)")
+                  "show only these: fast, robust, double, first-cell-hit (robust, with gridrender's "
+                  "--first-cell-hit)")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double", "first-cell"}));
+      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double", "first-cell-hit"}));
   add_backend(stability, settings.backend);
-  stability.add_flag("--json", settings.json, "as JSON");
+  stability.add_flag("--json", settings.json, "print JSON");
   settings.threads.add_to(stability);
   stability.callback([owned] { bench_stability(*owned); });
 }

@@ -1,4 +1,4 @@
-// Speed against accuracy: every way to trace some scenes, measured, charted, and the ways worth choosing.
+// Speed against accuracy of every precision, stop rule and grid: measurements, charts and Pareto fronts.
 #include "libscene/file/memory_file.h"
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
@@ -31,7 +31,7 @@ struct Settings {
   std::vector<std::string> precisions{"fast", "robust", "double"}, stops{"proven", "first-cell-hit"},
       merges{"none", "x", "balance", "irregular"}, overlaps{"box", "exact"}, divisions{"16", "64", "auto"},
       curve{"1", "2", "4", "8", "16", "32", "64", "128", "256", "auto"};
-  // Empty and 0: as the backend can do in a minute or two.
+  // Empty and 0: defaults of the backend, which take it a few minutes.
   std::string size, picture;
   std::uint64_t random = 0, compared = 0, repeat = 0, seed = 1;
   bool charts_only = false, json = false;
@@ -62,8 +62,8 @@ struct GridPlan {
   std::vector<Configuration> configurations;
 };
 
-// Grids in an order in which the CSV reads well; no configuration twice. `float64` scenes have no float32
-// arithmetic. Throws Error(usage) for what isn't a division.
+// All configurations, each once, in the order of the CSV's rows. Scenes stored in float64 have only double
+// precision. Throws Error(usage) for an invalid division.
 std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   std::vector<GridPlan> plan;
   const auto add = [&](const Configuration& c) {
@@ -76,7 +76,7 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
     if (std::find(all.begin(), all.end(), c) == all.end()) all.push_back(c);
   };
   for (const std::string& merge : settings.merges) {
-    // An irregular grid divides further wherever that pays: it begins with a division of its own.
+    // The top level of an irregular grid always has the automatic division.
     const bool own = merge_named(merge) == MergeChoice::irregular;
     for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions) {
       static_cast<void>(parse_division(division));
@@ -99,7 +99,7 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   return plan;
 }
 
-// The grid's file is in memory, so that a run which is stopped leaves none behind.
+// The grid's file is in memory: a run that is stopped leaves no file behind.
 GridFile built(const SceneFile& scene, const GridPlan& plan) {
   BuildOptions recipe;
   recipe.division = parse_division(plan.division);
@@ -108,12 +108,12 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
   const Grid grid = scene.is_float64()
                         ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), recipe)
                         : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), recipe);
-  const MemoryFile file; // mapped, it lives on
+  const MemoryFile file; // lives on in the mapping
   write_grid(grid, origin_of(grid, recipe, scene.hash(), scene.primitive_count()), file.path());
   return GridFile(file.path());
 }
 
-// What charts and tables call a scene: its file's name, of letters that any of them takes.
+// A scene's name in charts and tables: its file's name with letters, digits, - . and _ only.
 std::string name_of_scene(const std::string& path) {
   std::string name = std::filesystem::path(path).stem().string();
   for (char& c : name) {
@@ -122,8 +122,7 @@ std::string name_of_scene(const std::string& path) {
   return name;
 }
 
-// Throws Error(usage) where two scenes, or a scene and another chart, would have one name, or where what is
-// written would replace a scene.
+// Throws Error(usage) where two charts would have the same name, or an output would replace a scene.
 void check_names(const std::vector<std::string>& scenes, const std::string& folder) {
   std::set<std::string> taken{"all", "tradeoff", "division"}; // all: the mean's rows
   for (const std::string& path : scenes) {
@@ -151,7 +150,7 @@ public:
   Progress& operator=(const Progress&) = delete;
   Progress& operator=(Progress&&) = delete;
 
-  void tell(const std::string& what) {
+  void show(const std::string& what) {
     ++done_;
     if (isatty(STDERR_FILENO) == 0) return;
     shown_ = true;
@@ -165,7 +164,7 @@ private:
   bool shown_ = false;
 };
 
-// Measures what isn't among `rows` yet, and adds it there and to the file.
+// Measures configurations that aren't among `rows` yet, and appends them to `rows` and to the file.
 void measure_scene(const Settings& settings, const TradeoffSetup& setup, const std::string& path,
                    TradeoffCsv& csv, std::vector<TradeoffRow>& rows) {
   const SceneFile scene(path);
@@ -185,24 +184,25 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   if (to_do == 0) return;
   TradeoffTask task(scene, setup);
   Progress progress(name, to_do + 1);
-  progress.tell("brute force, in double");
-  task.truth();
+  progress.show("brute force, in double");
+  task.reference();
   for (const GridPlan& plan_of_grid : plan) {
     if (plan_of_grid.configurations.empty()) continue;
     const GridFile grid = built(scene, plan_of_grid);
     for (const Configuration& configuration : plan_of_grid.configurations) {
-      progress.tell(fmt::format("{}, {}", grid_of(configuration), method_of(configuration)));
+      progress.show(fmt::format("{}, {}", grid_of(configuration), method_of(configuration)));
       rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
       csv.add(rows.back());
     }
   }
 }
 
-// Of each scene's name the rows of the file measured last, by one setup: what can be compared.
+// Rows with that setup, and of scenes of the same name those of the scene measured last: rows that can be
+// compared.
 std::vector<TradeoffRow> comparable(const std::vector<TradeoffRow>& rows, const TradeoffSetup& setup,
                                     std::map<std::string, std::string> hashes) {
   for (std::size_t i = rows.size(); i-- > 0;) {
-    if (rows[i].setup == setup) hashes.emplace(rows[i].scene, rows[i].scene_hash); // unless it is there
+    if (rows[i].setup == setup) hashes.emplace(rows[i].scene, rows[i].scene_hash); // keeps an earlier one
   }
   std::vector<TradeoffRow> kept;
   std::copy_if(rows.begin(), rows.end(), std::back_inserter(kept), [&](const TradeoffRow& row) {
@@ -308,25 +308,27 @@ void present(const Settings& settings, const std::vector<TradeoffRow>& rows) {
 void bench_tradeoff(const Settings& settings) {
   const auto limit = settings.threads.limit();
   check_names(settings.scenes, settings.folder);
-  static_cast<void>(plan_of(settings, false)); // bad words are told before anything is read
+  static_cast<void>(plan_of(settings, false)); // throws for invalid values before anything is read
   const std::string path = settings.folder + "/tradeoff.csv";
   std::vector<TradeoffRow> rows = read_tradeoff_csv(path);
   if (settings.charts_only) {
     if (!settings.scenes.empty())
-      throw Error(ErrorCode::usage, "--charts-only", "takes no scenes: it draws what was measured");
+      throw Error(ErrorCode::usage, "--charts-only",
+                  "takes no scenes: it draws the measurements in the folder");
     if (rows.empty())
       throw Error(ErrorCode::input, path, "holds no measurements: run gridbench tradeoff on scenes first");
     return present(settings, comparable(rows, rows.back().setup, {}));
   }
   if (settings.scenes.empty())
-    throw Error(ErrorCode::usage, "SCENE", "is missing: name a scene file, or more");
+    throw Error(ErrorCode::usage, "SCENE", "is missing: give one or more scene files");
   const TradeoffSetup setup = setup_of(settings, use_cuda(settings.backend));
   std::map<std::string, std::string> hashes;
-  for (const std::string& scene : settings.scenes) { // all are good before the long work begins
+  for (const std::string& scene : settings.scenes) { // errors first, before the measurements
     const SceneFile file(scene);
     const auto& precisions = settings.precisions;
     if (std::find(precisions.begin(), precisions.end(), "double") == precisions.end())
-      static_cast<void>(resolved(precision_named(precisions.front()), file)); // throws where it doesn't hold
+      static_cast<void>(
+          resolved(precision_named(precisions.front()), file)); // throws where the scene doesn't allow it
     static_cast<void>(resized(file.camera(), setup.size));
     static_cast<void>(resized(file.camera(), setup.picture));
     hashes[name_of_scene(scene)] = to_hex(file.hash());
@@ -343,15 +345,16 @@ void bench_tradeoff(const Settings& settings) {
 } // namespace
 
 void add_tradeoff(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // the callback's
+  const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
   CLI::App& tradeoff = *app.add_subcommand(
       "tradeoff",
-      "Speed against accuracy: every precision, stop rule and grid, beside brute force in double");
+      "Speed against accuracy of every precision, stop rule and grid, compared with brute force in double");
   tradeoff.add_option("SCENE", settings.scenes, "scene files, from nff2bin");
   tradeoff
-      .add_option("-o,--output", settings.folder,
-                  "folder for tradeoff.csv and the charts; what it holds already isn't measured again")
+      .add_option(
+          "-o,--output", settings.folder,
+          "folder for tradeoff.csv, charts.csv and charts; rows that it has already aren't measured again")
       ->required();
   add_backend(tradeoff, settings.backend);
   const auto add_list = [&](const char* option, std::vector<std::string>& list, const char* help,
@@ -359,33 +362,35 @@ void add_tradeoff(CLI::App& app) {
     CLI::Option* const added = tradeoff.add_option(option, list, help)->delimiter(',')->capture_default_str();
     if (!among.empty()) added->check(CLI::IsMember(among));
   };
-  add_list("--precisions", settings.precisions, "by which arithmetics", {"fast", "robust", "double"});
+  add_list("--precisions", settings.precisions, "precisions (see gridrender --help)",
+           {"fast", "robust", "double"});
   add_list("--stop-rules", settings.stops,
-           "when a ray ends: proven (nothing nearer can come), first-cell-hit (with the first cell where "
-           "anything is hit)",
+           "when a ray terminates: proven (no closer hit is possible), first-cell-hit (at the first cell in "
+           "which anything is hit)",
            {"proven", "first-cell-hit"});
-  add_list("--merges", settings.merges, "through which grids (see gridbuild --help)",
+  add_list("--merges", settings.merges, "kinds of grid (see gridbuild --help)",
            {"none", "x", "balance", "irregular"});
-  add_list("--overlaps", settings.overlaps, "listing primitives by which tests", {"box", "exact"});
+  add_list("--overlaps", settings.overlaps, "overlap tests (see gridbuild --help)", {"box", "exact"});
   add_list("--divisions", settings.divisions,
-           "of which divisions (see gridbuild --help); irregular grids begin with one of their own", {});
+           "divisions (see gridbuild --help); irregular grids always use auto", {});
   add_list("--curve", settings.curve,
-           "divisions of the chart of time against division: uniform grids, exact overlap, robust", {});
-  tradeoff.add_option("--size", settings.size, "of the primary rays, WxH [256x256; 1024x1024 on a GPU]");
-  tradeoff.add_option("--random", settings.random, "how many random rays [65536; 1048576 on a GPU]")
+           "divisions of the chart of time against division (uniform grids, exact overlap, robust)", {});
+  tradeoff.add_option("--size", settings.size, "number of primary rays, WxH [256x256; 1024x1024 on a GPU]");
+  tradeoff.add_option("--random", settings.random, "number of random rays [65536; 1048576 on a GPU]")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
   tradeoff
       .add_option("--compared", settings.compared,
-                  "so many of each are compared with brute force, at most [32768; 1048576 on a GPU]")
+                  "rays of each of the two sets that are compared with brute force, at most [32768; 1048576 "
+                  "on a GPU]")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
   tradeoff.add_option("--picture", settings.picture,
-                      "size of the pictures, WxH, of depth 5 [128x128; 512x512 on a GPU]");
+                      "size of the pictures (depth 5), WxH [128x128; 512x512 on a GPU]");
   tradeoff.add_option("--repeat", settings.repeat, "timed runs, of which the median counts [3; 15 on a GPU]")
       ->check(CLI::Range(1, 1000));
-  tradeoff.add_option("--seed", settings.seed, "of the random rays")->capture_default_str();
+  tradeoff.add_option("--seed", settings.seed, "seed of the random rays")->capture_default_str();
   tradeoff.add_flag("--charts-only", settings.charts_only,
-                    "draws the charts of tradeoff.csv's last run again, and measures nothing");
-  tradeoff.add_flag("--json", settings.json, "the front as JSON");
+                    "measure nothing: draw the charts of the rows with the last row's setup again");
+  tradeoff.add_flag("--json", settings.json, "print the Pareto fronts as JSON");
   settings.threads.add_to(tradeoff);
   tradeoff.callback([owned] { bench_tradeoff(*owned); });
 }

@@ -1,4 +1,4 @@
-// read(2) of a file from its start to its end.
+// Sequential reading of a file by read(2).
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ public:
 
   std::size_t size() const { return size_; } // when it was opened
 
-  // Fills `buffer` with what comes next, or with what is left; returns how much. Throws Error(input, path,
-  // …).
+  // Reads the next bytes into `buffer`: all of it, or up to the file's end. Returns their number. Throws
+  // Error(input, path, …).
   std::size_t read(std::span<std::uint8_t> buffer);
 
 private:

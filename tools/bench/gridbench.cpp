@@ -1,11 +1,11 @@
-// gridbench: how fast rays are traced, how fast what they need is loaded, and where arithmetic breaks.
+// gridbench: speed of tracing and loading, and accuracy.
 #include "tools/bench/bench.h"
 #include "tools/cli.h"
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool("gridbench", "Measures tracing and loading: how fast, and how right.", argc, argv,
-                  [](CLI::App& app, const auto& parse) {
+  return run_tool("gridbench", "Measures the speed and accuracy of tracing, and the speed of loading.", argc,
+                  argv, [](CLI::App& app, const auto& parse) {
                     add_frame(app);
                     add_rays(app);
                     add_load(app);

@@ -1,18 +1,18 @@
-// Copying a file's bytes to where they would be traced, and nothing else: what loading is compared with.
+// Plain copies of a file's bytes to the memory that tracing reads: the reference for loading.
 #pragma once
 
 #include <string>
 
 namespace masu {
 
-// How the bytes come out of the page cache: from a mapping, or by read(2).
+// How the bytes are read from the page cache: from a mapping, or by read(2).
 enum class CopyFrom { mapping, reading };
 
-// Seconds from opening the file to its last byte being in fresh memory, whose allocation counts too. Throw
-// Error(input); the second also Error(device).
+// Seconds from opening the file until its last byte is in newly allocated memory, allocation included. Throws
+// Error(input).
 double copy_seconds_cpu(const std::string& path, CopyFrom from);
-// Into the first CUDA device's memory. What is read goes through a small page-locked buffer, made before the
-// time starts.
+// The same, into the memory of the first CUDA device. read(2) uses a small page-locked buffer, which is
+// allocated before the time starts. Throws Error(input) and Error(device).
 double copy_seconds_cuda(const std::string& path, CopyFrom from);
 
 } // namespace masu

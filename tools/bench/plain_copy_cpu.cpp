@@ -9,7 +9,7 @@
 namespace masu {
 namespace {
 
-// Makes the compiler believe that somebody reads it: it would leave the copying out otherwise.
+// Keeps the compiler from removing the copy, which nothing reads.
 void pretend_to_read(const std::uint8_t* bytes) {
   asm volatile("" : : "r"(bytes) : "memory");
 }

@@ -9,7 +9,7 @@
 namespace masu {
 namespace {
 
-// Small enough for a processor's cache: what is read into it is copied on from there.
+// Fits in the processor's cache, from which the bytes are copied to the device.
 constexpr std::size_t buffer_bytes = std::size_t{4} << 20;
 
 double copy_read(const std::string& path) {
@@ -38,7 +38,7 @@ double copy_mapped(const std::string& path) {
 } // namespace
 
 double copy_seconds_cuda(const std::string& path, CopyFrom from) {
-  check(cudaFree(nullptr)); // sets the device up, so that copying isn't charged for it
+  check(cudaFree(nullptr)); // initialises the device outside the measured time
   return from == CopyFrom::mapping ? copy_mapped(path) : copy_read(path);
 }
 

@@ -1,5 +1,4 @@
-// Stands in for the copy to a device where the program was built without CUDA: --backend cuda is refused
-// before.
+// For builds without CUDA, in which --backend cuda is refused before this is called.
 #include "tools/bench/plain_copy.h"
 
 #include "libscene/error.h"

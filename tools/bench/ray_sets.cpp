@@ -8,8 +8,8 @@
 namespace masu {
 namespace {
 
-// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): any number's own random sequence, so that rays can be drawn
-// in parallel.
+// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): a random sequence for each ray, so that rays can be
+// generated in parallel.
 class Random {
 public:
   Random(std::uint64_t seed, std::uint64_t number)
@@ -30,7 +30,7 @@ private:
   std::uint64_t state_;
 };
 
-// Evenly over the unit sphere.
+// Uniform over the unit sphere.
 Vec3d direction_of(Random& random) {
   const double z = 2 * random.uniform() - 1, turn = 2 * std::numbers::pi * random.uniform();
   const double across = std::sqrt(std::max(0.0, 1 - z * z));
@@ -48,7 +48,7 @@ BoundingSphere sphere_around(const SceneFile& scene) {
   return {center, length(box.max - center)};
 }
 
-// Coordinates that the scene's own store holds: all arithmetics see the same ray.
+// Coordinates are rounded to the scene's store: every precision traces the same ray.
 template <class Stored>
 ListedRay random_ray(const BoundingSphere& sphere, Random& random) {
   const Vec3d from = fma(direction_of(random), sphere.radius, sphere.center);
@@ -56,8 +56,8 @@ ListedRay random_ray(const BoundingSphere& sphere, Random& random) {
   return {cast<double>(cast<Stored>(from)), cast<double>(cast<Stored>(to - from))};
 }
 
-// Calls act(ray's number, the point it hits, which way it came) for each ray, in parallel; the point is null
-// for a miss.
+// Calls act(ray's index, surface point hit, ray's direction) for each ray, in parallel; the point is null for
+// a miss.
 template <class Stored, class Act>
 void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const ListedRay> rays,
                   const Act& act) {
@@ -78,22 +78,22 @@ template <class Stored>
 std::vector<ListedRay> diffuse(const SceneFile& file, const GridFile& grid, std::span<const ListedRay> rays,
                                std::uint64_t seed) {
   const BoundingSphere sphere = sphere_around(file);
-  std::vector<ListedRay> bounced(rays.size());
+  std::vector<ListedRay> scattered(rays.size());
   for_each_hit<Stored>(file, grid, rays,
-                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& came) {
+                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
                          Random random(seed, i);
                          if (point == nullptr) {
-                           bounced[i] = random_ray<Stored>(sphere, random);
+                           scattered[i] = random_ray<Stored>(sphere, random);
                            return;
                          }
-                         // A point of the unit sphere that touches the surface: the cosine's distribution
-                         // (Lambert's sphere).
-                         const Vec3d normal = cast<double>(facing(*point, came).normal);
+                         // Cosine distribution: towards a random point of the unit sphere tangent to the
+                         // surface.
+                         const Vec3d normal = cast<double>(facing(*point, incoming).normal);
                          const Vec3d towards = normal + direction_of(random) * (1 - 1e-6);
                          const Vec3<Stored> direction = cast<Stored>(normalized(towards));
-                         bounced[i] = {cast<double>(leaving(*point, direction)), cast<double>(direction)};
+                         scattered[i] = {cast<double>(leaving(*point, direction)), cast<double>(direction)};
                        });
-  return bounced;
+  return scattered;
 }
 
 template <class Stored>
@@ -120,11 +120,11 @@ std::vector<ListedRay> shadow(const SceneFile& file, const GridFile& grid, std::
 template <class Stored>
 std::vector<ListedRay> primary(const Camera& camera, RayOrder order) {
   constexpr std::int32_t tile_columns = 8, tile_rows = 4;
-  const CameraRays<Stored> eye = camera_rays<Stored>(camera, Sampling::centers, false);
+  const CameraRays<Stored> view = camera_rays<Stored>(camera, Sampling::centers, false);
   std::vector<ListedRay> rays;
   rays.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
   const auto add = [&](std::int32_t column, std::int32_t row) {
-    const Ray<Stored> ray = camera_ray(eye, column, row);
+    const Ray<Stored> ray = camera_ray(view, column, row);
     rays.push_back({cast<double>(ray.origin), cast<double>(ray.direction)});
   };
   const std::int32_t columns = order == RayOrder::tiles ? tile_columns : camera.width;

@@ -1,6 +1,5 @@
-// Sets of rays to measure tracing by: of the eye, bounced off what it sees, and through the whole scene.
-// Their coordinates are numbers that the scene's store holds, so that every arithmetic is given the same
-// rays.
+// Sets of rays for measurements: primary, diffuse, shadow and random rays. Their coordinates are numbers that
+// the scene's store holds, so that every precision traces the same rays.
 #pragma once
 
 #include "renderer/tracer.h"
@@ -9,23 +8,22 @@
 
 namespace masu {
 
-// How the eye's rays follow each other: row by row, or in tiles of 8 × 4, one a warp.
+// Order of primary rays: row by row, or in tiles of 8 × 4 (a warp each).
 enum class RayOrder { rows, tiles };
 
-// A ray through every pixel's centre.
+// One ray through the centre of each pixel.
 std::vector<ListedRay> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order);
 
-// From where each of `rays` hits, one ray each into a direction drawn by the cosine about the surface's
-// normal; a ray that hits nothing is replaced by one between random points of the scene's bounding sphere.
-// The same seed gives the same rays.
+// One ray from each hit of `rays`, in a direction with cosine distribution about the surface's normal; for a
+// miss, a ray of random_rays. The same seed gives the same rays.
 std::vector<ListedRay> diffuse_rays(const SceneFile& scene, const GridFile& grid,
                                     std::span<const ListedRay> rays, std::uint64_t seed);
 
-// Between random points of the bounding sphere of the scene's bounds: t = 1 is the second point.
+// Rays between two random points of the sphere around the scene's bounds; t = 1 is the second point.
 std::vector<ListedRay> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed);
 
-// From where each of `rays` hits to the light, one after the other in turn; t = 1 is the light. Rays that hit
-// nothing give none.
+// One ray from each hit of `rays` to a light, ray i to light i modulo their number; t = 1 is the light. None
+// for a miss.
 std::vector<ListedRay> shadow_rays(const SceneFile& scene, const GridFile& grid,
                                    std::span<const ListedRay> rays);
 

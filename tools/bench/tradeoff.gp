@@ -46,7 +46,7 @@ set_labels = "do for [i = 1:n] { \
 eval begin
 scenes = '' # of the mean, the scene is `all`
 stats data using (index_of(strcol('scene'), scenes) > 0 ? 0 : (scenes = scenes . ' ' . strcol('scene'), 0)) nooutput
-scene_count = words(scenes) - (index_of('all', scenes) > 0)
+number_of_scenes = words(scenes) - (index_of('all', scenes) > 0)
 stats data using (backend = strcol('backend') eq 'cuda' ? 'GPU' : 'CPU, ' . strcol('threads') . (column('threads') == 1 ? ' thread' : ' threads'), \
   primary_size = strcol('primary_size'), random_rays = column('random_rays'), picture_size = strcol('picture_size'), 0) \
   nooutput
@@ -58,8 +58,12 @@ colors = '#d55e00 #0072b2 #009e73' # that the colour-blind tell apart, after Oka
 filled = '7 5 9'                   # point types: proven
 open = '6 4 8'                     # first cell hit
 is_first_cell(_) = strcol('stop_rule') eq 'first-cell-hit'
-is_method(p, first) = strcol('precision') eq word(precisions, p) && is_first_cell(0) == first
-title_of(p, first) = word(precisions, p) . (first ? ', first cell hit' : '')
+# A method is a precision's index and 1 for first cell hit, else 0, such as 21.
+all_methods = '10 11 20 21 30 31'
+method_of(_) = sprintf('%d%d', index_of(strcol('precision'), precisions), is_first_cell(0))
+color_of(method) = word(colors, int(method[1:1]))
+point_of(method) = int(word(method[2:2] eq '1' ? open : filled, int(method[1:1])))
+title_of(method) = word(precisions, int(method[1:1])) . (method[2:2] eq '1' ? ', first cell hit' : '')
 grid_of(_) = (strcol('merge') eq 'none' ? 'uniform' : strcol('merge')) . ' ' \
   . (strcol('merge') eq 'irregular' && strcol('division') eq 'auto' ? '' : strcol('division') . ' ') . strcol('overlap')
 label_of(_) = strcol('precision') . (is_first_cell(0) ? ', first cell hit' : '') . ': ' . grid_of(0)
@@ -84,7 +88,7 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
   stats data using (is_of(scene) ? column('rays_compared') : NaN) nooutput name 'compared'
   set multiplot
   set lmargin at screen 0.115
-  set rmargin at screen 0.715
+  set rmargin at screen 0.695
   set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 samplen 2
   do for [panel in 'hits picture'] {
     unset label
@@ -92,7 +96,7 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
     unset object
     set autoscale # stats leaves out what is outside the axes
     if (is_hits(panel)) {
-      set label (scene eq 'all' ? sprintf('mean of %d scenes', scene_count) : scene) . ': speed against accuracy (' \
+      set label (scene eq 'all' ? sprintf('mean of %d scenes', number_of_scenes) : scene) . ': speed against accuracy (' \
         . backend . ')' at screen 0.02, screen 0.977 font ',20'
       set label sprintf('%s primary and %s random rays a scene; %s in all compared with brute force in double; ' \
         . 'pictures of %s', primary_size, grouped(int(random_rays)), grouped(int(compared_max)), picture_size) \
@@ -109,9 +113,13 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
       y_title = 'picture: RMSE of a channel'
     }
 
-    stats data using (is_of(scene) ? speed(panel) : NaN) nooutput name 'all'
-    slowest = all_max / 20
+    stats data using (is_of(scene) ? speed(panel) : NaN) nooutput name 'scene'
+    slowest = scene_max / 20
     stats data using (is_shown(scene, panel) ? speed(panel) : NaN) nooutput name 'shown'
+    found = ''
+    stats data using (is_shown(scene, panel) ? (found = found . ' ' . method_of(0), 1) : 1) nooutput
+    methods = ''
+    do for [method in all_methods] { if (index_of(method, found) > 0) { methods = methods . ' ' . method } }
     error_min = 0 # of those above zero; none where it stays zero
     error_max = 0
     stats data using (is_shown(scene, panel) && error(panel) > 0 ? (error_max = larger(error_max, error(panel)), \
@@ -137,10 +145,9 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
 
     gap = 0.05
     eval set_labels
-    plot for [p = 1:3] for [first = 0:1] data \
-        using (is_shown(scene, panel) && is_method(p, first) ? speed(panel) : NaN):(drawn_error(panel)) \
-        with points pt int(word(first ? open : filled, p)) ps 1.3 lw 1.6 lc rgb word(colors, p) \
-        title title_of(p, first), \
+    plot for [method in methods] data \
+        using (is_shown(scene, panel) && method_of(0) eq method ? speed(panel) : NaN):(drawn_error(panel)) \
+        with points pt point_of(method) ps 1.3 lw 1.6 lc rgb color_of(method) title title_of(method), \
       NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
       data using (front_speed(scene, panel)):(drawn_error(panel)) smooth unique \
         with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
@@ -167,6 +174,8 @@ voxels_an_axis(_) = column('voxels') ** (1 / 3.0)
 
 line_colors = '#000000 #d55e00 #0072b2 #009e73 #cc79a7 #56b4e9 #e69f00 #666666'
 line_points = '7 5 9 11 13 6 4 8'
+color(i) = word(line_colors, (i - 1) % 8 + 1)
+point(i) = int(word(line_points, (i - 1) % 8 + 1))
 if (curves ne '') { do for [kind in 'svg png'] {
   eval begin
   eval terminal(kind, 760)
@@ -184,6 +193,12 @@ if (curves ne '') { do for [kind in 'svg png'] {
     stats data using (is_line(scene, 0) || is_line(scene, 1) ? (x_high = larger(x_high, voxels_an_axis(0)), \
       y_low = smaller(y_low, column('picture_ms') / 1.3), y_high = larger(y_high, column('picture_ms') * 1.3), 1) : 1) \
       nooutput
+    ms = 0 # of the automatic division, where it was measured
+    stats data using (is_line(scene, 1) ? (voxels = voxels_an_axis(0), ms = column('picture_ms'), 1) : 1) nooutput
+    if (ms > 0) {
+      set label '' at first voxels, first ms point pt point(n) ps 1.2 lc rgb color(n)
+      set label '' at first voxels, first ms point pt 6 ps 2.8 lw 2 lc rgb color(n)
+    }
   } }
   set xrange [1 / 1.1 : x_high * 1.1]
   set yrange [y_low : y_high]
@@ -203,13 +218,7 @@ if (curves ne '') { do for [kind in 'svg png'] {
   set label '16: the division of the 2012 thesis' at first 16, graph 0.97 offset 1, 0 left
   gap = 0.045
   eval set_labels
-  color(i) = word(line_colors, (i - 1) % 8 + 1)
-  point(i) = int(word(line_points, (i - 1) % 8 + 1))
   plot for [i = 1:n] data using (is_line(pt[i], 0) ? voxels_an_axis(0) : NaN):(column('picture_ms')) smooth unique \
-      with linespoints pt point(i) ps 1.2 lw 2 lc rgb color(i), \
-    for [i = 1:n] data using (is_line(pt[i], 1) ? voxels_an_axis(0) : NaN):(column('picture_ms')) \
-      with points pt point(i) ps 1.2 lc rgb color(i), \
-    for [i = 1:n] data using (is_line(pt[i], 1) ? voxels_an_axis(0) : NaN):(column('picture_ms')) \
-      with points pt 6 ps 2.8 lw 2 lc rgb color(i)
+    with linespoints pt point(i) ps 1.2 lw 2 lc rgb color(i)
   unset output
 } }

@@ -19,7 +19,7 @@
 namespace masu {
 namespace {
 
-// Six digits are more than any measurement is good for; words have no comma.
+// Measurements are less precise than six digits. No text contains a comma.
 std::string text_of(double value) {
   return fmt::format("{:.6g}", value);
 }
@@ -42,13 +42,13 @@ std::string text_of(Overlap value) {
   return name_of(value);
 }
 
-// Throws Error for what isn't a number.
+// Throws Error(input) where `text` isn't a number of that type.
 template <class Number>
 void read_number(const std::string& text, Number& value) {
   const char* const end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end)
-    throw Error(ErrorCode::input, text, "isn't a number it can be");
+    throw Error(ErrorCode::input, text, "isn't a valid number");
 }
 void read(const std::string& text, double& value) {
   read_number(text, value);
@@ -112,7 +112,7 @@ void for_each_column(Row& row, const Act& act) {
   act("picture_largest_error", accuracy.largest);
 }
 
-// Both without the line's end.
+// Both without a newline.
 std::string header() {
   std::vector<std::string> cells;
   TradeoffRow row{};
@@ -125,7 +125,7 @@ std::string line_of(const TradeoffRow& row) {
   return fmt::format("{}", fmt::join(cells, ","));
 }
 
-// `line` is without its end. Throws Error.
+// `line` is without its newline. Throws Error(input).
 TradeoffRow row_of(const std::string& line) {
   TradeoffRow row{};
   std::size_t at = 0;
@@ -155,15 +155,15 @@ std::string content_of(const std::string& path) {
 } // namespace
 
 std::vector<TradeoffRow> read_tradeoff_csv(const std::string& path) {
-  const std::string text = content_of(path), head = header() + "\n";
-  if (head.starts_with(text)) return {}; // nothing yet, or not even all of the head
-  if (!text.starts_with(head))
+  const std::string text = content_of(path), first_line = header() + "\n";
+  if (first_line.starts_with(text)) return {}; // an empty file, or part of the header
+  if (!text.starts_with(first_line))
     throw Error(ErrorCode::input, path + ":1",
-                "isn't the head of a file that gridbench tradeoff writes: choose another folder with -o, or "
+                "isn't the header of a file by gridbench tradeoff: choose another folder with -o, or "
                 "move the file away");
   std::vector<TradeoffRow> rows;
   std::size_t number = 2;
-  for (std::size_t at = head.size(), end = 0; (end = text.find('\n', at)) != std::string::npos;
+  for (std::size_t at = first_line.size(), end = 0; (end = text.find('\n', at)) != std::string::npos;
        at = end + 1) {
     try {
       rows.push_back(row_of(text.substr(at, end - at)));
@@ -183,7 +183,7 @@ TradeoffCsv::TradeoffCsv(std::string path) : path_(std::move(path)), file_(std::
     throw Error(ErrorCode::output, path_,
                 "is being written by another run: wait for it, or choose another folder");
   const std::string text = content_of(path_);
-  const std::size_t whole = text.rfind('\n') + 1; // 0 where no line is
+  const std::size_t whole = text.rfind('\n') + 1; // 0: no complete line
   std::error_code failed;
   if (whole < text.size()) std::filesystem::resize_file(path_, whole, failed);
   if (failed) throw Error(ErrorCode::output, path_, "can't be shortened to whole lines: " + failed.message());

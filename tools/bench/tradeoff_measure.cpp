@@ -11,10 +11,10 @@
 namespace masu {
 namespace {
 
-// A run that takes so long is measured once: noise is a small part of it.
+// A run that takes this long is measured once: noise is small in comparison.
 constexpr double long_seconds = 0.5;
 
-// The result of trace(), called once to warm up and to see how long it takes, and then `repeat` times.
+// The result of trace(), called once to warm up and then, unless that took long, `repeat` times.
 template <class Trace>
 auto traced(std::uint64_t repeat, const Trace& trace) {
   auto once = trace();
@@ -42,7 +42,7 @@ Frame render(const TradeoffTask& task, const Tracer& tracer, const TracingRules&
   return traced(repeat, [&] { return tracer.render(request); });
 }
 
-// So many of `all`, or all, spread evenly; added to `some`.
+// Appends `wanted` elements of `all`, evenly spaced, or all of them, to `some`.
 template <class T>
 void add_some(const std::vector<T>& all, std::uint64_t wanted, std::vector<T>& some) {
   const std::uint64_t count = std::min<std::uint64_t>(all.size(), wanted);
@@ -50,11 +50,11 @@ void add_some(const std::vector<T>& all, std::uint64_t wanted, std::vector<T>& s
     some.push_back(all[i * all.size() / count]);
 }
 
-// Whether two hits of a ray are in the same place, as far as float32 arithmetic can tell: no farther apart
-// than its hits may be from the surface (libscene/geometry/margin.h), and t's own rounding.
-class SamePlace {
+// Whether two hits of a ray are equal to within the error of float32 arithmetic: the bound on a hit's
+// distance from the surface (libscene/geometry/margin.h), and t's rounding.
+class SameHit {
 public:
-  explicit SamePlace(const SceneFile& scene) : margin_(rounding_margin<float>(scene.bounds())) {}
+  explicit SameHit(const SceneFile& scene) : margin_(rounding_margin<float>(scene.bounds())) {}
   bool operator()(const ListedRay& ray, double t, double other) const {
     return std::abs(t - other) <= margin_ / length(ray.direction) + 0x1p-23 * other;
   }
@@ -63,19 +63,19 @@ private:
   double margin_;
 };
 
-void compare_hits(const TradeoffTask::Truth& truth, const std::vector<HitRecord>& hits, const SamePlace& same,
-                  Accuracy& accuracy) {
+void compare_hits(const TradeoffTask::Reference& reference, const std::vector<HitRecord>& hits,
+                  const SameHit& same, Accuracy& accuracy) {
   std::vector<double> errors; // of t, relative
   accuracy.rays = hits.size();
   for (std::size_t i = 0; i < hits.size(); ++i) {
-    const HitRecord &is = hits[i], &should = truth.hits[i];
+    const HitRecord &is = hits[i], &should = reference.hits[i];
     if (is.name < 0 && should.name < 0) continue;
     const bool other = is.name != should.name;
     if (is.name < 0) {
       ++accuracy.missed;
     } else if (should.name < 0) {
       ++accuracy.false_hits;
-    } else if (!std::isfinite(is.t) || (other && !same(truth.rays[i], is.t, should.t))) {
+    } else if (!std::isfinite(is.t) || (other && !same(reference.rays[i], is.t, should.t))) {
       ++accuracy.wrong_primitives;
     } else {
       accuracy.ties += other ? 1 : 0;
@@ -92,7 +92,7 @@ void compare_pictures(const std::vector<Vec3f>& should, const std::vector<Vec3f>
   for (std::size_t i = 0; i < should.size(); ++i) {
     for (int channel = 0; channel < 3; ++channel) {
       const double difference = std::abs(static_cast<double>(is[i][channel]) - should[i][channel]);
-      const double error = std::isfinite(difference) ? difference : 1; // no number: as if black were white
+      const double error = std::isfinite(difference) ? difference : 1; // NaN counts as the largest error
       squares += error * error;
       accuracy.largest = std::max(accuracy.largest, error);
     }
@@ -111,24 +111,24 @@ TradeoffTask::TradeoffTask(const SceneFile& scene_, const TradeoffSetup& setup_)
       primary(primary_rays(scene, resized(scene.camera(), setup.size), RayOrder::tiles)),
       random(random_rays(scene, setup.random, setup.seed)), picture(resized(scene.camera(), setup.picture)) {}
 
-const TradeoffTask::Truth& TradeoffTask::truth() {
-  if (truth_) return *truth_;
-  Truth found;
+const TradeoffTask::Reference& TradeoffTask::reference() {
+  if (reference_) return *reference_;
+  Reference found;
   add_some(primary, setup.compared, found.rays);
   add_some(random, setup.compared, found.rays);
   const TracingRules rules{Precision::doubled};
   const Tracer tracer = tracer_of(*this, nullptr);
   found.hits = trace(tracer, rules, found.rays, RayLoop::thread_per_ray, 1).hits;
   found.radiance = render(*this, tracer, rules, 1).radiance;
-  truth_ = std::move(found);
-  return *truth_;
+  reference_ = std::move(found);
+  return *reference_;
 }
 
 Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuration& configuration) {
-  const TradeoffTask::Truth& truth = task.truth();
+  const TradeoffTask::Reference& reference = task.reference();
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;
-  // On a GPU each set by the loop that suits it.
+  // On a GPU each set by its automatic loop.
   const auto loop = [&](bool coherent) { return automatic_loop(coherent, task.scene, grid); };
   const Tracer tracer = tracer_of(task, &grid);
   const RayHits primary = trace(tracer, rules, task.primary, loop(true), repeat);
@@ -147,8 +147,8 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   std::vector<HitRecord> hits;
   add_some(primary.hits, task.setup.compared, hits);
   add_some(random.hits, task.setup.compared, hits);
-  compare_hits(truth, hits, SamePlace(task.scene), measured.accuracy);
-  compare_pictures(truth.radiance, frame.radiance, measured.accuracy);
+  compare_hits(reference, hits, SameHit(task.scene), measured.accuracy);
+  compare_pictures(reference.radiance, frame.radiance, measured.accuracy);
   return measured;
 }
 

@@ -1,5 +1,5 @@
-// Measuring one way to trace a scene: its speed, and how far its hits and its picture are from those of brute
-// force in double.
+// Measures one configuration: its speed, and the errors of its hits and picture compared with brute force in
+// double.
 #pragma once
 
 #include "tools/bench/tradeoff.h"
@@ -8,7 +8,7 @@
 
 namespace masu {
 
-// What every configuration of a scene is asked, and the right answers.
+// The rays and the picture that every configuration of a scene traces, and the reference results.
 struct TradeoffTask {
   TradeoffTask(const SceneFile& scene_, const TradeoffSetup& setup_);
 
@@ -17,16 +17,16 @@ struct TradeoffTask {
   std::vector<ListedRay> primary, random;
   Camera picture;
 
-  // Answers by brute force, when first asked for: it takes a while.
-  struct Truth {
-    std::vector<ListedRay> rays; // spread evenly over both sets
+  // Results of brute force in double, computed (slowly) by the first call.
+  struct Reference {
+    std::vector<ListedRay> rays; // evenly spaced in both sets
     std::vector<HitRecord> hits; // by primitive
     std::vector<Vec3f> radiance;
   };
-  const Truth& truth();
+  const Reference& reference();
 
 private:
-  std::optional<Truth> truth_;
+  std::optional<Reference> reference_;
 };
 
 // The grid is of the task's scene. Throws Error(device).

@@ -11,7 +11,7 @@
 namespace masu::stability {
 namespace {
 
-// What the parser would have made of it.
+// The scene as the parser would return it.
 template <class Stored>
 Scene scene_of(const TestScene<Stored>& trial) {
   Scene scene{};
@@ -27,7 +27,7 @@ Scene scene_of(const TestScene<Stored>& trial) {
     scene.cones.push_back(widened(cone));
   scene.sphere_surfaces.assign(scene.spheres.size(), {0, 0});
   scene.cone_surfaces.assign(scene.cones.size(), {0, 0});
-  scene.objects.polygons = 1; // all of them
+  scene.objects.polygons = 1; // one object for all primitives
   return scene;
 }
 
@@ -61,7 +61,7 @@ std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<
 
 template <class Stored>
 void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
-                  const std::function<void(const Difference&)>& tell) {
+                  const std::function<void(const Difference&)>& report) {
   constexpr bool float64 = std::is_same_v<Stored, double>;
   const MemoryFile scene_file;
   write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path());
@@ -73,23 +73,23 @@ void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
       write_built<Stored>(scene, wanted, grid.path());
       difference.differing += differing(scene, GridFile(grid.path()), trial.rays, way.precision);
     }
-    tell(difference);
+    report(difference);
   }
 }
 
 } // namespace
 
 void compare_backends(const Sweep& sweep, const RunSettings& settings,
-                      const std::function<void(const Difference&)>& tell) {
+                      const std::function<void(const Difference&)>& report) {
   const auto rays =
       std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
   for (const double step : sweep.float32_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, step);
-    compare_step(sweep, sweep.float32(chance, step, rays), step, tell);
+    compare_step(sweep, sweep.float32(chance, step, rays), step, report);
   }
   for (const double step : sweep.float64_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, -step);
-    compare_step(sweep, sweep.float64(chance, step, rays), step, tell);
+    compare_step(sweep, sweep.float64(chance, step, rays), step, report);
   }
 }
 

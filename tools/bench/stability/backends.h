@@ -5,7 +5,8 @@
 
 namespace masu::stability {
 
-// One step traced with one precision by both: how many rays' answers differ in any bit, in either loop.
+// One step in one precision: the number of rays whose hits differ in any bit between CPU and GPU, summed over
+// the GPU's loops and the step's grids.
 struct Difference {
   std::string sweep;
   double step;
@@ -14,8 +15,9 @@ struct Difference {
   std::uint64_t rays, differing;
 };
 
-// Every step of the sweep through all its grids, whose files are in memory. Throws Error(device).
+// Traces every step of the sweep through all its grids, and reports each step and precision. Throws
+// Error(device).
 void compare_backends(const Sweep& sweep, const RunSettings& settings,
-                      const std::function<void(const Difference&)>& tell);
+                      const std::function<void(const Difference&)>& report);
 
 } // namespace masu::stability

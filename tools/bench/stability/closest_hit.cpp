@@ -6,7 +6,7 @@
 namespace masu::oracle {
 namespace {
 
-// Relative, and far more than double can lose on the way to a bounding sphere.
+// Relative; far above the rounding errors of double in the bounding sphere test.
 constexpr double generous = 1e-9;
 
 using Key = std::array<double, 9>;
@@ -73,7 +73,7 @@ Expected SceneOracle::expect_one(const Line& line, PrimitiveIndex primitive, Wid
 
 Wide SceneOracle::exact_t(const ListedRay& ray, PrimitiveIndex primitive) const {
   const Expected expected = expect_one(line(ray.origin, ray.direction), primitive, 0);
-  return expected.answer == Answer::hit ? expected.low : Wide(-1);
+  return expected.result == Result::hit ? expected.low : Wide(-1);
 }
 
 std::vector<SceneOracle::Near> SceneOracle::near(const ListedRay& ray, double slack) const {
@@ -101,12 +101,12 @@ ClosestHit SceneOracle::closest(const ListedRay& ray, double slack) const {
   std::sort(all.begin(), all.end(), [](const Near& a, const Near& b) { return a.enter < b.enter; });
   const Line along = line(ray.origin, ray.direction);
   ClosestHit result;
-  Wide sure_by = RealTraits<double>::largest; // something is hit by then
+  Wide sure_by = RealTraits<double>::largest; // the smallest t at which a hit is sure
   for (const Near& near : all) {
     if (near.enter > sure_by) break;
     const Expected expected = expect_one(along, near.primitive, slack);
-    if (expected.answer == Answer::miss) continue;
-    if (expected.answer == Answer::unsure) {
+    if (expected.result == Result::miss) continue;
+    if (expected.result == Result::unsure) {
       result.candidates.push_back({near.primitive, false, near.enter, near.leave});
     } else {
       result.candidates.push_back({near.primitive, true, expected.low, expected.high});

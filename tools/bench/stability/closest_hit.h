@@ -1,7 +1,8 @@
-// The closest hit of a ray among all primitives of a scene, by brute force with the oracle's 113 bits.
+// The closest hit of a ray among all primitives of a scene, by brute force in the oracle's 113-bit
+// arithmetic.
 //
-// Arithmetic that is allowed an error may pick another primitive than the closest where two are nearly as
-// near, and may see or miss what a ray touches; so the answer is what may be found, not one hit.
+// A tracer with a bounded error may return another primitive than the closest where two are nearly equally
+// close, and may hit or miss what a ray touches; so the result is the set of admissible hits, not one hit.
 #pragma once
 
 #include "libscene/scene_view.h"
@@ -13,18 +14,18 @@
 
 namespace masu::oracle {
 
-// A primitive that may be found, and at which t: sure to be met between these, or perhaps met.
+// A primitive that may be hit, at a t between `low` and `high`. sure: it must be hit, unless a closer one is.
 struct Candidate {
   PrimitiveIndex primitive;
   bool sure;
   Wide low, high;
 };
 
-// Every primitive that may be the closest. Nothing may be found where none of them is sure.
+// Every primitive that may be the closest hit. may_miss: none of them is sure, so a miss is admissible.
 struct ClosestHit {
   std::vector<Candidate> candidates;
   bool may_miss = true;
-  bool sure = true; // no candidate is in doubt
+  bool sure = true; // all candidates are
 
   const Candidate* find(PrimitiveIndex primitive) const {
     for (const Candidate& candidate : candidates)
@@ -39,16 +40,15 @@ public:
   template <class Stored>
   explicit SceneOracle(const SceneView<Stored>& scene);
 
-  // `slack`: how far from where they should be the tracer may see surfaces.
+  // `slack`: the bound on the tracer's error, as a displacement of surfaces.
   ClosestHit closest(const ListedRay& ray, double slack) const;
-  // The t of the ray's hit on one primitive, as exactly as can be; negative where that is in doubt.
+  // The t of the ray's hit on one primitive, in 113-bit arithmetic; negative where it is unsure.
   Wide exact_t(const ListedRay& ray, PrimitiveIndex primitive) const;
-  // The first primitive that is the same as this one, which wins the tie.
+  // The first of the primitives that are equal to this one: it wins the tie.
   PrimitiveIndex first_alike(PrimitiveIndex primitive) const { return first_alike_[primitive]; }
 
 private:
-  // Primitives whose bounding spheres the ray comes near, and between which t it does: a filter in double,
-  // rounded generously outwards.
+  // Primitives whose bounding spheres the ray meets, and between which t: a conservative filter in double.
   struct Near {
     PrimitiveIndex primitive;
     double enter, leave;

@@ -1,4 +1,4 @@
-// Judging what comes after a hit: rays that leave surfaces, glass, and Snell's law.
+// Checks of what follows a hit: rays that leave surfaces, glass, and Snell's law.
 #pragma once
 
 #include "libgrid/file/grid_file.h"
@@ -14,7 +14,7 @@
 
 namespace masu::stability {
 
-// Calls act(ray's number, its Tally) for every ray, in parallel.
+// Calls act(ray's index, tally) for every ray, in parallel. Returns the sum of the tallies.
 template <class Act>
 Tally tallied(std::size_t rays, const Act& act) {
   tbb::combinable<Tally> parts;
@@ -34,15 +34,15 @@ Ray<Real> unit_ray(const ListedRay& listed) {
   return {cast<Real>(listed.origin), normalized(cast<Real>(listed.direction)), RealTraits<Real>::largest};
 }
 
-// --- Leaving ---------------------------------------------------------------------------------------------
+// --- Leaving --------------------------------------------------------------------------------------------
 
-// Which convex body a primitive belongs to: all triangles make one.
+// The convex body that a primitive belongs to: all triangles form one.
 template <class Stored>
 PrimitiveIndex body_of(const SceneView<Stored>& scene, PrimitiveIndex primitive) {
   return primitive < scene.triangle_count ? 0 : primitive;
 }
 
-// Away from the body, at a place on its surface; of unit length.
+// The outward normal at a point of the body's surface; of unit length.
 inline Vec3d outwards_at(const Triangle<double>& t, const Vec3d&, const Vec3d& middle) {
   const Vec3d normal = normalized(cross(t.b - t.a, t.c - t.a));
   return dot(normal, t.a - middle) < 0 ? -normal : normal;
@@ -57,7 +57,7 @@ inline Vec3d outwards_at(const Cone<double>& c, const Vec3d& at, const Vec3d&) {
   return normalized(fma(axis, -(c.apex_radius - c.base_radius) / square, away));
 }
 
-// The middle of all triangles' corners: inside the body they make.
+// The mean of all triangles' corners: a point inside the body that they form.
 template <class Stored>
 Vec3d middle_of_triangles(const SceneView<Stored>& scene) {
   Vec3d sum{0, 0, 0};
@@ -90,7 +90,7 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
     NoCounts counts;
     const auto near = nearest_hit_near<M>(scene, NoGrid{}, unit_ray<Real>(trial.rays[i]), counts);
     if (near.hit.primitive == no_primitive) return;
-    // By an edge the error that rays start off by may lead through the next face.
+    // Near an edge the offset of the ray's origin may lead through the adjacent face.
     if (!oracle.closest(trial.rays[i], 2 * slack).sure) {
       ++tally.unsure;
       return;
@@ -100,9 +100,9 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
     Vec3d outwards{};
     with_primitive(scene, primitive,
                    [&](const auto& p) { outwards = outwards_at(p, cast<double>(point.position), middle); });
-    constexpr double not_along = 1.02; // of the surface
+    constexpr double off_tangent = 1.02; // above 1: not tangential to the surface
     for (const double side : {1.0, -1.0}) {
-      const Vec3<Real> direction = cast<Real>(normalized(trial.aims[i] + outwards * (side * not_along)));
+      const Vec3<Real> direction = cast<Real>(normalized(trial.aims[i] + outwards * (side * off_tangent)));
       const Ray<Real> ray{leaving(point, direction), direction, RealTraits<Real>::largest};
       const Hit<Real> hit = nearest_hit<M>(scene, NoGrid{}, ray, counts);
       tally.by_grid += same_by_grids(ray, hit) ? 0 : 1;
@@ -114,7 +114,7 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
   });
 }
 
-// --- Glass -----------------------------------------------------------------------------------------------
+// --- Glass ----------------------------------------------------------------------------------------------
 
 template <class TestRay, class Stored>
 Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, const Trial<Stored>& trial) {
@@ -141,7 +141,7 @@ Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, cons
   });
 }
 
-// --- Snell's law -----------------------------------------------------------------------------------------
+// --- Snell's law ----------------------------------------------------------------------------------------
 
 template <class TestRay, class Stored>
 Tally judged_refraction(const SceneView<Stored>& scene, const Trial<Stored>& trial) {
@@ -157,14 +157,14 @@ Tally judged_refraction(const SceneView<Stored>& scene, const Trial<Stored>& tri
     NoCounts counts;
     const Ray<Real> ray = unit_ray<Real>(trial.rays[i]);
     const auto near = nearest_hit_near<M>(scene, NoGrid{}, ray, counts);
-    if (near.hit.primitive == no_primitive) return void(++tally.unsure); // passed by the edge-on surface
+    if (near.hit.primitive == no_primitive) return void(++tally.unsure); // missed the surface, seen edge-on
     const SurfacePoint<Real> point = surface_at<with_all_kinds>(scene, near);
     const Facing<Real> side = facing(point, ray.direction);
     const Real index = static_cast<Real>(scene.materials[point.material].refraction_index);
     const Real ratio = side.front ? 1 / index : index;
     Vec3<Real> into{};
     const bool passes = refracted(ray.direction, side.shading, ratio, into);
-    // As it should be, of the same numbers: what lengths lack of 1 is part of the error.
+    // The exact result for the same input: deviations from unit length are part of the error.
     const oracle::Point along = oracle::point(ray.direction);
     const oracle::Point d = along * (1 / oracle::norm(along));
     const Wide facing_by = oracle::inner(d, exact_normal);
@@ -172,14 +172,14 @@ Tally judged_refraction(const SceneView<Stored>& scene, const Trial<Stored>& tri
     const Wide cosine = oracle::magnitude(facing_by), r = side.front ? 1 / Wide(index) : Wide(index);
     const Wide rest = 1 - r * r * (1 - cosine * cosine);
     const double allowed = 32 * u * (1 + static_cast<double>(r * r));
-    // Nearly total, or nearly along the surface, where either side may be the front.
+    // Near the critical angle, or nearly parallel to the surface, where either side may be the front.
     if (oracle::magnitude(rest) <= allowed || cosine <= 16 * u) return void(++tally.unsure);
     if (passes != (rest > 0)) return void(++(passes ? tally.false_hit : tally.missed));
     if (!passes) return;
     const Wide lift = r * cosine - oracle::root(rest);
     const double error = static_cast<double>(oracle::norm(oracle::point(into) - (d * r + n * lift)));
     tally.worst_t = std::max(tally.worst_t, error);
-    // The root of what is nearly nothing.
+    // The square root amplifies the error of a small argument.
     tally.misplaced += error <= allowed * (1 + 1 / std::sqrt(static_cast<double>(rest))) ? 0 : 1;
   });
 }

@@ -1,9 +1,9 @@
-// What a tracer should answer, worked out slowly with 113 bits and with none of the tracer's formulas.
+// Reference intersection in 113-bit arithmetic, with none of the tracer's formulas.
 //
-// Coordinates are doubles at most (53 bits): here a rounding is 2⁻⁶⁰ of theirs, which leaves nothing to doubt
-// but what lies within the tracer's own documented error of an edge, a silhouette or a rim; there the answer
-// is `unsure`. GCC and Clang have this type built in (__float128 on x86, long double elsewhere), so that no
-// library is needed; exact rationals would say no more, since a square root ends them.
+// Coordinates are doubles at most (53 bits), so the rounding errors here are 2⁻⁶⁰ of theirs. Results are
+// certain except within the tracer's documented error bound of an edge, a silhouette or a rim, where they are
+// `unsure`. The type is built into GCC and Clang (__float128 on x86, long double elsewhere). Exact rationals
+// would gain nothing: square roots aren't rational.
 #pragma once
 
 #include "libscene/geometry/primitives.h"
@@ -21,7 +21,7 @@ using Wide = long double;
 static_assert(std::numeric_limits<long double>::digits >= 113);
 #endif
 
-// --- Points ----------------------------------------------------------------------------------------------
+// --- Points ---------------------------------------------------------------------------------------------
 
 struct Point {
   Wide x, y, z;
@@ -56,7 +56,7 @@ inline Wide max(Wide a, Wide b) {
   return a > b ? a : b;
 }
 
-// Newton's iteration from a double's square root; 0 for what isn't positive.
+// Newton's iteration from the square root in double; 0 for arguments that aren't positive.
 inline Wide root(Wide v) {
   if (!(v > 0)) return 0;
   constexpr double far = 1e250, unit = 0x1p400;
@@ -81,7 +81,7 @@ Line line(const Vec3<T>& origin, const Vec3<T>& direction) {
   return {point(origin), point(direction)};
 }
 
-// --- How far a point is from a surface -------------------------------------------------------------------
+// --- Distance of a point from a surface -----------------------------------------------------------------
 
 inline Wide distance_to_segment(const Point& p, const Point& a, const Point& b) {
   const Point along = b - a, from = p - a;
@@ -110,7 +110,8 @@ Wide distance(const Point& p, const Sphere<T>& sphere) {
   return magnitude(norm(p - point(sphere.center)) - magnitude(static_cast<Wide>(sphere.radius)));
 }
 
-// A cone seen from its axis: its side is a segment of heights 0 to `length`, at radii base + slope * height.
+// A cone in cylindrical coordinates about its axis: a segment of heights 0 to `length`, with radius
+// base_radius + slope * height.
 struct Profile {
   Point base, up;
   Wide length, base_radius, slope;
@@ -135,45 +136,45 @@ Wide distance(const Point& p, const Cone<T>& cone) {
                              {side.base_radius + side.slope * side.length, side.length, 0});
 }
 
-// --- What a ray hits -------------------------------------------------------------------------------------
+// --- Intersection with a ray ----------------------------------------------------------------------------
 
-enum class Answer { miss, hit, unsure };
+enum class Result { miss, hit, unsure };
 
-// The first hit at a t > 0, which lies between `low` and `high`: as far apart as moving the surface by the
-// slack brings them.
+// The first hit with t > 0. It lies between `low` and `high`, the extremes over surfaces displaced by the
+// slack.
 struct Expected {
-  Answer answer;
+  Result result;
   Wide low, high;
 };
 
-// `slack`: how far from where it should be the tracer may see a primitive.
+// `slack`: the bound on the tracer's error, as a displacement of the primitive.
 template <class T>
 Expected expect(const Line& ray, const Triangle<T>& triangle, Wide slack) {
   const Wide square = inner(ray.direction, ray.direction);
   const std::array corners{point(triangle.a) - ray.origin, point(triangle.b) - ray.origin,
                            point(triangle.c) - ray.origin};
-  // Seen along the ray, which then is the point 0.
+  // Projected along the ray, which becomes the point 0.
   std::array<Point, 3> seen{};
   for (std::size_t i = 0; i < 3; ++i)
     seen[i] = corners[i] - ray.direction * (inner(corners[i], ray.direction) / square);
   bool left = true, right = true;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point &a = seen[i], &b = seen[(i + 1) % 3];
-    if (distance_to_segment({0, 0, 0}, a, b) <= slack) return {Answer::unsure, 0, 0};
+    if (distance_to_segment({0, 0, 0}, a, b) <= slack) return {Result::unsure, 0, 0};
     const Wide side = inner(ray.direction, outer(a, b));
     left = left && side > 0;
     right = right && side < 0;
   }
-  if (!left && !right) return {Answer::miss, 0, 0};
+  if (!left && !right) return {Result::miss, 0, 0};
   const Point normal = outer(corners[1] - corners[0], corners[2] - corners[0]);
   const Wide facing = inner(normal, ray.direction);
   const Wide t = inner(normal, corners[0]) / facing, by = slack * norm(normal) / magnitude(facing);
-  if (t + by <= 0) return {Answer::miss, 0, 0};
-  if (t - by <= 0) return {Answer::unsure, 0, 0};
-  return {Answer::hit, t - by, t + by};
+  if (t + by <= 0) return {Result::miss, 0, 0};
+  if (t - by <= 0) return {Result::unsure, 0, 0};
+  return {Result::hit, t - by, t + by};
 }
 
-// Up to two places where a line meets a surface; `leaving`: it comes from the inside there.
+// Up to two intersections of a line with a surface; `leaving`: from the inside to the outside.
 struct Crossing {
   Wide t;
   bool leaving;
@@ -181,12 +182,12 @@ struct Crossing {
 struct Crossings {
   std::array<Crossing, 2> at{};
   int count = 0;
-  bool comes_inside = false; // the line is inside where it comes between the ends
+  bool comes_inside = false; // the line is inside the cone where it enters the slab between the ends
   bool unsure = false;
 };
 
-// a t² + 2 b t + c = 0, rising where the line leaves. A root that is double to nearly half the digits, as
-// where the line meets a cone's apex, is left open.
+// Roots of a t² + 2 b t + c, which rises where the line leaves. Unsure near a double root, such as at a
+// cone's apex.
 inline Crossings solve(Wide a, Wide b, Wide c) {
   Crossings found;
   const Wide discriminant = b * b - a * c;
@@ -206,7 +207,7 @@ inline Crossings solve(Wide a, Wide b, Wide c) {
   return found;
 }
 
-// The sphere's shell with its radius changed by `by`.
+// The sphere with its radius changed by `by`.
 template <class T>
 Crossings cross(const Line& ray, const Sphere<T>& sphere, Wide by) {
   const Wide radius = magnitude(static_cast<Wide>(sphere.radius)) + by;
@@ -224,7 +225,7 @@ Crossings cross(const Line& ray, const Sphere<T>& sphere, Wide by) {
   return found;
 }
 
-// The cone's side moved outwards by `by`, its ends by `beyond`; unsure where that reaches over a pointed end.
+// The cone with its side displaced outwards by `by` and its ends by `beyond`; unsure near a pointed end.
 template <class T>
 Crossings cross(const Line& ray, const Cone<T>& cone, Wide by, Wide beyond) {
   Profile side = profile(cone);
@@ -253,7 +254,7 @@ Crossings cross(const Line& ray, const Cone<T>& cone, Wide by, Wide beyond) {
   return found;
 }
 
-// The first that shows, by its place in the list; -1 where none does.
+// The index of the first visible crossing with t > after; -1 for none.
 inline int first_seen(const Crossings& crossings, bool inside_only, Wide after) {
   for (int i = 0; i < crossings.count; ++i) {
     const Crossing& crossing = crossings.at[static_cast<std::size_t>(i)];
@@ -262,22 +263,22 @@ inline int first_seen(const Crossings& crossings, bool inside_only, Wide after) 
   return -1;
 }
 
-// The answer holds when no change of the surface within the slack alters it.
+// The result is sure where all displaced versions of the surface agree.
 template <std::size_t n>
 Expected agreed(const Line& ray, const std::array<Crossings, n>& versions, bool inside_only, Wide slack) {
   const Wide step = slack / norm(ray.direction);
   const int seen = first_seen(versions[0], inside_only, 0);
-  Expected expected{seen < 0 ? Answer::miss : Answer::hit, 0, 0};
+  Expected expected{seen < 0 ? Result::miss : Result::hit, 0, 0};
   bool first = true;
   for (const Crossings& version : versions) {
     if (version.unsure || version.count != versions[0].count ||
         version.comes_inside != versions[0].comes_inside || first_seen(version, inside_only, -step) != seen ||
         first_seen(version, inside_only, step) != seen)
-      return {Answer::unsure, 0, 0};
+      return {Result::unsure, 0, 0};
     if (seen < 0) continue;
     const Crossing& crossing = version.at[static_cast<std::size_t>(seen)];
     if (crossing.leaving != versions[0].at[static_cast<std::size_t>(seen)].leaving)
-      return {Answer::unsure, 0, 0};
+      return {Result::unsure, 0, 0};
     expected.low = first ? crossing.t - step : min(expected.low, crossing.t - step);
     expected.high = first ? crossing.t + step : max(expected.high, crossing.t + step);
     first = false;

@@ -1,4 +1,4 @@
-// Closed meshes about the origin, of size 1.
+// Closed meshes around the origin, of size 1.
 #pragma once
 
 #include "tools/bench/stability/test_scene.h"
@@ -18,7 +18,7 @@ struct Mesh {
   std::vector<std::array<std::size_t, 3>> faces;
 };
 
-// An octahedron, each face cut in four `rounds` times, its corners moved in and out.
+// An octahedron, each face subdivided into four `rounds` times, its corners moved in and out at random.
 inline Mesh<double> octahedron(Chance& chance, int rounds, double jitter) {
   Mesh<double> mesh{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
   for (std::size_t x : {0U, 1U})
@@ -28,9 +28,9 @@ inline Mesh<double> octahedron(Chance& chance, int rounds, double jitter) {
   for (; rounds > 0; --rounds) {
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
     const auto middle = [&](std::size_t a, std::size_t b) {
-      const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), mesh.corners.size());
+      const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), mesh.corners.size());
       if (is_new) mesh.corners.push_back(normalized(mesh.corners[a] + mesh.corners[b]));
-      return place->second;
+      return found->second;
     };
     std::vector<std::array<std::size_t, 3>> finer;
     for (const auto& [a, b, c] : mesh.faces) {

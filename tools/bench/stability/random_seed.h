@@ -1,5 +1,5 @@
-// Random cases that can be had again: the seed is MASU_TEST_SEED's, or else a fresh one; say it where a test
-// fails with SCOPED_TRACE(seed.trace()).
+// Seeds of random tests, which can be repeated: MASU_TEST_SEED of the environment, or else a new one. Print
+// it where a test fails by SCOPED_TRACE(seed.trace()).
 #pragma once
 
 #include <cstdint>

@@ -41,10 +41,10 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>
   std::vector<Hit<Real>> first(rays.size());
   const auto for_each_ray = [&](const auto& act) { tbb::parallel_for(std::size_t{0}, rays.size(), act); };
   if (stop == StopRule::first_cell) {
-    using Study = Method<TestRay, with_all_kinds, StopRule::first_cell>;
+    using FirstCell = Method<TestRay, with_all_kinds, StopRule::first_cell>;
     with_view<Real>(grids.front(), [&](const auto& view) {
       for_each_ray([&](std::size_t i) {
-        const Hit<Real> hit = find<Study>(scene, view, rays[i]);
+        const Hit<Real> hit = find<FirstCell>(scene, view, rays[i]);
         found[i] = {static_cast<double>(hit.t), hit.primitive, true};
       });
     });
@@ -79,7 +79,7 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
   return grids;
 }
 
-// The ways that a store's scenes can be traced in.
+// The modes in which scenes of this store can be traced.
 template <class Stored>
 std::vector<Way> ways_for(Judge judge) {
   if (std::is_same_v<Stored, double>) return {doubled};
@@ -93,7 +93,7 @@ std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bou
                                   const std::vector<Way>& ways) {
   const oracle::SceneOracle oracle(view);
   std::vector<Tally> tallies;
-  // Ways that are allowed the same error are judged by the same answers.
+  // Modes with the same error bound are compared with the same reference hits.
   for (std::size_t begin = 0, end = 0; begin < ways.size(); begin = end) {
     const double slack = slack_for(ways[begin].precision, bounds);
     std::vector<std::vector<Found>> found;
@@ -142,7 +142,7 @@ bool is_within(const Sweep& sweep, const Way& way, bool float64, double step) {
 
 template <class Stored>
 void run_step(const Sweep& sweep, Trial<Stored> trial, double step,
-              const std::function<void(const Row&)>& tell) {
+              const std::function<void(const Row&)>& report) {
   constexpr bool float64 = std::is_same_v<Stored, double>;
   const SceneView<Stored> view = trial.scene.view();
   const Boxd bounds = trial.scene.bounds();
@@ -152,8 +152,8 @@ void run_step(const Sweep& sweep, Trial<Stored> trial, double step,
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const Way& way = ways[i];
     const bool promised = way.precision != Precision::fast && way.stop == StopRule::proven;
-    tell({sweep.name, sweep.knob, step, way, float64, promised,
-          promised && is_within(sweep, way, float64, step), tallies[i]});
+    report({sweep.name, sweep.parameter, step, way, float64, promised,
+            promised && is_within(sweep, way, float64, step), tallies[i]});
   }
 }
 
@@ -167,16 +167,16 @@ double unit_roundoff_of(Precision precision) {
                                          : static_cast<double>(RealTraits<float>::unit_roundoff);
 }
 
-void run(const Sweep& sweep, const RunSettings& settings, const std::function<void(const Row&)>& tell) {
+void run(const Sweep& sweep, const RunSettings& settings, const std::function<void(const Row&)>& report) {
   const auto rays =
       std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
   for (const double step : sweep.float32_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, step);
-    run_step(sweep, sweep.float32(chance, step, rays), step, tell);
+    run_step(sweep, sweep.float32(chance, step, rays), step, report);
   }
   for (const double step : sweep.float64_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, -step);
-    run_step(sweep, sweep.float64(chance, step, rays), step, tell);
+    run_step(sweep, sweep.float64(chance, step, rays), step, report);
   }
 }
 

@@ -1,4 +1,4 @@
-// Running sweeps: tracing their rays in every way, and judging what was found.
+// Runs sweeps: traces their rays in every mode, and compares the results with the oracle's.
 #pragma once
 
 #include "libgrid/file/grid_file.h"
@@ -9,43 +9,42 @@
 
 namespace masu::stability {
 
-// A way to trace. `study`: robust arithmetic that ends with the first cell where anything is hit.
+// A precision and a stop rule.
 struct Way {
   const char* name;
   Precision precision;
   StopRule stop;
 };
 inline constexpr Way fast{"fast", Precision::fast, StopRule::proven},
-    first_cell{"first-cell", Precision::robust, StopRule::first_cell},
+    first_cell{"first-cell-hit", Precision::robust, StopRule::first_cell},
     robust{"robust", Precision::robust, StopRule::proven},
     doubled{"double", Precision::doubled, StopRule::proven};
 inline constexpr std::array all_ways{fast, first_cell, robust, doubled};
 
-// One step of a sweep, traced in one way.
+// Results of one step of a sweep in one mode.
 struct Row {
-  std::string sweep, knob;
+  std::string sweep, parameter;
   double step;
   Way way;
   bool float64;  // the store
-  bool promised; // robust or double: it must not fail
-  bool within;   // and tells most rays' answer: the step is within its envelope
+  bool promised; // robust or double, proven: no ray may fail
+  bool within;   // promised, and the step is within its envelope: most rays must be sure
   Tally tally;
 };
 
 struct RunSettings {
-  std::size_t rays = 1000; // a step, times the sweep's share
+  std::size_t rays = 1000; // per step, times the sweep's share
   std::uint64_t seed = 1;
 };
 
-// Every step, in every way that its store and its judge know; each row is told when it is there.
-void run(const Sweep& sweep, const RunSettings& settings, const std::function<void(const Row&)>& tell);
+// Runs every step in every mode that its store and judge allow, and reports each row.
+void run(const Sweep& sweep, const RunSettings& settings, const std::function<void(const Row&)>& report);
 
-// What rays find through a grid file, in one way, on the CPU.
+// Closest hits of rays through a grid file in one mode, on the CPU.
 std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
                                  std::span<const ListedRay> rays, const Way& way);
 
-// What is allowed to arithmetic of a precision, on primitives within `bounds`: that of robust for fast and
-// study too.
+// The error bound of a precision for primitives within `bounds`; that of robust for fast, too.
 double slack_for(Precision precision, const Boxd& bounds);
 double unit_roundoff_of(Precision precision);
 

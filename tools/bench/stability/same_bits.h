@@ -1,4 +1,4 @@
-// Whether two results are the same to the last bit.
+// Whether two values are equal bit for bit.
 #pragma once
 
 #include <array>

@@ -16,13 +16,13 @@ std::vector<Sweep> all_sweeps() {
   return all;
 }
 
-Chance chance_for(std::uint64_t seed, std::string_view sweep, double knob) {
+Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter) {
   // FNV-1a.
   std::uint64_t hash = 0xcbf29ce484222325U ^ seed;
   const auto add = [&](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3U; };
   for (const char c : sweep)
     add(static_cast<unsigned char>(c));
-  for (const char c : std::to_string(std::bit_cast<std::uint64_t>(knob)))
+  for (const char c : std::to_string(std::bit_cast<std::uint64_t>(parameter)))
     add(static_cast<unsigned char>(c));
   return Chance(RandomSeed(hash));
 }

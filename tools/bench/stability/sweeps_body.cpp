@@ -1,4 +1,4 @@
-// Closed surfaces: what must not slip through, what leaves them, and what shines through glass.
+// Closed surfaces: leaks, rays that leave surfaces, and glass.
 #include "tools/bench/stability/random_mesh.h"
 #include "tools/bench/stability/sweep.h"
 
@@ -7,9 +7,9 @@
 namespace masu::stability {
 namespace {
 
-// --- No ray leaves a closed mesh -------------------------------------------------------------------------
+// --- Closed meshes --------------------------------------------------------------------------------------
 
-// From about the mesh's middle to its corners and places on its edges.
+// Rays from around the mesh's centre to its corners and to points on its edges.
 template <class Stored>
 Trial<Stored> rays_at_edges(Chance& chance, const Mesh<double>& mesh, const Vec3d& at, double size,
                             std::size_t rays) {
@@ -32,26 +32,26 @@ Trial<Stored> rays_at_edges(Chance& chance, const Mesh<double>& mesh, const Vec3
 const Vec3d aside{0.8347, -1, 0.6113};
 
 template <class Stored>
-Trial<Stored> in_a_cube(Chance& chance, double knob, std::size_t rays) {
-  return rays_at_edges<Stored>(chance, cube(), aside * knob, 1, rays);
+Trial<Stored> in_a_cube(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, cube(), aside * parameter, 1, rays);
 }
 template <class Stored>
-Trial<Stored> in_a_ball(Chance& chance, double knob, std::size_t rays) {
-  return rays_at_edges<Stored>(chance, octahedron(chance, 2, 0.2), aside * knob, 1, rays);
+Trial<Stored> in_a_ball(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, octahedron(chance, 2, 0.2), aside * parameter, 1, rays);
 }
 template <class Stored>
-Trial<Stored> in_a_fan(Chance& chance, double knob, std::size_t rays) {
-  return rays_at_edges<Stored>(chance, double_fan(chance, 60), aside * knob, 1, rays);
+Trial<Stored> in_a_fan(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, double_fan(chance, 60), aside * parameter, 1, rays);
 }
-// Of any kind, so large.
+// A random kind of mesh, of the parameter's size.
 template <class Stored>
-Trial<Stored> in_a_scaled_mesh(Chance& chance, double knob, std::size_t rays) {
-  return rays_at_edges<Stored>(chance, random_mesh(chance), {0, 0, 0}, knob / 2, rays);
+Trial<Stored> in_a_scaled_mesh(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, random_mesh(chance), {0, 0, 0}, parameter / 2, rays);
 }
 
-// --- What leaves a surface -------------------------------------------------------------------------------
+// --- Rays that leave surfaces ---------------------------------------------------------------------------
 
-// A box, balls and cones, each convex, apart from each other.
+// A box, spheres and cones, all convex and disjoint.
 template <class Stored>
 Trial<Stored> bodies(Chance& chance, const Vec3d& at, double size, std::size_t rays) {
   Trial<Stored> trial;
@@ -74,17 +74,17 @@ Trial<Stored> bodies(Chance& chance, const Vec3d& at, double size, std::size_t r
   return trial;
 }
 template <class Stored>
-Trial<Stored> left_scaled(Chance& chance, double knob, std::size_t rays) {
-  return bodies<Stored>(chance, {0, 0, 0}, knob, rays);
+Trial<Stored> left_scaled(Chance& chance, double parameter, std::size_t rays) {
+  return bodies<Stored>(chance, {0, 0, 0}, parameter, rays);
 }
 template <class Stored>
-Trial<Stored> left_moved(Chance& chance, double knob, std::size_t rays) {
-  return bodies<Stored>(chance, aside * knob, 1, rays);
+Trial<Stored> left_moved(Chance& chance, double parameter, std::size_t rays) {
+  return bodies<Stored>(chance, aside * parameter, 1, rays);
 }
 
-// --- Glass -----------------------------------------------------------------------------------------------
+// --- Glass ----------------------------------------------------------------------------------------------
 
-// Balls within balls and in a box, all of glass.
+// Spheres within spheres and in a box, all of glass.
 template <class Stored>
 Trial<Stored> glass(Chance& chance, std::size_t rays) {
   Trial<Stored> trial = bodies<Stored>(chance, {0, 0, 0}, 1, 0);
@@ -97,24 +97,24 @@ Trial<Stored> glass(Chance& chance, std::size_t rays) {
   return trial;
 }
 template <class Stored>
-Trial<Stored> glass_of_index(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> glass_of_index(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial = glass<Stored>(chance, rays);
-  trial.scene.material = {{0, 0, 0}, 0, 0.25F, 1, 0.75F, static_cast<float>(knob)};
+  trial.scene.material = {{0, 0, 0}, 0, 0.25F, 1, 0.75F, static_cast<float>(parameter)};
   trial.depth = 8;
   return trial;
 }
 template <class Stored>
-Trial<Stored> deep_glass(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> deep_glass(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial = glass<Stored>(chance, rays);
   trial.scene.material = {{0, 0, 0}, 0, 0, 1, 1, 1.5F};
-  trial.depth = static_cast<std::int32_t>(knob);
+  trial.depth = static_cast<std::int32_t>(parameter);
   return trial;
 }
 
-// --- Snell's law -----------------------------------------------------------------------------------------
+// --- Snell's law ----------------------------------------------------------------------------------------
 
-// Rays that come to a surface from behind, sine of their angle so far from the critical one's, relatively, to
-// either side.
+// Rays that reach a surface from behind; the sine of their angle differs from the critical angle's by the
+// relative amount `from_critical`, in either direction.
 template <class Stored>
 Trial<Stored> refracted_by(Chance& chance, double index, double from_critical, std::size_t rays) {
   Trial<Stored> trial;
@@ -133,12 +133,12 @@ Trial<Stored> refracted_by(Chance& chance, double index, double from_critical, s
   return trial;
 }
 template <class Stored>
-Trial<Stored> near_critical(Chance& chance, double knob, std::size_t rays) {
-  return refracted_by<Stored>(chance, 1.5, knob, rays);
+Trial<Stored> near_critical(Chance& chance, double parameter, std::size_t rays) {
+  return refracted_by<Stored>(chance, 1.5, parameter, rays);
 }
 template <class Stored>
-Trial<Stored> nearly_no_glass(Chance& chance, double knob, std::size_t rays) {
-  return refracted_by<Stored>(chance, 1 + knob, chance.one_of({0.5, 0.1, 1e-3}), rays);
+Trial<Stored> nearly_no_glass(Chance& chance, double parameter, std::size_t rays) {
+  return refracted_by<Stored>(chance, 1 + parameter, chance.one_of({0.5, 0.1, 1e-3}), rays);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// How rays and surfaces lie to the voxels.
+// Rays and surfaces relative to voxels.
 #include "libgrid/build/division.h"
 #include "tools/bench/stability/sweep.h"
 
@@ -8,13 +8,13 @@
 namespace masu::stability {
 namespace {
 
-// Along an axis, but for components of the knob's size, with either sign: of zero too.
+// Rays along an axis, with other components of the parameter's size and either sign, signed zeros included.
 template <class Stored>
-Trial<Stored> along_axes(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> along_axes(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1), {}};
   for (std::size_t i = 0; i < rays; ++i) {
     const int axis = chance.whole(0, 2);
-    Vec3d direction{knob * chance.sign(), knob * chance.sign(), knob * chance.sign()};
+    Vec3d direction{parameter * chance.sign(), parameter * chance.sign(), parameter * chance.sign()};
     direction.set(axis, chance.sign());
     Vec3d from = chance.in_cube(0.8);
     if (chance.one_in(2)) from.set(axis, -direction[axis] * chance.uniform(1, 4));
@@ -23,14 +23,14 @@ Trial<Stored> along_axes(Chance& chance, double knob, std::size_t rays) {
   return trial;
 }
 
-// Surfaces on voxels' faces and on the bounds of the space, N voxels an axis; rays in faces, along edges,
+// Surfaces in voxels' faces and in the bounds of the space, N voxels per axis; rays in faces, along edges,
 // and from corner to corner.
 template <class Stored>
-Trial<Stored> on_faces(Chance& chance, double knob, std::size_t rays) {
-  const int voxels = static_cast<int>(knob);
+Trial<Stored> on_faces(Chance& chance, double parameter, std::size_t rays) {
+  const int voxels = static_cast<int>(parameter);
   Trial<Stored> trial;
   TestScene<Stored>& scene = trial.scene;
-  // These alone make the bounds, and so the space; two of them lie on the bounds' faces.
+  // These determine the bounds, and so the space; some of them lie in its faces.
   scene.triangles = {triangle_of<Stored>({-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}),
                      triangle_of<Stored>({1, 1, 1}, {1, -1, 1}, {1, 1, -1})};
   const Boxd space = space_of<Stored>(scene.bounds(), SpaceRule::tight);
@@ -60,7 +60,7 @@ Trial<Stored> on_faces(Chance& chance, double knob, std::size_t rays) {
     apex.set(axis, clamp(corner())[axis]);
     add_cone(scene, cone_of<Stored>(center, 0.25, apex, chance.one_of({0.25, 0.0, 0.125})));
   }
-  // From anywhere: from a plane, at a place off all of them, or outside.
+  // Origins in planes, off all planes, or outside.
   const auto coordinate = [&](bool on_plane) {
     return on_plane ? plane(chance.whole(0, voxels)) : chance.uniform(-1, 1);
   };
@@ -70,7 +70,7 @@ Trial<Stored> on_faces(Chance& chance, double knob, std::size_t rays) {
     for (int k = 0; k < 3; ++k) {
       const int other = (axis + k) % 3;
       from.set(other, coordinate(k < faces));
-      // In the face or along the edge; from corner to corner, or any way, where it begins on a corner.
+      // In the face or along the edge; from corner to corner where it begins at a corner.
       to.set(other, k < faces && faces < 3 ? from[other] : coordinate(faces == 3));
     }
     const ListedRay ray = ray_towards<Stored>(from, to);
@@ -83,10 +83,10 @@ Trial<Stored> on_faces(Chance& chance, double knob, std::size_t rays) {
   return trial;
 }
 
-// Through grids of so many voxels along one axis or two.
+// Grids with the parameter's number of voxels along one or two axes.
 template <class Stored>
-Trial<Stored> divided_by(Chance& chance, double knob, std::size_t rays) {
-  const auto voxels = static_cast<std::int32_t>(knob);
+Trial<Stored> divided_by(Chance& chance, double parameter, std::size_t rays) {
+  const auto voxels = static_cast<std::int32_t>(parameter);
   Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
   const std::int32_t few = std::min(voxels, 128), many = std::min(voxels, 512);
@@ -98,10 +98,10 @@ Trial<Stored> divided_by(Chance& chance, double knob, std::size_t rays) {
   return trial;
 }
 
-// A space of such proportions: as wide as 1, as deep as the knob, as high as its square root.
+// A space of width 1, depth of the parameter, and height of its square root.
 template <class Stored>
-Trial<Stored> flattened(Chance& chance, double knob, std::size_t rays) {
-  const Vec3d sides{1, std::sqrt(knob), knob};
+Trial<Stored> flattened(Chance& chance, double parameter, std::size_t rays) {
+  const Vec3d sides{1, std::sqrt(parameter), parameter};
   Trial<Stored> trial;
   for (int i = 0; i < 30; ++i) {
     const Vec3d around = chance.in_cube(0.7);
@@ -110,7 +110,7 @@ Trial<Stored> flattened(Chance& chance, double knob, std::size_t rays) {
     trial.scene.triangles.push_back(triangle_of<Stored>(a, b, c));
   }
   for (int i = 0; i < 10; ++i)
-    trial.scene.spheres.push_back(sphere_of<Stored>(chance.in_cube(0.8) * sides, knob * 0.2));
+    trial.scene.spheres.push_back(sphere_of<Stored>(chance.in_cube(0.8) * sides, parameter * 0.2));
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3d from = chance.in_cube(2) * sides;
     trial.rays.push_back(
@@ -138,7 +138,7 @@ std::vector<Sweep> grid_sweeps() {
        everywhere,
        everywhere},
       {"voxel-face",
-       "voxels an axis; rays and surfaces in their faces",
+       "voxels per axis; rays and surfaces in their faces",
        Judge::closest,
        1,
        {1, 2, 3, 4, 8, 16, 32, 64, 100, 128},

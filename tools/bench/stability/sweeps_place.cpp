@@ -1,4 +1,4 @@
-// Where the scene lies, how large it is, and where rays begin.
+// Position and size of the scene, and origins of rays.
 #include "tools/bench/stability/sweep.h"
 
 #include <cmath>
@@ -6,43 +6,44 @@
 namespace masu::stability {
 namespace {
 
-// No rounder than a place chosen by nobody.
+// A point whose coordinates have no special binary representation.
 const Vec3d somewhere{0.8347, -1, 0.6113};
 
 template <class Stored>
-Trial<Stored> moved(Chance& chance, double knob, std::size_t rays) {
-  const Vec3d at = somewhere * knob;
+Trial<Stored> moved(Chance& chance, double parameter, std::size_t rays) {
+  const Vec3d at = somewhere * parameter;
   return {mixed_scene<Stored>(chance, at, 1), rays_around<Stored>(chance, at, 1, rays)};
 }
 
-// The farthest coordinate is about the knob: half of it at the outermost steps, which files take last.
+// The largest coordinate is about the parameter; half of it at the last step, near the largest that files
+// allow.
 template <class Stored>
-Trial<Stored> scaled(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> scaled(Chance& chance, double parameter, std::size_t rays) {
   const double last = std::is_same_v<Stored, float> ? 1e12 : 1e100;
-  const double size = knob >= last ? knob / 2 : knob * 2;
+  const double size = parameter >= last ? parameter / 2 : parameter * 2;
   Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, size), {}};
   trial.rays = rays_around<Stored>(chance, {0, 0, 0}, size, rays);
   return trial;
 }
 
-// A ball that is seen from so many radii, alone: the eye is outside the scene.
+// One sphere, and rays from that many radii away, outside the scene's bounds.
 template <class Stored>
-Trial<Stored> ball_from_afar(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> ball_from_afar(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   trial.scene.spheres = {sphere_of<Stored>({0.25, -0.5, 0.125}, 1)};
   for (std::size_t i = 0; i < rays; ++i) {
-    const Vec3d center{0.25, -0.5, 0.125}, from = center + chance.direction() * knob;
+    const Vec3d center{0.25, -0.5, 0.125}, from = center + chance.direction() * parameter;
     const Vec3d towards = across(chance, center - from);
     trial.rays.push_back(ray_towards<Stored>(from, center + towards * chance.uniform(0, 1.3)));
   }
   return trial;
 }
 
-// The same with a floor from the ball to the eye, inside whose bounds the ray begins.
+// The same with a floor that extends beyond the rays' origins, so that they are inside the scene's bounds.
 template <class Stored>
-Trial<Stored> ball_on_a_floor(Chance& chance, double knob, std::size_t rays) {
-  Trial<Stored> trial = ball_from_afar<Stored>(chance, knob, rays);
-  const double far = 1.5 * knob;
+Trial<Stored> ball_on_a_floor(Chance& chance, double parameter, std::size_t rays) {
+  Trial<Stored> trial = ball_from_afar<Stored>(chance, parameter, rays);
+  const double far = 1.5 * parameter;
   trial.scene.triangles = {triangle_of<Stored>({static_cast<Stored>(-far), static_cast<Stored>(-far), -2},
                                                {static_cast<Stored>(far), static_cast<Stored>(-far), -2},
                                                {0, static_cast<Stored>(far), -2}),
@@ -53,7 +54,7 @@ Trial<Stored> ball_on_a_floor(Chance& chance, double knob, std::size_t rays) {
   return trial;
 }
 
-// A point on a primitive's surface, nearly.
+// A point on a primitive's surface, up to rounding.
 template <class Stored>
 Vec3d point_on(Chance& chance, const TestScene<Stored>& scene) {
   if (chance.one_in(2)) {
@@ -66,14 +67,14 @@ Vec3d point_on(Chance& chance, const TestScene<Stored>& scene) {
   return s.center + chance.direction() * std::abs(s.radius);
 }
 
-// Rays that begin so far off a surface of the scene.
+// Rays that begin at the parameter's distance from a surface.
 template <class Stored>
-Trial<Stored> started(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> started(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1), {}};
   for (std::size_t i = 0; i < rays; ++i) {
-    const Vec3d from = point_on(chance, trial.scene) + chance.direction() * knob;
-    trial.rays.push_back(knob > 1 ? ray_towards<Stored>(from, chance.in_cube(0.8))
-                                  : ray_along<Stored>(from, chance.direction()));
+    const Vec3d from = point_on(chance, trial.scene) + chance.direction() * parameter;
+    trial.rays.push_back(parameter > 1 ? ray_towards<Stored>(from, chance.in_cube(0.8))
+                                       : ray_along<Stored>(from, chance.direction()));
   }
   return trial;
 }
@@ -99,7 +100,7 @@ std::vector<Sweep> place_sweeps() {
       {"scaled", "size of the scene", Judge::closest, 1, powers_of_ten(-10, 12, 2),
        powers_of_ten(-90, 100, 19), scaled<float>, scaled<double>, everywhere, everywhere, everywhere},
       {"far-ball",
-       "distance of the eye from a ball alone, in radii",
+       "distance of ray origins from a single sphere, in radii",
        Judge::closest,
        1,
        powers_of_ten(0, 8),
@@ -110,7 +111,7 @@ std::vector<Sweep> place_sweeps() {
        everywhere,
        {1e4, 1e16}},
       {"small-ball",
-       "distance of the eye from a ball, in radii, within a scene as large",
+       "distance of ray origins from a sphere, in radii, within a scene of that size",
        Judge::closest,
        1,
        powers_of_ten(0, 8),

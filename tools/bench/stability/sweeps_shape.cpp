@@ -1,4 +1,4 @@
-// Primitives that leave formulas few digits.
+// Shapes of primitives that cause cancellation.
 #include "tools/bench/stability/sweep.h"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace masu::stability {
 namespace {
 
-// Behind what is looked at, so that what misses it hits something.
+// Behind the primitives, so that rays that miss them hit something.
 template <class Stored>
 void add_wall(TestScene<Stored>& scene) {
   scene.triangles.push_back(triangle_of<Stored>({-4, -4, -1}, {4, -4, -1}, {0, 6, -1}));
@@ -17,9 +17,9 @@ Vec3d eye(Chance& chance) {
   return {chance.uniform(-1, 1), chance.uniform(-1, 1), chance.uniform(1, 2)};
 }
 
-// Triangles as long as 1 and as wide as the knob. Rays pass within a few widths.
+// Triangles of length 1 and the parameter's width. Rays pass within a few widths.
 template <class Stored>
-Trial<Stored> needles(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> needles(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   add_wall(trial.scene);
   struct Needle {
@@ -30,13 +30,13 @@ Trial<Stored> needles(Chance& chance, double knob, std::size_t rays) {
     const Vec3d along = chance.direction();
     needles.push_back({chance.in_cube(0.6), along, across(chance, along)});
     const auto& [from, to, side] = needles.back();
-    const Vec3d tip = from + to, wide = from + to * chance.uniform(0, 1) + side * knob;
+    const Vec3d tip = from + to, wide = from + to * chance.uniform(0, 1) + side * parameter;
     trial.scene.triangles.push_back(
         triangle_of<Stored>(cast<Stored>(from), cast<Stored>(tip), cast<Stored>(wide)));
   }
   for (std::size_t i = 0; i < rays; ++i) {
     const Needle& needle = needles[chance.index(needles.size())];
-    const double off = std::max(knob, 1e-3 * chance.power_of_two(-20, 0));
+    const double off = std::max(parameter, 1e-3 * chance.power_of_two(-20, 0));
     trial.rays.push_back(ray_towards<Stored>(eye(chance), needle.from +
                                                               needle.along * chance.uniform(-0.1, 1.1) +
                                                               needle.side * (off * chance.uniform(-1, 2))));
@@ -44,9 +44,9 @@ Trial<Stored> needles(Chance& chance, double knob, std::size_t rays) {
   return trial;
 }
 
-// A triangle, a ball, a cone; met at an angle of the knob (radians), or passed by as closely.
+// A triangle, a sphere and a cone; rays hit them at the parameter's angle (radians), or pass them as closely.
 template <class Stored>
-Trial<Stored> grazed(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> grazed(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   const Vec3d a{-1, -1, 0.125}, b{1, -0.75, 0}, c{0, 1, -0.0625};
   trial.scene.triangles = {triangle_of<Stored>(cast<Stored>(a), cast<Stored>(b), cast<Stored>(c))};
@@ -75,9 +75,9 @@ Trial<Stored> grazed(Chance& chance, double knob, std::size_t rays) {
     }
     }
     const Vec3d along = across(chance, outwards);
-    const Vec3d direction = along * std::cos(knob) - outwards * std::sin(knob);
-    // Half of them pass the round ones by: tangents are moved outwards by what the angle sags.
-    const double lift = chance.one_in(2) ? 0 : 1.5 * knob * knob;
+    const Vec3d direction = along * std::cos(parameter) - outwards * std::sin(parameter);
+    // Half of the rays pass curved surfaces: they are moved outwards by more than the sagitta of the angle.
+    const double lift = chance.one_in(2) ? 0 : 1.5 * parameter * parameter;
     trial.rays.push_back(
         ray_along<Stored>(point + outwards * lift - direction * chance.uniform(0.5, 1.5), direction));
   }
@@ -88,16 +88,16 @@ Vec3d cone_place(Chance& chance) {
   return chance.in_cube(0.5);
 }
 
-// Cones whose ends' radii differ by the knob, relatively: 0 for cylinders.
+// Cones whose radii differ by the parameter, relative; 0: cylinders.
 template <class Stored>
-Trial<Stored> tapered(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> tapered(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   add_wall(trial.scene);
   for (int i = 0; i < 8; ++i) {
     const Vec3d base = cone_place(chance);
     const double radius = chance.uniform(0.05, 0.3);
     add_cone(trial.scene, cone_of<Stored>(base, radius, base + chance.direction() * chance.uniform(0.3, 1),
-                                          radius * (1 - knob)));
+                                          radius * (1 - parameter)));
   }
   for (std::size_t i = 0; i < rays; ++i) {
     const Cone<double> cone = widened(trial.scene.cones[chance.index(trial.scene.cones.size())]);
@@ -109,9 +109,9 @@ Trial<Stored> tapered(Chance& chance, double knob, std::size_t rays) {
   return trial;
 }
 
-// Pointed cones, met so far from the tip, in lengths.
+// Pointed cones, hit at the parameter's distance from the apex, in lengths.
 template <class Stored>
-Trial<Stored> tips(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> tips(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   add_wall(trial.scene);
   for (int i = 0; i < 8; ++i) {
@@ -121,20 +121,20 @@ Trial<Stored> tips(Chance& chance, double knob, std::size_t rays) {
   for (std::size_t i = 0; i < rays; ++i) {
     const Cone<double> cone = widened(trial.scene.cones[chance.index(trial.scene.cones.size())]);
     const Vec3d axis = cone.apex - cone.base, side = across(chance, axis);
-    const Vec3d target = cone.apex - axis * (knob * chance.uniform(0, 1)) +
-                         side * (cone.base_radius * knob * chance.uniform(0, 1));
+    const Vec3d target = cone.apex - axis * (parameter * chance.uniform(0, 1)) +
+                         side * (cone.base_radius * parameter * chance.uniform(0, 1));
     trial.rays.push_back(ray_towards<Stored>(eye(chance), target));
   }
   return trial;
 }
 
-// Cones of radii 1 and a half whose ends lie so far apart.
+// Cones of radii 1 and 0.5 and the parameter's length.
 template <class Stored>
-Trial<Stored> flat_cones(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> flat_cones(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   add_wall(trial.scene);
-  // About the origin, where there are numbers for such short ones.
-  const Vec3d axis = chance.direction() * knob;
+  // At the origin, where short lengths are representable.
+  const Vec3d axis = chance.direction() * parameter;
   add_cone(trial.scene, cone_of<Stored>({0, 0, 0}, 1, axis, 0.5));
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3d side = across(chance, axis);
@@ -144,14 +144,14 @@ Trial<Stored> flat_cones(Chance& chance, double knob, std::size_t rays) {
   return trial;
 }
 
-// Every primitive so many times.
+// Copies of every primitive.
 template <class Stored>
-Trial<Stored> duplicated(Chance& chance, double knob, std::size_t rays) {
+Trial<Stored> duplicated(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
   const auto multiply = [&](auto& primitives) {
     const auto once = primitives;
-    for (int copies = 1; copies < static_cast<int>(knob); ++copies)
+    for (int copies = 1; copies < static_cast<int>(parameter); ++copies)
       primitives.insert(primitives.end(), once.begin(), once.end());
     std::shuffle(primitives.begin(), primitives.end(), chance.engine());
   };
@@ -174,7 +174,7 @@ std::vector<Sweep> shape_sweeps() {
   const std::vector<double> down = powers_of_ten(-8, 0), to_zero = down_to_zero();
   return {
       {"needle",
-       "width of triangles as long as 1",
+       "width of triangles of length 1",
        Judge::closest,
        1,
        to_zero,
@@ -207,7 +207,7 @@ std::vector<Sweep> shape_sweeps() {
        everywhere,
        everywhere},
       {"tip",
-       "distance from a cone's tip, in lengths",
+       "distance from a cone's apex, in lengths",
        Judge::closest,
        0.5,
        to_zero,
@@ -218,7 +218,7 @@ std::vector<Sweep> shape_sweeps() {
        everywhere,
        everywhere},
       {"flat-cone",
-       "length of a cone of radii 1 and a half",
+       "length of a cone of radii 1 and 0.5",
        Judge::closest,
        0.5,
        down,
@@ -229,7 +229,7 @@ std::vector<Sweep> shape_sweeps() {
        everywhere,
        everywhere},
       {"duplicates",
-       "how often every primitive is there",
+       "copies of every primitive",
        Judge::closest,
        0.25,
        {2, 4, 16, 64},

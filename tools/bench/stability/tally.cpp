@@ -10,14 +10,14 @@
 namespace masu::stability {
 namespace {
 
-// How far a right hit's t is off, relative to it; 0 where the exact one is in doubt.
+// Relative error of a correct hit's t; 0 where the exact t is unsure.
 double t_error(double t, oracle::Wide exact) {
   if (!(exact > 0)) return 0;
   if (!std::isfinite(t)) return std::numeric_limits<double>::infinity();
   return static_cast<double>(oracle::magnitude(t - exact) / exact);
 }
 
-// The t of a ray from afar is rounded once or twice more than the error at the surface.
+// Roundings of t itself, which matter for distant origins, in units of its roundoff.
 constexpr double roundings_of_t = 4;
 
 void judge(const oracle::SceneOracle& oracle, const ListedRay& ray, const oracle::ClosestHit& expected,

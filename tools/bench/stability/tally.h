@@ -1,4 +1,4 @@
-// What became of rays, counted.
+// Counts of correct and wrong results.
 #pragma once
 
 #include "libscene/geometry/primitives.h"
@@ -10,33 +10,33 @@
 
 namespace masu::stability {
 
-// What a ray found: t in the length of its direction; no_primitive for nothing.
+// A ray's hit: t in lengths of its direction; no_primitive for a miss.
 struct Found {
   double t;
   PrimitiveIndex primitive;
-  bool same; // by every grid, and without one, to the bit
+  bool same; // bit-identical through every grid and without one
 };
 
 struct Tally {
   std::uint64_t rays = 0;
-  std::uint64_t unsure = 0;    // may touch something or not, within what the arithmetic is allowed
-  std::uint64_t missed = 0;    // found nothing where something is; a leak
-  std::uint64_t false_hit = 0; // found something where nothing is; acne
-  std::uint64_t wrong = 0;     // found another primitive than it should
-  std::uint64_t misplaced = 0; // found the right one, farther off its place than is allowed
-  std::uint64_t by_grid = 0;   // found something else through one grid than through another, or without one
-  double worst_t = 0;          // relative error of the t of right hits that aren't in doubt
+  std::uint64_t unsure = 0;    // more than one result is admissible within the error bound
+  std::uint64_t missed = 0;    // no hit where there is one: a leak
+  std::uint64_t false_hit = 0; // a hit where there is none: acne
+  std::uint64_t wrong = 0;     // a hit of a wrong primitive
+  std::uint64_t misplaced = 0; // a hit of the right primitive, at a t beyond the error bound
+  std::uint64_t by_grid = 0;   // the result depends on the grid
+  double worst_t = 0;          // largest relative error of t of correct hits that are sure
 
   std::uint64_t failures() const { return missed + false_hit + wrong + misplaced + by_grid; }
 };
 Tally& operator+=(Tally& total, const Tally& part);
 
-// Counts what was found against the oracle's closest hits. `slack` is what the arithmetic is allowed, `u` its
-// unit roundoff. In parallel over rays.
+// Compares hits with the oracle's closest hits, one tally for each of `methods`. `slack` is the error bound
+// of the arithmetic, `u` its unit roundoff. Parallel over rays.
 std::vector<Tally> judged(const oracle::SceneOracle& oracle, std::span<const ListedRay> rays, double slack,
                           double u, std::span<const std::vector<Found>> methods);
 
-// Of rays that begin inside a closed surface: whatever they hit, they hit something.
+// For rays that begin inside a closed surface, which must hit something.
 Tally judged_enclosed(std::span<const Found> found);
 
 } // namespace masu::stability

@@ -1,4 +1,4 @@
-// Scenes put together by hand or by chance, as tracing sees them; and what chance is made of.
+// Scenes of tests, made by hand or at random, as views to trace; and random numbers.
 #pragma once
 
 #include "libgrid/trace/trace.h"
@@ -21,9 +21,9 @@
 
 namespace masu {
 
-// --- Chance ----------------------------------------------------------------------------------------------
+// --- Random numbers -------------------------------------------------------------------------------------
 
-// How many cases a test tries: MASU_TEST_EFFORT times as many for a longer search.
+// The number of cases that a test runs: `usual`, times MASU_TEST_EFFORT of the environment.
 inline std::int64_t cases(std::int64_t usual) {
   const char* effort = std::getenv("MASU_TEST_EFFORT");
   return effort == nullptr ? usual
@@ -64,7 +64,7 @@ private:
   std::mt19937_64 engine_;
 };
 
-// At right angles to `v`, of unit length.
+// A random unit vector orthogonal to `v`.
 inline Vec3d across(Chance& chance, const Vec3d& v) {
   for (;;) {
     const Vec3d c = cross(v, chance.direction());
@@ -72,7 +72,7 @@ inline Vec3d across(Chance& chance, const Vec3d& v) {
   }
 }
 
-// Some representable numbers further up or down.
+// Moved by `steps` representable numbers.
 template <class Real>
 Real nudged(Real value, int steps) {
   const Real towards = steps < 0 ? -RealTraits<Real>::largest : RealTraits<Real>::largest;
@@ -86,8 +86,7 @@ Vec3<Real> nudged(Chance& chance, const Vec3<Real>& v, int most) {
           nudged(v.z, chance.whole(-most, most))};
 }
 
-// What is left of a number that is stored as Real. Through memory, because GCC 12 drops such conversions when
-// it makes vectors of them.
+// Rounded to Real. Through memory, because GCC 12 drops such conversions when it vectorises them.
 template <class Real>
 double kept(double value) {
   volatile Real stored = static_cast<Real>(value);
@@ -102,7 +101,7 @@ Boxd kept(const Boxd& box) {
   return {kept<Real>(box.min), kept<Real>(box.max)};
 }
 
-// --- Scenes ----------------------------------------------------------------------------------------------
+// --- Scenes ---------------------------------------------------------------------------------------------
 
 template <class Stored>
 Triangle<Stored> triangle_of(const Vec3<Stored>& a, const Vec3<Stored>& b, const Vec3<Stored>& c) {
@@ -130,14 +129,14 @@ struct TestScene {
   std::vector<CornerNormals<Stored>> normals;
   std::vector<Sphere<Stored>> spheres;
   std::vector<Cone<Stored>> cones;
-  std::vector<Surface> surfaces; // of spheres or cones, as many as are needed of either: view() fills it
+  std::vector<Surface> surfaces; // shared by spheres and cones; view() fills it
   Material material{{1, 1, 1}, 1, 0, 0, 0, 1};
 
   std::uint32_t count() const {
     return static_cast<std::uint32_t>(triangles.size() + spheres.size() + cones.size());
   }
 
-  // As the scene file has them.
+  // As in the scene file.
   Boxd bounds() const {
     Boxd box = empty_box<double>();
     const auto add = [&](const auto& primitives) {
@@ -173,7 +172,7 @@ struct TestScene {
   }
 };
 
-// --- Tracing ---------------------------------------------------------------------------------------------
+// --- Tracing --------------------------------------------------------------------------------------------
 
 template <class Real, unsigned kinds = with_all_kinds>
 using Robust = Method<WatertightRay<Real>, kinds>;
@@ -185,9 +184,9 @@ WatertightRay<Real> prepared(const Vec3<Real>& origin, const Vec3<Real>& directi
   return ray;
 }
 
-// --- In words --------------------------------------------------------------------------------------------
+// --- Descriptions ---------------------------------------------------------------------------------------
 
-// Every digit, so that a case can be built again.
+// With every digit, so that a case can be reproduced.
 template <class T>
 std::string described(const Vec3<T>& v) {
   std::ostringstream out;
