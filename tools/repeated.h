@@ -1,4 +1,4 @@
-// Queries made several times, for a time that can be quoted.
+// Repeated queries, for the median of their times.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Stands in for CUDA's where the program was built without it: --backend cuda is refused before.
+// For builds without CUDA, in which --backend cuda is refused before this is called.
 #include "libscene/error.h"
 #include "tools/bench/screen_division.h"
 
