@@ -12,7 +12,7 @@ namespace masu {
 struct NoGrid {};
 
 // When the search for the nearest hit ends: once nothing that is still to come can be nearer; or, as the
-// 2012 thesis did (README), with the first cell where anything is hit, wherever that hit lies:
+// 2012 thesis did (docs/algorithm.md), with the first cell where anything is hit, wherever that hit lies:
 // sooner, and sometimes wrong.
 enum class StopRule { proven, first_cell };
 
