@@ -151,7 +151,7 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
   for (const auto& [division, merge] :
        {std::pair{"2", Merge::none}, std::pair{"auto", Merge::none}, std::pair{"4", Merge::irregular}}) {
     SCOPED_TRACE(std::string(division) + (merge == Merge::none ? "" : " irregular"));
-    const Built built = build(Store::float32, GetParam().least + 1, division, merged_by(merge));
+    const Built built = build(Store::float32, GetParam().min_size + 1, division, merged_by(merge));
     std::vector<ListedRay> rays = random_rays(built.scene, 4000, seed.engine()());
     const std::vector<ListedRay> eye =
         primary_rays(built.scene, request(built.scene, 64).camera, RayOrder::tiles);
@@ -182,7 +182,7 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
 TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
-  const Built built = build(Store::float32, GetParam().least + 1, "300");
+  const Built built = build(Store::float32, GetParam().min_size + 1, "300");
   const Box<double> box = cast<double>(built.scene.view<float>().clip);
   const Vec3<double> away = box.max - box.min;
   const std::vector<ListedRay> crossing = random_rays(built.scene, 1000, seed.engine()());
@@ -220,7 +220,7 @@ TEST_P(CpuAndGpu, FindTheSameRaysOccluded) {
 }
 
 TEST_P(CpuAndGpu, CountTheSame) {
-  const Built built = build(Store::float32, GetParam().least + 1, "33x20x5");
+  const Built built = build(Store::float32, GetParam().min_size + 1, "33x20x5");
   FrameRequest wanted = request(built.scene, 128);
   wanted.tracing.count = true;
   const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
@@ -229,7 +229,7 @@ TEST_P(CpuAndGpu, CountTheSame) {
 }
 
 TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
-  const Built built = build(Store::float32, GetParam().least + 1, "260");
+  const Built built = build(Store::float32, GetParam().min_size + 1, "260");
   const FrameRequest wanted = request(built.scene, 64);
   const Frame grid = render(Device::cuda, built, wanted), none = render(Device::cuda, built, wanted, false);
   const Frame cpu = render(Device::cpu, built, wanted);
@@ -242,7 +242,7 @@ TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
   for (const Merge merge : {Merge::x, Merge::balance, Merge::irregular}) {
     SCOPED_TRACE(static_cast<int>(merge));
     for (const Store store : {Store::float32, Store::float64}) {
-      const Built built = build(store, GetParam().least + 1, merge == Merge::irregular ? "5x4x3" : "33x20x5",
+      const Built built = build(store, GetParam().min_size + 1, merge == Merge::irregular ? "5x4x3" : "33x20x5",
                                 merged_by(merge));
       FrameRequest wanted = request(built.scene, 64);
       const Frame none = render(Device::cuda, built, wanted, false),
@@ -273,7 +273,7 @@ TEST_P(CpuAndGpu, FindTheSameForRandomRaysThroughAnIrregularGrid) {
 }
 
 TEST_P(CpuAndGpu, RenderTheSameHoweverThePictureIsDivided) {
-  const Built built = build(Store::float32, GetParam().least + 1, "auto");
+  const Built built = build(Store::float32, GetParam().min_size + 1, "auto");
   FrameRequest wanted = request(built.scene, 65);
   wanted.hits = false;
   const Frame expected = render(Device::cuda, built, wanted);

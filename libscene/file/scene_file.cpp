@@ -146,25 +146,25 @@ void write_stored(const Scene& scene, const std::string& path) {
       section(SceneSection::cones, cones),
       section(SceneSection::cone_surfaces, scene.cone_surfaces),
   };
-  // A cone without length would have no bounds.
-  const auto flattened =
-      std::count_if(cones.begin(), cones.end(), [](const auto& cone) { return cone.base == cone.apex; });
+  // A cone without length, or whose length's square underflows, has no bounds.
+  const auto flattened = std::count_if(
+      cones.begin(), cones.end(), [](const auto& cone) { return is_finite(cone) && is_empty(bounds(cone)); });
   if (flattened > 0) {
     throw Error(ErrorCode::input, path,
                 fmt::format("{} cone(s) have no length in {}: {}", flattened, store_name<Stored>,
                             std::is_same_v<Stored, float> ? "store it as float64" : "make them longer"));
   }
+  const auto all_finite = [](const auto& records) {
+    return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_finite(record); });
+  };
   const Boxd box = join(join(bounds_of(triangles), bounds_of(spheres)), bounds_of(cones));
-  if (!reaches_within<Stored>(box)) {
+  if (!reaches_within<Stored>(box) || !all_finite(cones)) { // infinite ones have no bounds either
     throw Error(ErrorCode::input, path,
                 fmt::format("the largest coordinate is {:g}, but {} allows {:g} to {:g}: {}",
                             largest_magnitude(box), store_name<Stored>, reach_of<Stored>.min,
                             reach_of<Stored>.max,
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
-  const auto all_finite = [](const auto& records) {
-    return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_finite(record); });
-  };
   if (!all_finite(normals))
     throw Error(ErrorCode::input, path, "a corner's normal isn't finite: give it a length near 1");
   if (!all_finite(lights))
