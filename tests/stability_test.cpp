@@ -1,4 +1,4 @@
-// Robust and double precision fail nowhere, and within the envelopes of docs/stability.md most rays are sure.
+// Robust and double precision fail nowhere, and within the envelopes of docs/accuracy.md most rays are sure.
 #include "tools/bench/stability/backends.h"
 #include "tools/bench/stability/run.h"
 

@@ -69,7 +69,7 @@ struct Sweep {
 // For GoogleTest's messages.
 void PrintTo(const Sweep& sweep, std::ostream* out);
 
-// All of them, in the order of docs/stability.md.
+// All of them, in the order of docs/accuracy.md.
 std::vector<Sweep> all_sweeps();
 
 // Those of each source.
