@@ -1,5 +1,6 @@
 #include "libgrid/statistics.h"
 
+#include "libgrid/build/builder.h"
 #include "libgrid/file/grid_file.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ template GridStatistics grid_statistics(const MergedGridView<double>&, std::span
 
 template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
-  const Grid grid = build_uniform(scene, layout, overlap);
+  const Grid grid = build_grid(scene, layout, overlap);
   return grid_statistics(view_of<double>(grid), grid.references).occupied_cells;
 }
 template std::uint64_t occupied_voxels(const SceneView<float>&, const GridLayout&, Overlap);

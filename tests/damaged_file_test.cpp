@@ -69,15 +69,15 @@ std::unique_ptr<T> opened(const std::string& path) {
 
 void build_and_trace(const SceneFile& scene, const std::string& path) {
   for (const Overlap overlap : {Overlap::box, Overlap::exact}) {
-    for (const Merge merge : {Merge::none, Merge::x, Merge::balance, Merge::irregular}) {
+    for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular}) {
       try {
-        build_a_little(scene, overlap, merge, path);
+        build_a_little(scene, overlap, kind, path);
       } catch (const Error&) { // the space can't be divided
         return;
       }
       const std::unique_ptr<GridFile> grid = opened<GridFile>(path);
       if (grid == nullptr) { // the space is too large for its store
-        ASSERT_EQ(merge, Merge::none);
+        ASSERT_EQ(kind, GridKind::uniform);
         return;
       }
       trace_a_little(scene, grid.get());

@@ -1,5 +1,5 @@
 // How many voxels each rule asks for, and how rules are written.
-#include "libgrid/build/build.h"
+#include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
 #include "libscene/error.h"
 #include "tools/bench/stability/test_scene.h"
@@ -41,7 +41,7 @@ TEST_P(BadDivision, IsAUsageError) {
     FAIL() << "'" << GetParam() << "' was taken";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::usage);
-    EXPECT_EQ(error.place(), "--division");
+    EXPECT_EQ(error.place(), "division");
     EXPECT_NE(error.message().find(GetParam()), std::string::npos) << error.message();
   }
 }
@@ -110,7 +110,7 @@ TEST(DivisionRules, RefuseMoreVoxelsThanAnAxisCanHave) {
       ADD_FAILURE() << rule << " was taken";
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::usage) << rule;
-      EXPECT_EQ(error.place(), "--division") << rule;
+      EXPECT_EQ(error.place(), "division") << rule;
     }
   }
 }
@@ -183,7 +183,7 @@ TEST(CostModel, ExpectsAboutTheReferencesThatAreMade) {
                             rounding_margin<float>(scene.bounds())};
     const SceneView<float> view = scene.view();
     const double expected = expected_references(division_statistics(view).all, layout);
-    const auto made = static_cast<double>(build_uniform(view, layout, Overlap::exact).references.size());
+    const auto made = static_cast<double>(build_grid(view, layout, Overlap::exact).references.size());
     EXPECT_GT(expected, made * 0.85) << layout.division.x << ' ' << layout.division.y << ' '
                                      << layout.division.z;
     EXPECT_LT(expected, made * 1.25) << layout.division.x << ' ' << layout.division.y << ' '

@@ -1,6 +1,7 @@
 // Stretching, against its definition followed voxel by voxel; and what it compares lists by.
-#include "libgrid/build/expand.h"
+#include "libgrid/build/expand_passes.h"
 #include "libgrid/build/list.h"
+#include "libgrid/build/tbb_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 
@@ -9,13 +10,14 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 
 namespace masu {
 namespace {
 
 using Primitives = std::set<PrimitiveIndex>;
 
-Primitives primitives_of(const std::vector<PrimitiveIndex>& references, std::uint32_t list) {
+Primitives primitives_of(std::span<const PrimitiveIndex> references, std::uint32_t list) {
   Primitives primitives;
   if (list == empty_list) return primitives;
   for (bool last = false; !last; ++list) {
@@ -43,7 +45,7 @@ public:
   int gave_up = 0; // faces of more than most_visits
 
   void pass() {
-    const std::vector<MergedCell> before = grid_.cells;
+    const auto before = grid_.cells;
     for (std::size_t cell = 0; cell < before.size(); ++cell) {
       auto box = ranges_of(before[cell]);
       for (std::size_t face = 0; face < 6; ++face) {
@@ -59,7 +61,7 @@ public:
 private:
   static constexpr int most_visits = 32; // of neighbours, row by row
 
-  bool moved(const std::vector<MergedCell>& before, std::size_t cell, std::size_t face,
+  bool moved(std::span<const MergedCell> before, std::size_t cell, std::size_t face,
              std::array<std::array<std::int32_t, 2>, 3>& box) {
     const MergedGridView<double> view = merged_view_of<double>(grid_);
     const std::size_t axis = face / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -92,7 +94,7 @@ private:
   }
 
   Grid& grid_;
-  std::vector<MergedCell> own_;
+  HostArray<MergedCell> own_;
   std::vector<std::array<bool, 6>> blocked_;
 };
 
@@ -103,17 +105,18 @@ TEST(Stretch, MovesFacesAsDefined) {
   std::int64_t cells = 0, gave_up = 0;
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<float> scene = SceneMaker<float>(chance, chance.power_of_two(-10, 20)).scene();
-    MergeRule rule = random_merge_rule(chance);
-    rule.merge = Merge::irregular;
-    rule.expansions = 0;
+    GridOptions options = random_grid_options(chance);
+    options.kind = GridKind::irregular;
+    options.expansions = 0;
     GridLayout layout = random_lattice<float>(chance, scene.bounds());
     layout.division = {chance.whole(1, 12), chance.whole(1, 12), chance.whole(1, 12)};
-    Grid slow = build_merged(scene.view(), layout, chance.one_in(2) ? Overlap::exact : Overlap::box, rule);
-    const int passes = chance.whole(0, 5);
+    Grid slow = build_grid(scene.view(), layout, chance.one_in(2) ? Overlap::exact : Overlap::box, options);
+    const int rounds = chance.whole(0, 5);
     Grid fast = slow;
-    stretch(fast, passes);
+    TbbExecutor executor;
+    expand_cells(executor, merged_view_of<double>(fast), fast.cells.size(), fast.cells.data(), rounds);
     SlowStretcher stretcher(slow);
-    for (int i = 0; i < passes; ++i)
+    for (int i = 0; i < rounds; ++i)
       stretcher.pass();
     for (std::size_t i = 0; i < slow.cells.size(); ++i) {
       ASSERT_EQ(ranges_of(fast.cells[i]), ranges_of(slow.cells[i])) << "cell " << i;

@@ -185,7 +185,7 @@ void expect_grid(const GridFile& file, const Grid& grid) {
   EXPECT_EQ(file.table().space_rule(), fb::Space::tight);
   EXPECT_EQ(file.table().overlap(), fb::Overlap::exact);
   EXPECT_EQ(file.table().nested_log2(), static_cast<std::uint32_t>(grid.nested_log2));
-  EXPECT_EQ(file.table().merge(), static_cast<fb::Merge>(grid.merge));
+  EXPECT_EQ(file.table().merge(), static_cast<fb::Merge>(grid.kind));
   EXPECT_EQ(file.table().merge_rule()->str(), file.is_merged() ? "irregular" : "");
   EXPECT_EQ(file.table().division_rule()->str(), "2x2x1");
   EXPECT_EQ(file.table().build_seconds(), -1);

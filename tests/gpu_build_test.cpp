@@ -29,8 +29,8 @@ TYPED_TEST(BuiltOnTheGpu, AUniformGridIsTheSameBytes) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
     const GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
-    expect_same(cpu_builder(scene.view())->uniform(layout, overlap),
-                cuda_builder(scene.view())->uniform(layout, overlap));
+    expect_same(cpu_builder(scene.view())->build(layout, overlap),
+                cuda_builder(scene.view())->build(layout, overlap));
     ASSERT_FALSE(this->HasFailure()) << described(scene);
   }
 }
@@ -42,8 +42,8 @@ TYPED_TEST(BuiltOnTheGpu, AUniformGridOfBlocksIsTheSameBytes) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
     GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
     layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
-    expect_same(cpu_builder(scene.view())->uniform(layout, Overlap::exact),
-                cuda_builder(scene.view())->uniform(layout, Overlap::exact));
+    expect_same(cpu_builder(scene.view())->build(layout, Overlap::exact),
+                cuda_builder(scene.view())->build(layout, Overlap::exact));
   }
 }
 
@@ -52,9 +52,9 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridIsTheSameBytes) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const auto [layout, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
-    const Grid grid = cpu_builder(scene.view())->merged(layout, overlap, rule);
-    expect_same(grid, cuda_builder(scene.view())->merged(layout, overlap, rule));
+    const auto [layout, overlap, options] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    const Grid grid = cpu_builder(scene.view())->build(layout, overlap, options);
+    expect_same(grid, cuda_builder(scene.view())->build(layout, overlap, options));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
 }
@@ -72,15 +72,15 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
     if (i % 10 == 1)
       scene.cones.push_back(cone_of<TypeParam>(at, 0.01, at + chance.direction() * 0.02, 0.005));
   }
-  MergeRule rule;
-  rule.merge = Merge::irregular;
+  GridOptions options;
+  options.kind = GridKind::irregular;
   for (const Vec3i& division : {Vec3i{1, 1, 1}, Vec3i{3, 2, 1}, Vec3i{20, 20, 20}}) {
     GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
     layout.division = division;
     const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
     for (const Overlap overlap : {Overlap::exact, Overlap::box}) {
-      expect_same(cpu->uniform(layout, overlap), gpu->uniform(layout, overlap));
-      expect_same(cpu->merged(layout, overlap, rule), gpu->merged(layout, overlap, rule));
+      expect_same(cpu->build(layout, overlap), gpu->build(layout, overlap));
+      expect_same(cpu->build(layout, overlap, options), gpu->build(layout, overlap, options));
     }
   }
 }
@@ -89,18 +89,18 @@ TYPED_TEST(BuiltOnTheGpu, GridsMergedByXOrBalanceAreRefused) {
   TestScene<TypeParam> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
   const auto gpu = cuda_builder(scene.view());
-  for (const Merge merge : {Merge::x, Merge::balance})
-    EXPECT_THROW(gpu->merged(layout, Overlap::exact, {merge}), Error);
+  for (const GridKind kind : {GridKind::x, GridKind::balance})
+    EXPECT_THROW(gpu->build(layout, Overlap::exact, {kind}), Error);
 }
 
 TYPED_TEST(BuiltOnTheGpu, AGridOfNothingIsTheSameBytes) {
   TestScene<TypeParam> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
-  MergeRule rule;
-  rule.merge = Merge::irregular;
+  GridOptions options;
+  options.kind = GridKind::irregular;
   const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
-  expect_same(cpu->uniform(layout, Overlap::exact), gpu->uniform(layout, Overlap::exact));
-  expect_same(cpu->merged(layout, Overlap::exact, rule), gpu->merged(layout, Overlap::exact, rule));
+  expect_same(cpu->build(layout, Overlap::exact), gpu->build(layout, Overlap::exact));
+  expect_same(cpu->build(layout, Overlap::exact, options), gpu->build(layout, Overlap::exact, options));
 }
 
 } // namespace

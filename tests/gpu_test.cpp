@@ -1,5 +1,5 @@
 // The CPU's and the GPU's answers, bit for bit. Skipped, and said so, where there is no CUDA device.
-#include "libgrid/build/merge.h"
+#include "libgrid/build/builder.h"
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/nff/nff.h"
@@ -25,20 +25,19 @@ struct Built {
 };
 
 template <class Stored>
-void build_grid(const SceneFile& scene, const std::string& division, const MergeRule& rule,
+void build_grid(const SceneFile& scene, const std::string& division, const GridOptions& options,
                 const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();
   const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
                                                      parse_division(division), division_statistics(view));
-  write_grid(rule.merge == Merge::none ? build_uniform(view, layout, Overlap::exact)
-                                       : build_merged(view, layout, Overlap::exact, rule),
+  write_grid(build_grid(view, layout, Overlap::exact, options),
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""}, path);
 }
 
-MergeRule merged_by(Merge merge) {
-  MergeRule rule;
-  rule.merge = merge;
-  return rule;
+GridOptions options_of(GridKind kind) {
+  GridOptions options;
+  options.kind = kind;
+  return options;
 }
 
 class CpuAndGpu : public testing::TestWithParam<SpdInfo> {
@@ -48,7 +47,7 @@ protected:
     if (!cuda_available(why)) GTEST_SKIP() << "no GPU, nothing was compared: " << why;
   }
 
-  Built build(Store store, int size, const std::string& division, const MergeRule& rule = {}) {
+  Built build(Store store, int size, const std::string& division, const GridOptions& options = {}) {
     const std::string nff = folder_.file("s.nff"), scene_path = folder_.file("s.scene"),
                       grid_path = folder_.file("s.grid");
     {
@@ -58,8 +57,8 @@ protected:
     }
     write_scene(read_nff(nff), store, scene_path);
     const SceneFile scene(scene_path);
-    store == Store::float64 ? build_grid<double>(scene, division, rule, grid_path)
-                            : build_grid<float>(scene, division, rule, grid_path);
+    store == Store::float64 ? build_grid<double>(scene, division, options, grid_path)
+                            : build_grid<float>(scene, division, options, grid_path);
     return {SceneFile(scene_path), GridFile(grid_path)};
   }
 
@@ -148,10 +147,11 @@ TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
 TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
-  for (const auto& [division, merge] :
-       {std::pair{"2", Merge::none}, std::pair{"auto", Merge::none}, std::pair{"4", Merge::irregular}}) {
-    SCOPED_TRACE(std::string(division) + (merge == Merge::none ? "" : " irregular"));
-    const Built built = build(Store::float32, GetParam().min_size + 1, division, merged_by(merge));
+  for (const auto& [division, kind] :
+       {std::pair{"2", GridKind::uniform}, std::pair{"auto", GridKind::uniform},
+        std::pair{"4", GridKind::irregular}}) {
+    SCOPED_TRACE(std::string(division) + (kind == GridKind::uniform ? "" : " irregular"));
+    const Built built = build(Store::float32, GetParam().min_size + 1, division, options_of(kind));
     std::vector<ListedRay> rays = random_rays(built.scene, 4000, seed.engine()());
     const std::vector<ListedRay> eye =
         primary_rays(built.scene, request(built.scene, 64).camera, RayOrder::tiles);
@@ -239,11 +239,11 @@ TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
 }
 
 TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
-  for (const Merge merge : {Merge::x, Merge::balance, Merge::irregular}) {
-    SCOPED_TRACE(static_cast<int>(merge));
+  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
+    SCOPED_TRACE(static_cast<int>(kind));
     for (const Store store : {Store::float32, Store::float64}) {
-      const Built built = build(store, GetParam().min_size + 1, merge == Merge::irregular ? "5x4x3" : "33x20x5",
-                                merged_by(merge));
+      const Built built = build(store, GetParam().min_size + 1,
+                                kind == GridKind::irregular ? "5x4x3" : "33x20x5", options_of(kind));
       FrameRequest wanted = request(built.scene, 64);
       const Frame none = render(Device::cuda, built, wanted, false),
                   gpu = render(Device::cuda, built, wanted), cpu = render(Device::cpu, built, wanted);
@@ -261,7 +261,8 @@ TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
 }
 
 TEST_P(CpuAndGpu, FindTheSameForRandomRaysThroughAnIrregularGrid) {
-  const Built built = build(Store::float32, GetParam().standard, "cleary:0.05", merged_by(Merge::irregular));
+  const Built built =
+      build(Store::float32, GetParam().standard, "cleary:0.05", options_of(GridKind::irregular));
   const std::vector<ListedRay> rays = random_rays(built.scene, 300'000, 1);
   for (const Query query : {Query::nearest_hit, Query::occlusion}) {
     RaysRequest wanted;

@@ -1,7 +1,6 @@
 // What is told of where cells are, against every voxel looked up by itself, and against random lines.
-#include "libgrid/build/build.h"
+#include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
-#include "libgrid/build/merge.h"
 #include "libgrid/file/grid_file.h"
 #include "libgrid/map_statistics.h"
 #include "libgrid/statistics.h"
@@ -40,14 +39,14 @@ GridLayout lattice_for(const TestScene<Stored>& scene, const Vec3i& division) {
   return {space_of<Stored>(bounds, SpaceRule::tight), division, rounding_margin<Stored>(bounds)};
 }
 
-MergeRule random_rule(Chance& chance) {
-  MergeRule rule;
-  rule.merge = chance.one_of({Merge::x, Merge::balance, Merge::irregular});
-  rule.target = static_cast<std::uint32_t>(chance.whole(1, 6));
-  rule.step_over_test = chance.uniform(0.1, 4);
-  rule.nested_log2 = chance.whole(0, 4);
-  rule.expansions = chance.whole(0, 3);
-  return rule;
+GridOptions random_rule(Chance& chance) {
+  GridOptions options;
+  options.kind = chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular});
+  options.target = static_cast<std::uint32_t>(chance.whole(1, 6));
+  options.step_cost = chance.uniform(0.1, 4);
+  options.nested_log2 = chance.whole(0, 4);
+  options.expansions = chance.whole(0, 3);
+  return options;
 }
 
 double half_area(const Vec3d& w) {
@@ -101,7 +100,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
     const GridLayout layout =
         lattice_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
-    const Grid grid = build_merged(scene.view(), layout, Overlap::exact, random_rule(chance));
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
 
@@ -128,7 +127,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
 
     const std::vector<OwnVoxels> told_own = own_voxels(view, std::span(grid.cells));
     const std::vector<OwnVoxels> told_by_rows =
-        grid.merge == Merge::balance ? told_own : own_voxels_of_rows(view, std::span(grid.cells));
+        grid.kind == GridKind::balance ? told_own : own_voxels_of_rows(view, std::span(grid.cells));
     ASSERT_EQ(told_own.size(), own.size());
     ASSERT_EQ(told_by_rows.size(), own.size());
     std::vector<std::uint64_t> by_size;
@@ -182,7 +181,7 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
     const GridLayout layout =
         lattice_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
-    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     const GridView<TypeParam> view = view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.references));
     std::uint64_t occupied = 0, references = 0;
@@ -212,7 +211,7 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
   TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 8);
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
   const GridLayout layout = lattice_for(scene, n);
-  const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
+  const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
   const GridView<TypeParam> view = view_of<TypeParam>(grid);
   ASSERT_GT(view.block_log2, 0) << "choose a finer division";
   const MapStatistics told = map_statistics(view, std::span(grid.references));
@@ -247,7 +246,7 @@ TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 30);
     const GridLayout layout =
         lattice_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
-    const Grid grid = build_merged(scene.view(), layout, Overlap::exact, random_rule(chance));
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
     const std::vector<OwnVoxels> own = own_voxels(view, std::span(grid.cells));

@@ -1,4 +1,5 @@
 // What the cells of merged grids hold, against what each primitive says of each voxel.
+#include "libgrid/build/merge.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 
@@ -100,13 +101,14 @@ template <class Stored>
 class Merged : public testing::Test {
 protected:
   // Few enough voxels to look at each of them.
-  MergeRule random_rule(Chance& chance) const {
-    MergeRule rule = random_merge_rule(chance);
-    rule.nested_log2 = std::min(rule.nested_log2, 3);
-    return rule;
+  GridOptions random_rule(Chance& chance) const {
+    GridOptions options = random_grid_options(chance);
+    options.nested_log2 = std::min(options.nested_log2, 3);
+    return options;
   }
-  GridLayout random_lattice(Chance& chance, const TestScene<Stored>& scene, const MergeRule& rule) const {
-    const int most = rule.merge == Merge::irregular ? 4 : 24;
+  GridLayout random_lattice(Chance& chance, const TestScene<Stored>& scene,
+                            const GridOptions& options) const {
+    const int most = options.kind == GridKind::irregular ? 4 : 24;
     GridLayout layout = masu::random_lattice<Stored>(chance, scene.bounds());
     layout.division = {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
     return layout;
@@ -165,9 +167,10 @@ TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(400); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const MergeRule rule = this->random_rule(chance);
+    const GridOptions options = this->random_rule(chance);
     const Overlap overlap = this->random_overlap(chance);
-    const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule), overlap, rule);
+    const Grid grid =
+        build_grid(scene.view(), this->random_lattice(chance, scene, options), overlap, options);
     expect_listed(grid, needed_lists(scene, finest_lattice(grid), overlap));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
@@ -178,9 +181,9 @@ TEST(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  MergeRule rule;
-  rule.merge = Merge::irregular;
-  rule.nested_log2 = 3;
+  GridOptions options;
+  options.kind = GridKind::irregular;
+  options.nested_log2 = 3;
   for (const double scale : {0x1p520, 0x1p-520}) {
     for (std::int64_t s = cases(20); s > 0; --s) {
       TestScene<double> scene;
@@ -191,9 +194,9 @@ TEST(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
       }
       GridLayout layout = random_lattice<double>(chance, scene.bounds());
       layout.division = {2, 3, 4};
-      const Grid grid = build_merged(scene.view(), layout, Overlap::box, rule);
+      const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
       expect_listed(grid, needed_lists(scene, finest_lattice(grid), Overlap::box));
-      build_merged(scene.view(), layout, Overlap::exact, rule);
+      build_grid(scene.view(), layout, Overlap::exact, options);
       ASSERT_FALSE(testing::Test::HasFailure()) << described(grid) << '\n' << described(scene);
     }
   }
@@ -204,12 +207,13 @@ TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(400); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const MergeRule rule = this->random_rule(chance);
+    const GridOptions options = this->random_rule(chance);
     const Overlap overlap = this->random_overlap(chance);
     // The exact test of cones says more of small boxes than of large ones.
     if (overlap == Overlap::exact) scene.cones.clear();
     if (scene.count() == 0) continue;
-    const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule), overlap, rule);
+    const Grid grid =
+        build_grid(scene.view(), this->random_lattice(chance, scene, options), overlap, options);
     const Cells cells(grid);
     const Lists possible = lists_of(scene, with_margin(finest_lattice(grid), perhaps), overlap);
     Lists in_cells(grid.cells.size());
@@ -228,11 +232,12 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
   std::int64_t expanded = 0, over_others = 0;
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    MergeRule rule = this->random_rule(chance);
-    rule.merge = Merge::irregular;
-    rule.expansions = chance.one_of({1, 2, 6, 40});
+    GridOptions options = this->random_rule(chance);
+    options.kind = GridKind::irregular;
+    options.expansions = chance.one_of({1, 2, 6, 40});
     const Overlap overlap = this->random_overlap(chance);
-    const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule), overlap, rule);
+    const Grid grid =
+        build_grid(scene.view(), this->random_lattice(chance, scene, options), overlap, options);
     const Cells cells(grid);
     const Lists needed = needed_lists(scene, finest_lattice(grid), overlap);
     for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
@@ -256,10 +261,10 @@ TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    MergeRule rule = this->random_rule(chance);
-    rule.expansions = 0;
-    const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule),
-                                   this->random_overlap(chance), rule);
+    GridOptions options = this->random_rule(chance);
+    options.expansions = 0;
+    const Grid grid = build_grid(scene.view(), this->random_lattice(chance, scene, options),
+                                 this->random_overlap(chance), options);
     const Cells cells(grid);
     for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
       ASSERT_TRUE(cells.boxes[cell].first == cells.own[cell].first &&
@@ -275,11 +280,11 @@ TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    MergeRule rule;
-    rule.merge = Merge::x;
+    GridOptions options;
+    options.kind = GridKind::x;
     const Overlap overlap = this->random_overlap(chance);
-    const GridLayout layout = this->random_lattice(chance, scene, rule);
-    const Grid grid = build_merged(scene.view(), layout, overlap, rule);
+    const GridLayout layout = this->random_lattice(chance, scene, options);
+    const Grid grid = build_grid(scene.view(), layout, overlap, options);
     const Cells cells(grid);
     const Lists lists = lists_of(scene, layout, overlap);
     for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
@@ -332,21 +337,21 @@ TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
   std::int64_t within = 0, above = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    MergeRule rule;
-    rule.merge = Merge::balance;
-    rule.target = chance.one_of({1U, 2U, 5U, 20U});
-    const GridLayout layout = this->random_lattice(chance, scene, rule);
-    const Grid grid = build_merged(scene.view(), layout, Overlap::box, rule);
+    GridOptions options;
+    options.kind = GridKind::balance;
+    options.target = chance.one_of({1U, 2U, 5U, 20U});
+    const GridLayout layout = this->random_lattice(chance, scene, options);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
     const Cells cells(grid);
     const Lists lists = lists_of(scene, layout, Overlap::box);
     for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
-      if (cells.lists[cell].size() <= rule.target) {
+      if (cells.lists[cell].size() <= options.target) {
         ++within;
         continue;
       }
       above += volume(cells.own[cell]) > 1;
       ASSERT_FALSE(could_be_divided<TypeParam>(lists, cells.own[cell], layout.division))
-          << "cell " << cell << " lists " << cells.lists[cell].size() << ", not " << rule.target;
+          << "cell " << cell << " lists " << cells.lists[cell].size() << ", not " << options.target;
     }
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
@@ -366,15 +371,15 @@ TYPED_TEST(Merged, TheNumberOfThreadsShowsInNoByte) {
     scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
   }
   const SceneView<TypeParam> view = scene.view();
-  for (const Merge merge : {Merge::x, Merge::balance, Merge::irregular}) {
-    MergeRule rule;
-    rule.merge = merge;
-    GridLayout layout = this->random_lattice(chance, scene, rule);
-    layout.division = merge == Merge::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
+  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
+    GridOptions options;
+    options.kind = kind;
+    GridLayout layout = this->random_lattice(chance, scene, options);
+    layout.division = kind == GridKind::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
     Grid first;
     for (const std::size_t threads : {1U, 2U, 4U}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Grid grid = build_merged(view, layout, Overlap::exact, rule);
+      const Grid grid = build_grid(view, layout, Overlap::exact, options);
       if (threads == 1) {
         first = grid;
         continue;
@@ -394,9 +399,9 @@ TYPED_TEST(Merged, ASceneOfNothingHasEmptyCells) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene;
-    const MergeRule rule = this->random_rule(chance);
-    const Grid grid = build_merged(scene.view(), this->random_lattice(chance, scene, rule),
-                                   this->random_overlap(chance), rule);
+    const GridOptions options = this->random_rule(chance);
+    const Grid grid = build_grid(scene.view(), this->random_lattice(chance, scene, options),
+                                 this->random_overlap(chance), options);
     const Cells cells(grid);
     EXPECT_EQ(grid.references.size(), 0U);
     for (const auto& list : cells.lists)

@@ -16,13 +16,13 @@ TYPED_TEST(Executor, BuildTheSameUniformGrid) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  SerialExecutor passes;
+  SerialExecutor executor;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
     const GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
-    expect_same(build_uniform(scene.view(), layout, overlap),
-                as_grid(uniform_by_passes(passes, scene.view(), layout, overlap)));
+    expect_same(build_grid(scene.view(), layout, overlap),
+                as_grid(uniform_grid(executor, scene.view(), layout, overlap)));
     ASSERT_FALSE(this->HasFailure()) << described(scene);
   }
 }
@@ -31,14 +31,14 @@ TYPED_TEST(Executor, BuildTheSameUniformGridOfBlocks) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  SerialExecutor passes;
+  SerialExecutor executor;
   for (std::int64_t s = cases(3); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
     GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
     layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
-    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     EXPECT_GT(grid.block_log2, 0);
-    expect_same(grid, as_grid(uniform_by_passes(passes, scene.view(), layout, Overlap::exact)));
+    expect_same(grid, as_grid(uniform_grid(executor, scene.view(), layout, Overlap::exact)));
   }
 }
 
@@ -46,29 +46,29 @@ TYPED_TEST(Executor, BuildTheSameIrregularGrid) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  SerialExecutor passes;
+  SerialExecutor executor;
   std::int64_t divided = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const auto [layout, overlap, rule] = random_irregular_case<TypeParam>(chance, scene.bounds());
-    const Grid grid = build_merged(scene.view(), layout, overlap, rule);
+    const auto [layout, overlap, options] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    const Grid grid = build_grid(scene.view(), layout, overlap, options);
     divided += grid.voxel_map.size() > voxel_count(layout.division) + 3;
-    expect_same(grid, as_grid(irregular_by_passes(passes, scene.view(), layout, overlap, rule)));
+    expect_same(grid, as_grid(irregular_grid(executor, scene.view(), layout, overlap, options)));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
   EXPECT_GT(divided, cases(100));
 }
 
 TYPED_TEST(Executor, BuildTheSameOfNothing) {
-  SerialExecutor passes;
+  SerialExecutor executor;
   TestScene<TypeParam> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
-  MergeRule rule;
-  rule.merge = Merge::irregular;
-  expect_same(build_uniform(scene.view(), layout, Overlap::exact),
-              as_grid(uniform_by_passes(passes, scene.view(), layout, Overlap::exact)));
-  expect_same(build_merged(scene.view(), layout, Overlap::exact, rule),
-              as_grid(irregular_by_passes(passes, scene.view(), layout, Overlap::exact, rule)));
+  GridOptions options;
+  options.kind = GridKind::irregular;
+  expect_same(build_grid(scene.view(), layout, Overlap::exact),
+              as_grid(uniform_grid(executor, scene.view(), layout, Overlap::exact)));
+  expect_same(build_grid(scene.view(), layout, Overlap::exact, options),
+              as_grid(irregular_grid(executor, scene.view(), layout, Overlap::exact, options)));
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 // Random grids of every kind.
 #pragma once
 
+#include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
-#include "libgrid/build/merge.h"
 #include "libgrid/file/grid_file.h"
 #include "tools/bench/stability/test_scene.h"
 
@@ -21,7 +21,7 @@ GridLayout random_lattice(Chance& chance, const Boxd& bounds) {
 
 // The same uniform grid with a map of two levels, which the builder uses only for large divisions.
 inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
-  Grid blocks_grid{grid.layout, Merge::none, block_log2, 0, {}, {}, grid.references};
+  Grid blocks_grid{grid.layout, GridKind::uniform, block_log2, 0, {}, {}, grid.references};
   const Vec3i blocks = blocks_of(grid.layout.division, block_log2);
   const std::size_t words = std::size_t{1} << (3 * block_log2);
   blocks_grid.voxel_map.assign(voxel_count(blocks), 0);
@@ -42,12 +42,12 @@ inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
 template <class Stored>
 Grid random_uniform_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
   const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-  const Grid grid = build_uniform(scene, random_lattice<Stored>(chance, bounds), overlap);
+  const Grid grid = build_grid(scene, random_lattice<Stored>(chance, bounds), overlap);
   return grid.block_log2 == 0 && chance.one_in(2) ? in_blocks(grid, chance.whole(1, 5)) : grid;
 }
 
-inline MergeRule random_merge_rule(Chance& chance) {
-  return {chance.one_of({Merge::x, Merge::balance, Merge::irregular}),
+inline GridOptions random_grid_options(Chance& chance) {
+  return {chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular}),
           chance.one_of({1U, 2U, 8U, 64U}),
           chance.one_of({1.0, 0.8}),
           chance.one_of({0.0, 0.5, 3.0, 20.0}),
@@ -60,25 +60,25 @@ inline MergeRule random_merge_rule(Chance& chance) {
 struct IrregularCase {
   GridLayout layout;
   Overlap overlap;
-  MergeRule rule;
+  GridOptions options;
 };
 template <class Stored>
 IrregularCase random_irregular_case(Chance& chance, const Boxd& bounds) {
   IrregularCase by{random_lattice<Stored>(chance, bounds), chance.one_in(2) ? Overlap::exact : Overlap::box,
-                   random_merge_rule(chance)};
+                   random_grid_options(chance)};
   by.layout.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
-  by.rule.merge = Merge::irregular;
+  by.options.kind = GridKind::irregular;
   return by;
 }
 
 template <class Stored>
 Grid random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
-  const MergeRule rule = random_merge_rule(chance);
+  const GridOptions options = random_grid_options(chance);
   const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
   GridLayout layout = random_lattice<Stored>(chance, bounds);
-  if (rule.merge == Merge::irregular && chance.one_in(2))
+  if (options.kind == GridKind::irregular && chance.one_in(2))
     layout.division = {chance.whole(1, 6), chance.whole(1, 6), chance.whole(1, 6)};
-  return build_merged(scene, layout, overlap, rule);
+  return build_grid(scene, layout, overlap, options);
 }
 
 template <class Stored>
@@ -90,7 +90,7 @@ Grid random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bou
 // Calls act(the grid's view).
 template <class Real, class Act>
 void with_view(const Grid& grid, const Act& act) {
-  grid.merge == Merge::none ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
+  grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
 }
 
 // The layout of the grid's smallest voxels.
@@ -102,8 +102,8 @@ inline std::string described(const Grid& grid) {
   const Boxd& s = grid.layout.space;
   const Vec3i n = grid.layout.division;
   return "space " + described(s.min) + described(s.max) + " division " + std::to_string(n.x) + 'x' +
-         std::to_string(n.y) + 'x' + std::to_string(n.z) + " merge " +
-         std::to_string(static_cast<int>(grid.merge)) + " blocks of 2^" + std::to_string(grid.block_log2) +
+         std::to_string(n.y) + 'x' + std::to_string(n.z) + " kind " +
+         std::to_string(static_cast<int>(grid.kind)) + " blocks of 2^" + std::to_string(grid.block_log2) +
          " nested 2^" + std::to_string(grid.nested_log2);
 }
 

@@ -2,6 +2,7 @@
 // and primitives, from faces, from far away.
 #pragma once
 
+#include "libgrid/build/merge.h"
 #include "libscene/geometry/ray.h"
 #include "tests/random_grid.h"
 #include "tools/bench/stability/test_scene.h"

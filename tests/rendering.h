@@ -1,7 +1,7 @@
 // Small scenes made and rendered in a test: through the files, as the tools do it.
 #pragma once
 
-#include "libgrid/build/division.h"
+#include "libgrid/build/builder.h"
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
@@ -42,7 +42,7 @@ private:
     const SceneView<Stored> view = scene_->view<Stored>();
     const GridLayout layout = make_grid_layout<Stored>(scene_->bounds(), SpaceRule::tight,
                                                        parse_division(division), division_statistics(view));
-    write_grid(build_uniform(view, layout, Overlap::exact),
+    write_grid(build_grid(view, layout, Overlap::exact),
                {scene_->hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
                folder_.file("grid"));
   }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,7 +15,7 @@ namespace masu {
 
 struct SerialExecutor {
   template <class T>
-  using Array = std::vector<T>;
+  using Array = HostArray<T>;
 
   // What nobody writes is nonsense, and not zero.
   template <class T>
@@ -26,7 +27,7 @@ struct SerialExecutor {
   }
   template <class T>
   Array<T> zeros(std::uint64_t count) const {
-    return Array<T>(count);
+    return Array<T>(count, T{});
   }
   template <class Act>
   void for_each(std::uint64_t count, const Act& act) const {
@@ -34,7 +35,7 @@ struct SerialExecutor {
       act(i);
   }
   template <class Work>
-  void for_each_by_lanes(std::uint64_t count, const Work& work) const {
+  void for_each_by_group(std::uint64_t count, const Work& work) const {
     for (std::uint64_t i = 0; i < count; ++i) {
       typename Work::Scratch scratch;
       work(SingleThread{}, scratch, i);
@@ -50,13 +51,25 @@ struct SerialExecutor {
   T value(const Array<T>& values, std::uint64_t i) const {
     return values[i];
   }
-  template <class Value>
-  void sort(Array<std::uint64_t>& keys, Array<Value>& values, int bits) const {
-    const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
+  template <class Value, class Emit>
+  std::optional<Sorted<SerialExecutor, Value>> emit_sorted(std::uint64_t count, int /*bits*/,
+                                                           std::uint64_t max_pairs, const Emit& emit) const {
+    Array<std::uint64_t> keys;
+    Array<Value> values;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      // As if rows were shared between threads.
+      for (std::uint64_t row = 0; row < emit.size(i); row += 2) {
+        emit(i, row, row + 2, [&](std::uint64_t key, const Value& value) {
+          keys.push_back(key);
+          values.push_back(value);
+        });
+      }
+    }
+    if (keys.size() > max_pairs) return std::nullopt;
     std::vector<std::size_t> order(keys.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return (keys[a] & mask) < (keys[b] & mask); });
+                     [&](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
     const auto sorted = [&](auto& all) {
       auto copy = all;
       for (std::size_t i = 0; i < order.size(); ++i)
@@ -65,12 +78,13 @@ struct SerialExecutor {
     };
     sorted(keys);
     sorted(values);
+    return Sorted<SerialExecutor, Value>{std::move(keys), std::move(values)};
   }
 };
 
-inline Grid as_grid(PassesGrid<SerialExecutor> grid) {
+inline Grid as_grid(ExecutorGrid<SerialExecutor> grid) {
   return {grid.layout,
-          grid.merge,
+          grid.kind,
           grid.block_log2,
           grid.nested_log2,
           std::move(grid.voxel_map),

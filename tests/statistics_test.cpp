@@ -1,6 +1,6 @@
 // What a grid lists against what each primitive says of each voxel, and the numbers told of it; the same
 // bytes for any number of threads.
-#include "libgrid/build/build.h"
+#include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
 #include "libgrid/file/grid_file.h"
 #include "libgrid/statistics.h"
@@ -100,7 +100,7 @@ TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
     const GridLayout layout = this->layout(scene, this->division(chance, 24));
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const Grid grid = build_uniform(scene.view(), layout, overlap);
+    const Grid grid = build_grid(scene.view(), layout, overlap);
     ASSERT_EQ(grid.block_log2, 0);
     ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, overlap));
   }
@@ -117,7 +117,7 @@ TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
     scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
   }
   const GridLayout layout = this->layout(scene, {70, 50, 60});
-  ASSERT_EQ(lists_of<TypeParam>(build_uniform(scene.view(), layout, Overlap::exact)),
+  ASSERT_EQ(lists_of<TypeParam>(build_grid(scene.view(), layout, Overlap::exact)),
             lists_of(scene, layout, Overlap::exact));
 }
 
@@ -131,7 +131,7 @@ TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
     scene.cones.clear();
     scene.triangles.push_back(triangle_of<TypeParam>({-1, -1, -1}, {1, 1, 1}, {1, TypeParam(0.9), 1}));
     const GridLayout layout = this->layout(scene, division);
-    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, Overlap::exact));
   }
@@ -152,7 +152,7 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
     Grid first;
     for (const std::size_t threads : {1U, 2U, 4U}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Grid grid = build_uniform(view, layout, Overlap::exact);
+      const Grid grid = build_grid(view, layout, Overlap::exact);
       if (threads == 1) {
         first = grid;
         continue;
@@ -174,7 +174,7 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
 
 TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
   TestScene<TypeParam> scene;
-  const Grid grid = build_uniform(scene.view(), this->layout(scene, {3, 4, 5}), Overlap::exact);
+  const Grid grid = build_grid(scene.view(), this->layout(scene, {3, 4, 5}), Overlap::exact);
   EXPECT_EQ(grid.references.size(), 0U);
   EXPECT_EQ(grid.cells.size(), 0U);
   EXPECT_TRUE(std::all_of(grid.voxel_map.begin(), grid.voxel_map.end(),
@@ -195,7 +195,7 @@ TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
     const GridLayout layout = this->layout(scene, this->division(chance, 20));
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const Grid grid = build_uniform(scene.view(), layout, overlap);
+    const Grid grid = build_grid(scene.view(), layout, overlap);
     const GridView<TypeParam> view = view_of<TypeParam>(grid);
     const GridStatistics told = grid_statistics(view, grid.references);
 

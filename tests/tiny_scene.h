@@ -35,7 +35,7 @@ inline constexpr std::uint64_t tiny_scene_primitives = 4;
 // 2×2×1 voxels, three occupied.
 inline Grid tiny_grid() {
   return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 2, 1}, 0.0625},
-          Merge::none,
+          GridKind::uniform,
           0,
           0,
           {occupied_bit | 0, occupied_bit | 1, 0, occupied_bit | 3},
@@ -48,7 +48,7 @@ inline Grid tiny_grid_of_blocks() {
   constexpr std::uint32_t block0 = occupied_bit | 0, block1 = occupied_bit | 1;
   constexpr std::uint32_t list0 = occupied_bit | 0, list1 = occupied_bit | 1, list2 = occupied_bit | 3;
   return {{{{-2, -2, -1}, {2, 2, 1}}, {5, 1, 1}, 0.0625},
-          Merge::none,
+          GridKind::uniform,
           1,
           0,
           {block0, 0, block1, list0, list1, 0, 0, 0, 0, 0, 0, list2, 0, 0, 0, 0, 0, 0, 0},
@@ -70,7 +70,7 @@ inline Grid tiny_merged_grid() {
   const std::uint32_t nested0 = divided(8, 1), nested1 = divided(16, 1);
   const auto range = [](std::uint32_t first, std::uint32_t end) { return first | end << 16; };
   return {{{{-2, -2, -1}, {2, 2, 1}}, {2, 1, 1}, 0.0625},
-          Merge::irregular,
+          GridKind::irregular,
           0,
           2,
           {nested0, cell5, 0,     0,     0,     0,     0,     0,     //

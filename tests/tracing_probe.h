@@ -1,8 +1,8 @@
 // Uses every kind of index in a scene and a grid, for tests with hostile files.
 #pragma once
 
+#include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
-#include "libgrid/build/merge.h"
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
@@ -24,20 +24,19 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
 
 // Builds a coarse grid and writes it to `path`. Throws Error when the space can't be divided.
 template <class Stored>
-void build_a_little(const SceneFile& scene, Overlap overlap, Merge merge, const std::string& path) {
+void build_a_little(const SceneFile& scene, Overlap overlap, GridKind kind, const std::string& path) {
   const SceneView<Stored> view = scene.view<Stored>();
   const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
                                                      parse_division("5x4x3"), division_statistics(view));
-  MergeRule rule;
-  rule.merge = merge;
-  rule.target = 1;
-  write_grid(merge == Merge::none ? build_uniform(view, layout, overlap)
-                                  : build_merged(view, layout, overlap, rule),
+  GridOptions options;
+  options.kind = kind;
+  options.target = 1;
+  write_grid(build_grid(view, layout, overlap, options),
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, overlap, "5x4x3", ""}, path);
 }
-inline void build_a_little(const SceneFile& scene, Overlap overlap, Merge merge, const std::string& path) {
-  scene.is_float64() ? build_a_little<double>(scene, overlap, merge, path)
-                     : build_a_little<float>(scene, overlap, merge, path);
+inline void build_a_little(const SceneFile& scene, Overlap overlap, GridKind kind, const std::string& path) {
+  scene.is_float64() ? build_a_little<double>(scene, overlap, kind, path)
+                     : build_a_little<float>(scene, overlap, kind, path);
 }
 
 } // namespace masu

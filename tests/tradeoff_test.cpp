@@ -244,8 +244,8 @@ TEST_F(Tradeoff, InvalidArgumentsAreRefused) {
     EXPECT_TRUE(failed(measured_few(more), 1, "gridbench", place));
     EXPECT_FALSE(std::filesystem::exists(folder()));
   };
-  refused({"--divisions", "0"}, "--division");
-  refused({"--curve", "many"}, "--division");
+  refused({"--divisions", "0"}, "division");
+  refused({"--curve", "many"}, "division");
   refused({"--precisions", "quick"}, "command line");
   refused({"--seed", "1", scene_}, scene_); // the same scene twice
   refused({"--charts-only"}, "--charts-only");

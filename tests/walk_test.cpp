@@ -134,7 +134,7 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
           corner->set(axis, level);
       }
     }
-    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     this->compare_each(chance, scene, grid, 200, [&] {
       const Cone<Real>& cone = scene.cones[chance.index(scene.cones.size())];
       const Vec3d tip = cast<double>(cone.apex), axis = normalized(cast<double>(cone.base) - tip);
@@ -159,7 +159,7 @@ TYPED_TEST(GridWalk, FindsThemThroughMillionsOfVoxels) {
     const GridLayout layout{space_of<Real>(bounds, SpaceRule::tight),
                             {chance.whole(200, 300), chance.whole(200, 300), chance.whole(250, 300)},
                             rounding_margin<Real>(bounds)};
-    const Grid grid = build_uniform(scene.view(), layout, Overlap::exact);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     this->compare(chance, scene, grid, 3000);
   }
@@ -317,7 +317,7 @@ TYPED_TEST(GridWalk, EndsAndGoesForward) {
           const double d = std::abs(static_cast<double>(clipped.ray.direction[axis]));
           if (d > 0) slowest = std::min(slowest, d);
         }
-        const bool single_voxels = grid.merge == Merge::none && grid.block_log2 == 0;
+        const bool single_voxels = grid.kind == GridKind::uniform && grid.block_log2 == 0;
         ASSERT_LE(whole.largest_fall * slowest, single_voxels ? 0 : grid.layout.margin)
             << described(grid) << described(ray.origin, ray.direction);
       }
@@ -360,10 +360,10 @@ TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
     const GridLayout layout = random_lattice<Real>(chance, bounds);
-    const Grid uniform = build_uniform(view, layout, Overlap::exact);
+    const Grid uniform = build_grid(view, layout, Overlap::exact);
     std::vector<Grid> joined{in_blocks(uniform, 2)};
-    for (const Merge merge : {Merge::x, Merge::balance})
-      joined.push_back(build_merged(view, layout, Overlap::exact, {merge, 2}));
+    for (const GridKind kind : {GridKind::x, GridKind::balance})
+      joined.push_back(build_grid(view, layout, Overlap::exact, {kind, 2}));
     for (int i = 0; i < 30; ++i) {
       const Vec3<Real> origin = cast<Real>(chance.in_box(layout.space));
       const Vec3<Real> d = cast<Real>(chance.direction());
@@ -404,10 +404,10 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
          RealTraits<Real>::smallest_normal, static_cast<Real>(chance.uniform(-1, 1))});
   };
   const GridLayout layout{space_of<Real>(bounds, SpaceRule::tight), {5, 6, 7}, rounding_margin<Real>(bounds)};
-  const Grid uniform = build_uniform(view, layout, Overlap::exact);
+  const Grid uniform = build_grid(view, layout, Overlap::exact);
   std::vector<Grid> grids{uniform, in_blocks(uniform, 2)};
-  for (const Merge merge : {Merge::x, Merge::balance, Merge::irregular})
-    grids.push_back(build_merged(view, layout, Overlap::exact, {merge, 1}));
+  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular})
+    grids.push_back(build_grid(view, layout, Overlap::exact, {kind, 1}));
   for (int i = 0; i < 45; ++i)
     grids.push_back(random_merged_grid(chance, view, bounds));
   for (const Grid& grid : grids) {

@@ -1,5 +1,5 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
-#include "libgrid/build/recipe.h"
+#include "libgrid/build/build_grid.h"
 #include "libgrid/statistics.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/stopwatch.h"
@@ -12,7 +12,7 @@ enum class Device { cpu, cuda };
 
 struct Settings {
   std::string scene, output, division = "auto";
-  BuildOptions recipe;
+  BuildOptions options;
   Device device = Device::cpu;
   bool record_seconds = false, json = false;
   Threads threads;
@@ -23,13 +23,12 @@ void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   const auto builder = settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene);
   const Stopwatch watch;
-  const Grid grid = build_grid(*builder, file.bounds(), settings.recipe);
+  auto [grid, origin] = build_grid(*builder, file.bounds(), file.hash(), settings.options);
   const double seconds = watch.seconds();
-  GridOrigin origin = origin_of(grid, settings.recipe, file.hash(), scene.primitive_count());
   if (settings.record_seconds) origin.build_seconds = seconds;
   write_grid(grid, origin, settings.output);
   const Vec3i n = grid.layout.division;
-  const GridStatistics counted = grid.merge == Merge::none
+  const GridStatistics counted = grid.kind == GridKind::uniform
                                      ? grid_statistics(view_of<double>(grid), grid.references)
                                      : grid_statistics(merged_view_of<double>(grid), grid.cells);
   const std::uint64_t cells = counted.occupied_cells;
@@ -46,13 +45,20 @@ void build(const Settings& settings, const SceneFile& file) {
         "{:.6f}, \"total_seconds\": {:.6f}}}\n",
         n.x, n.y, n.z, cells, grid.references.size(), device, seconds, watch.seconds());
   } else {
-    const std::string merged = grid.merge == Merge::none ? "" : fmt::format("{} cells, ", counted.cells);
+    const std::string merged = grid.kind == GridKind::uniform ? "" : fmt::format("{} cells, ", counted.cells);
     fmt::print("{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n", n.x,
                n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
     if (settings.device == Device::cuda)
       fmt::print("on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
                  on_device.set_up, on_device.upload, on_device.build, on_device.download);
   }
+}
+
+// The library's errors in the command line's words.
+Error translated(const Error& error) {
+  if (error.place() == "division") return {error.code(), "--division", error.message()};
+  if (error.place() == "cuda") return {error.code(), "cuda", error.message() + " (--device cpu)"};
+  return error;
 }
 
 } // namespace
@@ -76,43 +82,43 @@ int main(int argc, char** argv) {
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
         app.add_option("-o,--output", settings.output, "grid file")->required();
         app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
-        add_choice(app, "--space", settings.recipe.space,
+        add_choice(app, "--space", settings.options.space,
                    {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
                    "what is divided: tight (the objects' bounds) or cube (the smallest about the origin)");
         add_choice(
-            app, "--overlap", settings.recipe.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
+            app, "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
-        add_choice(app, "--merge", settings.recipe.choice,
-                   {{"auto", MergeChoice::automatic},
-                    {"none", MergeChoice::none},
-                    {"x", MergeChoice::x},
-                    {"balance", MergeChoice::balance},
-                    {"irregular", MergeChoice::irregular}},
+        add_choice(app, "--merge", settings.options.grid.kind,
+                   {{"auto", GridKind::automatic},
+                    {"none", GridKind::uniform},
+                    {"x", GridKind::x},
+                    {"balance", GridKind::balance},
+                    {"irregular", GridKind::irregular}},
                    "which voxels share a cell: auto (none where a division is given; else none or irregular, "
                    "as a cost model says), none, x (empty ones in a run along x), balance (as many as list "
                    "--target primitives), irregular (voxels are divided further, by expected cost)");
-        app.add_option("--target", settings.recipe.merge.target, "balance: the most references of a cell")
+        app.add_option("--target", settings.options.grid.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();
-        app.add_option("--nested", settings.recipe.merge.nested_log2,
+        app.add_option("--nested", settings.options.grid.nested_log2,
                        "irregular: each voxel is divided into at most 2^N an axis")
             ->check(CLI::Range(0, 15))
             ->capture_default_str();
-        app.add_option("--step-cost", settings.recipe.merge.step_over_test,
+        app.add_option("--step-cost", settings.options.grid.step_cost,
                        "irregular: what a step to a cell costs, in intersection tests")
             ->check(CLI::Range(0.0, 1000.0))
             ->capture_default_str();
-        app.add_option("--detail", settings.recipe.merge.detail,
+        app.add_option("--detail", settings.options.grid.detail,
                        "irregular: planes no closer than a primitive's typical extent divided by this")
             ->check(CLI::Range(0.1, 100.0))
             ->capture_default_str();
         app.add_option(
-               "--alpha", settings.recipe.merge.alpha,
+               "--alpha", settings.options.grid.alpha,
                "irregular: divide while that makes the expected cost less than alpha times what it is")
             ->check(CLI::Range(0.0, 1.0))
             ->capture_default_str();
-        app.add_option("--expand", settings.recipe.merge.expansions,
-                       "irregular: passes that stretch cells over neighbours that list nothing else")
+        app.add_option("--expand", settings.options.grid.expansions,
+                       "irregular: rounds of expanding cells over neighbours that list nothing else")
             ->check(CLI::Range(0, 64))
             ->capture_default_str();
         add_choice(app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
@@ -123,10 +129,13 @@ int main(int argc, char** argv) {
         settings.threads.add_to(app);
         parse();
         const auto limit = settings.threads.limit();
-        settings.recipe.division =
-            parse_division(settings.division); // a bad rule is told before anything is read
-        check_files({settings.scene}, {settings.output});
-        const SceneFile scene(settings.scene);
-        scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
+        try {
+          settings.options.division = parse_division(settings.division); // before anything is read
+          check_files({settings.scene}, {settings.output});
+          const SceneFile scene(settings.scene);
+          scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);
+        } catch (const Error& error) {
+          throw translated(error);
+        }
       });
 }

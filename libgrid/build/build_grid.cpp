@@ -1,94 +1,113 @@
-#include "libgrid/build/recipe.h"
+#include "libgrid/build/build_grid.h"
 
-#include "libgrid/build/choose.h"
+#include "libgrid/build/available_memory.h"
+#include "libgrid/map_statistics.h"
 #include "libscene/error.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <fstream>
+#include <utility>
 
 namespace masu {
 namespace {
-
-// What the machine can still give, in bytes; infinity where it doesn't tell.
-double available_memory() {
-  std::ifstream file("/proc/meminfo");
-  for (std::string key, rest; file >> key && std::getline(file, rest);) {
-    if (key == "MemAvailable:") return std::stod(rest) * 1024;
-  }
-  return HUGE_VAL;
-}
 
 void check_memory(const GridLayout& layout, double references) {
   const double needed = expected_build_bytes(layout, references), available = available_memory();
   if (needed <= available) return;
   const Vec3i n = layout.division;
   throw Error(
-      ErrorCode::usage, "--division",
+      ErrorCode::usage, "division",
       fmt::format("{}x{}x{} voxels need about {:.1f} GB to build, {:.1f} GB are free: choose a coarser one",
                   n.x, n.y, n.z, needed / 1e9, available / 1e9));
 }
 
-std::string merge_text(Merge merge, const MergeRule& rule) {
-  switch (merge) {
-  case Merge::none:
-    return "";
-  case Merge::x:
+// As files have it from version 2 on: they call expansion stretching.
+std::string merge_text(GridKind kind, const GridOptions& options) {
+  switch (kind) {
+  case GridKind::x:
     return "x";
-  case Merge::balance:
-    return fmt::format("balance target {}", rule.target);
-  case Merge::irregular:
-    return fmt::format("irregular nested {} detail {} step {} alpha {} stretch {}", rule.nested_log2,
-                       rule.detail, rule.step_over_test, rule.alpha, rule.expansions);
+  case GridKind::balance:
+    return fmt::format("balance target {}", options.target);
+  case GridKind::irregular:
+    return fmt::format("irregular nested {} detail {} step {} alpha {} stretch {}", options.nested_log2,
+                       options.detail, options.step_cost, options.alpha, options.expansions);
+  case GridKind::uniform:
+  case GridKind::automatic:
+    break;
   }
   return "";
 }
 
-// A division that is to be divided further starts out coarser, where it is ours to choose.
-DivisionRule nested_rule(DivisionRule rule) {
-  if (rule.kind == DivisionRule::Kind::automatic) rule.kind = DivisionRule::Kind::nested;
-  return rule;
+double cost_of(const ExpectedRay& ray, const GridOptions& options) {
+  return options.step_cost * ray.cells + ray.tests;
+}
+double expected_cost_of_uniform(const Grid& grid, const GridOptions& options) {
+  return cost_of(map_statistics(view_of<double>(grid), grid.references).ray, options);
+}
+double expected_cost_of_irregular(const Grid& grid, const GridOptions& options) {
+  const MergedGridView<double> view = merged_view_of<double>(grid);
+  return cost_of(expected_ray(view, grid.cells, own_voxels_of_rows(view, grid.cells)), options);
+}
+
+std::size_t bytes_of(const Grid& grid) {
+  return grid.voxel_map.size() * sizeof(std::uint32_t) + grid.cells.size() * sizeof(MergedCell) +
+         grid.references.size() * sizeof(PrimitiveIndex);
+}
+
+GridOptions of_kind(GridKind kind, GridOptions options) {
+  options.kind = kind;
+  return options;
+}
+
+template <class Stored>
+Grid build_automatic(GridBuilder<Stored>& builder, const GridLayout& uniform_layout, const GridLayout& nested,
+                     Overlap overlap, const GridOptions& options) {
+  constexpr double tie = 0.9;
+  Grid uniform = builder.build(uniform_layout, overlap, of_kind(GridKind::uniform, options));
+  BuildResult irregular = builder.try_build(nested, overlap, of_kind(GridKind::irregular, options));
+  if (irregular.exceeded != nullptr) return uniform;
+  const double uniform_cost = expected_cost_of_uniform(uniform, options),
+               irregular_cost = expected_cost_of_irregular(irregular.grid, options);
+  const bool clear = std::min(uniform_cost, irregular_cost) < tie * std::max(uniform_cost, irregular_cost);
+  const bool take_uniform =
+      clear ? uniform_cost < irregular_cost : bytes_of(uniform) <= bytes_of(irregular.grid);
+  return take_uniform ? std::move(uniform) : std::move(irregular.grid);
 }
 
 } // namespace
 
 template <class Stored>
-Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const BuildOptions& recipe) {
-  const DivisionRule& rule = recipe.division;
+DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& scene_hash,
+                         const BuildOptions& options) {
   const DivisionStatistics statistics = division_statistics(builder.scene());
-  const auto lattice_by = [&](const DivisionRule& by) {
-    const GridLayout layout = make_grid_layout<Stored>(bounds, recipe.space, by, statistics);
+  const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
+  // Voxels that are divided further start out coarser, unless their division was given.
+  const auto layout_for = [&](GridKind kind) {
+    DivisionRule rule = options.division;
+    if (kind == GridKind::irregular && automatic_division) rule.kind = DivisionRule::Kind::nested;
+    const GridLayout layout = make_grid_layout<Stored>(bounds, options.space, rule, statistics);
     check_memory(layout, expected_references(statistics.all, layout));
     return layout;
   };
-  MergeRule merge = recipe.merge;
-  switch (recipe.choice) {
-  case MergeChoice::automatic:
-    // Who says how many voxels there are to be means those, not ones to divide further.
-    if (rule.kind != DivisionRule::Kind::automatic) return builder.uniform(lattice_by(rule), recipe.overlap);
-    return build_chosen(builder, lattice_by(rule), lattice_by(nested_rule(rule)), recipe.overlap, merge);
-  case MergeChoice::none:
-    return builder.uniform(lattice_by(rule), recipe.overlap);
-  case MergeChoice::x:
-    merge.merge = Merge::x;
-    return builder.merged(lattice_by(rule), recipe.overlap, merge);
-  case MergeChoice::balance:
-    merge.merge = Merge::balance;
-    return builder.merged(lattice_by(rule), recipe.overlap, merge);
-  case MergeChoice::irregular:
-    merge.merge = Merge::irregular;
-    return builder.merged(lattice_by(nested_rule(rule)), recipe.overlap, merge);
-  }
-  return {};
+  const auto built = [&] {
+    // Whoever gives a division means those voxels, not ones to divide further.
+    const bool automatic = options.grid.kind == GridKind::automatic;
+    if (automatic && automatic_division)
+      return build_automatic(builder, layout_for(GridKind::uniform), layout_for(GridKind::irregular),
+                             options.overlap, options.grid);
+    const GridKind kind = automatic ? GridKind::uniform : options.grid.kind;
+    return builder.build(layout_for(kind), options.overlap, of_kind(kind, options.grid));
+  };
+  DescribedGrid result{built(), {}};
+  result.origin = {scene_hash,
+                   builder.scene().primitive_count(),
+                   options.space,
+                   options.overlap,
+                   options.division.text,
+                   merge_text(result.grid.kind, options.grid)};
+  return result;
 }
-template Grid build_grid(GridBuilder<float>&, const Boxd&, const BuildOptions&);
-template Grid build_grid(GridBuilder<double>&, const Boxd&, const BuildOptions&);
-
-GridOrigin origin_of(const Grid& grid, const BuildOptions& recipe, const Hash& scene_hash,
-                     std::uint64_t primitives) {
-  return {scene_hash,     primitives,           recipe.space,
-          recipe.overlap, recipe.division.text, merge_text(grid.merge, recipe.merge)};
-}
+template DescribedGrid build_grid(GridBuilder<float>&, const Boxd&, const Hash&, const BuildOptions&);
+template DescribedGrid build_grid(GridBuilder<double>&, const Boxd&, const Hash&, const BuildOptions&);
 
 } // namespace masu

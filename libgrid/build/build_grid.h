@@ -1,32 +1,27 @@
-// Building a grid as somebody asks for it: from words to a grid, and to what its file tells of it.
+// From build options to a grid and its description: what tools call.
 #pragma once
 
 #include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/build/merge.h"
 #include "libgrid/file/grid_file.h"
 
 namespace masu {
 
-// automatic leaves a division that is given as it is, and chooses between none and irregular where it isn't
-// (choose.h).
-enum class MergeChoice { automatic, none, x, balance, irregular };
-
-struct BuildOptions {
-  DivisionRule division;
-  MergeChoice choice = MergeChoice::automatic;
-  MergeRule merge; // but for its kind, which is the choice's
-  SpaceRule space = SpaceRule::tight;
-  Overlap overlap = Overlap::exact;
+struct DescribedGrid {
+  Grid grid;
+  GridOrigin origin; // for its file
 };
 
-// Of the builder's scene; `bounds` is that of all its primitives. Throws Error(usage, "--division", …) where
-// the machine hasn't the memory, and as the builder does.
+// A grid of the builder's scene; `bounds` are those of all its primitives, `scene_hash` its file's.
+//
+// Kind automatic: where options.division isn't automatic, that division, uniform. Else a uniform and an
+// irregular grid are built, and the one is taken that a random ray is expected to cross at less cost
+// (map_statistics.h), a step costing options.grid.step_cost tests; or the smaller one where that makes less
+// than a tenth's difference. A scene whose irregular grid would be too large gets the uniform one.
+//
+// Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
+// as the builder does.
 template <class Stored>
-Grid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const BuildOptions& recipe);
-
-// As the grid's file is to tell it.
-GridOrigin origin_of(const Grid& grid, const BuildOptions& recipe, const Hash& scene_hash,
-                     std::uint64_t primitives);
+DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& scene_hash,
+                         const BuildOptions& options);
 
 } // namespace masu

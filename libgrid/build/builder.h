@@ -1,14 +1,14 @@
-// Who builds a scene's grids: the CPU, or a CUDA device. Both make the same bytes.
+// Grid builders: the CPU, or a CUDA device. Both make the same bytes.
 #pragma once
 
-#include "libgrid/build/merge.h"
+#include "libgrid/build/build.h"
 
 #include <memory>
 
 namespace masu {
 
-// What building on a device took: making it ready, bringing the primitives there, building, and bringing the
-// grids back.
+// What building on a device took: initialising it, uploading the primitives, building, and downloading the
+// grids.
 struct DeviceSeconds {
   double set_up = 0, upload = 0, build = 0, download = 0;
 };
@@ -24,9 +24,10 @@ public:
   GridBuilder& operator=(GridBuilder&&) = delete;
   virtual ~GridBuilder() = default;
 
-  // As build_uniform and build_merged do, and throw.
-  virtual Grid uniform(const GridLayout& layout, Overlap overlap) = 0;
-  virtual Grid merged(const GridLayout& layout, Overlap overlap, const MergeRule& rule) = 0;
+  // A grid of any kind but automatic. Throws Error(input) for more primitives than grids can number.
+  virtual BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) = 0;
+  // The same, but throws Error(usage, "division", …) for a layout that exceeds a limit.
+  Grid build(const GridLayout& layout, Overlap overlap, const GridOptions& options = {});
 
   virtual const SceneView<Stored>& scene() const = 0;
   virtual DeviceSeconds device_seconds() const { return {}; }
@@ -35,9 +36,16 @@ public:
 template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene);
 
-// On the first CUDA device: uniform and irregular grids; for others it throws Error(usage, "--device", …).
+// On the first CUDA device: uniform and irregular grids; for others it throws Error(usage, "cuda", …).
 // Throws Error(device) where there is none, and when it fails.
 template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene);
+
+// On the CPU.
+template <class Stored>
+Grid build_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                const GridOptions& options = {}) {
+  return cpu_builder(scene)->build(layout, overlap, options);
+}
 
 } // namespace masu

@@ -34,23 +34,22 @@ class CudaBuilder final : public GridBuilder<Stored> {
 public:
   explicit CudaBuilder(const SceneView<Stored>& scene) : host_(scene) {
     std::string why;
-    if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": use --device cpu");
+    if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
     const Stopwatch watch;
-    passes_ = std::make_unique<CudaExecutor>();
+    executor_ = std::make_unique<CudaExecutor>();
     build_something();
     seconds_.set_up = watch.seconds();
     device_ = std::make_unique<DevicePrimitives<Stored>>(scene);
     seconds_.upload = watch.seconds() - seconds_.set_up;
   }
 
-  Grid uniform(const GridLayout& layout, Overlap overlap) override {
-    return built([&] { return uniform_by_passes(*passes_, device_->view, layout, overlap); });
-  }
-  Grid merged(const GridLayout& layout, Overlap overlap, const MergeRule& rule) override {
-    if (rule.merge != Merge::irregular)
-      throw Error(ErrorCode::usage, "--device",
-                  "cuda builds grids merged by none or irregular, not by x or balance: use --device cpu");
-    return built([&] { return irregular_by_passes(*passes_, device_->view, layout, overlap, rule); });
+  BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+    if (options.kind == GridKind::uniform)
+      return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
+    if (options.kind == GridKind::irregular)
+      return built([&] { return irregular_grid(*executor_, device_->view, layout, overlap, options); });
+    throw Error(ErrorCode::usage, "cuda",
+                "builds uniform and irregular grids, no others: build them on the CPU");
   }
 
   const SceneView<Stored>& scene() const override { return host_; }
@@ -65,18 +64,19 @@ private:
     one.triangle_count = 1;
     const DevicePrimitives<Stored> primitives(one);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
-    uniform_by_passes(*passes_, primitives.view, layout, Overlap::exact);
-    irregular_by_passes(*passes_, primitives.view, layout, Overlap::exact, {});
+    uniform_grid(*executor_, primitives.view, layout, Overlap::exact);
+    irregular_grid(*executor_, primitives.view, layout, Overlap::exact, {GridKind::irregular});
     check(cudaDeviceSynchronize());
   }
 
   template <class Build>
-  Grid built(const Build& build) {
+  BuildResult built(const Build& build) {
     const DeviceTimer timer;
-    const PassesGrid<CudaExecutor> grid = build();
+    const ExecutorGrid<CudaExecutor> grid = build();
     seconds_.build += timer.seconds();
     const Stopwatch watch;
-    Grid copy{grid.layout, grid.merge, grid.block_log2, grid.nested_log2, {}, {}, {}};
+    if (grid.exceeded != nullptr) return {{}, grid.exceeded};
+    Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {}, {}};
     Transfer transfer;
     const auto fetch = [&](const auto& from, auto& to) {
       to.resize(from.size());
@@ -87,12 +87,12 @@ private:
     fetch(grid.references, copy.references);
     transfer.run();
     seconds_.download += watch.seconds();
-    return copy;
+    return {std::move(copy)};
   }
 
   SceneView<Stored> host_;
   std::unique_ptr<DevicePrimitives<Stored>> device_;
-  std::unique_ptr<CudaExecutor> passes_;
+  std::unique_ptr<CudaExecutor> executor_;
   DeviceSeconds seconds_;
 };
 

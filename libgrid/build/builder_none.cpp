@@ -10,7 +10,7 @@ template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>&) {
   std::string why;
   static_cast<void>(cuda_available(why));
-  throw Error(ErrorCode::device, "cuda", why + ": use --device cpu, or build where nvcc is on the PATH");
+  throw Error(ErrorCode::device, "cuda", why + ": build on the CPU, or compile where nvcc is on the PATH");
 }
 template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&);
 template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&);

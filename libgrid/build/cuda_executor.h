@@ -1,4 +1,4 @@
-// Executor (passes.h) on a CUDA device. CUDA sources only.
+// Executor (executor.h) on a CUDA device. CUDA sources only.
 #pragma once
 
 #include "libgrid/build/executor.h"
@@ -8,15 +8,16 @@
 #include <cub/device/device_scan.cuh>
 
 #include <algorithm>
+#include <optional>
 
 namespace masu {
 
-// Some of a warp's threads, `width` (a power of two) side by side, as lanes.h has them.
+// Some of a warp's threads, `width` (a power of two) side by side, as thread_group.h has them.
 template <unsigned width>
 struct WarpTile {
-  __device__ std::uint32_t lane() const { return threadIdx.x % width; }
+  __device__ std::uint32_t thread_rank() const { return threadIdx.x % width; }
   __device__ std::uint32_t size() const { return width; }
-  __device__ void wait() const { __syncwarp(all()); }
+  __device__ void sync() const { __syncwarp(all()); }
   __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
   __device__ std::uint64_t sum(std::uint64_t value) const {
     for (unsigned apart = width / 2; apart > 0; apart /= 2)
@@ -31,7 +32,7 @@ struct WarpTile {
   template <class Candidate>
   __device__ Candidate first_of_all(Candidate first) const {
     for (unsigned apart = width / 2; apart > 0; apart /= 2) {
-      const Candidate other = of_lane(first, lane() ^ apart);
+      const Candidate other = of_lane(first, thread_rank() ^ apart);
       if (comes_before(other, first)) first = other;
     }
     return first;
@@ -56,10 +57,10 @@ private:
 };
 
 // A block's threads. Candidates are the first warp's.
-struct BlockLanes {
-  __device__ std::uint32_t lane() const { return threadIdx.x; }
+struct ThreadBlock {
+  __device__ std::uint32_t thread_rank() const { return threadIdx.x; }
   __device__ std::uint32_t size() const { return blockDim.x; }
-  __device__ void wait() const { __syncthreads(); }
+  __device__ void sync() const { __syncthreads(); }
   __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
   __device__ std::uint64_t sum(std::uint64_t value) const {
     __shared__ unsigned long long total;
@@ -98,28 +99,28 @@ __global__ void each(std::uint64_t count, const __grid_constant__ Act act) {
 
 // Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
 // length is large[0].
-inline constexpr unsigned few_lanes = 8, most_for_few = 256;
+inline constexpr unsigned tile_width = 8, max_for_tile = 256;
 template <class Work>
 __global__ void __launch_bounds__(threads)
-    each_by_few(std::uint64_t count, const __grid_constant__ Work work, std::uint32_t* large) {
-  __shared__ typename Work::Scratch scratch[threads / few_lanes];
-  const unsigned own = threadIdx.x / few_lanes;
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * (threads / few_lanes) + own;
+    each_by_tile(std::uint64_t count, const __grid_constant__ Work work, std::uint32_t* large) {
+  __shared__ typename Work::Scratch scratch[threads / tile_width];
+  const unsigned own = threadIdx.x / tile_width;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * (threads / tile_width) + own;
   if (i >= count) return;
-  if (work.size(i) > most_for_few) {
-    if (threadIdx.x % few_lanes == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
+  if (work.size(i) > max_for_tile) {
+    if (threadIdx.x % tile_width == 0) large[1 + atomicAdd(large, 1U)] = static_cast<std::uint32_t>(i);
     return;
   }
-  work(WarpTile<few_lanes>{}, scratch[own], i);
+  work(WarpTile<tile_width>{}, scratch[own], i);
 }
 
 inline constexpr unsigned blocks_for_large = 1024;
 template <class Work>
 __global__ void __launch_bounds__(threads)
-    each_by_blocks(const __grid_constant__ Work work, const std::uint32_t* large) {
+    each_by_block(const __grid_constant__ Work work, const std::uint32_t* large) {
   __shared__ typename Work::Scratch scratch;
   for (std::uint32_t i = blockIdx.x; i < large[0]; i += gridDim.x) {
-    work(BlockLanes{}, scratch, large[1 + i]);
+    work(ThreadBlock{}, scratch, large[1 + i]);
     __syncthreads();
   }
 }
@@ -176,14 +177,14 @@ public:
     check(cudaGetLastError());
   }
   template <class Work>
-  void for_each_by_lanes(std::uint64_t count, const Work& work) const {
+  void for_each_by_group(std::uint64_t count, const Work& work) const {
     if (count == 0) return;
     using namespace kernels;
     const auto large = array<std::uint32_t>(count + 1);
     check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
-    each_by_few<<<blocks_for(count * few_lanes), threads>>>(count, work, large.data());
+    each_by_tile<<<blocks_for(count * tile_width), threads>>>(count, work, large.data());
     check(cudaGetLastError());
-    each_by_blocks<<<blocks_for_large, threads>>>(work, large.data());
+    each_by_block<<<blocks_for_large, threads>>>(work, large.data());
     check(cudaGetLastError());
   }
   template <class T>
@@ -199,6 +200,52 @@ public:
     check(cudaMemcpy(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost));
     return one;
   }
+  // Items are gone through in pieces of so many rows, so that threads share a large one.
+  template <class Value, class Emit>
+  std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
+                                                         std::uint64_t max_pairs, const Emit& emit) const {
+    constexpr std::uint64_t rows_a_piece = 32;
+    auto pieces = array<std::uint64_t>(count + 1);
+    std::uint64_t* const first_piece = pieces.data();
+    for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+      const std::uint64_t rows = i != count ? emit.size(i) : 0;
+      first_piece[i] = (rows + rows_a_piece - 1) / rows_a_piece;
+    });
+    scan(pieces);
+    const std::uint64_t piece_count = value(pieces, count);
+
+    auto pairs = array<std::uint64_t>(piece_count + 1);
+    std::uint64_t* const first_pair = pairs.data();
+    for_each(piece_count + 1, [=] MASU_PASS(std::uint64_t piece) {
+      std::uint64_t own = 0;
+      if (piece != piece_count) {
+        const std::uint64_t i = owner_of(first_piece, count, piece);
+        const std::uint64_t row = (piece - first_piece[i]) * rows_a_piece;
+        emit(i, row, row + rows_a_piece, [&](std::uint64_t, const Value&) { ++own; });
+      }
+      first_pair[piece] = own;
+    });
+    scan(pairs);
+    const std::uint64_t pair_count = value(pairs, piece_count);
+    if (pair_count > max_pairs) return std::nullopt;
+
+    Sorted<CudaExecutor, Value> sorted{array<std::uint64_t>(pair_count), array<Value>(pair_count)};
+    std::uint64_t* const keys = sorted.keys.data();
+    Value* const values = sorted.values.data();
+    for_each(piece_count, [=] MASU_PASS(std::uint64_t piece) {
+      const std::uint64_t i = owner_of(first_piece, count, piece);
+      const std::uint64_t row = (piece - first_piece[i]) * rows_a_piece;
+      std::uint64_t offset = first_pair[piece];
+      emit(i, row, row + rows_a_piece, [&](std::uint64_t key, const Value& value) {
+        keys[offset] = key;
+        values[offset++] = value;
+      });
+    });
+    sort(sorted.keys, sorted.values, bits);
+    return sorted;
+  }
+
+private:
   template <class Value>
   void sort(Array<std::uint64_t>& keys, Array<Value>& values, int bits) const {
     if (keys.size() == 0) return;
@@ -213,7 +260,6 @@ public:
     if (value_buffers.Current() != values.data()) values = std::move(other_values);
   }
 
-private:
   // CUB's way: asked without memory, act says how many bytes it needs.
   template <class Act>
   static void with_memory(const Act& act) {

@@ -19,7 +19,7 @@ namespace masu {
 namespace {
 
 [[noreturn]] void fail(std::string_view text, std::string_view why) {
-  throw Error(ErrorCode::usage, "--division",
+  throw Error(ErrorCode::usage, "division",
               fmt::format("'{}' {}: give N, NXxNYxNZ, cube-root:D, woo:D, heterogeneous:D, cleary:L or auto",
                           text, why));
 }
@@ -224,7 +224,7 @@ Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
   for (int axis = 0; axis < 3; ++axis) {
     const double voxels = std::max(1.0, std::round(extent[axis] * per_unit[axis]));
     if (!(voxels <= largest_division)) {
-      throw Error(ErrorCode::usage, "--division",
+      throw Error(ErrorCode::usage, "division",
                   fmt::format("asks for {:g} voxels along an axis, {} are possible: choose a smaller number",
                               voxels, largest_division));
     }

@@ -67,7 +67,7 @@ double expected_references(const SurfaceSums& sums, const GridLayout& layout);
 template <class Real>
 Boxd space_of(const Boxd& bounds, SpaceRule rule);
 
-// At least 1 along each axis. Throws Error(usage, "--division", …) when an axis would pass largest_division.
+// At least 1 along each axis. Throws Error(usage, "division", …) when an axis would pass largest_division.
 Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space);
 
 // The layout that a grid for arithmetic of type Real is built on: space, division, and the margin of

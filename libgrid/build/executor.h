@@ -1,19 +1,23 @@
-// Building by passes: each does the same to every one of many things, in any order or all at once. What runs
-// them (a `Executor`) is a template parameter: CudaExecutor (device_passes.h) has CUDA kernels for it; the
-// tests have plain loops, and so follow every pass without a device. A Executor has
+// Building by passes: each does the same to every one of many items, in any order or all at once. What runs
+// them (an executor) is a template parameter: TbbExecutor (tbb_executor.h) on the host's cores, CudaExecutor
+// (cuda_executor.h) on a device; the tests have plain loops. An executor has
 //
 //   Array<T>                      in its memory: data(), size(); moves, doesn't copy
 //   array<T>(count)               of any content;  zeros<T>(count)
 //   for_each(count, act)          act(i) for i = 0 … count - 1
-//   for_each_by_lanes(count, work)  work(lanes, scratch, i): several lanes (lanes.h) to each i, more where
-//                                 work.size(i) is large; they share a Work::Scratch
+//   for_each_by_group(count, work)  work(group, scratch, i): a group of threads (thread_group.h) to each i, a
+//                                 larger one where work.size(i) is large; they share a Work::Scratch
 //   scan(values)                  values[i] becomes the sum of all before it
 //   value(values, i)              one value, for the host
-//   sort(keys, values, bits)      by the lowest bits of the keys; stable
+//   emit_sorted<Value>(count, bits, max_pairs, emit)
+//                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),
+//                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1: sorted by key, of
+//                                 `bits` bits; equal keys as emitted. None for more than max_pairs.
 #pragma once
 
 #include "libscene/portable.h"
 
+#include <atomic>
 #include <cstdint>
 
 // What a pass does to a thing is a lambda marked so: compiled for the device where nvcc reads it.
@@ -44,14 +48,19 @@ MASU_HD inline std::uint32_t counted(std::uint32_t& counter, std::uint32_t by) {
 #ifdef __CUDA_ARCH__
   return atomicAdd(&counter, by);
 #else
-  const std::uint32_t before = counter;
-  counter += by;
-  return before;
+  return std::atomic_ref(counter).fetch_add(by, std::memory_order_relaxed);
 #endif
 }
 
 template <class Executor, class T>
 using ArrayOf = typename Executor::template Array<T>;
+
+// Pairs sorted by their keys.
+template <class Executor, class Value>
+struct Sorted {
+  ArrayOf<Executor, std::uint64_t> keys{};
+  ArrayOf<Executor, Value> values{};
+};
 
 // Work that needs nothing to share.
 struct NoScratch {};

@@ -1,7 +1,7 @@
-#include "libgrid/build/expand.h"
-
-#include "libgrid/build/neighbour.h"
-#include "libgrid/file/grid_file.h"
+// The expansion on the host's cores: the cells that expand_along (expand_passes.h) makes, in about two fifths
+// of its time.
+#include "libgrid/build/expand_passes.h"
+#include "libgrid/build/tbb_executor.h"
 
 #include <tbb/parallel_for.h>
 
@@ -16,31 +16,32 @@ std::uint32_t& range_of(MergedCell& cell) {
   return axis == 0 ? cell.x : axis == 1 ? cell.y : cell.z;
 }
 
-// A merged grid that is being expanded: the grid's cells are as this pass leaves them.
-struct Stretching {
-  Grid& grid;
+// A grid whose cells are being expanded: `cells` are as this round leaves them.
+struct Expansion {
   MergedGridView<double> view;
+  std::uint64_t count;
+  MergedCell* cells;
   std::vector<Neighbour> before;
   std::vector<std::uint8_t> blocked; // a cell's bit for each of its sides
 };
 
-// Stretches cells towards one side.
+// Expands cells towards one side.
 //
 // A face is moved by looking at its neighbours one after another, each found through the map: a chain of
-// loads, and branches that nobody can foretell. So many faces advance side by side, a neighbour a round, and
-// all decisions but the last are arithmetic. Each has a lane.
+// loads, and branches that can't be predicted. So many faces advance side by side, each in a lane of its own,
+// a neighbour a step, and all decisions but the last are arithmetic.
 template <unsigned axis, unsigned side>
 class FaceLanes {
 public:
   // For the cells from `begin` to before `end`.
-  FaceLanes(Stretching& stretching, std::size_t begin, std::size_t end)
-      : s_(stretching), next_cell_(begin), end_(end) {
-    // ThreadGroup without a face go round in voxel 0.
+  FaceLanes(Expansion& expansion, std::size_t begin, std::size_t end)
+      : s_(expansion), next_cell_(begin), end_(end) {
+    // Lanes without a face go round in voxel 0.
     u_end_.fill(1);
     v_end_.fill(1);
   }
 
-  void stretch() {
+  void expand() {
     while (live_ < lanes && take_face(live_))
       ++live_;
     while (live_ > 0) {
@@ -60,7 +61,7 @@ private:
     const std::int32_t limit = s_.view.division[static_cast<int>(axis)];
     for (; next_cell_ != end_; ++next_cell_) {
       if ((s_.blocked[next_cell_] & side_bit) != 0) continue;
-      MergedCell& cell = s_.grid.cells[next_cell_];
+      MergedCell& cell = s_.cells[next_cell_];
       const std::uint32_t along = range_of<axis>(cell);
       if (side == 0 ? first_of(along) == 0 : end_of(along) == limit) {
         block(next_cell_);
@@ -82,9 +83,7 @@ private:
   }
 
   // What is in the way stays in the way: the face only grows.
-  void block(std::size_t cell) {
-    s_.blocked[cell] = static_cast<std::uint8_t>(s_.blocked[cell] | side_bit);
-  }
+  void block(std::size_t cell) { s_.blocked[cell] = static_cast<std::uint8_t>(s_.blocked[cell] | side_bit); }
 
   // cell_number (grid_view.h) for every lane.
   void find_neighbours() {
@@ -113,7 +112,7 @@ private:
         all &= w;
       if (all != 0) break;
       for (unsigned l = 0; l < lanes; ++l) {
-        // ThreadGroup that have arrived divide their box by nothing, and keep their word.
+        // Lanes that have arrived divide their box by nothing, and keep their word.
         const auto arrived = static_cast<std::uint32_t>(static_cast<std::int32_t>(word[l]) >> 31);
         const MapDivision division = map_division(word[l] & ~arrived);
         x_log2[l] -= division.log2.x;
@@ -141,7 +140,7 @@ private:
       v_own[l] = end_of(neighbour.own[v]);
     }
     for (unsigned l = 0; l < lanes; ++l) {
-      const bool in_the_way = (signature[l] & ~signature_[l]) != 0 || seen_[l] == most_neighbours;
+      const bool in_the_way = (signature[l] & ~signature_[l]) != 0 || seen_[l] == max_neighbours;
       ++seen_[l];
       reach_[l] = side == 0 ? std::max(reach_[l], bound[l]) : std::min(reach_[l], bound[l]);
       const std::int32_t next_j = std::min(next_j_[l], v_own[l]);
@@ -169,9 +168,9 @@ private:
   static constexpr std::uint32_t blocked = 1, moved = 2, doubted = 4;
 
   bool ends(unsigned l, std::uint32_t why) {
-    MergedCell& cell = s_.grid.cells[cell_[l]];
-    if ((why & blocked) != 0 || ((why & doubted) != 0 && !lists_all(s_.grid.references.data(), cell.list,
-                                                                     s_.before[neighbour_[l]].list))) {
+    MergedCell& cell = s_.cells[cell_[l]];
+    if ((why & blocked) != 0 ||
+        ((why & doubted) != 0 && !lists_all(s_.view.references, cell.list, s_.before[neighbour_[l]].list))) {
       block(cell_[l]);
       return true;
     }
@@ -189,7 +188,7 @@ private:
       (*lane)[to] = (*lane)[from];
   }
 
-  Stretching& s_;
+  Expansion& s_;
   std::size_t next_cell_, end_;
   unsigned live_ = 0; // lanes that have a face: the first ones
   std::array<std::size_t, lanes> cell_{};
@@ -201,39 +200,39 @@ private:
 };
 
 template <class Act>
-void for_all_cells(const Grid& grid, const Act& act) {
+void for_all_cells(std::uint64_t count, const Act& act) {
   constexpr std::size_t cells_a_task = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, grid.cells.size(), cells_a_task),
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, cells_a_task),
                     [&](const auto& range) { act(range.begin(), range.end()); });
 }
 
-void pass(Stretching& stretching) {
-  for_all_cells(stretching.grid, [&](std::size_t begin, std::size_t end) {
-    FaceLanes<0, 0>(stretching, begin, end).stretch();
-    FaceLanes<0, 1>(stretching, begin, end).stretch();
-    FaceLanes<1, 0>(stretching, begin, end).stretch();
-    FaceLanes<1, 1>(stretching, begin, end).stretch();
-    FaceLanes<2, 0>(stretching, begin, end).stretch();
-    FaceLanes<2, 1>(stretching, begin, end).stretch();
+void expand_all(Expansion& expansion) {
+  for_all_cells(expansion.count, [&](std::size_t begin, std::size_t end) {
+    FaceLanes<0, 0>(expansion, begin, end).expand();
+    FaceLanes<0, 1>(expansion, begin, end).expand();
+    FaceLanes<1, 0>(expansion, begin, end).expand();
+    FaceLanes<1, 1>(expansion, begin, end).expand();
+    FaceLanes<2, 0>(expansion, begin, end).expand();
+    FaceLanes<2, 1>(expansion, begin, end).expand();
   });
 }
 
 } // namespace
 
-void stretch(Grid& grid, int passes) {
-  if (passes == 0) return;
-  Stretching stretching{grid, merged_view_of<double>(grid), std::vector<Neighbour>(grid.cells.size()),
-                        std::vector<std::uint8_t>(grid.cells.size(), 0)};
-  for_all_cells(grid, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i != end; ++i) {
-      stretching.before[i] = as_neighbour(grid.cells[i], grid.references.data());
-    }
+void expand_cells(TbbExecutor&, const MergedGridView<double>& grid, std::uint64_t count, MergedCell* cells,
+                  int rounds) {
+  if (rounds == 0) return;
+  Expansion expansion{grid, count, cells, std::vector<Neighbour>(count), std::vector<std::uint8_t>(count, 0)};
+  for_all_cells(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i != end; ++i)
+      expansion.before[i] = as_neighbour(cells[i], grid.references);
   });
-  for (int i = 0; i < passes; ++i) {
-    pass(stretching);
-    for_all_cells(grid, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c != end; ++c)
-        set_stretched(stretching.before[c], grid.cells[c]);
+  for (int round = 0; round < rounds; ++round) {
+    expand_all(expansion);
+    if (round + 1 == rounds) break;
+    for_all_cells(count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i != end; ++i)
+        set_expanded(expansion.before[i], cells[i]);
     });
   }
 }

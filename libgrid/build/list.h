@@ -5,7 +5,7 @@
 
 namespace masu {
 
-// Whether all that the list `part` holds is in the list `whole`.
+// Whether all primitives of the list `part` are in the list `whole`.
 MASU_HD inline bool lists_all(const PrimitiveIndex* references, std::uint32_t whole, std::uint32_t part) {
   if (part == empty_list) return true;
   if (whole == empty_list) return false;

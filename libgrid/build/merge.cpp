@@ -1,7 +1,8 @@
 #include "libgrid/build/merge.h"
 
-#include "libgrid/build/expand.h"
+#include "libgrid/build/expand_passes.h"
 #include "libgrid/build/nested_map.h"
+#include "libgrid/build/tbb_executor.h"
 #include "libgrid/file/grid_file.h"
 
 #include <tbb/parallel_for.h>
@@ -86,14 +87,16 @@ std::vector<std::uint64_t> offsets(const std::vector<GridPart>& parts, std::uint
   return begin;
 }
 
-// Puts the rows of the top level's map together.
-void join(std::vector<GridPart>& rows, Grid& grid) {
+// Puts the rows of the top level's map together, unless that would be too large: returns what exceeds.
+const char* join(std::vector<GridPart>& rows, Grid& grid) {
   const auto top = offsets(rows, 0, [](const GridPart& part) { return part.top.size(); });
   const auto nested =
       offsets(rows, rounded_to_unit(top.back()), [](const GridPart& part) { return part.nested.size(); });
   const auto cells = offsets(rows, 0, [](const GridPart& part) { return part.cells.size(); });
   const auto references = offsets(rows, 0, [](const GridPart& part) { return part.references.size(); });
-  check_merged_sizes(cells.back(), references.back(), nested.front(), nested.back());
+  if (const char* const exceeded =
+          exceeded_by_sizes(cells.back(), references.back(), nested.front(), nested.back()))
+    return exceeded;
   grid.voxel_map.assign(nested.back(), 0);
   grid.cells.resize(cells.back());
   grid.references.resize(references.back());
@@ -116,10 +119,11 @@ void join(std::vector<GridPart>& rows, Grid& grid) {
     std::copy(row.references.begin(), row.references.end(), grid.references.data() + references[i]);
     row = {};
   });
+  return nullptr;
 }
 
 template <class Divide>
-void merge_rows(const Grid& uniform, Grid& grid, const Divide& divide) {
+const char* merge_rows(const Grid& uniform, Grid& grid, const Divide& divide) {
   const Vec3i n = grid.layout.division;
   std::vector<GridPart> rows(static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
   tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t row) {
@@ -127,15 +131,16 @@ void merge_rows(const Grid& uniform, Grid& grid, const Divide& divide) {
                z = static_cast<std::int32_t>(row / static_cast<std::size_t>(n.y));
     rows[row] = row_part(uniform, y, z, grid.nested_log2, divide);
   });
-  join(rows, grid);
+  return join(rows, grid);
 }
 
 template <class Stored>
-void merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const PartitionRule& rule, Grid& grid) {
+const char* merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const GridOptions& options,
+                           Grid& grid) {
   const Vec3i n = grid.layout.division;
   std::vector<PrimitiveIndex> all(scene.primitive_count());
   std::iota(all.begin(), all.end(), 0U);
-  const Partition whole = partition(scene, grid.layout, overlap, rule, {{0, 0, 0}, n}, all);
+  const Partition whole = partition(scene, grid.layout, overlap, options, {{0, 0, 0}, n}, all);
   std::vector<GridPart> parts(1);
   GridPart& part = parts.front();
   add_cells(whole, part);
@@ -146,58 +151,65 @@ void merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const Parti
       part.top[linear_index(voxel, n)] = occupied_bit | static_cast<std::uint32_t>(cell);
     });
   });
-  join(parts, grid);
+  return join(parts, grid);
 }
 
 } // namespace
 
-void check_mergeable(const Vec3i& division) {
-  if (std::max({division.x, division.y, division.z}) > largest_plane ||
-      voxel_count(division) > most_merged_voxels)
-    too_fine("more than 2^28 voxels to merge");
+const char* exceeded_by_division(const Vec3i& division) {
+  const bool fits = std::max({division.x, division.y, division.z}) <= largest_plane &&
+                    voxel_count(division) <= most_merged_voxels;
+  return fits ? nullptr : "more than 2^28 voxels to merge";
 }
 
-void check_merged_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
-                        std::uint64_t words) {
-  if (std::max(cells, references) > most_numbered) too_fine("more than 2^31 cells or references");
-  if (words > most_nested_words && words > top_words) too_fine("more than 2^27 words for its map");
+const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
+                              std::uint64_t words) {
+  if (std::max(cells, references) > most_numbered) return too_many_cells;
+  if (words > most_nested_words && words > top_words) return "more than 2^27 words for its map";
+  return nullptr;
 }
 
-std::int32_t nested_log2_for(const Vec3i& division, const MergeRule& rule) {
+std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options) {
   const std::int32_t longest = std::max({division.x, division.y, division.z});
   std::int32_t nested_log2 = 0;
-  while (nested_log2 < rule.nested_log2 && (longest << (nested_log2 + 1)) <= largest_plane)
+  while (nested_log2 < options.nested_log2 && (longest << (nested_log2 + 1)) <= largest_plane)
     ++nested_log2;
   return nested_log2;
 }
 
 template <class Stored>
-Grid build_merged(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                  const MergeRule& rule) {
-  check_mergeable(layout.division);
-  Grid grid{layout, rule.merge, 0, 0, {}, {}, {}};
-  if (rule.merge == Merge::balance) {
-    merge_balanced(scene, overlap, {false, 0, 0, 1, rule.target}, grid);
-    return grid;
+BuildResult merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                        const GridOptions& options) {
+  BuildResult result{{layout, options.kind, 0, 0, {}, {}, {}}, exceeded_by_division(layout.division)};
+  if (result.exceeded != nullptr) return result;
+  if (options.kind == GridKind::balance) {
+    check_primitives(scene.primitive_count());
+    result.exceeded = merge_balanced(scene, overlap, options, result.grid);
+    return result;
   }
-  const Grid uniform = build_uniform(scene, layout, overlap);
-  if (rule.merge == Merge::x) {
-    merge_rows(uniform, grid, [](const VoxelBox& box, std::vector<PrimitiveIndex> primitives) {
-      const auto count = static_cast<std::uint32_t>(primitives.size());
-      return Partition{{{box, 0, count}}, std::move(primitives)};
-    });
-    return grid;
+  const BuildResult uniform = uniform_grid(scene, layout, overlap);
+  if (uniform.exceeded != nullptr) return uniform;
+  if (options.kind == GridKind::x) {
+    result.exceeded = merge_rows(uniform.grid, result.grid,
+                                 [](const VoxelBox& box, std::vector<PrimitiveIndex> primitives) {
+                                   const auto count = static_cast<std::uint32_t>(primitives.size());
+                                   return Partition{{{box, 0, count}}, std::move(primitives)};
+                                 });
+    return result;
   }
-  grid.nested_log2 = nested_log2_for(layout.division, rule);
-  const GridLayout finest = finer(layout, grid.nested_log2);
-  const PartitionRule by_cost = partition_rule(rule);
-  merge_rows(uniform, grid, [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
-    return partition(scene, finest, overlap, by_cost, box, primitives);
-  });
-  stretch(grid, rule.expansions);
-  return grid;
+  result.grid.nested_log2 = nested_log2_for(layout.division, options);
+  const GridLayout finest = finer(layout, result.grid.nested_log2);
+  result.exceeded = merge_rows(uniform.grid, result.grid,
+                               [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
+                                 return partition(scene, finest, overlap, options, box, primitives);
+                               });
+  TbbExecutor executor;
+  if (result.exceeded == nullptr)
+    expand_cells(executor, merged_view_of<double>(result.grid), result.grid.cells.size(),
+                 result.grid.cells.data(), options.expansions);
+  return result;
 }
-template Grid build_merged(const SceneView<float>&, const GridLayout&, Overlap, const MergeRule&);
-template Grid build_merged(const SceneView<double>&, const GridLayout&, Overlap, const MergeRule&);
+template BuildResult merged_grid(const SceneView<float>&, const GridLayout&, Overlap, const GridOptions&);
+template BuildResult merged_grid(const SceneView<double>&, const GridLayout&, Overlap, const GridOptions&);
 
 } // namespace masu

@@ -1,4 +1,5 @@
-// An irregular grid by passes (passes.h): the same bytes as build_merged's.
+// Building an irregular grid by passes (executor.h), in this order: uniform_passes.h, split_passes.h,
+// nested_map_passes.h, expand_passes.h. The same bytes as merged_grid's (merge.h).
 #pragma once
 
 #include "libgrid/build/expand_passes.h"
@@ -16,19 +17,19 @@ struct OccupiedVoxels {
 };
 
 template <class Executor>
-OccupiedVoxels<Executor> occupied_voxels(Executor& passes, const VoxelPairs<Executor>& pairs) {
-  const std::uint64_t count = pairs.places.size();
-  const std::uint64_t* const place = pairs.places.data();
+OccupiedVoxels<Executor> occupied_voxels(Executor& executor, const VoxelPairs<Executor>& pairs) {
+  const std::uint64_t count = pairs.keys.size();
+  const std::uint64_t* const place = pairs.keys.data();
   OccupiedVoxels<Executor> occupied;
-  occupied.numbers =
-      numbered(passes, count, [=] MASU_PASS(std::uint64_t i) { return i == 0 || place[i] != place[i - 1]; });
-  const std::uint32_t voxels = passes.value(occupied.numbers, count);
-  occupied.places = passes.template array<std::uint32_t>(voxels);
-  occupied.begins = passes.template array<std::uint32_t>(std::uint64_t{voxels} + 1);
+  occupied.numbers = numbered(executor, count,
+                              [=] MASU_PASS(std::uint64_t i) { return i == 0 || place[i] != place[i - 1]; });
+  const std::uint32_t voxels = executor.value(occupied.numbers, count);
+  occupied.places = executor.template array<std::uint32_t>(voxels);
+  occupied.begins = executor.template array<std::uint32_t>(std::uint64_t{voxels} + 1);
   const std::uint32_t* const number = occupied.numbers.data();
   std::uint32_t* const voxel_place = occupied.places.data();
   std::uint32_t* const begin = occupied.begins.data();
-  passes.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
     if (i == count) begin[voxels] = static_cast<std::uint32_t>(count);
     if (i == count || number[i + 1] == number[i]) return;
     voxel_place[number[i]] = static_cast<std::uint32_t>(place[i]);
@@ -50,41 +51,40 @@ MASU_HD inline VoxelBox nested_box(const Vec3i& first, const Vec3i& end, std::in
 
 // The voxels as boxes to be divided, and their parts.
 template <class Executor, class Stored>
-PartitionLevel<Executor> first_level(Executor& passes, const Splitter<Stored>& splitter,
-                                     const Vec3i& division, std::int32_t nested_log2,
-                                     const VoxelPairs<Executor>& pairs,
-                                     const OccupiedVoxels<Executor>& occupied, OpenParts<Executor>& open) {
-  const std::uint64_t count = pairs.primitives.size(), voxels = occupied.places.size();
-  auto all = passes.template array<Fragment>(count);
-  auto kept = passes.template array<std::uint32_t>(count + 1);
-  Fragment* const part = all.data();
+SplitLevel<Executor> first_level(Executor& executor, const Splitter<Stored>& splitter, const Vec3i& division,
+                                 std::int32_t nested_log2, const VoxelPairs<Executor>& pairs,
+                                 const OccupiedVoxels<Executor>& occupied, OpenFragments<Executor>& open) {
+  const std::uint64_t count = pairs.values.size(), voxels = occupied.places.size();
+  auto all = executor.template array<Fragment>(count);
+  auto kept = executor.template array<std::uint32_t>(count + 1);
+  Fragment* const fragment = all.data();
   std::uint32_t* const kept_before = kept.data();
-  const PrimitiveIndex* const primitive = pairs.primitives.data();
+  const PrimitiveIndex* const primitive = pairs.values.data();
   const std::uint32_t* const number = occupied.numbers.data();
   const std::uint32_t* const place = occupied.places.data();
   const std::uint32_t* const begin = occupied.begins.data();
-  passes.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
     kept_before[i] = 0;
     if (i == count) return;
     const Vec3i voxel = voxel_at(place[number[i + 1] - 1], division);
     const VoxelBox box = nested_box(voxel, voxel + Vec3i{1, 1, 1}, nested_log2);
-    kept_before[i] = splitter.part_in(box, primitive[i], part[i]) ? 1 : 0;
+    kept_before[i] = splitter.fragment_in(box, primitive[i], fragment[i]) ? 1 : 0;
   });
-  passes.scan(kept);
-  const std::uint32_t parts = passes.value(kept, count);
+  executor.scan(kept);
+  const std::uint32_t fragments = executor.value(kept, count);
 
-  open.parts = passes.template array<Fragment>(parts);
-  open.box_of = passes.template array<std::uint32_t>(parts);
-  Fragment* const open_part = open.parts.data();
-  std::uint32_t* const box_of_part = open.box_of.data();
-  passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+  open.fragments = executor.template array<Fragment>(fragments);
+  open.box_of = executor.template array<std::uint32_t>(fragments);
+  Fragment* const open_fragment = open.fragments.data();
+  std::uint32_t* const box_of_fragment = open.box_of.data();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     if (kept_before[i + 1] == kept_before[i]) return;
-    open_part[kept_before[i]] = part[i];
-    box_of_part[kept_before[i]] = number[i + 1] - 1;
+    open_fragment[kept_before[i]] = fragment[i];
+    box_of_fragment[kept_before[i]] = number[i + 1] - 1;
   });
-  PartitionLevel<Executor> level{passes.template array<LevelBox>(voxels), {}};
+  SplitLevel<Executor> level{executor.template array<LevelBox>(voxels), {}};
   LevelBox* const boxes = level.boxes.data();
-  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
     const Vec3i voxel = voxel_at(place[i], division);
     boxes[i] = {nested_box(voxel, voxel + Vec3i{1, 1, 1}, nested_log2),
                 kept_before[begin[i]],
@@ -99,14 +99,14 @@ PartitionLevel<Executor> first_level(Executor& passes, const Splitter<Stored>& s
 // How many cells there are before each voxel of the division, and at its end before no more: those of the
 // occupied ones, and one for each run along x of those that hold nothing.
 template <class Executor>
-ArrayOf<Executor, std::uint32_t> cells_before_voxels(Executor& passes, const Vec3i& division,
+ArrayOf<Executor, std::uint32_t> cells_before_voxels(Executor& executor, const Vec3i& division,
                                                      const std::uint32_t* occupied_number,
                                                      const LeafCounts* leaves) {
   const std::uint64_t voxels = voxel_count(division);
-  auto cells = passes.template array<std::uint32_t>(voxels + 1);
+  auto cells = executor.template array<std::uint32_t>(voxels + 1);
   std::uint32_t* const before = cells.data();
   const auto row = static_cast<std::uint32_t>(division.x);
-  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
     if (i == voxels) {
       before[i] = 0;
     } else if (occupied_number[i] != 0) {
@@ -115,18 +115,18 @@ ArrayOf<Executor, std::uint32_t> cells_before_voxels(Executor& passes, const Vec
       before[i] = i % row == 0 || occupied_number[i - 1] != 0 ? 1 : 0;
     }
   });
-  passes.scan(cells);
+  executor.scan(cells);
   return cells;
 }
 
 // The cells of runs of empty voxels, and the words of their voxels.
 template <class Executor>
-void write_empty_runs(Executor& passes, const Vec3i& division, const std::uint32_t* occupied_number,
-                      const std::uint32_t* cells_before, PassesGrid<Executor>& grid) {
+void write_empty_runs(Executor& executor, const Vec3i& division, const std::uint32_t* occupied_number,
+                      const std::uint32_t* cells_before, ExecutorGrid<Executor>& grid) {
   MergedCell* const cells = grid.cells.data();
   std::uint32_t* const map = grid.voxel_map.data();
   const std::int32_t log2 = grid.nested_log2;
-  passes.for_each(voxel_count(division), [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(voxel_count(division), [=] MASU_PASS(std::uint64_t i) {
     if (occupied_number[i] != 0) return;
     const bool begins = cells_before[i + 1] != cells_before[i];
     const std::uint32_t cell = begins ? cells_before[i] : cells_before[i] - 1;
@@ -143,28 +143,28 @@ void write_empty_runs(Executor& passes, const Vec3i& division, const std::uint32
 // The maps of the occupied voxels, cubes of the nested division. Makes the grid's map as large as it has to
 // be. `starts` and `leaves` say of each voxel where its cells begin, and how many they are.
 template <class Executor>
-void write_nested_maps(Executor& passes, const Vec3i& division,
+void write_nested_maps(Executor& executor, const Vec3i& division,
                        const ArrayOf<Executor, std::uint32_t>& places, const LeafCounts* starts,
-                       const LeafCounts* leaves, PassesGrid<Executor>& grid) {
+                       const LeafCounts* leaves, ExecutorGrid<Executor>& grid) {
   const std::uint64_t voxels = places.size(), top_words = rounded_to_unit(voxel_count(division));
   const std::uint32_t* const place = places.data();
   const std::int32_t log2 = grid.nested_log2;
   // Those of several cells, and their entries.
-  auto several = passes.template array<WordCounts>(voxels + 1);
+  auto several = executor.template array<WordCounts>(voxels + 1);
   WordCounts* const before = several.data();
-  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t own = i != voxels && leaves[i].leaves > 1 ? leaves[i].leaves : 0;
     before[i] = {own > 0 ? 1U : 0U, own};
   });
-  passes.scan(several);
-  const WordCounts all = passes.value(several, voxels);
+  executor.scan(several);
+  const WordCounts all = executor.value(several, voxels);
 
   std::vector<MapLevel<Executor>> levels(1);
-  levels[0].boxes = passes.template array<MapBox>(all.children);
-  MapEntries<Executor> entries{passes.template array<std::uint32_t>(all.entries),
-                               passes.template array<std::uint32_t>(all.entries)};
+  levels[0].boxes = executor.template array<MapBox>(all.children);
+  MapEntries<Executor> entries{executor.template array<std::uint32_t>(all.entries),
+                               executor.template array<std::uint32_t>(all.entries)};
   MapBox* const boxes = levels[0].boxes.data();
-  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
     const WordCounts here = before[i], after = before[i + 1];
     if (after.children == here.children) return;
     const Vec3i voxel = voxel_at(place[i], division);
@@ -174,92 +174,100 @@ void write_nested_maps(Executor& passes, const Vec3i& division,
   std::uint32_t* const cell = entries.cells.data();
   std::uint32_t* const box_of_cell = entries.box_of.data();
   const std::uint64_t box_count = all.children;
-  passes.for_each(all.entries, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(all.entries, [=] MASU_PASS(std::uint64_t i) {
     const std::uint64_t box = owner_by([=](std::uint64_t b) { return boxes[b].begin; }, box_count, i);
     cell[i] = starts[boxes[box].parent_word].leaves + static_cast<std::uint32_t>(i) - boxes[box].begin;
     box_of_cell[i] = static_cast<std::uint32_t>(box);
   });
   std::uint64_t words = top_words;
   while (levels.back().boxes.size() > 0) {
-    levels.push_back(divide_map_level(passes, grid.cells.data(), levels.back(), entries));
+    levels.push_back(divide_map_level(executor, grid.cells.data(), levels.back(), entries, grid.exceeded));
+    if (grid.exceeded != nullptr) return;
     words += levels[levels.size() - 2].words.size();
-    check_merged_sizes(0, 0, top_words, words);
+    if ((grid.exceeded = exceeded_by_sizes(0, 0, top_words, words)) != nullptr) return;
   }
 
-  const auto counts = count_words(passes, levels);
-  auto begins = passes.template array<std::uint32_t>(box_count + 1);
+  const auto counts = count_words(executor, levels);
+  auto begins = executor.template array<std::uint32_t>(box_count + 1);
   std::uint32_t* const begin = begins.data();
   const std::uint32_t* const count = counts[0].data();
-  passes.for_each(box_count + 1,
-                  [=] MASU_PASS(std::uint64_t i) { begin[i] = i == box_count ? 0 : count[i]; });
-  passes.scan(begins);
-  passes.for_each(box_count,
-                  [=] MASU_PASS(std::uint64_t i) { begin[i] += static_cast<std::uint32_t>(top_words); });
-  grid.voxel_map = passes.template zeros<std::uint32_t>(words);
+  executor.for_each(box_count + 1,
+                    [=] MASU_PASS(std::uint64_t i) { begin[i] = i == box_count ? 0 : count[i]; });
+  executor.scan(begins);
+  executor.for_each(box_count,
+                    [=] MASU_PASS(std::uint64_t i) { begin[i] += static_cast<std::uint32_t>(top_words); });
+  grid.voxel_map = executor.template zeros<std::uint32_t>(words);
   std::uint32_t* const map = grid.voxel_map.data();
-  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
     const WordCounts here = before[i];
     map[place[i]] = leaves[i].leaves > 1 ? map_word({begin[here.children], boxes[here.children].division})
                                          : occupied_bit | starts[i].leaves;
   });
-  write_maps(passes, levels, counts, std::move(begins), grid.voxel_map);
+  write_maps(executor, levels, counts, std::move(begins), grid.voxel_map);
 }
 
 template <class Executor>
-MergedGridView<double> merged_view(const PassesGrid<Executor>& grid) {
+MergedGridView<double> merged_view(const ExecutorGrid<Executor>& grid) {
   const GridLayout finest = finer(grid.layout, grid.nested_log2);
   return {grid.voxel_map.data(), grid.cells.data(),    grid.references.data(), {}, {}, {},
           finest.division,       grid.layout.division, grid.nested_log2};
 }
 
 template <class Executor, class Stored>
-PassesGrid<Executor> irregular_by_passes(Executor& passes, const SceneView<Stored>& scene,
-                                         const GridLayout& layout, Overlap overlap, const MergeRule& rule) {
+ExecutorGrid<Executor> irregular_grid(Executor& executor, const SceneView<Stored>& scene,
+                                      const GridLayout& layout, Overlap overlap, const GridOptions& options) {
   check_primitives(scene.primitive_count());
-  check_mergeable(layout.division);
   const Vec3i division = layout.division;
-  PassesGrid<Executor> grid{layout, Merge::irregular, 0, nested_log2_for(division, rule)};
-  const Splitter<Stored> splitter(scene, finer(layout, grid.nested_log2), overlap, partition_rule(rule));
-  VoxelPairs<Executor> pairs = voxel_pairs(passes, scene, layout, overlap, StorageOrder(division, 0));
-  OccupiedVoxels<Executor> occupied = occupied_voxels(passes, pairs);
-  OpenParts<Executor> open;
-  auto first = first_level(passes, splitter, division, grid.nested_log2, pairs, occupied, open);
+  ExecutorGrid<Executor> grid{layout, GridKind::irregular, 0, nested_log2_for(division, options)};
+  if ((grid.exceeded = exceeded_by_division(division)) != nullptr) return grid;
+  const Splitter<Stored> splitter(scene, finer(layout, grid.nested_log2), overlap, options);
+  auto found = voxel_pairs(executor, scene, layout, overlap, StorageOrder(division, 0));
+  if (!found) {
+    grid.exceeded = too_many_references;
+    return grid;
+  }
+  VoxelPairs<Executor> pairs = std::move(*found);
+  found.reset();
+  OccupiedVoxels<Executor> occupied = occupied_voxels(executor, pairs);
+  OpenFragments<Executor> open;
+  auto first = first_level(executor, splitter, division, grid.nested_log2, pairs, occupied, open);
   pairs = {};
   occupied.numbers = {};
-  auto levels = partition_by_passes(passes, splitter, std::move(first), std::move(open));
+  auto levels = split_all(executor, splitter, std::move(first), std::move(open));
 
-  check_leaves(levels);
+  if ((grid.exceeded = exceeded_by_leaves(levels)) != nullptr) return grid;
 
   // Where each voxel's cells and references go.
-  const auto counts = count_leaves(passes, levels);
+  const auto counts = count_leaves(executor, levels);
   const std::uint64_t voxels = occupied.places.size();
-  auto occupied_numbers = passes.template zeros<std::uint32_t>(voxel_count(division));
-  auto starts = passes.template array<LeafCounts>(voxels + 1);
+  auto occupied_numbers = executor.template zeros<std::uint32_t>(voxel_count(division));
+  auto starts = executor.template array<LeafCounts>(voxels + 1);
   std::uint32_t* const occupied_number = occupied_numbers.data();
   LeafCounts* const start = starts.data();
   const LeafCounts* const leaves = counts[0].data();
   const std::uint32_t* const place = occupied.places.data();
-  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
     start[i] = {0, i == voxels ? 0 : leaves[i].references};
     if (i != voxels) occupied_number[place[i]] = static_cast<std::uint32_t>(i) + 1;
   });
-  passes.scan(starts);
-  const auto cells_before = cells_before_voxels(passes, division, occupied_number, leaves);
+  executor.scan(starts);
+  const auto cells_before = cells_before_voxels(executor, division, occupied_number, leaves);
   const std::uint32_t* const cell_before = cells_before.data();
-  passes.for_each(voxels, [=] MASU_PASS(std::uint64_t i) { start[i].leaves = cell_before[place[i]]; });
-  const std::uint64_t cells = passes.value(cells_before, voxel_count(division)),
-                      references = passes.value(starts, voxels).references;
-  check_merged_sizes(cells, references, 0, 0);
-  grid.cells = passes.template array<MergedCell>(cells);
-  grid.references = passes.template array<PrimitiveIndex>(references);
-  auto copied = passes.template array<LeafCounts>(voxels + 1);
+  executor.for_each(voxels, [=] MASU_PASS(std::uint64_t i) { start[i].leaves = cell_before[place[i]]; });
+  const std::uint64_t cells = executor.value(cells_before, voxel_count(division)),
+                      references = executor.value(starts, voxels).references;
+  if ((grid.exceeded = exceeded_by_sizes(cells, references, 0, 0)) != nullptr) return grid;
+  grid.cells = executor.template array<MergedCell>(cells);
+  grid.references = executor.template array<PrimitiveIndex>(references);
+  auto copied = executor.template array<LeafCounts>(voxels + 1);
   LeafCounts* const copy = copied.data();
-  passes.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) { copy[i] = start[i]; });
-  write_leaves(passes, levels, counts, std::move(copied), grid);
+  executor.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) { copy[i] = start[i]; });
+  write_leaves(executor, levels, counts, std::move(copied), grid);
   levels.clear();
-  write_nested_maps(passes, division, occupied.places, start, leaves, grid);
-  write_empty_runs(passes, division, occupied_number, cell_before, grid);
-  stretch_by_passes(passes, merged_view(grid), cells, grid.cells.data(), rule.expansions);
+  write_nested_maps(executor, division, occupied.places, start, leaves, grid);
+  if (grid.exceeded != nullptr) return grid;
+  write_empty_runs(executor, division, occupied_number, cell_before, grid);
+  expand_cells(executor, merged_view(grid), cells, grid.cells.data(), options.expansions);
   return grid;
 }
 

@@ -1,5 +1,5 @@
-// The maps of many divided cubes at once, by passes (passes.h): level by level what nested_map.h does cube by
-// cube.
+// The maps of many divided cubes at once, by passes (executor.h): level by level what nested_map.h does cube
+// by cube.
 #pragma once
 
 #include "libgrid/build/executor.h"
@@ -47,17 +47,17 @@ struct DivideMapBoxes {
 
   MASU_HD std::uint32_t size(std::uint64_t i) const { return boxes[i].end - boxes[i].begin; }
   template <class ThreadGroup>
-  MASU_HD void operator()(const ThreadGroup& lanes, NoScratch&, std::uint64_t i) const {
+  MASU_HD void operator()(const ThreadGroup& group, NoScratch&, std::uint64_t i) const {
     MapBox& own = boxes[i];
     std::uint32_t planes[3] = {};
-    for (std::uint32_t entry = own.begin + lanes.lane(); entry < own.end; entry += lanes.size()) {
+    for (std::uint32_t entry = own.begin + group.thread_rank(); entry < own.end; entry += group.size()) {
       const VoxelBox cell = box_of(cells[entries[entry]]);
       for (int axis = 0; axis < 3; ++axis)
         planes[axis] |= plane_bits(own.place, cell, axis);
     }
     for (std::uint32_t& bits : planes)
-      bits = lanes.all_bits(bits);
-    if (lanes.lane() == 0) own.division = map_division_for(own.place, planes, size(i));
+      bits = group.all_bits(bits);
+    if (group.thread_rank() == 0) own.division = map_division_for(own.place, planes, size(i));
   }
 };
 
@@ -72,8 +72,8 @@ struct CopyMapWords {
     return static_cast<std::uint32_t>(rounded_to_unit(parts_of(boxes[i].division)));
   }
   template <class ThreadGroup>
-  MASU_HD void operator()(const ThreadGroup& lanes, NoScratch&, std::uint64_t i) const {
-    for (std::uint32_t word = lanes.lane(); word < size(i); word += lanes.size())
+  MASU_HD void operator()(const ThreadGroup& group, NoScratch&, std::uint64_t i) const {
+    for (std::uint32_t word = group.thread_rank(); word < size(i); word += group.size())
       map[places[i] + word] = words[boxes[i].words + word];
   }
 };
@@ -88,52 +88,53 @@ struct WordCounts {
 };
 
 // Fills in the level's boxes and words, the places of what they lead to excepted, and returns the boxes of
-// the next level. `entries` are the level's, and afterwards those of the next.
+// the next level. `entries` are the level's, and afterwards those of the next. Sets `exceeded` and returns
+// nothing where there would be too many.
 template <class Executor>
-MapLevel<Executor> divide_map_level(Executor& passes, const MergedCell* cells, MapLevel<Executor>& level,
-                                    MapEntries<Executor>& entries) {
+MapLevel<Executor> divide_map_level(Executor& executor, const MergedCell* cells, MapLevel<Executor>& level,
+                                    MapEntries<Executor>& entries, const char*& exceeded) {
   MapBox* const boxes = level.boxes.data();
   const std::uint32_t* const entry_cell = entries.cells.data();
   const std::uint32_t* const entry_box = entries.box_of.data();
   const std::uint64_t box_count = level.boxes.size(), entry_count = entries.cells.size();
-  passes.for_each_by_lanes(box_count, DivideMapBoxes{boxes, cells, entry_cell});
+  executor.for_each_by_group(box_count, DivideMapBoxes{boxes, cells, entry_cell});
 
-  auto begins = passes.template array<std::uint64_t>(box_count + 1);
+  auto begins = executor.template array<std::uint64_t>(box_count + 1);
   std::uint64_t* const begin = begins.data();
-  passes.for_each(box_count + 1, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(box_count + 1, [=] MASU_PASS(std::uint64_t i) {
     begin[i] = i == box_count ? 0 : rounded_to_unit(parts_of(boxes[i].division));
   });
-  passes.scan(begins);
-  const std::uint64_t word_count = passes.value(begins, box_count);
-  check_merged_sizes(0, 0, 0, word_count);
+  executor.scan(begins);
+  const std::uint64_t word_count = executor.value(begins, box_count);
+  if ((exceeded = exceeded_by_sizes(0, 0, 0, word_count)) != nullptr) return {};
 
   // How many cells each part is in.
-  auto part_cells = passes.template zeros<std::uint32_t>(word_count);
+  auto part_cells = executor.template zeros<std::uint32_t>(word_count);
   std::uint32_t* const inside = part_cells.data();
-  passes.for_each(entry_count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(entry_count, [=] MASU_PASS(std::uint64_t i) {
     const MapBox& own = boxes[entry_box[i]];
     for_each_voxel(map_parts(own.place, own.division, box_of(cells[entry_cell[i]])), [&](const Vec3i& part) {
       counted(inside[begin[entry_box[i]] + index_in_division(part, own.division)], 1);
     });
   });
-  auto counts = passes.template array<WordCounts>(word_count + 1);
+  auto counts = executor.template array<WordCounts>(word_count + 1);
   WordCounts* const before = counts.data();
-  passes.for_each(word_count + 1, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(word_count + 1, [=] MASU_PASS(std::uint64_t i) {
     const std::uint32_t sharing = i != word_count && inside[i] > 1 ? inside[i] : 0U;
     before[i] = {sharing > 0 ? 1U : 0U, sharing};
   });
-  passes.scan(counts);
-  const WordCounts all = passes.value(counts, word_count);
-  check_merged_sizes(all.entries, 0, 0, 0);
+  executor.scan(counts);
+  const WordCounts all = executor.value(counts, word_count);
+  if ((exceeded = exceeded_by_sizes(all.entries, 0, 0, 0)) != nullptr) return {};
 
-  level.words = passes.template zeros<std::uint32_t>(word_count);
-  MapLevel<Executor> next{passes.template array<MapBox>(all.children), {}};
-  MapEntries<Executor> next_entries{passes.template array<std::uint32_t>(all.entries),
-                                    passes.template array<std::uint32_t>(all.entries)};
+  level.words = executor.template zeros<std::uint32_t>(word_count);
+  MapLevel<Executor> next{executor.template array<MapBox>(all.children), {}};
+  MapEntries<Executor> next_entries{executor.template array<std::uint32_t>(all.entries),
+                                    executor.template array<std::uint32_t>(all.entries)};
   std::uint32_t* const words = level.words.data();
   std::uint32_t* const next_cell = next_entries.cells.data();
   std::uint32_t* const next_box = next_entries.box_of.data();
-  passes.for_each(entry_count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(entry_count, [=] MASU_PASS(std::uint64_t i) {
     const MapBox& own = boxes[entry_box[i]];
     for_each_voxel(map_parts(own.place, own.division, box_of(cells[entry_cell[i]])), [&](const Vec3i& part) {
       const std::uint64_t word = begin[entry_box[i]] + index_in_division(part, own.division);
@@ -149,7 +150,7 @@ MapLevel<Executor> divide_map_level(Executor& passes, const MergedCell* cells, M
     });
   });
   MapBox* const next_boxes = next.boxes.data();
-  passes.for_each(box_count, [=] MASU_PASS(std::uint64_t i) {
+  executor.for_each(box_count, [=] MASU_PASS(std::uint64_t i) {
     MapBox& own = boxes[i];
     own.words = static_cast<std::uint32_t>(begin[i]);
     own.child = before[begin[i]].children;
@@ -167,16 +168,16 @@ MapLevel<Executor> divide_map_level(Executor& passes, const MergedCell* cells, M
 
 // Of every level's boxes: how many words there are of each, and of all that it leads to.
 template <class Executor>
-std::vector<ArrayOf<Executor, std::uint32_t>> count_words(Executor& passes,
+std::vector<ArrayOf<Executor, std::uint32_t>> count_words(Executor& executor,
                                                           const std::vector<MapLevel<Executor>>& levels) {
   std::vector<ArrayOf<Executor, std::uint32_t>> counts(levels.size());
   for (std::size_t level = levels.size(); level-- > 0;) {
     const std::uint64_t count = levels[level].boxes.size();
-    counts[level] = passes.template array<std::uint32_t>(count);
+    counts[level] = executor.template array<std::uint32_t>(count);
     const MapBox* const boxes = levels[level].boxes.data();
     std::uint32_t* const own = counts[level].data();
     const std::uint32_t* const below = level + 1 < levels.size() ? counts[level + 1].data() : nullptr;
-    passes.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
       const MapBox& box = boxes[i];
       auto words = static_cast<std::uint32_t>(rounded_to_unit(parts_of(box.division)));
       for (std::uint32_t child = box.child; child < box.child + box.children; ++child)
@@ -189,18 +190,18 @@ std::vector<ArrayOf<Executor, std::uint32_t>> count_words(Executor& passes,
 
 // Writes the words of all levels. `places` says of the first level's boxes where their words are to begin.
 template <class Executor>
-void write_maps(Executor& passes, std::vector<MapLevel<Executor>>& levels,
+void write_maps(Executor& executor, std::vector<MapLevel<Executor>>& levels,
                 const std::vector<ArrayOf<Executor, std::uint32_t>>& counts,
                 ArrayOf<Executor, std::uint32_t> places, ArrayOf<Executor, std::uint32_t>& map) {
   for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
-    auto next_places = passes.template array<std::uint32_t>(levels[level + 1].boxes.size());
+    auto next_places = executor.template array<std::uint32_t>(levels[level + 1].boxes.size());
     const MapBox* const boxes = levels[level].boxes.data();
     const MapBox* const next_boxes = levels[level + 1].boxes.data();
     const std::uint32_t* const place = places.data();
     const std::uint32_t* const below = counts[level + 1].data();
     std::uint32_t* const words = levels[level].words.data();
     std::uint32_t* const next = next_places.data();
-    passes.for_each(levels[level].boxes.size(), [=] MASU_PASS(std::uint64_t i) {
+    executor.for_each(levels[level].boxes.size(), [=] MASU_PASS(std::uint64_t i) {
       const MapBox& box = boxes[i];
       std::uint32_t at = place[i] + static_cast<std::uint32_t>(rounded_to_unit(parts_of(box.division)));
       for (std::uint32_t child = box.child; child < box.child + box.children; ++child) {
@@ -209,7 +210,7 @@ void write_maps(Executor& passes, std::vector<MapLevel<Executor>>& levels,
         at += below[child];
       }
     });
-    passes.for_each_by_lanes(levels[level].boxes.size(), CopyMapWords{boxes, place, words, map.data()});
+    executor.for_each_by_group(levels[level].boxes.size(), CopyMapWords{boxes, place, words, map.data()});
     places = std::move(next_places);
   }
 }

@@ -1,8 +1,8 @@
-// Dividing a box of voxels into cells, top down: a kd-tree whose planes are the layout's and of which only
-// the leaves are kept.
+// Splitting a box of voxels into cells, top down: a kd-tree whose planes are those between the voxels, and of
+// which only the leaves are kept.
 #pragma once
 
-#include "libgrid/build/overlap.h"
+#include "libgrid/build/build_options.h"
 #include "libgrid/grid_layout.h"
 #include "libscene/scene_view.h"
 
@@ -16,18 +16,11 @@ struct VoxelBox {
   Vec3i first, end;
 };
 
-// by_cost: a box is divided where the expected cost of a ray that meets it becomes least (the surface area
-//   heuristic: Goldsmith & Salmon, IEEE CG&A 7(5), 1987; MacDonald & Booth, The Visual Computer 6(3), 1990),
-//   until no division makes it less than `alpha` times what it is. A test costs 1, the step to a cell
-//   step_over_test, that to an empty one half of it, since empty cells are joined further (stretch.h).
-// Else: until no cell lists more than `target` primitives, so that both halves list about as many.
-struct PartitionRule {
-  bool by_cost = true;
-  double step_over_test = 1;
-  double alpha = 1;
-  double detail = 3; // by cost: planes no closer than a primitive's typical extent divided by this
-  std::uint32_t target = 8;
-};
+// Kind irregular: a box is divided where the expected cost of a ray that meets it becomes least (the surface
+//   area heuristic: Goldsmith & Salmon, IEEE CG&A 7(5), 1987; MacDonald & Booth, The Visual Computer 6(3),
+//   1990), until no division makes it less than `alpha` times what it is. A test costs 1, the step to a cell
+//   step_cost, that to an empty one half of it, since empty cells are joined further (expand_passes.h).
+// Kind balance: until no cell lists more than `target` primitives, so that both halves list about as many.
 
 // A cell and its list: references[begin] … references[begin + count - 1], in rising order.
 struct Leaf {
@@ -43,7 +36,7 @@ struct Partition {
 // finds in it. Doesn't depend on the number of threads. No axis of the layout has more than 65535 voxels.
 template <class Stored>
 Partition partition(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                    const PartitionRule& rule, const VoxelBox& root,
+                    const GridOptions& options, const VoxelBox& root,
                     std::span<const PrimitiveIndex> primitives);
 
 } // namespace masu

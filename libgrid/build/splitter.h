@@ -1,5 +1,5 @@
-// How a box of voxels is divided: the steps of a partition (partition.h), for one thread or for several that
-// share a box (lanes.h), on the host or on the device.
+// The steps of splitting a box of voxels (split.h), for a single thread or a group of threads that share the
+// box (thread_group.h), on the host or on the device.
 #pragma once
 
 #include "libgrid/build/clipped_bounds.h"
@@ -10,7 +10,7 @@
 
 namespace masu {
 
-// What of a primitive lies in a box of voxels: the range of those it can meet, both ends included.
+// The part of a primitive in a box of voxels: the range of those it can meet, both ends included.
 struct Fragment {
   PrimitiveIndex primitive;
   std::uint16_t first[3], last[3];
@@ -28,7 +28,7 @@ MASU_HD inline bool is_plane(const Plane& plane) {
   return plane.cost != std::numeric_limits<double>::max();
 }
 
-// The cheaper one; of equally cheap ones, by axis and place.
+// The cheaper one; of equally cheap ones, by axis and position.
 MASU_HD inline bool comes_before(const Plane& a, const Plane& b) {
   if (a.cost != b.cost) return a.cost < b.cost;
   return a.axis != b.axis ? a.axis < b.axis : a.at < b.at;
@@ -37,11 +37,11 @@ MASU_HD inline bool comes_before(const Plane& a, const Plane& b) {
 inline constexpr int most_planes_log2 = 3;
 inline constexpr std::int32_t most_planes = 1 << most_planes_log2;
 
-// The planes looked at in a box are at multiples of 2^spacing along each axis, few of them. How many parts
-// begin between them along x, y and z, and how many end.
+// The planes looked at in a box are at multiples of 2^spacing along each axis, few of them. How many
+// fragments begin between them along x, y and z, and how many end.
 using PlaneBins = std::uint32_t[2][3][most_planes + 1];
 
-// How many parts reach below and above a plane.
+// How many fragments reach below and above a plane.
 struct PlaneCounts {
   std::int32_t at;
   std::uint32_t below, above;
@@ -52,47 +52,47 @@ struct Splitter {
   SceneView<Stored> scene;
   GridLayout layout;
   Overlap overlap;
-  PartitionRule rule;
+  GridOptions options;
   Vec3d size;  // of a voxel
   double side; // of a cube as large
 
-  Splitter(const SceneView<Stored>& s, const GridLayout& l, Overlap o, const PartitionRule& r)
-      : scene(s), layout(l), overlap(o), rule(r), size(voxel_size(l)),
+  Splitter(const SceneView<Stored>& s, const GridLayout& l, Overlap o, const GridOptions& r)
+      : scene(s), layout(l), overlap(o), options(r), size(voxel_size(l)),
         side(std::cbrt(size.x * size.y * size.z)) {}
 
   // Of a primitive in a box; false when there is none.
-  MASU_HD bool part_in(const VoxelBox& root, PrimitiveIndex number, Fragment& part) const {
-    part.primitive = number;
+  MASU_HD bool fragment_in(const VoxelBox& root, PrimitiveIndex number, Fragment& fragment) const {
+    fragment.primitive = number;
     for (int axis = 0; axis < 3; ++axis) {
-      part.first[axis] = static_cast<std::uint16_t>(root.first[axis]);
-      part.last[axis] = static_cast<std::uint16_t>(root.end[axis] - 1);
+      fragment.first[axis] = static_cast<std::uint16_t>(root.first[axis]);
+      fragment.last[axis] = static_cast<std::uint16_t>(root.end[axis] - 1);
     }
     bool some = false;
     with_primitive(scene, number, [&](const auto& primitive) {
       const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
-      part.inverse_breadth = 0x80000000U / breadth_in_voxels(breadth(primitive));
-      some = shrink(part, grown(box, layout.margin));
+      fragment.inverse_breadth = 0x80000000U / breadth_in_voxels(breadth(primitive));
+      some = shrink(fragment, grown(box, layout.margin));
     });
     return some;
   }
 
-  // The division of a box that makes the expected cost least, if any is worth it. To be called by all lanes,
-  // for the first of them; `bins` is theirs to share.
+  // The division of a box that makes the expected cost least, if any is worth it. To be called by all
+  // threads, for the first of them; `bins` is theirs to share.
   template <class ThreadGroup>
-  MASU_HD Plane cheapest_plane(const ThreadGroup& lanes, PlaneBins& bins, const VoxelBox& box,
-                               const Fragment* parts, std::uint32_t count) const {
+  MASU_HD Plane cheapest_plane(const ThreadGroup& group, PlaneBins& bins, const VoxelBox& box,
+                               const Fragment* fragments, std::uint32_t count) const {
     Plane best;
     if (count == 0) return best;
-    const std::int32_t apart = spacing(lanes, box, parts, count);
+    const std::int32_t apart = spacing(group, box, fragments, count);
     const Vec3i spacings{apart, apart, apart};
-    count_parts(lanes, bins, box, spacings, parts, count);
+    count_fragments(group, bins, box, spacings, fragments, count);
     const Vec3d w = cast<double>(box.end - box.first) * size;
     const double area = w.x * w.y + w.y * w.z + w.z * w.x;
     const auto cost_of = [&](std::uint32_t listed) {
-      return listed + rule.step_over_test * (listed > 0 ? 1 : 0.5);
+      return listed + options.step_cost * (listed > 0 ? 1 : 0.5);
     };
     const double now = cost_of(count) * area;
-    for_each_plane(lanes, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
+    for_each_plane(group, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
       const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
       const double low = (plane.at - box.first[axis]) * size[axis],
                    high = (box.end[axis] - plane.at) * size[axis];
@@ -101,52 +101,53 @@ struct Splitter {
       // Where many are listed a division may pay only after the next one; if it leaves one side with fewer,
       // or what lies in the same place would be divided without end.
       const bool may_pay_later = count > few && std::min(plane.below, plane.above) <= count - count / 4;
-      const double bound = now * (may_pay_later ? patience : rule.alpha);
+      const double bound = now * (may_pay_later ? patience : options.alpha);
       if (cost < bound && cost < best.cost) best = {axis, plane.at, cost};
     });
-    return lanes.first_of_all(best);
+    return group.first_of_all(best);
   }
 
   // The most even division; of equally even ones the one across the longest side. Each axis has a few planes:
   // where all of them cut all that the box lists, no other leaves less on both sides.
   template <class ThreadGroup>
-  MASU_HD Plane middle_plane(const ThreadGroup& lanes, PlaneBins& bins, const VoxelBox& box,
-                             const Fragment* parts, std::uint32_t count) const {
+  MASU_HD Plane middle_plane(const ThreadGroup& group, PlaneBins& bins, const VoxelBox& box,
+                             const Fragment* fragments, std::uint32_t count) const {
     Plane best;
-    if (count <= rule.target) return best;
+    if (count <= options.target) return best;
     Vec3i spacings{};
     for (int axis = 0; axis < 3; ++axis) {
       while (((box.end[axis] - box.first[axis]) >> spacings[axis]) >= most_planes)
         spacings.set(axis, spacings[axis] + 1);
     }
-    count_parts(lanes, bins, box, spacings, parts, count);
-    for_each_plane(lanes, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
+    count_fragments(group, bins, box, spacings, fragments, count);
+    for_each_plane(group, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
       const double along = (box.end[axis] - box.first[axis]) * size[axis];
       const double cost = std::max(plane.below, plane.above) + 1 / (1 + along);
       if (std::min(plane.below, plane.above) < count && cost < best.cost) best = {axis, plane.at, cost};
     });
-    return lanes.first_of_all(best);
+    return group.first_of_all(best);
   }
 
-  // On which sides of a plane a part is.
+  // On which sides of a plane a fragment is.
   struct Sided {
     bool below, above;
   };
-  MASU_HD static Sided sides_of_part(const Fragment& part, const Plane& plane) {
-    return {part.first[plane.axis] < plane.at, part.last[plane.axis] >= plane.at};
+  MASU_HD static Sided sides_of_fragment(const Fragment& fragment, const Plane& plane) {
+    return {fragment.first[plane.axis] < plane.at, fragment.last[plane.axis] >= plane.at};
   }
 
-  // What of a part on both sides is below and above the plane; its primitive may be on one side all the same.
-  MASU_HD Sided cut(const Fragment& part, const Plane& plane, Fragment& low, Fragment& high) const {
+  // What of a fragment on both sides is below and above the plane; its primitive may be on one side all the
+  // same.
+  MASU_HD Sided cut(const Fragment& fragment, const Plane& plane, Fragment& low, Fragment& high) const {
     const std::int32_t axis = plane.axis;
-    low = high = part;
+    low = high = fragment;
     low.last[axis] = static_cast<std::uint16_t>(plane.at - 1);
     high.first[axis] = static_cast<std::uint16_t>(plane.at);
     Sided in{true, true};
     if (overlap == Overlap::box) return in;
     // Cutting rounds a little more than the margin foresees.
     const double margin = layout.margin * 1.0625, place = plane_at(axis, plane.at);
-    with_primitive(scene, part.primitive, [&](const auto& primitive) {
+    with_primitive(scene, fragment.primitive, [&](const auto& primitive) {
       const ClippedBounds sides = sides_of(primitive, axis, place + margin, place - margin);
       in.below = !is_empty(sides.below) && shrink(low, grown(sides.below, margin));
       in.above = !is_empty(sides.above) && shrink(high, grown(sides.above, margin));
@@ -154,7 +155,7 @@ struct Splitter {
     return in;
   }
 
-  // Whether a box that isn't divided further lists the primitive, a part of which may be in it.
+  // Whether a box that isn't divided further lists the primitive, a fragment of which may be in it.
   MASU_HD bool lists(const VoxelBox& box, PrimitiveIndex number) const {
     if (overlap == Overlap::box) return true;
     const Boxd place{{plane_at(0, box.first.x), plane_at(1, box.first.y), plane_at(2, box.first.z)},
@@ -170,14 +171,14 @@ private:
   static constexpr double patience = 1.3;
 
   // To the voxels that meet the box; false when none is left.
-  MASU_HD bool shrink(Fragment& part, const Boxd& box) const {
+  MASU_HD bool shrink(Fragment& fragment, const Boxd& box) const {
     if (is_empty(box)) return false;
     const VoxelRange range = voxels_met(layout, size, box);
     bool some = true;
     for (int axis = 0; axis < 3; ++axis) {
-      part.first[axis] = std::max(part.first[axis], static_cast<std::uint16_t>(range.first[axis]));
-      part.last[axis] = std::min(part.last[axis], static_cast<std::uint16_t>(range.last[axis]));
-      some = some && part.first[axis] <= part.last[axis];
+      fragment.first[axis] = std::max(fragment.first[axis], static_cast<std::uint16_t>(range.first[axis]));
+      fragment.last[axis] = std::min(fragment.last[axis], static_cast<std::uint16_t>(range.last[axis]));
+      some = some && fragment.first[axis] <= fragment.last[axis];
     }
     return some;
   }
@@ -196,16 +197,16 @@ private:
   // words the finer they are for its size, and not much closer than the primitives are large, since cells
   // smaller than what they hold gain little.
   template <class ThreadGroup>
-  MASU_HD std::int32_t spacing(const ThreadGroup& lanes, const VoxelBox& box, const Fragment* parts,
+  MASU_HD std::int32_t spacing(const ThreadGroup& group, const VoxelBox& box, const Fragment* fragments,
                                std::uint32_t count) const {
     const Vec3i w = box.end - box.first;
     const std::int32_t longest = std::max(w.x, std::max(w.y, w.z));
     std::uint64_t inverse_breadths = 0;
-    for (std::uint32_t i = lanes.lane(); i < count; i += lanes.size())
-      inverse_breadths += parts[i].inverse_breadth;
-    const double typical = count * 0x1p31 / static_cast<double>(lanes.sum(inverse_breadths));
+    for (std::uint32_t i = group.thread_rank(); i < count; i += group.size())
+      inverse_breadths += fragments[i].inverse_breadth;
+    const double typical = count * 0x1p31 / static_cast<double>(group.sum(inverse_breadths));
     std::int32_t log2 = 0;
-    while ((longest >> log2) >= most_planes || (2 << log2) * rule.detail <= typical)
+    while ((longest >> log2) >= most_planes || (2 << log2) * options.detail <= typical)
       ++log2;
     return log2;
   }
@@ -216,39 +217,39 @@ private:
     return (voxel >> spacings[axis]) - (box.first[axis] >> spacings[axis]);
   }
 
-  // Leaves in each bin the numbers of all parts that begin, and of all that end, up to there.
+  // Leaves in each bin the numbers of all fragments that begin, and of all that end, up to there.
   template <class ThreadGroup>
-  MASU_HD static void count_parts(const ThreadGroup& lanes, PlaneBins& bins, const VoxelBox& box,
-                                  const Vec3i& spacings, const Fragment* parts, std::uint32_t count) {
+  MASU_HD static void count_fragments(const ThreadGroup& group, PlaneBins& bins, const VoxelBox& box,
+                                      const Vec3i& spacings, const Fragment* fragments, std::uint32_t count) {
     std::uint32_t* const all = &bins[0][0][0];
-    for (std::uint32_t i = lanes.lane(); i < sizeof(PlaneBins) / sizeof(*all); i += lanes.size())
+    for (std::uint32_t i = group.thread_rank(); i < sizeof(PlaneBins) / sizeof(*all); i += group.size())
       all[i] = 0;
-    lanes.wait();
-    for (std::uint32_t i = lanes.lane(); i < count; i += lanes.size()) {
+    group.sync();
+    for (std::uint32_t i = group.thread_rank(); i < count; i += group.size()) {
       for (int axis = 0; axis < 3; ++axis) {
-        lanes.count(bins[0][axis][bin_of(parts[i].first[axis], box, spacings, axis)]);
-        lanes.count(bins[1][axis][bin_of(parts[i].last[axis], box, spacings, axis)]);
+        group.count(bins[0][axis][bin_of(fragments[i].first[axis], box, spacings, axis)]);
+        group.count(bins[1][axis][bin_of(fragments[i].last[axis], box, spacings, axis)]);
       }
     }
-    lanes.wait();
-    for (std::uint32_t i = lanes.lane(); i < 6; i += lanes.size()) {
+    group.sync();
+    for (std::uint32_t i = group.thread_rank(); i < 6; i += group.size()) {
       const int axis = static_cast<int>(i % 3);
       std::uint32_t* const own = bins[i / 3][axis];
       const std::int32_t last = bin_of(box.end[axis] - 1, box, spacings, axis);
       for (std::int32_t bin = 1; bin < last; ++bin)
         own[bin] += own[bin - 1];
     }
-    lanes.wait();
+    group.sync();
   }
 
   // act(axis, plane) for each plane within the box, in the planes' order along each axis; a lane has some.
   template <class ThreadGroup, class Act>
-  MASU_HD static void for_each_plane(const ThreadGroup& lanes, const PlaneBins& bins, const VoxelBox& box,
+  MASU_HD static void for_each_plane(const ThreadGroup& group, const PlaneBins& bins, const VoxelBox& box,
                                      const Vec3i& spacings, std::uint32_t count, const Act& act) {
     for (int axis = 0; axis < 3; ++axis) {
       const std::int32_t last = bin_of(box.end[axis] - 1, box, spacings, axis);
-      for (auto bin = static_cast<std::int32_t>(lanes.lane()); bin < last;
-           bin += static_cast<std::int32_t>(lanes.size())) {
+      for (auto bin = static_cast<std::int32_t>(group.thread_rank()); bin < last;
+           bin += static_cast<std::int32_t>(group.size())) {
         const std::int32_t at = ((box.first[axis] >> spacings[axis]) + bin + 1) << spacings[axis];
         act(axis, PlaneCounts{at, bins[0][axis][bin], count - bins[1][axis][bin]});
       }

@@ -1,5 +1,5 @@
-// Threads that share a piece of work: one of them on the host; on the device a warp's or a block's
-// (device_passes.h), with the same members.
+// Groups of threads that share a work item, after CUDA's cooperative groups: a single thread on the host; on
+// the device a warp tile or a thread block (cuda_executor.h), with the same members.
 #pragma once
 
 #include "libscene/portable.h"
@@ -8,18 +8,18 @@
 
 namespace masu {
 
-// Each lane has the numbers lane(), lane() + size(), … of what is to be done.
+// A thread takes thread_rank(), thread_rank() + size(), … of a list.
 struct SingleThread {
-  MASU_HD std::uint32_t lane() const { return 0; }
+  MASU_HD std::uint32_t thread_rank() const { return 0; }
   MASU_HD std::uint32_t size() const { return 1; }
-  // Until all lanes have come here, and see what each of them has written.
-  MASU_HD void wait() const {}
-  // One more of what all lanes count.
+  // A barrier; what was written before it is visible after it.
+  MASU_HD void sync() const {}
+  // Adds one to a counter that all threads share.
   MASU_HD void count(std::uint32_t& counter) const { ++counter; }
-  // Over all lanes, for each of them.
+  // Reductions over all threads, the result for each of them.
   MASU_HD std::uint64_t sum(std::uint64_t value) const { return value; }
   MASU_HD std::uint32_t all_bits(std::uint32_t bits) const { return bits; }
-  // Of all lanes' candidates, the one that comes before all others: for the first lane.
+  // Of all threads' candidates the one that comes before all others, for the first thread.
   template <class Candidate>
   MASU_HD Candidate first_of_all(const Candidate& candidate) const {
     return candidate;

@@ -38,7 +38,7 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
       static_cast<std::uint32_t>(grid.block_log2), static_cast<std::uint32_t>(grid.nested_log2),
       origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
       origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
-      static_cast<fb::Merge>(grid.merge), rule, merge_rule, origin.build_seconds, sections));
+      static_cast<fb::Merge>(grid.kind), rule, merge_rule, origin.build_seconds, sections));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 

@@ -12,8 +12,9 @@ void open_and_trace(std::span<const std::uint8_t> bytes) {
     masu::fill(file, bytes);
     const masu::SceneFile scene(file.path());
     masu::trace_a_little(scene, nullptr);
-    for (const masu::Merge merge : {masu::Merge::none, masu::Merge::balance, masu::Merge::irregular})
-      masu::build_a_little(scene, masu::Overlap::exact, merge, "/dev/null");
+    for (const masu::GridKind kind :
+         {masu::GridKind::uniform, masu::GridKind::balance, masu::GridKind::irregular})
+      masu::build_a_little(scene, masu::Overlap::exact, kind, "/dev/null");
   } catch (const masu::Error&) {
   }
 }

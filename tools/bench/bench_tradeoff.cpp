@@ -56,7 +56,7 @@ TradeoffSetup setup_of(const Settings& settings, bool cuda) {
 
 // The configurations of one grid.
 struct GridPlan {
-  MergeChoice merge;
+  GridKind merge;
   std::string division;
   Overlap overlap;
   std::vector<Configuration> configurations;
@@ -77,7 +77,7 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   };
   for (const std::string& merge : settings.merges) {
     // The top level of an irregular grid always has the automatic division.
-    const bool own = merge_named(merge) == MergeChoice::irregular;
+    const bool own = merge_named(merge) == GridKind::irregular;
     for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions) {
       static_cast<void>(parse_division(division));
       for (const std::string& overlap : settings.overlaps)
@@ -94,22 +94,23 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
     add({float64  ? Precision::doubled
          : robust ? Precision::robust
                   : precision_named(precisions.front()),
-         StopRule::proven, MergeChoice::none, division, Overlap::exact});
+         StopRule::proven, GridKind::uniform, division, Overlap::exact});
   }
   return plan;
 }
 
 // The grid's file is in memory: a run that is stopped leaves no file behind.
 GridFile built(const SceneFile& scene, const GridPlan& plan) {
-  BuildOptions recipe;
-  recipe.division = parse_division(plan.division);
-  recipe.choice = plan.merge;
-  recipe.overlap = plan.overlap;
-  const Grid grid = scene.is_float64()
-                        ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), recipe)
-                        : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), recipe);
+  BuildOptions options;
+  options.division = parse_division(plan.division);
+  options.grid.kind = plan.merge;
+  options.overlap = plan.overlap;
+  const auto [grid, origin] =
+      scene.is_float64()
+          ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), scene.hash(), options)
+          : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), scene.hash(), options);
   const MemoryFile file; // lives on in the mapping
-  write_grid(grid, origin_of(grid, recipe, scene.hash(), scene.primitive_count()), file.path());
+  write_grid(grid, origin, file.path());
   return GridFile(file.path());
 }
 
@@ -134,7 +135,7 @@ void check_names(const std::vector<std::string>& scenes, const std::string& fold
   std::vector<std::string> outputs{folder + "/tradeoff.csv", folder + "/charts.csv"};
   for (const std::string& name : taken) {
     for (const char* const kind : {".svg", ".png"})
-      outputs.push_back(folder + "/" + name + kind);
+      outputs.push_back(fmt::format("{}/{}{}", folder, name, kind));
   }
   check_files(scenes, outputs);
 }

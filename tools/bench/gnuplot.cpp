@@ -33,6 +33,7 @@ std::vector<std::string> environment_in_utf8() {
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
   for (std::string& text : texts)
     pointers.push_back(text.data());
   pointers.push_back(nullptr);
@@ -77,7 +78,7 @@ bool draw_charts(const std::string& script, const std::string& folder,
   std::list<OutputFile> charts;
   std::string outputs;
   for (const std::string& name : names) {
-    files.push_back(fileno(charts.emplace_back(folder + "/" + name).stream()));
+    files.push_back(fileno(charts.emplace_back(fmt::format("{}/{}", folder, name)).stream()));
     outputs += name + " " + path_of(files.back()) + " ";
   }
   if (!run({"gnuplot", "-e", "outputs = '" + outputs + "'", path_of(files.front())}, folder, files))

@@ -47,7 +47,7 @@ MASU_HD inline TileRun run_of(ScreenDivision division, std::uint32_t worker, std
 // Error(usage) for a float64 scene, Error(device).
 struct DividedFrame {
   Frame frame;
-  std::uint32_t workers;
+  std::uint32_t workers = 0;
 };
 DividedFrame render_divided_cpu(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
                                 ScreenDivision division, int workers_each);

@@ -26,17 +26,17 @@ const char* name_of(StopRule stop) {
   return stop == StopRule::proven ? "proven" : "first-cell-hit";
 }
 
-const char* name_of(MergeChoice merge) {
+const char* name_of(GridKind merge) {
   switch (merge) {
-  case MergeChoice::automatic:
+  case GridKind::automatic:
     return "auto";
-  case MergeChoice::none:
+  case GridKind::uniform:
     return "none";
-  case MergeChoice::x:
+  case GridKind::x:
     return "x";
-  case MergeChoice::balance:
+  case GridKind::balance:
     return "balance";
-  case MergeChoice::irregular:
+  case GridKind::irregular:
     return "irregular";
   }
   return "";
@@ -54,9 +54,8 @@ StopRule stop_named(const std::string& text) {
   return named(text, std::array{StopRule::proven, StopRule::first_cell});
 }
 
-MergeChoice merge_named(const std::string& text) {
-  return named(text,
-               std::array{MergeChoice::none, MergeChoice::x, MergeChoice::balance, MergeChoice::irregular});
+GridKind merge_named(const std::string& text) {
+  return named(text, std::array{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular});
 }
 
 Overlap overlap_named(const std::string& text) {
@@ -70,8 +69,8 @@ std::string method_of(const Configuration& configuration) {
 
 std::string grid_of(const Configuration& configuration) {
   const char* const merge =
-      configuration.merge == MergeChoice::none ? "uniform" : name_of(configuration.merge);
-  const bool divided = configuration.merge != MergeChoice::irregular || configuration.division != "auto";
+      configuration.merge == GridKind::uniform ? "uniform" : name_of(configuration.merge);
+  const bool divided = configuration.merge != GridKind::irregular || configuration.division != "auto";
   return fmt::format("{} {}{}", merge, divided ? configuration.division + " " : "",
                      name_of(configuration.overlap));
 }

@@ -1,7 +1,7 @@
 // What `gridbench tradeoff` measures: one row for each scene, setup and configuration.
 #pragma once
 
-#include "libgrid/build/recipe.h"
+#include "libgrid/build/build_grid.h"
 #include "renderer/tracer.h"
 
 #include <string>
@@ -26,7 +26,7 @@ struct TradeoffSetup {
 struct Configuration {
   Precision precision;
   StopRule stop;
-  MergeChoice merge;
+  GridKind merge;
   std::string division; // as gridbuild takes it
   Overlap overlap;
   friend bool operator==(const Configuration&, const Configuration&) = default;
@@ -62,13 +62,13 @@ struct TradeoffRow {
 };
 
 // The names used in the table and the file.
-const char* name_of(StopRule stop);     // proven, first-cell-hit
-const char* name_of(MergeChoice merge); // none, x, balance, irregular
-const char* name_of(Overlap overlap);   // box, exact
+const char* name_of(StopRule stop);   // proven, first-cell-hit
+const char* name_of(GridKind merge);  // none, x, balance, irregular
+const char* name_of(Overlap overlap); // box, exact
 // Throw Error(usage, text, …).
 Precision precision_named(const std::string& text);
 StopRule stop_named(const std::string& text);
-MergeChoice merge_named(const std::string& text);
+GridKind merge_named(const std::string& text);
 Overlap overlap_named(const std::string& text);
 
 // Precision and stop rule: a series of the charts.

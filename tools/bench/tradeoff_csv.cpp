@@ -35,7 +35,7 @@ std::string text_of(Precision value) {
 std::string text_of(StopRule value) {
   return name_of(value);
 }
-std::string text_of(MergeChoice value) {
+std::string text_of(GridKind value) {
   return name_of(value);
 }
 std::string text_of(Overlap value) {
@@ -65,7 +65,7 @@ void read(const std::string& text, Precision& value) {
 void read(const std::string& text, StopRule& value) {
   value = stop_named(text);
 }
-void read(const std::string& text, MergeChoice& value) {
+void read(const std::string& text, GridKind& value) {
   value = merge_named(text);
 }
 void read(const std::string& text, Overlap& value) {

@@ -1,7 +1,7 @@
 #include "tools/bench/stability/backends.h"
 
+#include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
-#include "libgrid/build/merge.h"
 #include "libscene/file/memory_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/bench/stability/same_bits.h"
@@ -36,10 +36,9 @@ void write_built(const SceneFile& scene, const GridWanted& wanted, const std::st
   const SceneView<Stored> view = scene.view<Stored>();
   const GridLayout layout{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
                           rounding_margin<Stored>(scene.bounds())};
-  MergeRule rule;
-  rule.merge = wanted.merge;
-  write_grid(wanted.merge == Merge::none ? build_uniform(view, layout, Overlap::exact)
-                                         : build_merged(view, layout, Overlap::exact, rule),
+  GridOptions options;
+  options.kind = wanted.kind;
+  write_grid(build_grid(view, layout, Overlap::exact, options),
              {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, "stability", ""},
              path);
 }

@@ -1,7 +1,7 @@
 #include "tools/bench/stability/run.h"
 
+#include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
-#include "libgrid/build/merge.h"
 #include "renderer/dispatch.h"
 #include "tools/bench/stability/judge_surfaces.h"
 #include "tools/bench/stability/same_bits.h"
@@ -29,7 +29,7 @@ bool same_hit(const Hit<Real>& a, const Hit<Real>& b) {
 
 template <class Real, class Act>
 void with_view(const Grid& grid, const Act& act) {
-  grid.merge == Merge::none ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
+  grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
 }
 
 template <class TestRay, class Stored>
@@ -71,10 +71,9 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
   for (const GridWanted& grid : wanted) {
     const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight), grid.division,
                             rounding_margin<Stored>(bounds)};
-    MergeRule rule;
-    rule.merge = grid.merge;
-    grids.push_back(grid.merge == Merge::none ? build_uniform(view, layout, Overlap::exact)
-                                              : build_merged(view, layout, Overlap::exact, rule));
+    GridOptions options;
+    options.kind = grid.kind;
+    grids.push_back(build_grid(view, layout, Overlap::exact, options));
   }
   return grids;
 }

@@ -2,7 +2,7 @@
 // the rays with correct results.
 #pragma once
 
-#include "libgrid/build/build.h"
+#include "libgrid/build/builder.h"
 #include "renderer/tracer.h"
 #include "tools/bench/stability/test_scene.h"
 
@@ -17,7 +17,7 @@ namespace masu::stability {
 // Build options of a grid. Results must be independent of it.
 struct GridWanted {
   Vec3i division;
-  Merge merge;
+  GridKind kind;
 };
 
 // Scene and rays of one step, rounded to the store, so that every precision traces the same.
@@ -25,10 +25,10 @@ template <class Stored>
 struct Trial {
   TestScene<Stored> scene;
   std::vector<ListedRay> rays;
-  std::vector<GridWanted> grids{{{7, 6, 5}, Merge::none},
-                                {{40, 33, 64}, Merge::none},
-                                {{3, 4, 2}, Merge::irregular},
-                                {{16, 16, 16}, Merge::x}};
+  std::vector<GridWanted> grids{{{7, 6, 5}, GridKind::uniform},
+                                {{40, 33, 64}, GridKind::uniform},
+                                {{3, 4, 2}, GridKind::irregular},
+                                {{16, 16, 16}, GridKind::x}};
   std::vector<Vec3d> aims{}; // leaving: a random unit vector for each ray
   std::int32_t depth = 1;    // glass: the largest depth of rays
 };

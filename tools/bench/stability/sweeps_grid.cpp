@@ -77,9 +77,9 @@ Trial<Stored> on_faces(Chance& chance, double parameter, std::size_t rays) {
     trial.rays.push_back(ray);
     if (chance.one_in(3)) trial.rays.back().origin = kept<Stored>(ray.origin - ray.direction * 4.0);
   }
-  trial.grids = {{{voxels, voxels, voxels}, Merge::none},
-                 {{voxels, voxels, voxels}, Merge::x},
-                 {{std::min(voxels, 64), std::min(voxels, 64), std::min(voxels, 64)}, Merge::irregular}};
+  trial.grids = {{{voxels, voxels, voxels}, GridKind::uniform},
+                 {{voxels, voxels, voxels}, GridKind::x},
+                 {{std::min(voxels, 64), std::min(voxels, 64), std::min(voxels, 64)}, GridKind::irregular}};
   return trial;
 }
 
@@ -90,11 +90,11 @@ Trial<Stored> divided_by(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
   const std::int32_t few = std::min(voxels, 128), many = std::min(voxels, 512);
-  trial.grids = {{{voxels, 5, 3}, Merge::none},
-                 {{2, voxels, 7}, Merge::x},
-                 {{few, few, few}, Merge::none},
-                 {{many, 4, many}, Merge::none},
-                 {{few / 2 + 1, few / 4 + 1, few / 8 + 1}, Merge::irregular}};
+  trial.grids = {{{voxels, 5, 3}, GridKind::uniform},
+                 {{2, voxels, 7}, GridKind::x},
+                 {{few, few, few}, GridKind::uniform},
+                 {{many, 4, many}, GridKind::uniform},
+                 {{few / 2 + 1, few / 4 + 1, few / 8 + 1}, GridKind::irregular}};
   return trial;
 }
 

@@ -1,0 +1,36 @@
+// What kind of grid is built, and how.
+#pragma once
+
+#include "libgrid/build/division.h"
+#include "libgrid/build/overlap.h"
+
+namespace masu {
+
+//   uniform    each voxel is a cell
+//   x          the empty voxels of a run along x are joined: it costs a ray along it one step
+//   balance    boxes of voxels that list no more than `target` primitives are one cell
+//   irregular  each voxel of a coarse division is divided further, as deep as its primitives demand, by
+//              expected cost (split.h); cells are then expanded over neighbours (expand_passes.h)
+//   automatic  uniform or irregular, by expected cost (build_grid.h); a built grid is never of this kind
+// The first four are numbered as schemas/grid.fbs numbers them.
+enum class GridKind { uniform, x, balance, irregular, automatic };
+
+// A kind and its options; those of other kinds don't matter.
+struct GridOptions {
+  GridKind kind = GridKind::uniform;
+  std::uint32_t target = 8; // balance: the most references of a cell, where voxels allow it
+  double alpha = 0.95;      // irregular: divide while that makes the cost less than alpha times what it is
+  double step_cost = 5;     // irregular, automatic: of the step to a cell, in intersection tests
+  double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this
+  std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
+  int expansions = 4;           // irregular: rounds of expansion; 0 for none
+};
+
+struct BuildOptions {
+  GridOptions grid{GridKind::automatic};
+  DivisionRule division;
+  SpaceRule space = SpaceRule::tight;
+  Overlap overlap = Overlap::exact;
+};
+
+} // namespace masu

@@ -1,0 +1,31 @@
+// Arrays in host memory whose elements aren't written before they are computed.
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace masu {
+
+// Constructs without a value what would else be set to zero.
+template <class T>
+struct DefaultInitAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = DefaultInitAllocator<U>;
+  };
+  using std::allocator<T>::allocator;
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments) {
+    if constexpr (sizeof...(Arguments) == 0) {
+      ::new (static_cast<void*>(place)) U;
+    } else {
+      ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+    }
+  }
+};
+
+template <class T>
+using HostArray = std::vector<T, DefaultInitAllocator<T>>;
+
+} // namespace masu
