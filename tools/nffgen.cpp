@@ -41,7 +41,6 @@ void run(const CLI::App& app, const Command& command) {
   const masu::SpdInfo& info = masu::spd_info(command.scene);
   const int size = app.count("--size") > 0 ? command.size : info.standard;
   masu::check_spd_size(info.scene, size); // before a file is opened
-  masu::check_files({}, {command.output});
   write({info.scene, size, !command.no_background}, command.output);
 }
 
