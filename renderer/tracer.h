@@ -121,7 +121,7 @@ struct ResidentRays {
 
 struct DeviceFiles; // a scene and its grid in a GPU's memory
 
-// Queries may be made by several threads at once.
+// Queries change nothing in it. On a GPU they run on the default stream, one after the other.
 class Tracer {
 public:
   // `grid` is null for brute force, which tries every primitive for every ray. The files must live as long as

@@ -65,7 +65,7 @@ private:
   ContainerFile container_;
   const fb::Grid* table_;
   LoadSeconds seconds_;
-  bool is_checked_ = false; // of all
+  bool is_checked_ = false; // by check_records when opened
 };
 
 // Of a grid in memory.
