@@ -30,11 +30,11 @@ MASU_HD inline Record fetched(const Record* record) {
 #endif
 }
 
-// The same for a record that is read only once: 8-byte streaming loads (ld.global.cs), evicted first.
+// The same for a record that is read only once: 16-byte streaming loads (ld.global.cs), evicted first.
 template <class Record>
 MASU_HD inline Record streamed(const Record* record) {
 #ifdef __CUDA_ARCH__
-  return load_in_pieces<uint2>(record, [](const uint2* piece) { return __ldcs(piece); });
+  return load_in_pieces<uint4>(record, [](const uint4* piece) { return __ldcs(piece); });
 #else
   return *record;
 #endif

@@ -8,8 +8,8 @@ namespace masu {
 
 // The grid is null for brute force. Files are checked, and the precision is resolved.
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
-RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
-                       const RaysRequest& request);
+QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
+                           const RayResults& results, const RaysRequest& request);
 
 // Sets a device up, so that what comes next isn't charged for it. Throws Error(device) where there is none.
 void set_up_cuda();
@@ -18,11 +18,19 @@ void set_up_cuda();
 // Error(device), and what meanwhile() throws.
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
                                                      const std::function<void()>& meanwhile);
-std::shared_ptr<const DeviceRays> upload_rays_cuda(std::span<const ListedRay> rays, bool as_double);
+// Copies rays to the device, and makes room there for t, primitive and occluded.
+ResidentRays upload_rays_cuda(const RayList& rays);
 
 Frame render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                   const FrameRequest& request);
-RayHits trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
-                        const ResidentRays& rays, const RaysRequest& request);
+// Of rays in host memory.
+QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                            const RayList& rays, const RayResults& results, const RaysRequest& request);
+// Of rays in device memory: puts the query on a stream; or times it.
+QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                            const RayList& rays, const RayResults& results, const RaysRequest& request,
+                            void* stream);
+QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                           const ResidentRays& rays, const RaysRequest& request);
 
 } // namespace masu

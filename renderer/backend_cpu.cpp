@@ -50,17 +50,22 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
 }
 
 template <Query query, class M, class Stored, class Grid, class C>
-void trace(const SceneView<Stored>& scene, const Grid& grid, std::span<const ListedRay> rays,
-           const RaysRequest& request, RayHits& result, const C&) {
+void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays, const RayResults& results,
+           QueryReport& report, const C&) {
+  using Real = typename M::Real;
   tbb::combinable<Counts> totals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_a_task), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task), [&](const auto& range) {
     C counts;
-    for (std::size_t i = range.begin(); i != range.end(); ++i)
-      result.hits[i] =
-          trace_listed<query, M>(scene, grid, typed<typename M::Real>(rays[i]), request.hit_name, counts);
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
+      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray, counts);
+      write_hit<query>(results, i, hit);
+      if (query == Query::nearest_hit && results.has_attributes())
+        write_attributes(scene, ray, hit, results, i);
+    }
     add(totals.local(), counts);
   });
-  totals.combine_each([&](const Counts& part) { result.counts += part; });
+  totals.combine_each([&](const Counts& part) { report.counts += part; });
 }
 
 template <class Act>
@@ -93,18 +98,17 @@ Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameReques
   return frame;
 }
 
-RayHits trace_rays_cpu(const SceneFile& scene, const GridFile* grid, std::span<const ListedRay> rays,
-                       const RaysRequest& request) {
-  RayHits result;
-  result.hits.resize(rays.size());
+QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
+                           const RayResults& results, const RaysRequest& request) {
+  QueryReport report;
   with_everything(
       scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
-        with_query(request.query, [&]<Query query>(Asked<query>) {
-          result.seconds.trace =
-              seconds_of([&] { trace<query, M>(view, accelerator, rays, request, result, counts); });
+        with_query(request.query, [&]<Query query>(QueryTag<query>) {
+          report.seconds.trace =
+              seconds_of([&] { trace<query, M>(view, accelerator, rays, results, report, counts); });
         });
       });
-  return result;
+  return report;
 }
 
 } // namespace masu

@@ -4,14 +4,16 @@ namespace masu {
 
 template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                                       const GridFile*, const FrameRequest&, Frame&);
-template void trace_on_device<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                     const GridFile*, const ResidentRays&, const RaysRequest&,
-                                                     RayHits&);
+template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                       const GridFile*, const RaysRequest&,
+                                                       const RayBatch<double>&);
+template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<double>&, const RayResults&);
 
 template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
                                                       const GridFile*, const FrameRequest&, Frame&);
-template void trace_on_device<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
-                                                     const GridFile*, const ResidentRays&, const RaysRequest&,
-                                                     RayHits&);
+template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
+                                                       const GridFile*, const RaysRequest&,
+                                                       const RayBatch<double>&);
+template void queue_attributes(const DeviceFilesOf<double>&, const RayBatch<double>&, const RayResults&);
 
 } // namespace masu

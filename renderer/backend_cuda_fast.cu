@@ -4,8 +4,7 @@ namespace masu {
 
 template void render_on_device<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                             const GridFile*, const FrameRequest&, Frame&);
-template void trace_on_device<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                           const GridFile*, const ResidentRays&, const RaysRequest&,
-                                           RayHits&);
+template KernelSize queue_batch<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                             const GridFile*, const RaysRequest&, const RayBatch<float>&);
 
 } // namespace masu

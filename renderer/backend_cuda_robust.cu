@@ -4,8 +4,9 @@ namespace masu {
 
 template void render_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                                      const GridFile*, const FrameRequest&, Frame&);
-template void trace_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                    const GridFile*, const ResidentRays&, const RaysRequest&,
-                                                    RayHits&);
+template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                      const GridFile*, const RaysRequest&,
+                                                      const RayBatch<float>&);
+template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
 
 } // namespace masu

@@ -21,14 +21,22 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const Gri
                                                      const std::function<void()>&) {
   refuse();
 }
-std::shared_ptr<const DeviceRays> upload_rays_cuda(std::span<const ListedRay>, bool) {
+ResidentRays upload_rays_cuda(const RayList&) {
   refuse();
 }
 Frame render_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const FrameRequest&) {
   refuse();
 }
-RayHits trace_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const ResidentRays&,
-                        const RaysRequest&) {
+QueryReport trace_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,
+                            const RayResults&, const RaysRequest&) {
+  refuse();
+}
+QueryReport queue_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,
+                            const RayResults&, const RaysRequest&, void*) {
+  refuse();
+}
+QueryReport time_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const ResidentRays&,
+                           const RaysRequest&) {
   refuse();
 }
 

@@ -51,8 +51,7 @@ MASU_HD inline Ray<Real> camera_ray(const CameraRays<Real>& rays, std::int32_t c
   const Real y = 1 - (2 * static_cast<Real>(row) + rays.offset) / static_cast<Real>(rays.height);
   const Vec3<Real> towards = fma(rays.right, x, fma(rays.up, y, rays.forward));
   const Real ahead = rays.hither;
-  return {ahead > 0 ? fma(towards, ahead, rays.eye) : rays.eye, normalized(towards),
-          RealTraits<Real>::largest};
+  return unbounded_ray(ahead > 0 ? fma(towards, ahead, rays.eye) : rays.eye, normalized(towards));
 }
 
 } // namespace masu

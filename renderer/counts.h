@@ -35,13 +35,25 @@ struct Counts {
     ++shadow_rays;
     shadow_hits += hit;
   }
-
-  static constexpr int fields = 13;
-  // The fields as an array, for adding up.
-  MASU_HD std::uint64_t* begin() { return &camera_rays; }
-  MASU_HD const std::uint64_t* begin() const { return &camera_rays; }
 };
-static_assert(sizeof(Counts) == Counts::fields * sizeof(std::uint64_t));
+
+// Calls act(a's count, b's) for each count.
+template <class A, class B, class Act>
+MASU_HD inline void for_each_count(A& a, B& b, const Act& act) {
+  act(a.camera_rays, b.camera_rays);
+  act(a.camera_hits, b.camera_hits);
+  act(a.reflection_rays, b.reflection_rays);
+  act(a.refraction_rays, b.refraction_rays);
+  act(a.secondary_hits, b.secondary_hits);
+  act(a.shadow_rays, b.shadow_rays);
+  act(a.shadow_hits, b.shadow_hits);
+  act(a.triangle_tests, b.triangle_tests);
+  act(a.sphere_tests, b.sphere_tests);
+  act(a.cone_tests, b.cone_tests);
+  act(a.cells_visited, b.cells_visited);
+  act(a.empty_cells_visited, b.empty_cells_visited);
+  act(a.voxels_skipped, b.voxels_skipped);
+}
 
 struct NoCounts {
   MASU_HD void triangle_test() {}
@@ -57,8 +69,7 @@ struct NoCounts {
 };
 
 inline Counts& operator+=(Counts& a, const Counts& b) {
-  for (int i = 0; i < Counts::fields; ++i)
-    a.begin()[i] += b.begin()[i];
+  for_each_count(a, b, [](std::uint64_t& sum, std::uint64_t count) { sum += count; });
   return a;
 }
 

@@ -4,49 +4,77 @@
 // needs few registers, so twice as many are under way, and leaves a list of those that are worth it.
 #pragma once
 
-#include "renderer/dispatch.h"
 #include "renderer/kernel_cuda.h"
-
-#include <span>
 
 namespace masu {
 
 // Rays have numbers of 32 bits, and each warp may once ask for more than there are.
-inline constexpr std::uint64_t most_rays_by_warps = 0x7fffffff;
+inline constexpr std::uint64_t max_rays_by_warps = 0x7fffffff;
+
+// All 0 at first.
+struct CullState {
+  std::uint32_t culls;  // whether most rays miss the bounds: the others are chosen
+  std::uint32_t chosen; // rays
+};
 
 // Rays to be traced: all of them, or those that were chosen.
 template <class Real>
-struct RayList {
-  const TypedRay<Real>* rays;
+struct RayQueue {
+  const Ray<Real>* rays;
   std::uint32_t count;
-  const std::uint32_t* chosen; // numbers of rays, near their order; null: all are
-  const std::uint32_t* chosen_count;
-
-  __device__ std::uint32_t size() const { return chosen != nullptr ? *chosen_count : count; }
-  __device__ std::uint32_t number(std::uint32_t i) const { return chosen != nullptr ? chosen[i] : i; }
+  const std::uint32_t* chosen; // numbers of rays, near their order
+  const CullState* state;      // null: all rays are traced
 };
 
-inline constexpr int rays_a_culling_block = 512;
+// Scales and clips a ray to the scene; false where it misses the bounds.
+template <class Real, class Stored>
+MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray, ClippedRay<Real>& near,
+                                   Real& scale) {
+  scale = scale_direction(ray);
+  return clip(ray, cast<Real>(scene.clip), near);
+}
 
-// Chooses the rays that meet the bounds, and answers the others. `chosen_count` is 0 at first.
+inline constexpr int threads_sampling = 1024, samples_a_thread = 4;
+// Fewer rays aren't worth a look.
+inline constexpr std::uint64_t min_rays_culled = std::uint64_t{1} << 18;
+
+// Decides by a sample whether so many rays miss the bounds that choosing the others pays: measured on an
+// H200, from 9 of 20 on. For one block.
+template <class Real, class Stored>
+__global__ void __launch_bounds__(threads_sampling)
+    sample_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
+                  CullState* const state) {
+  constexpr std::uint32_t samples = threads_sampling * samples_a_thread;
+  const std::uint32_t step = count / samples;
+  int missing = 0;
+  for (std::uint32_t i = 0; i < samples_a_thread; ++i) {
+    ClippedRay<Real> near{};
+    Real scale;
+    const Ray<Real>& ray = rays[(i * threads_sampling + threadIdx.x) * step];
+    missing += __syncthreads_count(scale_and_clip(scene, ray, near, scale) ? 0 : 1);
+  }
+  if (threadIdx.x == 0) state->culls = missing * 20 >= static_cast<int>(samples) * 9 ? 1 : 0;
+}
+
+inline constexpr int threads_a_culling_block = 512;
+
+// Chooses the rays that meet the bounds, and writes the others' results.
 template <Query query, class Real, class Stored>
-__global__ void __launch_bounds__(rays_a_culling_block)
-    cull_kernel(const SceneView<Stored> scene, const TypedRay<Real>* const rays, const std::uint32_t count,
-                const HitName name, HitRecord* const hits, std::uint32_t* const chosen,
-                std::uint32_t* const chosen_count) {
-  constexpr int warps = rays_a_culling_block / lanes_a_warp;
+__global__ void __launch_bounds__(threads_a_culling_block)
+    cull_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
+                const RayResults results, std::uint32_t* const chosen, CullState* const state) {
+  constexpr int warps = threads_a_culling_block / lanes_a_warp;
   __shared__ unsigned before[warps]; // rays chosen by the warps before each
   __shared__ std::uint32_t first;
+  if (state->culls == 0) return;
   const unsigned lane = threadIdx.x % lanes_a_warp, warp = threadIdx.x / lanes_a_warp;
-  const std::uint32_t number = blockIdx.x * rays_a_culling_block + threadIdx.x;
+  const std::uint32_t number = blockIdx.x * threads_a_culling_block + threadIdx.x;
   bool meets = false;
   if (number < count) {
-    const ListedNear<Real> ray = clipped<query>(scene, streamed(rays + number));
-    meets = ray.meets;
-    if (!meets) {
-      const Real t_max = ray.near.ray.t_max;
-      hits[number] = answer<query>(scene, Hit<Real>{t_max, 0}, t_max, ray.near.skipped, ray.scale, name);
-    }
+    ClippedRay<Real> near{};
+    Real scale;
+    meets = scale_and_clip(scene, streamed(rays + number), near, scale);
+    if (!meets) write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
   }
   const unsigned meeting = __ballot_sync(all_lanes, meets);
   if (lane == 0) before[warp] = static_cast<unsigned>(__popc(meeting));
@@ -58,22 +86,10 @@ __global__ void __launch_bounds__(rays_a_culling_block)
       warps_rays = sum;
       sum += own;
     }
-    first = DeviceAtomic<std::uint32_t>(*chosen_count).fetch_add(sum, cuda::memory_order_relaxed);
+    first = DeviceAtomic<std::uint32_t>(state->chosen).fetch_add(sum, cuda::memory_order_relaxed);
   }
   __syncthreads();
   if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = number;
-}
-
-// Whether so many rays miss the bounds that choosing the others pays: measured on an H200, from 9 of 20 on.
-// As a sample of them tells.
-template <Query query, class Real, class Stored>
-bool often_misses(const SceneView<Stored>& scene, std::span<const ListedRay> rays) {
-  constexpr std::size_t looked_at = 4096;
-  const std::size_t step = rays.size() / looked_at + 1;
-  std::size_t missing = 0, sampled = 0;
-  for (std::size_t i = 0; i < rays.size(); i += step, ++sampled)
-    missing += clipped<query>(scene, typed<Real>(rays[i])).meets ? 0 : 1;
-  return missing * 20 >= sampled * 9;
 }
 
 } // namespace masu

@@ -79,32 +79,4 @@ struct DeviceFilesOf {
       : scene(host_scene, upload), grid(host_grid, upload) {}
 };
 
-// Of either store: one of them.
-struct DeviceFiles {
-  std::optional<DeviceFilesOf<float>> float32;
-  std::optional<DeviceFilesOf<double>> float64;
-
-  template <class Stored>
-  const DeviceFilesOf<Stored>& of() const {
-    if constexpr (std::is_same_v<Stored, float>)
-      return *float32;
-    else
-      return *float64;
-  }
-};
-
-// A list of rays on the device, in the arithmetic's type: one of them.
-struct DeviceRays {
-  DeviceArray<TypedRay<float>> float32;
-  DeviceArray<TypedRay<double>> float64;
-
-  template <class Real>
-  const DeviceArray<TypedRay<Real>>& of() const {
-    if constexpr (std::is_same_v<Real, float>)
-      return float32;
-    else
-      return float64;
-  }
-};
-
 } // namespace masu

@@ -60,100 +60,12 @@ void with_method(const SceneView<Stored>& scene, const GridFile* grid, const Tra
 }
 
 // A query as a type.
-template <Query question_>
-struct Asked {
-  static constexpr Query query = question_;
-};
-// Calls act(Asked).
+template <Query query>
+using QueryTag = std::integral_constant<Query, query>;
+// Calls act(QueryTag).
 template <class Act>
 void with_query(Query query, const Act& act) {
-  query == Query::nearest_hit ? act(Asked<Query::nearest_hit>{}) : act(Asked<Query::occlusion>{});
-}
-
-// A listed ray as one arithmetic has it.
-template <class Real>
-struct alignas(8) TypedRay {
-  Vec3<Real> origin, direction;
-};
-static_assert(sizeof(TypedRay<float>) == 24 && sizeof(TypedRay<double>) == 48);
-
-template <class Real>
-TypedRay<Real> typed(const ListedRay& ray) {
-  return {cast<Real>(ray.origin), cast<Real>(ray.direction)};
-}
-
-// A listed ray scaled by a power of two, so that its direction's largest component is between 1 and 2 and
-// nothing overflows on the way; t is scaled back by `scale`. Exact.
-template <class Real>
-struct ScaledRay {
-  Ray<Real> ray;
-  Real scale;
-};
-
-template <class Real>
-MASU_HD inline ScaledRay<Real> scaled(const TypedRay<Real>& listed) {
-  const Real scale = inverse_power_of_two(static_cast<float>(largest_magnitude(listed.direction)));
-  return {{listed.origin, listed.direction * scale, RealTraits<Real>::largest}, scale};
-}
-
-// A listed ray scaled, as far as the query goes.
-template <Query query, class Real>
-MASU_HD inline ScaledRay<Real> asked(const TypedRay<Real>& listed) {
-  ScaledRay<Real> ray = scaled(listed);
-  if constexpr (query == Query::occlusion) ray.ray.t_max = 1 / ray.scale;
-  return ray;
-}
-
-// The same from where it enters the bounds.
-template <class Real>
-struct ListedNear {
-  ClippedRay<Real> near;
-  Real scale; // of the ray
-  bool meets; // the bounds; false: only near.ray.t_max and near.skipped are meant
-};
-
-template <Query query, class Real, class Stored>
-MASU_HD inline ListedNear<Real> clipped(const SceneView<Stored>& scene, const TypedRay<Real>& listed) {
-  const ScaledRay<Real> ray = asked<query>(listed);
-  ListedNear<Real> result{{}, ray.scale, false};
-  result.meets = clip(ray.ray, cast<Real>(scene.clip), result.near);
-  return result;
-}
-
-MASU_HD inline HitRecord occlusion_record(bool occluded) {
-  return {1, occluded ? 0 : -1};
-}
-
-// What a listed ray hits, or whether it is occluded.
-template <Query query, class M, class Stored, class Grid, class C>
-MASU_HD inline HitRecord trace_listed(const SceneView<Stored>& scene, const Grid& grid,
-                                      const TypedRay<typename M::Real>& listed, HitName name, C& counts) {
-  using Real = typename M::Real;
-  const ScaledRay<Real> ray = asked<query>(listed);
-  if constexpr (query == Query::occlusion) {
-    const bool occluded = is_occluded<M>(scene, grid, ray.ray, counts);
-    counts.shadow_ray(occluded);
-    return occlusion_record(occluded);
-  }
-  const Hit<Real> hit = nearest_hit<M>(scene, grid, ray.ray, counts);
-  counts.camera_ray(hit.primitive != no_primitive);
-  return hit_record(scene, hit, ray.scale, name);
-}
-
-// The answer for a listed ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
-template <Query query, class Real, class Stored>
-MASU_HD inline HitRecord answer(const SceneView<Stored>& scene, const Hit<Real>& nearest, Real t_max,
-                                Real skipped, Real scale, HitName name) {
-  const bool met = nearest.t < t_max;
-  if constexpr (query == Query::occlusion) return occlusion_record(met);
-  return hit_record(scene, Hit<Real>{nearest.t + skipped, met ? nearest.primitive : no_primitive}, scale,
-                    name);
-}
-
-// Whether the search may end once all up to t = exit has been tested.
-template <Query query, class Real>
-MASU_HD inline bool can_terminate(const Hit<Real>& nearest, Real t_max, Real exit) {
-  return nearest.t <= exit || (query == Query::occlusion && nearest.t < t_max);
+  query == Query::nearest_hit ? act(QueryTag<Query::nearest_hit>{}) : act(QueryTag<Query::occlusion>{});
 }
 
 } // namespace masu

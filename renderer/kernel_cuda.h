@@ -39,10 +39,10 @@ KernelSize load(Kernel* kernel) {
   return {attributes.numRegs, static_cast<std::int32_t>(attributes.localSizeBytes)};
 }
 
-// Seconds of what launch() puts on the device, which is waited for.
+// Seconds of what launch() puts on the stream, which is waited for.
 template <class Launch>
-double timed(const Launch& launch) {
-  const DeviceTimer timer;
+double timed(cudaStream_t stream, const Launch& launch) {
+  const DeviceTimer timer(stream);
   launch();
   check(cudaGetLastError());
   return timer.seconds();

@@ -96,7 +96,7 @@ MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Grid& gr
     const Real distance = length(path);
     if (!(distance > 0)) continue;
     const Vec3<Real> l = path * (1 / distance);
-    const bool occluded = is_occluded<M>(scene, grid, Ray<Real>{origin, l, distance}, counts);
+    const bool occluded = is_occluded<M>(scene, grid, Ray<Real>{origin, 0, l, distance}, counts);
     counts.shadow_ray(occluded);
     if (occluded) continue;
     const Real cosine = max(dot(side.shading, l), Real(0));
@@ -161,8 +161,7 @@ MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, 
   RayStack<Real> pending;
   PendingRay<Real> ray{eye.origin, eye.direction, 1, 1};
   for (;;) {
-    const Ray<Real> path{ray.origin, ray.direction, RealTraits<Real>::largest};
-    const auto hit = nearest_hit_near<M>(scene, grid, path, counts);
+    const auto hit = nearest_hit_near<M>(scene, grid, unbounded_ray(ray.origin, ray.direction), counts);
     const bool met = hit.hit.primitive != no_primitive;
     if (ray.depth == 1) {
       counts.camera_ray(met);

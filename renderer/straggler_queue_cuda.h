@@ -40,15 +40,15 @@ struct StragglerQueue {
 template <class Real>
 class StragglerQueueMemory {
 public:
-  explicit StragglerQueueMemory(std::uint32_t warps)
-      : progress_(1), rays_(std::size_t{warps} * lanes_a_warp) {}
-  // Before each start.
-  void reset() const { check(cudaMemsetAsync(progress_.data(), 0, sizeof(WarpProgress))); }
+  StragglerQueueMemory(std::uint32_t warps, cudaStream_t stream)
+      : progress_(1, stream), rays_(std::size_t{warps} * lanes_a_warp, stream) {
+    progress_.clear();
+  }
   StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }
 
 private:
-  PooledArray<WarpProgress> progress_;
-  PooledArray<Straggler<Real>> rays_;
+  DeviceArray<WarpProgress> progress_;
+  DeviceArray<Straggler<Real>> rays_;
 };
 
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.

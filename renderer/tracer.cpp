@@ -6,12 +6,39 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace masu {
 namespace {
 
 void check_depth(std::int32_t depth) {
   if (depth < 1 || depth > largest_depth)
     throw Error(ErrorCode::usage, "depth", fmt::format("{} isn't from 1 to {}", depth, largest_depth));
+}
+
+// Rounded to the arithmetic's numbers, in memory of the device.
+template <class Real>
+ResidentRays resident_rays(std::span<const Ray<double>> rays, Device device) {
+  std::vector<Ray<Real>> rounded(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    rounded[i] = loaded<Real>(rays.data(), own_format<double>, i);
+  if (device == Device::cuda) return upload_rays_cuda(RayList(rounded));
+  struct Memory {
+    std::vector<Ray<Real>> rays;
+    std::vector<float> t;
+    std::vector<std::uint32_t> primitive;
+    std::vector<std::uint8_t> occluded;
+  };
+  const auto memory = std::make_shared<Memory>();
+  memory->rays = std::move(rounded);
+  memory->t.resize(rays.size());
+  memory->primitive.resize(rays.size());
+  memory->occluded.resize(rays.size());
+  ResidentRays resident{RayList(memory->rays), {}, 0, memory};
+  resident.results.t = memory->t.data();
+  resident.results.primitive = memory->primitive.data();
+  resident.results.occluded = memory->occluded.data();
+  return resident;
 }
 
 } // namespace
@@ -51,29 +78,69 @@ Frame Tracer::render(const FrameRequest& request) const {
                                  : render_cpu(scene_, grid_, resolved_request);
 }
 
-ResidentRays Tracer::upload(std::span<const ListedRay> rays, Precision precision) const {
-  precision = resolved(precision, scene_);
-  if (device_ == Device::cpu) return {rays, precision};
-  const Stopwatch watch;
-  auto device = upload_rays_cuda(rays, precision == Precision::doubled);
-  return {rays, precision, std::move(device), watch.seconds()};
+namespace {
+
+void check_results(const RayList& rays, const RayResults& results, Query query) {
+  const auto fail = [](const char* what) { throw Error(ErrorCode::usage, "rays", what); };
+  if (rays.count == 0) return;
+  if (rays.rays == nullptr) fail("are missing: the pointer is null");
+  const std::size_t number = rays.format.is_float64 ? sizeof(double) : sizeof(float);
+  if (reinterpret_cast<std::uintptr_t>(rays.rays) % number != 0)
+    fail("aren't aligned as their numbers must be");
+  if (rays.format.numbers != 6 && rays.format.numbers != 8) fail("have 6 or 8 numbers each");
+  if (query == Query::occlusion && results.occluded == nullptr)
+    fail("have no array for whether they are occluded");
 }
 
-RayHits Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
+} // namespace
+
+QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
+  check_results(rays, results, request.query);
   RaysRequest resolved_request = request;
   resolved_request.tracing.precision = resolved(request.tracing.precision, scene_);
-  if (device_ == Device::cpu) return trace_rays_cpu(scene_, grid_, rays.host, resolved_request);
-  if (rays.device == nullptr || rays.precision != resolved_request.tracing.precision)
-    throw Error(ErrorCode::usage, "rays",
-                "were uploaded for another precision or device: upload them for this");
-  return trace_rays_cuda(*files_, scene_, grid_, rays, resolved_request);
+  return device_ == Device::cuda ? trace_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request)
+                                 : trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
 }
 
-RayHits Tracer::trace(std::span<const ListedRay> rays, const RaysRequest& request) const {
-  const ResidentRays resident = upload(rays, request.tracing.precision);
-  RayHits hits = trace(resident, request);
-  hits.seconds.upload += resident.upload_seconds;
-  return hits;
+QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& results,
+                                    const RaysRequest& request, void* stream) const {
+  if (device_ == Device::cpu) return trace(rays, results, request);
+  check_results(rays, results, request.query);
+  if (request.tracing.count) throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
+  RaysRequest resolved_request = request;
+  resolved_request.tracing.precision = resolved(request.tracing.precision, scene_);
+  return queue_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request, stream);
+}
+
+RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName name) const {
+  std::vector<float> t(rays.count);
+  std::vector<std::uint32_t> names(rays.count);
+  std::vector<std::uint8_t> occluded(request.query == Query::occlusion ? rays.count : 0);
+  RayResults results;
+  results.t = t.data();
+  (name == HitName::object ? results.object : results.primitive) = names.data();
+  results.occluded = occluded.data();
+  RayHits found{std::vector<HitRecord>(rays.count), trace(rays, results, request)};
+  for (std::size_t i = 0; i < rays.count; ++i)
+    found.hits[i] = request.query == Query::occlusion ? HitRecord{1, occluded[i] != 0 ? 0 : -1}
+                                                      : HitRecord{t[i], static_cast<std::int32_t>(names[i])};
+  return found;
+}
+
+ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precision) const {
+  precision = resolved(precision, scene_);
+  const Stopwatch watch;
+  ResidentRays resident = precision == Precision::doubled ? resident_rays<double>(rays, device_)
+                                                          : resident_rays<float>(rays, device_);
+  resident.upload_seconds = watch.seconds();
+  return resident;
+}
+
+QueryReport Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
+  if (device_ == Device::cpu) return trace(rays.list, rays.results, request);
+  RaysRequest resolved_request = request;
+  resolved_request.tracing.precision = resolved(request.tracing.precision, scene_);
+  return time_rays_cuda(*files_, scene_, grid_, rays, resolved_request);
 }
 
 } // namespace masu

@@ -8,6 +8,7 @@
 #include "renderer/camera.h"
 #include "renderer/counts.h"
 #include "renderer/precision.h"
+#include "renderer/ray_query.h"
 #include "renderer/render_pixel.h"
 
 #include <functional>
@@ -66,15 +67,20 @@ Frame empty_frame(const FrameRequest& request);
 // --- Lists of rays
 // --------------------------------------------------------------------------------------------
 
-// origin + t direction; the direction has any length but zero, and t counts in it. float32 arithmetic rounds
-// the coordinates.
-struct ListedRay {
-  Vec3d origin, direction;
-};
+// Rays in memory, stored as ray_query.h says.
+struct RayList {
+  const void* rays = nullptr;
+  std::size_t count = 0;
+  RayFormat format{};
 
-// nearest_hit: the hit of smallest t > 0. occlusion: whether anything is hit at 0 < t < 1; a record's name is
-// then 0 (occluded) or -1, its t 1.
-enum class Query { nearest_hit, occlusion };
+  RayList() = default;
+  RayList(const void* rays_, std::size_t count_, const RayFormat& format_)
+      : rays(rays_), count(count_), format(format_) {}
+  template <class Real>
+  RayList(std::span<const Ray<Real>> list) : RayList(list.data(), list.size(), own_format<Real>) {}
+  template <class Real>
+  RayList(const std::vector<Ray<Real>>& list) : RayList(std::span(list)) {}
+};
 
 // How a GPU schedules rays. thread_per_ray: a thread traces one ray to its end, and a warp's threads wait for
 // each other at every cell. warp: its threads share the primitive tests of its rays. warp_refill: besides,
@@ -93,35 +99,39 @@ inline RayLoop automatic_loop(bool coherent, const SceneFile& scene, const GridF
 
 struct RaysRequest {
   TracingRules tracing{};
-  HitName hit_name = HitName::object;
   Query query = Query::nearest_hit;
   // Always thread_per_ray where rays are counted, stop with the first cell's hit, or are 2^31 or more; and
   // for occlusion by `fast` and `double`.
   RayLoop loop = RayLoop::warp_refill;
 };
 
-struct RayHits {
-  std::vector<HitRecord> hits; // one a ray, in the list's order
+// What a query took. Seconds of a list in host memory overlap on a GPU.
+struct QueryReport {
   Counts counts;
   TraceSeconds seconds;
   KernelSize kernel{};
 };
 
-// Rays where a tracer traces them, to be traced many times: on the CPU where the caller has them, which must
-// stay; on a GPU in its memory, as numbers of one arithmetic.
-struct DeviceRays;
+// The results of a list of rays in vectors: those that the query writes, and the attributes that were asked
+// for.
+struct RayHits {
+  std::vector<HitRecord> hits; // one a ray, in the list's order; for occlusion t is 1, name 0 or -1
+  QueryReport report;
+};
+
+// Rays with room for their results where a tracer traces them, to be traced many times.
 struct ResidentRays {
-  std::span<const ListedRay> host;
-  Precision precision = Precision::automatic;
-  std::shared_ptr<const DeviceRays> device{}; // null on the CPU
+  RayList list;
+  RayResults results;
   double upload_seconds = 0;
+  std::shared_ptr<void> memory{}; // what they point to
 };
 
 // --- The tracer -------------------------------------------------------------------------------------------
 
 struct DeviceFiles; // a scene and its grid in a GPU's memory
 
-// Queries change nothing in it. On a GPU they run on the default stream, one after the other.
+// Queries change nothing in it, and threads may ask at the same time: on a GPU each on a stream of its own.
 class Tracer {
 public:
   // `grid` is null for brute force, which tries every primitive for every ray. The files must live as long as
@@ -136,13 +146,24 @@ public:
   // Of putting the files on the device, and of checking them.
   double upload_seconds() const { return upload_seconds_; }
 
-  // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), and for a depth that isn't
-  // from 1 to largest_depth; Error(device).
+  // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), for a depth that isn't
+  // from 1 to largest_depth, and for results that the query needs and doesn't have; Error(device).
   Frame render(const FrameRequest& request) const;
-  RayHits trace(std::span<const ListedRay> rays, const RaysRequest& request) const;
-  // request.tracing.precision must be the rays'.
-  RayHits trace(const ResidentRays& rays, const RaysRequest& request) const;
-  ResidentRays upload(std::span<const ListedRay> rays, Precision precision) const;
+
+  // Rays and results in host memory; on a GPU they are copied there in pieces while others are traced. No
+  // more than about 200 MB of device memory is used, however long the list is.
+  QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
+  // On a GPU, rays and results in its memory, any alignment of a number; on the CPU as trace(). The query is
+  // put on the stream, a cudaStream_t, and nobody waits for it: the report has the kernel alone, and counting
+  // isn't possible.
+  QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                              void* stream) const;
+
+  // For measurements, and where vectors are what is wanted.
+  RayHits hits(const RayList& rays, const RaysRequest& request, HitName name) const;
+  ResidentRays upload(std::span<const Ray<double>> rays, Precision precision) const;
+  // The report's seconds.trace is the device's time for it.
+  QueryReport trace(const ResidentRays& rays, const RaysRequest& request) const;
 
 private:
   const SceneFile& scene_;

@@ -5,18 +5,16 @@
 #pragma once
 
 #include "libscene/stopwatch.h"
-#include "renderer/device_scene.h"
+#include "renderer/queue_cuda.h"
 #include "renderer/warp_tracing_cuda.h"
 
 namespace masu {
 
 __device__ inline void add(Counts* total, const Counts& part) {
   if (total == nullptr) return;
-  for (int i = 0; i < Counts::fields; ++i) {
-    if (part.begin()[i] != 0)
-      atomicAdd(reinterpret_cast<unsigned long long*>(total->begin() + i),
-                static_cast<unsigned long long>(part.begin()[i]));
-  }
+  for_each_count(*total, part, [](std::uint64_t& sum, std::uint64_t count) {
+    if (count != 0) DeviceAtomic<std::uint64_t>(sum).fetch_add(count, cuda::memory_order_relaxed);
+  });
 }
 __device__ inline void add(Counts*, const NoCounts&) {}
 
@@ -54,22 +52,32 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
 
 template <Query query, class M, class Stored, class Grid, class C>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
-    trace_kernel(const SceneView<Stored> scene, const Grid grid, const TypedRay<typename M::Real>* const rays,
-                 const std::uint64_t count, const HitName name, HitRecord* const hits, Counts* const total) {
+    trace_kernel(const SceneView<Stored> scene, const Grid grid, const Ray<typename M::Real>* const rays,
+                 const std::uint64_t count, const RayResults results, Counts* const total) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
   if (i >= count) return;
   C counts;
-  hits[i] = trace_listed<query, M>(scene, grid, streamed(rays + i), name, counts);
+  write_hit<query>(results, i, trace_listed<query, M>(scene, grid, streamed(rays + i), counts));
   add(total, counts);
+}
+
+template <class Real, class Stored>
+__global__ void __launch_bounds__(rays_a_block)
+    attributes_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint64_t count,
+                      const RayResults found, const RayResults results) {
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
+  if (i < count) write_attributes(scene, streamed(rays + i), {found.t[i], found.primitive[i]}, results, i);
 }
 
 // Traces with rays of this arithmetic: a picture, a list of rays. Throw Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
                       const GridFile* host_grid, const FrameRequest& request, Frame& frame) {
-  const PooledArray<Vec3f> colors(frame.radiance.size());
-  const PooledArray<HitRecord> hits(frame.hits.size());
-  const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
+  const Stream stream;
+  const DeviceArray<Vec3f> colors(frame.radiance.size(), stream);
+  const DeviceArray<HitRecord> hits(frame.hits.size(), stream);
+  const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
+                                  stream);
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = files.grid.moved(view);
     const auto rays = camera_rays<typename M::Real>(request.camera, request.sampling, request.hither);
@@ -78,8 +86,8 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
     };
     auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(grid)>, C>;
     frame.kernel = load(kernel);
-    frame.seconds.trace = timed([&] {
-      kernel<<<dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side)>>>(
+    frame.seconds.trace = timed(stream, [&] {
+      kernel<<<dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), 0, stream>>>(
           files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data());
     });
   });
@@ -101,74 +109,72 @@ inline unsigned blocks_of(int threads, std::size_t rays) {
 template <Query query, class TestRay>
 constexpr bool has_warp_loops = query == Query::nearest_hit || std::is_same_v<TestRay, WatertightRay<float>>;
 
-// Traces a list of rays by warp or warp_refill (RayLoop).
+// Traces by warp or warp_refill (RayLoop).
 template <Query query, class M, class Stored, class Grid>
-void trace_by_warps(const SceneView<Stored>& host_scene, const SceneView<Stored>& scene, const Grid& grid,
-                    const ResidentRays& rays, const RaysRequest& request, const PooledArray<HitRecord>& hits,
-                    RayHits& result) {
+KernelSize trace_by_warps(const SceneView<Stored>& scene, const Grid& grid, RayLoop loop,
+                          const RayBatch<typename M::Real>& batch) {
   using Real = typename M::Real;
-  const DeviceArray<TypedRay<Real>>& device_rays = rays.device->of<Real>();
-  const std::size_t count = device_rays.size();
-  const bool refills = request.loop == RayLoop::warp_refill;
-  auto* const cull = cull_kernel<query, Real, Stored>;
+  const auto count = static_cast<std::uint32_t>(batch.count);
+  const cudaStream_t stream = batch.stream;
+  const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
   const unsigned blocks = std::min(blocks_of(rays_a_block, count), resident_blocks(trace, rays_a_block, 0)),
                  finishing = std::max(blocks, resident_blocks(finish, rays_a_block, 0));
-  const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp));
-  const bool culls = refills && often_misses<query, Real>(host_scene, rays.host);
-  const int fetches_at = culls ? some_fetch_chosen : refills ? some_fetch : all_fetch;
-  const PooledArray<std::uint32_t> chosen(culls ? count : 0);
-  const PooledArray<std::uint32_t> chosen_count(1);
-  RayList<Real> list{device_rays.data(), static_cast<std::uint32_t>(count), nullptr, nullptr};
-  if (culls) list = {list.rays, list.count, chosen.data(), chosen_count.data()};
-  load(cull);
-  load(finish);
-  result.kernel = load(trace);
-  left.reset();
-  check(cudaMemsetAsync(chosen_count.data(), 0, sizeof(std::uint32_t)));
-  result.seconds.trace = timed([&] {
-    const HitName name = request.hit_name;
-    if (culls)
-      cull<<<blocks_of(rays_a_culling_block, count), rays_a_culling_block>>>(
-          scene, list.rays, list.count, name, hits.data(), chosen.data(), chosen_count.data());
-    trace<<<blocks, rays_a_block>>>(scene, grid, list, fetches_at, name, hits.data(), left.view());
-    finish<<<finishing, rays_a_block>>>(scene, grid, list, fetches_at, name, hits.data(), left.view());
-  });
+  const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), stream);
+  const bool may_cull = refills && count >= min_rays_culled;
+  const DeviceArray<std::uint32_t> chosen(may_cull ? count : 0, stream);
+  const DeviceArray<CullState> state(may_cull ? 1 : 0, stream);
+  const RayQueue<Real> queue{batch.rays, count, chosen.data(), state.data()};
+  if (may_cull) {
+    state.clear();
+    sample_kernel<Real, Stored><<<1, threads_sampling, 0, stream>>>(scene, batch.rays, count, state.data());
+    cull_kernel<query, Real, Stored>
+        <<<blocks_of(threads_a_culling_block, count), threads_a_culling_block, 0, stream>>>(
+            scene, batch.rays, count, batch.results, chosen.data(), state.data());
+  }
+  const int fetching = refills ? some_fetch : all_fetch;
+  trace<<<blocks, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
+  finish<<<finishing, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
+  return load(trace);
 }
 
+// Puts a query on its stream. Throws Error(device).
 template <class TestRay, class Stored>
-void trace_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                     const GridFile* host_grid, const ResidentRays& rays, const RaysRequest& request,
-                     RayHits& result) {
-  using Real = typename TestRay::Real;
-  const DeviceArray<TypedRay<Real>>& device_rays = rays.device->of<Real>();
-  const PooledArray<HitRecord> hits(device_rays.size());
-  const DeviceArray<Counts> total(&result.counts, request.tracing.count || host_grid == nullptr ? 1 : 0);
+KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
+                       const GridFile* host_grid, const RaysRequest& request,
+                       const RayBatch<typename TestRay::Real>& batch) {
+  KernelSize size{};
+  const auto& scene = files.scene.view;
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = files.grid.moved(view);
     using Accelerator = std::decay_t<decltype(grid)>;
-    with_query(request.query, [&]<Query query>(Asked<query>) {
-      const auto& scene = files.scene.view;
+    with_query(request.query, [&]<Query query>(QueryTag<query>) {
       // Any hit is as good as another: the rule by which a search for the nearest one ends doesn't matter.
       using Used = std::conditional_t<query == Query::occlusion, Method<TestRay, M::kinds>, M>;
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
                     M::stop == StopRule::proven && has_warp_loops<query, TestRay>) {
-        if (request.loop != RayLoop::thread_per_ray && device_rays.size() <= most_rays_by_warps)
-          return trace_by_warps<query, M>(host_scene, scene, grid, rays, request, hits, result);
+        if (request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps) {
+          size = trace_by_warps<query, M>(scene, grid, request.loop, batch);
+          return;
+        }
       }
       auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
-      result.kernel = load(kernel);
-      result.seconds.trace = timed([&] {
-        kernel<<<blocks_of(rays_a_block, device_rays.size()), rays_a_block>>>(
-            scene, grid, device_rays.data(), device_rays.size(), request.hit_name, hits.data(), total.data());
-      });
+      kernel<<<blocks_of(rays_a_block, batch.count), rays_a_block, 0, batch.stream>>>(
+          scene, grid, batch.rays, batch.count, batch.results, batch.counts);
+      size = load(kernel);
     });
   });
-  const Stopwatch watch;
-  hits.download(result.hits.data());
-  total.download(&result.counts);
-  result.seconds.download = watch.seconds();
+  check(cudaGetLastError());
+  return size;
+}
+
+template <class Real, class Stored>
+void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
+                      const RayResults& results) {
+  attributes_kernel<Real, Stored><<<blocks_of(rays_a_block, batch.count), rays_a_block, 0, batch.stream>>>(
+      files.scene.view, batch.rays, batch.count, batch.results, results);
+  check(cudaGetLastError());
 }
 
 } // namespace masu

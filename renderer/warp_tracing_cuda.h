@@ -74,8 +74,8 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
 }
 
 // So many idle lanes fetch rays: where rays side by side have much in common; where not; where rays were
-// chosen, so that fetching one takes two loads, one after the other. Told at run time: the compiler takes
-// loops apart by a number that it knows, and makes them 3 % slower.
+// chosen, so that fetching one takes two loads, one after the other. Given at run time: the compiler unrolls
+// loops by a number that it knows, and makes them 3 % slower.
 inline constexpr int all_fetch = lanes_a_warp, some_fetch = 12, some_fetch_chosen = 16;
 
 // Where fewer lanes found a list, the others first go one step further.
@@ -85,13 +85,26 @@ inline constexpr int few_lists = 6;
 // StopRule::proven.
 template <bool finishes, Query query, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
-    warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayList<typename M::Real> list,
-                const int fetches_at, const HitName name, HitRecord* const hits,
-                const StragglerQueue<typename M::Real> left) {
+    warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayQueue<typename M::Real> queue,
+                const int fetching, const RayResults results, const StragglerQueue<typename M::Real> left) {
   static_assert(M::stop == StopRule::proven);
   using Real = typename M::Real;
   constexpr unsigned warps_a_block = rays_a_block / lanes_a_warp;
   __shared__ WarpRays<typename M::TestRay> block_rays[warps_a_block];
+  // Looked up where rays are fetched, for they would take up registers.
+  __shared__ struct {
+    const std::uint32_t* chosen; // null: all rays
+    std::uint32_t count;
+    int fetches_at;
+  } shared;
+  if constexpr (!finishes) {
+    if (threadIdx.x == 0) {
+      const bool culls = queue.state != nullptr && queue.state->culls != 0;
+      shared = {culls ? queue.chosen : nullptr, culls ? queue.state->chosen : queue.count,
+                culls ? some_fetch_chosen : fetching};
+    }
+    __syncthreads();
+  }
   const unsigned warp = threadIdx.x / lanes_a_warp, lane = threadIdx.x % lanes_a_warp;
   WarpRays<typename M::TestRay>& rays = block_rays[warp];
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
@@ -99,7 +112,9 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   bool has_ray = false, more = true, own_rays = true;
   DrainWatch drained;
   const auto begin = [&](std::uint32_t number) {
-    const auto [near, scale, meets] = clipped<query>(scene, streamed(list.rays + number));
+    ClippedRay<Real> near{};
+    Real scale;
+    const bool meets = scale_and_clip(scene, streamed(queue.rays + number), near, scale);
     has_ray = true;
     own.under_way = meets;
     rays.ends[lane] = {scale, near.skipped, near.ray.t_max, number};
@@ -108,11 +123,11 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
     prepare(rays.tests[lane], near.ray.origin, near.ray.direction);
     own.walk = Walk<Real, Grid>(grid, near);
   };
-  const auto tell = [&] {
+  const auto report = [&] {
     if (!has_ray) return;
     const RayEnds<Real>& ends = rays.ends[lane];
-    hits[ends.number] =
-        answer<query>(scene, rays.nearest[lane].get(), ends.t_max, ends.skipped, ends.scale, name);
+    write_hit<query>(results, ends.number,
+                     reported(rays.nearest[lane].get(), ends.t_max, ends.skipped, ends.scale));
     has_ray = false;
   };
   if constexpr (finishes) {
@@ -127,7 +142,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   for (;;) {
     const unsigned idle = __ballot_sync(all_lanes, !own.under_way);
     if constexpr (finishes) {
-      if (idle == all_lanes) return tell();
+      if (idle == all_lanes) return report();
       if (__popc(idle) >= lanes_a_warp / 2) {
         split_segments(grid, ~idle, rays, own);
         own_rays = false;
@@ -135,31 +150,31 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
     } else {
       if (drained.one_has()) {
         const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + rank_among(~idle, lane);
-        if (!own.under_way) return tell();
+        if (!own.under_way) return report();
         left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
         return;
       }
       drained.ask(*left.progress);
-      if (more && __popc(idle) >= fetches_at) {
+      if (more && __popc(idle) >= shared.fetches_at) {
         const std::uint32_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
                             number = first + rank_among(idle, lane);
-        const std::uint32_t count = list.size(); // known all along it would take up a register
+        const std::uint32_t count = shared.count;
         more = first + static_cast<unsigned>(__popc(idle)) < count;
         if (!own.under_way) {
-          tell();
-          if (number < count) begin(list.number(number));
+          report();
+          if (number < count) begin(shared.chosen != nullptr ? shared.chosen[number] : number);
         }
         continue;
       }
       if (idle == all_lanes) {
         DrainWatch::tell(*left.progress);
-        return tell();
+        return report();
       }
     }
     const auto go_on = [&] {
-      const bool answered =
-          can_terminate<query>(rays.nearest[own.ray].get(), rays.ends[own.ray].t_max, own.walk.exit);
-      own.under_way = own.walk.leave(grid) & !answered & (own.walk.exit < own.end);
+      const bool done = can_terminate<query, M::stop>(rays.nearest[own.ray].get().t, rays.ends[own.ray].t_max,
+                                                      own.walk.exit);
+      own.under_way = own.walk.leave(grid) & !done & (own.walk.exit < own.end);
     };
     if (own.under_way) own.walk.enter(grid);
     // So few lists are better tested with those that others find one step further.

@@ -71,7 +71,7 @@ Ray<Real> far_ray(Chance& chance, const Boxd& box, double distance) {
   if (chance.one_in(4)) origin.set(axis, aim[axis]);
   if (chance.one_in(8)) origin.set((axis + 1) % 3, aim[(axis + 1) % 3]);
   if (origin == aim) origin.x += static_cast<Real>(size);
-  return {origin, sized(chance, aim - origin), RealTraits<Real>::largest};
+  return unbounded_ray(origin, sized(chance, aim - origin));
 }
 
 template <class Real>
@@ -238,7 +238,7 @@ TYPED_TEST(FarRay, SurfacePointsAreAccurate) {
       const Hit<Real> hit = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
       if (hit.primitive == no_primitive) continue;
       const oracle::Line line = oracle::line(ray.origin, ray.direction);
-      const SurfacePoint<Real> point = surface_at<with_all_kinds>(view, ray, hit);
+      const SurfacePoint<Real> point = surface_at<with_all_kinds>(view, hit_again(view, ray, hit));
       const oracle::Point at = oracle::point(point.position), n = oracle::point(point.normal);
       // Measured from the ray: at a grazing hit a rounding moves the point far along the surface.
       const oracle::Wide square = oracle::inner(line.direction, line.direction);

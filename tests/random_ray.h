@@ -32,7 +32,7 @@ public:
       if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, Real(-0.0));
       if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, tiny());
     }
-    return {origin, direction,
+    return {origin, 0, direction,
             chance_.one_in(4) ? static_cast<Real>(size() * chance_.power_of_two(-6, 3))
                               : RealTraits<Real>::largest};
   }

@@ -41,7 +41,7 @@ struct Case {
   double unit;    // u M
   Box<Real> clip; // of the scene
 
-  Ray<Real> ray() const { return {origin, direction, RealTraits<Real>::largest}; }
+  Ray<Real> ray() const { return unbounded_ray(origin, direction); }
 };
 
 template <class Real, class Primitive>

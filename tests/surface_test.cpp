@@ -88,7 +88,8 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
     Hit<Real> found{};
     if (!alone.hit(c.ray(), found)) continue;
     ++hits;
-    const SurfacePoint<Real> point = surface_at<with_all_kinds>(alone.view(), c.ray(), found);
+    const SurfacePoint<Real> point =
+        surface_at<with_all_kinds>(alone.view(), hit_again(alone.view(), c.ray(), found));
     const Vec3<Real>& n = point.normal;
     const double square = static_cast<double>(oracle::inner(oracle::point(n), oracle::point(n)));
     if (!(std::abs(square - 1) <= 16 * u)) {
@@ -117,7 +118,7 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
       const Real by = dot(towards, n) < 0 ? -point.error : point.error;
       const Vec3<Real> origin = fma(n, by, point.position);
       Hit<Real> again{};
-      if (alone.hit({origin, towards, RealTraits<Real>::largest}, again) && ++self_hits == 1)
+      if (alone.hit(unbounded_ray(origin, towards), again) && ++self_hits == 1)
         self_case = case_described(c) + " left by " + described(origin, towards) + " met again at " +
                     described(again.t);
     }

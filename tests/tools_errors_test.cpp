@@ -270,29 +270,49 @@ TEST_F(BadFiles, Nff2binRecognisesSceneFiles) {
   EXPECT_TRUE(fails(2, "nff2bin", {file("flipped"), "--info"}, file("flipped"), "hash"));
 }
 
-TEST_F(BadFiles, ListsOfInvalidRaysAreRefused) {
-  const auto list = [&](const std::vector<float>& numbers) {
+TEST_F(BadFiles, ListsThatHoldNoWholeNumberOfRaysAreRefused) {
+  const auto list = [&](std::size_t floats, const Arguments& more) {
+    const std::vector<float> numbers(floats, 1);
     write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(numbers.data()), 4 * numbers.size()});
-    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
-                 file("rays"));
+    Arguments arguments{scene_, grid_, "--rays", file("rays"), "--hits", file("hits")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return fails(2, "gridrender", arguments, file("rays"), "not a whole number of rays");
   };
-  const float nan = std::numeric_limits<float>::quiet_NaN(),
-              infinity = std::numeric_limits<float>::infinity();
-  EXPECT_TRUE(list({0, 0, 5, 0, 0}));
-  EXPECT_TRUE(list({0, 0, 5, 0, 0, -1, 0}));
-  for (std::size_t number = 0; number < 6; ++number) {
-    for (const float bad : {nan, infinity, -infinity}) {
-      std::vector<float> ray{0, 0, 5, 0, 0, -1, 0, 0, 5, 0, 0, -1};
-      ray[6 + number] = bad;
-      EXPECT_TRUE(list(ray)) << "number " << number;
-    }
-  }
-  EXPECT_TRUE(list({0, 0, 5, 0, 0, 0}));
+  EXPECT_TRUE(list(5, {}));
+  EXPECT_TRUE(list(7, {}));
+  EXPECT_TRUE(list(12, {"--ray-numbers", "8"}));
+  EXPECT_TRUE(list(6, {"--ray-store", "float64"}));
   write_text(file("rays"), "x");
   EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
                     file("rays"), "not a whole number of rays"));
   EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("missing"), "--hits", file("hits")},
                     file("missing"), "No such file"));
+}
+
+TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
+  const auto fails_with = [&](const std::string& dictionary, std::size_t floats) {
+    std::string text = "\x93NUMPY\x01";
+    text += '\0';
+    text += static_cast<char>(dictionary.size());
+    text += '\0';
+    write_text(file("rays.npy"), text + dictionary + std::string(4 * floats, '\0'));
+    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.npy"), "--hits", file("hits")},
+                 file("rays.npy"));
+  };
+  for (const char* const dictionary :
+       {"", "{", "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 6",
+        "{'descr': '<f4', 'fortran_order': True, 'shape': (2, 6), }",
+        "{'descr': '<i4', 'fortran_order': False, 'shape': (2, 6), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (12,), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (4, 3), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (-2, 6), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 99999999999999999999), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 6), }",  // less than there is
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 6), }"}) // more
+    EXPECT_TRUE(fails_with(dictionary, 12)) << dictionary;
+  write_text(file("rays.npy"), "\x93NUMPY");
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.npy"), "--hits", file("hits")},
+                    file("rays.npy")));
 }
 
 // --- Output ---------------------------------------------------------------------------------------------
@@ -546,6 +566,13 @@ TEST_F(BadCommand, OfGridrenderIsAUsageError) {
     EXPECT_TRUE(with({"-o", file(name)}, file(name)));
   EXPECT_TRUE(with({"--rays", file("rays")}, "--rays"));
   EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "-o", picture}, "--rays"));
+  for (const char* const fields : {"T", "t,", ",t", "t,t", "t;object", "occluded"})
+    EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--write", fields}, "--write"))
+        << fields;
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--any-hit", "--write", "t"}, "--write"));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--ray-numbers", "7"}));
+  EXPECT_TRUE(with({"-o", picture, "--write", "t"}, "--write"));
+  EXPECT_TRUE(with({"-o", picture, "--any-hit"}, "--any-hit"));
 }
 
 TEST_F(BadCommand, OfGridstatIsAUsageError) {

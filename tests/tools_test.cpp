@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 #include <set>
 
 namespace masu {
@@ -286,6 +287,126 @@ TEST_F(Tools, AnEmptyListOfRaysHasNoHits) {
   write_text(file("rays"), "");
   render({"--rays", file("rays"), "--hits", file("hits")});
   EXPECT_TRUE(hits_in(file("hits")).empty());
+}
+
+TEST_F(Tools, RaysThatArentValidHitNothingAndAreCounted) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinity = std::numeric_limits<float>::infinity();
+  const std::vector<float> good{0, 0, 5, 0, 0, -1};
+  std::vector<float> rays = good;
+  for (std::size_t number = 0; number < 6; ++number) {
+    for (const float bad : {nan, infinity, -infinity, number < 3 ? 2e15F : -2e15F}) {
+      std::vector<float> ray = good;
+      ray[number] = bad;
+      rays.insert(rays.end(), ray.begin(), ray.end());
+    }
+  }
+  rays.insert(rays.end(), {0, 0, 5, 0, 0, 0});
+  rays.insert(rays.end(), {0, 0, 5, 0, 0, 1e-16F});
+  rays.insert(rays.end(), good.begin(), good.end());
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  const ToolResult result =
+      run("gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits"), "--backend", "cpu"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("26 of 28 rays aren't valid"), std::string::npos) << result.err;
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  ASSERT_EQ(hits.size(), 28U);
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    EXPECT_EQ(hits[i].object, i == 0 || i == 27 ? 1 : -1) << "ray " << i;
+}
+
+TEST_F(Tools, HitsLieBetweenTminAndTmax) {
+  // Down onto the sphere, of which the ray meets the top at t = 4, the bottom at 5, and the floor there.
+  const float infinity = std::numeric_limits<float>::infinity();
+  const struct {
+    float t_min, t_max;
+    bool hit;
+  } cases[] = {{0, infinity, true}, {-1, 4.5F, true},     {0, 3.9F, false},    {4.1F, 4.9F, false},
+               {4.1F, 5.5F, true},  {6, infinity, false}, {4.5F, 4.5F, false}, {5, 3, false}};
+  std::vector<float> rays;
+  for (const auto& c : cases)
+    rays.insert(rays.end(), {0, 0, 5, c.t_min, 0, 0, -1, c.t_max});
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--rays", file("rays"), "--ray-numbers", "8", "--hits", file("hits")});
+  render({"--rays", file("rays"), "--ray-numbers", "8", "--any-hit", "--hits", file("occluded")});
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  const auto occluded = read_bytes(file("occluded"));
+  ASSERT_EQ(hits.size(), std::size(cases));
+  ASSERT_EQ(occluded.size(), std::size(cases));
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    EXPECT_EQ(hits[i].object >= 0, cases[i].hit) << i;
+    EXPECT_EQ(occluded[i] != 0, cases[i].hit) << i;
+    if (!cases[i].hit) continue;
+    EXPECT_GE(hits[i].t, cases[i].t_min);
+    EXPECT_LE(hits[i].t, cases[i].t_max);
+  }
+  EXPECT_NEAR(hits[4].t, 5, 1e-6);
+}
+
+TEST_F(Tools, HitsHaveTheFieldsThatAreAskedFor) {
+  // Down onto the floor's two triangles and onto the sphere, off its pole; and past everything.
+  const std::vector<float> rays{1,    0.5F, 5, 0, 0, -1, -1, 0.5F, 5, 0, 0, -1,
+                                0.3F, 0,    5, 0, 0, -1, 9,  9,    9, 0, 0, 1};
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--rays", file("rays"), "--write", "normal,t,uv,primitive,object", "--hits", file("hits")});
+  const auto bytes = read_bytes(file("hits"));
+  struct Record {
+    float normal[3], t, uv[2];
+    std::int32_t primitive, object;
+  };
+  ASSERT_EQ(bytes.size(), 4 * sizeof(Record));
+  Record records[4];
+  std::memcpy(records, bytes.data(), bytes.size());
+  std::set<std::int32_t> floor;
+  for (const int i : {0, 1}) {
+    EXPECT_EQ(records[i].object, 0);
+    EXPECT_EQ(records[i].t, 5);
+    EXPECT_EQ(records[i].normal[2], 1);
+    EXPECT_GE(records[i].uv[0], 0);
+    EXPECT_GE(records[i].uv[1], 0);
+    EXPECT_LE(records[i].uv[0] + records[i].uv[1], 1);
+    floor.insert(records[i].primitive);
+  }
+  EXPECT_EQ(floor, (std::set<std::int32_t>{0, 1}));
+  EXPECT_EQ(records[2].object, 1);
+  EXPECT_NEAR(records[2].normal[0], 0.6, 1e-6);
+  EXPECT_NEAR(records[2].normal[2], 0.8, 1e-6);
+  EXPECT_EQ(records[3].object, -1);
+  EXPECT_EQ(records[3].primitive, -1);
+  EXPECT_EQ(records[3].t, std::numeric_limits<float>::infinity());
+}
+
+TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  std::vector<float> rays(6 * 5000);
+  for (float& number : rays)
+    number = coordinate(engine);
+  const std::string_view raw{reinterpret_cast<const char*>(rays.data()), 4 * rays.size()};
+  write_text(file("rays"), raw);
+  std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (5000, 6), }\n";
+  std::string preamble = "\x93NUMPY\x01";
+  preamble += '\0';
+  preamble += static_cast<char>(header.size());
+  preamble += '\0';
+  write_text(file("rays.npy"), preamble + header + std::string(raw));
+  render({"--rays", file("rays"), "--hits", file("hits")});
+  render({"--rays", file("rays.npy"), "--hits", file("from npy")});
+  EXPECT_TRUE(read_bytes(file("hits")) == read_bytes(file("from npy")));
+  const ToolResult piped =
+      run("gridrender", {scene_, grid_, "--rays", "-", "--hits", "-", "--backend", "cpu"},
+          {file("rays"), file("piped"), ""});
+  EXPECT_EQ(piped.code, 0) << piped.err;
+  EXPECT_TRUE(read_bytes(file("hits")) == read_bytes(file("piped")));
+  // The array's header, and after it the same records.
+  render({"--rays", file("rays"), "--hits", file("hits.npy")});
+  const auto hits = read_bytes(file("hits")), array = read_bytes(file("hits.npy"));
+  const std::size_t head = array.size() - hits.size();
+  EXPECT_EQ(head % 64, 0U);
+  const std::string text(array.begin(), array.begin() + static_cast<std::ptrdiff_t>(head));
+  EXPECT_NE(text.find("'descr': [('t', '<f4'), ('object', '<i4'), ]"), std::string::npos) << text;
+  EXPECT_NE(text.find("'shape': (5000 "), std::string::npos) << text;
+  EXPECT_TRUE(std::equal(hits.begin(), hits.end(), array.begin() + static_cast<std::ptrdiff_t>(head)));
 }
 
 TEST_F(Tools, HitRecordsHoldObjectsOrPrimitives) {

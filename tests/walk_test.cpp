@@ -96,7 +96,7 @@ TYPED_TEST(GridWalk, FindsThemAlongDirectionsWithTinyComponents) {
       const Vec3<Real> origin = place();
       Vec3<Real> direction = place() - origin;
       direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, lowest / 2)));
-      return Ray<Real>{origin, direction, RealTraits<Real>::largest};
+      return unbounded_ray(origin, direction);
     });
   }
   EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
@@ -141,8 +141,7 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
       const Vec3d off = chance.in_cube(chance.power_of_two(-40, -20));
       const Vec3d towards = axis * chance.sign() + chance.in_cube(chance.power_of_two(-60, -20));
       const Vec3<Real> direction = cast<Real>(normalized(towards));
-      return Ray<Real>{cast<Real>(tip + off - cast<double>(direction) * 0.01), direction,
-                       RealTraits<Real>::largest};
+      return unbounded_ray(cast<Real>(tip + off - cast<double>(direction) * 0.01), direction);
     });
   }
   EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
@@ -367,7 +366,7 @@ TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
     for (int i = 0; i < 30; ++i) {
       const Vec3<Real> origin = cast<Real>(chance.in_box(layout.space));
       const Vec3<Real> d = cast<Real>(chance.direction());
-      const ClippedRay<Real> ray{{origin, d, RealTraits<Real>::largest}, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+      const ClippedRay<Real> ray{unbounded_ray(origin, d), {1 / d.x, 1 / d.y, 1 / d.z}, 0};
       const Wayfarer expected(view_of<Real>(uniform), ray);
       EXPECT_EQ(expected.counts.voxels_skipped, 0U);
       for (const Grid& grid : joined) {
@@ -413,7 +412,8 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
   for (const Grid& grid : grids) {
     with_view<Real>(grid, [&](const auto& grid_view) {
       for (std::int64_t i = cases(5'000); i > 0 && !this->HasFailure(); --i) {
-        const Ray<Real> ray{{number(), number(), number()}, {number(), number(), number()}, number()};
+        const Ray<Real> ray{
+            {number(), number(), number()}, number(), {number(), number(), number()}, number()};
         NoCounts counts;
         nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
         const Vec3<Real>& d = ray.direction;

@@ -3,26 +3,27 @@
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"
+#include "tools/ray_list.h"
 #include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <cstring>
 #include <optional>
+#include <set>
 
 namespace masu {
 namespace {
 
 struct Settings {
-  std::string scene, grid, output, size, stats, times, rays, hits;
+  std::string scene, grid, output, size, stats, times, rays, hits, write;
   Backend backend = Backend::automatic;
   TracingRules tracing;
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
   Store ray_store = Store::float32;
-  int depth = 5, repeat = 1;
-  bool spd_rules = false, hither = false, srgb = false, brute_force = false;
+  int depth = 5, repeat = 1, ray_numbers = 6;
+  bool any_hit = false, coherent = false, spd_rules = false, hither = false, srgb = false,
+       brute_force = false;
   Threads threads;
 };
 
@@ -68,39 +69,6 @@ void write_hits(const std::vector<HitRecord>& hits, const std::string& path) {
   file.commit();
 }
 
-// Refuses rays that aren't finite, have no direction, or are so far away that t would overflow. Number: float
-// or double, as in the file.
-template <class Number>
-std::vector<ListedRay> read_rays(const std::string& path) {
-  struct Stored {
-    Vec3<Number> origin, direction;
-  };
-  const MappedFile file(path);
-  const std::size_t count = file.bytes().size() / sizeof(Stored);
-  if (file.bytes().size() != count * sizeof(Stored)) {
-    throw Error(ErrorCode::input, path,
-                fmt::format("holds {} bytes, not a whole number of rays: a ray is six {}-bit floats",
-                            file.bytes().size(), 8 * sizeof(Number)));
-  }
-  std::vector<ListedRay> rays(count);
-  constexpr double reach = 1e15;
-  const auto is_within_reach = [&](const Vec3d& v) {
-    return std::abs(v.x) <= reach && std::abs(v.y) <= reach && std::abs(v.z) <= reach;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    Stored stored{};
-    std::memcpy(&stored, file.bytes().data() + i * sizeof(Stored), sizeof(Stored));
-    rays[i] = {cast<double>(stored.origin), cast<double>(stored.direction)};
-    const char* const wrong =
-        !is_within_reach(rays[i].origin)                   ? "an origin that isn't within 1e15 of zero"
-        : !is_within_reach(rays[i].direction)              ? "a direction that isn't finite, or beyond 1e15"
-        : !(largest_magnitude(rays[i].direction) >= 1e-15) ? "a direction of no length (below 1e-15)"
-                                                           : nullptr;
-    if (wrong != nullptr) throw Error(ErrorCode::input, path, fmt::format("ray {} has {}", i, wrong));
-  }
-  return rays;
-}
-
 void check(const Settings& settings) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
   if (settings.rays.empty() && settings.output.empty() && settings.hits.empty() && settings.stats.empty() &&
@@ -109,6 +77,14 @@ void check(const Settings& settings) {
   if (!settings.rays.empty() && !settings.output.empty()) fail("--rays", "makes no picture: leave out -o");
   if (!settings.rays.empty() && settings.hits.empty() && settings.stats.empty() && settings.times.empty())
     fail("--rays", "needs --hits, --stats or --times, or nothing would be written");
+  if (settings.rays.empty() && (!settings.write.empty() || settings.any_hit || settings.coherent))
+    fail(!settings.write.empty() ? "--write"
+         : settings.any_hit      ? "--any-hit"
+                                 : "--coherent",
+         "is for a list of rays: give --rays");
+  if (settings.any_hit && !settings.write.empty() && settings.write != "occluded")
+    fail("--write", "can only be occluded with --any-hit");
+  if (!settings.any_hit && settings.write == "occluded") fail("--write", "occluded needs --any-hit");
   if (settings.grid.empty() && !settings.brute_force)
     fail("GRID", "is missing: name the grid file, or give --brute-force");
   if (!settings.output.empty()) check_image_name(settings.output);
@@ -156,14 +132,27 @@ void render(const Settings& settings) {
         write_image(image_of(frame, settings.sampling), settings.output, settings.srgb);
     });
   } else {
-    const std::vector<ListedRay> rays = settings.ray_store == Store::float64
-                                            ? read_rays<double>(settings.rays)
-                                            : read_rays<float>(settings.rays);
-    const ResidentRays resident = tracer.upload(rays, tracing.precision);
-    const RaysRequest request{tracing, settings.hit_name};
-    RayHits hits = repeated(0, settings.repeat, [&] { return tracer.trace(resident, request); });
-    hits.seconds.upload = resident.upload_seconds;
-    finish(hits, [] {});
+    RayListJob job{settings.rays, settings.hits,
+                   RayFormat{settings.ray_store == Store::float64, settings.ray_numbers}};
+    const char* const usual = settings.any_hit                          ? "occluded"
+                              : settings.hit_name == HitName::primitive ? "t,primitive"
+                                                                        : "t,object";
+    job.fields = hit_fields(settings.write.empty() ? usual : settings.write);
+    job.request.tracing = tracing;
+    job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
+    if (grid) job.request.loop = automatic_loop(settings.coherent, scene, *grid);
+    job.repeat = settings.repeat;
+    const RayListSummary summary = trace_ray_list(tracer, job, [](std::uint64_t) {});
+    counts = summary.counts;
+    seconds.trace = summary.seconds;
+    seconds.trace.upload += tracer.upload_seconds();
+    seconds.write = summary.write_seconds;
+    if (summary.invalid > 0)
+      fmt::print(
+          stderr,
+          "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
+          "a direction below 1e-15\n",
+          settings.rays, summary.invalid, summary.rays);
   }
   const Json head{{"backend", cuda ? "cuda" : "cpu"}}, times{{"seconds", seconds_json(seconds)}};
   const auto joined = [](Json json, const std::initializer_list<Json>& more) {
@@ -211,13 +200,27 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(1, 10000))
             ->excludes(stats);
         app.add_option("--rays", settings.rays,
-                       "trace the rays of a file (6 floats each: origin, direction) instead of camera rays");
+                       "trace the rays of a file instead of camera rays: numbers, or a NumPy array of shape "
+                       "(N, 6) or (N, 8); - is standard input");
+        app.add_option("--ray-numbers", settings.ray_numbers,
+                       "numbers a ray in the file of --rays: 6 (origin, direction) or 8 (origin, tmin, "
+                       "direction, tmax)")
+            ->check(CLI::IsMember(std::set<int>{6, 8}))
+            ->capture_default_str();
         add_choice(app, "--ray-store", settings.ray_store,
                    {{"float32", Store::float32}, {"float64", Store::float64}},
                    "number type in the file of --rays");
-        app.add_option(
-            "--hits", settings.hits,
-            "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss)");
+        app.add_flag("--any-hit", settings.any_hit,
+                     "find out for each ray of --rays whether anything is hit at tmin < t < tmax");
+        app.add_flag("--coherent", settings.coherent,
+                     "neighbours in the list of --rays have similar origins and directions: a GPU then "
+                     "schedules them accordingly");
+        app.add_option("--write", settings.write,
+                       "what --hits gets for each ray of --rays: a list of t, object, primitive, uv, normal "
+                       "(default t,object), or occluded, with --any-hit");
+        app.add_option("--hits", settings.hits,
+                       "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a "
+                       "miss), or what --write says; .npy: a NumPy array; - is standard output");
         add_choice(
             app, "--hit-name", settings.hit_name,
             {{"object", HitName::object}, {"primitive", HitName::primitive}},

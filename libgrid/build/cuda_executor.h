@@ -141,7 +141,7 @@ inline unsigned blocks_for(std::uint64_t threads_wanted) {
 class CudaExecutor {
 public:
   template <class T>
-  using Array = PooledArray<T>;
+  using Array = DeviceArray<T>;
 
   // Memory that is given back stays with the pool, for what comes next.
   CudaExecutor() {

@@ -16,6 +16,18 @@ struct NoGrid {};
 // sooner, and sometimes wrong.
 enum class StopRule { proven, first_cell };
 
+// nearest_hit: the hit of smallest t. occlusion: whether anything is hit (Embree: any hit).
+enum class Query { nearest_hit, occlusion };
+
+// Whether a search may end once all cells up to t = exit have been visited. `nearest` is the t of the nearest
+// hit so far, t_max where there is none.
+template <Query query, StopRule stop, class Real>
+MASU_HD inline bool can_terminate(Real nearest, Real t_max, Real exit) {
+  if constexpr (query == Query::occlusion || stop == StopRule::first_cell)
+    return nearest < t_max || t_max <= exit;
+  return nearest <= exit;
+}
+
 // How rays are traced, compiled in: the ray says by which tests (PreparedRay<Real>, WatertightRay<Real>,
 // TextbookRay), `kinds` is a set of primitive kinds.
 template <class TestRay_, unsigned kinds_, StopRule stop_ = StopRule::proven>
@@ -40,10 +52,8 @@ struct NearestHit {
     Real t;
     if (intersect<M::kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
   }
-  // Whether the trace may end, now that all cells up to t = exit have been visited.
   MASU_HD bool done(Real exit) const {
-    if constexpr (M::stop == StopRule::first_cell) return hit.t < t_max || t_max <= exit;
-    return hit.t <= exit;
+    return can_terminate<Query::nearest_hit, M::stop>(hit.t, t_max, exit);
   }
 };
 
@@ -55,13 +65,14 @@ struct AnyHit {
   const typename M::TestRay& ray;
   Counts& counts;
   Real t_max;
-  bool found;
+  Real hit; // t_max where nothing is hit yet
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
-    found = found || (intersect<M::kinds>(scene, ray, number, t, counts) && t < t_max);
+    if (!found() && intersect<M::kinds>(scene, ray, number, t, counts) && t < t_max) hit = t;
   }
-  MASU_HD bool done(Real exit) const { return found || t_max <= exit; }
+  MASU_HD bool found() const { return hit < t_max; }
+  MASU_HD bool done(Real exit) const { return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit); }
 };
 
 // Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the
@@ -101,8 +112,8 @@ MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t 
     visitor.primitive(i);
 }
 
-// The nearest hit at 0 < t < t_max, as of the ray from where it enters the scene's bounds: there t has the
-// most digits. Grid: GridView<Real>, MergedGridView<Real> or NoGrid; M: a Method.
+// The nearest hit at t_min < t < t_max, as of the ray from where it enters the scene's bounds: there t has
+// the most digits. Grid: GridView<Real>, MergedGridView<Real> or NoGrid; M: a Method.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
                                                              const Ray<typename M::Real>& ray,
@@ -125,7 +136,7 @@ MASU_HD inline Hit<typename M::Real> nearest_hit(const SceneView<Stored>& scene,
   return relative_to_origin(nearest_hit_near<M>(scene, grid, ray, counts));
 }
 
-// Whether any primitive is hit at 0 < t < t_max.
+// Whether any primitive is hit at t_min < t < t_max.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Grid& grid,
                                 const Ray<typename M::Real>& ray, Counts& counts) {
@@ -134,9 +145,9 @@ MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Grid& grid
   if (!clip(ray, cast<Real>(scene.clip), near)) return false;
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
-  AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, false};
+  AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, near.ray.t_max};
   visit(grid, near, scene.primitive_count(), visitor);
-  return visitor.found;
+  return visitor.found();
 }
 
 } // namespace masu

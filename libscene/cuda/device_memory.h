@@ -23,71 +23,77 @@ inline void check(cudaError_t error, const std::source_location& where = std::so
                   std::to_string(where.line()) + ")" + advice);
 }
 
-// Owns an array of records in device memory; allocates nothing for count 0.
+// Makes a device the thread's current one, and restores the one before.
+class DeviceScope {
+public:
+  explicit DeviceScope(int device) {
+    check(cudaGetDevice(&before_));
+    if (before_ != device) check(cudaSetDevice(device));
+  }
+  ~DeviceScope() { static_cast<void>(cudaSetDevice(before_)); }
+  DeviceScope(const DeviceScope&) = delete;
+  DeviceScope& operator=(const DeviceScope&) = delete;
+
+private:
+  int before_ = 0;
+};
+
+// A stream that doesn't wait for the default one.
+class Stream {
+public:
+  Stream() { check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
+  ~Stream() { static_cast<void>(cudaStreamDestroy(stream_)); }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  operator cudaStream_t() const { return stream_; }
+
+private:
+  cudaStream_t stream_ = nullptr;
+};
+
+// Owns an array of records in device memory, from the stream-ordered memory pool: it is allocated and freed
+// in the order of a stream's work, without waiting, and freed memory is used again. Allocates nothing for
+// count 0.
 template <class T>
 class DeviceArray {
 public:
   DeviceArray() = default;
-  explicit DeviceArray(std::size_t count) : count_(count) {
-    if (count > 0) check(cudaMalloc(reinterpret_cast<void**>(&data_), count * sizeof(T)));
+  explicit DeviceArray(std::size_t count, cudaStream_t stream = nullptr) : count_(count), stream_(stream) {
+    if (count > 0) check(cudaMallocAsync(reinterpret_cast<void**>(&data_), count * sizeof(T), stream));
   }
-  DeviceArray(const T* host, std::size_t count) : DeviceArray(count) {
-    if (count > 0) check(cudaMemcpy(data_, host, count * sizeof(T), cudaMemcpyHostToDevice));
+  DeviceArray(const T* host, std::size_t count, cudaStream_t stream = nullptr) : DeviceArray(count, stream) {
+    if (count > 0) check(cudaMemcpyAsync(data_, host, count * sizeof(T), cudaMemcpyHostToDevice, stream));
   }
   explicit DeviceArray(std::span<const T> host) : DeviceArray(host.data(), host.size()) {}
-  DeviceArray(DeviceArray&& other) noexcept
-      : data_(std::exchange(other.data_, nullptr)), count_(std::exchange(other.count_, 0)) {}
+  DeviceArray(DeviceArray&& other) noexcept { *this = std::move(other); }
   DeviceArray& operator=(DeviceArray&& other) noexcept {
     std::swap(data_, other.data_);
     std::swap(count_, other.count_);
+    std::swap(stream_, other.stream_);
     return *this;
   }
   DeviceArray(const DeviceArray&) = delete;
   DeviceArray& operator=(const DeviceArray&) = delete;
-  ~DeviceArray() { static_cast<void>(cudaFree(data_)); }
+  ~DeviceArray() {
+    if (data_ != nullptr) static_cast<void>(cudaFreeAsync(data_, stream_));
+  }
 
   T* data() const { return data_; }
   std::size_t size() const { return count_; }
+  void clear() const {
+    if (count_ > 0) check(cudaMemsetAsync(data_, 0, count_ * sizeof(T), stream_));
+  }
+  // Waits for it.
   void download(T* host) const {
-    if (count_ > 0) check(cudaMemcpy(host, data_, count_ * sizeof(T), cudaMemcpyDeviceToHost));
+    if (count_ == 0) return;
+    check(cudaMemcpyAsync(host, data_, count_ * sizeof(T), cudaMemcpyDeviceToHost, stream_));
+    check(cudaStreamSynchronize(stream_));
   }
 
 private:
   T* data_ = nullptr;
   std::size_t count_ = 0;
-};
-
-// A device array from the stream-ordered memory pool, on the default stream: allocating and freeing don't
-// synchronise, and freed memory is reused.
-template <class T>
-class PooledArray {
-public:
-  PooledArray() = default;
-  explicit PooledArray(std::uint64_t count) : count_(count) {
-    if (count > 0) check(cudaMallocAsync(reinterpret_cast<void**>(&data_), count * sizeof(T), nullptr));
-  }
-  PooledArray(PooledArray&& other) noexcept
-      : data_(std::exchange(other.data_, nullptr)), count_(std::exchange(other.count_, 0)) {}
-  PooledArray& operator=(PooledArray&& other) noexcept {
-    std::swap(data_, other.data_);
-    std::swap(count_, other.count_);
-    return *this;
-  }
-  PooledArray(const PooledArray&) = delete;
-  PooledArray& operator=(const PooledArray&) = delete;
-  ~PooledArray() {
-    if (data_ != nullptr) static_cast<void>(cudaFreeAsync(data_, nullptr));
-  }
-
-  T* data() const { return data_; }
-  std::uint64_t size() const { return count_; }
-  void download(T* host) const {
-    if (count_ > 0) check(cudaMemcpy(host, data_, count_ * sizeof(T), cudaMemcpyDeviceToHost));
-  }
-
-private:
-  T* data_ = nullptr;
-  std::uint64_t count_ = 0;
+  cudaStream_t stream_ = nullptr;
 };
 
 // Page-locked host memory, which the device reads and writes directly.
@@ -107,13 +113,13 @@ private:
   std::size_t size_ = 0;
 };
 
-// Time on the default stream since construction.
+// Time on a stream since construction.
 class DeviceTimer {
 public:
-  DeviceTimer() {
+  explicit DeviceTimer(cudaStream_t stream = nullptr) : stream_(stream) {
     check(cudaEventCreate(&start_));
     check(cudaEventCreate(&stop_));
-    check(cudaEventRecord(start_));
+    check(cudaEventRecord(start_, stream_));
   }
   ~DeviceTimer() {
     static_cast<void>(cudaEventDestroy(start_));
@@ -124,7 +130,7 @@ public:
 
   // Waits for the work launched so far.
   double seconds() const {
-    check(cudaEventRecord(stop_));
+    check(cudaEventRecord(stop_, stream_));
     check(cudaEventSynchronize(stop_));
     float milliseconds = 0;
     check(cudaEventElapsedTime(&milliseconds, start_, stop_));
@@ -132,6 +138,7 @@ public:
   }
 
 private:
+  cudaStream_t stream_;
   cudaEvent_t start_ = nullptr, stop_ = nullptr;
 };
 

@@ -15,18 +15,6 @@ constexpr std::size_t piece_bytes = std::size_t{1} << 20;
 constexpr int copy_threads = 4;                           // about enough to saturate the bus
 constexpr std::size_t min_pinned_bytes = 8 * piece_bytes; // less isn't worth allocating page-locked memory
 
-class Stream {
-public:
-  Stream() { check(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking)); }
-  ~Stream() { static_cast<void>(cudaStreamDestroy(stream_)); }
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
-  operator cudaStream_t() const { return stream_; }
-
-private:
-  cudaStream_t stream_ = nullptr;
-};
-
 // The staging buffers of one thread. Uploads alternate: one buffer is transferred while the other is filled.
 class StagingBuffers {
 public:

@@ -109,6 +109,10 @@ void OutputFile::write(const void* data, std::size_t bytes) {
   if (bytes > 0 && std::fwrite(data, 1, bytes, stream_) != bytes) fail("can't be written");
 }
 
+void OutputFile::rewind() {
+  if (fseeko(stream_, 0, SEEK_SET) != 0) fail("can't be written from its start");
+}
+
 void OutputFile::commit() {
   if (std::ferror(stream_) != 0 || std::fflush(stream_) != 0) fail("can't be written");
   if (folder_ < 0) { // written directly: no name to give, and flushing may not be possible

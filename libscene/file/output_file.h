@@ -35,6 +35,8 @@ public:
 
   void write(std::span<const std::uint8_t> bytes);
   void write(const void* data, std::size_t bytes);
+  // The next write replaces the first bytes.
+  void rewind();
   void commit();
 
   std::FILE* stream() { return stream_; }

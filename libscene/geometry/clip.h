@@ -10,8 +10,8 @@
 
 namespace masu {
 
-// A ray from where it enters a box. `skipped` is t from the old origin to the new one; t_max is reduced by
-// it.
+// A ray from where it enters a box, or from t_min if that is farther. `skipped` is t from the old origin to
+// the new one; t_max is reduced by it, t_min is 0.
 template <class Real>
 struct ClippedRay {
   Ray<Real> ray;
@@ -26,10 +26,10 @@ MASU_HD inline bool crosses(const Box<Real>& box, const Ray<Real>& ray, const Ve
                             Real& enter) {
   constexpr Real slack = 8 * RealTraits<Real>::unit_roundoff;
   const Vec3<Real> t0 = (box.min - ray.origin) * inverse, t1 = (box.max - ray.origin) * inverse;
-  enter =
+  const Real from =
       fast_max(fast_max(Real(0), fast_min(t0.x, t1.x)), fast_max(fast_min(t0.y, t1.y), fast_min(t0.z, t1.z)));
   const Real leave = fast_min(fast_max(t0.x, t1.x), fast_min(fast_max(t0.y, t1.y), fast_max(t0.z, t1.z)));
-  enter = enter * (1 - slack);
+  enter = fast_max(ray.t_min, from * (1 - slack));
   return enter <= leave * (1 + slack) && enter <= ray.t_max;
 }
 
@@ -61,6 +61,7 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
     again = clipped.skipped == 0 && enter * largest_magnitude(d) > far;
     clipped.skipped += enter;
     clipped.ray.t_max -= enter;
+    clipped.ray.t_min = 0;
   }
   return true;
 }

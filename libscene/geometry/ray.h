@@ -5,12 +5,21 @@
 
 namespace masu {
 
-// Points origin + t·direction with 0 < t < t_max. The direction isn't zero; t is in units of its length.
+// Points origin + t·direction with t_min < t < t_max, in the order in which lists of rays store them. The
+// direction isn't zero; t is in units of its length. t_min isn't negative.
 template <class Real>
-struct Ray {
-  Vec3<Real> origin, direction;
+struct alignas(16) Ray {
+  Vec3<Real> origin;
+  Real t_min;
+  Vec3<Real> direction;
   Real t_max;
 };
+static_assert(sizeof(Ray<float>) == 32 && sizeof(Ray<double>) == 64);
+
+template <class Real>
+MASU_HD inline Ray<Real> unbounded_ray(const Vec3<Real>& origin, const Vec3<Real>& direction) {
+  return {origin, 0, direction, RealTraits<Real>::largest};
+}
 
 // A miss has the ray's t_max and no_primitive.
 template <class Real>

@@ -26,29 +26,36 @@ MASU_HD inline Vec3<Real> interpolate(const EdgeFunctions<Real>& barycentric, co
   return fma(a, barycentric.a, fma(b, barycentric.b, c * barycentric.c));
 }
 
+// The barycentric coordinates of a ray's hit on a triangle: the weights of its corners, of sum 1.
 template <class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const WatertightRay<Real>& ray,
-                                             Real, const Triangle<Stored>& triangle) {
+MASU_HD inline EdgeFunctions<Real> barycentric(const WatertightRay<Real>& ray,
+                                               const Triangle<Stored>& triangle) {
   const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
   const EdgeFunctions<Real> weights = edge_functions(ray, a - ray.origin, b - ray.origin, c - ray.origin);
   // If all weights underflow, any point of the triangle is within the error bound: its centroid.
   const Real sum = weights.a + weights.b + weights.c;
   const Real third = Real(1) / 3;
   const Real inverse = 1 / sum;
-  const EdgeFunctions<Real> barycentric =
-      std::abs(inverse) <= RealTraits<Real>::largest
-          ? EdgeFunctions<Real>{weights.a * inverse, weights.b * inverse, weights.c * inverse}
-          : EdgeFunctions<Real>{third, third, third};
+  return std::abs(inverse) <= RealTraits<Real>::largest
+             ? EdgeFunctions<Real>{weights.a * inverse, weights.b * inverse, weights.c * inverse}
+             : EdgeFunctions<Real>{third, third, third};
+}
+
+template <class Real, class Stored>
+MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const WatertightRay<Real>& ray,
+                                             Real, const Triangle<Stored>& triangle) {
+  const Vec3<Real> a = cast<Real>(triangle.a), b = cast<Real>(triangle.b), c = cast<Real>(triangle.c);
+  const EdgeFunctions<Real> weights = barycentric(ray, triangle);
   SurfacePoint<Real> point{};
-  point.position = interpolate(barycentric, a, b, c);
+  point.position = interpolate(weights, a, b, c);
   // The rounded edges of a very thin triangle may be parallel: its normal then points against the ray.
   const Vec3<Real> across = cross(b - a, c - a);
   point.normal = normalized(largest_magnitude(across) > 0 ? across : -ray.direction);
   point.shading = point.normal;
   if (triangle.normals != no_normals) {
     const CornerNormals<Stored>& n = scene.normals[triangle.normals];
-    const Vec3<Real> between = interpolate(barycentric, normalized(cast<Real>(n.a)),
-                                           normalized(cast<Real>(n.b)), normalized(cast<Real>(n.c)));
+    const Vec3<Real> between = interpolate(weights, normalized(cast<Real>(n.a)), normalized(cast<Real>(n.b)),
+                                           normalized(cast<Real>(n.c)));
     // Opposite normals may sum to zero.
     if (largest_magnitude(between) > 0) point.shading = normalized(between);
   }
@@ -151,18 +158,19 @@ MASU_HD inline SurfacePoint<typename TestRay::Real> surface_at(const SceneView<S
   return point;
 }
 
-// At a hit whose t is relative to the ray's own origin. That may be far away, and t then too inaccurate: the
+// A hit whose t is relative to the ray's own origin. That may be far away, and t then too inaccurate: the
 // intersection test is run again from where the ray enters the scene.
-template <unsigned kinds, class Real, class Stored>
-MASU_HD inline SurfacePoint<Real> surface_at(const SceneView<Stored>& scene, const Ray<Real>& ray,
-                                             const Hit<Real>& hit) {
+template <class Real, class Stored>
+MASU_HD inline NearHit<WatertightRay<Real>> hit_again(const SceneView<Stored>& scene, const Ray<Real>& ray,
+                                                      const Hit<Real>& hit) {
   ClippedRay<Real> clipped{};
   clip(ray, cast<Real>(scene.clip), clipped);
   NearHit<WatertightRay<Real>> near{{}, {hit.t - clipped.skipped, hit.primitive}, clipped.skipped};
   prepare(near.ray, clipped.ray.origin, clipped.ray.direction);
   NoTestCounts counts;
-  intersect<kinds>(scene, near.ray, hit.primitive, near.hit.t, counts);
-  return surface_at<kinds>(scene, near);
+  Real t;
+  if (intersect<with_all_kinds>(scene, near.ray, hit.primitive, t, counts)) near.hit.t = t;
+  return near;
 }
 
 } // namespace masu

@@ -29,8 +29,7 @@ void traverse(const Grid& grid, std::uint64_t primitives) {
   const Real almost_one = Real(0.99);
   for (const masu::Vec3<Real>& d :
        {masu::Vec3<Real>{1, almost_one, Real(0.5)}, {-1, Real(0.001), 0}, {0, 0, 1}, {-1, -1, -1}}) {
-    const masu::ClippedRay<Real> ray{
-        {grid.min, d, masu::RealTraits<Real>::largest}, {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+    const masu::ClippedRay<Real> ray{masu::unbounded_ray(grid.min, d), {1 / d.x, 1 / d.y, 1 / d.z}, 0};
     masu::visit(grid, ray, 0, visitor);
   }
 }

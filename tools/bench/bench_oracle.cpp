@@ -51,7 +51,7 @@ std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, c
                              const std::vector<Way>& ways) {
   const oracle::SceneOracle oracle = scene.is_float64() ? oracle::SceneOracle(scene.view<double>())
                                                         : oracle::SceneOracle(scene.view<float>());
-  const std::vector<ListedRay> rays = random_rays(scene, settings.count, settings.seed);
+  const std::vector<Ray<double>> rays = random_rays(scene, settings.count, settings.seed);
   std::vector<Tally> tallies(ways.size());
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_a_batch) {
     show_progress(begin, rays.size());

@@ -37,7 +37,7 @@ struct RaySet {
   std::string name;
   Query query;
   bool coherent; // neighbouring rays have similar directions
-  std::vector<ListedRay> rays;
+  std::vector<Ray<double>> rays;
 };
 
 const std::map<std::string, RayLoop> all_loops{{"thread_per_ray", RayLoop::thread_per_ray},
@@ -64,7 +64,7 @@ std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFi
 // All grids are measured by the same rays. Sets that begin at hit points are generated through the first
 // grid.
 std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, const GridFile& grid) {
-  const std::vector<ListedRay> primary =
+  const std::vector<Ray<double>> primary =
       primary_rays(scene, resized(scene.camera(), settings.size), settings.order);
   std::vector<RaySet> sets;
   for (const std::string& name : settings.sets) {
@@ -82,13 +82,13 @@ Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, 
              const std::string& loop) {
   const GridFile& grid = *tracer.grid();
   const bool cuda = tracer.device() == Device::cuda;
-  RaysRequest request{settings.tracing, HitName::primitive, set.query, all_loops.at(loop)};
+  RaysRequest request{settings.tracing, set.query, all_loops.at(loop)};
   request.tracing.precision = resolved(all_precisions.at(precision), tracer.scene());
   const ResidentRays rays = tracer.upload(set.rays, request.tracing.precision);
   request.tracing.count = true;
   const Counts counts = tracer.trace(rays, request).counts;
   request.tracing.count = false;
-  const RayHits timed =
+  const QueryReport timed =
       repeated(settings.warm_up, settings.repeat, [&] { return tracer.trace(rays, request); });
   const double seconds = timed.seconds.trace;
   const auto number = static_cast<double>(set.rays.size());

@@ -12,19 +12,19 @@ namespace masu {
 enum class RayOrder { rows, tiles };
 
 // One ray through the centre of each pixel.
-std::vector<ListedRay> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order);
+std::vector<Ray<double>> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order);
 
 // One ray from each hit of `rays`, in a direction with cosine distribution about the surface's normal; for a
 // miss, a ray of random_rays. The same seed gives the same rays.
-std::vector<ListedRay> diffuse_rays(const SceneFile& scene, const GridFile& grid,
-                                    std::span<const ListedRay> rays, std::uint64_t seed);
+std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const GridFile& grid,
+                                      std::span<const Ray<double>> rays, std::uint64_t seed);
 
 // Rays between two random points of the sphere around the scene's bounds; t = 1 is the second point.
-std::vector<ListedRay> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed);
+std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed);
 
 // One ray from each hit of `rays` to a light, ray i to light i modulo their number; t = 1 is the light. None
 // for a miss.
-std::vector<ListedRay> shadow_rays(const SceneFile& scene, const GridFile& grid,
-                                   std::span<const ListedRay> rays);
+std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const GridFile& grid,
+                                     std::span<const Ray<double>> rays);
 
 } // namespace masu

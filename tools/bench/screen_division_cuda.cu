@@ -61,7 +61,7 @@ DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, c
     divided.workers =
         std::min(tiles.count, resident_blocks(kernel, division_tile_side * division_tile_side, workers_each));
     frame.kernel = load(kernel);
-    frame.seconds.trace = timed([&] {
+    frame.seconds.trace = timed(nullptr, [&] {
       kernel<<<divided.workers, dim3(division_tile_side, division_tile_side)>>>(
           files.scene.view, accelerator, rays, request.rules, tiles, division,
           division == ScreenDivision::persistent ? next_tile.data() : nullptr, colors.data());

@@ -26,11 +26,13 @@ Tracer tracer_of(const TradeoffTask& task, const GridFile* grid) {
   return {task.scene, grid, task.setup.backend == "cuda" ? Device::cuda : Device::cpu};
 }
 
-RayHits trace(const Tracer& tracer, const TracingRules& rules, const std::vector<ListedRay>& rays,
+RayHits trace(const Tracer& tracer, const TracingRules& rules, const std::vector<Ray<double>>& rays,
               RayLoop loop, std::uint64_t repeat) {
+  const RaysRequest request{rules, Query::nearest_hit, loop};
+  RayHits found = tracer.hits(rays, request, HitName::primitive);
   const ResidentRays resident = tracer.upload(rays, rules.precision);
-  const RaysRequest request{rules, HitName::primitive, Query::nearest_hit, loop};
-  return traced(repeat, [&] { return tracer.trace(resident, request); });
+  found.report = traced(repeat, [&] { return tracer.trace(resident, request); });
+  return found;
 }
 
 Frame render(const TradeoffTask& task, const Tracer& tracer, const TracingRules& rules,
@@ -55,7 +57,7 @@ void add_some(const std::vector<T>& all, std::uint64_t wanted, std::vector<T>& s
 class SameHit {
 public:
   explicit SameHit(const SceneFile& scene) : margin_(rounding_margin<float>(scene.bounds())) {}
-  bool operator()(const ListedRay& ray, double t, double other) const {
+  bool operator()(const Ray<double>& ray, double t, double other) const {
     return std::abs(t - other) <= margin_ / length(ray.direction) + 0x1p-23 * other;
   }
 
@@ -139,10 +141,10 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   measured.voxels = voxel_count(grid.layout().division);
   measured.grid_bytes = grid.bytes();
   measured.scene_bytes = task.scene.bytes();
-  measured.primary_mrays = mrays(task.primary.size(), primary.seconds.trace);
-  measured.random_mrays = mrays(task.random.size(), random.seconds.trace);
-  measured.mrays =
-      mrays(task.primary.size() + task.random.size(), primary.seconds.trace + random.seconds.trace);
+  measured.primary_mrays = mrays(task.primary.size(), primary.report.seconds.trace);
+  measured.random_mrays = mrays(task.random.size(), random.report.seconds.trace);
+  measured.mrays = mrays(task.primary.size() + task.random.size(),
+                         primary.report.seconds.trace + random.report.seconds.trace);
   measured.picture_ms = frame.seconds.trace * 1e3;
   std::vector<HitRecord> hits;
   add_some(primary.hits, task.setup.compared, hits);

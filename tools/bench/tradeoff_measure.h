@@ -14,13 +14,13 @@ struct TradeoffTask {
 
   const SceneFile& scene;
   const TradeoffSetup& setup;
-  std::vector<ListedRay> primary, random;
+  std::vector<Ray<double>> primary, random;
   Camera picture;
 
   // Results of brute force in double, computed (slowly) by the first call.
   struct Reference {
-    std::vector<ListedRay> rays; // evenly spaced in both sets
-    std::vector<HitRecord> hits; // by primitive
+    std::vector<Ray<double>> rays; // evenly spaced in both sets
+    std::vector<HitRecord> hits;   // by primitive
     std::vector<Vec3f> radiance;
   };
   const Reference& reference();

@@ -43,15 +43,15 @@ void write_built(const SceneFile& scene, const GridWanted& wanted, const std::st
              path);
 }
 
-std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const ListedRay> rays,
+std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const Ray<double>> rays,
                         Precision precision) {
-  RaysRequest request{{precision}, HitName::primitive};
-  const RayHits cpu = Tracer(scene, &grid, Device::cpu).trace(rays, request);
+  RaysRequest request{{precision}};
+  const RayHits cpu = Tracer(scene, &grid, Device::cpu).hits(rays, request, HitName::primitive);
   const Tracer on_gpu(scene, &grid, Device::cuda);
   std::uint64_t different = 0;
   for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
     request.loop = loop;
-    const RayHits gpu = on_gpu.trace(rays, request);
+    const RayHits gpu = on_gpu.hits(rays, request, HitName::primitive);
     for (std::size_t i = 0; i < rays.size(); ++i)
       different += same_bits(cpu.hits[i], gpu.hits[i]) ? 0 : 1;
   }

@@ -71,12 +71,12 @@ Expected SceneOracle::expect_one(const Line& line, PrimitiveIndex primitive, Wid
   return expect(line, cones_[sphere - spheres_.size()], slack);
 }
 
-Wide SceneOracle::exact_t(const ListedRay& ray, PrimitiveIndex primitive) const {
+Wide SceneOracle::exact_t(const Ray<double>& ray, PrimitiveIndex primitive) const {
   const Expected expected = expect_one(line(ray.origin, ray.direction), primitive, 0);
   return expected.result == Result::hit ? expected.low : Wide(-1);
 }
 
-std::vector<SceneOracle::Near> SceneOracle::near(const ListedRay& ray, double slack) const {
+std::vector<SceneOracle::Near> SceneOracle::near(const Ray<double>& ray, double slack) const {
   const double size = largest_magnitude(ray.direction), distance_of_t = length(ray.direction * (1 / size));
   const Vec3d unit = ray.direction * (1 / size) * (1 / distance_of_t);
   const Vec3d& o = ray.origin;
@@ -96,7 +96,7 @@ std::vector<SceneOracle::Near> SceneOracle::near(const ListedRay& ray, double sl
   return found;
 }
 
-ClosestHit SceneOracle::closest(const ListedRay& ray, double slack) const {
+ClosestHit SceneOracle::closest(const Ray<double>& ray, double slack) const {
   std::vector<Near> all = near(ray, slack);
   std::sort(all.begin(), all.end(), [](const Near& a, const Near& b) { return a.enter < b.enter; });
   const Line along = line(ray.origin, ray.direction);

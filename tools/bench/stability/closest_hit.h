@@ -41,9 +41,9 @@ public:
   explicit SceneOracle(const SceneView<Stored>& scene);
 
   // `slack`: the bound on the tracer's error, as a displacement of surfaces.
-  ClosestHit closest(const ListedRay& ray, double slack) const;
+  ClosestHit closest(const Ray<double>& ray, double slack) const;
   // The t of the ray's hit on one primitive, in 113-bit arithmetic; negative where it is unsure.
-  Wide exact_t(const ListedRay& ray, PrimitiveIndex primitive) const;
+  Wide exact_t(const Ray<double>& ray, PrimitiveIndex primitive) const;
   // The first of the primitives that are equal to this one: it wins the tie.
   PrimitiveIndex first_alike(PrimitiveIndex primitive) const { return first_alike_[primitive]; }
 
@@ -53,7 +53,7 @@ private:
     PrimitiveIndex primitive;
     double enter, leave;
   };
-  std::vector<Near> near(const ListedRay& ray, double slack) const;
+  std::vector<Near> near(const Ray<double>& ray, double slack) const;
   Expected expect_one(const Line& line, PrimitiveIndex primitive, Wide slack) const;
   void add_bounding_sphere(const Vec3d& center, double radius);
 

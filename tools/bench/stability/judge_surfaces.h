@@ -30,8 +30,8 @@ Tally tallied(std::size_t rays, const Act& act) {
 
 // A ray of unit length, as the renderer traces it.
 template <class Real>
-Ray<Real> unit_ray(const ListedRay& listed) {
-  return {cast<Real>(listed.origin), normalized(cast<Real>(listed.direction)), RealTraits<Real>::largest};
+Ray<Real> unit_ray(const Ray<double>& listed) {
+  return unbounded_ray(cast<Real>(listed.origin), normalized(cast<Real>(listed.direction)));
 }
 
 // --- Leaving --------------------------------------------------------------------------------------------
@@ -103,7 +103,7 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
     constexpr double off_tangent = 1.02; // above 1: not tangential to the surface
     for (const double side : {1.0, -1.0}) {
       const Vec3<Real> direction = cast<Real>(normalized(trial.aims[i] + outwards * (side * off_tangent)));
-      const Ray<Real> ray{leaving(point, direction), direction, RealTraits<Real>::largest};
+      const Ray<Real> ray = unbounded_ray(leaving(point, direction), direction);
       const Hit<Real> hit = nearest_hit<M>(scene, NoGrid{}, ray, counts);
       tally.by_grid += same_by_grids(ray, hit) ? 0 : 1;
       const bool is_closed = primitive < scene.triangle_count + scene.sphere_count;

@@ -13,12 +13,13 @@ namespace {
 
 template <class M, class Stored, class Accelerator>
 Hit<typename M::Real> find(const SceneView<Stored>& scene, const Accelerator& accelerator,
-                           const ListedRay& listed) {
+                           const Ray<double>& listed) {
   using Real = typename M::Real;
-  const ScaledRay<Real> ray = scaled(typed<Real>(listed));
+  Ray<Real> ray = loaded<Real>(&listed, own_format<double>, 0);
+  const Real scale = scale_direction(ray);
   NoCounts counts;
-  Hit<Real> hit = nearest_hit<M>(scene, accelerator, ray.ray, counts);
-  hit.t *= ray.scale;
+  Hit<Real> hit = nearest_hit<M>(scene, accelerator, ray, counts);
+  hit.t *= scale;
   return hit;
 }
 
@@ -34,7 +35,7 @@ void with_view(const Grid& grid, const Act& act) {
 
 template <class TestRay, class Stored>
 std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>& grids,
-                         const std::vector<ListedRay>& rays, StopRule stop) {
+                         const std::vector<Ray<double>>& rays, StopRule stop) {
   using Real = typename TestRay::Real;
   using Proven = Method<TestRay, with_all_kinds>;
   std::vector<Found> found(rays.size());
@@ -180,7 +181,7 @@ void run(const Sweep& sweep, const RunSettings& settings, const std::function<vo
 }
 
 std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
-                                 std::span<const ListedRay> rays, const Way& way) {
+                                 std::span<const Ray<double>> rays, const Way& way) {
   std::vector<Found> found(rays.size());
   TracingRules rules;
   rules.precision = way.precision;

@@ -42,7 +42,7 @@ void run(const Sweep& sweep, const RunSettings& settings, const std::function<vo
 
 // Closest hits of rays through a grid file in one mode, on the CPU.
 std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
-                                 std::span<const ListedRay> rays, const Way& way);
+                                 std::span<const Ray<double>> rays, const Way& way);
 
 // The error bound of a precision for primitives within `bounds`; that of robust for fast, too.
 double slack_for(Precision precision, const Boxd& bounds);

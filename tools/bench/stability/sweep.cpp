@@ -28,22 +28,22 @@ Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter) 
 }
 
 template <class Stored>
-ListedRay ray_along(const Vec3d& from, const Vec3d& direction) {
+Ray<double> ray_along(const Vec3d& from, const Vec3d& direction) {
   int exponent = 0;
   std::frexp(largest_magnitude(direction), &exponent);
   const auto sized = [&](double c) { return std::ldexp(c, 1 - exponent); };
   const Vec3d stored = kept<Stored>(Vec3d{sized(direction.x), sized(direction.y), sized(direction.z)});
-  return {kept<Stored>(from), largest_magnitude(stored) > 0 ? stored : Vec3d{0, 0, 1}};
+  return unbounded_ray(kept<Stored>(from), largest_magnitude(stored) > 0 ? stored : Vec3d{0, 0, 1});
 }
-template ListedRay ray_along<float>(const Vec3d&, const Vec3d&);
-template ListedRay ray_along<double>(const Vec3d&, const Vec3d&);
+template Ray<double> ray_along<float>(const Vec3d&, const Vec3d&);
+template Ray<double> ray_along<double>(const Vec3d&, const Vec3d&);
 
 template <class Stored>
-ListedRay ray_towards(const Vec3d& from, const Vec3d& to) {
+Ray<double> ray_towards(const Vec3d& from, const Vec3d& to) {
   return ray_along<Stored>(from, to - kept<Stored>(from));
 }
-template ListedRay ray_towards<float>(const Vec3d&, const Vec3d&);
-template ListedRay ray_towards<double>(const Vec3d&, const Vec3d&);
+template Ray<double> ray_towards<float>(const Vec3d&, const Vec3d&);
+template Ray<double> ray_towards<double>(const Vec3d&, const Vec3d&);
 
 std::vector<double> powers_of_ten(int from, int to, int by) {
   std::vector<double> powers;
@@ -79,8 +79,8 @@ template TestScene<float> mixed_scene(Chance&, const Vec3d&, double);
 template TestScene<double> mixed_scene(Chance&, const Vec3d&, double);
 
 template <class Stored>
-std::vector<ListedRay> rays_around(Chance& chance, const Vec3d& at, double size, std::size_t count) {
-  std::vector<ListedRay> rays;
+std::vector<Ray<double>> rays_around(Chance& chance, const Vec3d& at, double size, std::size_t count) {
+  std::vector<Ray<double>> rays;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3d from = chance.one_in(3) ? at + chance.in_cube(size)
                                         : at + chance.direction() * (size * chance.uniform(2, 5));
@@ -88,7 +88,7 @@ std::vector<ListedRay> rays_around(Chance& chance, const Vec3d& at, double size,
   }
   return rays;
 }
-template std::vector<ListedRay> rays_around<float>(Chance&, const Vec3d&, double, std::size_t);
-template std::vector<ListedRay> rays_around<double>(Chance&, const Vec3d&, double, std::size_t);
+template std::vector<Ray<double>> rays_around<float>(Chance&, const Vec3d&, double, std::size_t);
+template std::vector<Ray<double>> rays_around<double>(Chance&, const Vec3d&, double, std::size_t);
 
 } // namespace masu::stability

@@ -24,7 +24,7 @@ struct GridWanted {
 template <class Stored>
 struct Trial {
   TestScene<Stored> scene;
-  std::vector<ListedRay> rays;
+  std::vector<Ray<double>> rays;
   std::vector<GridWanted> grids{{{7, 6, 5}, GridKind::uniform},
                                 {{40, 33, 64}, GridKind::uniform},
                                 {{3, 4, 2}, GridKind::irregular},
@@ -88,10 +88,10 @@ Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter);
 // From one point towards another, rounded to the store. The direction's largest component is between 1 and 2;
 // t counts in its length.
 template <class Stored>
-ListedRay ray_towards(const Vec3d& from, const Vec3d& to);
+Ray<double> ray_towards(const Vec3d& from, const Vec3d& to);
 // The same, in a direction.
 template <class Stored>
-ListedRay ray_along(const Vec3d& from, const Vec3d& direction);
+Ray<double> ray_along(const Vec3d& from, const Vec3d& direction);
 
 // Powers of ten, `by` exponents apart.
 std::vector<double> powers_of_ten(int from, int to, int by = 1);
@@ -102,7 +102,7 @@ TestScene<Stored> mixed_scene(Chance& chance, const Vec3d& at, double size);
 
 // Rays from outside and inside such a scene towards points in it.
 template <class Stored>
-std::vector<ListedRay> rays_around(Chance& chance, const Vec3d& at, double size, std::size_t count);
+std::vector<Ray<double>> rays_around(Chance& chance, const Vec3d& at, double size, std::size_t count);
 
 // Adds a cone unless rounding makes its length zero.
 template <class Stored>

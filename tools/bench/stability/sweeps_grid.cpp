@@ -73,7 +73,7 @@ Trial<Stored> on_faces(Chance& chance, double parameter, std::size_t rays) {
       // In the face or along the edge; from corner to corner where it begins at a corner.
       to.set(other, k < faces && faces < 3 ? from[other] : coordinate(faces == 3));
     }
-    const ListedRay ray = ray_towards<Stored>(from, to);
+    const Ray<double> ray = ray_towards<Stored>(from, to);
     trial.rays.push_back(ray);
     if (chance.one_in(3)) trial.rays.back().origin = kept<Stored>(ray.origin - ray.direction * 4.0);
   }

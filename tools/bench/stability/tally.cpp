@@ -20,7 +20,7 @@ double t_error(double t, oracle::Wide exact) {
 // Roundings of t itself, which matter for distant origins, in units of its roundoff.
 constexpr double roundings_of_t = 4;
 
-void judge(const oracle::SceneOracle& oracle, const ListedRay& ray, const oracle::ClosestHit& expected,
+void judge(const oracle::SceneOracle& oracle, const Ray<double>& ray, const oracle::ClosestHit& expected,
            double u, const Found& found, Tally& tally) {
   ++tally.rays;
   tally.unsure += expected.sure ? 0 : 1;
@@ -61,7 +61,7 @@ Tally& operator+=(Tally& total, const Tally& part) {
   return total;
 }
 
-std::vector<Tally> judged(const oracle::SceneOracle& oracle, std::span<const ListedRay> rays, double slack,
+std::vector<Tally> judged(const oracle::SceneOracle& oracle, std::span<const Ray<double>> rays, double slack,
                           double u, std::span<const std::vector<Found>> methods) {
   tbb::combinable<std::vector<Tally>> parts([&] { return std::vector<Tally>(methods.size()); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), rays_a_task), [&](const auto& range) {

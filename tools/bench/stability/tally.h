@@ -33,7 +33,7 @@ Tally& operator+=(Tally& total, const Tally& part);
 
 // Compares hits with the oracle's closest hits, one tally for each of `methods`. `slack` is the error bound
 // of the arithmetic, `u` its unit roundoff. Parallel over rays.
-std::vector<Tally> judged(const oracle::SceneOracle& oracle, std::span<const ListedRay> rays, double slack,
+std::vector<Tally> judged(const oracle::SceneOracle& oracle, std::span<const Ray<double>> rays, double slack,
                           double u, std::span<const std::vector<Found>> methods);
 
 // For rays that begin inside a closed surface, which must hit something.

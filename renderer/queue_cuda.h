@@ -1,0 +1,82 @@
+// A tracer's files on a CUDA device, and queries of rays in its memory. CUDA sources only.
+#pragma once
+
+#include "renderer/backend.h"
+#include "renderer/device_scene.h"
+#include "renderer/host_rays_cuda.h"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace masu {
+
+// What queries borrow and give back, for the next one. For threads at the same time.
+template <class T>
+class Pool {
+public:
+  std::unique_ptr<T> take() {
+    const std::lock_guard lock(mutex_);
+    if (free_.empty()) return std::make_unique<T>();
+    std::unique_ptr<T> taken = std::move(free_.back());
+    free_.pop_back();
+    return taken;
+  }
+  void give_back(std::unique_ptr<T> taken) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(std::move(taken));
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<T>> free_;
+};
+
+// A scene and its grid, of either store: one of them.
+struct DeviceFiles {
+  int device = 0;
+  std::optional<DeviceFilesOf<float>> float32;
+  std::optional<DeviceFilesOf<double>> float64;
+  mutable Pool<HostRayBuffers> buffers;
+
+  template <class Stored>
+  const DeviceFilesOf<Stored>& of() const {
+    if constexpr (std::is_same_v<Stored, float>)
+      return *float32;
+    else
+      return *float64;
+  }
+};
+
+// A list of rays in device memory, in the arithmetic's numbers, on its way through a stream.
+template <class Real>
+struct RayBatch {
+  const Ray<Real>* rays;
+  std::uint64_t count;
+  RayResults results; // nearest_hit: t and primitive are there if there are attributes to find
+  Counts* counts;     // null: not counted
+  cudaStream_t stream;
+};
+
+// For each arithmetic and store: backend_cuda_fast.cu, backend_cuda_robust.cu, backend_cuda_double.cu. Throw
+// Error(device).
+template <class TestRay, class Stored>
+void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
+                      const GridFile* host_grid, const FrameRequest& request, Frame& frame);
+template <class TestRay, class Stored>
+KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
+                       const GridFile* host_grid, const RaysRequest& request,
+                       const RayBatch<typename TestRay::Real>& batch);
+template <class Real, class Stored>
+void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
+                      const RayResults& results);
+
+// Puts a query of rays in the memory of the current device on a stream. Counts are added to `counts` there,
+// where that isn't null. Throws Error(device).
+KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                      const RayList& rays, const RayResults& results, const RaysRequest& request,
+                      Counts* counts, cudaStream_t stream);
+
+} // namespace masu

@@ -1,0 +1,166 @@
+// A list's rays and what is found for them: how they are stored, checked and scaled, and how results are
+// written. One definition for both backends.
+#pragma once
+
+#include "libgrid/trace/trace.h"
+#include "libscene/fetch.h"
+#include "libscene/geometry/surface.h"
+
+namespace masu {
+
+// --- Rays as callers store them ----------------------------------------------------------------------------
+
+// Numbers of 32 or 64 bits, 8 a ray: origin, t_min, direction, t_max (Ray<float>, Ray<double>); or 6: origin
+// and direction, with t_min = 0 and no t_max.
+struct RayFormat {
+  bool is_float64 = false;
+  int numbers = 8;
+
+  MASU_HD std::size_t bytes_a_ray() const {
+    return static_cast<std::size_t>(numbers) * (is_float64 ? sizeof(double) : sizeof(float));
+  }
+  friend bool operator==(const RayFormat&, const RayFormat&) = default;
+};
+
+template <class Real>
+inline constexpr RayFormat own_format{sizeof(Real) == sizeof(double), 8};
+
+template <class Number>
+MASU_HD inline Ray<Number> loaded_numbers(const Number* n, int numbers) {
+  if (numbers == 6) return {{n[0], n[1], n[2]}, 0, {n[3], n[4], n[5]}, static_cast<Number>(INFINITY)};
+  return {{n[0], n[1], n[2]}, n[3], {n[4], n[5], n[6]}, n[7]};
+}
+
+// Ray i of a list, its numbers rounded to Real.
+template <class Real>
+MASU_HD inline Ray<Real> loaded(const void* rays, const RayFormat& format, std::size_t i) {
+  const std::size_t first = i * static_cast<std::size_t>(format.numbers);
+  const auto converted = [](const auto& ray) {
+    return Ray<Real>{cast<Real>(ray.origin), static_cast<Real>(ray.t_min), cast<Real>(ray.direction),
+                     static_cast<Real>(ray.t_max)};
+  };
+  return format.is_float64
+             ? converted(loaded_numbers(static_cast<const double*>(rays) + first, format.numbers))
+             : converted(loaded_numbers(static_cast<const float*>(rays) + first, format.numbers));
+}
+
+// --- Rays made ready ---------------------------------------------------------------------------------------
+
+// Beyond these something might overflow or underflow on the way.
+template <class Real>
+inline constexpr Real max_ray_origin = sizeof(Real) == sizeof(float) ? Real(1e15F) : Real(1e75);
+inline constexpr float max_ray_direction = 1e15F, min_ray_direction = 1e-15F;
+
+// Whether origin and direction are finite and neither is beyond what arithmetic allows. A ray that isn't
+// valid hits nothing.
+template <class Real>
+MASU_HD inline bool is_valid(const Ray<Real>& ray) {
+  const Vec3<Real>&o = ray.origin, &d = ray.direction;
+  // min() and max() may pass over a NaN; a sum keeps it, and is finite for numbers in range.
+  const Real sum = o.x + o.y + o.z + d.x + d.y + d.z;
+  const Real size = largest_magnitude(d);
+  return sum * 0 == 0 && largest_magnitude(o) <= max_ray_origin<Real> && size <= Real(max_ray_direction) &&
+         size >= Real(min_ray_direction);
+}
+
+// Scales the direction by a power of two, so that its largest component is between 1 and 2 and nothing
+// overflows on the way: exact. Returns what t is to be multiplied by afterwards. A ray that isn't valid, or
+// whose t_min or t_max is NaN, becomes one that hits nothing; a negative t_min counts as 0.
+template <class Real>
+MASU_HD inline Real scale_direction(Ray<Real>& ray) {
+  if (!is_valid(ray) || !(ray.t_min < ray.t_max)) {
+    ray = {{0, 0, 0}, 0, {1, 0, 0}, -1};
+    return 1;
+  }
+  const Real scale = inverse_power_of_two(static_cast<float>(largest_magnitude(ray.direction)));
+  const Real inverse = 1 / scale; // exact
+  ray.direction = ray.direction * scale;
+  ray.t_min = fast_max(ray.t_min * inverse, Real(0));
+  ray.t_max = fast_min(ray.t_max * inverse, RealTraits<Real>::largest);
+  return scale;
+}
+
+// --- Results -----------------------------------------------------------------------------------------------
+
+// Where results go: an array of one element a ray each, in the rays' order, or null for what isn't wanted.
+// nearest_hit writes t (in lengths of the direction; infinity for a miss) and primitive (its index in the
+// scene file; no_primitive for a miss); besides, its object (index in the NFF text), barycentric coordinates
+// (u, v) on a triangle, so that the point is (1 - u - v) a + u b + v c, and the geometric normal, of unit
+// length, on the primitive's front; no_primitive and zeros for a miss, zeros for u and v on other kinds.
+// occlusion writes 1 or 0.
+struct RayResults {
+  float* t = nullptr;
+  std::uint32_t* primitive = nullptr;
+  std::uint32_t* object = nullptr;
+  float (*uv)[2] = nullptr;
+  float (*normal)[3] = nullptr;
+  std::uint8_t* occluded = nullptr;
+
+  MASU_HD bool has_attributes() const { return object != nullptr || uv != nullptr || normal != nullptr; }
+};
+
+// What is reported of a ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
+template <class Real>
+MASU_HD inline Hit<float> reported(const Hit<Real>& nearest, Real t_max, Real skipped, Real scale) {
+  if (!(nearest.t < t_max)) return {static_cast<float>(INFINITY), no_primitive};
+  return {static_cast<float>((nearest.t + skipped) * scale), nearest.primitive};
+}
+
+template <Query query>
+MASU_HD inline void write_hit(const RayResults& results, std::size_t i, const Hit<float>& hit) {
+  if constexpr (query == Query::occlusion) {
+    results.occluded[i] = hit.primitive != no_primitive;
+    return;
+  }
+  if (results.t != nullptr) results.t[i] = hit.t;
+  if (results.primitive != nullptr) results.primitive[i] = hit.primitive;
+}
+
+// What a ray of a list hits: for occlusion, some primitive or none.
+template <Query query, class M, class Stored, class Grid, class Counts>
+MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Grid& grid,
+                                       Ray<typename M::Real> ray, Counts& counts) {
+  using Real = typename M::Real;
+  const Real scale = scale_direction(ray);
+  if constexpr (query == Query::occlusion) {
+    const bool occluded = is_occluded<M>(scene, grid, ray, counts);
+    counts.shadow_ray(occluded);
+    return {0, occluded ? 0 : no_primitive};
+  }
+  const Hit<Real> hit = nearest_hit<M>(scene, grid, ray, counts);
+  counts.camera_ray(hit.primitive != no_primitive);
+  if (hit.primitive == no_primitive) return {static_cast<float>(INFINITY), no_primitive};
+  return {static_cast<float>(hit.t * scale), hit.primitive};
+}
+
+// Writes the attributes of ray i's hit.
+template <class Real, class Stored>
+MASU_HD inline void write_attributes(const SceneView<Stored>& scene, Ray<Real> ray, const Hit<float>& hit,
+                                     const RayResults& results, std::size_t i) {
+  std::uint32_t object = no_primitive;
+  Vec3f normal{0, 0, 0};
+  float u = 0, v = 0;
+  if (hit.primitive != no_primitive) {
+    object = surface_of(scene, hit.primitive).object;
+    const Real scale = scale_direction(ray);
+    const auto near = hit_again(scene, ray, Hit<Real>{static_cast<Real>(hit.t) / scale, hit.primitive});
+    normal = cast<float>(surface_at<with_all_kinds>(scene, near).normal);
+    if (hit.primitive < scene.triangle_count) {
+      const EdgeFunctions<Real> weights = barycentric(near.ray, scene.triangles[hit.primitive]);
+      u = static_cast<float>(weights.b);
+      v = static_cast<float>(weights.c);
+    }
+  }
+  if (results.object != nullptr) results.object[i] = object;
+  if (results.uv != nullptr) {
+    results.uv[i][0] = u;
+    results.uv[i][1] = v;
+  }
+  if (results.normal != nullptr) {
+    results.normal[i][0] = normal.x;
+    results.normal[i][1] = normal.y;
+    results.normal[i][2] = normal.z;
+  }
+}
+
+} // namespace masu

@@ -1,0 +1,26 @@
+// Headers of NumPy's .npy files, after NEP 1 (numpy.lib.format): what rays and hits need of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+inline constexpr std::array<std::uint8_t, 6> npy_magic{0x93, 'N', 'U', 'M', 'P', 'Y'};
+
+struct NpyArray {
+  std::string type; // of the elements, such as <f4
+  std::vector<std::uint64_t> shape;
+};
+
+// What a header's dictionary says of an array of plain numbers in C order; nothing for what isn't one.
+std::optional<NpyArray> parsed_npy_header(const std::string& dictionary);
+
+// Magic, version 1.0 and the header of an array of so many records of a type: such as [('t', '<f4')]. As long
+// for any count.
+std::string npy_header(const std::string& type, std::uint64_t count);
+
+} // namespace masu

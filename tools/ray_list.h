@@ -1,0 +1,43 @@
+// Lists of rays from files and pipes: read, traced and written at the same time, however long they are.
+#pragma once
+
+#include "renderer/tracer.h"
+
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// What is written for a ray, one field after the other: t (float), object and primitive (int32, -1 for a
+// miss), uv (2 floats), normal (3 floats), occluded (1 byte).
+enum class HitField { t, object, primitive, uv, normal, occluded };
+
+// Of a list such as "t,object". Throws Error(usage, --write, …).
+std::vector<HitField> hit_fields(const std::string& names);
+
+struct RayListJob {
+  std::string
+      rays; // a file, or - for standard input; numbers as `format` says, or a NumPy array, which says so
+  std::string hits;   // a file, or - for standard output; empty: nothing is written. *.npy: a NumPy array
+  RayFormat format{}; // of what isn't a NumPy array
+  std::vector<HitField> fields{};
+  RaysRequest request{};
+  int repeat = 1; // of the tracing, whose seconds are the medians' sum
+};
+
+struct RayListSummary {
+  std::uint64_t rays = 0;
+  std::uint64_t invalid = 0; // rays that hit nothing because they aren't valid (renderer/ray_query.h)
+  Counts counts;
+  TraceSeconds seconds;
+  double write_seconds = 0;
+};
+
+// Called with the rays traced so far.
+using RayProgress = std::function<void(std::uint64_t)>;
+
+// Throws Error(input) for what isn't a whole number of rays or another kind of array, Error(output), and what
+// Tracer::trace() throws.
+RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job, const RayProgress& progress);
+
+} // namespace masu
