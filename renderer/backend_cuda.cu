@@ -77,7 +77,7 @@ struct ConvertedRays {
 
 KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                       const RayList& rays, const RayResults& results, const RaysRequest& request,
-                      Counts* counts, cudaStream_t stream) {
+                      Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
   KernelSize size{};
   if (rays.count == 0) return size;
   with_store_and_arithmetic(
@@ -92,7 +92,7 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
         RayResults found = results;
         if (t.data() != nullptr) found.t = t.data();
         if (primitive.data() != nullptr) found.primitive = primitive.data();
-        const RayBatch<Real> batch{converted.rays, rays.count, found, counts, stream};
+        const RayBatch<Real> batch{converted.rays, rays.count, found, counts, stream, begun};
         size = queue_batch<TestRay>(files.of<Stored>(), view, grid, request, batch);
         if (has_attributes) queue_attributes(files.of<Stored>(), batch, results);
       });
@@ -115,7 +115,8 @@ QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, con
   QueryReport report;
   const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0);
   const DeviceTimer timer;
-  report.kernel = queue_rays(files, scene, grid, rays.list, rays.results, request, counts.data(), nullptr);
+  report.kernel =
+      queue_rays(files, scene, grid, rays.list, rays.results, request, counts.data(), nullptr, timer.start());
   report.seconds.trace = timer.seconds();
   counts.download(&report.counts);
   return report;

@@ -11,7 +11,6 @@ namespace masu {
 // Rays have numbers of 32 bits, and each warp may once ask for more than there are.
 inline constexpr std::uint64_t max_rays_by_warps = 0x7fffffff;
 
-// All 0 at first.
 struct CullState {
   std::uint32_t culls;  // whether most rays miss the bounds: the others are chosen
   std::uint32_t chosen; // rays
@@ -34,62 +33,62 @@ MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray
   return clip(ray, cast<Real>(scene.clip), near);
 }
 
-inline constexpr int threads_sampling = 1024, samples_a_thread = 4;
 // Fewer rays aren't worth a look.
 inline constexpr std::uint64_t min_rays_culled = std::uint64_t{1} << 18;
+inline constexpr int rays_sampled = 1024;
 
 // Decides by a sample whether so many rays miss the bounds that choosing the others pays: measured on an
-// H200, from 9 of 20 on. For one block.
+// H200, from 9 of 20 on. For one block, a thread a sample.
 template <class Real, class Stored>
-__global__ void __launch_bounds__(threads_sampling)
+__global__ void __launch_bounds__(rays_sampled)
     sample_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
                   CullState* const state) {
-  constexpr std::uint32_t samples = threads_sampling * samples_a_thread;
-  const std::uint32_t step = count / samples;
-  int missing = 0;
-  for (std::uint32_t i = 0; i < samples_a_thread; ++i) {
-    ClippedRay<Real> near{};
-    Real scale;
-    const Ray<Real>& ray = rays[(i * threads_sampling + threadIdx.x) * step];
-    missing += __syncthreads_count(scale_and_clip(scene, ray, near, scale) ? 0 : 1);
-  }
-  if (threadIdx.x == 0) state->culls = missing * 20 >= static_cast<int>(samples) * 9 ? 1 : 0;
+  ClippedRay<Real> near{};
+  Real scale;
+  const bool meets =
+      scale_and_clip(scene, streamed(rays + threadIdx.x * (count / rays_sampled)), near, scale);
+  const int missing = __syncthreads_count(meets ? 0 : 1);
+  if (threadIdx.x == 0) *state = {missing * 20 >= rays_sampled * 9 ? 1U : 0U, 0};
 }
 
 inline constexpr int threads_a_culling_block = 512;
 
-// Chooses the rays that meet the bounds, and writes the others' results.
+// Chooses the rays that meet the bounds, and writes the others' results. For as many blocks as fit.
 template <Query query, class Real, class Stored>
 __global__ void __launch_bounds__(threads_a_culling_block)
     cull_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
                 const RayResults results, std::uint32_t* const chosen, CullState* const state) {
-  constexpr int warps = threads_a_culling_block / lanes_a_warp;
+  constexpr unsigned warps = threads_a_culling_block / lanes_a_warp;
   __shared__ unsigned before[warps]; // rays chosen by the warps before each
   __shared__ std::uint32_t first;
   if (state->culls == 0) return;
   const unsigned lane = threadIdx.x % lanes_a_warp, warp = threadIdx.x / lanes_a_warp;
-  const std::uint32_t number = blockIdx.x * threads_a_culling_block + threadIdx.x;
-  bool meets = false;
-  if (number < count) {
-    ClippedRay<Real> near{};
-    Real scale;
-    meets = scale_and_clip(scene, streamed(rays + number), near, scale);
-    if (!meets) write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
-  }
-  const unsigned meeting = __ballot_sync(all_lanes, meets);
-  if (lane == 0) before[warp] = static_cast<unsigned>(__popc(meeting));
-  __syncthreads();
-  if (threadIdx.x == 0) {
-    unsigned sum = 0;
-    for (unsigned& warps_rays : before) {
-      const unsigned own = warps_rays;
-      warps_rays = sum;
-      sum += own;
+  for (std::uint32_t begin = blockIdx.x * threads_a_culling_block; begin < count;
+       begin += gridDim.x * threads_a_culling_block) {
+    const std::uint32_t number = begin + threadIdx.x;
+    bool meets = false;
+    if (number < count) {
+      ClippedRay<Real> near{};
+      Real scale;
+      meets = scale_and_clip(scene, streamed(rays + number), near, scale);
+      if (!meets) write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
     }
-    first = DeviceAtomic<std::uint32_t>(state->chosen).fetch_add(sum, cuda::memory_order_relaxed);
+    const unsigned meeting = __ballot_sync(all_lanes, meets);
+    if (lane == 0) before[warp] = static_cast<unsigned>(__popc(meeting));
+    __syncthreads();
+    if (threadIdx.x == 0) {
+      unsigned sum = 0;
+      for (unsigned& warps_rays : before) {
+        const unsigned own = warps_rays;
+        warps_rays = sum;
+        sum += own;
+      }
+      first = DeviceAtomic<std::uint32_t>(state->chosen).fetch_add(sum, cuda::memory_order_relaxed);
+    }
+    __syncthreads();
+    if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = number;
+    __syncthreads(); // before the next round writes
   }
-  __syncthreads();
-  if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = number;
 }
 
 } // namespace masu

@@ -17,32 +17,34 @@ struct Kinds {
   static constexpr unsigned kinds = kinds_;
 };
 
+// The kinds of primitives that a scene holds.
+template <class Stored>
+unsigned kinds_in(const SceneView<Stored>& scene) {
+  const std::span cones(scene.cones, scene.cone_count);
+  return (scene.triangle_count > 0 ? with_triangles : 0) | (scene.sphere_count > 0 ? with_spheres : 0) |
+         (cones.empty() ? 0 : with_cones) | (std::ranges::any_of(cones, tapers<Stored>) ? with_tapers : 0);
+}
+
 // Calls act(Kinds) with the narrowest set compiled that holds the scene's. What it saves on an H200 over the
 // code for all kinds, in a picture's time: triangles alone 9 % (teapot; `fast` 9, `double` 8), triangles and
 // spheres 6 to 12 % (balls, mount; `double` 11 to 16, `fast` less than 5: it has none), cones that are all
 // cylinders 5 % (rings, `robust`). Scenes of doubles are rare: they have the code for all kinds alone.
-template <class TestRay, class Act>
-void with_kinds(const SceneView<float>& scene, const Act& act) {
-  if (scene.cone_count == 0) {
-    if (scene.sphere_count == 0) return act(Kinds<with_triangles>{});
-    if constexpr (!std::is_same_v<TestRay, TextbookRay>) return act(Kinds<with_triangles | with_spheres>{});
+template <class TestRay, class Stored, class Act>
+void with_kinds(unsigned kinds, const Act& act) {
+  if constexpr (std::is_same_v<Stored, float>) {
+    if ((kinds & ~with_triangles) == 0) return act(Kinds<with_triangles>{});
+    if constexpr (!std::is_same_v<TestRay, TextbookRay>)
+      if ((kinds & with_cones) == 0) return act(Kinds<with_triangles | with_spheres>{});
+    if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
+      if ((kinds & with_tapers) == 0) return act(Kinds<with_all_kinds & ~with_tapers>{});
   }
-  if constexpr (std::is_same_v<TestRay, WatertightRay<float>>) {
-    const std::span cones(scene.cones, scene.cone_count);
-    if (std::ranges::none_of(cones, tapers<float>)) return act(Kinds<with_all_kinds & ~with_tapers>{});
-  }
-  act(Kinds<with_all_kinds>{});
-}
-template <class TestRay, class Act>
-void with_kinds(const SceneView<double>&, const Act& act) {
   act(Kinds<with_all_kinds>{});
 }
 
 // Calls act(GridView, MergedGridView or NoGrid, Method, Counts or NoCounts) for rays of one arithmetic: what
 // a job needs, and no more. Counting, brute force and StopRule::first_cell run the code for all kinds.
 template <class TestRay, class Stored, class Act>
-void with_method(const SceneView<Stored>& scene, const GridFile* grid, const TracingRules& rules,
-                 const Act& act) {
+void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRules& rules, const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
   if (grid == nullptr) return act(NoGrid{}, General{}, Counts{});
@@ -53,8 +55,8 @@ void with_method(const SceneView<Stored>& scene, const GridFile* grid, const Tra
     }
     if (rules.count) return act(view, General{}, Counts{});
     if (rules.general) return act(view, General{}, NoCounts{});
-    with_kinds<TestRay>(
-        scene, [&]<unsigned kinds>(Kinds<kinds>) { act(view, Method<TestRay, kinds>{}, NoCounts{}); });
+    with_kinds<TestRay, Stored>(
+        rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) { act(view, Method<TestRay, kinds>{}, NoCounts{}); });
   };
   grid->is_merged() ? with_view(grid->merged_view<Real>()) : with_view(grid->view<Real>());
 }

@@ -58,6 +58,11 @@ struct RayBatch {
   RayResults results; // nearest_hit: t and primitive are there if there are attributes to find
   Counts* counts;     // null: not counted
   cudaStream_t stream;
+  cudaEvent_t begun; // recorded before the first kernel; may be null
+
+  void begin() const {
+    if (begun != nullptr) check(cudaEventRecord(begun, stream));
+  }
 };
 
 // For each arithmetic and store: backend_cuda_fast.cu, backend_cuda_robust.cu, backend_cuda_double.cu. Throw
@@ -74,9 +79,10 @@ void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& 
                       const RayResults& results);
 
 // Puts a query of rays in the memory of the current device on a stream. Counts are added to `counts` there,
-// where that isn't null. Throws Error(device).
+// where that isn't null. `begun`, where it isn't null, is recorded when memory is
+// there and the kernels come. Throws Error(device).
 KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                       const RayList& rays, const RayResults& results, const RaysRequest& request,
-                      Counts* counts, cudaStream_t stream);
+                      Counts* counts, cudaStream_t stream, cudaEvent_t begun = nullptr);
 
 } // namespace masu

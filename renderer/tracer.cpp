@@ -3,6 +3,7 @@
 #include "libscene/error.h"
 #include "libscene/stopwatch.h"
 #include "renderer/backend.h"
+#include "renderer/dispatch.h"
 
 #include <fmt/format.h>
 
@@ -68,12 +69,19 @@ Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device)
   else
     check();
   upload_seconds_ = watch.seconds();
+  kinds_ = scene.is_float64() ? kinds_in(scene.view<double>()) : kinds_in(scene.view<float>());
+}
+
+TracingRules Tracer::resolved(TracingRules rules) const {
+  rules.precision = masu::resolved(rules.precision, scene_);
+  rules.kinds = kinds_;
+  return rules;
 }
 
 Frame Tracer::render(const FrameRequest& request) const {
   check_depth(request.rules.depth);
   FrameRequest resolved_request = request;
-  resolved_request.tracing.precision = resolved(request.tracing.precision, scene_);
+  resolved_request.tracing = resolved(request.tracing);
   return device_ == Device::cuda ? render_cuda(*files_, scene_, grid_, resolved_request)
                                  : render_cpu(scene_, grid_, resolved_request);
 }
@@ -97,7 +105,7 @@ void check_results(const RayList& rays, const RayResults& results, Query query) 
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
   check_results(rays, results, request.query);
   RaysRequest resolved_request = request;
-  resolved_request.tracing.precision = resolved(request.tracing.precision, scene_);
+  resolved_request.tracing = resolved(request.tracing);
   return device_ == Device::cuda ? trace_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request)
                                  : trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
 }
@@ -108,7 +116,7 @@ QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& resul
   check_results(rays, results, request.query);
   if (request.tracing.count) throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
   RaysRequest resolved_request = request;
-  resolved_request.tracing.precision = resolved(request.tracing.precision, scene_);
+  resolved_request.tracing = resolved(request.tracing);
   return queue_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request, stream);
 }
 
@@ -128,7 +136,7 @@ RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName na
 }
 
 ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precision) const {
-  precision = resolved(precision, scene_);
+  precision = masu::resolved(precision, scene_);
   const Stopwatch watch;
   ResidentRays resident = precision == Precision::doubled ? resident_rays<double>(rays, device_)
                                                           : resident_rays<float>(rays, device_);
@@ -139,7 +147,7 @@ ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precisi
 QueryReport Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
   if (device_ == Device::cpu) return trace(rays.list, rays.results, request);
   RaysRequest resolved_request = request;
-  resolved_request.tracing.precision = resolved(request.tracing.precision, scene_);
+  resolved_request.tracing = resolved(request.tracing);
   return time_rays_cuda(*files_, scene_, grid_, rays, resolved_request);
 }
 

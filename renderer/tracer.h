@@ -24,8 +24,9 @@ enum class Device { cpu, cuda };
 struct TracingRules {
   Precision precision = Precision::automatic;
   StopRule stop = StopRule::proven;
-  bool count = false;   // fill in counts
-  bool general = false; // by the code for every kind of primitive, whatever the scene holds
+  bool count = false;              // fill in counts
+  bool general = false;            // by the code for every kind of primitive, whatever the scene holds
+  unsigned kinds = with_all_kinds; // that the scene holds: a tracer fills it in
 };
 
 // Seconds of wall-clock time; of kernels, on the device's own clock. The CPU reads files where they are
@@ -171,6 +172,9 @@ private:
   Device device_;
   std::shared_ptr<const DeviceFiles> files_; // null on the CPU
   double upload_seconds_ = 0;
+  unsigned kinds_ = with_all_kinds;
+
+  TracingRules resolved(TracingRules rules) const;
 };
 
 } // namespace masu

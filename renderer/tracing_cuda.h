@@ -126,17 +126,19 @@ KernelSize trace_by_warps(const SceneView<Stored>& scene, const Grid& grid, RayL
   const DeviceArray<std::uint32_t> chosen(may_cull ? count : 0, stream);
   const DeviceArray<CullState> state(may_cull ? 1 : 0, stream);
   const RayQueue<Real> queue{batch.rays, count, chosen.data(), state.data()};
+  const KernelSize size = load(trace);
+  load(finish);
+  const unsigned culling = resident_blocks(cull_kernel<query, Real, Stored>, threads_a_culling_block, 0);
+  batch.begin();
   if (may_cull) {
-    state.clear();
-    sample_kernel<Real, Stored><<<1, threads_sampling, 0, stream>>>(scene, batch.rays, count, state.data());
-    cull_kernel<query, Real, Stored>
-        <<<blocks_of(threads_a_culling_block, count), threads_a_culling_block, 0, stream>>>(
-            scene, batch.rays, count, batch.results, chosen.data(), state.data());
+    sample_kernel<Real, Stored><<<1, rays_sampled, 0, stream>>>(scene, batch.rays, count, state.data());
+    cull_kernel<query, Real, Stored><<<culling, threads_a_culling_block, 0, stream>>>(
+        scene, batch.rays, count, batch.results, chosen.data(), state.data());
   }
   const int fetching = refills ? some_fetch : all_fetch;
   trace<<<blocks, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
   finish<<<finishing, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
-  return load(trace);
+  return size;
 }
 
 // Puts a query on its stream. Throws Error(device).
@@ -160,9 +162,10 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
         }
       }
       auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
+      size = load(kernel);
+      batch.begin();
       kernel<<<blocks_of(rays_a_block, batch.count), rays_a_block, 0, batch.stream>>>(
           scene, grid, batch.rays, batch.count, batch.results, batch.counts);
-      size = load(kernel);
     });
   });
   check(cudaGetLastError());

@@ -128,6 +128,8 @@ public:
   DeviceTimer(const DeviceTimer&) = delete;
   DeviceTimer& operator=(const DeviceTimer&) = delete;
 
+  // To be recorded again, where the time is to begin later.
+  cudaEvent_t start() const { return start_; }
   // Waits for the work launched so far.
   double seconds() const {
     check(cudaEventRecord(stop_, stream_));
