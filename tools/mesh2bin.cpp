@@ -51,8 +51,9 @@ void report_fault(int) {
 // Calls read(), and reports its faults.
 template <class Read>
 auto guarded(const std::string& name, const Read& read) {
-  const auto line = fmt::format_to_n(fault_line.data(), fault_line.size() - 2,
-                                     "mesh2bin: {}: Assimp crashed on it: repair the file", name);
+  const auto line = fmt::format_to_n(
+      fault_line.data(), fault_line.size() - 2,
+      "mesh2bin: {}: Assimp crashed on it: convert it to another format, such as PLY or glTF", name);
   *line.out = '\n';
   stack_t stack{};
   stack.ss_sp = fault_stack.data();

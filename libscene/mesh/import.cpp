@@ -2,6 +2,7 @@
 
 #include "libscene/available_memory.h"
 #include "libscene/error.h"
+#include "libscene/file/mapped_file.h"
 #include "libscene/material_table.h"
 #include "libscene/mesh/import_material.h"
 #include "libscene/mesh/import_normals.h"
@@ -246,7 +247,8 @@ ImportedScene imported(const aiScene& file, const std::string& name, const Impor
   const std::vector<Instance> instances =
       file.mRootNode != nullptr ? instances_of(file, name) : std::vector<Instance>{};
   const std::uint64_t triangles = checked_size(file, instances, options.smooth, name);
-  if (triangles == 0) throw Error(ErrorCode::input, name, "has no face of three corners or more");
+  if (triangles == 0)
+    throw Error(ErrorCode::input, name, "has no face of three corners or more: give a mesh of polygons");
   Importing state{file, options.smooth, {}, {}, {}, {}, {}, {}, {}, {}};
   read_materials(state, name);
   state.generated_normals.resize(file.mNumMeshes);
@@ -271,6 +273,14 @@ ImportedScene imported(const aiScene& file, const std::string& name, const Impor
 // Without any of Assimp's processing steps: it would triangulate, join and reorder differently.
 constexpr unsigned no_steps = 0;
 
+// Assimp 5.2 never ends on a PLY file that is cut off in its header.
+void check_header(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if ((text.starts_with("ply") || text.starts_with("PLY")) &&
+      text.find("end_header") == std::string_view::npos)
+    throw Error(ErrorCode::input, name, "is a PLY file without end_header: complete it");
+}
+
 void set_up(Assimp::Importer& importer) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
 }
@@ -290,6 +300,7 @@ void set_up(Assimp::Importer& importer) {
 } // namespace
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
+  check_header(MappedFile(path).bytes(), path);
   Assimp::Importer importer;
   set_up(importer);
   const aiScene* const file = importer.ReadFile(path, no_steps);
@@ -299,6 +310,7 @@ ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
 
 ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
                          const std::string& name, const ImportOptions& options) {
+  check_header(bytes, name);
   Assimp::Importer importer;
   set_up(importer);
   const aiScene* const file =

@@ -45,21 +45,28 @@ Vec3d unit_or_zero(const Vec3d& v) {
 std::vector<Vec3d> vertex_normals(const aiMesh& mesh) {
   const std::vector<std::uint32_t> first = joined_vertices(mesh);
   std::vector<Vec3d> normals(mesh.mNumVertices, Vec3d{0, 0, 0});
+  std::vector<std::uint32_t>
+      corners; // of a face, of equal consecutive ones the first: an angle has two sides
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
-    const unsigned n = face.mNumIndices;
-    const auto corner = [&](unsigned i) { return vector_of(mesh.mVertices[face.mIndices[i]]); };
+    corners.clear();
+    for (unsigned i = 0; i < face.mNumIndices; ++i)
+      if (corners.empty() || first[face.mIndices[i]] != corners.back())
+        corners.push_back(first[face.mIndices[i]]);
+    while (corners.size() > 1 && corners.front() == corners.back())
+      corners.pop_back();
+    const std::size_t n = corners.size();
     if (n < 3) continue;
+    const auto corner = [&](std::size_t i) { return vector_of(mesh.mVertices[corners[i % n]]); };
     Vec3d across{0, 0, 0}; // twice the area
-    for (unsigned i = 1; i + 1 < n; ++i)
+    for (std::size_t i = 1; i + 1 < n; ++i)
       across = across + cross(corner(i) - corner(0), corner(i + 1) - corner(0));
     const Vec3d normal = unit_or_zero(across);
-    for (unsigned i = 0; i < n; ++i) {
-      const Vec3d next = unit_or_zero(corner((i + 1) % n) - corner(i));
-      const Vec3d previous = unit_or_zero(corner((i + n - 1) % n) - corner(i));
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3d next = unit_or_zero(corner(i + 1) - corner(i));
+      const Vec3d previous = unit_or_zero(corner(i + n - 1) - corner(i));
       const double angle = std::atan2(length(cross(next, previous)), dot(next, previous));
-      Vec3d& sum = normals[first[face.mIndices[i]]];
-      sum = sum + normal * angle;
+      normals[corners[i]] = normals[corners[i]] + normal * angle;
     }
   }
   for (std::size_t i = 0; i < normals.size(); ++i)
