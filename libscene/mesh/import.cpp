@@ -276,8 +276,11 @@ constexpr unsigned no_steps = 0;
 // Assimp 5.2 never ends on a PLY file that is cut off in its header.
 void check_header(std::span<const std::uint8_t> bytes, const std::string& name) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if ((text.starts_with("ply") || text.starts_with("PLY")) &&
-      text.find("end_header") == std::string_view::npos)
+  const auto is = [&](std::size_t i, char c) {
+    return text.size() > i && (text[i] | ' ') == c;
+  }; // in any case
+  if (is(0, 'p') && is(1, 'l') && is(2, 'y') && text.find("\nend_header") == std::string_view::npos &&
+      text.find("\rend_header") == std::string_view::npos)
     throw Error(ErrorCode::input, name, "is a PLY file without end_header: complete it");
 }
 
