@@ -1,5 +1,5 @@
 // Memory limits, read from files made up for the purpose.
-#include "libgrid/build/available_memory.h"
+#include "libscene/available_memory.h"
 
 #include "tests/temporary_folder.h"
 

@@ -5,12 +5,13 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 scene=${1:-balls}
 source tools/setup.sh
-require "${basics[@]}" -- ninja-build
+require "${basics[@]}" -- "${extras[@]}"
 find_cuda
 
-echo "== building five programs: about a minute on two cores, with CUDA three more"
+echo "== building the programs: about a minute on two cores, with CUDA three more"
+mesh2bin=$(if has libassimp-dev; then echo mesh2bin; fi)
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
-  -- --target nffgen nff2bin gridbuild gridstat gridrender
+  -- --target nffgen nff2bin $mesh2bin gridbuild gridstat gridrender
 
 bin=build/bin
 out=out/$scene

@@ -10,6 +10,7 @@ has() { # package
     flatbuffers-compiler) command -v flatc >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
+    libassimp-dev) header assimp/scene.h ;;
     libcli11-dev) header CLI/CLI.hpp ;;
     libflatbuffers-dev) header flatbuffers/flatbuffers.h ;;
     libfmt-dev) header fmt/format.h ;;
@@ -55,6 +56,7 @@ require() {
 
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libflatbuffers-dev libfmt-dev libpng-dev libtbb-dev
   libxxhash-dev nlohmann-json3-dev)
+extras=(libassimp-dev ninja-build) # libassimp-dev: for mesh2bin
 
 # Sets cuda_options for cmake.
 find_cuda() {
@@ -111,6 +113,7 @@ build() {
   if command -v ninja >/dev/null && [ ! -e "$folder/CMakeCache.txt" ]; then configure+=(-G Ninja); fi
   log=$(mktemp)
   if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&
+      { ! grep -q 'mesh2bin: off' "$log" || echo "== no Assimp (libassimp-dev): building without mesh2bin"; } &&
       cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then
     grep -E -A5 'error|Error|\*\*\*' "$log" || cat "$log"
     rm -f "$log"

@@ -1,7 +1,7 @@
 #include "libgrid/build/build_grid.h"
 
-#include "libgrid/build/available_memory.h"
 #include "libgrid/map_statistics.h"
+#include "libscene/available_memory.h"
 #include "libscene/error.h"
 
 #include <fmt/format.h>

@@ -56,7 +56,7 @@ struct Assembly {
   Scene scene{};
   std::vector<nff::WrittenLight> lights;
   std::optional<nff::View> view;
-  nff::MaterialTable materials;
+  MaterialTable materials;
   Material material = default_material; // current at the end of the joined pieces
   std::uint64_t objects = 0;
   bool holds_entities = false;

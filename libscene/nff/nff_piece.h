@@ -1,30 +1,15 @@
 // Parses a piece of NFF text by itself. nff.cpp joins the pieces to a scene.
 #pragma once
 
+#include "libscene/material_table.h"
 #include "libscene/nff/nff_lexer.h"
 #include "libscene/scene.h"
 
 #include <cstddef>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 namespace masu::nff {
-
-struct MaterialHash {
-  std::size_t operator()(const Material& m) const;
-};
-struct MaterialEqual {
-  bool operator()(const Material& a, const Material& b) const;
-};
-
-// Distinct materials in the order of their first use.
-struct MaterialTable {
-  std::vector<Material> materials;
-  std::unordered_map<Material, std::uint32_t, MaterialHash, MaterialEqual> indices;
-
-  std::uint32_t index_of(const Material& material);
-};
 
 // A `v` as written. `position`: in the text, for errors found once the scene is complete.
 struct View {

@@ -1,7 +1,6 @@
 #include "libscene/nff/nff_view.h"
 
-#include <cmath>
-#include <numbers>
+#include "libscene/automatic_camera.h"
 
 namespace masu::nff {
 namespace {
@@ -9,40 +8,6 @@ namespace {
 constexpr Vec3d default_direction{-1, 2, -1.2}; // of the view
 constexpr double default_angle = 45;
 constexpr Vec3i default_resolution{512, 512, 0};
-
-// Bounds of the scene, with a sphere for each end of a cone: not tight, but enough for a view.
-Boxd rough_bounds(const Scene& scene) {
-  Boxd box = empty_box<double>();
-  const auto join_sphere = [&](const Vec3d& center, double radius) {
-    box = join(box, grown(Boxd{center, center}, std::abs(radius)));
-  };
-  for (const Triangle<double>& triangle : scene.triangles)
-    box = join(join(join(box, triangle.a), triangle.b), triangle.c);
-  for (const Sphere<double>& sphere : scene.spheres)
-    join_sphere(sphere.center, sphere.radius);
-  for (const Cone<double>& cone : scene.cones) {
-    join_sphere(cone.base, cone.base_radius);
-    join_sphere(cone.apex, cone.apex_radius);
-  }
-  return is_empty(box) ? Boxd{{0, 0, 0}, {0, 0, 0}} : box;
-}
-
-// v normalised, also when its square is out of a double's range.
-Vec3d direction(const Vec3d& v) {
-  return normalized(v * (1 / largest_magnitude(v)));
-}
-
-// Its radius is never so small that the camera would round to its centre.
-Sphere<double> bounding_sphere(const Scene& scene) {
-  const Boxd box = rough_bounds(scene);
-  const Vec3d center = box.min * 0.5 + box.max * 0.5;
-  const Vec3d half = box.max * 0.5 - box.min * 0.5;
-  const double size = largest_magnitude(half);
-  const double radius = size > 0 ? size * length(half * (1 / size)) : 0;
-  const double min_radius = 1e-9 * largest_magnitude(center);
-  if (radius > min_radius) return {center, radius};
-  return {center, min_radius > 0 ? min_radius : 1};
-}
 
 // The view's up if given, else +z, or +y when the view is along z.
 Vec3d complete_up(const View& view, const Vec3d& forward, const Text& text) {
@@ -67,10 +32,7 @@ Camera complete_view(const View& view, const Scene& scene, const Text& text) {
     camera.at = *view.look_at;
   } else {
     const Sphere<double> sphere = bounding_sphere(scene);
-    // The sphere fills the smaller of the image's height and width.
-    const double narrowing = min(1.0, static_cast<double>(camera.width) / camera.height);
-    const double half_angle = std::atan(narrowing * std::tan(camera.angle / 2 * std::numbers::pi / 180));
-    const double distance = max(sphere.radius / std::sin(half_angle), sphere.radius);
+    const double distance = framing_distance(sphere.radius, camera.angle, camera.width, camera.height);
     const Vec3d back = direction(default_direction) * -distance;
     camera.at = view.look_at.value_or(sphere.center);
     camera.from = view.from.value_or(camera.at + back);

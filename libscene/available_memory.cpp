@@ -1,4 +1,4 @@
-#include "libgrid/build/available_memory.h"
+#include "libscene/available_memory.h"
 
 #include <algorithm>
 #include <fstream>

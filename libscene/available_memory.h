@@ -1,4 +1,4 @@
-// How much memory a build may take.
+// How much memory this process may take.
 #pragma once
 
 #include <string>

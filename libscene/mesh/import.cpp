@@ -1,0 +1,325 @@
+#include "libscene/mesh/import.h"
+
+#include "libscene/available_memory.h"
+#include "libscene/error.h"
+#include "libscene/file/mapped_file.h"
+#include "libscene/material_table.h"
+#include "libscene/mesh/import_material.h"
+#include "libscene/mesh/import_normals.h"
+#include "libscene/mesh/import_transform.h"
+#include "libscene/mesh/import_view.h"
+#include "libscene/mesh/triangulate.h"
+
+#include <assimp/config.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace masu {
+namespace {
+
+using import::ImportedMaterial;
+using import::Transform;
+
+constexpr std::uint64_t max_objects = 0x7fffffff; // object indices are int32, with -1 for none
+constexpr double largest_coordinate = 1e100;
+constexpr double largest_float32_coordinate = 1e12;
+
+// A node that names a mesh.
+struct Instance {
+  const aiNode* node;
+  unsigned mesh;
+  Transform transform;
+};
+
+// Without recursion, for trees may be deep. Nodes of a file can be shared, and so more than its bytes: Assimp
+// has copied each.
+std::vector<Instance> instances_of(const aiScene& file, const std::string& name) {
+  std::vector<Instance> instances;
+  struct Step {
+    const aiNode* node;
+    Transform transform; // of its parent
+  };
+  std::vector<Step> pending{{file.mRootNode, {}}};
+  while (!pending.empty()) {
+    const auto [node, parent] = pending.back();
+    pending.pop_back();
+    const Transform transform = parent * import::transform_of(node->mTransformation);
+    for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+      if (node->mMeshes[i] >= file.mNumMeshes)
+        throw Error(
+            ErrorCode::input, name,
+            fmt::format("node {} names a mesh that doesn't exist: repair the file", node->mName.C_Str()));
+      if (file.mMeshes[node->mMeshes[i]]->mNumFaces > 0)
+        instances.push_back({node, node->mMeshes[i], transform});
+    }
+    for (unsigned i = node->mNumChildren; i > 0; --i)
+      pending.push_back({node->mChildren[i - 1], transform});
+  }
+  return instances;
+}
+
+// Throws where a face's corner isn't among its mesh's vertices. Returns the number of triangles of its faces.
+std::uint64_t count_triangles(const aiMesh& mesh, const std::string& name) {
+  std::uint64_t triangles = 0;
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    for (unsigned i = 0; i < face.mNumIndices; ++i)
+      if (face.mIndices[i] >= mesh.mNumVertices)
+        throw Error(ErrorCode::input, name,
+                    fmt::format("face {} of mesh '{}' has vertex {} of {}: repair the file", f,
+                                mesh.mName.C_Str(), face.mIndices[i], mesh.mNumVertices));
+    if (face.mNumIndices >= 3) triangles += face.mNumIndices - 2;
+  }
+  return triangles;
+}
+
+// Throws where the instances' triangles are too many for a scene or for the memory. Returns their number.
+std::uint64_t checked_size(const aiScene& file, const std::vector<Instance>& instances, bool smooth,
+                           const std::string& name) {
+  std::vector<std::uint64_t> of_mesh(file.mNumMeshes);
+  for (unsigned i = 0; i < file.mNumMeshes; ++i)
+    of_mesh[i] = count_triangles(*file.mMeshes[i], name);
+  std::uint64_t triangles = 0;
+  for (const Instance& instance : instances)
+    triangles += of_mesh[instance.mesh]; // at most 2^32 times 2^64 / 2^32 faces that are in memory
+  if (instances.size() > max_objects)
+    throw Error(ErrorCode::input, name, fmt::format("has more than {} objects: split the file", max_objects));
+  if (triangles > max_primitives)
+    throw Error(ErrorCode::input, name,
+                fmt::format("has more than {} triangles: split the file", max_primitives));
+  // In memory in double, and once more in float32 when written.
+  const std::uint64_t each =
+      sizeof(Triangle<double>) + sizeof(Triangle<float>) +
+      (smooth ? sizeof(CornerNormals<double>) + sizeof(CornerNormals<float>) : std::uint64_t{0});
+  const double needed = static_cast<double>(triangles) * static_cast<double>(each);
+  if (const double available = available_memory(); needed > available)
+    throw Error(ErrorCode::input, name,
+                fmt::format("its {} triangles, instances expanded, take {:.1f} GB of memory, and {:.1f} are "
+                            "available: split the file",
+                            triangles, needed / 1e9, available / 1e9));
+  return triangles;
+}
+
+// The state of an import. Vectors are members to reuse their memory.
+struct Importing {
+  const aiScene& file;
+  bool smooth;
+  ImportedScene result;
+  MaterialTable materials;
+  std::vector<ImportedMaterial> of_file;
+  std::vector<std::vector<Vec3d>> generated_normals; // of each mesh, when first needed
+  std::vector<Vec3d> corners, normals;               // of a face
+  std::vector<unsigned> vertices;                    // the corners' indices
+  Triangulation triangulation;
+};
+
+bool is_valid(const Vec3d& p) {
+  return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate &&
+         std::abs(p.z) <= largest_coordinate; // not for NaN
+}
+
+// v with a length of 1, or else the other one.
+Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
+  if (!is_valid(v) || largest_magnitude(v) == 0) return otherwise;
+  return normalized(v * (1 / largest_magnitude(v)));
+}
+
+// The vertices' normals in the mesh's coordinates.
+class NormalsOfMesh {
+public:
+  // STL has the normals of its facets only: they wouldn't smooth anything.
+  NormalsOfMesh(Importing& state, unsigned index)
+      : mesh_(*state.file.mMeshes[index]), generated_(state.generated_normals[index]) {
+    has_own_ = mesh_.HasNormals() && !import::is_format(state.file, "(STL)");
+    if (!has_own_ && generated_.empty()) generated_ = import::vertex_normals(mesh_);
+  }
+  Vec3d operator[](unsigned vertex) const {
+    return has_own_ ? import::vector_of(mesh_.mNormals[vertex]) : generated_[vertex];
+  }
+
+private:
+  const aiMesh& mesh_;
+  std::vector<Vec3d>& generated_;
+  bool has_own_;
+};
+
+// The mean of the corners' colours in steps of 1/63, so that their number is bounded.
+Vec3f mean_color(const aiColor4D& a, const aiColor4D& b, const aiColor4D& c) {
+  const auto mean = [](float x, float y, float z) {
+    const float sum = (x + y + z) / 3;
+    return std::round(63 * (sum > 0 ? std::min(sum, 1.0F) : 0.0F)) / 63; // NaN: 0
+  };
+  return {mean(a.r, b.r, c.r), mean(a.g, b.g, c.g), mean(a.b, b.b, c.b)};
+}
+
+Material colored(const ImportedMaterial& of_file, const Vec3f& color) {
+  Material material = of_file.material;
+  material.color = of_file.multiplies_vertex_colors ? material.color * color : color;
+  return material;
+}
+
+// Adds the triangles of the face whose corners, in the scene's coordinates, are state.corners.
+void add_face(Importing& state, const aiMesh& mesh, std::uint32_t object) {
+  Scene& scene = state.result.scene;
+  if (!std::all_of(state.corners.begin(), state.corners.end(), is_valid)) {
+    ++state.result.notes.invalid_faces;
+    return;
+  }
+  triangulate(state.corners, state.triangulation);
+  if (state.triangulation.triangles.empty()) {
+    ++scene.warnings.degenerate_polygons;
+    return;
+  }
+  scene.warnings.degenerate_triangles += state.triangulation.slivers;
+  if (state.triangulation.crosses_itself) ++scene.warnings.self_crossing_polygons;
+  const ImportedMaterial& material = state.of_file[mesh.mMaterialIndex];
+  const aiColor4D* const colors = mesh.mColors[0];
+  std::uint32_t index = colors == nullptr ? state.materials.index_of(material.material) : 0;
+  for (const auto& [a, b, c] : state.triangulation.triangles) {
+    if (colors != nullptr) {
+      const auto& v = state.vertices;
+      index =
+          state.materials.index_of(colored(material, mean_color(colors[v[a]], colors[v[b]], colors[v[c]])));
+    }
+    const Vec3d &pa = state.corners[a], &pb = state.corners[b], &pc = state.corners[c];
+    std::uint64_t normals = no_normals;
+    if (state.smooth) {
+      normals = scene.normals.size();
+      const Vec3d flat = unit_or(cross(pb - pa, pc - pa), {0, 0, 1});
+      scene.normals.push_back({unit_or(state.normals[a], flat), unit_or(state.normals[b], flat),
+                               unit_or(state.normals[c], flat)});
+    }
+    scene.triangles.push_back({pa, object, pb, index, pc, normals});
+  }
+}
+
+void add_instance(Importing& state, const Instance& instance, std::uint32_t object) {
+  const aiMesh& mesh = *state.file.mMeshes[instance.mesh];
+  const import::NormalTransform of_normals = import::normal_transform(instance.transform);
+  std::optional<NormalsOfMesh> normals;
+  if (state.smooth) normals.emplace(state, instance.mesh);
+  for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+    const aiFace& face = mesh.mFaces[f];
+    if (face.mNumIndices < 3) {
+      ++state.result.notes.points_and_lines;
+      continue;
+    }
+    state.vertices.assign(face.mIndices, face.mIndices + face.mNumIndices);
+    // Mirroring turns fronts into backs.
+    if (of_normals.mirrors) std::reverse(state.vertices.begin() + 1, state.vertices.end());
+    state.corners.clear();
+    for (const unsigned vertex : state.vertices)
+      state.corners.push_back(
+          import::transformed_point(instance.transform, import::vector_of(mesh.mVertices[vertex])));
+    state.normals.clear();
+    if (normals)
+      for (const unsigned vertex : state.vertices)
+        state.normals.push_back(import::transformed_direction(of_normals.cofactors, (*normals)[vertex]));
+    add_face(state, mesh, object);
+  }
+  ++(state.smooth ? state.result.scene.objects.patches : state.result.scene.objects.polygons);
+  const std::string_view node = instance.node->mName.C_Str(), own = mesh.mName.C_Str();
+  state.result.object_names.push_back(own.empty() || own == node ? std::string(node)
+                                                                 : fmt::format("{}/{}", node, own));
+}
+
+void read_materials(Importing& state, const std::string& name) {
+  for (unsigned i = 0; i < state.file.mNumMaterials; ++i) {
+    state.of_file.push_back(import::imported_material(*state.file.mMaterials[i]));
+    state.result.notes.textured_materials += state.of_file.back().has_textures ? 1 : 0;
+  }
+  for (unsigned i = 0; i < state.file.mNumMeshes; ++i)
+    if (state.file.mMeshes[i]->mMaterialIndex >= state.file.mNumMaterials)
+      throw Error(ErrorCode::input, name,
+                  fmt::format("mesh '{}' has a material that doesn't exist: repair the file",
+                              state.file.mMeshes[i]->mName.C_Str()));
+}
+
+ImportedScene imported(const aiScene& file, const std::string& name, const ImportOptions& options) {
+  const std::vector<Instance> instances =
+      file.mRootNode != nullptr ? instances_of(file, name) : std::vector<Instance>{};
+  const std::uint64_t triangles = checked_size(file, instances, options.smooth, name);
+  if (triangles == 0)
+    throw Error(ErrorCode::input, name, "has no face of three corners or more: give a mesh of polygons");
+  Importing state{file, options.smooth, {}, {}, {}, {}, {}, {}, {}, {}};
+  read_materials(state, name);
+  state.generated_normals.resize(file.mNumMeshes);
+  Scene& scene = state.result.scene;
+  scene.triangles.reserve(triangles);
+  if (options.smooth) scene.normals.reserve(triangles);
+  for (std::size_t i = 0; i < instances.size(); ++i)
+    add_instance(state, instances[i], static_cast<std::uint32_t>(i));
+  scene.materials = std::move(state.materials.materials);
+  import::import_view(file, options, state.result);
+  scene.float32_suffices =
+      std::all_of(scene.triangles.begin(), scene.triangles.end(),
+                  [](const Triangle<double>& t) {
+                    return largest_magnitude(bounds(t)) <= largest_float32_coordinate;
+                  }) &&
+      std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light<double>& light) {
+        return largest_magnitude(light.position) <= largest_float32_coordinate;
+      });
+  return std::move(state.result);
+}
+
+// Without any of Assimp's processing steps: it would triangulate, join and reorder differently.
+constexpr unsigned no_steps = 0;
+
+// Assimp 5.2 never ends on a PLY file that is cut off in its header.
+void check_header(std::span<const std::uint8_t> bytes, const std::string& name) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const auto is = [&](std::size_t i, char c) {
+    return text.size() > i && (text[i] | ' ') == c;
+  }; // in any case
+  if (is(0, 'p') && is(1, 'l') && is(2, 'y') && text.find("\nend_header") == std::string_view::npos &&
+      text.find("\rend_header") == std::string_view::npos)
+    throw Error(ErrorCode::input, name, "is a PLY file without end_header: complete it");
+}
+
+void set_up(Assimp::Importer& importer) {
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+}
+
+// Assimp's message as one line.
+[[noreturn]] void fail(const Assimp::Importer& importer, const std::string& name) {
+  std::string message = importer.GetErrorString();
+  if (message == "std::bad_alloc") message = "reading it needs more memory than is available: split the file";
+  for (char& c : message)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  while (!message.empty() && message.back() == ' ')
+    message.pop_back();
+  if (message.empty()) message = "can't be read: give a mesh in a format that Assimp reads";
+  throw Error(ErrorCode::input, name, message);
+}
+
+} // namespace
+
+ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
+  check_header(MappedFile(path).bytes(), path);
+  Assimp::Importer importer;
+  set_up(importer);
+  const aiScene* const file = importer.ReadFile(path, no_steps);
+  if (file == nullptr) fail(importer, path);
+  return imported(*file, path, options);
+}
+
+ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
+                         const std::string& name, const ImportOptions& options) {
+  check_header(bytes, name);
+  Assimp::Importer importer;
+  set_up(importer);
+  const aiScene* const file =
+      importer.ReadFileFromMemory(bytes.data(), bytes.size(), no_steps, extension.c_str());
+  if (file == nullptr) fail(importer, name);
+  return imported(*file, name, options);
+}
+
+} // namespace masu

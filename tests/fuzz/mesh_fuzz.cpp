@@ -1,0 +1,24 @@
+// libFuzzer target: any bytes as a mesh throw Error, or become a scene. The first byte selects the format.
+// Assimp's own faults end it, too, which mesh2bin reports as an invalid file.
+#include "libscene/error.h"
+#include "libscene/mesh/import.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+// Assimp leaks some of what it has read of an invalid file.
+extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserved-identifier)
+  return "leak:libassimp";
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  constexpr std::array formats{"ply", "obj", "stl", "gltf", "glb", "off"};
+  try {
+    masu::parse_mesh({data + 1, size - 1}, formats[data[0] / 2 % formats.size()], "fuzz",
+                     {.smooth = data[0] % 2 != 0});
+  } catch (const masu::Error&) {
+  }
+  return 0;
+}

@@ -1,0 +1,5 @@
+#!/bin/sh
+# Writes a tool's man page: man.sh TOOL VERSION PAGE.
+set -e
+help2man --no-info --no-discard-stderr --section=1 --version-string="$2" --source="Masu $2" --manual="Masu" \
+  --name="$("$1" --help | head -n 1)" --output="$3" "$1"
