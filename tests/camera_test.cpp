@@ -4,6 +4,8 @@
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -121,22 +123,27 @@ TEST(Image, PixelIsTheMeanOfItsCornersOrItsCentre) {
   frame.rows = 3;
   for (int i = 0; i < 12; ++i)
     frame.radiance.push_back(chance.color());
-  const Image corners = image_of(frame, Sampling::corners), centers = image_of(frame, Sampling::centers);
-  ASSERT_EQ(corners.width, 3);
-  ASSERT_EQ(corners.height, 2);
+  ASSERT_EQ(image_width(frame, Sampling::corners), 3);
+  ASSERT_EQ(image_height(frame, Sampling::corners), 2);
+  std::array<Vec3f, 3> corners{};
   for (std::size_t y = 0; y < 2; ++y) {
+    image_row(frame, Sampling::corners, static_cast<std::int32_t>(y), corners);
     for (std::size_t x = 0; x < 3; ++x) {
       const std::size_t i = y * 4 + x;
       for (int channel = 0; channel < 3; ++channel) {
         const float sum = frame.radiance[i][channel] + frame.radiance[i + 1][channel] +
                           frame.radiance[i + 4][channel] + frame.radiance[i + 5][channel];
-        EXPECT_FLOAT_EQ(corners.pixels[y * 3 + x][channel], sum / 4);
+        EXPECT_FLOAT_EQ(corners[x][channel], sum / 4);
       }
     }
   }
-  EXPECT_EQ(centers.width, 4);
-  EXPECT_EQ(centers.height, 3);
-  EXPECT_EQ(centers.pixels, frame.radiance);
+  ASSERT_EQ(image_width(frame, Sampling::centers), 4);
+  ASSERT_EQ(image_height(frame, Sampling::centers), 3);
+  std::array<Vec3f, 4> centers{};
+  for (std::size_t y = 0; y < 3; ++y) {
+    image_row(frame, Sampling::centers, static_cast<std::int32_t>(y), centers);
+    EXPECT_TRUE(std::ranges::equal(centers, std::span(frame.radiance).subspan(4 * y, 4)));
+  }
 }
 
 // The radiance of a white diffuse wall that faces all lights: their sum and the ambient light.

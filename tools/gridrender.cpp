@@ -111,7 +111,7 @@ void check(const Settings& settings) {
     fail("--rays", "needs --hits, --stats or --times, or nothing would be written");
   if (settings.grid.empty() && !settings.brute_force)
     fail("GRID", "is missing: name the grid file, or give --brute-force");
-  if (!settings.output.empty()) check_image_name(settings.output);
+  if (!settings.output.empty()) static_cast<void>(image_format(settings.output));
   check_files({settings.scene, settings.grid, settings.rays},
               {settings.output, settings.hits, settings.stats, settings.times});
 }
@@ -153,7 +153,8 @@ void render(const Settings& settings) {
     const Frame frame = repeated(0, settings.repeat, [&] { return tracer.render(request); });
     finish(frame, [&] {
       if (!settings.output.empty())
-        write_image(image_of(frame, settings.sampling), settings.output, settings.srgb);
+        write_image(frame, settings.output,
+                    {image_format(settings.output), settings.sampling, settings.srgb});
     });
   } else {
     const std::vector<ListedRay> rays = settings.ray_store == Store::float64
