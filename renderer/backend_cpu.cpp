@@ -24,7 +24,8 @@ void add(Counts&, const NoCounts&) {}
 template <class M, class Stored, class Grid, class C>
 void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
             const C&) {
-  const auto rays = camera_rays<typename M::Real>(request.camera, request.sampling, request.hither);
+  const auto rays =
+      camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
   tbb::combinable<Counts> totals;
   const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
                                std::int32_t end_row) {

@@ -47,10 +47,11 @@ struct FrameRequest {
   Sampling sampling = Sampling::corners;
   bool hither = false; // camera rays start at the camera's hither distance
   RenderRules rules{5, false, HitName::object};
-  bool hits = false; // report the hit of each camera ray
+  bool hits = false;  // report the hit of each camera ray
+  RayWindow window{}; // the camera rays to trace; all, where it has no columns
 };
 
-// The camera rays' radiance and hits, row by row from the top.
+// The camera rays' radiance and hits, row by row from the top: of the window.
 struct Frame {
   std::int32_t columns = 0, rows = 0;
   std::vector<Vec3f> radiance;
@@ -137,7 +138,7 @@ public:
   double upload_seconds() const { return upload_seconds_; }
 
   // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), and for a depth that isn't
-  // from 1 to largest_depth; Error(device).
+  // from 1 to largest_depth, or a window that isn't within the picture; Error(device).
   Frame render(const FrameRequest& request) const;
   RayHits trace(std::span<const ListedRay> rays, const RaysRequest& request) const;
   // request.tracing.precision must be the rays'.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -85,6 +86,60 @@ TEST(Camera, RaysPassThroughPixelCornersOrCentres) {
         }
       }
     }
+  }
+}
+
+TEST(Camera, AWindowHasTheSameBitsAsTheWhole) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+  scene.camera.width = 37;
+  scene.camera.height = 29;
+  for (int i = 0; i < 20; ++i)
+    add_sphere(scene, chance.direction() * chance.between(0, 3), chance.between(0.1, 1),
+               matte(chance.color()));
+  for (const Store store : {Store::float32, Store::float64}) {
+    const Rendering rendering(scene, store);
+    for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
+      FrameRequest request = rendering.request();
+      request.sampling = sampling;
+      const Frame whole = rendering.frame(request);
+      for (int i = 0; i < 10; ++i) {
+        RayWindow& window = request.window;
+        window.first_column = static_cast<std::int32_t>(chance.between(0, whole.columns));
+        window.first_row = static_cast<std::int32_t>(chance.between(0, whole.rows));
+        window.columns =
+            1 + static_cast<std::int32_t>(chance.between(0, whole.columns - window.first_column));
+        window.rows = 1 + static_cast<std::int32_t>(chance.between(0, whole.rows - window.first_row));
+        const Frame part = rendering.frame(request);
+        ASSERT_EQ(part.columns, window.columns);
+        ASSERT_EQ(part.rows, window.rows);
+        for (std::int32_t row = 0; row < part.rows; ++row) {
+          const std::int32_t in_part = row * part.columns,
+                             in_whole = (window.first_row + row) * whole.columns + window.first_column;
+          EXPECT_EQ(std::memcmp(&part.radiance[static_cast<std::size_t>(in_part)],
+                                &whole.radiance[static_cast<std::size_t>(in_whole)],
+                                static_cast<std::size_t>(part.columns) * sizeof(Vec3f)),
+                    0);
+          EXPECT_EQ(std::memcmp(&part.hits[static_cast<std::size_t>(in_part)],
+                                &whole.hits[static_cast<std::size_t>(in_whole)],
+                                static_cast<std::size_t>(part.columns) * sizeof(HitRecord)),
+                    0);
+        }
+      }
+    }
+  }
+}
+
+TEST(Camera, AWindowOutsideThePictureIsRefused) {
+  const Rendering rendering(empty_scene({0, 0, 5}, {0, 0, 0}), Store::float32); // 3×3 corner rays
+  for (const RayWindow& window : {RayWindow{-1, 0, 1, 1}, RayWindow{0, -1, 1, 1}, RayWindow{3, 0, 1, 1},
+                                  RayWindow{0, 3, 1, 1}, RayWindow{1, 0, 3, 1}, RayWindow{0, 1, 1, 3},
+                                  RayWindow{0, 0, 1, 0}, RayWindow{1, 1, 0x7fffffff, 1}}) {
+    FrameRequest request = rendering.request();
+    request.window = window;
+    EXPECT_THROW(static_cast<void>(rendering.frame(request)), Error);
   }
 }
 
