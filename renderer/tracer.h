@@ -47,8 +47,9 @@ struct FrameRequest {
   Sampling sampling = Sampling::corners;
   bool hither = false; // camera rays start at the camera's hither distance
   RenderRules rules{5, false, HitName::object};
-  bool hits = false;  // report the hit of each camera ray
-  RayWindow window{}; // the camera rays to trace; all, where it has no columns
+  bool hits = false;                      // report the hit of each camera ray
+  RayWindow window{};                     // the camera rays to trace; all, where it has no columns
+  std::function<void(double)> progress{}; // gets the share of rays traced, from any thread; on the CPU only
 };
 
 // The camera rays' radiance and hits, row by row from the top: of the window.

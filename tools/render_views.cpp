@@ -61,6 +61,9 @@ public:
     FrameRequest frame = request_.frame;
     frame.camera = request_.views[task.view].camera;
     frame.window = task.window;
+    // The CPU traces views in order, and that takes the time.
+    const auto views = static_cast<double>(request_.views.size());
+    frame.progress = [&](double share) { progress_((static_cast<double>(task.view) + share) / views); };
     queries_.acquire();
     const std::shared_ptr<void> released(nullptr, [&](void*) { queries_.release(); });
     // A thread that waits for the view's last rays doesn't begin another task meanwhile.
@@ -88,7 +91,9 @@ public:
     report_.seconds.upload += frame.seconds.upload;
     report_.seconds.download += frame.seconds.download;
     report_.write_seconds += watch.seconds();
-    progress_(static_cast<double>(++finished_) / static_cast<double>(request_.views.size()));
+    ++finished_;
+    if (tracer_.device() == Device::cuda)
+      progress_(static_cast<double>(finished_) / static_cast<double>(request_.views.size()));
   }
 
   const ViewsReport& report() const { return report_; }
@@ -125,7 +130,7 @@ ViewsReport render_views(const Tracer& tracer, const ViewsRequest& request,
   ViewsRenderer renderer(tracer, request, progress);
   // The CPU's threads share each view's rays; a GPU's tasks wait for each other only on the device.
   const auto tracing =
-      tracer.device() == Device::cuda ? tbb::filter_mode::parallel : tbb::filter_mode::serial_out_of_order;
+      tracer.device() == Device::cuda ? tbb::filter_mode::parallel : tbb::filter_mode::serial_in_order;
   std::size_t next = 0;
   tbb::parallel_pipeline(
       views_under_way(request),

@@ -33,8 +33,8 @@ struct ViewsReport {
   double elapsed_seconds = 0; // from the first ray to the last byte
 };
 
-// Files are the same bytes for any number of threads. `progress` gets the finished share, by one thread at a
-// time. When it throws (Error of the tracer and of output files), files of some views have been written, each
+// Files are the same bytes for any number of threads. `progress` gets the finished share, from any thread.
+// When it throws (Error of the tracer and of output files), files of some views have been written, each
 // whole.
 ViewsReport render_views(const Tracer& tracer, const ViewsRequest& request,
                          const std::function<void(double)>& progress);
