@@ -24,8 +24,10 @@ void add(Counts&, const NoCounts&) {}
 template <class M, class Stored, class Grid, class C>
 void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
             const C&) {
-  const auto rays = camera_rays<typename M::Real>(request.camera, request.sampling, request.hither);
+  const auto rays =
+      camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
   tbb::combinable<Counts> totals;
+  std::atomic<std::size_t> traced = 0;
   const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
                                std::int32_t end_row) {
     C counts;
@@ -40,6 +42,10 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
       }
     }
     add(totals.local(), counts);
+    if (!request.progress) return;
+    const std::size_t count =
+        static_cast<std::size_t>(end_column - first_column) * static_cast<std::size_t>(end_row - first_row);
+    request.progress(static_cast<double>(traced += count) / static_cast<double>(frame.radiance.size()));
   };
   tbb::parallel_for(tbb::blocked_range2d<std::int32_t>(0, frame.rows, task_side, 0, frame.columns, task_side),
                     [&](const auto& range) {

@@ -12,43 +12,60 @@ namespace masu {
 // pixel. centers: a ray through every pixel's centre.
 enum class Sampling { corners, centers };
 
-// A lattice of rays: columns × rows, row 0 on top. The view's angle spans the image's height from edge to
-// edge.
+// A part of a picture's camera rays, which are numbered from the top left. No columns: all of them.
+struct RayWindow {
+  std::int32_t first_column = 0, first_row = 0, columns = 0, rows = 0;
+};
+
+// Of a whole picture.
+inline RayWindow all_rays(const Camera& camera, Sampling sampling) {
+  const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
+  return {0, 0, camera.width + more, camera.height + more};
+}
+
+// A window of camera rays. The view's angle spans the whole image's height from edge to edge; a ray is the
+// same bits in every window.
 template <class Real>
 struct CameraRays {
   Vec3<Real> eye;
   Vec3<Real> forward, right, up; // right and up reach from the image's middle to its edge at distance 1
-  std::int32_t width, height;    // pixels
-  std::int32_t columns, rows;
+  std::int32_t width, height;    // pixels of the whole picture
+  std::int32_t first_column, first_row, columns, rows;
   Real offset; // of a column or row, in half pixels: 0 corners, 1 centres
   Real hither; // rays start this far ahead; 0: at the eye
 };
 
 // The camera must have a direction, and `up` another one.
 template <class Real>
-CameraRays<Real> camera_rays(const Camera& camera, Sampling sampling, bool with_hither) {
+CameraRays<Real> camera_rays(const Camera& camera, Sampling sampling, bool with_hither,
+                             const RayWindow& part = {}) {
   const Vec3d forward = normalized(camera.at - camera.from);
   const Vec3d right = normalized(cross(forward, camera.up));
   const Vec3d up = cross(right, forward);
   const double reach = std::tan(camera.angle * std::numbers::pi / 360);
   const double aspect = static_cast<double>(camera.width) / camera.height;
-  const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
+  const RayWindow window = part.columns > 0 ? part : all_rays(camera, sampling);
   return {cast<Real>(camera.from),
           cast<Real>(forward),
           cast<Real>(right * (reach * aspect)),
           cast<Real>(up * reach),
           camera.width,
           camera.height,
-          camera.width + more,
-          camera.height + more,
+          window.first_column,
+          window.first_row,
+          window.columns,
+          window.rows,
           sampling == Sampling::corners ? Real(0) : Real(1),
           with_hither ? static_cast<Real>(camera.hither) : Real(0)};
 }
 
+// column, row: in the window.
 template <class Real>
 MASU_HD inline Ray<Real> camera_ray(const CameraRays<Real>& rays, std::int32_t column, std::int32_t row) {
-  const Real x = (2 * static_cast<Real>(column) + rays.offset) / static_cast<Real>(rays.width) - 1;
-  const Real y = 1 - (2 * static_cast<Real>(row) + rays.offset) / static_cast<Real>(rays.height);
+  const Real x =
+      (2 * static_cast<Real>(rays.first_column + column) + rays.offset) / static_cast<Real>(rays.width) - 1;
+  const Real y =
+      1 - (2 * static_cast<Real>(rays.first_row + row) + rays.offset) / static_cast<Real>(rays.height);
   const Vec3<Real> towards = fma(rays.right, x, fma(rays.up, y, rays.forward));
   const Real ahead = rays.hither;
   return unbounded_ray(ahead > 0 ? fma(towards, ahead, rays.eye) : rays.eye, normalized(towards));

@@ -2,71 +2,97 @@
 
 #include "libscene/error.h"
 #include "libscene/file/output_file.h"
-#include "renderer/png_file.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 namespace masu {
 namespace {
 
-bool ends_with(const std::string& path, const char* end) {
-  return std::string_view(path).ends_with(end);
+constexpr std::int32_t rows_a_task = 16;
+
+template <bool srgb>
+std::uint8_t byte_of(float value) {
+  float v = value > 0 ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
+  if constexpr (srgb) v = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+  return static_cast<std::uint8_t>(static_cast<double>(v * 255) + 0.5); // std::lround, but vectorized
 }
 
-std::uint8_t byte_of(float value, bool srgb) {
-  const float held = value > 0 ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
-  const float encoded = !srgb                ? held
-                        : held <= 0.0031308F ? 12.92F * held
-                                             : 1.055F * std::pow(held, 1 / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(std::lround(encoded * 255));
+template <bool srgb>
+std::vector<std::uint8_t> rgb_of(const Frame& frame, Sampling sampling) {
+  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> rgb(row_bytes * static_cast<std::size_t>(height));
+  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_a_task), [&](const auto& range) {
+    std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
+    for (std::int32_t row = range.begin(); row != range.end(); ++row) {
+      image_row(frame, sampling, row, pixels);
+      std::uint8_t* bytes = rgb.data() + static_cast<std::size_t>(row) * row_bytes;
+      for (const Vec3f& pixel : pixels) {
+        *bytes++ = byte_of<srgb>(pixel.x);
+        *bytes++ = byte_of<srgb>(pixel.y);
+        *bytes++ = byte_of<srgb>(pixel.z);
+      }
+    }
+  });
+  return rgb;
 }
 
-void write_pfm(const Image& image, const std::string& path) {
-  OutputFile file(path);
-  const std::string head = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height); // -1: little-endian
+void write_pfm(const Frame& frame, Sampling sampling, OutputFile& file) {
+  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
+  const std::string head = fmt::format("PF\n{} {}\n-1.0\n", width, height); // -1: little-endian
   file.write(head.data(), head.size());
-  const auto width = static_cast<std::size_t>(image.width);
-  for (std::size_t row = static_cast<std::size_t>(image.height); row-- > 0;) { // from the bottom up
-    file.write(image.pixels.data() + row * width, width * sizeof(Vec3f));
+  std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
+  for (std::int32_t row = height; row-- > 0;) { // from the bottom up
+    image_row(frame, sampling, row, pixels);
+    file.write(pixels.data(), pixels.size() * sizeof(Vec3f));
   }
-  file.commit();
 }
 
 } // namespace
 
-Image image_of(const Frame& frame, Sampling sampling) {
-  if (sampling == Sampling::centers) return {frame.columns, frame.rows, frame.radiance};
-  Image image{frame.columns - 1, frame.rows - 1, {}};
-  image.pixels.reserve(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+ImageFormat image_format(const std::string& path) {
+  if (std::string_view(path).ends_with(".png")) return ImageFormat::png;
+  if (std::string_view(path).ends_with(".pfm")) return ImageFormat::pfm;
+  throw Error(ErrorCode::usage, path, "isn't a kind of picture this program writes: name it .png or .pfm");
+}
+
+std::int32_t image_width(const Frame& frame, Sampling sampling) {
+  return frame.columns - (sampling == Sampling::corners ? 1 : 0);
+}
+std::int32_t image_height(const Frame& frame, Sampling sampling) {
+  return frame.rows - (sampling == Sampling::corners ? 1 : 0);
+}
+
+void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels) {
   const auto columns = static_cast<std::size_t>(frame.columns);
-  for (std::size_t row = 0; row + 1 < static_cast<std::size_t>(frame.rows); ++row) {
-    for (std::size_t column = 0; column + 1 < columns; ++column) {
-      const Vec3f* const top = frame.radiance.data() + row * columns + column;
-      image.pixels.push_back(((top[0] + top[1]) + (top[columns] + top[columns + 1])) * 0.25F);
-    }
+  const Vec3f* const top = frame.radiance.data() + static_cast<std::size_t>(row) * columns;
+  if (sampling == Sampling::centers) {
+    std::copy_n(top, pixels.size(), pixels.begin());
+    return;
   }
-  return image;
+  const Vec3f* const bottom = top + columns;
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = ((top[i] + top[i + 1]) + (bottom[i] + bottom[i + 1])) * 0.25F;
 }
 
-void check_image_name(const std::string& path) {
-  if (!ends_with(path, ".png") && !ends_with(path, ".pfm")) {
-    throw Error(ErrorCode::usage, path, "isn't a kind of picture this program writes: name it .png or .pfm");
+void write_image(const Frame& frame, const std::string& path, const ImageOptions& options) {
+  OutputFile file(path);
+  if (options.format == ImageFormat::pfm) {
+    write_pfm(frame, options.sampling, file);
+  } else {
+    PngWriter png(file, image_width(frame, options.sampling), image_height(frame, options.sampling),
+                  options.texts);
+    png.write_rows(options.srgb ? rgb_of<true>(frame, options.sampling)
+                                : rgb_of<false>(frame, options.sampling));
   }
-}
-
-void write_image(const Image& image, const std::string& path, bool srgb) {
-  check_image_name(path);
-  if (ends_with(path, ".pfm")) return write_pfm(image, path);
-  std::vector<std::uint8_t> rgb;
-  rgb.reserve(image.pixels.size() * 3);
-  for (const Vec3f& pixel : image.pixels) {
-    for (int channel = 0; channel < 3; ++channel)
-      rgb.push_back(byte_of(pixel[channel], srgb));
-  }
-  write_png(rgb, image.width, image.height, path);
+  file.commit();
 }
 
 } // namespace masu

@@ -1,27 +1,35 @@
-// Pictures: made from the layout of eye rays, written as PNG or PFM.
+// Pictures: made from frames of camera rays, written as PNG or PFM.
 #pragma once
 
+#include "renderer/png_file.h"
 #include "renderer/tracer.h"
 
+#include <span>
 #include <string>
-#include <vector>
 
 namespace masu {
 
-// Linear colour, row by row from the top.
-struct Image {
-  std::int32_t width, height;
-  std::vector<Vec3f> pixels;
+enum class ImageFormat { png, pfm };
+
+// By the file name's end, .png or .pfm. Throws Error(usage, path, …) for another one.
+ImageFormat image_format(const std::string& path);
+
+// Pixels of a frame.
+std::int32_t image_width(const Frame& frame, Sampling sampling);
+std::int32_t image_height(const Frame& frame, Sampling sampling);
+
+// Row `row` from the top, linear: each pixel the mean of its four corners, or its centre. `pixels` has the
+// picture's width.
+void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels);
+
+struct ImageOptions {
+  ImageFormat format = ImageFormat::png;
+  Sampling sampling = Sampling::corners;
+  bool srgb = false; // PNG: encode values as sRGB; otherwise they are stored as they are
+  PngTexts texts{};
 };
 
-// Each pixel the mean of its four corners, or its centre.
-Image image_of(const Frame& frame, Sampling sampling);
-
-// By the file name's end: .png (8 bits a channel; values stored as they are, or sRGB-encoded; above 1 they
-// are cut off) or .pfm (32-bit floats). Throws Error(usage) for another end, Error(output).
-void write_image(const Image& image, const std::string& path, bool srgb);
-
-// Whether write_image knows the file name's end. Throws Error(usage, path, …) if not.
-void check_image_name(const std::string& path);
+// PNG: 8 bits a channel; values above 1 are cut off. PFM: 32-bit floats. Throws Error(output).
+void write_image(const Frame& frame, const std::string& path, const ImageOptions& options);
 
 } // namespace masu

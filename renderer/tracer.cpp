@@ -42,13 +42,28 @@ ResidentRays resident_rays(std::span<const Ray<double>> rays, Device device) {
   return resident;
 }
 
+// Whether `count` from `first` on lie below `end`, and are at least one.
+bool is_within(std::int32_t first, std::int32_t count, std::int32_t end) {
+  return first >= 0 && count > 0 && first < end && count <= end - first;
+}
+
+void check_window(const RayWindow& window, const RayWindow& all) {
+  if (!is_within(window.first_column, window.columns, all.columns) ||
+      !is_within(window.first_row, window.rows, all.rows))
+    throw Error(ErrorCode::usage, "window",
+                fmt::format("{} x {} rays from column {}, row {} aren't within the picture's {} x {}",
+                            window.columns, window.rows, window.first_column, window.first_row, all.columns,
+                            all.rows));
+}
+
 } // namespace
 
 Frame empty_frame(const FrameRequest& request) {
   Frame frame;
-  const std::int32_t more = request.sampling == Sampling::corners ? 1 : 0;
-  frame.columns = request.camera.width + more;
-  frame.rows = request.camera.height + more;
+  const RayWindow window =
+      request.window.columns > 0 ? request.window : all_rays(request.camera, request.sampling);
+  frame.columns = window.columns;
+  frame.rows = window.rows;
   const std::size_t rays = static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
   frame.radiance.resize(rays);
   if (request.hits) frame.hits.resize(rays);
@@ -80,6 +95,7 @@ TracingRules Tracer::resolved(TracingRules rules) const {
 
 Frame Tracer::render(const FrameRequest& request) const {
   check_depth(request.rules.depth);
+  if (request.window.columns > 0) check_window(request.window, all_rays(request.camera, request.sampling));
   FrameRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   return device_ == Device::cuda ? render_cuda(*files_, scene_, grid_, resolved_request)

@@ -49,10 +49,12 @@ struct FrameRequest {
   Sampling sampling = Sampling::corners;
   bool hither = false; // camera rays start at the camera's hither distance
   RenderRules rules{5, false, HitName::object};
-  bool hits = false; // report the hit of each camera ray
+  bool hits = false;                      // report the hit of each camera ray
+  RayWindow window{};                     // the camera rays to trace; all, where it has no columns
+  std::function<void(double)> progress{}; // gets the share of rays traced, from any thread; on the CPU only
 };
 
-// The camera rays' radiance and hits, row by row from the top.
+// The camera rays' radiance and hits, row by row from the top: of the window.
 struct Frame {
   std::int32_t columns = 0, rows = 0;
   std::vector<Vec3f> radiance;
@@ -147,8 +149,9 @@ public:
   // Of putting the files on the device, and of checking them.
   double upload_seconds() const { return upload_seconds_; }
 
-  // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), for a depth that isn't
-  // from 1 to largest_depth, and for results that the query needs and doesn't have; Error(device).
+  // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), for a depth that isn't from
+  // 1 to largest_depth or a window that isn't within the picture, and for results that a query needs and
+  // doesn't have; Error(device).
   Frame render(const FrameRequest& request) const;
 
   // Rays and results in host memory; on a GPU they are copied there in pieces while others are traced. No

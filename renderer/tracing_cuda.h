@@ -80,7 +80,8 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
                                   stream);
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = files.grid.moved(view);
-    const auto rays = camera_rays<typename M::Real>(request.camera, request.sampling, request.hither);
+    const auto rays =
+        camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
     const auto tiles = [](std::int32_t side) {
       return static_cast<unsigned>((side + tile_side - 1) / tile_side);
     };

@@ -4,7 +4,10 @@
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -86,6 +89,60 @@ TEST(Camera, RaysPassThroughPixelCornersOrCentres) {
   }
 }
 
+TEST(Camera, AWindowHasTheSameBitsAsTheWhole) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+  scene.camera.width = 37;
+  scene.camera.height = 29;
+  for (int i = 0; i < 20; ++i)
+    add_sphere(scene, chance.direction() * chance.between(0, 3), chance.between(0.1, 1),
+               matte(chance.color()));
+  for (const Store store : {Store::float32, Store::float64}) {
+    const Rendering rendering(scene, store);
+    for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
+      FrameRequest request = rendering.request();
+      request.sampling = sampling;
+      const Frame whole = rendering.frame(request);
+      for (int i = 0; i < 10; ++i) {
+        RayWindow& window = request.window;
+        window.first_column = static_cast<std::int32_t>(chance.between(0, whole.columns));
+        window.first_row = static_cast<std::int32_t>(chance.between(0, whole.rows));
+        window.columns =
+            1 + static_cast<std::int32_t>(chance.between(0, whole.columns - window.first_column));
+        window.rows = 1 + static_cast<std::int32_t>(chance.between(0, whole.rows - window.first_row));
+        const Frame part = rendering.frame(request);
+        ASSERT_EQ(part.columns, window.columns);
+        ASSERT_EQ(part.rows, window.rows);
+        for (std::int32_t row = 0; row < part.rows; ++row) {
+          const std::int32_t in_part = row * part.columns,
+                             in_whole = (window.first_row + row) * whole.columns + window.first_column;
+          EXPECT_EQ(std::memcmp(&part.radiance[static_cast<std::size_t>(in_part)],
+                                &whole.radiance[static_cast<std::size_t>(in_whole)],
+                                static_cast<std::size_t>(part.columns) * sizeof(Vec3f)),
+                    0);
+          EXPECT_EQ(std::memcmp(&part.hits[static_cast<std::size_t>(in_part)],
+                                &whole.hits[static_cast<std::size_t>(in_whole)],
+                                static_cast<std::size_t>(part.columns) * sizeof(HitRecord)),
+                    0);
+        }
+      }
+    }
+  }
+}
+
+TEST(Camera, AWindowOutsideThePictureIsRefused) {
+  const Rendering rendering(empty_scene({0, 0, 5}, {0, 0, 0}), Store::float32); // 3×3 corner rays
+  for (const RayWindow& window : {RayWindow{-1, 0, 1, 1}, RayWindow{0, -1, 1, 1}, RayWindow{3, 0, 1, 1},
+                                  RayWindow{0, 3, 1, 1}, RayWindow{1, 0, 3, 1}, RayWindow{0, 1, 1, 3},
+                                  RayWindow{0, 0, 1, 0}, RayWindow{1, 1, 0x7fffffff, 1}}) {
+    FrameRequest request = rendering.request();
+    request.window = window;
+    EXPECT_THROW(static_cast<void>(rendering.frame(request)), Error);
+  }
+}
+
 TEST(Camera, AngleIsTheVerticalFieldOfView) {
   // A tiny target, half the angle above the view direction.
   for (const double angle : {20.0, 45.0, 90.0, 120.0}) {
@@ -121,22 +178,27 @@ TEST(Image, PixelIsTheMeanOfItsCornersOrItsCentre) {
   frame.rows = 3;
   for (int i = 0; i < 12; ++i)
     frame.radiance.push_back(chance.color());
-  const Image corners = image_of(frame, Sampling::corners), centers = image_of(frame, Sampling::centers);
-  ASSERT_EQ(corners.width, 3);
-  ASSERT_EQ(corners.height, 2);
+  ASSERT_EQ(image_width(frame, Sampling::corners), 3);
+  ASSERT_EQ(image_height(frame, Sampling::corners), 2);
+  std::array<Vec3f, 3> corners{};
   for (std::size_t y = 0; y < 2; ++y) {
+    image_row(frame, Sampling::corners, static_cast<std::int32_t>(y), corners);
     for (std::size_t x = 0; x < 3; ++x) {
       const std::size_t i = y * 4 + x;
       for (int channel = 0; channel < 3; ++channel) {
         const float sum = frame.radiance[i][channel] + frame.radiance[i + 1][channel] +
                           frame.radiance[i + 4][channel] + frame.radiance[i + 5][channel];
-        EXPECT_FLOAT_EQ(corners.pixels[y * 3 + x][channel], sum / 4);
+        EXPECT_FLOAT_EQ(corners[x][channel], sum / 4);
       }
     }
   }
-  EXPECT_EQ(centers.width, 4);
-  EXPECT_EQ(centers.height, 3);
-  EXPECT_EQ(centers.pixels, frame.radiance);
+  ASSERT_EQ(image_width(frame, Sampling::centers), 4);
+  ASSERT_EQ(image_height(frame, Sampling::centers), 3);
+  std::array<Vec3f, 4> centers{};
+  for (std::size_t y = 0; y < 3; ++y) {
+    image_row(frame, Sampling::centers, static_cast<std::int32_t>(y), centers);
+    EXPECT_TRUE(std::ranges::equal(centers, std::span(frame.radiance).subspan(4 * y, 4)));
+  }
 }
 
 // The radiance of a white diffuse wall that faces all lights: their sum and the ambient light.

@@ -204,9 +204,12 @@ ErrorCode code_thrown_by(const auto& action) {
 
 TEST(Spd, ObjectsFollowTheClosedForms) {
   for (const SpdInfo& info : masu::spd_scenes())
-    for (int size = 1; size <= 4; ++size)
+    for (int size = 1; size <= 4; ++size) {
       EXPECT_EQ(scene_of(info.scene, size).objects(), objects_by_formula(info.scene, size))
           << info.name << ' ' << size;
+      EXPECT_EQ(masu::spd_objects(info.scene, size), objects_by_formula(info.scene, size))
+          << info.name << ' ' << size;
+    }
 }
 
 TEST(Spd, StandardSizesHaveThePublishedCounts) {

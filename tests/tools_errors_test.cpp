@@ -572,7 +572,9 @@ TEST_F(BadCommand, OfGridrenderIsAUsageError) {
     EXPECT_TRUE(with({"-o", picture, option, "what"})) << option;
   for (const char* const name : {"new.bmp", "new", "png", "new.PNG"})
     EXPECT_TRUE(with({"-o", file(name)}, file(name)));
+  EXPECT_TRUE(with({"-o", file("new"), "--format", "jpg"}));
   EXPECT_TRUE(with({"--rays", file("rays")}, "--rays"));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--turntable", "2"}, "--rays"));
   EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "-o", picture}, "--rays"));
   for (const char* const fields : {"T", "t,", ",t", "t,t", "t;object", "occluded"})
     EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--write", fields}, "--write"))
@@ -630,6 +632,14 @@ TEST(Help, GoesToStandardOutput) {
     EXPECT_TRUE(succeeded(result)) << tool;
     EXPECT_NE(result.out.find(tool), std::string::npos) << tool;
     EXPECT_NE(result.out.find("--help"), std::string::npos) << tool;
+  }
+}
+
+TEST(Version, GoesToStandardOutput) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridbench"}) {
+    const ToolResult result = run(tool, {"--version"});
+    EXPECT_TRUE(succeeded(result)) << tool;
+    EXPECT_TRUE(result.out.starts_with(std::string(tool) + ", Masu ")) << result.out;
   }
 }
 

@@ -438,14 +438,23 @@ std::set<std::string> keys(const nlohmann::json& json) {
 
 TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
   const auto stats = stats_of({});
-  EXPECT_EQ(keys(stats),
-            (std::set<std::string>{"backend", "eye_rays", "eye_hits", "reflection_rays", "refraction_rays",
-                                   "shadow_rays", "shadow_hits", "secondary_hits", "intersection_tests",
-                                   "cells_visited", "empty_cells_visited", "voxels_skipped", "seconds"}));
+  EXPECT_EQ(keys(stats), (std::set<std::string>{"version",         "commit",
+                                                "command",         "backend",
+                                                "device",          "scene_hash",
+                                                "grid_hash",       "views",
+                                                "eye_rays",        "eye_hits",
+                                                "reflection_rays", "refraction_rays",
+                                                "shadow_rays",     "shadow_hits",
+                                                "secondary_hits",  "intersection_tests",
+                                                "cells_visited",   "empty_cells_visited",
+                                                "voxels_skipped",  "seconds"}));
   EXPECT_EQ(keys(stats["intersection_tests"]), (std::set<std::string>{"triangle", "sphere", "cone"}));
   EXPECT_EQ(keys(stats["seconds"]),
             (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
   EXPECT_EQ(stats["backend"], "cpu");
+  EXPECT_EQ(stats["views"], 1);
+  EXPECT_EQ(stats["scene_hash"], json_of("gridstat", {grid_, "--json"})["scene_hash"]);
+  EXPECT_EQ(stats["command"][1], scene_);
 }
 
 TEST_F(Tools, StatsAddUp) {
@@ -468,8 +477,10 @@ TEST_F(Tools, StatsAddUp) {
 
 TEST_F(Tools, StatsCountTheSameForAnyNumberOfThreads) {
   auto one = stats_of({"--threads", "1"}), two = stats_of({"--threads", "2"});
-  one.erase("seconds");
-  two.erase("seconds");
+  for (const char* const name : {"seconds", "command", "device"}) {
+    one.erase(name);
+    two.erase(name);
+  }
   EXPECT_EQ(one, two);
 }
 

@@ -4,6 +4,9 @@
 #include "renderer/tracer.h"
 #include "tools/cli.h"
 
+#include <fstream>
+#include <string>
+
 namespace masu {
 
 enum class Backend { automatic, cpu, cuda };
@@ -34,13 +37,30 @@ inline void add_first_cell_hit(CLI::App& app, StopRule& stop) {
       "2012 thesis, which misses closer hits; for comparison");
 }
 
-// Whether to trace by CUDA. Throws Error(device) where `cuda` is given and there is no usable GPU.
-inline bool use_cuda(Backend backend) {
+// Whether to trace by CUDA. Says so in a line where a program with CUDA finds no usable GPU. Throws
+// Error(device) where `cuda` is given and there is none.
+inline bool use_cuda(Backend backend, const char* tool, bool quiet = false) {
   std::string why;
   const bool available = backend != Backend::cpu && cuda_available(why);
   if (backend == Backend::cuda && !available)
     throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu");
+  if (backend == Backend::automatic && !available && built_with_cuda() && !quiet)
+    fmt::print(stderr, "{}: no usable GPU ({}): tracing on the CPU\n", tool, why);
   return available;
+}
+
+// The GPU's name, or the CPU's and the number of threads.
+inline std::string device_name(bool cuda) {
+  if (cuda) return cuda_device_name();
+  std::ifstream file("/proc/cpuinfo");
+  std::string name = "a CPU";
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("model name") || line.find(": ") == std::string::npos) continue;
+    name = line.substr(line.find(": ") + 2);
+    break;
+  }
+  const auto threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  return fmt::format("{} ({} {})", name, threads, threads == 1 ? "thread" : "threads");
 }
 
 } // namespace masu

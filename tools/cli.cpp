@@ -3,6 +3,7 @@
 
 #include "libscene/file/same_file.h"
 #include "libscene/file/temporary_name.h"
+#include "tools/version.h"
 
 #include <csignal>
 #include <exception>
@@ -26,8 +27,19 @@ void flush_standard_output() {
     throw Error(ErrorCode::output, "standard output", "can't be written");
 }
 
+std::string standard_input() {
+  std::string text;
+  std::vector<char> buffer(std::size_t{1} << 20);
+  for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), stdin)) > 0;)
+    text.append(buffer.data(), got);
+  if (std::ferror(stdin) != 0) throw Error(ErrorCode::input, "standard input", "can't be read: give a file");
+  return text;
+}
+
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
   std::vector<std::string> written{"/dev/stdout"}; // results and reports
+  if (std::ranges::count(outputs, "-") > 1)
+    throw Error(ErrorCode::usage, "-", "would be written twice: name a file for one of them");
   for (const std::string& output : outputs) {
     if (output.empty() || output == "-") continue;
     for (const std::string& other : written) {
@@ -57,9 +69,10 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
   try {
     check_processor();
     CLI::App app(description, name);
+    app.set_version_flag("--version", fmt::format("{}, {}", name, program_name()));
     try {
       body(app, [&] { app.parse(argc, argv); });
-    } catch (const CLI::Success& success) { // --help
+    } catch (const CLI::Success& success) { // --help, --version
       app.exit(success);
     } catch (const CLI::ParseError& error) {
       std::string command = name; // with the subcommand whose help lists the options

@@ -1,9 +1,16 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
 #include "libgrid/build/build_grid.h"
 #include "libgrid/statistics.h"
+#include "libscene/cuda/cuda_device.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/cli.h"
+#include "tools/progress.h"
+#include "tools/provenance.h"
+
+#include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace masu {
 namespace {
@@ -14,16 +21,19 @@ struct Settings {
   std::string scene, output, division = "auto";
   BuildOptions options;
   Device device = Device::cpu;
-  bool record_seconds = false, json = false;
+  bool record_seconds = false, json = false, quiet = false;
   Threads threads;
 };
 
 template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
-  const auto builder = settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene);
+  std::optional<Progress> progress(std::in_place, "building", settings.quiet);
+  const auto builder =
+      settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
   const Stopwatch watch;
   auto [grid, origin] = build_grid(*builder, file.bounds(), file.geometry_hash(), settings.options);
+  progress.reset();
   const double seconds = watch.seconds();
   if (settings.record_seconds) origin.build_seconds = seconds;
   write_grid(grid, origin, settings.output);
@@ -33,23 +43,27 @@ void build(const Settings& settings, const SceneFile& file) {
                                      : grid_statistics(merged_view_of<double>(grid), grid.cells);
   const std::uint64_t cells = counted.occupied_cells;
   const DeviceSeconds on_device = builder->device_seconds();
+  std::FILE* const out = settings.output == "-" ? stderr : stdout; // beside the grid
   if (settings.json) {
-    const std::string device =
-        settings.device == Device::cpu
-            ? ""
-            : fmt::format("\"device_seconds\": {{\"set_up\": {:.6f}, \"upload\": {:.6f}, \"build\": {:.6f}, "
-                          "\"download\": {:.6f}}}, ",
-                          on_device.set_up, on_device.upload, on_device.build, on_device.download);
-    fmt::print(
-        "{{\"division\": [{}, {}, {}], \"occupied_cells\": {}, \"references\": {}, {}\"build_seconds\": "
-        "{:.6f}, \"total_seconds\": {:.6f}}}\n",
-        n.x, n.y, n.z, cells, grid.references.size(), device, seconds, watch.seconds());
-  } else {
-    const std::string merged = grid.kind == GridKind::uniform ? "" : fmt::format("{} cells, ", counted.cells);
-    fmt::print("{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n", n.x,
-               n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
+    nlohmann::ordered_json json{
+        {"division", {n.x, n.y, n.z}}, {"occupied_cells", cells}, {"references", grid.references.size()}};
     if (settings.device == Device::cuda)
-      fmt::print("on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
+      json["device_seconds"] = {{"set_up", on_device.set_up},
+                                {"upload", on_device.upload},
+                                {"build", on_device.build},
+                                {"download", on_device.download}};
+    json.update({{"build_seconds", seconds},
+                 {"total_seconds", watch.seconds()},
+                 {"device", settings.device == Device::cuda ? cuda_device_name() : "cpu"},
+                 {"scene_hash", to_hex(file.hash())}});
+    json.update(provenance());
+    fmt::print(out, "{}\n", json.dump());
+  } else if (!settings.quiet) {
+    const std::string merged = grid.kind == GridKind::uniform ? "" : fmt::format("{} cells, ", counted.cells);
+    fmt::print(out, "{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n",
+               n.x, n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
+    if (settings.device == Device::cuda)
+      fmt::print(out, "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
                  on_device.set_up, on_device.upload, on_device.build, on_device.download);
   }
 }
@@ -126,6 +140,8 @@ int main(int argc, char** argv) {
         app.add_flag("--record-seconds", settings.record_seconds,
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");
+        app.add_flag("-q,--quiet", settings.quiet,
+                     "no progress on standard error, and no report without --json");
         settings.threads.add_to(app);
         parse();
         const auto limit = settings.threads.limit();

@@ -3,8 +3,12 @@
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"
+#include "tools/progress.h"
+#include "tools/provenance.h"
 #include "tools/ray_list.h"
+#include "tools/render_views.h"
 #include "tools/repeated.h"
+#include "tools/views.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +18,13 @@
 namespace masu {
 namespace {
 
+enum class Format { automatic, png, pfm };
+
 struct Settings {
-  std::string scene, grid, output, size, stats, times, rays, hits, write;
+  std::string scene, grid, output, size, stats, times, rays, hits, write, from, at, up, views, crop;
+  std::optional<double> angle;
+  int turntable = 0; // views; 0: none
+  Format format = Format::automatic;
   Backend backend = Backend::automatic;
   TracingRules tracing;
   Sampling sampling = Sampling::corners;
@@ -23,7 +32,7 @@ struct Settings {
   Store ray_store = Store::float32;
   int depth = 5, repeat = 1, ray_numbers = 6;
   bool any_hit = false, coherent = false, spd_rules = false, hither = false, srgb = false,
-       brute_force = false;
+       brute_force = false, quiet = false;
   Threads threads;
 };
 
@@ -69,12 +78,26 @@ void write_hits(const std::vector<HitRecord>& hits, const std::string& path) {
   file.commit();
 }
 
+// Of the picture, by --format or else by the name's end; PNG on standard output. Throws Error(usage).
+ImageFormat format_of(const Settings& settings) {
+  if (settings.format == Format::pfm) return ImageFormat::pfm;
+  if (settings.format == Format::png || settings.output == "-") return ImageFormat::png;
+  return image_format(settings.output);
+}
+
+bool changes_camera(const Settings& settings) {
+  return !settings.from.empty() || !settings.at.empty() || !settings.up.empty() || settings.angle;
+}
+
 void check(const Settings& settings) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
   if (settings.rays.empty() && settings.output.empty() && settings.hits.empty() && settings.stats.empty() &&
       settings.times.empty())
     fail("-o", "is missing: nothing would be written");
   if (!settings.rays.empty() && !settings.output.empty()) fail("--rays", "makes no picture: leave out -o");
+  if (!settings.rays.empty() && (changes_camera(settings) || !settings.size.empty() ||
+                                 !settings.crop.empty() || !settings.views.empty() || settings.turntable > 0))
+    fail("--rays", "traces no camera rays: leave out the options of views");
   if (!settings.rays.empty() && settings.hits.empty() && settings.stats.empty() && settings.times.empty())
     fail("--rays", "needs --hits, --stats or --times, or nothing would be written");
   if (settings.rays.empty() && (!settings.write.empty() || settings.any_hit || settings.coherent))
@@ -87,19 +110,148 @@ void check(const Settings& settings) {
   if (!settings.any_hit && settings.write == "occluded") fail("--write", "occluded needs --any-hit");
   if (settings.grid.empty() && !settings.brute_force)
     fail("GRID", "is missing: name the grid file, or give --brute-force");
-  if (!settings.output.empty()) check_image_name(settings.output);
-  check_files({settings.scene, settings.grid, settings.rays},
+  if (!settings.output.empty()) static_cast<void>(format_of(settings));
+  check_files({settings.scene, settings.grid, settings.rays, settings.views},
               {settings.output, settings.hits, settings.stats, settings.times});
+}
+
+// --- Views ------------------------------------------------------------------------------------------------
+
+// Throws Error(usage, option, …) for a camera that can't see, Error(input) for a list with such a one.
+std::vector<View> views_of(const Settings& settings, const SceneFile& scene) {
+  const double reach = scene.is_float64() ? 1e100 : 1e12; // as of scene files
+  const auto vector = [](const char* option, const std::string& text) {
+    return text.empty() ? std::optional<Vec3d>() : parse_vector(option, text);
+  };
+  const Camera camera = changed(resized(scene.camera(), settings.size), {vector("--from", settings.from),
+                                                                         vector("--at", settings.at),
+                                                                         vector("--up", settings.up),
+                                                                         settings.angle,
+                                                                         {}});
+  // The lines of a list may give what is missing yet.
+  if (!settings.views.empty()) return read_views(settings.views, camera, reach);
+  if (changes_camera(settings)) {
+    if (const auto fault = fault_of(camera, reach))
+      throw Error(ErrorCode::usage, std::string("--") + fault->part, fault->what);
+  }
+  return settings.turntable > 0 ? turntable(camera, settings.turntable) : std::vector<View>{{"0", camera}};
+}
+
+std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View>& views) {
+  const auto pictures = file_names(settings.output, views), hits = file_names(settings.hits, views);
+  std::vector<ViewFiles> files;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    check_files({settings.scene, settings.grid, settings.views},
+                {pictures[i], hits[i], settings.stats, settings.times});
+    files.push_back({pictures[i], hits[i]});
+  }
+  return files;
+}
+
+// What a picture's bytes depend on besides its view. Neither the grid nor the device is among it.
+PngTexts picture_texts(const Settings& settings, const SceneFile& scene) {
+  const char* const precisions[] = {"auto", "fast", "robust", "double"};
+  std::string options =
+      fmt::format("--precision {} --sampling {} --depth {}",
+                  precisions[static_cast<int>(resolved(settings.tracing.precision, scene))],
+                  settings.sampling == Sampling::corners ? "corners" : "centers", settings.depth);
+  if (settings.tracing.stop == StopRule::first_cell) options += " --first-cell-hit";
+  if (settings.spd_rules) options += " --spd-rules";
+  if (settings.hither) options += " --hither";
+  if (settings.srgb) options += " --srgb";
+  return {{"Software", program_name()}, {"Source", "scene " + to_hex(scene.hash())}, {"Options", options}};
+}
+
+ViewsRequest views_request(const Settings& settings, const TracingRules& tracing, const SceneFile& scene) {
+  ViewsRequest request;
+  request.frame.tracing = tracing;
+  request.frame.sampling = settings.sampling;
+  request.frame.hither = settings.hither;
+  request.frame.rules = {settings.depth, settings.spd_rules, settings.hit_name};
+  request.frame.hits = !settings.hits.empty();
+  request.views = views_of(settings, scene);
+  request.files = files_of(settings, request.views);
+  if (!settings.crop.empty()) {
+    const Crop crop = parse_crop("--crop", settings.crop);
+    for (const View& view : request.views)
+      request.frame.window = window_of(crop, view.camera, settings.sampling, "--crop");
+  }
+  if (!settings.output.empty())
+    request.image = {format_of(settings), settings.sampling, settings.srgb, picture_texts(settings, scene)};
+  request.repeat = settings.repeat;
+  return request;
+}
+
+// --- The tool's run ---------------------------------------------------------------------------------------
+
+struct Outcome {
+  std::uint64_t views = 0, rays = 0;
+  Counts counts;
+  TraceSeconds seconds;
+  double write_seconds = 0;
+  double rays_seconds = 0;  // in which the rays were traced,
+  const char* besides = ""; // and what else was done in them
+};
+
+Outcome render_pictures(const Tracer& tracer, const ViewsRequest& request, bool quiet) {
+  Progress progress("rendering", quiet);
+  const ViewsReport report = render_views(tracer, request, progress.callback());
+  const bool overlap = request.views.size() > 1;
+  return {request.views.size(),
+          report.rays,
+          report.counts,
+          report.seconds,
+          report.write_seconds,
+          overlap ? report.elapsed_seconds : report.seconds.trace,
+          overlap ? " with writing" : ""};
+}
+
+Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Settings& settings) {
+  RayListJob job{settings.rays, settings.hits,
+                 RayFormat{settings.ray_store == Store::float64, settings.ray_numbers}};
+  const char* const usual = settings.any_hit                          ? "occluded"
+                            : settings.hit_name == HitName::primitive ? "t,primitive"
+                                                                      : "t,object";
+  job.fields = hit_fields(settings.write.empty() ? usual : settings.write);
+  job.request.tracing = tracing;
+  job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
+  if (tracer.grid() != nullptr)
+    job.request.loop = automatic_loop(settings.coherent, tracer.scene(), *tracer.grid());
+  job.repeat = settings.repeat;
+  Progress progress("tracing", settings.quiet);
+  const RayListSummary summary = trace_ray_list(tracer, job, progress.callback());
+  if (summary.invalid > 0)
+    fmt::print(stderr,
+               "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
+               "a direction below 1e-15\n",
+               settings.rays, summary.invalid, summary.rays);
+  return {0,
+          summary.rays,
+          summary.counts,
+          summary.seconds,
+          summary.write_seconds,
+          summary.elapsed_seconds,
+          " with reading and writing"};
+}
+
+void print_summary(const Outcome& outcome, const std::string& device) {
+  const double seconds = outcome.rays_seconds;
+  fmt::print(stderr, "gridrender: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}\n",
+             outcome.views > 1 ? fmt::format("{} views, ", outcome.views) : "", outcome.rays, seconds,
+             outcome.besides, seconds > 0 ? static_cast<double>(outcome.rays) / seconds * 1e-6 : 0, device);
 }
 
 void render(const Settings& settings) {
   check(settings);
-  const bool cuda = use_cuda(settings.backend);
+  const bool cuda = use_cuda(settings.backend, "gridrender", settings.quiet);
   Seconds seconds;
   const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks records during the upload
   const SceneFile scene(settings.scene, checks);
   seconds.map += scene.load_seconds().map;
   seconds.validate += scene.load_seconds().validate;
+  TracingRules tracing = settings.tracing;
+  tracing.count = !settings.stats.empty();
+  const ViewsRequest views = settings.rays.empty() ? views_request(settings, tracing, scene) : ViewsRequest{};
   std::optional<GridFile> grid;
   if (!settings.brute_force) {
     grid.emplace(settings.grid, checks);
@@ -107,61 +259,27 @@ void render(const Settings& settings) {
     seconds.validate += grid->load_seconds().validate;
   }
   const Tracer tracer(scene, grid ? &*grid : nullptr, cuda ? Device::cuda : Device::cpu);
-  TracingRules tracing = settings.tracing;
-  tracing.count = !settings.stats.empty();
-  Counts counts;
-  const auto finish = [&](const auto& result, const auto& write) {
-    counts = result.counts;
-    seconds.trace = result.seconds;
-    seconds.trace.upload += tracer.upload_seconds();
-    const Stopwatch watch;
-    write();
-    if (!settings.hits.empty()) write_hits(result.hits, settings.hits);
-    seconds.write = watch.seconds();
-  };
-  if (settings.rays.empty()) {
-    const FrameRequest request{tracing,
-                               resized(scene.camera(), settings.size),
-                               settings.sampling,
-                               settings.hither,
-                               {settings.depth, settings.spd_rules, settings.hit_name},
-                               !settings.hits.empty()};
-    const Frame frame = repeated(0, settings.repeat, [&] { return tracer.render(request); });
-    finish(frame, [&] {
-      if (!settings.output.empty())
-        write_image(image_of(frame, settings.sampling), settings.output, settings.srgb);
-    });
-  } else {
-    RayListJob job{settings.rays, settings.hits,
-                   RayFormat{settings.ray_store == Store::float64, settings.ray_numbers}};
-    const char* const usual = settings.any_hit                          ? "occluded"
-                              : settings.hit_name == HitName::primitive ? "t,primitive"
-                                                                        : "t,object";
-    job.fields = hit_fields(settings.write.empty() ? usual : settings.write);
-    job.request.tracing = tracing;
-    job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
-    if (grid) job.request.loop = automatic_loop(settings.coherent, scene, *grid);
-    job.repeat = settings.repeat;
-    const RayListSummary summary = trace_ray_list(tracer, job, [](std::uint64_t) {});
-    counts = summary.counts;
-    seconds.trace = summary.seconds;
-    seconds.trace.upload += tracer.upload_seconds();
-    seconds.write = summary.write_seconds;
-    if (summary.invalid > 0)
-      fmt::print(
-          stderr,
-          "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
-          "a direction below 1e-15\n",
-          settings.rays, summary.invalid, summary.rays);
-  }
-  const Json head{{"backend", cuda ? "cuda" : "cpu"}}, times{{"seconds", seconds_json(seconds)}};
+  const Outcome outcome = settings.rays.empty() ? render_pictures(tracer, views, settings.quiet)
+                                                : trace_list(tracer, tracing, settings);
+  seconds.trace = outcome.seconds;
+  seconds.trace.upload += tracer.upload_seconds();
+  seconds.write = outcome.write_seconds;
+  const std::string device = device_name(cuda);
+  Json head = provenance();
+  head.update({{"backend", cuda ? "cuda" : "cpu"},
+               {"device", device},
+               {"scene_hash", to_hex(scene.hash())},
+               {"grid_hash", grid ? Json(to_hex(grid->hash())) : Json()},
+               {"views", outcome.views}});
+  const Json times{{"seconds", seconds_json(seconds)}};
   const auto joined = [](Json json, const std::initializer_list<Json>& more) {
     for (const Json& part : more)
       json.update(part);
     return json;
   };
-  if (!settings.stats.empty()) write_json(joined(head, {counts_json(counts), times}), settings.stats);
+  if (!settings.stats.empty()) write_json(joined(head, {counts_json(outcome.counts), times}), settings.stats);
   if (!settings.times.empty()) write_json(joined(head, {times}), settings.times);
+  if (!settings.quiet) print_summary(outcome, device);
 }
 
 } // namespace
@@ -175,11 +293,29 @@ int main(int argc, char** argv) {
         Settings settings;
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
         app.add_option("GRID", settings.grid, "grid file, from gridbuild");
-        app.add_option("-o,--output", settings.output, "picture: .png, or .pfm for linear floats");
+        app.add_option(
+            "-o,--output", settings.output,
+            "picture: .png, or .pfm for linear floats; - is standard output; of several views with "
+            "{index} or {name} in it");
+        add_choice(app, "--format", settings.format,
+                   {{"auto", Format::automatic}, {"png", Format::png}, {"pfm", Format::pfm}},
+                   "the picture's format; auto: by the name's end, PNG on standard output");
         add_backend(app, settings.backend);
         add_precision(app, settings.tracing.precision);
         add_first_cell_hit(app, settings.tracing.stop);
         app.add_option("--size", settings.size, "WxH pixels instead of the view's resolution");
+        app.add_option("--from", settings.from, "X,Y,Z: where the camera is, instead of the scene's");
+        app.add_option("--at", settings.at, "X,Y,Z: the point in the middle of the picture");
+        app.add_option("--up", settings.up, "X,Y,Z: the direction that is up in the picture");
+        app.add_option("--angle", settings.angle, "degrees that the picture's height spans");
+        auto* const views = app.add_option(
+            "--views", settings.views,
+            "render the views of a list, a JSON object a line: name, from, at, up, angle, size; "
+            "- is standard input");
+        app.add_option("--turntable", settings.turntable, "render N views around the point looked at")
+            ->check(CLI::Range(1, 1000000))
+            ->excludes(views);
+        app.add_option("--crop", settings.crop, "X,Y,W,H: render only these pixels of the picture");
         app.add_option("--depth", settings.depth, "largest depth of rays; camera rays have depth 1")
             ->check(CLI::Range(1, largest_depth))
             ->capture_default_str();
@@ -225,6 +361,7 @@ int main(int argc, char** argv) {
             app, "--hit-name", settings.hit_name,
             {{"object", HitName::object}, {"primitive", HitName::primitive}},
             "what --hits identifies: object (index in the NFF text) or primitive (index in the scene file)");
+        app.add_flag("-q,--quiet", settings.quiet, "no progress and no summary on standard error");
         settings.threads.add_to(app);
         parse();
         const auto limit = settings.threads.limit();

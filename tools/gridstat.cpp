@@ -5,6 +5,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/cli.h"
+#include "tools/provenance.h"
 #include "tools/slice_picture.h"
 
 #include <nlohmann/json.hpp>
@@ -117,6 +118,7 @@ Json report(const GridFile& file, const Statistics& statistics, bool histogram) 
   };
   if (table.build_seconds() >= 0) json["build_seconds"] = table.build_seconds();
   json.update(merged_report(file, statistics));
+  json.update(program_version());
   if (histogram) {
     for (std::size_t references = 0; references < s.histogram.size(); ++references) {
       if (s.histogram[references] > 0) json["histogram"].push_back({references, s.histogram[references]});
@@ -255,7 +257,7 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
                     {"box", occupied(occupied_voxels(scene, layout, Overlap::box))},
                     {"exact", occupied(occupied_voxels(scene, layout, Overlap::exact))}});
   }
-  if (settings.json) return fmt::print("{}\n", rows.dump(2));
+  if (settings.json) return fmt::print("{}\n", with_version(rows).dump(2));
   fmt::print(
       "{} primitives in a {} space: occupied voxels, by overlap test\n\n{:>8} {:>11} {:>21} {:>21} {:>21}\n",
       scene.primitive_count(), settings.space == SpaceRule::cube ? "cubic" : "tight", "division", "voxels",

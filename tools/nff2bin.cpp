@@ -6,6 +6,8 @@
 #include "libscene/mesh/tessellate.h"
 #include "libscene/nff/nff.h"
 #include "tools/cli.h"
+#include "tools/progress.h"
+#include "tools/provenance.h"
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +28,7 @@ struct Settings {
   std::string input, output;
   Store store = Store::automatic;
   int facets = 0; // --tessellate; 0: spheres and cones are kept
-  bool info = false, json = false;
+  bool info = false, json = false, quiet = false;
   Threads threads;
 };
 
@@ -133,6 +135,7 @@ Json to_json(const Summary& s) {
       {"bytes",
        {{"records", s.is_float64 ? record_bytes<double>(s) : record_bytes<float>(s)}, {"file", nullptr}}},
   };
+  json.update(program_version());
   if (s.file_bytes) json["bytes"]["file"] = *s.file_bytes;
   if (s.warnings) {
     json["warnings"] = {{"degenerate_polygons", s.warnings->degenerate_polygons},
@@ -204,15 +207,6 @@ void warn_of_float32(const Scene& scene, Store store, const std::string& place) 
     warn("coordinates lose digits in float32");
 }
 
-std::string read_standard_input() {
-  std::string text;
-  std::vector<char> buffer(std::size_t{1} << 20);
-  for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), stdin)) > 0;)
-    text.append(buffer.data(), got);
-  if (std::ferror(stdin) != 0) throw Error(ErrorCode::input, "standard input", "can't be read: give a file");
-  return text;
-}
-
 bool is_scene_file(const std::string& path) {
   const MappedFile file(path);
   const auto& magic = scene_file_kind.magic;
@@ -232,7 +226,12 @@ std::string check_facets(const std::string& text) {
 
 void convert(const Settings& settings) {
   const bool is_piped = settings.input == "-";
-  Scene scene = is_piped ? parse_nff(read_standard_input(), "stdin") : read_nff(settings.input);
+  Scene scene = [&] {
+    Progress progress("reading", settings.quiet);
+    NffOptions options;
+    options.progress = progress.callback();
+    return is_piped ? parse_nff(standard_input(), "stdin", options) : read_nff(settings.input, options);
+  }();
   if (settings.facets > 0) scene = tessellated(std::move(scene), settings.facets);
   print_warnings(scene.warnings, is_piped ? "stdin" : settings.input);
   if (!settings.output.empty()) {
@@ -250,6 +249,8 @@ void convert(const Settings& settings) {
 void run(const Settings& settings) {
   if (settings.output.empty() && !settings.info)
     throw Error(ErrorCode::usage, "command line", "nothing to do: give -o FILE, --info or both");
+  if (settings.info && settings.output == "-")
+    throw Error(ErrorCode::usage, "--info", "would be mixed with the scene on standard output: name a file");
   const auto limit = settings.threads.limit();
   check_files({settings.input}, {settings.output});
   if (settings.input == "-" || !is_scene_file(settings.input)) return convert(settings);
@@ -288,6 +289,7 @@ int main(int argc, char** argv) {
         auto* const info = app.add_flag("--info", settings.info,
                                         "print the numbers of objects and primitives, bounds and memory");
         app.add_flag("--json", settings.json, "print --info as JSON")->needs(info);
+        app.add_flag("-q,--quiet", settings.quiet, "no progress on standard error");
         settings.threads.add_to(app);
         parse();
         run(settings);

@@ -2,6 +2,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/spd/spd.h"
 #include "tools/cli.h"
+#include "tools/progress.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +14,7 @@ namespace {
 struct Command {
   std::string scene, output = "-";
   int size = 0; // where it is given
-  bool no_background = false;
+  bool no_background = false, quiet = false;
 };
 
 void describe(CLI::App& app, Command& command) {
@@ -28,12 +29,14 @@ void describe(CLI::App& app, Command& command) {
       ->capture_default_str();
   app.add_flag("--no-background", command.no_background,
                "leave out floors, walls, grounds, and the mountain's spheres");
+  app.add_flag("-q,--quiet", command.quiet, "no progress on standard error");
 }
 
-void write(const masu::SpdOptions& options, const std::string& output) {
-  if (output == "-") return write_spd(options, stdout, "standard output");
+void write(const masu::SpdOptions& options, const std::string& output, bool quiet) {
+  masu::Progress progress("writing", quiet);
+  if (output == "-") return write_spd(options, stdout, "standard output", progress.callback());
   masu::OutputFile file(output);
-  write_spd(options, file.stream(), output);
+  write_spd(options, file.stream(), output, progress.callback());
   file.commit();
 }
 
@@ -41,7 +44,7 @@ void run(const CLI::App& app, const Command& command) {
   const masu::SpdInfo& info = masu::spd_info(command.scene);
   const int size = app.count("--size") > 0 ? command.size : info.standard;
   masu::check_spd_size(info.scene, size); // before a file is opened
-  write({info.scene, size, !command.no_background}, command.output);
+  write({info.scene, size, !command.no_background}, command.output, command.quiet);
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "tools/repeated.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/parallel_reduce.h>
@@ -61,6 +62,12 @@ public:
   }
 
   const RayFormat& format() const { return format_; }
+  // Of a regular file; 0 where it isn't known.
+  std::uint64_t expected_rays() const {
+    struct stat status {};
+    if (fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+    return static_cast<std::uint64_t>(status.st_size) / format_.bytes_a_ray();
+  }
 
   // Up to so many rays: fewer at the end.
   std::vector<std::uint8_t> rays(std::size_t count) {
@@ -222,7 +229,7 @@ class HitWriter {
 public:
   HitWriter(const std::string& path, const std::vector<HitField>& fields) {
     if (path.empty()) return;
-    file_.emplace(path == "-" ? "/dev/stdout" : path);
+    file_.emplace(path);
     if (!path.ends_with(".npy")) return;
     for (const HitField field : fields)
       type_ += fmt::format("('{}', {}), ", format_of(field).name, format_of(field).type);
@@ -270,7 +277,9 @@ std::vector<HitField> hit_fields(const std::string& names) {
   return fields;
 }
 
-RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job, const RayProgress& progress) {
+RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job,
+                              const std::function<void(double)>& progress) {
+  const Stopwatch elapsed;
   RayListSummary summary;
   RayReader reader(job.rays, job.format);
   HitWriter writer(job.hits, job.fields);
@@ -300,7 +309,8 @@ RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job, const
     writer.write(chunk->records(job.fields));
     summary.write_seconds += watch.seconds();
     summary.rays += chunk->count;
-    progress(summary.rays);
+    if (reader.expected_rays() > 0)
+      progress(static_cast<double>(summary.rays) / static_cast<double>(reader.expected_rays()));
   };
   constexpr auto in_order = tbb::filter_mode::serial_in_order;
   tbb::parallel_pipeline(chunks_in_flight, tbb::make_filter<void, Passed>(in_order, read) &
@@ -309,6 +319,7 @@ RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job, const
   const Stopwatch watch;
   writer.commit(summary.rays);
   summary.write_seconds += watch.seconds();
+  summary.elapsed_seconds = elapsed.seconds();
   return summary;
 }
 

@@ -30,14 +30,13 @@ struct RayListSummary {
   std::uint64_t invalid = 0; // rays that hit nothing because they aren't valid (renderer/ray_query.h)
   Counts counts;
   TraceSeconds seconds;
-  double write_seconds = 0;
+  double write_seconds = 0, elapsed_seconds = 0; // of writing alone; of everything, which overlaps
 };
 
-// Called with the rays traced so far.
-using RayProgress = std::function<void(std::uint64_t)>;
-
-// Throws Error(input) for what isn't a whole number of rays or another kind of array, Error(output), and what
-// Tracer::trace() throws.
-RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job, const RayProgress& progress);
+// `progress` gets the share of the rays whose hits are written, where the list is a file. Throws Error(input)
+// for what isn't a whole number of rays or another kind of array, Error(output), and what Tracer::trace()
+// throws.
+RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job,
+                              const std::function<void(double)>& progress);
 
 } // namespace masu

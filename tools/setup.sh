@@ -15,10 +15,12 @@ has() { # package
     libflatbuffers-dev) header flatbuffers/flatbuffers.h ;;
     libfmt-dev) header fmt/format.h ;;
     libgtest-dev) header gtest/gtest.h ;;
+    libdeflate-dev) header libdeflate.h ;;
     libpng-dev) header png.h ;;
     libtbb-dev) header tbb/tbb.h ;;
     libxxhash-dev) header xxhash.h ;;
     nlohmann-json3-dev) header nlohmann/json.hpp ;;
+    zlib1g-dev) header zlib.h ;;
     *) dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' ;;
   esac
 }
@@ -54,8 +56,8 @@ require() {
   fi
 }
 
-basics=(build-essential cmake flatbuffers-compiler libcli11-dev libflatbuffers-dev libfmt-dev libpng-dev libtbb-dev
-  libxxhash-dev nlohmann-json3-dev)
+basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libtbb-dev
+  libxxhash-dev nlohmann-json3-dev zlib1g-dev)
 extras=(libassimp-dev ninja-build) # libassimp-dev: for mesh2bin
 
 # Sets cuda_options for cmake.

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace masu {
 
 template <class Stored>
@@ -22,24 +24,29 @@ namespace {
 template <class Stored>
 class CpuBuilder final : public GridBuilder<Stored> {
 public:
-  explicit CpuBuilder(const SceneView<Stored>& scene) : scene_(scene) {}
+  CpuBuilder(const SceneView<Stored>& scene, std::function<void(double)> progress)
+      : scene_(scene), progress_(std::move(progress)) {}
   BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     return options.kind == GridKind::uniform ? uniform_grid(scene_, layout, overlap)
-                                             : merged_grid(scene_, layout, overlap, options);
+                                             : merged_grid(scene_, layout, overlap, options, progress_);
   }
   const SceneView<Stored>& scene() const override { return scene_; }
 
 private:
   SceneView<Stored> scene_;
+  std::function<void(double)> progress_;
 };
 
 } // namespace
 
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene) {
-  return std::make_unique<CpuBuilder<Stored>>(scene);
+std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
+                                                 std::function<void(double)> progress) {
+  return std::make_unique<CpuBuilder<Stored>>(scene, std::move(progress));
 }
-template std::unique_ptr<GridBuilder<float>> cpu_builder(const SceneView<float>&);
-template std::unique_ptr<GridBuilder<double>> cpu_builder(const SceneView<double>&);
+template std::unique_ptr<GridBuilder<float>> cpu_builder(const SceneView<float>&,
+                                                         std::function<void(double)>);
+template std::unique_ptr<GridBuilder<double>> cpu_builder(const SceneView<double>&,
+                                                          std::function<void(double)>);
 
 } // namespace masu

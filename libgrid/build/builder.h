@@ -3,6 +3,7 @@
 
 #include "libgrid/build/build.h"
 
+#include <functional>
 #include <memory>
 
 namespace masu {
@@ -33,8 +34,10 @@ public:
   virtual DeviceSeconds device_seconds() const { return {}; }
 };
 
+// `progress` gets shares of the work of merged grids.
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene);
+std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
+                                                 std::function<void(double)> progress = {});
 
 // On the first CUDA device: uniform and irregular grids; for others it throws Error(usage, "cuda", …).
 // Throws Error(device) where there is none, and when it fails.

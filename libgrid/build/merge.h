@@ -8,6 +8,8 @@
 #include "libgrid/build/build.h"
 #include "libgrid/build/split.h"
 
+#include <functional>
+
 namespace masu {
 
 // The most voxels of a division whose grid is to be merged: its map has a word for each.
@@ -40,8 +42,9 @@ const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std
                               std::uint64_t words);
 
 // Independent of the number of threads. Throws Error(input) for more primitives than grids can number.
+// `progress` gets shares of the work, by one thread at a time.
 template <class Stored>
 BuildResult merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                        const GridOptions& options);
+                        const GridOptions& options, const std::function<void(double)>& progress = {});
 
 } // namespace masu

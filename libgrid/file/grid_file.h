@@ -38,6 +38,7 @@ public:
   bool is_checked() const { return is_checked_; }
 
   const fb::Grid& table() const { return *table_; }
+  const Hash& hash() const { return container_.hash(); }
   const std::string& path() const { return container_.path(); }
   std::uint64_t bytes() const { return container_.bytes(); }
   const LoadSeconds& load_seconds() const { return seconds_; }

@@ -12,4 +12,16 @@ bool cuda_available(std::string& why) {
   return false;
 }
 
+bool built_with_cuda() {
+  return true;
+}
+
+std::string cuda_device_name() {
+  int device = 0;
+  cudaDeviceProp properties{};
+  if (cudaGetDevice(&device) != cudaSuccess || cudaGetDeviceProperties(&properties, device) != cudaSuccess)
+    return {};
+  return properties.name;
+}
+
 } // namespace masu

@@ -8,4 +8,12 @@ bool cuda_available(std::string& why) {
   return false;
 }
 
+bool built_with_cuda() {
+  return false;
+}
+
+std::string cuda_device_name() {
+  return {};
+}
+
 } // namespace masu

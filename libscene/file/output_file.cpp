@@ -53,6 +53,12 @@ std::string followed(const std::string& path) {
 
 OutputFile::OutputFile(std::string path, UntilCommit until_commit) : path_(std::move(path)) {
   if (path_.empty()) throw Error(ErrorCode::output, "output", "has no name: give a file");
+  if (path_ == "-") {
+    path_ = "standard output";
+    const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
+    if (copy < 0 || (stream_ = fdopen(copy, "wb")) == nullptr) fail("can't be written");
+    return;
+  }
   struct stat status {};
   const bool exists = stat(path_.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw Error(ErrorCode::output, path_, "is a directory: name a file");

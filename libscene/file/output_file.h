@@ -22,7 +22,8 @@ enum class UntilCommit { unnamed, named };
 //
 // Symbolic links are followed, dangling ones too. A file that replaces another one takes over its permissions
 // and, where allowed, its owner. Anything that exists and isn't a regular file with a name (a pipe,
-// /dev/null, /proc/self/fd/N of an unnamed file) is written directly.
+// /dev/null, /proc/self/fd/N of an unnamed file) is written directly; so is standard output, which is named
+// -.
 class OutputFile {
 public:
   // Throws Error(output, path, …): no such folder, a directory, no permission.

@@ -201,6 +201,7 @@ void parse_all(const Text& text, const char* from, const NffOptions& options, As
         static_cast<double>(job->to - text.begin()) / static_cast<double>(text.characters.size());
     error = job->error ? job->error : caught([&] { join(assembly, std::move(piece), share, text.name); });
     has_failed = error != nullptr;
+    if (options.progress) options.progress(share);
   };
   using tbb::filter_mode;
   arena.execute([&] {

@@ -4,6 +4,7 @@
 #include "libscene/scene.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,7 @@ struct NffOptions {
   // The text is parsed in parallel in pieces of about this many bytes; each starts with an entity at the
   // start of a line. The scene doesn't depend on it.
   std::size_t piece_bytes = std::size_t{1} << 20;
+  std::function<void(double)> progress{}; // gets the share of the text that is parsed
 };
 
 // Parses `text`; `name` is its name in errors. Throws Error(input, "name:line:column", …) for an unknown

@@ -29,6 +29,7 @@ void flush(NffWriter& nff) {
   errno = 0;
   if (std::fwrite(nff.text.data(), 1, nff.text.size(), nff.out) != nff.text.size()) fail(nff);
   nff.text.clear();
+  if (nff.progress) nff.progress(nff.objects);
 }
 
 void append_number(std::string& text, double x) {
@@ -86,14 +87,17 @@ void put_material(NffWriter& nff, const Material& m) {
 }
 
 void put_sphere(NffWriter& nff, const Vec3d& center, double radius) {
+  ++nff.objects;
   put_line(nff, "s", {center.x, center.y, center.z, radius});
 }
 
 void put_cone(NffWriter& nff, const Vec3d& base, double base_radius, const Vec3d& apex, double apex_radius) {
+  ++nff.objects;
   put_line(nff, "c", {base.x, base.y, base.z, base_radius, apex.x, apex.y, apex.z, apex_radius});
 }
 
 void put_polygon(NffWriter& nff, std::span<const Vec3d> corners) {
+  ++nff.objects;
   put_line(nff, "p", {static_cast<double>(corners.size())});
   for (const Vec3d& corner : corners)
     put_corner(nff, corner);
@@ -104,6 +108,7 @@ void put_polygon(NffWriter& nff, std::initializer_list<Vec3d> corners) {
 }
 
 void put_triangle(NffWriter& nff, const Corner& a, const Corner& b, const Corner& c) {
+  ++nff.objects;
   put_line(nff, "pp", {3});
   put_corner(nff, a);
   put_corner(nff, b);

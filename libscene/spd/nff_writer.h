@@ -4,6 +4,7 @@
 #include "libscene/spd/frame.h"
 
 #include <cstdio>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -15,8 +16,10 @@ struct NffWriter {
   NffWriter(std::FILE* out, std::string place);
 
   std::FILE* out;
-  std::string place; // names `out` in errors
-  std::string text;  // buffer; bounded
+  std::string place;                                     // names `out` in errors
+  std::string text;                                      // buffer; bounded
+  std::uint64_t objects = 0;                             // written so far
+  std::function<void(std::uint64_t objects)> progress{}; // called now and then, where there is one
 };
 
 // The view; the defaults are those of most scenes.

@@ -59,9 +59,44 @@ void check_spd_size(SpdScene scene, int size) {
         fmt::format("{} can't be made that size: choose {} to {}", info.name, info.min_size, info.max_size));
 }
 
-void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place) {
+std::uint64_t spd_objects(SpdScene scene, int size) {
+  const auto n = static_cast<std::uint64_t>(size);
+  const auto power = [&](std::uint64_t base) {
+    std::uint64_t result = 1;
+    for (std::uint64_t i = 0; i < n; ++i)
+      result *= base;
+    return result;
+  };
+  switch (scene) {
+  case SpdScene::balls:
+    return (9 * power(9) - 1) / 8 + 1;
+  case SpdScene::gears:
+    return 146 * n * n * n + 1;
+  case SpdScene::mount:
+    return 2 * power(4) + 4;
+  case SpdScene::nurbs:
+    return 60 * n * n;
+  case SpdScene::rings:
+    return 60 * (n * (n + 1) * (2 * n + 1) / 6) + 1;
+  case SpdScene::teapot:
+    return 64 * n * n - 8 * n + n * n;
+  case SpdScene::tetra:
+    return power(4);
+  case SpdScene::tree:
+    return 2 * (2 * power(2) - 1) + 1;
+  }
+  return 0;
+}
+
+void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place,
+               const std::function<void(double)>& progress) {
   check_spd_size(options.scene, options.size);
   spd::NffWriter nff(out, place);
+  const auto all = static_cast<double>(spd_objects(options.scene, options.size));
+  if (progress)
+    nff.progress = [&](std::uint64_t objects) {
+      progress(std::min(static_cast<double>(objects) / all, 1.0));
+    };
   writers[static_cast<std::size_t>(options.scene)](nff, options.size, options.background);
   finish(nff);
 }

@@ -3,7 +3,9 @@
 // Scenes are streamed: memory depends on the recursion's depth, not on the number of objects.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,10 +51,15 @@ const SpdInfo& spd_info(std::string_view name);
 // int32, or six significant digits couldn't distinguish the scene's smallest parts.
 void check_spd_size(SpdScene scene, int size);
 
+// Number of objects (NFF entities) of a scene of that size, surroundings included.
+std::uint64_t spd_objects(SpdScene scene, int size);
+
 // Writes the scene to `out` as NFF text of six significant digits, and flushes it. Coordinates have no unit;
 // without grounds and floors they are at most 4, those of rings at most 2.62n + 1.
 // The same options give the same bytes. `place` names `out` in errors.
+// `progress` gets the share of objects written.
 // Throws Error(usage) for a size out of range, Error(output) when `out` can't be written.
-void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place);
+void write_spd(const SpdOptions& options, std::FILE* out, const std::string& place,
+               const std::function<void(double)>& progress = {});
 
 } // namespace masu

@@ -2,6 +2,7 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/screen_division.h"
+#include "tools/provenance.h"
 #include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
@@ -98,7 +99,7 @@ std::vector<std::string> schedules_for(const Settings& settings, const SceneFile
 
 void bench_frame(const Settings& settings) {
   const auto limit = settings.threads.limit();
-  const bool cuda = use_cuda(settings.backend);
+  const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   const std::vector<std::string> names = schedules_for(settings, scene);
   Json rows = Json::array();
@@ -116,7 +117,7 @@ void bench_frame(const Settings& settings) {
       if (!settings.json) print_row(rows.back());
     }
   }
-  if (settings.json) fmt::print("{}\n", rows.dump(2));
+  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/plain_copy.h"
+#include "tools/provenance.h"
 #include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
@@ -99,7 +100,8 @@ void print_table(const Json& report) {
 
 void bench_load(const Settings& settings) {
   const auto limit = settings.threads.limit();
-  const Json report = measure(settings, use_cuda(settings.backend));
+  Json report = measure(settings, use_cuda(settings.backend, "gridbench"));
+  report.update(program_version());
   if (settings.json)
     fmt::print("{}\n", report.dump(2));
   else

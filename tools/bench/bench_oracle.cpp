@@ -3,6 +3,7 @@
 #include "tools/bench/bench.h"
 #include "tools/bench/ray_sets.h"
 #include "tools/bench/stability/run.h"
+#include "tools/provenance.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -105,7 +106,7 @@ void bench_oracle(const Settings& settings) {
                  t.missed, t.false_hit, t.wrong, t.misplaced, t.worst_t);
     }
   }
-  if (settings.json) fmt::print("{}\n", rows.dump(2));
+  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "tools/backend_choice.h"
 #include "tools/bench/ray_sets.h"
+#include "tools/provenance.h"
 #include "tools/repeated.h"
 
 #include <nlohmann/json.hpp>
@@ -124,7 +125,7 @@ void print_row(const Json& row) {
 
 void bench_rays(const Settings& settings) {
   const auto limit = settings.threads.limit();
-  const bool cuda = use_cuda(settings.backend);
+  const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   std::vector<GridFile> grids;
   for (const std::string& path : settings.grids) {
@@ -151,7 +152,7 @@ void bench_rays(const Settings& settings) {
       }
     }
   }
-  if (settings.json) fmt::print("{}\n", rows.dump(2));
+  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
 }
 
 } // namespace

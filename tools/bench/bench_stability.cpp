@@ -3,6 +3,7 @@
 #include "tools/bench/bench.h"
 #include "tools/bench/stability/backends.h"
 #include "tools/bench/stability/run.h"
+#include "tools/provenance.h"
 
 #include <nlohmann/json.hpp>
 
@@ -79,7 +80,7 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
 
 void bench_stability(const Settings& settings) {
   const auto limit = settings.threads.limit();
-  const bool cuda = use_cuda(settings.backend);
+  const bool cuda = use_cuda(settings.backend, "gridbench");
   std::vector<Sweep> sweeps = all_sweeps();
   for (const std::string& name : settings.sweeps) {
     if (std::none_of(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; })) {
@@ -105,7 +106,7 @@ void bench_stability(const Settings& settings) {
     });
   }
   const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
-  if (settings.json) fmt::print("{}\n", rows.dump(2));
+  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
   if (bad == 0) return;
   flush_standard_output();
   throw Error(

@@ -6,6 +6,7 @@
 #include "tools/bench/tradeoff_csv.h"
 #include "tools/bench/tradeoff_front.h"
 #include "tools/bench/tradeoff_measure.h"
+#include "tools/provenance.h"
 #include "tradeoff_script.h"
 
 #include <nlohmann/json.hpp>
@@ -277,7 +278,7 @@ void report(const std::vector<std::vector<TradeoffRow>>& groups, bool as_json) {
     for (const std::size_t i : front_of(group, merit_of_hits))
       as_json ? json.push_back(json_of(group[i])) : print_row(group[i]);
   }
-  if (as_json) fmt::print("{}\n", json.dump(2));
+  if (as_json) fmt::print("{}\n", with_version(json).dump(2));
 }
 
 void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string& folder) {
@@ -322,7 +323,7 @@ void bench_tradeoff(const Settings& settings) {
   }
   if (settings.scenes.empty())
     throw Error(ErrorCode::usage, "SCENE", "is missing: give one or more scene files");
-  const TradeoffSetup setup = setup_of(settings, use_cuda(settings.backend));
+  const TradeoffSetup setup = setup_of(settings, use_cuda(settings.backend, "gridbench"));
   std::map<std::string, std::string> hashes;
   for (const std::string& scene : settings.scenes) { // errors first, before the measurements
     const SceneFile file(scene);
