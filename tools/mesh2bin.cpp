@@ -1,8 +1,7 @@
 // mesh2bin: converts meshes of any format that Assimp reads to a scene file.
 #include "libscene/available_memory.h"
-#include "libscene/file/scene_file.h"
 #include "libscene/mesh/import.h"
-#include "tools/cli.h"
+#include "tools/scene_report.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -16,9 +15,9 @@ namespace masu {
 namespace {
 
 struct Settings {
-  std::string input, output, size;
+  std::string input, size;
   ImportOptions import;
-  Store store = Store::automatic;
+  SceneOutput output;
   Threads threads;
 };
 
@@ -84,13 +83,14 @@ void print_notes(const ImportNotes& notes, const std::string& place) {
 }
 
 void run(const Settings& settings) {
+  settings.output.check();
   const auto limit = settings.threads.limit();
-  check_files({settings.input}, {settings.output});
+  check_files({settings.input}, {settings.output.path});
   limit_memory();
   const ImportedScene imported =
       guarded(settings.input, [&] { return read_mesh(settings.input, settings.import); });
   print_notes(imported.notes, settings.input);
-  if (!settings.output.empty()) write_scene(imported.scene, settings.store, settings.output);
+  write_and_report("mesh2bin", settings.input, imported.scene, settings.output);
 }
 
 } // namespace
@@ -98,29 +98,26 @@ void run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool(
-      "mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.", argc, argv,
-      [](CLI::App& app, const auto& parse) {
-        Settings settings;
-        app.add_option("IN", settings.input, "mesh")->required();
-        app.add_option("-o,--output", settings.output, "scene file to write");
-        add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
-                   "the up axis of the automatic camera; nothing is rotated");
-        app.add_flag("--smooth", settings.import.smooth,
-                     "interpolate normals: the file's, or where it has none, normals averaged over "
-                     "the faces round each vertex");
-        app.add_option("--size", settings.size, "width and height of the picture in pixels")
-            ->type_name("WxH");
-        add_choice(app, "--store", settings.store,
-                   {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
-                   "number type of coordinates");
-        settings.threads.add_to(app);
-        parse();
-        if (!settings.size.empty()) {
-          const Camera camera = resized({}, settings.size);
-          settings.import.width = camera.width;
-          settings.import.height = camera.height;
-        }
-        run(settings);
-      });
+  return run_tool("mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.",
+                  argc, argv, [](CLI::App& app, const auto& parse) {
+                    Settings settings;
+                    app.add_option("IN", settings.input, "mesh")->required();
+                    settings.output.add_to(app);
+                    add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
+                               "the up axis of the automatic camera; nothing is rotated");
+                    app.add_flag(
+                        "--smooth", settings.import.smooth,
+                        "interpolate normals: the file's, or where it has none, normals averaged over "
+                        "the faces round each vertex");
+                    app.add_option("--size", settings.size, "width and height of the picture in pixels")
+                        ->type_name("WxH");
+                    settings.threads.add_to(app);
+                    parse();
+                    if (!settings.size.empty()) {
+                      const Camera camera = resized({}, settings.size);
+                      settings.import.width = camera.width;
+                      settings.import.height = camera.height;
+                    }
+                    run(settings);
+                  });
 }

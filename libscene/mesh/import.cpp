@@ -259,14 +259,6 @@ ImportedScene imported(const aiScene& file, const std::string& name, const Impor
     add_instance(state, instances[i], static_cast<std::uint32_t>(i));
   scene.materials = std::move(state.materials.materials);
   import::import_view(file, options, state.result);
-  scene.float32_suffices =
-      std::all_of(scene.triangles.begin(), scene.triangles.end(),
-                  [](const Triangle<double>& t) {
-                    return largest_magnitude(bounds(t)) <= largest_float32_coordinate;
-                  }) &&
-      std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light<double>& light) {
-        return largest_magnitude(light.position) <= largest_float32_coordinate;
-      });
   return std::move(state.result);
 }
 
