@@ -29,7 +29,7 @@ Frame empty_frame(const FrameRequest& request) {
 
 Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device)
     : scene_(scene), grid_(grid), device_(device) {
-  if (grid != nullptr) grid->check_scene(scene.hash(), scene.primitive_count());
+  if (grid != nullptr) grid->check_geometry(scene.geometry_hash(), scene.primitive_count());
   const auto check = [&] {
     if (!scene.is_checked()) scene.check_records();
     if (grid != nullptr && !grid->is_checked()) grid->check_records();

@@ -126,8 +126,8 @@ class Tracer {
 public:
   // `grid` is null for brute force, which tries every primitive for every ray. The files must live as long as
   // the tracer. Whatever of them isn't checked yet is checked here, on a GPU while they are copied; nothing
-  // is traced before. Throws Error(input) for a damaged file or a grid of another scene, Error(device) where
-  // there is no usable GPU.
+  // is traced before. Throws Error(input) for a damaged file or a grid of another geometry, Error(device)
+  // where there is no usable GPU.
   Tracer(const SceneFile& scene, const GridFile* grid, Device device);
 
   Device device() const { return device_; }

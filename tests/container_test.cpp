@@ -155,7 +155,7 @@ TEST_P(Container, TheOtherKindIsRefused) {
 }
 
 TEST_P(Container, OtherVersionsAreRefusedAndNamed) {
-  for (const std::uint32_t version : {0U, 1U, 2U, 3U, 0xffffffffU}) {
+  for (const std::uint32_t version : {0U, 1U, 2U, 3U, 4U, 0xffffffffU}) {
     FileKind kind = GetParam().file_kind;
     if (kind.version == version) continue;
     kind.version = version;
@@ -163,6 +163,7 @@ TEST_P(Container, OtherVersionsAreRefusedAndNamed) {
     write_container(path_, kind, table, {}, {});
     EXPECT_TRUE(refused(path_, "version " + std::to_string(version)));
     EXPECT_TRUE(refused(path_, "version " + std::to_string(GetParam().file_kind.version)));
+    EXPECT_TRUE(refused(path_, kind.remake));
   }
 }
 
@@ -213,9 +214,14 @@ TEST(ContainerHash, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(hashes.size(), 1U);
 }
 
-TEST(SceneHash, DependsOnEveryPartOfTheScene) {
-  using Change = std::function<void(Scene&)>;
-  const std::vector<std::pair<const char*, Change>> changes{
+struct SceneChange {
+  const char* what;
+  std::function<void(Scene&)> act;
+  bool of_geometry = false; // of what a grid is built from
+};
+
+const std::vector<SceneChange>& scene_changes() {
+  static const std::vector<SceneChange> changes{
       {"from", [](Scene& s) { s.camera.from.x += 1; }},
       {"at", [](Scene& s) { s.camera.at.y += 1; }},
       {"up", [](Scene& s) { s.camera.up.x += 1; }},
@@ -234,28 +240,71 @@ TEST(SceneHash, DependsOnEveryPartOfTheScene) {
       {"shine", [](Scene& s) { s.materials[1].shine = 9; }},
       {"T", [](Scene& s) { s.materials[2].transmittance = 0.25F; }},
       {"ior", [](Scene& s) { s.materials[2].refraction_index = 1.25F; }},
-      {"vertex, by one ulp", [](Scene& s) { s.triangles[0].c.y = std::nextafter(2.0F, 3.0F); }},
-      {"triangle's material", [](Scene& s) { s.triangles[0].material = 3; }},
-      {"triangle's object", [](Scene& s) { s.triangles[0].object = 3; }},
-      {"order of triangles", [](Scene& s) { std::swap(s.triangles[0], s.triangles[1]); }},
+      {"vertex, by one ulp", [](Scene& s) { s.triangles[0].c.y = std::nextafter(2.0F, 3.0F); }, true},
+      {"triangle's material", [](Scene& s) { s.triangles[0].material = 3; }, true},
+      {"triangle's object", [](Scene& s) { s.triangles[0].object = 3; }, true},
+      {"order of triangles", [](Scene& s) { std::swap(s.triangles[0], s.triangles[1]); }, true},
       {"corner normal", [](Scene& s) { s.normals[0].c.z += 1; }},
-      {"flat instead of smooth", [](Scene& s) { s.triangles[1].normals = no_normals; }},
-      {"centre", [](Scene& s) { s.spheres[0].center.z += 0.125; }},
-      {"sphere's sign", [](Scene& s) { s.spheres[0].radius *= -1; }},
+      {"flat instead of smooth", [](Scene& s) { s.triangles[1].normals = no_normals; }, true},
+      {"centre", [](Scene& s) { s.spheres[0].center.z += 0.125; }, true},
+      {"sphere's sign", [](Scene& s) { s.spheres[0].radius *= -1; }, true},
       {"sphere's material", [](Scene& s) { s.sphere_surfaces[0].material = 0; }},
-      {"cone's end", [](Scene& s) { s.cones[0].apex.y += 0.125; }},
-      {"cone's radius", [](Scene& s) { s.cones[0].apex_radius = 0; }},
+      {"cone's end", [](Scene& s) { s.cones[0].apex.y += 0.125; }, true},
+      {"cone's radius", [](Scene& s) { s.cones[0].apex_radius = 0; }, true},
       {"cone's object", [](Scene& s) { s.cone_surfaces[0].object = 0; }},
       {"counted objects", [](Scene& s) { ++s.objects.polygons; }},
+      {"one sphere less",
+       [](Scene& s) {
+         s.spheres.clear();
+         s.sphere_surfaces.clear();
+       },
+       true},
+      {"one material more", [](Scene& s) { s.materials.push_back(s.materials[0]); }},
+      {"no light", [](Scene& s) { s.lights.clear(); }},
   };
+  return changes;
+}
+
+TEST(SceneHash, DependsOnEveryPartOfTheScene) {
   const TemporaryFolder folder;
   for (const Store store : {Store::float32, Store::float64}) {
     std::set<std::string> hashes{to_hex(SceneFile(written_scene(folder, tiny_scene(), store)).hash())};
-    for (const auto& [what, change] : changes) {
+    for (const SceneChange& change : scene_changes()) {
       Scene scene = tiny_scene();
-      change(scene);
+      change.act(scene);
       EXPECT_TRUE(hashes.insert(to_hex(SceneFile(written_scene(folder, scene, store)).hash())).second)
-          << what << ": the hash didn't change";
+          << change.what << ": the hash didn't change";
+    }
+  }
+}
+
+TEST(GeometryHash, DependsOnWhatAGridIsBuiltFromAlone) {
+  const TemporaryFolder folder;
+  std::set<std::string> hashes;
+  for (const Store store : {Store::float32, Store::float64}) {
+    const std::string unchanged =
+        to_hex(SceneFile(written_scene(folder, tiny_scene(), store)).geometry_hash());
+    EXPECT_TRUE(hashes.insert(unchanged).second) << "the stores' hashes are equal";
+    for (const SceneChange& change : scene_changes()) {
+      Scene scene = tiny_scene();
+      change.act(scene);
+      const std::string hash = to_hex(SceneFile(written_scene(folder, scene, store)).geometry_hash());
+      if (change.of_geometry)
+        EXPECT_TRUE(hashes.insert(hash).second) << change.what << ": the hash didn't change";
+      else
+        EXPECT_EQ(hash, unchanged) << change.what;
+    }
+  }
+}
+
+TEST(GeometryHash, IsReturnedByTheWriter) {
+  const TemporaryFolder folder;
+  Scene empty{};
+  empty.camera = tiny_scene().camera;
+  for (const Scene& scene : {tiny_scene(), empty}) {
+    for (const Store store : {Store::float32, Store::float64}) {
+      const Hash written = write_scene(scene, store, folder.file("a.scene"));
+      EXPECT_EQ(written, SceneFile(folder.file("a.scene")).geometry_hash());
     }
   }
 }
@@ -328,16 +377,16 @@ TEST(SceneFile, EmptySceneIsReadBack) {
   EXPECT_EQ(view.light_count, 0U);
 }
 
-TEST(GridFile, OfAnotherSceneIsRefused) {
+TEST(GridFile, OfAnotherGeometryIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
   const Hash hash{11, 22};
   write_grid(tiny_grid(), tiny_grid_origin(hash), path);
   const GridFile grid(path);
-  EXPECT_NO_THROW(grid.check_scene(hash, tiny_scene_primitives));
-  const auto check = [&](const Hash& scene_hash, std::uint64_t primitives) {
-    return is_refused([&](const std::string&) { grid.check_scene(scene_hash, primitives); }, path,
-                      "built for another scene");
+  EXPECT_NO_THROW(grid.check_geometry(hash, tiny_scene_primitives));
+  const auto check = [&](const Hash& geometry_hash, std::uint64_t primitives) {
+    return is_refused([&](const std::string&) { grid.check_geometry(geometry_hash, primitives); }, path,
+                      "built from another geometry: build it again with gridbuild");
   };
   EXPECT_TRUE(check({12, 22}, tiny_scene_primitives));
   EXPECT_TRUE(check({11, 23}, tiny_scene_primitives));

@@ -123,7 +123,7 @@ TEST(DamagedFile, AGridThatOpensCanBeTraced) {
     write_scene(tiny_scene(), store, scene_path);
     const SceneFile scene(scene_path);
     for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
-      write_grid(made, tiny_grid_origin(scene.hash()), path);
+      write_grid(made, tiny_grid_origin(scene.geometry_hash()), path);
       const GridParts parts(path);
       int open = 0;
       for (int i = 0; i < cases; ++i) {
@@ -133,7 +133,7 @@ TEST(DamagedFile, AGridThatOpensCanBeTraced) {
         ++open;
         describe(*grid);
         try {
-          grid->check_scene(scene.hash(), scene.primitive_count());
+          grid->check_geometry(scene.geometry_hash(), scene.primitive_count());
         } catch (const Error& error) {
           EXPECT_EQ(error.code(), ErrorCode::input);
           continue;

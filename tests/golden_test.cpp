@@ -14,7 +14,7 @@
 namespace masu {
 namespace {
 
-constexpr Hash golden_scene_hash{0x0123456789abcdef, 0xfedcba9876543210};
+constexpr Hash golden_geometry_hash{0x0123456789abcdef, 0xfedcba9876543210};
 
 struct Golden {
   const char* name;
@@ -51,16 +51,16 @@ INSTANTIATE_TEST_SUITE_P(
                            [](const std::string& path) { write_scene(tiny_scene(), Store::float64, path); }},
                     Golden{"grid", golden_grid,
                            [](const std::string& path) {
-                             write_grid(tiny_grid(), tiny_grid_origin(golden_scene_hash), path);
+                             write_grid(tiny_grid(), tiny_grid_origin(golden_geometry_hash), path);
                            }},
                     Golden{"grid_of_blocks", golden_grid_of_blocks,
                            [](const std::string& path) {
-                             write_grid(tiny_grid_of_blocks(), tiny_grid_origin(golden_scene_hash), path);
+                             write_grid(tiny_grid_of_blocks(), tiny_grid_origin(golden_geometry_hash), path);
                            }},
                     Golden{"merged_grid", golden_merged_grid,
                            [](const std::string& path) {
-                             write_grid(tiny_merged_grid(), tiny_grid_origin(golden_scene_hash, "irregular"),
-                                        path);
+                             write_grid(tiny_merged_grid(),
+                                        tiny_grid_origin(golden_geometry_hash, "irregular"), path);
                            }}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -179,7 +179,7 @@ TEST(GoldenFileReading, Float64SceneIsRead) {
 }
 
 void expect_grid(const GridFile& file, const Grid& grid) {
-  EXPECT_NO_THROW(file.check_scene(golden_scene_hash, tiny_scene_primitives));
+  EXPECT_NO_THROW(file.check_geometry(golden_geometry_hash, tiny_scene_primitives));
   EXPECT_EQ(file.table().primitives(), tiny_scene_primitives);
   EXPECT_EQ(file.table().block_log2(), static_cast<std::uint32_t>(grid.block_log2));
   EXPECT_EQ(file.table().space_rule(), fb::Space::tight);

@@ -31,7 +31,8 @@ void build_grid(const SceneFile& scene, const std::string& division, const GridO
   const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
                                                      parse_division(division), division_statistics(view));
   write_grid(build_grid(view, layout, Overlap::exact, options),
-             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""}, path);
+             {scene.geometry_hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
+             path);
 }
 
 GridOptions options_of(GridKind kind) {

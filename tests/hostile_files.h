@@ -108,7 +108,7 @@ struct SceneParts : TakenApart {
 };
 
 struct GridParts : TakenApart {
-  fb::Hash scene_hash;
+  fb::Hash geometry_hash;
   std::uint64_t primitives;
   fb::Box space;
   double margin;
@@ -119,7 +119,7 @@ struct GridParts : TakenApart {
 
   explicit GridParts(const std::string& path) : GridParts(GridFile(path)) {}
   explicit GridParts(const GridFile& file)
-      : scene_hash(*file.table().scene_hash()), primitives(file.table().primitives()),
+      : geometry_hash(*file.table().geometry_hash()), primitives(file.table().primitives()),
         space(*file.table().space()), margin(file.table().margin()), division(*file.table().division()),
         block_log2(file.table().block_log2()), nested_log2(file.table().nested_log2()),
         merge(file.table().merge()), rule(file.table().division_rule()->str()),
@@ -144,9 +144,9 @@ struct GridParts : TakenApart {
       const auto list = builder.CreateVectorOfStructs(layout);
       const auto rule_text = builder.CreateString(rule);
       const auto merge_text = builder.CreateString(merge_rule);
-      builder.Finish(fb::CreateGrid(builder, &scene_hash, primitives, &space, margin, &division, block_log2,
-                                    nested_log2, fb::Space::tight, fb::Overlap::exact, merge, rule_text,
-                                    merge_text, -1, list));
+      builder.Finish(fb::CreateGrid(builder, &geometry_hash, primitives, &space, margin, &division,
+                                    block_log2, nested_log2, fb::Space::tight, fb::Overlap::exact, merge,
+                                    rule_text, merge_text, -1, list));
       return Bytes(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
     });
   }

@@ -115,7 +115,7 @@ TEST(HostileMergedGridBits, AnyFlippedBitIsRefusedOrHarmless) {
   const std::string scene_path = folder.file("scene"), path = folder.file("grid");
   write_scene(tiny_scene(), Store::float32, scene_path);
   const SceneFile scene(scene_path);
-  write_grid(tiny_merged_grid(), tiny_grid_origin(scene.hash(), merge_rule), path);
+  write_grid(tiny_merged_grid(), tiny_grid_origin(scene.geometry_hash(), merge_rule), path);
   const GridParts parts(path);
   int opened = 0, refused = 0;
   for (std::size_t section = 0; section < parts.sections.size(); ++section) {

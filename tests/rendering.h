@@ -42,9 +42,10 @@ private:
     const SceneView<Stored> view = scene_->view<Stored>();
     const GridLayout layout = make_grid_layout<Stored>(scene_->bounds(), SpaceRule::tight,
                                                        parse_division(division), division_statistics(view));
-    write_grid(build_grid(view, layout, Overlap::exact),
-               {scene_->hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
-               folder_.file("grid"));
+    write_grid(
+        build_grid(view, layout, Overlap::exact),
+        {scene_->geometry_hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
+        folder_.file("grid"));
   }
 
   TemporaryFolder folder_;

@@ -85,8 +85,8 @@ inline Grid tiny_merged_grid() {
           {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
 }
 
-inline GridOrigin tiny_grid_origin(const Hash& scene_hash, const std::string& merge_rule = "") {
-  return {scene_hash, tiny_scene_primitives, SpaceRule::tight, Overlap::exact, "2x2x1", merge_rule};
+inline GridOrigin tiny_grid_origin(const Hash& geometry_hash, const std::string& merge_rule = "") {
+  return {geometry_hash, tiny_scene_primitives, SpaceRule::tight, Overlap::exact, "2x2x1", merge_rule};
 }
 
 } // namespace masu

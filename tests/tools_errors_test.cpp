@@ -230,8 +230,16 @@ TEST_F(BadFiles, ScenesAndGridsAreNotInterchangeable) {
   expect_grid_refused(scene_, "isn't a grid file");
 }
 
-TEST_F(BadFiles, AGridOfAnotherSceneIsRefused) {
-  EXPECT_TRUE(fails(2, "gridrender", {other_scene_, grid_, "-o", file("new.png")}, grid_, "another scene"));
+TEST_F(BadFiles, AGridOfAnotherGeometryIsRefused) {
+  const auto refuse = [&](const std::string& scene) {
+    EXPECT_TRUE(fails(2, "gridrender", {scene, grid_, "-o", file("new.png")}, grid_, "another geometry"));
+    EXPECT_TRUE(fails(2, "gridbench", {"oracle", scene, grid_}, grid_, "another geometry"));
+  };
+  refuse(other_scene_);
+  refuse(scene("wide.scene", file("a.nff"), {"--store", "float64"}));
+  std::string moved(small_nff);
+  moved.replace(moved.find("-2 -2 0"), 7, "-2 -2 1");
+  refuse(scene("moved.scene", nff("moved.nff", moved)));
 }
 
 TEST_F(BadFiles, TruncatedFilesAreRefused) {

@@ -23,7 +23,7 @@ void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   const auto builder = settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene);
   const Stopwatch watch;
-  auto [grid, origin] = build_grid(*builder, file.bounds(), file.hash(), settings.options);
+  auto [grid, origin] = build_grid(*builder, file.bounds(), file.geometry_hash(), settings.options);
   const double seconds = watch.seconds();
   if (settings.record_seconds) origin.build_seconds = seconds;
   write_grid(grid, origin, settings.output);

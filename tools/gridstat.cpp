@@ -112,7 +112,7 @@ Json report(const GridFile& file, const Statistics& statistics, bool histogram) 
       {"overlap", fb::EnumNameOverlap(table.overlap())},
       {"space_rule", fb::EnumNameSpace(table.space_rule())},
       {"division_rule", table.division_rule()->str()},
-      {"scene_hash", to_hex({table.scene_hash()->low(), table.scene_hash()->high()})},
+      {"geometry_hash", to_hex({table.geometry_hash()->low(), table.geometry_hash()->high()})},
       {"build_seconds", nullptr},
   };
   if (table.build_seconds() >= 0) json["build_seconds"] = table.build_seconds();
@@ -185,7 +185,7 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
                             bytes["voxel_map"].dump(), bytes["cells"].dump(), bytes["references"].dump()));
   const std::string merge = file.is_merged() ? table.merge_rule()->str() : fb::EnumNameMerge(table.merge());
   line("merge, overlap", fmt::format("{}, {}", merge, fb::EnumNameOverlap(table.overlap())));
-  line("scene", json["scene_hash"].get<std::string>());
+  line("geometry", json["geometry_hash"].get<std::string>());
 }
 
 // A line for each i with counts[i] > 0, with a bar.

@@ -77,7 +77,7 @@ Grid build_automatic(GridBuilder<Stored>& builder, const GridLayout& uniform_lay
 } // namespace
 
 template <class Stored>
-DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& scene_hash,
+DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& geometry_hash,
                          const BuildOptions& options) {
   const DivisionStatistics statistics = division_statistics(builder.scene());
   const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
@@ -99,12 +99,9 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
     return builder.build(layout_for(kind), options.overlap, of_kind(kind, options.grid));
   };
   DescribedGrid result{built(), {}};
-  result.origin = {scene_hash,
-                   builder.scene().primitive_count(),
-                   options.space,
-                   options.overlap,
-                   options.division.text,
-                   merge_text(result.grid.kind, options.grid)};
+  result.origin = {geometry_hash,         builder.scene().primitive_count(),
+                   options.space,         options.overlap,
+                   options.division.text, merge_text(result.grid.kind, options.grid)};
   return result;
 }
 template DescribedGrid build_grid(GridBuilder<float>&, const Boxd&, const Hash&, const BuildOptions&);

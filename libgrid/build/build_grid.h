@@ -11,7 +11,7 @@ struct DescribedGrid {
   GridOrigin origin; // for its file
 };
 
-// A grid of the builder's scene; `bounds` are those of all its primitives, `scene_hash` its file's.
+// A grid of the builder's scene; `bounds` are those of all its primitives, `geometry_hash` its file's.
 //
 // Kind automatic: where options.division isn't automatic, that division, uniform. Else a uniform and an
 // irregular grid are built, and the one is taken that a random ray is expected to cross at less cost
@@ -21,7 +21,7 @@ struct DescribedGrid {
 // Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
 // as the builder does.
 template <class Stored>
-DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& scene_hash,
+DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& geometry_hash,
                          const BuildOptions& options);
 
 } // namespace masu

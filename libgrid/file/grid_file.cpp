@@ -28,13 +28,13 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
   const auto sections = builder.CreateVectorOfStructs(section_layout);
   const auto rule = builder.CreateString(origin.division_rule);
   const auto merge_rule = builder.CreateString(origin.merge_rule);
-  const fb::Hash scene_hash(origin.scene_hash.low, origin.scene_hash.high);
+  const fb::Hash geometry_hash(origin.geometry_hash.low, origin.geometry_hash.high);
   const Boxd& s = grid.layout.space;
   const fb::Box space({s.min.x, s.min.y, s.min.z}, {s.max.x, s.max.y, s.max.z});
   const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.layout.division);
   const fb::Division division(n.x, n.y, n.z);
   builder.Finish(fb::CreateGrid(
-      builder, &scene_hash, origin.primitives, &space, grid.layout.margin, &division,
+      builder, &geometry_hash, origin.primitives, &space, grid.layout.margin, &division,
       static_cast<std::uint32_t>(grid.block_log2), static_cast<std::uint32_t>(grid.nested_log2),
       origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
       origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
@@ -287,11 +287,10 @@ std::span<const PrimitiveIndex> GridFile::references() const {
   return container_.records<PrimitiveIndex>(section_list(*table_), number(fb::GridSection::references));
 }
 
-void GridFile::check_scene(const Hash& scene_hash, std::uint64_t primitives) const {
-  const fb::Hash& built_for = *table_->scene_hash();
-  if (Hash{built_for.low(), built_for.high()} != scene_hash || table_->primitives() != primitives) {
-    throw Error(ErrorCode::input, path(), "was built for another scene: build it again with gridbuild");
-  }
+void GridFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const {
+  const fb::Hash& built_from = *table_->geometry_hash();
+  if (Hash{built_from.low(), built_from.high()} != geometry_hash || table_->primitives() != primitives)
+    throw Error(ErrorCode::input, path(), "was built from another geometry: build it again with gridbuild");
 }
 
 template <class Real>

@@ -11,11 +11,12 @@
 
 namespace masu {
 
-inline constexpr FileKind grid_file_kind{{'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 2, "grid"};
+inline constexpr FileKind grid_file_kind{
+    {'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 3, "grid", "build it again with gridbuild"};
 
 // How a grid came about, as its file tells it.
 struct GridOrigin {
-  Hash scene_hash;
+  Hash geometry_hash; // the scene's (scene_file.h)
   std::uint64_t primitives;
   SpaceRule space_rule;
   Overlap overlap;
@@ -46,8 +47,8 @@ public:
   std::span<const MergedCell> cells() const;
   std::span<const PrimitiveIndex> references() const;
 
-  // Throws Error(input) unless the grid was built for the scene with this hash and so many primitives.
-  void check_scene(const Hash& scene_hash, std::uint64_t primitives) const;
+  // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
+  void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
 
   // Point into the mapping; of a uniform grid, of a merged one. Real is the arithmetic's type.
   template <class Real>

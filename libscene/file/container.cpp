@@ -27,20 +27,15 @@ std::uint64_t rounded_up(std::uint64_t value, std::uint64_t to) {
   return (value + to - 1) / to * to;
 }
 
-Hash hash_of(const void* data, std::size_t bytes) {
-  const XXH128_hash_t hash = XXH3_128bits(data, bytes);
-  return {hash.low64, hash.high64};
-}
-
 // Pieces are hashed in parallel; the result doesn't depend on the number of threads.
 Hash hash_of_pieces(const std::uint8_t* data, std::uint64_t bytes) {
   const std::uint64_t pieces = (bytes + piece_bytes - 1) / piece_bytes;
   std::vector<Hash> hashes(pieces);
   tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t piece) {
     const std::uint64_t begin = piece * piece_bytes;
-    hashes[piece] = hash_of(data + begin, std::min(piece_bytes, bytes - begin));
+    hashes[piece] = hash_of({data + begin, std::min(piece_bytes, bytes - begin)});
   });
-  return hash_of(hashes.data(), hashes.size() * sizeof(Hash));
+  return hash_of({reinterpret_cast<const std::uint8_t*>(hashes.data()), hashes.size() * sizeof(Hash)});
 }
 
 // With a hash field of zeros.
@@ -49,7 +44,7 @@ Hash content_hash(Prelude prelude, std::span<const std::uint8_t> table) {
   std::vector<std::uint8_t> bytes(sizeof prelude + table.size());
   std::memcpy(bytes.data(), &prelude, sizeof prelude);
   std::copy(table.begin(), table.end(), bytes.begin() + sizeof prelude);
-  return hash_of(bytes.data(), bytes.size());
+  return hash_of(bytes);
 }
 
 std::uint64_t section_size(const fb::Section& section) {
@@ -66,6 +61,11 @@ void write_zeros(OutputFile& file, std::uint64_t count) {
 }
 
 } // namespace
+
+Hash hash_of(std::span<const std::uint8_t> bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return {hash.low64, hash.high64};
+}
 
 std::string to_hex(const Hash& hash) {
   return fmt::format("{:016x}{:016x}", hash.high, hash.low);
@@ -127,9 +127,8 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : fi
   const Prelude& head = prelude();
   if (head.version != kind.version) {
     throw Error(ErrorCode::input, path,
-                fmt::format("is version {} of the {} format, this program reads version {}: make it again "
-                            "with this program's tools",
-                            head.version, kind.name, kind.version));
+                fmt::format("is version {} of the {} format, this program reads version {}: {}", head.version,
+                            kind.name, kind.version, kind.remake));
   }
   const std::uint64_t size = bytes.size();
   const bool fits = head.reserved == 0 && head.reserved2 == 0 && head.table_bytes < size - sizeof(Prelude) &&

@@ -23,17 +23,20 @@
 
 namespace masu {
 
-// A file's 128-bit content hash. A grid file contains that of its scene.
+// A 128-bit hash: of a file's content, of a section, of a scene's geometry.
 struct Hash {
   std::uint64_t low = 0, high = 0;
   friend bool operator==(const Hash&, const Hash&) = default;
 };
 std::string to_hex(const Hash& hash);
+// XXH3-128.
+Hash hash_of(std::span<const std::uint8_t> bytes);
 
 struct FileKind {
   std::array<char, 8> magic;
   std::uint32_t version; // raised by one whenever old readers would misread new files
   const char* name;      // for messages: "scene", "grid"
+  const char* remake;    // for messages: what to do about a file of another version
 };
 
 struct Prelude {

@@ -69,6 +69,10 @@ fb::Vec3 table_vector(const Vec3d& v) {
   return {v.x, v.y, v.z};
 }
 
+fb::Box table_box(const Boxd& box) {
+  return {table_vector(box.min), table_vector(box.max)};
+}
+
 std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const Boxd& box,
                                       const std::vector<fb::Section>& layout) {
   flatbuffers::FlatBufferBuilder builder;
@@ -79,7 +83,7 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
   const fb::Color background(scene.background.x, scene.background.y, scene.background.z);
   const fb::ObjectCounts objects(scene.objects.polygons, scene.objects.patches, scene.objects.spheres,
                                  scene.objects.cones);
-  const fb::Box bounds(table_vector(box.min), table_vector(box.max));
+  const fb::Box bounds = table_box(box);
   const auto count = [&](bool (*property)(const Material&)) {
     return static_cast<std::uint64_t>(
         std::count_if(scene.materials.begin(), scene.materials.end(), property));
@@ -125,7 +129,7 @@ bool reaches_within(const Boxd& bounds) {
 }
 
 template <class Stored>
-void write_stored(const Scene& scene, const std::string& path) {
+Hash write_stored(const Scene& scene, const std::string& path) {
   // The sections point into these.
   const auto lights = converted<Stored>(scene.lights);
   const auto triangles = converted<Stored>(scene.triangles);
@@ -173,6 +177,7 @@ void write_stored(const Scene& scene, const std::string& path) {
   const auto layout = lay_out(sections);
   const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
   write_container(path, scene_file_kind, scene_table(scene, store, box, layout), sections, layout);
+  return geometry_hash(layout, table_box(box));
 }
 
 Vec3d vector_of(const fb::Vec3& v) {
@@ -205,8 +210,30 @@ Boxd bounds(const Scene& scene) {
   return join(join(bounds_of(scene.triangles), bounds_of(scene.spheres)), bounds_of(scene.cones));
 }
 
-void write_scene(const Scene& scene, Store store, const std::string& path) {
-  fits_float32(scene, store) ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
+Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds) {
+  using fb::SceneSection;
+  struct Entry {
+    std::uint32_t kind, record_bytes;
+    std::uint64_t count;
+    fb::Hash hash;
+  };
+  static_assert(sizeof(fb::Box) == 48 && sizeof(Entry) == 32); // without gaps
+  std::vector<std::uint8_t> bytes;
+  const auto append = [&](const auto& record) {
+    const auto* const begin = reinterpret_cast<const std::uint8_t*>(&record);
+    bytes.insert(bytes.end(), begin, begin + sizeof record);
+  };
+  append(bounds);
+  for (const fb::Section& s : sections) {
+    if (s.kind() == number(SceneSection::triangles) || s.kind() == number(SceneSection::spheres) ||
+        s.kind() == number(SceneSection::cones))
+      append(Entry{s.kind(), s.record_bytes(), s.count(), s.hash()});
+  }
+  return hash_of(bytes);
+}
+
+Hash write_scene(const Scene& scene, Store store, const std::string& path) {
+  return fits_float32(scene, store) ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
 }
 
 namespace {
@@ -289,6 +316,7 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
         "its bounds are invalid");
   check(is_aligned(section_list(*table_)), "its table is damaged");
   container_.check_sections(section_list(*table_));
+  geometry_hash_ = masu::geometry_hash(section_list(*table_), *table_->bounds());
 
   const fb::ObjectCounts& counted = *table_->objects();
   const std::uint64_t limit = std::uint64_t{1} << 31;

@@ -11,7 +11,8 @@
 
 namespace masu {
 
-inline constexpr FileKind scene_file_kind{{'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene"};
+inline constexpr FileKind scene_file_kind{
+    {'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene", "convert the scene again"};
 
 // automatic: float32 when it represents every coordinate to the digits written in the text, products of
 // coordinates are in its range, and its arithmetic is precise enough (float32_precision.h); else float64.
@@ -23,10 +24,18 @@ Boxd bounds(const Scene& scene);
 // Whether write_scene stores the scene as float32.
 bool fits_float32(const Scene& scene, Store store);
 
-// Writes `scene` to `path`, whole or not at all. Throws Error(output) when it can't be written, Error(input)
-// when the largest coordinate is out of the store's range (1e-10 to 1e12 for float32, 1e-90 to 1e100 for
-// float64), or a cone has no length once rounded.
-void write_scene(const Scene& scene, Store store, const std::string& path);
+// Identifies what a grid is built from, and can be used with: XXH3-128 of the table's bounds and of the
+// entries (kind, record_bytes, count, hash) of the sections of triangles, spheres and cones. A triangle's
+// record also holds the indices of its object, material and normals, which count for that reason alone;
+// what they refer to doesn't, nor do lights, the camera, and the surfaces of spheres and cones. The
+// sections' own hashes are checked when a file is opened, so this one needs no other pass over the geometry,
+// and no field that could contradict it.
+Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds);
+
+// Writes `scene` to `path`, whole or not at all. Returns its geometry hash. Throws Error(output) when it
+// can't be written, Error(input) when the largest coordinate is out of the store's range (1e-10 to 1e12 for
+// float32, 1e-90 to 1e100 for float64), or a cone has no length once rounded.
+Hash write_scene(const Scene& scene, Store store, const std::string& path);
 
 // A mapped scene file, checked: every index and range in it is valid.
 class SceneFile {
@@ -40,6 +49,7 @@ public:
 
   const fb::Scene& table() const { return *table_; }
   const Hash& hash() const { return container_.hash(); }
+  const Hash& geometry_hash() const { return geometry_hash_; }
   const std::string& path() const { return container_.path(); }
   std::uint64_t bytes() const { return container_.bytes(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
@@ -58,6 +68,7 @@ private:
 
   ContainerFile container_;
   const fb::Scene* table_;
+  Hash geometry_hash_;
   LoadSeconds seconds_;
   bool is_checked_ = false; // by check_records when opened
 };

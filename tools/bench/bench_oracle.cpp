@@ -81,7 +81,7 @@ void bench_oracle(const Settings& settings) {
   const auto limit = settings.threads.limit();
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
-  grid.check_scene(scene.hash(), scene.primitive_count());
+  grid.check_geometry(scene.geometry_hash(), scene.primitive_count());
   const std::vector<Way> ways = ways_for(settings, scene);
   const std::vector<Tally> tallies = judge_all(settings, scene, grid, ways);
   Json rows = Json::array();

@@ -129,7 +129,7 @@ void bench_rays(const Settings& settings) {
   std::vector<GridFile> grids;
   for (const std::string& path : settings.grids) {
     grids.emplace_back(path);
-    grids.back().check_scene(scene.hash(), scene.primitive_count());
+    grids.back().check_geometry(scene.geometry_hash(), scene.primitive_count());
   }
   const std::vector<RaySet> sets = ray_sets(settings, scene, grids.front());
   Json rows = Json::array();

@@ -107,8 +107,8 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
   options.overlap = plan.overlap;
   const auto [grid, origin] =
       scene.is_float64()
-          ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), scene.hash(), options)
-          : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), scene.hash(), options);
+          ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), scene.geometry_hash(), options)
+          : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), scene.geometry_hash(), options);
   const MemoryFile file; // lives on in the mapping
   write_grid(grid, origin, file.path());
   return GridFile(file.path());

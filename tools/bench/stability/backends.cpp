@@ -38,9 +38,10 @@ void write_built(const SceneFile& scene, const GridWanted& wanted, const std::st
                           rounding_margin<Stored>(scene.bounds())};
   GridOptions options;
   options.kind = wanted.kind;
-  write_grid(build_grid(view, layout, Overlap::exact, options),
-             {scene.hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, "stability", ""},
-             path);
+  write_grid(
+      build_grid(view, layout, Overlap::exact, options),
+      {scene.geometry_hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, "stability", ""},
+      path);
 }
 
 std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const ListedRay> rays,
