@@ -1,11 +1,13 @@
 // mesh2bin: converts meshes of any format that Assimp reads to a scene file.
 #include "libscene/available_memory.h"
+#include "libscene/file/output_file.h"
 #include "libscene/mesh/import.h"
 #include "tools/scene_report.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -15,7 +17,7 @@ namespace masu {
 namespace {
 
 struct Settings {
-  std::string input, size;
+  std::string input, objects, size;
   ImportOptions import;
   SceneOutput output;
   Threads threads;
@@ -82,15 +84,30 @@ void print_notes(const ImportNotes& notes, const std::string& place) {
   line(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");
 }
 
+// One a line, line N + 1 for object N.
+void write_names(const std::vector<std::string>& names, const std::string& path) {
+  std::string text;
+  for (const std::string& name : names) {
+    for (const char c : name)
+      text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    text += '\n';
+  }
+  if (path == "-") return fmt::print("{}", text);
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
 void run(const Settings& settings) {
-  settings.output.check();
+  if (settings.objects.empty()) settings.output.check();
   const auto limit = settings.threads.limit();
-  check_files({settings.input}, {settings.output.path});
+  check_files({settings.input}, {settings.output.path, settings.objects});
   limit_memory();
   const ImportedScene imported =
       guarded(settings.input, [&] { return read_mesh(settings.input, settings.import); });
   print_notes(imported.notes, settings.input);
   write_and_report("mesh2bin", settings.input, imported.scene, settings.output);
+  if (!settings.objects.empty()) write_names(imported.object_names, settings.objects);
 }
 
 } // namespace
@@ -98,26 +115,29 @@ void run(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool("mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.",
-                  argc, argv, [](CLI::App& app, const auto& parse) {
-                    Settings settings;
-                    app.add_option("IN", settings.input, "mesh")->required();
-                    settings.output.add_to(app);
-                    add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
-                               "the up axis of the automatic camera; nothing is rotated");
-                    app.add_flag(
-                        "--smooth", settings.import.smooth,
-                        "interpolate normals: the file's, or where it has none, normals averaged over "
-                        "the faces round each vertex");
-                    app.add_option("--size", settings.size, "width and height of the picture in pixels")
-                        ->type_name("WxH");
-                    settings.threads.add_to(app);
-                    parse();
-                    if (!settings.size.empty()) {
-                      const Camera camera = resized({}, settings.size);
-                      settings.import.width = camera.width;
-                      settings.import.height = camera.height;
-                    }
-                    run(settings);
-                  });
+  return run_tool(
+      "mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.", argc, argv,
+      [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        app.add_option("IN", settings.input, "mesh")->required();
+        add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
+                   "the up axis of the automatic camera; nothing is rotated");
+        app.add_flag("--smooth", settings.import.smooth,
+                     "interpolate normals: the file's, or where it has none, normals averaged over "
+                     "the faces round each vertex");
+        app.add_option("--size", settings.size, "width and height of the picture in pixels")
+            ->type_name("WxH");
+        app.add_option(
+            "--objects", settings.objects,
+            "write the objects' names, one a line in the order of their numbers; - is standard output");
+        settings.output.add_to(app);
+        settings.threads.add_to(app);
+        parse();
+        if (!settings.size.empty()) {
+          const Camera camera = resized({}, settings.size);
+          settings.import.width = camera.width;
+          settings.import.height = camera.height;
+        }
+        run(settings);
+      });
 }
