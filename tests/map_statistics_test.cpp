@@ -68,7 +68,7 @@ int loads(const MergedGridView<Real>& grid, const Vec3i& voxel) {
     const MapDivision division = map_division(word);
     level = level - division.log2;
     const Vec3i at{voxel.x >> level.x, voxel.y >> level.y, voxel.z >> level.z};
-    word = grid.voxel_map[division.place + index_in_division(at, division.log2)];
+    word = grid.voxel_map[division.offset + index_in_division(at, division.log2)];
   }
   return count;
 }

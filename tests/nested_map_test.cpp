@@ -52,7 +52,7 @@ public:
     const Vec3i side{w.x >> n.x, w.y >> n.y, w.z >> n.z};
     ASSERT_GT(n.x + n.y + n.z, 0);
     ASSERT_TRUE(side.x >= 1 && side.y >= 1 && side.z >= 1);
-    std::size_t place = division.place;
+    std::size_t place = division.offset;
     for_each_voxel({{0, 0, 0}, {(1 << n.x) - 1, (1 << n.y) - 1, (1 << n.z) - 1}}, [&](const Vec3i& part) {
       ASSERT_LT(place, words_.size());
       ++met_[place];

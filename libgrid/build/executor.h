@@ -43,15 +43,6 @@ MASU_HD inline std::uint64_t owner_of(const std::uint64_t* begins, std::uint64_t
   return owner_by([begins](std::uint64_t i) { return begins[i]; }, count, at);
 }
 
-// Counts `by` more; returns what it was before. Of all who count at once each gets another number.
-MASU_HD inline std::uint32_t counted(std::uint32_t& counter, std::uint32_t by) {
-#ifdef __CUDA_ARCH__
-  return atomicAdd(&counter, by);
-#else
-  return std::atomic_ref(counter).fetch_add(by, std::memory_order_relaxed);
-#endif
-}
-
 template <class Executor, class T>
 using ArrayOf = typename Executor::template Array<T>;
 

@@ -69,6 +69,10 @@ public:
     return values[i];
   }
 
+  static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
+    return std::atomic_ref(counter).fetch_add(by, std::memory_order_relaxed);
+  }
+
   // Pairs go into buckets by the key's highest bits while they are emitted, so that sorting a bucket stays in
   // the cache; buckets and chunks of items don't depend on the number of threads.
   template <class Value, class Emit>

@@ -31,6 +31,14 @@ struct ExecutorGrid {
   const char* exceeded = nullptr; // as in BuildResult
 };
 
+// Of an executor in host memory.
+template <class Executor>
+BuildResult on_host(ExecutorGrid<Executor> grid) {
+  return {{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, std::move(grid.voxel_map),
+           std::move(grid.cells), std::move(grid.references)},
+          grid.exceeded};
+}
+
 // Pairs of a voxel's place in the storage order and a primitive that it lists, row by row of the voxels that
 // the primitive's bounds meet.
 template <class Stored>
@@ -67,7 +75,7 @@ std::optional<VoxelPairs<Executor>> voxel_pairs(Executor& executor, const SceneV
                                                 const StorageOrder& order) {
   const EmitOverlaps<Stored> emit{scene, layout, overlap, order};
   return executor.template emit_sorted<PrimitiveIndex>(
-      scene.primitive_count(), static_cast<int>(std::bit_width(order.places())), most_numbered, emit);
+      scene.primitive_count(), static_cast<int>(std::bit_width(order.places())), max_numbered, emit);
 }
 
 // Numbers what begins anew along a list: numbers[i] is how many of 0 … i - 1 begin something, for i up to
