@@ -108,7 +108,7 @@ TEST(Stretch, MovesFacesAsDefined) {
     GridOptions options = random_grid_options(chance);
     options.kind = GridKind::irregular;
     options.expansions = 0;
-    GridLayout layout = random_lattice<float>(chance, scene.bounds());
+    GridLayout layout = random_layout<float>(chance, scene.bounds());
     layout.division = {chance.whole(1, 12), chance.whole(1, 12), chance.whole(1, 12)};
     Grid slow = build_grid(scene.view(), layout, chance.one_in(2) ? Overlap::exact : Overlap::box, options);
     const int rounds = chance.whole(0, 5);

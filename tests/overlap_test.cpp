@@ -146,7 +146,7 @@ bool side_may_be_within(const Cone<double>& cone, const WideBox& box, Wide dista
 
 // A layout as gridbuild makes it, in a scene that reaches to ±scale.
 template <class Real>
-GridLayout random_lattice(Chance& chance, double scale, int finest) {
+GridLayout random_layout(Chance& chance, double scale, int finest) {
   const Boxd bounds{{-scale, -scale, -scale}, {scale, scale, scale}};
   const auto voxels = [&] {
     return static_cast<std::int32_t>(std::lround(chance.power_of_two(0, std::log2(finest))));
@@ -290,7 +290,7 @@ struct Kind {
     }
   }
   static GridLayout layout(Chance& chance, double scale, int finest) {
-    return random_lattice<Real>(chance, scale, finest);
+    return random_layout<Real>(chance, scale, finest);
   }
   static auto stored(const Primitive<double>& p) {
     if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {

@@ -110,7 +110,7 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
   for (std::int64_t s = cases(1000); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).pointed();
     const Boxd bounds = scene.bounds();
-    const GridLayout layout = random_lattice<Real>(chance, bounds);
+    const GridLayout layout = random_layout<Real>(chance, bounds);
     const Vec3d size = voxel_size(layout);
     for (std::size_t i = 0; i < scene.cones.size(); ++i) {
       Cone<Real>& cone = scene.cones[i];
@@ -359,7 +359,7 @@ TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
-    const GridLayout layout = random_lattice<Real>(chance, bounds);
+    const GridLayout layout = random_layout<Real>(chance, bounds);
     const Grid uniform = build_grid(view, layout, Overlap::exact);
     std::vector<Grid> joined{in_blocks(uniform, 2)};
     for (const GridKind kind : {GridKind::x, GridKind::balance})

@@ -140,6 +140,7 @@ inline unsigned blocks_for(std::uint64_t threads_wanted) {
 
 class CudaExecutor {
 public:
+  static constexpr bool has_warps = true;
   template <class T>
   using Array = PooledArray<T>;
 

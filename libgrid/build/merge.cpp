@@ -31,9 +31,9 @@ std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options) 
 
 namespace {
 
-// As the passes take them: at whole rows along x, and of few pairs and voxels; but a part is at least a row. The parts
-// don't depend on the number of threads.
-constexpr std::uint64_t max_part_pairs = 8192, max_part_voxels = 65536;
+// As the passes take them: at whole rows along x, and of few pairs and voxels; but a part is at least a row.
+// The parts don't depend on the number of threads.
+constexpr std::uint64_t max_part_pairs = 4096, max_part_voxels = 65536;
 std::vector<VoxelSpan> parts_of(const VoxelSpan& all, const Vec3i& division) {
   std::vector<VoxelSpan> parts;
   VoxelSpan part{0, 0, all.indices, all.primitives, 0};

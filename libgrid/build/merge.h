@@ -35,8 +35,8 @@ const char* exceeded_by_division(const Vec3i& division);
 const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
                               std::uint64_t words);
 
-// Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more primitives
-// than grids can number.
+// Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more
+// primitives than grids can number.
 template <class Stored>
 BuildResult merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
                         const GridOptions& options);

@@ -2,15 +2,17 @@
 //
 //   1. pairs    of a voxel and a primitive in it, sorted by voxel (uniform_passes.h)
 //   2. split    the occupied voxels are split into cells (split_passes.h)
-//   3. map      words lead from the smallest voxels to their cells (nested_map.h); empty voxels in a run along x
+//   3. map      words lead from the smallest voxels to their cells (nested_map.h); empty voxels in a run
+//   along x
 //               are one cell
 //   4. expand   cells are expanded over their neighbours (expand_passes.h)
 //
-// That is an irregular grid. Kind x leaves out what splits and expands. Kind balance splits the whole space as if
-// it were one voxel.
+// That is an irregular grid. Kind x leaves out what splits and expands. Kind balance splits the whole space
+// as if it were one voxel.
 //
-// On a device 2 and 3 go through all voxels at once. On the host they go through a part after the other, so small
-// that a core's cache holds all that its passes write (merge.cpp): that takes three quarters of the time.
+// On a device 2 and 3 go through all voxels at once. On the host they go through a part after the other, so
+// small that a core's cache holds all that its passes write (merge.cpp): that takes three quarters of the
+// time.
 #pragma once
 
 #include "libgrid/build/expand_passes.h"
@@ -19,8 +21,8 @@
 
 namespace masu {
 
-// Some voxels of a division by their index, x fastest, and the pairs of an index and a primitive of these, in rising
-// order. Begins where a row along x does or at an occupied voxel, and ends likewise.
+// Some voxels of a division by their index, x fastest, and the pairs of an index and a primitive of these, in
+// rising order. Begins where a row along x does or at an occupied voxel, and ends likewise.
 struct VoxelSpan {
   std::uint64_t first, end;
   const std::uint64_t* indices;
@@ -106,10 +108,9 @@ ArrayOf<Executor, Fragment> fragments_of(Executor& executor, const Splitter<Stor
 
 // The occupied voxels, split into cells.
 template <class Executor, class Stored>
-std::vector<SplitLevel<Executor>> split_voxels(Executor& executor, const Splitter<Stored>& splitter,
-                                               const Vec3i& division, std::int32_t nested_log2,
-                                               const VoxelSpan& span,
-                                               const OccupiedVoxels<Executor>& occupied) {
+std::vector<SplitLevel<Executor>>
+split_voxels(Executor& executor, const Splitter<Stored>& splitter, const Vec3i& division,
+             std::int32_t nested_log2, const VoxelSpan& span, const OccupiedVoxels<Executor>& occupied) {
   const std::uint64_t voxels = occupied.indices.size();
   const std::uint32_t *const index = occupied.indices.data(), *const begin = occupied.begins.data(),
                              *const number = occupied.numbers.data();
@@ -153,10 +154,9 @@ std::vector<SplitLevel<Executor>> unsplit_voxels(Executor& executor, const Vec3i
 // How many cells there are before each voxel of the division, and at its end before no more: those of the
 // occupied ones, and one for each run along x of those that hold nothing.
 template <class Executor>
-ArrayOf<Executor, std::uint32_t> cells_before_voxels(Executor& executor, const Vec3i& division,
-                                                     const VoxelSpan& span,
-                                                     const std::uint32_t* occupied_number,
-                                                     const LeafCounts* leaves) {
+ArrayOf<Executor, std::uint32_t>
+cells_before_voxels(Executor& executor, const Vec3i& division, const VoxelSpan& span,
+                    const std::uint32_t* occupied_number, const LeafCounts* leaves) {
   const std::uint64_t voxels = span.size();
   auto cells = executor.template array<std::uint32_t>(voxels + 1);
   std::uint32_t* const before = cells.data();
@@ -176,8 +176,9 @@ ArrayOf<Executor, std::uint32_t> cells_before_voxels(Executor& executor, const V
 
 // The cells of runs of empty voxels, and the words of their voxels.
 template <class Executor>
-void write_empty_runs(Executor& executor, const Vec3i& division, const VoxelSpan& span, const std::uint32_t* occupied_number,
-                      const std::uint32_t* cells_before, ExecutorGrid<Executor>& grid) {
+void write_empty_runs(Executor& executor, const Vec3i& division, const VoxelSpan& span,
+                      const std::uint32_t* occupied_number, const std::uint32_t* cells_before,
+                      ExecutorGrid<Executor>& grid) {
   MergedCell* const cells = grid.cells.data();
   std::uint32_t* const map = grid.voxel_map.data();
   const std::int32_t log2 = grid.nested_log2;
@@ -244,8 +245,8 @@ void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpa
     boxes[here.children] = undivided(cube, here.entries, after.entries, static_cast<std::uint32_t>(i));
   });
   const std::uint64_t box_count = all.children;
-  executor.for_each_by_group(
-      voxels, ListCells{starts, leaves, before, entries.cells.data(), entries.box_of.data()});
+  executor.for_each_by_group(voxels,
+                             ListCells{starts, leaves, before, entries.cells.data(), entries.box_of.data()});
   std::uint64_t words = top_words;
   while (levels.back().boxes.size() > 0) {
     levels.push_back(divide_map_level(executor, grid.cells.data(), levels.back(), entries, grid.exceeded));
@@ -267,14 +268,15 @@ void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpa
   std::uint32_t* const map = grid.voxel_map.data();
   executor.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
     const WordCounts here = before[i];
-    map[index[i] - span.first] = leaves[i].leaves > 1 ? map_word({begin[here.children], boxes[here.children].division})
-                                         : occupied_bit | starts[i].leaves;
+    map[index[i] - span.first] = leaves[i].leaves > 1
+                                     ? map_word({begin[here.children], boxes[here.children].division})
+                                     : occupied_bit | starts[i].leaves;
   });
   write_maps(executor, levels, counts, std::move(begins), grid.voxel_map);
 }
 
-// A part of a grid whose cells, references and words are numbered from its own beginning: the words are those of the
-// span's voxels, and what they lead to.
+// A part of a grid whose cells, references and words are numbered from its own beginning: the words are those
+// of the span's voxels, and what they lead to.
 template <class Executor, class Stored>
 ExecutorGrid<Executor> merged_part(Executor& executor, const Splitter<Stored>& splitter,
                                    const GridLayout& layout, std::int32_t nested_log2,
@@ -304,9 +306,8 @@ ExecutorGrid<Executor> merged_part(Executor& executor, const Splitter<Stored>& s
   executor.scan(starts);
   const auto cells_before = cells_before_voxels(executor, division, span, occupied_number, leaves);
   const std::uint32_t* const cell_before = cells_before.data();
-  executor.for_each(voxels, [=] MASU_PASS(std::uint64_t i) {
-    start[i].leaves = cell_before[index[i] - span.first];
-  });
+  executor.for_each(voxels,
+                    [=] MASU_PASS(std::uint64_t i) { start[i].leaves = cell_before[index[i] - span.first]; });
   const std::uint64_t cells = executor.value(cells_before, span.size()),
                       references = executor.value(starts, voxels).references;
   if ((grid.exceeded = exceeded_by_sizes(cells, references, 0, 0)) != nullptr) return grid;
@@ -358,7 +359,10 @@ ExecutorGrid<Executor> balanced_grid(Executor& executor, const Splitter<Stored>&
   ArrayOf<Executor, std::uint32_t> kept{};
   auto fragments = fragments_of(
       executor, splitter, splitter.scene.primitive_count(),
-      [=] MASU_PASS(std::uint64_t i) { return BoxedPrimitive{whole, static_cast<PrimitiveIndex>(i)}; }, kept);
+      [=] MASU_PASS(std::uint64_t i) {
+        return BoxedPrimitive{whole, static_cast<PrimitiveIndex>(i)};
+      },
+      kept);
   SplitLevel<Executor> level{executor.template array<LevelBox>(1), {}};
   LevelBox* const box = level.boxes.data();
   const auto count = static_cast<std::uint32_t>(fragments.size());

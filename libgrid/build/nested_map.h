@@ -1,5 +1,6 @@
-// The maps that lead from the smallest voxels to their cells (grid_view.h has the words), of many divided voxels at
-// once, level by level: each pass does something to all regions of a level, or to all cells in them.
+// The maps that lead from the smallest voxels to their cells (grid_view.h has the words), of many divided
+// voxels at once, level by level: each pass does something to all regions of a level, or to all cells in
+// them.
 #pragma once
 
 #include "libgrid/build/executor.h"
@@ -80,20 +81,21 @@ MASU_HD inline MapRegion map_part(const MapRegion& region, const Vec3i& division
   return own;
 }
 
-// A region that several cells divide between them: `begin` … `end` - 1 of its level's entries. Its words are its
-// level's from `words` on.
+// A region that several cells divide between them: `begin` … `end` - 1 of its level's entries. Its words are
+// its level's from `words` on.
 struct MapBox {
   MapRegion region;
   Vec3i division;
   std::uint32_t begin, end, words;
-  std::uint32_t child, children; // the first of its parts that several cells divide, on the next level; how many
-  std::uint32_t parent_word;     // index of the word that leads here, on the level before
+  std::uint32_t child,
+      children;              // the first of its parts that several cells divide, on the next level; how many
+  std::uint32_t parent_word; // index of the word that leads here, on the level before
 };
 
 MASU_HD inline MapBox undivided(const MapRegion& region, std::uint64_t begin, std::uint64_t end,
                                 std::uint32_t parent_word) {
   return {region, {},         static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end), 0, 0,
-          0,     parent_word};
+          0,      parent_word};
 }
 
 // Cells, region by region.
@@ -270,7 +272,8 @@ void write_maps(Executor& executor, std::vector<MapLevel<Executor>>& levels,
     std::uint32_t* const next = next_offsets.data();
     executor.for_each(levels[level].boxes.size(), [=] MASU_PASS(std::uint64_t i) {
       const MapBox& box = boxes[i];
-      std::uint32_t words_end = offset[i] + static_cast<std::uint32_t>(rounded_to_unit(parts_of(box.division)));
+      std::uint32_t words_end =
+          offset[i] + static_cast<std::uint32_t>(rounded_to_unit(parts_of(box.division)));
       for (std::uint32_t child = box.child; child < box.child + box.children; ++child) {
         next[child] = words_end;
         words[next_boxes[child].parent_word] = map_word({words_end, next_boxes[child].division});

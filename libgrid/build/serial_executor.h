@@ -10,6 +10,7 @@
 namespace masu {
 
 struct SerialExecutor {
+  static constexpr bool has_warps = false;
   template <class T>
   using Array = HostArray<T>;
 

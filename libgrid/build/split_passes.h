@@ -1,5 +1,5 @@
-// Splitting boxes of voxels into cells, level by level: each pass does something to all boxes of a level, or to
-// all their fragments.
+// Splitting boxes of voxels into cells, level by level: each pass does something to all boxes of a level, or
+// to all their fragments.
 #pragma once
 
 #include "libgrid/build/executor.h"
@@ -40,9 +40,31 @@ struct FragmentCounts {
   }
 };
 
-// A fragment whose primitive decides where it goes. Most need only their bounds; these are put on a list, so that
-// all threads of a warp have a primitive to test: those that a plane cuts from the list's front on, those in leaves
-// from its back.
+// Decides by its primitive where a fragment goes that a plane cuts, or whether a leaf lists it. What is on
+// both sides stays in its place as what is below, and is in `above` as what is above.
+template <class Stored>
+struct DecideFragment {
+  Splitter<Stored> splitter;
+  const LevelBox* boxes;
+  Fragment *fragments, *above;
+  FragmentCounts* counts;
+
+  MASU_HD void operator()(std::uint32_t i, std::uint32_t box) const {
+    const LevelBox& own = boxes[box];
+    if (own.child == no_child) {
+      counts[i] = {0, 0, splitter.lists(own.box, fragments[i].primitive)};
+      return;
+    }
+    Fragment low{}, high{};
+    const auto sides = splitter.cut(fragments[i], Plane{own.axis, own.position}, low, high);
+    counts[i] = {sides.below, sides.above, 0};
+    fragments[i] = sides.below ? low : high;
+    if (sides.below && sides.above) above[i] = high;
+  }
+};
+
+// Fragments to be decided by a pass of their own, so that all threads of a warp have a primitive to test:
+// those that a plane cuts from the list's front on, those in leaves from its back.
 struct Undecided {
   std::uint32_t fragment, box;
 };
@@ -50,14 +72,12 @@ struct UndecidedCounts {
   std::uint32_t cut, in_leaves;
 };
 
-// Chooses the boxes' planes, and counts the fragments on one side of them.
+// Chooses the boxes' planes, and counts the fragments on either side of them.
 template <class Executor, class Stored>
 struct DivideBoxes {
   using Scratch = PlaneBins;
-  Splitter<Stored> splitter;
+  DecideFragment<Stored> decide;
   LevelBox* boxes;
-  const Fragment* fragments;
-  FragmentCounts* counts;
   Undecided *undecided, *undecided_end;
   UndecidedCounts* lengths;
 
@@ -65,7 +85,8 @@ struct DivideBoxes {
   template <class ThreadGroup>
   MASU_HD void operator()(const ThreadGroup& group, PlaneBins& bins, std::uint64_t i) const {
     LevelBox& own = boxes[i];
-    const Plane best = splitter.best_plane(group, bins, own.box, fragments + own.begin, size(i));
+    const Fragment* const fragments = decide.fragments;
+    const Plane best = decide.splitter.best_plane(group, bins, own.box, fragments + own.begin, size(i));
     if (group.thread_rank() == 0) {
       own.axis = best.axis;
       own.position = best.position;
@@ -74,23 +95,26 @@ struct DivideBoxes {
     group.sync();
     const Plane plane{own.axis, own.position};
     const bool is_leaf = own.child == no_child;
+    const auto box = static_cast<std::uint32_t>(i);
     const std::uint32_t end = own.end;
     for (std::uint32_t f = own.begin + group.thread_rank(); f < end; f += group.size()) {
-      const Undecided fragment{f, static_cast<std::uint32_t>(i)};
-      if (is_leaf) {
-        *(undecided_end - 1 - Executor::fetch_add(lengths->in_leaves, 1)) = fragment;
-        continue;
-      }
       const std::uint32_t below = Splitter<Stored>::is_below(fragments[f], plane),
                           above = Splitter<Stored>::is_above(fragments[f], plane);
-      counts[f] = {below, above, 0};
-      if (below + above == 2) undecided[Executor::fetch_add(lengths->cut, 1)] = fragment;
+      if (!is_leaf && below + above == 1) {
+        decide.counts[f] = {below, above, 0};
+      } else if (!Executor::has_warps) {
+        decide(f, box);
+      } else if (is_leaf) {
+        *(undecided_end - 1 - Executor::fetch_add(lengths->in_leaves, 1)) = {f, box};
+      } else {
+        undecided[Executor::fetch_add(lengths->cut, 1)] = {f, box};
+      }
     }
   }
 };
 
-// The next level's boxes and fragments: of each divided box those below, then those above, in their order. What
-// leaves list goes to `listed`.
+// The next level's boxes and fragments: of each divided box those below, then those above, in their order.
+// What leaves list goes to `listed`.
 struct MoveFragments {
   using Scratch = NoScratch;
   LevelBox* boxes;
@@ -142,36 +166,23 @@ std::optional<SplitLevel<Executor>> split_level(Executor& executor, const Splitt
                                                 ArrayOf<Executor, Fragment>& fragments) {
   const std::uint64_t box_count = level.boxes.size(), count = fragments.size();
   auto counts = executor.template array<FragmentCounts>(count + 1);
-  auto list = executor.template array<Undecided>(count);
-  auto list_lengths = executor.template zeros<UndecidedCounts>(1);
   auto fragments_above = executor.template array<Fragment>(count);
+  auto list = executor.template array<Undecided>(Executor::has_warps ? count : 0);
+  auto list_lengths = executor.template zeros<UndecidedCounts>(1);
   LevelBox* const boxes = level.boxes.data();
   Fragment *const fragment = fragments.data(), *const above = fragments_above.data();
   FragmentCounts* const before = counts.data();
   Undecided* const undecided = list.data();
   UndecidedCounts* const lengths = list_lengths.data();
-  executor.for_each_by_group(box_count,
-                             DivideBoxes<Executor, Stored>{splitter, boxes, fragment, before, undecided,
-                                                           undecided + count, lengths});
+  const DecideFragment<Stored> decide{splitter, boxes, fragment, above, before};
+  executor.for_each_by_group(
+      box_count, DivideBoxes<Executor, Stored>{decide, boxes, undecided, undecided + list.size(), lengths});
   const auto divided =
       numbered(executor, box_count, [=] MASU_PASS(std::uint64_t i) { return boxes[i].child != no_child; });
-  // A fragment that is on both sides stays in its place as what is below, and is in `above` as what is above.
-  executor.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
-    if (i == count) {
-      before[i] = {0, 0, 0};
-    } else if (i < lengths->cut) {
-      const std::uint32_t f = undecided[i].fragment;
-      const LevelBox& box = boxes[undecided[i].box];
-      Fragment low{}, high{};
-      const auto sides = splitter.cut(fragment[f], Plane{box.axis, box.position}, low, high);
-      before[f] = {sides.below, sides.above, 0};
-      fragment[f] = sides.below ? low : high;
-      if (sides.below && sides.above) above[f] = high;
-    } else if (i >= count - lengths->in_leaves) {
-      const std::uint32_t f = undecided[i].fragment;
-      before[f] = {0, 0, splitter.lists(boxes[undecided[i].box].box, fragment[f].primitive)};
-    }
+  executor.for_each(list.size(), [=] MASU_PASS(std::uint64_t i) {
+    if (i < lengths->cut || i >= count - lengths->in_leaves) decide(undecided[i].fragment, undecided[i].box);
   });
+  executor.for_each(1, [=] MASU_PASS(std::uint64_t i) { before[count + i] = {0, 0, 0}; });
   executor.scan(counts);
   const FragmentCounts all = executor.value(counts, count);
   const std::uint64_t next_count = std::uint64_t{all.below} + all.above;

@@ -1,6 +1,6 @@
-// Splitting a box of voxels into cells, top down: a kd-tree whose planes are those between the voxels, and of which
-// only the leaves are kept. These are its steps for one box, for a single thread or a group of threads that share
-// the box (thread_group.h); split_passes.h does them to many boxes.
+// Splitting a box of voxels into cells, top down: a kd-tree whose planes are those between the voxels, and of
+// which only the leaves are kept. These are its steps for one box, for a single thread or a group of threads
+// that share the box (thread_group.h); split_passes.h does them to many boxes.
 #pragma once
 
 #include "libgrid/build/build_options.h"
@@ -85,8 +85,8 @@ struct Splitter {
     return some;
   }
 
-  // The plane that divides a box, if any is worth it. To be called by all threads, for the first of them; `bins` is
-  // theirs to share.
+  // The plane that divides a box, if any is worth it. To be called by all threads, for the first of them;
+  // `bins` is theirs to share.
   template <class ThreadGroup>
   MASU_HD Plane best_plane(const ThreadGroup& group, PlaneBins& bins, const VoxelBox& box,
                            const Fragment* fragments, std::uint32_t count) const {

@@ -18,6 +18,7 @@ namespace masu {
 
 class TbbExecutor {
 public:
+  static constexpr bool has_warps = false;
   template <class T>
   using Array = HostArray<T>;
 

@@ -258,13 +258,12 @@ void GridFile::check_merged() const {
   const auto finest = cast<std::uint32_t>(merged_view<double>().division);
   const std::uint64_t lists = references().size();
   check(boxes.size() <= max_numbered && all(boxes.size(),
-                                             [&](std::uint64_t i) {
-                                               const MergedCell& cell = boxes[i];
-                                               return (cell.list == empty_list || cell.list < lists) &&
-                                                      (cell.x >> 16) <= finest.x &&
-                                                      (cell.y >> 16) <= finest.y &&
-                                                      (cell.z >> 16) <= finest.z;
-                                             }),
+                                            [&](std::uint64_t i) {
+                                              const MergedCell& cell = boxes[i];
+                                              return (cell.list == empty_list || cell.list < lists) &&
+                                                     (cell.x >> 16) <= finest.x &&
+                                                     (cell.y >> 16) <= finest.y && (cell.z >> 16) <= finest.z;
+                                            }),
         "its cells leave the space, or name a list that isn't there");
   check(MapCheck(merged_view<double>(), voxel_map().size(), boxes.size()).top_level_good(),
         "its voxel map leads astray");
