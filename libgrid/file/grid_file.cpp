@@ -210,7 +210,7 @@ GridFile::GridFile(const std::string& path, Checks checks, const Stopwatch& watc
 }
 
 void GridFile::check(bool good, const char* what) const {
-  if (!good) throw Error(ErrorCode::input, path(), std::string(what) + ": make the file again");
+  if (!good) throw_damaged(path(), what);
 }
 
 void GridFile::check_sizes() const {
