@@ -10,7 +10,7 @@ namespace masu {
 //   x          the empty voxels of a run along x are joined: it costs a ray along it one step
 //   balance    boxes of voxels that list no more than `target` primitives are one cell
 //   irregular  each voxel of a coarse division is divided further, as deep as its primitives demand, by
-//              expected cost (split.h); cells are then expanded over neighbours (expand_passes.h)
+//              expected cost (splitter.h); cells are then expanded over neighbours (expand_passes.h)
 //   automatic  uniform or irregular, by expected cost (build_grid.h); a built grid is never of this kind
 // The first four are numbered as schemas/grid.fbs numbers them.
 enum class GridKind { uniform, x, balance, irregular, automatic };

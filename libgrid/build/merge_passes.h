@@ -1,18 +1,15 @@
 // Building a grid whose cells are boxes of several voxels, on whatever executor (executor.h):
 //
-//   1. pairs    of a voxel and a primitive in it, sorted by voxel (uniform_passes.h)
-//   2. split    the occupied voxels are split into cells (split_passes.h)
-//   3. map      words lead from the smallest voxels to their cells (nested_map.h); empty voxels in a run
-//   along x
-//               are one cell
-//   4. expand   cells are expanded over their neighbours (expand_passes.h)
+//   1. pairs   of a voxel and a primitive in it, sorted by voxel (uniform_passes.h)
+//   2. split   the occupied voxels into cells (split_passes.h)
+//   3. map     from the smallest voxels to their cells (nested_map.h); empty voxels in a run along x are one
+//   4. expand  cells over their neighbours (expand_passes.h)
 //
-// That is an irregular grid. Kind x leaves out what splits and expands. Kind balance splits the whole space
-// as if it were one voxel.
+// That is an irregular grid. Kind x leaves out 4, and its voxels aren't split. Kind balance splits the whole
+// space as if it were one voxel.
 //
-// On a device 2 and 3 go through all voxels at once. On the host they go through a part after the other, so
-// small that a core's cache holds all that its passes write (merge.cpp): that takes three quarters of the
-// time.
+// A device takes all voxels through 2 and 3 at once. The host takes part after part of them, so small that a
+// core's cache holds what the passes write (merge.cpp).
 #pragma once
 
 #include "libgrid/build/expand_passes.h"
@@ -21,8 +18,8 @@
 
 namespace masu {
 
-// Some voxels of a division by their index, x fastest, and the pairs of an index and a primitive of these, in
-// rising order. Begins where a row along x does or at an occupied voxel, and ends likewise.
+// Voxels of a division by their index, x fastest: whole rows along x. And the pairs of an index and a
+// primitive of these, in rising order.
 struct VoxelSpan {
   std::uint64_t first, end;
   const std::uint64_t* indices;

@@ -1,8 +1,7 @@
 // Building a uniform grid, on whatever executor (executor.h):
 //
-//   1. emit and sort  primitives list (voxel, primitive) pairs, sorted by voxel in the order the map stores
-//   them
-//   2. map            where a voxel begins, it writes its word of the map; blocks are numbered before
+//   1. emit and sort  the pairs of a voxel and a primitive that it lists, by voxel in the map's storage order
+//   2. map            where a voxel's pairs begin, its word is written; blocks are numbered before
 //
 // No byte of the result depends on the executor or its number of threads. No array has an element for each
 // voxel but the map itself, and large maps have none for the empty blocks.
