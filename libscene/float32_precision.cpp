@@ -1,44 +1,264 @@
 #include "libscene/float32_precision.h"
 
-#include "libscene/file/scene_file.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/combinable.h>
+#include <tbb/parallel_for.h>
+#include <xxhash.h>
+
 #include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace masu {
 namespace {
 
-std::uint64_t count_too_small(const Scene& scene, double margin) {
-  const auto is_too_small = [margin](const Boxd& box) {
-    return largest_magnitude(box.max - box.min) < 2 * margin;
-  };
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < scene.triangles.size();) {
-    const auto object = scene.triangles[i].object;
-    Boxd box = empty_box<double>();
-    for (; i < scene.triangles.size() && scene.triangles[i].object == object; ++i)
-      box = join(box, bounds(scene.triangles[i]));
-    count += is_too_small(box) ? 1 : 0;
-  }
-  for (const auto& sphere : scene.spheres)
-    count += is_too_small(bounds(sphere)) ? 1 : 0;
-  for (const auto& cone : scene.cones)
-    count += is_too_small(bounds(cone)) ? 1 : 0;
-  return count;
+constexpr std::size_t grain = 4096;
+
+// Calls act(record, part, index) for every record, in parallel, and joins the threads' parts by `+=`.
+template <class Part, class Record, class Act>
+Part gathered(std::span<const Record> records, const Act& act) {
+  tbb::combinable<Part> parts;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, records.size(), grain), [&](const auto& range) {
+    Part& part = parts.local();
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      act(records[i], part, i);
+  });
+  Part total;
+  parts.combine_each([&](const Part& part) { total += part; });
+  return total;
 }
+
+struct Bounds {
+  Boxd box = empty_box<double>();
+  Bounds& operator+=(const Bounds& other) {
+    box = join(box, other.box);
+    return *this;
+  }
+};
+
+template <class Record>
+Boxd bounds_of(std::span<const Record> records) {
+  return gathered<Bounds>(records,
+                          [](const Record& record, Bounds& part, std::size_t) {
+                            part.box = join(part.box, cast<double>(bounds(record)));
+                          })
+      .box;
+}
+
+template <class T>
+double extent(const Box<T>& box) {
+  return largest_magnitude(cast<double>(box.max) - cast<double>(box.min));
+}
+
+// --- Rounding -------------------------------------------------------------------------------------------
+
+double rounding_of(double value) {
+  return std::abs(value - static_cast<double>(static_cast<float>(value)));
+}
+double rounding_of(const Vec3d& v) {
+  return std::max({rounding_of(v.x), rounding_of(v.y), rounding_of(v.z)});
+}
+double rounding_of(const Triangle<double>& t) {
+  return std::max({rounding_of(t.a), rounding_of(t.b), rounding_of(t.c)});
+}
+double rounding_of(const Sphere<double>& s) {
+  return std::max(rounding_of(s.center), rounding_of(s.radius));
+}
+double rounding_of(const Cone<double>& c) {
+  return std::max(
+      {rounding_of(c.base), rounding_of(c.apex), rounding_of(c.base_radius), rounding_of(c.apex_radius)});
+}
+
+double length_of(const Vec3d& v) {
+  return std::sqrt(dot(v, v));
+}
+
+// How far rounding moves a cone's side at most: its ends, its radii, and its rims by the turn of its axis.
+double movement_of(const Cone<double>& cone) {
+  const Cone<float> stored{cast<float>(cone.base), static_cast<float>(cone.base_radius),
+                           cast<float>(cone.apex), static_cast<float>(cone.apex_radius)};
+  if (is_empty(bounds(stored))) return std::numeric_limits<double>::infinity(); // no length
+  const Cone<double> rounded = widened(stored);
+  const Vec3d axis = normalized(cone.apex - cone.base), turned = normalized(rounded.apex - rounded.base);
+  const double radius = std::max(std::abs(cone.base_radius), std::abs(cone.apex_radius));
+  return std::max(length_of(rounded.base - cone.base), length_of(rounded.apex - cone.apex)) +
+         std::max(rounding_of(cone.base_radius), rounding_of(cone.apex_radius)) +
+         radius * length_of(turned - axis);
+}
+
+// --- Triangles that stand alone -------------------------------------------------------------------------
+
+using Corner = Vec3f;
+
+// As it is stored; -0 becomes 0, to which it is equal.
+template <class Stored>
+Corner corner_of(const Vec3<Stored>& v) {
+  const auto stored = cast<float>(v);
+  return {stored.x + 0.0F, stored.y + 0.0F, stored.z + 0.0F};
+}
+
+// The corners of small triangles, and which of them are connected by these triangles (union-find).
+class SmallSurfaces {
+public:
+  explicit SmallSurfaces(std::size_t max_corners) : slots_(std::bit_ceil(2 * max_corners), none) {}
+
+  std::size_t corner_count() const { return corners_.size(); }
+
+  // The index of a corner.
+  std::uint32_t add(const Corner& corner) {
+    std::uint32_t& slot = slots_[slot_of(corner)];
+    if (slot == none) {
+      slot = static_cast<std::uint32_t>(corners_.size());
+      corners_.push_back(corner);
+      parents_.push_back(slot);
+      box_ = join(box_, corner);
+    }
+    return slot;
+  }
+
+  // The same; `none` where it isn't a corner.
+  std::uint32_t find(const Corner& corner) const {
+    return contains(box_, corner) ? slots_[slot_of(corner)] : none;
+  }
+
+  void connect(std::uint32_t a, std::uint32_t b) { parents_[root(a)] = root(b); }
+
+  // The number of surfaces no larger than `size` without a corner that is marked.
+  std::uint64_t count_alone(const std::vector<std::atomic<bool>>& marked, double size) {
+    std::vector<Box<float>> boxes(corners_.size(), empty_box<float>());
+    std::vector<bool> attached(corners_.size());
+    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+      const std::uint32_t surface = root(i);
+      boxes[surface] = join(boxes[surface], corners_[i]);
+      if (marked[i]) attached[surface] = true;
+    }
+    std::uint64_t count = 0;
+    for (std::uint32_t i = 0; i < corners_.size(); ++i)
+      count += parents_[i] == i && !attached[i] && extent(boxes[i]) <= size ? 1 : 0;
+    return count;
+  }
+
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+private:
+  // Where the corner's index is, or `none` for it to be written.
+  std::size_t slot_of(const Corner& corner) const {
+    std::size_t slot = XXH3_64bits(&corner, sizeof corner) & (slots_.size() - 1);
+    while (slots_[slot] != none && !(corners_[slots_[slot]] == corner))
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+
+  std::uint32_t root(std::uint32_t i) {
+    while (parents_[i] != i) {
+      parents_[i] = parents_[parents_[i]];
+      i = parents_[i];
+    }
+    return i;
+  }
+
+  std::vector<Corner> corners_;        // each once
+  std::vector<std::uint32_t> parents_; // by corner; a surface is the root of its corners
+  std::vector<std::uint32_t> slots_;   // a hash table of indices of corners, at most half full
+  Box<float> box_ = empty_box<float>();
+};
+
+struct Indices {
+  std::vector<std::uint32_t> list;
+  Indices& operator+=(const Indices& other) {
+    list.insert(list.end(), other.list.begin(), other.list.end());
+    return *this;
+  }
+};
+
+template <class Stored>
+std::uint64_t triangles_alone(std::span<const Triangle<Stored>> triangles, double size) {
+  const auto is_small = [size](const Triangle<Stored>& t) { return extent(bounds(t)) <= size; };
+  const Indices small = gathered<Indices>(triangles, [&](const auto& t, Indices& part, std::size_t i) {
+    if (is_small(t)) part.list.push_back(static_cast<std::uint32_t>(i));
+  });
+  if (small.list.empty()) return 0;
+  SmallSurfaces surfaces(3 * small.list.size());
+  for (const std::uint32_t i : small.list) {
+    const std::uint32_t a = surfaces.add(corner_of(triangles[i].a));
+    surfaces.connect(a, surfaces.add(corner_of(triangles[i].b)));
+    surfaces.connect(a, surfaces.add(corner_of(triangles[i].c)));
+  }
+  std::vector<std::atomic<bool>> marked(surfaces.corner_count());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size(), grain), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const Triangle<Stored>& t = triangles[i];
+      if (is_small(t)) continue;
+      for (const auto& v : {t.a, t.b, t.c}) {
+        const std::uint32_t shared = surfaces.find(corner_of(v));
+        if (shared != SmallSurfaces::none) marked[shared] = true;
+      }
+    }
+  });
+  return surfaces.count_alone(marked, size);
+}
+
+// --- All of a scene -------------------------------------------------------------------------------------
+
+struct Found {
+  double rounding = 0;
+  std::uint64_t small = 0, moved = 0;
+  Found& operator+=(const Found& other) {
+    rounding = std::max(rounding, other.rounding);
+    small += other.small;
+    moved += other.moved;
+    return *this;
+  }
+};
 
 } // namespace
 
-Float32Precision float32_precision(const Scene& scene) {
-  const Boxd box = bounds(scene);
-  if (is_empty(box)) return {0, 1, 0, 0};
-  const double margin = rounding_margin<float>(box);
-  const auto flattened = std::count_if(scene.cones.begin(), scene.cones.end(), [](const Cone<double>& cone) {
-    return cast<float>(cone.base) == cast<float>(cone.apex);
-  });
-  return {margin, largest_magnitude(box.max - box.min), count_too_small(scene, margin),
-          static_cast<std::uint64_t>(flattened)};
+SceneSpans<double> spans_of(const Scene& scene) {
+  return {scene.triangles, scene.spheres, scene.cones, scene.lights};
 }
+
+template <class Stored>
+Float32Precision float32_precision(const SceneSpans<Stored>& scene) {
+  Float32Precision result;
+  const bool lights_in_range =
+      std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light<Stored>& light) {
+        return largest_magnitude(cast<double>(light.position)) <= max_float32_reach;
+      });
+  const Boxd box = join(join(bounds_of(scene.triangles), bounds_of(scene.spheres)), bounds_of(scene.cones));
+  result.in_range = lights_in_range;
+  if (is_empty(box)) return result;
+  const double reach = largest_magnitude(box);
+  result.margin = rounding_margin<float>(box);
+  result.across = extent(box);
+  result.in_range = lights_in_range && reach >= min_float32_reach && reach <= max_float32_reach;
+  if (!(reach <= max_float32_reach)) { // casts to float32 may overflow
+    result.rounding = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  const double size = 2 * result.margin;
+  Found found = gathered<Found>(scene.triangles, [](const Triangle<Stored>& t, Found& part, std::size_t) {
+    part.rounding = std::max(part.rounding, rounding_of(widened(t)));
+  });
+  found += gathered<Found>(scene.spheres, [&](const Sphere<Stored>& stored, Found& part, std::size_t) {
+    const Sphere<double> s = widened(stored);
+    part += {rounding_of(s), extent(bounds(s)) <= size ? 1U : 0U, 0};
+  });
+  found += gathered<Found>(scene.cones, [&](const Cone<Stored>& stored, Found& part, std::size_t) {
+    const Cone<double> c = widened(stored);
+    part += {rounding_of(c), extent(bounds(c)) <= size ? 1U : 0U, movement_of(c) > result.margin ? 1U : 0U};
+  });
+  result.rounding = found.rounding;
+  result.moved_cones = found.moved;
+  result.standing_alone = found.small + triangles_alone(scene.triangles, size);
+  return result;
+}
+template Float32Precision float32_precision(const SceneSpans<float>&);
+template Float32Precision float32_precision(const SceneSpans<double>&);
 
 } // namespace masu

@@ -55,8 +55,7 @@ struct ObjectCounts {
   std::uint64_t polygons = 0, patches = 0, spheres = 0, cones = 0;
 };
 
-// Geometry is double until the file is written: only then is it known whether float32 represents the text's
-// digits.
+// Geometry is double until the file is written: only then is it known whether float32 is precise enough.
 struct Scene {
   Camera camera;
   Vec3f background;
@@ -74,7 +73,6 @@ struct Scene {
 
   ObjectCounts objects;
   SceneWarnings warnings;
-  bool float32_suffices; // every coordinate's digits, as written, survive float32
 };
 
 } // namespace masu

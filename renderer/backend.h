@@ -12,11 +12,11 @@ QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const R
                            const RayResults& results, const RaysRequest& request);
 
 // Sets a device up, so that what comes next isn't charged for it. Throws Error(device) where there is none.
-void set_up_cuda();
+void set_up_cuda(int device);
 
 // Copies the files, and follows no index in them until meanwhile(), which checks them, has returned. Throws
 // Error(device), and what meanwhile() throws.
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid, int device,
                                                      const std::function<void()>& meanwhile);
 // Copies rays to the device, and makes room there for t, primitive and occluded.
 ResidentRays upload_rays_cuda(const RayList& rays);

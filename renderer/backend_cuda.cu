@@ -5,22 +5,22 @@
 
 namespace masu {
 
-void set_up_cuda() {
+void set_up_cuda(int device) {
   std::string why;
   if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu");
+  const DeviceScope scope(device);
   // Memory that queries give back stays in the pool for the next one.
-  int device = 0;
   cudaMemPool_t pool = nullptr;
   std::uint64_t all = ~std::uint64_t{0};
-  check(cudaGetDevice(&device));
   check(cudaDeviceGetDefaultMemPool(&pool, device));
   check(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &all));
 }
 
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid, int device,
                                                      const std::function<void()>& meanwhile) {
+  const DeviceScope scope(device);
   auto files = std::make_shared<DeviceFiles>();
-  check(cudaGetDevice(&files->device));
+  files->device = device;
   Transfer upload;
   if (scene.is_float64())
     files->float64.emplace(scene.view<double>(), grid, upload);
@@ -34,10 +34,11 @@ Frame render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFi
                   const FrameRequest& request) {
   const DeviceScope device(files.device);
   Frame frame = empty_frame(request);
+  const auto buffers = files.frames.borrow();
   with_store_and_arithmetic(
       scene, request.tracing.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
-        render_on_device<TestRay>(files.of<Stored>(), view, grid, request, frame);
+        render_on_device<TestRay>(files.of<Stored>(), view, grid, request, *buffers, frame);
       });
   return frame;
 }

@@ -3,7 +3,8 @@
 namespace masu {
 
 template void render_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                     const GridFile*, const FrameRequest&, Frame&);
+                                                     const GridFile*, const FrameRequest&, FrameBuffers&,
+                                                     Frame&);
 template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                                       const GridFile*, const RaysRequest&,
                                                       const RayBatch<float>&);

@@ -14,10 +14,10 @@ namespace {
 
 } // namespace
 
-void set_up_cuda() {
+void set_up_cuda(int) {
   refuse();
 }
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*,
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*, int,
                                                      const std::function<void()>&) {
   refuse();
 }

@@ -11,15 +11,6 @@
 namespace masu {
 namespace {
 
-// One thread doesn't copy as fast as the bus does.
-void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
-  constexpr std::size_t part = std::size_t{1} << 20;
-  tbb::parallel_for(std::size_t{0}, (bytes + part - 1) / part, [&](std::size_t i) {
-    std::memcpy(static_cast<std::uint8_t*>(to) + i * part, static_cast<const std::uint8_t*>(from) + i * part,
-                std::min(part, bytes - i * part));
-  });
-}
-
 bool is_page_locked(const void* host) {
   cudaPointerAttributes attributes{};
   if (host == nullptr || cudaPointerGetAttributes(&attributes, host) != cudaSuccess) {
@@ -77,6 +68,14 @@ double seconds_between(cudaEvent_t first, cudaEvent_t second) {
 
 } // namespace
 
+void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
+  constexpr std::size_t part = std::size_t{1} << 20;
+  tbb::parallel_for(std::size_t{0}, (bytes + part - 1) / part, [&](std::size_t i) {
+    std::memcpy(static_cast<std::uint8_t*>(to) + i * part, static_cast<const std::uint8_t*>(from) + i * part,
+                std::min(part, bytes - i * part));
+  });
+}
+
 QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request) {
   QueryReport report;
@@ -87,16 +86,14 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
   const std::size_t ray_bytes = rays.format.bytes_a_ray();
   const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0);
   check(cudaStreamSynchronize(nullptr));
-  struct Borrowed {
-    const DeviceFiles& files;
-    std::unique_ptr<HostRayBuffers> buffers = files.buffers.take();
-    ~Borrowed() {
-      // After an error something may still be copied to them.
-      for (const auto& piece : buffers->pieces)
+  const auto borrowed = files.buffers.borrow();
+  struct Drain { // after an error something may still be copied to them
+    HostRayBuffers& buffers;
+    ~Drain() {
+      for (const auto& piece : buffers.pieces)
         static_cast<void>(cudaStreamSynchronize(piece.stream));
-      files.buffers.give_back(std::move(buffers));
     }
-  } borrowed{files};
+  } const drain{*borrowed};
   struct Work {
     std::size_t first = 0, count = 0;
   } works[pieces_in_flight];
@@ -145,13 +142,13 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
 
   for (std::size_t first = 0, turn = 0; first < rays.count; first += rays_a_piece, ++turn) {
     const std::size_t k = turn % pieces_in_flight;
-    finish(borrowed.buffers->pieces[k], works[k]);
+    finish(borrowed->pieces[k], works[k]);
     works[k] = {first, std::min(rays_a_piece, rays.count - first)};
-    begin(borrowed.buffers->pieces[k], works[k]);
+    begin(borrowed->pieces[k], works[k]);
   }
   const std::size_t pieces = (rays.count + rays_a_piece - 1) / rays_a_piece;
   for (std::size_t turn = pieces; turn < pieces + pieces_in_flight; ++turn)
-    finish(borrowed.buffers->pieces[turn % pieces_in_flight], works[turn % pieces_in_flight]);
+    finish(borrowed->pieces[turn % pieces_in_flight], works[turn % pieces_in_flight]);
   counts.download(&report.counts);
   return report;
 }

@@ -1,4 +1,5 @@
-// Lists of rays in host memory, streamed through a CUDA device. CUDA sources only.
+// Buffers between the host and a CUDA device: of pictures, and of lists of rays in host memory, which are
+// streamed through the device. CUDA sources only.
 #pragma once
 
 #include "libscene/cuda/device_memory.h"
@@ -39,7 +40,16 @@ private:
   std::optional<PinnedBuffer> buffer_;
 };
 
-// Of one query.
+// Of one picture.
+struct FrameBuffers {
+  Stream stream;
+  PinnedRoom radiance, hits;
+};
+
+// Copies with many threads: one doesn't copy as fast as the bus does.
+void copy_in_parallel(void* to, const void* from, std::size_t bytes);
+
+// Of one list of rays.
 struct HostRayBuffers {
   struct Piece {
     Stream stream;

@@ -1,21 +1,21 @@
 /* Masu: rays traced through voxel grids, on a CPU or a CUDA GPU. The C interface of libmasu.so.
  *
- * Offline: masu_write_scene() makes a scene file (as nff2bin and mesh2bin do), masu_build_grid() a grid file (as
- * gridbuild does). Then masu_open() maps both, checks them, puts them on a device once, and masu_nearest() and
- * masu_occluded() answer queries until masu_close().
+ * Offline: masu_write_scene() makes a scene file (as nff2bin and mesh2bin do), masu_build_grid() a grid file
+ * (as gridbuild does). Then masu_open() maps both, checks them, puts them on a device once, and
+ * masu_nearest() and masu_occluded() answer queries until masu_close().
  *
- * Every function but masu_close(), masu_error() and masu_version() returns a status: MASU_OK, or what went wrong, and
- * masu_error() then says it in one line. After an error nothing was written to the results of a query in host memory
- * that can be relied on. No function terminates the process, and no damaged file and no ray can make one fault; what
- * must be right are pointers and counts.
+ * Every function but masu_close(), masu_error() and masu_version() returns a status: MASU_OK, or what went
+ * wrong, and masu_error() then says it in one line. After an error nothing was written to the results of a
+ * query in host memory that can be relied on. No function terminates the process, and no damaged file and no
+ * ray can make one fault; what must be right are pointers and counts.
  *
- * Threads: a tracer may be used by several threads at the same time, except for masu_close(). Queries of rays in host
- * memory return when their results are there; they use all cores, or on a GPU streams of their own. Queries of rays in
- * device memory are queued on the stream that they are given, and are done when that is.
+ * Threads: a tracer may be used by several threads at the same time, except for masu_close(). Queries of rays
+ * in host memory return when their results are there; they use all cores, or on a GPU streams of their own.
+ * Queries of rays in device memory are queued on the stream that they are given, and are done when that is.
  *
- * Results don't depend on the grid, on the device, nor on the number of threads: t, primitives and the rest are the same
- * bits on CPU and GPU, but with MASU_PRECISION_FAST. Of hits at the same t the primitive with the lowest index is
- * reported.
+ * Results don't depend on the grid, on the device, nor on the number of threads: t, primitives and the rest
+ * are the same bits on CPU and GPU, but with MASU_PRECISION_FAST. Of hits at the same t the primitive with
+ * the lowest index is reported.
  */
 #ifndef MASU_H
 #define MASU_H
@@ -43,8 +43,8 @@ typedef enum masu_status {
   MASU_ERROR_MEMORY = 5  /* there isn't enough memory in the host */
 } masu_status;
 
-/* What the last call of this thread that failed said: `place: what is wrong: what to do`. Valid until the thread's next
- * call. */
+/* What the last call of this thread that failed said: `place: what is wrong: what to do`. Valid until the
+ * thread's next call. */
 MASU_API const char* masu_error(void);
 
 /* Such as "0.1.0". */
@@ -53,15 +53,16 @@ MASU_API const char* masu_version(void);
 /* How many GPUs can be used: 0 without CUDA, or without one. */
 MASU_API masu_status masu_gpu_count(int* count);
 
-/* --- Tracers -------------------------------------------------------------------------------------------------- */
+/* --- Tracers
+ * -------------------------------------------------------------------------------------------------- */
 
 typedef struct masu_tracer masu_tracer;
 
 #define MASU_CPU (-1)
 
-/* Maps, checks and, on a GPU, uploads a scene file and a grid file of the same geometry. `grid` may be NULL: every ray is
- * then tested against every primitive. `device` is MASU_CPU or a GPU's number, from 0. The files must not change until
- * masu_close(). */
+/* Maps, checks and, on a GPU, uploads a scene file and a grid file of the same geometry. `grid` may be NULL:
+ * every ray is then tested against every primitive. `device` is MASU_CPU or a GPU's number, from 0. The files
+ * must not change until masu_close(). */
 MASU_API masu_status masu_open(const char* scene, const char* grid, int device, masu_tracer** tracer);
 
 /* Waits for what runs, and gives memory back. NULL is allowed. */
@@ -88,22 +89,25 @@ typedef struct masu_primitive {
 } masu_primitive;
 
 /* `index` is a primitive's, as hits report it. */
-MASU_API masu_status masu_describe_primitive(const masu_tracer* tracer, uint32_t index, masu_primitive* primitive);
+MASU_API masu_status masu_describe_primitive(const masu_tracer* tracer, uint32_t index,
+                                             masu_primitive* primitive);
 
-/* --- Queries -------------------------------------------------------------------------------------------------- */
+/* --- Queries
+ * -------------------------------------------------------------------------------------------------- */
 
-/* The points origin + t direction with tmin < t < tmax, 0 <= tmin; t counts in lengths of the direction, which needn't be
- * 1. A ray hits nothing if a number is NaN, tmin >= tmax, the origin is infinite or beyond 1e15, or the direction's
- * largest component isn't from 1e-15 to 1e15; a negative tmin counts as 0. */
+/* The points origin + t direction with tmin < t < tmax, 0 <= tmin; t counts in lengths of the direction,
+ * which needn't be
+ * 1. A ray hits nothing if a number is NaN, tmin >= tmax, the origin is infinite or beyond 1e15, or the
+ * direction's largest component isn't from 1e-15 to 1e15; a negative tmin counts as 0. */
 typedef struct masu_ray {
   float origin[3], tmin;
   float direction[3], tmax; /* tmax may be INFINITY */
 } masu_ray;
 
 typedef enum masu_ray_format {
-  MASU_RAYS_FLOAT32 = 0,       /* masu_ray */
-  MASU_RAYS_FLOAT32_6 = 1,     /* float: origin, direction; tmin is 0, tmax infinity */
-  MASU_RAYS_FLOAT64 = 2,       /* as masu_ray, but double */
+  MASU_RAYS_FLOAT32 = 0,   /* masu_ray */
+  MASU_RAYS_FLOAT32_6 = 1, /* float: origin, direction; tmin is 0, tmax infinity */
+  MASU_RAYS_FLOAT64 = 2,   /* as masu_ray, but double */
   MASU_RAYS_FLOAT64_6 = 3
 } masu_ray_format;
 
@@ -118,7 +122,8 @@ typedef enum masu_precision {
 typedef struct masu_query {
   masu_ray_format format;
   masu_precision precision;
-  int coherent; /* not 0: neighbours in the list have similar origins and directions; changes the speed alone */
+  int coherent; /* not 0: neighbours in the list have similar origins and directions; changes the speed alone
+                 */
   void* stream; /* cudaStream_t of rays in device memory; NULL: the default stream */
 } masu_query;
 
@@ -133,17 +138,19 @@ typedef struct masu_hits {
   float* normal;       /* 3 a ray: geometric, of unit length, on the primitive's front; 0 for a miss */
 } masu_hits;
 
-/* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of the tracer's GPU, which is
- * found out from the pointers (with a tracer on the CPU: in host memory). Rays need the alignment of their numbers; rays
- * on a GPU are traced where they lie if they are MASU_RAYS_FLOAT32 aligned to 16 bytes, else a copy is. */
-MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t count, const masu_query* query,
-                                  const masu_hits* hits);
+/* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of the tracer's GPU,
+ * which is found out from the pointers (with a tracer on the CPU: in host memory). Rays need the alignment of
+ * their numbers; rays on a GPU are traced where they lie if they are MASU_RAYS_FLOAT32 aligned to 16 bytes,
+ * else a copy is. */
+MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t count,
+                                  const masu_query* query, const masu_hits* hits);
 
 /* Whether each ray hits anything: 1 or 0. */
-MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count, const masu_query* query,
-                                   uint8_t* occluded);
+MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count,
+                                   const masu_query* query, uint8_t* occluded);
 
-/* --- Offline -------------------------------------------------------------------------------------------------- */
+/* --- Offline
+ * -------------------------------------------------------------------------------------------------- */
 
 /* Triangles: an object. Zeros are defaults. */
 typedef struct masu_mesh {
@@ -161,10 +168,11 @@ typedef enum masu_store {
   MASU_STORE_FLOAT64 = 2
 } masu_store;
 
-/* Writes a scene file, whole or not at all. Triangle i of mesh m is primitive i plus the triangles of the meshes before m,
- * and of object m. Triangles without area are kept, for the numbers' sake, and can't be hit. Camera and lights are
- * automatic ones, for gridrender. */
-MASU_API masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count, masu_store store);
+/* Writes a scene file, whole or not at all. Triangle i of mesh m is primitive i plus the triangles of the
+ * meshes before m, and of object m. Triangles without area are kept, for the numbers' sake, and can't be hit.
+ * Camera and lights are automatic ones, for gridrender. */
+MASU_API masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count,
+                                      masu_store store);
 
 typedef enum masu_grid_kind {
   MASU_GRID_AUTO = 0,
@@ -179,7 +187,7 @@ typedef struct masu_grid_options {
   masu_grid_kind kind;
   const char* division; /* "auto", "64", "64x64x32", "cleary:1", … */
   int box_overlap;      /* not 0: a voxel lists whose bounding box meets it, else whose surface does */
-  int cube_space;       /* not 0: the smallest cube about the origin is divided, else the primitives' bounds */
+  int cube_space; /* not 0: the smallest cube about the origin is divided, else the primitives' bounds */
   uint32_t target;
   double alpha, step_cost, detail;
   int nested, expansions;

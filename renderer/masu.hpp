@@ -1,7 +1,7 @@
 // Masu in C++20: RAII and exceptions over the C interface (masu.h says what everything means).
 #pragma once
 
-#include <masu/masu.h>
+#include "masu.h"
 
 #include <cstdint>
 #include <memory>

@@ -17,6 +17,17 @@ namespace masu {
 template <class T>
 class Pool {
 public:
+  // Given back at the end of its life.
+  struct Borrowed {
+    Pool& pool;
+    std::unique_ptr<T> taken;
+    T* operator->() const { return taken.get(); }
+    T& operator*() const { return *taken; }
+    ~Borrowed() { pool.give_back(std::move(taken)); }
+  };
+  Borrowed borrow() { return {*this, take()}; }
+
+private:
   std::unique_ptr<T> take() {
     const std::lock_guard lock(mutex_);
     if (free_.empty()) return std::make_unique<T>();
@@ -29,7 +40,6 @@ public:
     free_.push_back(std::move(taken));
   }
 
-private:
   std::mutex mutex_;
   std::vector<std::unique_ptr<T>> free_;
 };
@@ -40,6 +50,21 @@ struct DeviceFiles {
   std::optional<DeviceFilesOf<float>> float32;
   std::optional<DeviceFilesOf<double>> float64;
   mutable Pool<HostRayBuffers> buffers;
+  mutable Pool<FrameBuffers> frames;
+
+  DeviceFiles() = default;
+  DeviceFiles(const DeviceFiles&) = delete;
+  DeviceFiles& operator=(const DeviceFiles&) = delete;
+  // Waits for queries that are still queued.
+  ~DeviceFiles() {
+    int before = 0;
+    static_cast<void>(cudaGetDevice(&before));
+    static_cast<void>(cudaSetDevice(device));
+    static_cast<void>(cudaDeviceSynchronize());
+    float32.reset();
+    float64.reset();
+    static_cast<void>(cudaSetDevice(before));
+  }
 
   template <class Stored>
   const DeviceFilesOf<Stored>& of() const {
@@ -69,7 +94,8 @@ struct RayBatch {
 // Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                      const GridFile* host_grid, const FrameRequest& request, Frame& frame);
+                      const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
+                      Frame& frame);
 template <class TestRay, class Stored>
 KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
                        const GridFile* host_grid, const RaysRequest& request,

@@ -70,17 +70,17 @@ Frame empty_frame(const FrameRequest& request) {
   return frame;
 }
 
-Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device)
+Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device, int gpu)
     : scene_(scene), grid_(grid), device_(device) {
   if (grid != nullptr) grid->check_geometry(scene.geometry_hash(), scene.primitive_count());
   const auto check = [&] {
     if (!scene.is_checked()) scene.check_records();
     if (grid != nullptr && !grid->is_checked()) grid->check_records();
   };
-  if (device == Device::cuda) set_up_cuda();
+  if (device == Device::cuda) set_up_cuda(gpu);
   const Stopwatch watch;
   if (device == Device::cuda)
-    files_ = upload_files_cuda(scene, grid, check);
+    files_ = upload_files_cuda(scene, grid, gpu, check);
   else
     check();
   upload_seconds_ = watch.seconds();

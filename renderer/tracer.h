@@ -141,7 +141,7 @@ public:
   // the tracer. Whatever of them isn't checked yet is checked here, on a GPU while they are copied; nothing
   // is traced before. Throws Error(input) for a damaged file or a grid of another geometry, Error(device)
   // where there is no usable GPU.
-  Tracer(const SceneFile& scene, const GridFile* grid, Device device);
+  Tracer(const SceneFile& scene, const GridFile* grid, Device device, int gpu = 0);
 
   Device device() const { return device_; }
   const SceneFile& scene() const { return scene_; }

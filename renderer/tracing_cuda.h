@@ -72,8 +72,9 @@ __global__ void __launch_bounds__(rays_a_block)
 // Traces with rays of this arithmetic: a picture, a list of rays. Throw Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                      const GridFile* host_grid, const FrameRequest& request, Frame& frame) {
-  const Stream stream;
+                      const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
+                      Frame& frame) {
+  const cudaStream_t stream = buffers.stream;
   const DeviceArray<Vec3f> colors(frame.radiance.size(), stream);
   const DeviceArray<HitRecord> hits(frame.hits.size(), stream);
   const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
@@ -93,8 +94,16 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
     });
   });
   const Stopwatch watch;
-  colors.download(frame.radiance.data());
-  hits.download(frame.hits.data());
+  const auto download = [&](const auto& array, PinnedRoom& room, void* to) {
+    const std::size_t bytes = array.size() * sizeof(*array.data());
+    if (bytes == 0) return;
+    std::uint8_t* const staging = room.of(bytes);
+    check(cudaMemcpyAsync(staging, array.data(), bytes, cudaMemcpyDeviceToHost, stream));
+    check(cudaStreamSynchronize(stream));
+    copy_in_parallel(to, staging, bytes);
+  };
+  download(colors, buffers.radiance, frame.radiance.data());
+  download(hits, buffers.hits, frame.hits.data());
   total.download(&frame.counts);
   frame.seconds.download = watch.seconds();
 }

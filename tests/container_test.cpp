@@ -316,11 +316,13 @@ TEST(SceneHash, DiffersBetweenStores) {
   EXPECT_NE(narrow, wide);
 }
 
-TEST(SceneStore, AutomaticDependsOnTheDigits) {
+TEST(SceneStore, AutomaticIsFloat64WhereFloat32DoesNotSuffice) {
   const TemporaryFolder folder;
   Scene scene = tiny_scene();
   EXPECT_FALSE(SceneFile(written_scene(folder, scene)).is_float64());
-  scene.float32_suffices = false;
+  scene.spheres[0].center.x += 1e-12; // digits that float32 doesn't hold
+  EXPECT_FALSE(SceneFile(written_scene(folder, scene)).is_float64());
+  scene.spheres[0].radius = 1e-6;
   EXPECT_TRUE(SceneFile(written_scene(folder, scene)).is_float64());
 }
 

@@ -434,6 +434,9 @@ TEST(Import, InvalidFilesAreRefusedInOneLine) {
                       "ply"));
   EXPECT_TRUE(
       refused(glb_of(one_triangle, R"({"children":[1]},{"mesh":0,"children":[0]})"), "glb", "recursive"));
+  // Assimp never ends on these headers.
+  EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 82\npropert", "ply", "end_header"));
+  EXPECT_TRUE(refused("PLY\r\nformat ascii 1.0\r\nproperty list\r\nend_header\r\n", "ply", "line 3"));
   const std::string stl = stl_of(one_triangle);
   EXPECT_TRUE(refused(stl.substr(0, stl.size() - 1), "stl"));
   EXPECT_TRUE(is_refused([](const std::string& path) { read_mesh(path); }, "/nonexistent/a.ply", "opened"));

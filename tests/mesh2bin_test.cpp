@@ -52,6 +52,15 @@ TEST_F(Mesh2bin, WarnsOfWhatItLeavesOut) {
   EXPECT_EQ(result.err, "mesh2bin: " + obj + ": warning: 1 point(s) and line(s) left out\n");
 }
 
+TEST_F(Mesh2bin, ReportsAndNamesTheObjects) {
+  const std::string obj = mesh("a.obj", "o first\n" + std::string(polygons_obj) + "o second\nf 1 2 3\n");
+  const ToolResult info = run("mesh2bin", {obj, "-o", file("a.scene"), "--info", "--objects", file("names")});
+  EXPECT_TRUE(succeeded(info));
+  EXPECT_NE(info.out.find("objects      2: polygons 2,"), std::string::npos) << info.out;
+  EXPECT_EQ(read_text(file("names")), "first\nsecond\n");
+  EXPECT_EQ(run("mesh2bin", {obj, "--objects", "-"}).out, "first\nsecond\n");
+}
+
 TEST_F(Mesh2bin, RefusesWhatAssimpCantReadWithItsMessage) {
   EXPECT_TRUE(failed(run("mesh2bin", {file("none.ply"), "-o", file("a.scene")}), 2, "mesh2bin",
                      file("none.ply"), "opened"));

@@ -30,7 +30,6 @@ inline Scene empty_scene(const Vec3d& from, const Vec3d& at) {
   scene.has_camera = true;
   scene.background = test_background;
   scene.ambient = 1;
-  scene.float32_suffices = true;
   return scene;
 }
 

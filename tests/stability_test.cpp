@@ -1,4 +1,5 @@
 // Robust and double precision fail nowhere, and within the envelopes of docs/accuracy.md most rays are sure.
+#include "libscene/float32_precision.h"
 #include "tools/bench/stability/backends.h"
 #include "tools/bench/stability/run.h"
 
@@ -28,6 +29,29 @@ TEST_P(Stability, RobustAndDoubleFailNowhere) {
   // Otherwise the check above would say little.
   EXPECT_GT(rays, 0U);
   EXPECT_LE(2 * unsure, rays);
+}
+
+template <class Stored>
+bool float32_suffices(Trial<Stored> (*make)(Chance&, double, std::size_t), const RandomSeed& seed,
+                      const Sweep& sweep, double step) {
+  Chance chance = chance_for(seed.value(), sweep.name, std::is_same_v<Stored, double> ? -step : step);
+  Trial<Stored> trial = make(chance, step, 1);
+  return float32_precision(spans_of(trial.original.value().view())).suffices();
+}
+
+TEST(StoreRule, TakesTheStoreInWhichItsSweepsFailNowhere) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  int steps = 0;
+  for (const Sweep& sweep : all_sweeps()) {
+    if (!sweep.by_rule) continue;
+    for (const double step : sweep.float32_steps)
+      EXPECT_TRUE(float32_suffices(sweep.float32, seed, sweep, step)) << sweep.name << " at " << step;
+    for (const double step : sweep.float64_steps)
+      EXPECT_FALSE(float32_suffices(sweep.float64, seed, sweep, step)) << sweep.name << " at " << step;
+    steps += static_cast<int>(sweep.float32_steps.size() + sweep.float64_steps.size());
+  }
+  EXPECT_GT(steps, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sweeps, Stability, testing::ValuesIn(all_sweeps()), [](const auto& test) {

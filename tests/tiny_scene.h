@@ -27,7 +27,6 @@ inline Scene tiny_scene() {
   scene.cones = {{{0.5, -1, 0}, 0.5, {0.5, 0, 0}, 0.25}};
   scene.cone_surfaces = {{3, 3}};
   scene.objects = {1, 1, 1, 1};
-  scene.float32_suffices = true;
   return scene;
 }
 inline constexpr std::uint64_t tiny_scene_primitives = 4;

@@ -153,9 +153,9 @@ TEST_F(ToolErrors, Float32ThatIsTooCoarseForTheSceneIsWarnedOf) {
                     digits = "s 0.123456789012 0 0 1\n";
   EXPECT_TRUE(warned(far, {"--store", "float32"}, "6 across"));
   EXPECT_TRUE(warned(far, {}, "")); // stored as float64, here and below
-  EXPECT_TRUE(warned(small, {"--store", "float32"}, "1 object(s)"));
+  EXPECT_TRUE(warned(small, {"--store", "float32"}, "1 part(s)"));
   EXPECT_TRUE(warned(small, {}, ""));
-  EXPECT_TRUE(warned(digits, {"--store", "float32"}, "lose digits"));
+  EXPECT_TRUE(warned(digits, {"--store", "float32"}, ""));
   EXPECT_TRUE(warned(digits, {}, ""));
 }
 

@@ -600,19 +600,92 @@ TEST_F(Tools, SceneFilesAreIndependentOfTheNumberOfThreads) {
 }
 
 TEST_F(Tools, Float64IsStoredWhereFloat32IsTooCoarse) {
-  const auto store = [&](const char* text) {
-    return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json"})["store"];
+  const auto json = [&](const char* text) {
+    return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json"});
   };
+  const auto store = [&](const char* text) { return json(text)["store"]; };
+  const auto reason = [&](const char* text) { return json(text)["store_reason"]; };
   EXPECT_EQ(store("s 0.1 0 0 1\n"), "float32");
   EXPECT_EQ(store("s 123.456 0 0 1\n"), "float32");
-  EXPECT_EQ(store("s 0.123456789 0 0 1\n"), "float64");
-  EXPECT_EQ(store("s 16777217 0 0 1\n"), "float64");
+  EXPECT_EQ(store("s 0.123456789012 0 0 1\n"), "float32");
+  EXPECT_EQ(reason("s 0.123456789012 0 0 1\n"), "precise");
   EXPECT_EQ(store("s 1e20 0 0 1\n"), "float64");
+  EXPECT_EQ(reason("s 1e20 0 0 1\n"), "out_of_range");
+  EXPECT_EQ(reason("s 16777217 0 0 1\n"), "far_from_origin");
   // Float32 numbers: too far from the origin for their size, too small, too flat.
   EXPECT_EQ(store("s 1000000 0 0 1\n"), "float64");
   EXPECT_EQ(store("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "float64");
+  EXPECT_EQ(reason("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "small_parts");
   EXPECT_EQ(store("c 1 0 0 1 1.000000001 0 0 2\n"), "float64");
+  EXPECT_EQ(reason("c 1 0 0 1 1.000000001 0 0 2\n"), "moved_cones");
   EXPECT_EQ(store("s 1000 0 0 16\n"), "float32");
+}
+
+TEST_F(Tools, InfoTellsTheStoreAndWhatFloat32Rounds) {
+  const std::string text = nff("thirds.nff", "s 0 0 0 3.75\np 3 0.3333333333333 0 0 1 0 0 0 1 0\n");
+  const double rounding = std::abs(0.3333333333333 - static_cast<double>(0.3333333333333F));
+  for (const std::string store : {"auto", "float32", "float64"}) {
+    const std::string path = scene("thirds.scene", text, {"--store", store});
+    const std::string stored = store == "float64" ? "float64" : "float32";
+    const std::string reason = store == "float64" ? "asked" : "precise";
+    for (const bool is_text : {true, false}) {
+      const nlohmann::json json =
+          is_text ? json_of("nff2bin", {text, "--store", store, "--info", "--json", "-o", path})
+                  : json_of("nff2bin", {path, "--info", "--json"});
+      EXPECT_EQ(json["store"], stored);
+      EXPECT_EQ(json["store_reason"], reason);
+      EXPECT_TRUE(json["float32"]["suffices"]);
+      EXPECT_EQ(json["float32"]["error_bound"], 3.75 * 128 / (1 << 24));
+      if (is_text || store == "float64")
+        EXPECT_EQ(json["float32"]["rounding"], rounding);
+      else
+        EXPECT_TRUE(json["float32"]["rounding"].is_null());
+      EXPECT_EQ(json["geometry_hash"].get<std::string>().size(), 32U);
+    }
+    const ToolResult table = run("nff2bin", {text, "--store", store, "--info"});
+    EXPECT_TRUE(succeeded(table));
+    EXPECT_NE(table.out.find(stored + (store == "float64" ? ": asked for" : ": precise enough")),
+              std::string::npos)
+        << table.out;
+    EXPECT_NE(table.out.find("of the error bound 2.9e-05"), std::string::npos) << table.out;
+  }
+}
+
+// As fast as another trace: nothing is built again.
+TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
+  std::string changed(small_nff);
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    changed.replace(changed.find(from), from.size(), to);
+  };
+  replace("from 3 -4 2", "from -2 -3 4");
+  replace("at 0 0 0.5", "at 0.25 0 0");
+  replace("angle 45", "angle 60");
+  replace("resolution 16 12", "resolution 23 17");
+  replace("b 0.1 0.2 0.3", "b 0.5 0.25 0");
+  replace("l 5 -5 9", "l -3 1 7 1 0.5 0.5\nl 0 0 30");
+  replace("f 1 0.5 0.25 0.7 0.3 10 0 1", "f 0.25 1 0.5 0.5 0 0 0.5 1.5");
+  replace("f 0.2 0.4 0.9 0.6 0.4 30 0 1", "f 1 1 1 1 0 0 0 1");
+  const std::string other = scene("view.scene", nff("view.nff", changed));
+  const auto geometry = [&](const std::string& path) {
+    return json_of("nff2bin", {path, "--info", "--json"})["geometry_hash"];
+  };
+  EXPECT_EQ(geometry(other), geometry(scene_));
+  EXPECT_NE(geometry(scene("b.scene", nff("b.nff", other_nff))), geometry(scene_));
+  for (const char* const merge : {"none", "x", "balance", "irregular"}) {
+    const std::string old = grid("old.grid", scene_, "6", {"--merge", merge});
+    EXPECT_EQ(json_of("gridstat", {old, "--json"})["geometry_hash"], geometry(scene_));
+    const auto hits = [&](const Arguments& through, const std::string& name) {
+      Arguments arguments{other, "--backend", "cpu", "--hits", file(name), "-o", file(name + ".pfm")};
+      arguments.insert(arguments.begin() + 1, through.begin(), through.end());
+      EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+      return std::pair(read_bytes(file(name)), read_bytes(file(name + ".pfm")));
+    };
+    const auto found = hits({old}, "old.hits");
+    EXPECT_FALSE(found.first.empty());
+    EXPECT_TRUE(found == hits({"--brute-force"}, "brute.hits")) << merge;
+    EXPECT_TRUE(found == hits({grid("new.grid", other, "6", {"--merge", merge})}, "new.hits")) << merge;
+    EXPECT_TRUE(read_bytes(old) == read_bytes(file("new.grid"))) << merge;
+  }
 }
 
 TEST_F(Tools, EqualBuildsAreEqualFilesUnlessSecondsAreRecorded) {

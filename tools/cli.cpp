@@ -3,6 +3,7 @@
 
 #include "libscene/file/same_file.h"
 #include "libscene/file/temporary_name.h"
+#include "libscene/processor.h"
 #include "tools/version.h"
 
 #include <csignal>
@@ -10,18 +11,6 @@
 #include <new>
 
 namespace masu {
-namespace {
-
-// Throws Error(device) where the processor lacks the instructions that this program was compiled for.
-void check_processor() {
-#if defined(__x86_64__) && defined(__AVX2__)
-  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
-    throw Error(ErrorCode::device, "processor", "lacks AVX2 or FMA: build with -DMASU_AVX2=OFF for it");
-#endif
-}
-
-} // namespace
-
 void flush_standard_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error(ErrorCode::output, "standard output", "can't be written");

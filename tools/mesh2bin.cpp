@@ -1,12 +1,13 @@
 // mesh2bin: converts meshes of any format that Assimp reads to a scene file.
 #include "libscene/available_memory.h"
-#include "libscene/file/scene_file.h"
+#include "libscene/file/output_file.h"
 #include "libscene/mesh/import.h"
-#include "tools/cli.h"
+#include "tools/scene_report.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -16,9 +17,9 @@ namespace masu {
 namespace {
 
 struct Settings {
-  std::string input, output, size;
+  std::string input, objects, size;
   ImportOptions import;
-  Store store = Store::automatic;
+  SceneOutput output;
   Threads threads;
 };
 
@@ -83,14 +84,30 @@ void print_notes(const ImportNotes& notes, const std::string& place) {
   line(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");
 }
 
+// One a line, line N + 1 for object N.
+void write_names(const std::vector<std::string>& names, const std::string& path) {
+  std::string text;
+  for (const std::string& name : names) {
+    for (const char c : name)
+      text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    text += '\n';
+  }
+  if (path == "-") return fmt::print("{}", text);
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
 void run(const Settings& settings) {
+  if (settings.objects.empty()) settings.output.check();
   const auto limit = settings.threads.limit();
-  check_files({settings.input}, {settings.output});
+  check_files({settings.input}, {settings.output.path, settings.objects});
   limit_memory();
   const ImportedScene imported =
       guarded(settings.input, [&] { return read_mesh(settings.input, settings.import); });
   print_notes(imported.notes, settings.input);
-  if (!settings.output.empty()) write_scene(imported.scene, settings.store, settings.output);
+  write_and_report("mesh2bin", settings.input, imported.scene, settings.output);
+  if (!settings.objects.empty()) write_names(imported.object_names, settings.objects);
 }
 
 } // namespace
@@ -103,7 +120,6 @@ int main(int argc, char** argv) {
       [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.add_option("IN", settings.input, "mesh")->required();
-        app.add_option("-o,--output", settings.output, "scene file to write");
         add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
                    "the up axis of the automatic camera; nothing is rotated");
         app.add_flag("--smooth", settings.import.smooth,
@@ -111,9 +127,10 @@ int main(int argc, char** argv) {
                      "the faces round each vertex");
         app.add_option("--size", settings.size, "width and height of the picture in pixels")
             ->type_name("WxH");
-        add_choice(app, "--store", settings.store,
-                   {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
-                   "number type of coordinates");
+        app.add_option(
+            "--objects", settings.objects,
+            "write the objects' names, one a line in the order of their numbers; - is standard output");
+        settings.output.add_to(app);
         settings.threads.add_to(app);
         parse();
         if (!settings.size.empty()) {

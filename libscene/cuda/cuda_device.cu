@@ -16,6 +16,21 @@ bool built_with_cuda() {
   return true;
 }
 
+int cuda_device_count() {
+  int devices = 0;
+  return cudaGetDeviceCount(&devices) == cudaSuccess ? devices : 0;
+}
+
+int device_of(const void* pointer) {
+  cudaPointerAttributes attributes{};
+  if (cudaPointerGetAttributes(&attributes, pointer) != cudaSuccess) {
+    static_cast<void>(cudaGetLastError()); // older drivers call unknown memory an error
+    return host_memory;
+  }
+  const bool on_device = attributes.type == cudaMemoryTypeDevice || attributes.type == cudaMemoryTypeManaged;
+  return on_device ? attributes.device : host_memory;
+}
+
 std::string cuda_device_name() {
   int device = 0;
   cudaDeviceProp properties{};

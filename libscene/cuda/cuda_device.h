@@ -10,6 +10,13 @@ bool cuda_available(std::string& why);
 
 bool built_with_cuda();
 
+// Devices that there are; 0 without CUDA.
+int cuda_device_count();
+
+// The device in whose memory a pointer's target lies (managed memory counts), or host_memory.
+inline constexpr int host_memory = -1;
+int device_of(const void* pointer);
+
 // Of the device in use, where there is one: "NVIDIA H100".
 std::string cuda_device_name();
 

@@ -12,6 +12,14 @@ bool built_with_cuda() {
   return false;
 }
 
+int cuda_device_count() {
+  return 0;
+}
+
+int device_of(const void*) {
+  return host_memory;
+}
+
 std::string cuda_device_name() {
   return {};
 }

@@ -1,7 +1,6 @@
 #include "libscene/file/scene_file.h"
 
 #include "libscene/error.h"
-#include "libscene/float32_precision.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/stopwatch.h"
@@ -117,7 +116,8 @@ struct Reach {
   double min, max;
 };
 template <class Stored>
-constexpr Reach reach_of = std::is_same_v<Stored, float> ? Reach{1e-10, 1e12} : Reach{1e-90, 1e100};
+constexpr Reach reach_of =
+    std::is_same_v<Stored, float> ? Reach{min_float32_reach, max_float32_reach} : Reach{1e-90, 1e100};
 template <class Stored>
 constexpr const char* store_name = std::is_same_v<Stored, float> ? "float32" : "float64";
 
@@ -201,11 +201,6 @@ std::span<const fb::Section> section_list(const fb::Scene& table) {
 
 } // namespace
 
-bool fits_float32(const Scene& scene, Store store) {
-  if (store != Store::automatic) return store == Store::float32;
-  return scene.float32_suffices && reaches_within<float>(bounds(scene)) && !float32_precision(scene).any();
-}
-
 Boxd bounds(const Scene& scene) {
   return join(join(bounds_of(scene.triangles), bounds_of(scene.spheres)), bounds_of(scene.cones));
 }
@@ -233,7 +228,8 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds)
 }
 
 Hash write_scene(const Scene& scene, Store store, const std::string& path) {
-  return fits_float32(scene, store) ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
+  if (store == Store::automatic) store = resolved(store, float32_precision(scene));
+  return store == Store::float32 ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
 }
 
 namespace {

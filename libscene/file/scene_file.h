@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libscene/file/container.h"
+#include "libscene/float32_precision.h"
 #include "libscene/scene.h"
 #include "libscene/scene_view.h"
 #include "libscene/stopwatch.h"
@@ -14,15 +15,17 @@ namespace masu {
 inline constexpr FileKind scene_file_kind{
     {'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene", "convert the scene again"};
 
-// automatic: float32 when it represents every coordinate to the digits written in the text, products of
-// coordinates are in its range, and its arithmetic is precise enough (float32_precision.h); else float64.
+// automatic: float32 where it is precise enough (float32_precision.h), else float64.
 enum class Store { automatic, float32, float64 };
 
 // Of all primitives; empty where there is none.
 Boxd bounds(const Scene& scene);
 
-// Whether write_scene stores the scene as float32.
-bool fits_float32(const Scene& scene, Store store);
+// The store that is taken: never automatic.
+inline Store resolved(Store store, const Float32Precision& precision) {
+  if (store != Store::automatic) return store;
+  return precision.suffices() ? Store::float32 : Store::float64;
+}
 
 // Identifies what a grid is built from, and can be used with: XXH3-128 of the table's bounds and of the
 // entries (kind, record_bytes, count, hash) of the sections of triangles, spheres and cones. A triangle's

@@ -6,6 +6,7 @@
 #include "libscene/material_table.h"
 #include "libscene/mesh/import_material.h"
 #include "libscene/mesh/import_normals.h"
+#include "libscene/mesh/import_ply.h"
 #include "libscene/mesh/import_transform.h"
 #include "libscene/mesh/import_view.h"
 #include "libscene/mesh/triangulate.h"
@@ -30,7 +31,6 @@ using import::Transform;
 
 constexpr std::uint64_t max_objects = 0x7fffffff; // object indices are int32, with -1 for none
 constexpr double largest_coordinate = 1e100;
-constexpr double largest_float32_coordinate = 1e12;
 
 // A node that names a mesh.
 struct Instance {
@@ -259,29 +259,14 @@ ImportedScene imported(const aiScene& file, const std::string& name, const Impor
     add_instance(state, instances[i], static_cast<std::uint32_t>(i));
   scene.materials = std::move(state.materials.materials);
   import::import_view(file, options, state.result);
-  scene.float32_suffices =
-      std::all_of(scene.triangles.begin(), scene.triangles.end(),
-                  [](const Triangle<double>& t) {
-                    return largest_magnitude(bounds(t)) <= largest_float32_coordinate;
-                  }) &&
-      std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light<double>& light) {
-        return largest_magnitude(light.position) <= largest_float32_coordinate;
-      });
   return std::move(state.result);
 }
 
 // Without any of Assimp's processing steps: it would triangulate, join and reorder differently.
 constexpr unsigned no_steps = 0;
 
-// Assimp 5.2 never ends on a PLY file that is cut off in its header.
-void check_header(std::span<const std::uint8_t> bytes, const std::string& name) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  const auto is = [&](std::size_t i, char c) {
-    return text.size() > i && (text[i] | ' ') == c;
-  }; // in any case
-  if (is(0, 'p') && is(1, 'l') && is(2, 'y') && text.find("\nend_header") == std::string_view::npos &&
-      text.find("\rend_header") == std::string_view::npos)
-    throw Error(ErrorCode::input, name, "is a PLY file without end_header: complete it");
+std::string_view text_of(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 void set_up(Assimp::Importer& importer) {
@@ -303,7 +288,7 @@ void set_up(Assimp::Importer& importer) {
 } // namespace
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
-  check_header(MappedFile(path).bytes(), path);
+  import::check_ply_header(text_of(MappedFile(path).bytes()), path);
   Assimp::Importer importer;
   set_up(importer);
   const aiScene* const file = importer.ReadFile(path, no_steps);
@@ -313,7 +298,7 @@ ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
 
 ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
                          const std::string& name, const ImportOptions& options) {
-  check_header(bytes, name);
+  import::check_ply_header(text_of(bytes), name);
   Assimp::Importer importer;
   set_up(importer);
   const aiScene* const file =

@@ -146,7 +146,6 @@ void join(Assembly& assembly, Piece&& piece, double share, const std::string& na
   assembly.lights.insert(assembly.lights.end(), piece.lights.begin(), piece.lights.end());
   if (piece.view) assembly.view = piece.view;
   if (piece.background) scene.background = *piece.background;
-  scene.float32_suffices = scene.float32_suffices && piece.float32_suffices;
   assembly.holds_entities = assembly.holds_entities || piece.holds_entities;
 }
 
@@ -216,11 +215,7 @@ void parse_all(const Text& text, const char* from, const NffOptions& options, As
 // Lights, and the ambient light for n lights, √n/(2n) by the SPD's rule.
 void finish_lights(Assembly& assembly) {
   Scene& scene = assembly.scene;
-  if (assembly.lights.empty()) {
-    assembly.lights.push_back({scene.camera.from, {}});
-    if (largest_magnitude(scene.camera.from) > nff::largest_float32_coordinate)
-      scene.float32_suffices = false;
-  }
+  if (assembly.lights.empty()) assembly.lights.push_back({scene.camera.from, {}});
   const double n = static_cast<double>(assembly.lights.size());
   const double each = std::sqrt(n) / (2 * n);
   scene.ambient = static_cast<float>(each);
@@ -234,7 +229,6 @@ void finish_lights(Assembly& assembly) {
 Scene parse_nff(std::string_view characters, const std::string& name, const NffOptions& options) {
   const Text text{characters, name};
   Assembly assembly;
-  assembly.scene.float32_suffices = true;
   const char* const start = text.begin() + (characters.starts_with("\xEF\xBB\xBF") ? 3 : 0);
   if (characters.size() <= options.piece_bytes)
     join(assembly, nff::parse_piece(text, start, text.end()), 1, name);

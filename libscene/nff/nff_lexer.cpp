@@ -2,7 +2,6 @@
 
 #include "libscene/error.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
@@ -12,20 +11,6 @@ namespace masu::nff {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
-// One unit of the last digit written, for a token that is a valid number.
-double last_digit_unit(std::string_view token) {
-  const std::size_t exponent_start = std::min(token.find_first_of("eE"), token.size());
-  const std::size_t point = std::min(token.find('.'), exponent_start);
-  const auto decimals = static_cast<std::ptrdiff_t>(point == exponent_start ? 0 : exponent_start - point - 1);
-  int exponent = 0;
-  if (exponent_start < token.size()) {
-    const bool has_plus = token[exponent_start + 1] == '+';
-    std::from_chars(token.data() + exponent_start + (has_plus ? 2 : 1), token.data() + token.size(),
-                    exponent);
-  }
-  return std::pow(10.0, static_cast<double>(exponent - decimals));
-}
 
 bool has_nonzero_digit(std::string_view token) {
   return token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos;
@@ -62,7 +47,7 @@ std::string quoted(const Text& text, const char* position) {
 }
 
 // The slow path of plain_number: exponents, a leading plus, many digits; and errors.
-double Lexer::other_number(double& unit, const char* syntax) {
+double Lexer::other_number(const char* syntax) {
   const char* const start = position_;
   const std::string_view token = word();
   if (token.empty())
@@ -80,20 +65,12 @@ double Lexer::other_number(double& unit, const char* syntax) {
   if (read.ec != std::errc{} || !std::isfinite(value) || (value == 0 && has_nonzero_digit(token)))
     fail(*text_, start,
          quoted(*text_, start) + " is out of a double's range: write a number from 1e-307 to 1e307");
-  unit = last_digit_unit(token);
   return value;
 }
 
 void Lexer::check_bound(double value, const char* start) const {
   if (std::abs(value) > 1e100)
     fail(*text_, start, quoted(*text_, start) + " is too large: scale the scene to coordinates within 1e100");
-}
-
-double Lexer::bounded(const char* syntax) {
-  const char* const start = next();
-  const double value = number(syntax);
-  check_bound(value, start);
-  return value;
 }
 
 float Lexer::factor(const char* syntax) {

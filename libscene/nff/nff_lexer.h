@@ -48,19 +48,6 @@ inline constexpr std::array<double, 23> powers_of_ten = {1e0,  1e1,  1e2,  1e3, 
                                                          1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-// The largest magnitude in the float32 store, so that products of coordinates don't overflow.
-inline constexpr double largest_float32_coordinate = 1e12;
-
-// Whether float32 represents a value written to `unit` (one unit of its last digit): zero, or a normal number
-// up to 1e12 with an error of at most half that unit.
-inline bool survives_float32(double value, double unit) {
-  const double magnitude = value < 0 ? -value : value;
-  if (value == 0) return true;
-  if (!(magnitude >= 1.18e-38 && magnitude <= largest_float32_coordinate)) return false;
-  const double off = value - static_cast<double>(static_cast<float>(value));
-  return (off < 0 ? -off : off) <= 0.5 * unit;
-}
-
 // Reads token by token. `syntax` is the form of the current entity, for error messages.
 class Lexer {
 public:
@@ -85,28 +72,22 @@ public:
   }
 
   double number(const char* syntax);
-  // A coordinate or radius: magnitude at most 1e100; updates digits_survive_float32.
-  double coordinate(const char* syntax);
   // A number of magnitude at most 1e100.
-  double bounded(const char* syntax);
+  double coordinate(const char* syntax);
   // A number in the range of float32.
   float factor(const char* syntax);
   // A whole number from `min` to `max`.
   std::uint64_t whole(std::uint64_t min, std::uint64_t max, const char* syntax);
 
-  // Whether float32 represents all coordinates so far to the digits written.
-  bool digits_survive_float32() const { return digits_survive_; }
-
 private:
   void skip_blank();
-  bool plain_number(double& value, double& unit, bool& is_short);
-  double other_number(double& unit, const char* syntax);
+  bool plain_number(double& value);
+  double other_number(const char* syntax);
   void check_bound(double value, const char* start) const;
 
   const Text* text_;
   const char* position_;
   const char* end_;
-  bool digits_survive_ = true;
 };
 
 inline void Lexer::skip_blank() {
@@ -118,9 +99,8 @@ inline void Lexer::skip_blank() {
 }
 
 // The fast path for nearly all numbers: up to 19 digits without exponent, whose value is an exact integer
-// divided once, and so correctly rounded. False leaves the lexer's position unchanged. is_short: at most six
-// significant digits, which float32 always represents.
-inline bool Lexer::plain_number(double& value, double& unit, bool& is_short) {
+// divided once, and so correctly rounded. False leaves the lexer's position unchanged.
+inline bool Lexer::plain_number(double& value) {
   const char* p = position_;
   const bool is_negative = p != end_ && *p == '-';
   if (is_negative) ++p;
@@ -140,35 +120,23 @@ inline bool Lexer::plain_number(double& value, double& unit, bool& is_short) {
   if (count == 0 || count > 19 || mantissa > (1ULL << 53) || (p != end_ && kind_of(*p) == Character::other))
     return false;
   position_ = p;
-  is_short = mantissa < 1'000'000;
-  const double scale = powers_of_ten[static_cast<std::size_t>(decimals)];
-  const double magnitude = static_cast<double>(mantissa) / scale;
+  const double magnitude = static_cast<double>(mantissa) / powers_of_ten[static_cast<std::size_t>(decimals)];
   value = is_negative ? -magnitude : magnitude;
-  unit = is_short ? 0 : 1 / scale;
   return true;
 }
 
 inline double Lexer::number(const char* syntax) {
   double value = 0;
-  double unit = 0;
-  bool is_short = false;
   next();
-  if (!plain_number(value, unit, is_short)) value = other_number(unit, syntax);
-  return value;
+  return plain_number(value) ? value : other_number(syntax);
 }
 
 inline double Lexer::coordinate(const char* syntax) {
   double value = 0;
-  double unit = 0;
-  bool is_short = false;
   const char* const start = next();
-  if (plain_number(value, unit, is_short)) {
-    if (!is_short && digits_survive_) digits_survive_ = survives_float32(value, unit);
-    return value;
-  }
-  value = other_number(unit, syntax);
+  if (plain_number(value)) return value; // below 1e19
+  value = other_number(syntax);
   check_bound(value, start);
-  if (digits_survive_) digits_survive_ = survives_float32(value, unit);
   return value;
 }
 

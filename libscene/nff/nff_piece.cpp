@@ -32,10 +32,6 @@ Vec3d read_coordinates(Lexer& lexer, const char* syntax) {
   return Vec3d{lexer.coordinate(syntax), lexer.coordinate(syntax), lexer.coordinate(syntax)};
 }
 
-Vec3d read_bounded(Lexer& lexer, const char* syntax) {
-  return Vec3d{lexer.bounded(syntax), lexer.bounded(syntax), lexer.bounded(syntax)};
-}
-
 Vec3f read_color(Lexer& lexer, const char* syntax) {
   return Vec3f{lexer.factor(syntax), lexer.factor(syntax), lexer.factor(syntax)};
 }
@@ -51,7 +47,7 @@ float read_unsigned_factor(Lexer& lexer, const char* syntax) {
 
 Vec3d read_up(Lexer& lexer) {
   const char* const position = lexer.next();
-  const Vec3d up = read_bounded(lexer, syntax_view);
+  const Vec3d up = read_coordinates(lexer, syntax_view);
   if (largest_magnitude(up) == 0)
     fail(lexer.text(), position, "the view's up has no length: give it a direction");
   return up;
@@ -80,15 +76,15 @@ void read_view(Reader& reader, const char* position) {
     Lexer ahead = lexer;
     const std::string_view word = ahead.word();
     if (word == "from")
-      view.from = read_bounded(ahead, syntax_view);
+      view.from = read_coordinates(ahead, syntax_view);
     else if (word == "at")
-      view.look_at = read_bounded(ahead, syntax_view);
+      view.look_at = read_coordinates(ahead, syntax_view);
     else if (word == "up")
       view.up = read_up(ahead);
     else if (word == "angle")
       view.angle = read_angle(ahead);
     else if (word == "hither")
-      view.hither = ahead.bounded(syntax_view);
+      view.hither = ahead.coordinate(syntax_view);
     else if (word == "resolution")
       view.resolution = read_resolution(ahead);
     else
@@ -103,8 +99,7 @@ void read_view(Reader& reader, const char* position) {
 void read_light(Reader& reader) {
   Lexer& lexer = reader.lexer;
   WrittenLight light{};
-  light.position = read_bounded(lexer, syntax_light);
-  if (largest_magnitude(light.position) > largest_float32_coordinate) reader.piece.float32_suffices = false;
+  light.position = read_coordinates(lexer, syntax_light);
   if (lexer.next_is_number()) light.color = cast<double>(read_color(lexer, syntax_light));
   reader.piece.lights.push_back(light);
 }
@@ -141,12 +136,6 @@ std::uint32_t next_object_index(const ObjectCounts& objects) {
   return static_cast<std::uint32_t>(objects.polygons + objects.patches + objects.spheres + objects.cones);
 }
 
-// The limit of the float32 store applies to bounds, too.
-void check_float32_range(Piece& piece, const Vec3d& center, double radius) {
-  if (largest_magnitude(center) + std::abs(radius) > largest_float32_coordinate)
-    piece.float32_suffices = false;
-}
-
 void read_sphere(Reader& reader) {
   Piece& piece = reader.piece;
   const std::uint32_t object = next_object_index(piece.objects);
@@ -157,7 +146,6 @@ void read_sphere(Reader& reader) {
     ++piece.warnings.degenerate_spheres;
     return;
   }
-  check_float32_range(piece, center, radius);
   piece.spheres.push_back({center, radius});
   piece.sphere_surfaces.push_back({object, material_in_use(reader)});
 }
@@ -180,8 +168,6 @@ void read_cone(Reader& reader) {
     ++piece.warnings.degenerate_cones;
     return;
   }
-  check_float32_range(piece, cone.base, cone.base_radius);
-  check_float32_range(piece, cone.apex, cone.apex_radius);
   piece.cones.push_back(cone);
   piece.cone_surfaces.push_back({object, material_in_use(reader)});
 }
@@ -190,7 +176,7 @@ void read_cone(Reader& reader) {
 // range.
 Vec3d read_normal(Lexer& lexer) {
   const char* const position = lexer.next();
-  const Vec3d normal = read_bounded(lexer, syntax_patch);
+  const Vec3d normal = read_coordinates(lexer, syntax_patch);
   const double size = largest_magnitude(normal);
   if (size == 0) fail(lexer.text(), position, "the patch's normal has no length: give it a direction");
   if (size > 1e-12 && size < 1e12) return normal;
@@ -277,7 +263,6 @@ Piece parse_piece(const Text& text, const char* from, const char* to) {
     read_entity(reader);
     reader.piece.holds_entities = true;
   }
-  if (!reader.lexer.digits_survive_float32()) reader.piece.float32_suffices = false;
   return std::move(reader.piece);
 }
 

@@ -46,7 +46,6 @@ struct Piece {
   ObjectCounts objects;
   SceneWarnings warnings;
   bool holds_entities = false;
-  bool float32_suffices = true;
 };
 
 // Parses the entities that start in [from, to). The last one may continue beyond `to`, so that errors don't

@@ -18,7 +18,6 @@ Scene scene_of(const TestScene<Stored>& trial) {
   scene.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45, 0.01, 8, 8};
   scene.has_camera = true;
   scene.materials = {trial.material};
-  scene.float32_suffices = true;
   for (const auto& triangle : trial.triangles)
     scene.triangles.push_back(widened(triangle));
   for (const auto& sphere : trial.spheres)

@@ -87,11 +87,22 @@ std::vector<Way> ways_for(Judge judge) {
   return {fast, robust, doubled};
 }
 
+// How far rounding to the store moves a vertex, or a sphere's surface by its centre and radius, at most.
+template <class Stored>
+double rounding_of_store(const Boxd& bounds) {
+  if (std::is_same_v<Stored, double>) return 0;
+  constexpr double three_coordinates_and_a_radius = 2.74;
+  return three_coordinates_and_a_radius * static_cast<double>(RealTraits<float>::unit_roundoff) *
+         largest_magnitude(bounds);
+}
+
 template <class Stored>
 std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bounds,
                                   const std::vector<Grid>& grids, const Trial<Stored>& trial,
                                   const std::vector<Way>& ways) {
-  const oracle::SceneOracle oracle(view);
+  TestScene<double> original = trial.original.value_or(TestScene<double>{});
+  const auto oracle = trial.original ? oracle::SceneOracle(original.view()) : oracle::SceneOracle(view);
+  const double rounding = trial.original ? rounding_of_store<Stored>(bounds) : 0;
   std::vector<Tally> tallies;
   // Modes with the same error bound are compared with the same reference hits.
   for (std::size_t begin = 0, end = 0; begin < ways.size(); begin = end) {
@@ -102,7 +113,8 @@ std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bou
         found.push_back(trace<TestRay>(view, grids, trial.rays, ways[end].stop));
       });
     }
-    const auto part = judged(oracle, trial.rays, slack, unit_roundoff_of(ways[begin].precision), found);
+    const auto part =
+        judged(oracle, trial.rays, slack + rounding, unit_roundoff_of(ways[begin].precision), found);
     tallies.insert(tallies.end(), part.begin(), part.end());
   }
   return tallies;

@@ -11,7 +11,7 @@ void PrintTo(const Sweep& sweep, std::ostream* out) {
 
 std::vector<Sweep> all_sweeps() {
   std::vector<Sweep> all = place_sweeps();
-  for (const auto& more : {shape_sweeps(), grid_sweeps(), body_sweeps()})
+  for (const auto& more : {shape_sweeps(), grid_sweeps(), body_sweeps(), store_sweeps()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -7,6 +7,7 @@
 #include "tools/bench/stability/test_scene.h"
 
 #include <iosfwd>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,8 @@ struct Trial {
                                 {{16, 16, 16}, GridKind::x}};
   std::vector<Vec3d> aims{}; // leaving: a random unit vector for each ray
   std::int32_t depth = 1;    // glass: the largest depth of rays
+  std::optional<TestScene<double>>
+      original{}; // closest: the scene before rounding, with which hits are compared
 };
 
 // How a step's rays are checked.
@@ -64,6 +67,7 @@ struct Sweep {
   Trial<double> (*float64)(Chance& chance, double parameter, std::size_t rays); // may be null
   Envelope robust, doubled;                                                     // of the float32 store
   Envelope doubled64;                                                           // of the float64 store
+  bool by_rule = false; // each step has the store that `--store auto` takes; trials have an `original`
 };
 
 // For GoogleTest's messages.
@@ -77,6 +81,7 @@ std::vector<Sweep> place_sweeps(); // position and size of the scene, origins of
 std::vector<Sweep> shape_sweeps(); // shapes of primitives
 std::vector<Sweep> grid_sweeps();  // rays and surfaces relative to voxels
 std::vector<Sweep> body_sweeps();  // closed surfaces, and rays that leave them
+std::vector<Sweep> store_sweeps(); // small parts, by the rule of the store
 
 inline constexpr Envelope everywhere{0, 1e300};
 

@@ -1,0 +1,74 @@
+#include "libscene/mesh/indexed_mesh.h"
+
+#include "libscene/automatic_camera.h"
+#include "libscene/error.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+
+namespace masu {
+namespace {
+
+constexpr double max_coordinate = 1e100; // a scene file's
+
+bool is_in_range(const Vec3d& v) {
+  // A comparison with NaN is false.
+  return std::abs(v.x) <= max_coordinate && std::abs(v.y) <= max_coordinate &&
+         std::abs(v.z) <= max_coordinate;
+}
+
+void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
+  const auto fail = [&](const std::string& what) {
+    throw Error(ErrorCode::usage, "meshes", fmt::format("mesh {}: {}", object, what));
+  };
+  constexpr std::size_t none = ~std::size_t{0};
+  std::atomic<std::size_t> wrong = none;
+  const auto material = static_cast<std::uint32_t>(scene.materials.size());
+  const std::size_t first = scene.triangles.size();
+  scene.materials.push_back({mesh.color, 1, 0, 0, 0, 1});
+  scene.triangles.resize(first + mesh.triangles);
+  tbb::parallel_for(std::size_t{0}, mesh.triangles, [&](std::size_t i) {
+    const std::uint32_t* const corners = mesh.indices + 3 * i;
+    if (corners[0] >= mesh.vertices || corners[1] >= mesh.vertices || corners[2] >= mesh.vertices) {
+      wrong = i;
+      return;
+    }
+    const Vec3d a = mesh.vertex(corners[0]), b = mesh.vertex(corners[1]), c = mesh.vertex(corners[2]);
+    if (!is_in_range(a) || !is_in_range(b) || !is_in_range(c)) wrong = i;
+    scene.triangles[first + i] = {a, object, b, material, c, no_normals};
+  });
+  if (wrong != none)
+    fail(
+        fmt::format("triangle {} has a vertex that there isn't, or whose coordinates aren't finite or beyond "
+                    "1e100",
+                    wrong.load()));
+}
+
+} // namespace
+
+Scene scene_of(std::span<const IndexedMesh> meshes) {
+  Scene scene{};
+  std::size_t triangles = 0;
+  for (const IndexedMesh& mesh : meshes)
+    triangles += mesh.triangles;
+  if (triangles > max_primitives || meshes.size() > max_primitives)
+    throw Error(ErrorCode::usage, "meshes", "have more triangles than a scene may hold");
+  scene.triangles.reserve(triangles);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    add(meshes[i], static_cast<std::uint32_t>(i), scene);
+  scene.objects.polygons = meshes.size();
+  Camera& camera = scene.camera;
+  camera = {{}, {}, {0, 0, 1}, 45, 0.01, 512, 512};
+  const Sphere<double> sphere = bounding_sphere(scene);
+  camera.at = sphere.center;
+  camera.from = camera.at - direction({-1, 2, -1.2}) *
+                                framing_distance(sphere.radius, camera.angle, camera.width, camera.height);
+  scene.ambient = 0.5F; // of one light
+  scene.lights = {{camera.from, {0.5, 0.5, 0.5}}};
+  return scene;
+}
+
+} // namespace masu
