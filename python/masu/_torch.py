@@ -59,5 +59,5 @@ def queue(array: "torch.Tensor", stream: Any) -> Iterator[Optional[int]]:
     # Memory that the allocator hands out in this context is used again only in the stream's order, so copies may be
     # given back before the queued query has read them. The caller's tensor may be of another stream.
     with torch.cuda.stream(chosen):
-        array.record_stream(chosen)
+        array.detach().record_stream(chosen)
         yield chosen.cuda_stream
