@@ -19,6 +19,11 @@ struct VoxelRange {
   Vec3i first, last;
 };
 
+// The voxels from `first` to before `end` along each axis.
+struct VoxelBox {
+  Vec3i first, end;
+};
+
 MASU_HD inline Vec3d voxel_size(const GridLayout& layout) {
   const Vec3d extent = layout.space.max - layout.space.min;
   return {extent.x / layout.division.x, extent.y / layout.division.y, extent.z / layout.division.z};

@@ -63,7 +63,7 @@ private:
     const MapDivision division = map_division(word);
     const Vec3i n = division.log2, rest = sides_log2 - n;
     for_each_voxel({{0, 0, 0}, {(1 << n.x) - 1, (1 << n.y) - 1, (1 << n.z) - 1}}, [&](const Vec3i& part) {
-      visit(grid_.voxel_map[division.place + index_in_division(part, n)],
+      visit(grid_.voxel_map[division.offset + index_in_division(part, n)],
             {first.x + (part.x << rest.x), first.y + (part.y << rest.y), first.z + (part.z << rest.z)}, rest,
             level + 1);
     });

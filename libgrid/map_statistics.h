@@ -2,7 +2,7 @@
 // meet.
 #pragma once
 
-#include "libgrid/build/split.h"
+#include "libgrid/grid_layout.h"
 #include "libgrid/trace/grid_view.h"
 
 #include <span>

@@ -42,7 +42,7 @@ std::array<std::array<std::int32_t, 2>, 3> ranges_of(const MergedCell& cell) {
 class SlowStretcher {
 public:
   explicit SlowStretcher(Grid& grid) : grid_(grid), own_(grid.cells), blocked_(grid.cells.size()) {}
-  int gave_up = 0; // faces of more than most_visits
+  int gave_up = 0; // faces of more than max_visits
 
   void pass() {
     const auto before = grid_.cells;
@@ -59,7 +59,7 @@ public:
   }
 
 private:
-  static constexpr int most_visits = 32; // of neighbours, row by row
+  static constexpr int max_visits = 32; // of neighbours, row by row
 
   bool moved(std::span<const MergedCell> before, std::size_t cell, std::size_t face,
              std::array<std::array<std::int32_t, 2>, 3>& box) {
@@ -79,7 +79,7 @@ private:
         voxel.set(static_cast<int>(v), j);
         const std::uint32_t other = cell_number(view, voxel);
         if (!includes(all, primitives_of(grid_.references, before[other].list))) return false;
-        if (++visits > most_visits) {
+        if (++visits > max_visits) {
           ++gave_up;
           return false;
         }
@@ -108,7 +108,7 @@ TEST(Stretch, MovesFacesAsDefined) {
     GridOptions options = random_grid_options(chance);
     options.kind = GridKind::irregular;
     options.expansions = 0;
-    GridLayout layout = random_lattice<float>(chance, scene.bounds());
+    GridLayout layout = random_layout<float>(chance, scene.bounds());
     layout.division = {chance.whole(1, 12), chance.whole(1, 12), chance.whole(1, 12)};
     Grid slow = build_grid(scene.view(), layout, chance.one_in(2) ? Overlap::exact : Overlap::box, options);
     const int rounds = chance.whole(0, 5);

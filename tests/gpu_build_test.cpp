@@ -2,7 +2,6 @@
 // device.
 #include "libgrid/build/builder.h"
 #include "libscene/cuda/cuda_device.h"
-#include "libscene/error.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/same_grid.h"
@@ -28,7 +27,7 @@ TYPED_TEST(BuiltOnTheGpu, AUniformGridIsTheSameBytes) {
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    const GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
     expect_same(cpu_builder(scene.view())->build(layout, overlap),
                 cuda_builder(scene.view())->build(layout, overlap));
     ASSERT_FALSE(this->HasFailure()) << described(scene);
@@ -40,19 +39,20 @@ TYPED_TEST(BuiltOnTheGpu, AUniformGridOfBlocksIsTheSameBytes) {
   Chance chance(this->seed_);
   for (std::int64_t s = cases(3); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
-    GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
     layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
     expect_same(cpu_builder(scene.view())->build(layout, Overlap::exact),
                 cuda_builder(scene.view())->build(layout, Overlap::exact));
   }
 }
 
-TYPED_TEST(BuiltOnTheGpu, AnIrregularGridIsTheSameBytes) {
+TYPED_TEST(BuiltOnTheGpu, AMergedGridIsTheSameBytes) {
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
   for (std::int64_t s = cases(150); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const auto [layout, overlap, options] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    auto [layout, overlap, options] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    if (chance.one_in(3)) options.kind = chance.one_of({GridKind::x, GridKind::balance});
     const Grid grid = cpu_builder(scene.view())->build(layout, overlap, options);
     expect_same(grid, cuda_builder(scene.view())->build(layout, overlap, options));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
@@ -75,7 +75,7 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
   GridOptions options;
   options.kind = GridKind::irregular;
   for (const Vec3i& division : {Vec3i{1, 1, 1}, Vec3i{3, 2, 1}, Vec3i{20, 20, 20}}) {
-    GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
     layout.division = division;
     const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
     for (const Overlap overlap : {Overlap::exact, Overlap::box}) {
@@ -85,22 +85,12 @@ TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
   }
 }
 
-TYPED_TEST(BuiltOnTheGpu, GridsMergedByXOrBalanceAreRefused) {
-  TestScene<TypeParam> scene;
-  const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
-  const auto gpu = cuda_builder(scene.view());
-  for (const GridKind kind : {GridKind::x, GridKind::balance})
-    EXPECT_THROW(gpu->build(layout, Overlap::exact, {kind}), Error);
-}
-
 TYPED_TEST(BuiltOnTheGpu, AGridOfNothingIsTheSameBytes) {
   TestScene<TypeParam> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
-  GridOptions options;
-  options.kind = GridKind::irregular;
   const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
-  expect_same(cpu->build(layout, Overlap::exact), gpu->build(layout, Overlap::exact));
-  expect_same(cpu->build(layout, Overlap::exact, options), gpu->build(layout, Overlap::exact, options));
+  for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular})
+    expect_same(cpu->build(layout, Overlap::exact, {kind}), gpu->build(layout, Overlap::exact, {kind}));
 }
 
 } // namespace

@@ -34,7 +34,7 @@ TestScene<Stored> random_scene(Chance& chance, int most) {
 }
 
 template <class Stored>
-GridLayout lattice_for(const TestScene<Stored>& scene, const Vec3i& division) {
+GridLayout layout_for(const TestScene<Stored>& scene, const Vec3i& division) {
   const Boxd bounds = scene.count() > 0 ? scene.bounds() : Boxd{{0, 0, 0}, {1, 1, 1}};
   return {space_of<Stored>(bounds, SpaceRule::tight), division, rounding_margin<Stored>(bounds)};
 }
@@ -68,7 +68,7 @@ int loads(const MergedGridView<Real>& grid, const Vec3i& voxel) {
     const MapDivision division = map_division(word);
     level = level - division.log2;
     const Vec3i at{voxel.x >> level.x, voxel.y >> level.y, voxel.z >> level.z};
-    word = grid.voxel_map[division.place + index_in_division(at, division.log2)];
+    word = grid.voxel_map[division.offset + index_in_division(at, division.log2)];
   }
   return count;
 }
@@ -98,8 +98,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
   Chance chance(this->seed_);
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
-    const GridLayout layout =
-        lattice_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
+    const GridLayout layout = layout_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
@@ -180,7 +179,7 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
     const GridLayout layout =
-        lattice_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
+        layout_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     const GridView<TypeParam> view = view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.references));
@@ -210,7 +209,7 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
   Chance chance(this->seed_);
   TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 8);
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
-  const GridLayout layout = lattice_for(scene, n);
+  const GridLayout layout = layout_for(scene, n);
   const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
   const GridView<TypeParam> view = view_of<TypeParam>(grid);
   ASSERT_GT(view.block_log2, 0) << "choose a finer division";
@@ -244,8 +243,7 @@ TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
   Chance chance(this->seed_);
   for (std::int64_t i = cases(3); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 30);
-    const GridLayout layout =
-        lattice_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
+    const GridLayout layout = layout_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));

@@ -58,7 +58,7 @@ struct Cells {
 
   // Fails where voxels lead astray, cells aren't boxes of voxels, or lists aren't in order.
   explicit Cells(const Grid& g)
-      : grid(g), division(finest_lattice(g).division), own(g.cells.size(), VoxelBox{division, {0, 0, 0}}),
+      : grid(g), division(finest_layout(g).division), own(g.cells.size(), VoxelBox{division, {0, 0, 0}}),
         lists(g.cells.size()), of_voxel(voxel_count(division)) {
     const MergedGridView<double> view = merged_view_of<double>(grid);
     std::vector<std::int64_t> counts(grid.cells.size(), 0);
@@ -106,10 +106,9 @@ protected:
     options.nested_log2 = std::min(options.nested_log2, 3);
     return options;
   }
-  GridLayout random_lattice(Chance& chance, const TestScene<Stored>& scene,
-                            const GridOptions& options) const {
+  GridLayout random_layout(Chance& chance, const TestScene<Stored>& scene, const GridOptions& options) const {
     const int most = options.kind == GridKind::irregular ? 4 : 24;
-    GridLayout layout = masu::random_lattice<Stored>(chance, scene.bounds());
+    GridLayout layout = masu::random_layout<Stored>(chance, scene.bounds());
     layout.division = {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
     return layout;
   }
@@ -169,9 +168,8 @@ TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const GridOptions options = this->random_rule(chance);
     const Overlap overlap = this->random_overlap(chance);
-    const Grid grid =
-        build_grid(scene.view(), this->random_lattice(chance, scene, options), overlap, options);
-    expect_listed(grid, needed_lists(scene, finest_lattice(grid), overlap));
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
+    expect_listed(grid, needed_lists(scene, finest_layout(grid), overlap));
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
 }
@@ -192,10 +190,10 @@ TEST(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
         const Vec3d a = corner(), b = corner(), c = corner();
         scene.triangles.push_back(triangle_of(a, b, c));
       }
-      GridLayout layout = random_lattice<double>(chance, scene.bounds());
+      GridLayout layout = random_layout<double>(chance, scene.bounds());
       layout.division = {2, 3, 4};
       const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
-      expect_listed(grid, needed_lists(scene, finest_lattice(grid), Overlap::box));
+      expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::box));
       build_grid(scene.view(), layout, Overlap::exact, options);
       ASSERT_FALSE(testing::Test::HasFailure()) << described(grid) << '\n' << described(scene);
     }
@@ -212,10 +210,9 @@ TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
     // The exact test of cones says more of small boxes than of large ones.
     if (overlap == Overlap::exact) scene.cones.clear();
     if (scene.count() == 0) continue;
-    const Grid grid =
-        build_grid(scene.view(), this->random_lattice(chance, scene, options), overlap, options);
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
     const Cells cells(grid);
-    const Lists possible = lists_of(scene, with_margin(finest_lattice(grid), perhaps), overlap);
+    const Lists possible = lists_of(scene, with_margin(finest_layout(grid), perhaps), overlap);
     Lists in_cells(grid.cells.size());
     for (std::size_t voxel = 0; voxel < possible.size(); ++voxel)
       in_cells[cells.of_voxel[voxel]].insert(possible[voxel].begin(), possible[voxel].end());
@@ -236,10 +233,9 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
     options.kind = GridKind::irregular;
     options.expansions = chance.one_of({1, 2, 6, 40});
     const Overlap overlap = this->random_overlap(chance);
-    const Grid grid =
-        build_grid(scene.view(), this->random_lattice(chance, scene, options), overlap, options);
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
     const Cells cells(grid);
-    const Lists needed = needed_lists(scene, finest_lattice(grid), overlap);
+    const Lists needed = needed_lists(scene, finest_layout(grid), overlap);
     for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
       expanded += volume(cells.boxes[cell]) > volume(cells.own[cell]);
       for_each_voxel_of(cells.boxes[cell], [&](const Vec3i& voxel) {
@@ -263,7 +259,7 @@ TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
     GridOptions options = this->random_rule(chance);
     options.expansions = 0;
-    const Grid grid = build_grid(scene.view(), this->random_lattice(chance, scene, options),
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options),
                                  this->random_overlap(chance), options);
     const Cells cells(grid);
     for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
@@ -283,7 +279,7 @@ TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
     GridOptions options;
     options.kind = GridKind::x;
     const Overlap overlap = this->random_overlap(chance);
-    const GridLayout layout = this->random_lattice(chance, scene, options);
+    const GridLayout layout = this->random_layout(chance, scene, options);
     const Grid grid = build_grid(scene.view(), layout, overlap, options);
     const Cells cells(grid);
     const Lists lists = lists_of(scene, layout, overlap);
@@ -340,7 +336,7 @@ TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
     GridOptions options;
     options.kind = GridKind::balance;
     options.target = chance.one_of({1U, 2U, 5U, 20U});
-    const GridLayout layout = this->random_lattice(chance, scene, options);
+    const GridLayout layout = this->random_layout(chance, scene, options);
     const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
     const Cells cells(grid);
     const Lists lists = lists_of(scene, layout, Overlap::box);
@@ -374,7 +370,7 @@ TYPED_TEST(Merged, TheNumberOfThreadsShowsInNoByte) {
   for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
     GridOptions options;
     options.kind = kind;
-    GridLayout layout = this->random_lattice(chance, scene, options);
+    GridLayout layout = this->random_layout(chance, scene, options);
     layout.division = kind == GridKind::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
     Grid first;
     for (const std::size_t threads : {1U, 2U, 4U}) {
@@ -400,7 +396,7 @@ TYPED_TEST(Merged, ASceneOfNothingHasEmptyCells) {
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene;
     const GridOptions options = this->random_rule(chance);
-    const Grid grid = build_grid(scene.view(), this->random_lattice(chance, scene, options),
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options),
                                  this->random_overlap(chance), options);
     const Cells cells(grid);
     EXPECT_EQ(grid.references.size(), 0U);

@@ -1,6 +1,6 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
-#include "libgrid/build/nested_map.h"
-#include "libgrid/trace/grid_view.h"
+#include "libgrid/build/merge_passes.h"
+#include "libgrid/build/serial_executor.h"
 #include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
@@ -16,11 +16,11 @@ bool holds(const VoxelBox& box, const Vec3i& voxel) {
 }
 
 // Cuts the box at random planes, now and then.
-void divide(Chance& chance, const VoxelBox& box, int most_cuts, std::vector<Leaf>& leaves) {
+void divide(Chance& chance, const VoxelBox& box, int max_cuts, std::vector<VoxelBox>& cells) {
   const int axis = chance.whole(0, 2);
   const std::int32_t side = box.end[axis] - box.first[axis];
-  if (most_cuts == 0 || side < 2 || chance.one_in(8)) {
-    leaves.push_back({box, 0, 0});
+  if (max_cuts == 0 || side < 2 || chance.one_in(8)) {
+    cells.push_back(box);
     return;
   }
   // Anywhere, or at its first or last voxel.
@@ -29,21 +29,21 @@ void divide(Chance& chance, const VoxelBox& box, int most_cuts, std::vector<Leaf
   VoxelBox below = box, above = box;
   below.end.set(axis, at);
   above.first.set(axis, at);
-  divide(chance, below, most_cuts - 1, leaves);
-  divide(chance, above, most_cuts - 1, leaves);
+  divide(chance, below, max_cuts - 1, cells);
+  divide(chance, above, max_cuts - 1, cells);
 }
 
 // Follows the map as grid_view.h says, and counts each word that it comes by.
 class Follower {
 public:
-  Follower(const std::vector<std::uint32_t>& words, std::size_t own) : words_(words), met_(words.size(), 0) {
+  Follower(const HostArray<std::uint32_t>& words, std::size_t own) : words_(words), met_(words.size(), 0) {
     std::fill_n(met_.begin(), own, 1);
   }
 
-  void follow(std::uint32_t word, const VoxelBox& cube, const std::vector<Leaf>& leaves) {
+  void follow(std::uint32_t word, const VoxelBox& cube, const std::vector<VoxelBox>& cells) {
     if ((word & occupied_bit) != 0) {
-      ASSERT_LT(word & ~occupied_bit, leaves.size());
-      const VoxelBox& box = leaves[word & ~occupied_bit].box;
+      ASSERT_LT(word & ~occupied_bit, cells.size());
+      const VoxelBox& box = cells[word & ~occupied_bit];
       ASSERT_TRUE(holds(box, cube.first) && holds(box, cube.end - Vec3i{1, 1, 1}));
       return;
     }
@@ -52,12 +52,12 @@ public:
     const Vec3i side{w.x >> n.x, w.y >> n.y, w.z >> n.z};
     ASSERT_GT(n.x + n.y + n.z, 0);
     ASSERT_TRUE(side.x >= 1 && side.y >= 1 && side.z >= 1);
-    std::size_t place = division.place;
+    std::size_t place = division.offset;
     for_each_voxel({{0, 0, 0}, {(1 << n.x) - 1, (1 << n.y) - 1, (1 << n.z) - 1}}, [&](const Vec3i& part) {
       ASSERT_LT(place, words_.size());
       ++met_[place];
       const Vec3i first = cube.first + part * side;
-      follow(words_[place++], {first, first + side}, leaves);
+      follow(words_[place++], {first, first + side}, cells);
     });
   }
   // Words that fill up a unit are not come by.
@@ -66,9 +66,22 @@ public:
   }
 
 private:
-  const std::vector<std::uint32_t>& words_;
+  const HostArray<std::uint32_t>& words_;
   std::vector<int> met_;
 };
+
+// The map of a division of 4³ cubes, of which only this one holds something: those cells.
+HostArray<std::uint32_t> map_of(const std::vector<VoxelBox>& cells, const Vec3i& cube, std::int32_t log2) {
+  SerialExecutor executor;
+  ExecutorGrid<SerialExecutor> grid{{}, GridKind::irregular, 0, log2};
+  for (const VoxelBox& cell : cells)
+    grid.cells.push_back(packed(cell, empty_list));
+  const LeafCounts starts{0, 0}, leaves{static_cast<std::uint32_t>(cells.size()), 0};
+  const HostArray<std::uint32_t> indices{static_cast<std::uint32_t>(linear_index(cube, {4, 4, 4}))};
+  write_nested_maps(executor, {4, 4, 4}, {0, 64, nullptr, nullptr, 0}, indices, &starts, &leaves, grid);
+  EXPECT_EQ(grid.exceeded, nullptr);
+  return std::move(grid.voxel_map);
+}
 
 TEST(NestedMap, LeadsEveryVoxelOfARandomPartitionToItsCell) {
   const RandomSeed seed;
@@ -79,26 +92,22 @@ TEST(NestedMap, LeadsEveryVoxelOfARandomPartitionToItsCell) {
     const Vec3i cube{chance.whole(0, 3), chance.whole(0, 3), chance.whole(0, 3)};
     const Vec3i first{cube.x << log2, cube.y << log2, cube.z << log2};
     const VoxelBox whole{first, first + Vec3i{side, side, side}};
-    std::vector<Leaf> leaves;
-    divide(chance, whole, chance.whole(0, 9), leaves);
-    std::shuffle(leaves.begin(), leaves.end(), chance.engine());
+    std::vector<VoxelBox> cells;
+    divide(chance, whole, chance.whole(0, 9), cells);
+    std::shuffle(cells.begin(), cells.end(), chance.engine());
 
-    // The words before it stay as they are; the top level's are 4³.
-    std::vector<std::uint32_t> words(64, 0x7fffffff);
-    const std::uint32_t root = append_nested_map(leaves, first, log2, words);
-    ASSERT_TRUE(std::all_of(words.begin(), words.begin() + 64, [](auto w) { return w == 0x7fffffff; }));
+    const HostArray<std::uint32_t> words = map_of(cells, cube, log2);
     Follower follower(words, 64);
-    follower.follow(root, whole, leaves);
+    follower.follow(words[linear_index(cube, {4, 4, 4})], whole, cells);
     if (testing::Test::HasFatalFailure()) return;
     ASSERT_TRUE(follower.met_none_twice());
 
-    words[linear_index(cube, {4, 4, 4})] = root;
     const Vec3i division{4 * side, 4 * side, 4 * side};
     const MergedGridView<float> view{words.data(), nullptr,  nullptr,   {0, 0, 0}, {1, 1, 1},
                                      {1, 1, 1},    division, {4, 4, 4}, log2};
     for_each_voxel({whole.first, whole.end - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
       const std::uint32_t cell = cell_number(view, voxel);
-      ASSERT_TRUE(cell < leaves.size() && holds(leaves[cell].box, voxel))
+      ASSERT_TRUE(cell < cells.size() && holds(cells[cell], voxel))
           << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
     });
     if (testing::Test::HasFatalFailure()) return;
@@ -107,16 +116,12 @@ TEST(NestedMap, LeadsEveryVoxelOfARandomPartitionToItsCell) {
 
 // One cell takes no words, and a cell for each voxel about one a voxel.
 TEST(NestedMap, TakesFewWords) {
-  std::vector<std::uint32_t> words;
-  const auto leaf = [](const Vec3i& first, std::int32_t side) {
-    return Leaf{{first, first + Vec3i{side, side, side}}, 0, 0};
-  };
-  EXPECT_EQ(append_nested_map({leaf({0, 0, 0}, 16)}, {0, 0, 0}, 4, words), occupied_bit | 0);
-  EXPECT_EQ(words.size(), 0U);
-  std::vector<Leaf> voxels;
-  for_each_voxel({{0, 0, 0}, {15, 15, 15}}, [&](const Vec3i& voxel) { voxels.push_back(leaf(voxel, 1)); });
-  append_nested_map(voxels, {0, 0, 0}, 4, words);
-  EXPECT_LE(words.size(), 16U * 16 * 16 * 8 / 7 + 1);
+  EXPECT_EQ(map_of({{{0, 0, 0}, {16, 16, 16}}}, {0, 0, 0}, 4).size(), 64U);
+  std::vector<VoxelBox> voxels;
+  for_each_voxel({{0, 0, 0}, {15, 15, 15}}, [&](const Vec3i& voxel) {
+    voxels.push_back({voxel, voxel + Vec3i{1, 1, 1}});
+  });
+  EXPECT_LE(map_of(voxels, {0, 0, 0}, 4).size(), 64 + 16U * 16 * 16 * 8 / 7 + 1);
 }
 
 } // namespace

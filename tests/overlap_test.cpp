@@ -146,7 +146,7 @@ bool side_may_be_within(const Cone<double>& cone, const WideBox& box, Wide dista
 
 // A layout as gridbuild makes it, in a scene that reaches to ±scale.
 template <class Real>
-GridLayout random_lattice(Chance& chance, double scale, int finest) {
+GridLayout random_layout(Chance& chance, double scale, int finest) {
   const Boxd bounds{{-scale, -scale, -scale}, {scale, scale, scale}};
   const auto voxels = [&] {
     return static_cast<std::int32_t>(std::lround(chance.power_of_two(0, std::log2(finest))));
@@ -290,7 +290,7 @@ struct Kind {
     }
   }
   static GridLayout layout(Chance& chance, double scale, int finest) {
-    return random_lattice<Real>(chance, scale, finest);
+    return random_layout<Real>(chance, scale, finest);
   }
   static auto stored(const Primitive<double>& p) {
     if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {
@@ -487,7 +487,7 @@ protected:
   }
 
   RandomSeed seed_;
-  GridLayout lattice_{{{0, 0, 0}, {8, 8, 8}}, {8, 8, 4}, 0};
+  GridLayout layout_{{{0, 0, 0}, {8, 8, 8}}, {8, 8, 4}, 0};
 };
 
 // Gaps between such things are far larger than this.
@@ -502,9 +502,9 @@ TEST_F(Touching, CountsForTriangles) {
       const double at = chance.one_of({0.0, 8.0, triangle.a.z});
       triangle.a.z = triangle.b.z = triangle.c.z = at;
     }
-    const Listing exact(lattice_, Overlap::exact, triangle);
-    for_each_voxel({{0, 0, 0}, lattice_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      EXPECT_EQ(exact.lists(voxel), meets(triangle, grown(voxel_box(lattice_, voxel), next_to_nothing)))
+    const Listing exact(layout_, Overlap::exact, triangle);
+    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      EXPECT_EQ(exact.lists(voxel), meets(triangle, grown(voxel_box(layout_, voxel), next_to_nothing)))
           << described(triangle) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
     });
     if (HasFailure()) return;
@@ -516,9 +516,9 @@ TEST_F(Touching, CountsForSpheres) {
   Chance chance(seed_);
   for (std::int64_t i = cases(600); i > 0; --i) {
     const Sphere<double> sphere{point(chance), chance.whole(1, 16) / 4.0};
-    const Listing exact(lattice_, Overlap::exact, sphere);
-    for_each_voxel({{0, 0, 0}, lattice_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      EXPECT_EQ(exact.lists(voxel), shell_within(sphere, voxel_box(lattice_, voxel), next_to_nothing))
+    const Listing exact(layout_, Overlap::exact, sphere);
+    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      EXPECT_EQ(exact.lists(voxel), shell_within(sphere, voxel_box(layout_, voxel), next_to_nothing))
           << described(sphere) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
     });
     if (HasFailure()) return;
@@ -531,9 +531,9 @@ TEST_F(Touching, CountsForBoundingBoxes) {
   for (std::int64_t i = cases(600); i > 0; --i) {
     const Triangle<double> triangle = triangle_of(point(chance), point(chance), point(chance));
     const Boxd around = bounds(triangle);
-    const Listing box(lattice_, Overlap::box, triangle);
-    for_each_voxel({{0, 0, 0}, lattice_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      const WideBox own = voxel_box(lattice_, voxel);
+    const Listing box(layout_, Overlap::box, triangle);
+    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      const WideBox own = voxel_box(layout_, voxel);
       const bool apart = own.max.x < around.min.x || own.min.x > around.max.x || own.max.y < around.min.y ||
                          own.min.y > around.max.y || own.max.z < around.min.z || own.min.z > around.max.z;
       EXPECT_EQ(box.lists(voxel), !apart)

@@ -1,8 +1,8 @@
-// Grids built by passes, run as plain loops, against those built by the CPU.
+// Grids built by passes as a device runs them, as plain loops, against those built by the CPU.
+#include "tests/device_like_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/same_grid.h"
-#include "tests/serial_executor.h"
 
 namespace masu {
 namespace {
@@ -16,13 +16,13 @@ TYPED_TEST(Executor, BuildTheSameUniformGrid) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  SerialExecutor executor;
+  DeviceLikeExecutor executor;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    const GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
     expect_same(build_grid(scene.view(), layout, overlap),
-                as_grid(uniform_grid(executor, scene.view(), layout, overlap)));
+                on_host(uniform_grid(executor, scene.view(), layout, overlap)).grid);
     ASSERT_FALSE(this->HasFailure()) << described(scene);
   }
 }
@@ -31,44 +31,67 @@ TYPED_TEST(Executor, BuildTheSameUniformGridOfBlocks) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  SerialExecutor executor;
+  DeviceLikeExecutor executor;
   for (std::int64_t s = cases(3); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
-    GridLayout layout = random_lattice<TypeParam>(chance, scene.bounds());
+    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
     layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     EXPECT_GT(grid.block_log2, 0);
-    expect_same(grid, as_grid(uniform_grid(executor, scene.view(), layout, Overlap::exact)));
+    expect_same(grid, on_host(uniform_grid(executor, scene.view(), layout, Overlap::exact)).grid);
   }
 }
 
-TYPED_TEST(Executor, BuildTheSameIrregularGrid) {
+TYPED_TEST(Executor, BuildTheSameMergedGrid) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  SerialExecutor executor;
+  DeviceLikeExecutor executor;
   std::int64_t divided = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const auto [layout, overlap, options] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    auto [layout, overlap, options] = random_irregular_case<TypeParam>(chance, scene.bounds());
+    if (chance.one_in(3)) options.kind = chance.one_of({GridKind::x, GridKind::balance});
     const Grid grid = build_grid(scene.view(), layout, overlap, options);
     divided += grid.voxel_map.size() > voxel_count(layout.division) + 3;
-    expect_same(grid, as_grid(irregular_grid(executor, scene.view(), layout, overlap, options)));
+    expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, overlap, options)).grid);
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
-  EXPECT_GT(divided, cases(100));
+  EXPECT_GT(divided, cases(75));
+}
+
+// On the host's cores one part after another; rows of many pairs all at once.
+TYPED_TEST(Executor, BuildTheSameMergedGridOfManyParts) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  DeviceLikeExecutor executor;
+  for (std::int64_t s = cases(4); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
+    while (scene.view().primitive_count() < 100000)
+      scene.triangles.insert(scene.triangles.end(), scene.triangles.begin(), scene.triangles.end());
+    GridOptions options = random_grid_options(chance);
+    options.nested_log2 = std::min(options.nested_log2, 3);
+    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
+    layout.division = {chance.whole(1, 120), chance.whole(1, 60), chance.whole(1, 60)};
+    if (s == 1) layout.division = {1, 1, 1};
+    const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
+    expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, Overlap::box, options)).grid);
+    ASSERT_FALSE(this->HasFailure()) << described(grid);
+  }
 }
 
 TYPED_TEST(Executor, BuildTheSameOfNothing) {
-  SerialExecutor executor;
+  DeviceLikeExecutor executor;
   TestScene<TypeParam> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
-  GridOptions options;
-  options.kind = GridKind::irregular;
   expect_same(build_grid(scene.view(), layout, Overlap::exact),
-              as_grid(uniform_grid(executor, scene.view(), layout, Overlap::exact)));
-  expect_same(build_grid(scene.view(), layout, Overlap::exact, options),
-              as_grid(irregular_grid(executor, scene.view(), layout, Overlap::exact, options)));
+              on_host(uniform_grid(executor, scene.view(), layout, Overlap::exact)).grid);
+  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
+    const GridOptions options{kind};
+    expect_same(build_grid(scene.view(), layout, Overlap::exact, options),
+                on_host(merged_grid(executor, scene.view(), layout, Overlap::exact, options)).grid);
+  }
 }
 
 } // namespace

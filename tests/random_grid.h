@@ -9,7 +9,7 @@
 namespace masu {
 
 template <class Stored>
-GridLayout random_lattice(Chance& chance, const Boxd& bounds) {
+GridLayout random_layout(Chance& chance, const Boxd& bounds) {
   const auto voxels = [&] {
     if (chance.one_in(3)) return std::int32_t{1} << chance.whole(0, 5);
     return chance.whole(1, 64);
@@ -42,7 +42,7 @@ inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
 template <class Stored>
 Grid random_uniform_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
   const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-  const Grid grid = build_grid(scene, random_lattice<Stored>(chance, bounds), overlap);
+  const Grid grid = build_grid(scene, random_layout<Stored>(chance, bounds), overlap);
   return grid.block_log2 == 0 && chance.one_in(2) ? in_blocks(grid, chance.whole(1, 5)) : grid;
 }
 
@@ -64,7 +64,7 @@ struct IrregularCase {
 };
 template <class Stored>
 IrregularCase random_irregular_case(Chance& chance, const Boxd& bounds) {
-  IrregularCase by{random_lattice<Stored>(chance, bounds), chance.one_in(2) ? Overlap::exact : Overlap::box,
+  IrregularCase by{random_layout<Stored>(chance, bounds), chance.one_in(2) ? Overlap::exact : Overlap::box,
                    random_grid_options(chance)};
   by.layout.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
   by.options.kind = GridKind::irregular;
@@ -75,7 +75,7 @@ template <class Stored>
 Grid random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
   const GridOptions options = random_grid_options(chance);
   const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-  GridLayout layout = random_lattice<Stored>(chance, bounds);
+  GridLayout layout = random_layout<Stored>(chance, bounds);
   if (options.kind == GridKind::irregular && chance.one_in(2))
     layout.division = {chance.whole(1, 6), chance.whole(1, 6), chance.whole(1, 6)};
   return build_grid(scene, layout, overlap, options);
@@ -94,7 +94,7 @@ void with_view(const Grid& grid, const Act& act) {
 }
 
 // The layout of the grid's smallest voxels.
-inline GridLayout finest_lattice(const Grid& grid) {
+inline GridLayout finest_layout(const Grid& grid) {
   return finer(grid.layout, grid.nested_log2);
 }
 

@@ -15,7 +15,7 @@ template <class Real>
 class RayMaker {
 public:
   RayMaker(Chance& chance, const TestScene<Real>& scene, const Boxd& bounds, const Grid& grid)
-      : chance_(chance), scene_(scene), bounds_(bounds), grid_(grid), finest_(finest_lattice(grid)) {}
+      : chance_(chance), scene_(scene), bounds_(bounds), grid_(grid), finest_(finest_layout(grid)) {}
 
   Ray<Real> ray() {
     const Vec3<Real> target = point();

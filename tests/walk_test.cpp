@@ -110,7 +110,7 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
   for (std::int64_t s = cases(1000); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).pointed();
     const Boxd bounds = scene.bounds();
-    const GridLayout layout = random_lattice<Real>(chance, bounds);
+    const GridLayout layout = random_layout<Real>(chance, bounds);
     const Vec3d size = voxel_size(layout);
     for (std::size_t i = 0; i < scene.cones.size(); ++i) {
       Cone<Real>& cone = scene.cones[i];
@@ -270,16 +270,16 @@ TYPED_TEST(GridWalk, TiesGoToTheLowestPrimitive) {
 // Walks to the end of the space, or until it must have lost its way.
 template <class Real>
 struct WholeWalk {
-  std::int64_t most_voxels; // on a ray's way
+  std::int64_t max_voxels; // on a ray's way
   std::int64_t voxels = 0;
   double largest_fall = 0; // of the exits' distances
 
   template <class View>
   WholeWalk(const View& grid, const ClippedRay<Real>& near)
-      : most_voxels(std::int64_t{grid.division.x} + grid.division.y + grid.division.z) {
+      : max_voxels(std::int64_t{grid.division.x} + grid.division.y + grid.division.z) {
     Walk<Real, View> walk(grid, near);
     Real last = -RealTraits<Real>::largest;
-    for (bool inside = true; inside && voxels <= most_voxels;) {
+    for (bool inside = true; inside && voxels <= max_voxels;) {
       walk.enter(grid);
       if (walk.exit < last)
         largest_fall = std::max(largest_fall, static_cast<double>(last) - static_cast<double>(walk.exit));
@@ -309,7 +309,7 @@ TYPED_TEST(GridWalk, EndsAndGoesForward) {
         ClippedRay<Real> clipped;
         if (!clip(ray, view.clip, clipped)) continue;
         const WholeWalk<Real> whole(grid_view, clipped);
-        ASSERT_LE(whole.voxels, whole.most_voxels) << described(grid) << described(ray.origin, ray.direction);
+        ASSERT_LE(whole.voxels, whole.max_voxels) << described(grid) << described(ray.origin, ray.direction);
         // After a cell of many voxels the place along the other axes is computed anew: off by a rounding.
         double slowest = 1;
         for (int axis = 0; axis < 3; ++axis) {
@@ -358,7 +358,7 @@ TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
     const SceneView<Real> view = scene.view();
     const Boxd bounds = scene.bounds();
-    const GridLayout layout = random_lattice<Real>(chance, bounds);
+    const GridLayout layout = random_layout<Real>(chance, bounds);
     const Grid uniform = build_grid(view, layout, Overlap::exact);
     std::vector<Grid> joined{in_blocks(uniform, 2)};
     for (const GridKind kind : {GridKind::x, GridKind::balance})
@@ -418,7 +418,7 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
         nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
         const Vec3<Real>& d = ray.direction;
         const WholeWalk<Real> whole(grid_view, {ray, {1 / d.x, 1 / d.y, 1 / d.z}, 0});
-        ASSERT_LE(whole.voxels, whole.most_voxels) << described(grid) << described(ray.origin, ray.direction);
+        ASSERT_LE(whole.voxels, whole.max_voxels) << described(grid) << described(ray.origin, ray.direction);
       }
     });
   }

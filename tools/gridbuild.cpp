@@ -136,7 +136,7 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(0, 64))
             ->capture_default_str();
         add_choice(app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
-                   "who builds: cpu, or cuda (not for --merge x and balance); the file is the same");
+                   "who builds: cpu or cuda; the file is the same");
         app.add_flag("--record-seconds", settings.record_seconds,
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");

@@ -61,19 +61,19 @@ Json merged_report(const GridFile& file, const Statistics& statistics) {
   if (!file.is_merged())
     return {{"merge_rule", nullptr},
             {"nested_log2", nullptr},
-            {"smallest_division", {nullptr, nullptr, nullptr}},
             {"cells_by_size", nullptr},
             {"expanded_cells", nullptr},
             {"mean_expansion", nullptr}};
   const MapStatistics& map = statistics.map;
-  const Vec3i& n = statistics.division;
   Json sizes = Json::array();
   for (std::size_t log2 = 0; log2 < map.cells_by_size.size(); ++log2) {
     if (map.cells_by_size[log2] > 0) sizes.push_back({std::uint64_t{1} << log2, map.cells_by_size[log2]});
   }
-  return {{"merge_rule", file.table().merge_rule()->str()}, {"nested_log2", file.table().nested_log2()},
-          {"smallest_division", {n.x, n.y, n.z}},           {"cells_by_size", sizes},
-          {"expanded_cells", map.expanded_cells},           {"mean_expansion", map.mean_expansion}};
+  return {{"merge_rule", file.table().merge_rule()->str()},
+          {"nested_log2", file.table().nested_log2()},
+          {"cells_by_size", sizes},
+          {"expanded_cells", map.expanded_cells},
+          {"mean_expansion", map.mean_expansion}};
 }
 
 Json report(const GridFile& file, const Statistics& statistics, bool histogram) {
@@ -81,10 +81,12 @@ Json report(const GridFile& file, const Statistics& statistics, bool histogram) 
   const MapStatistics& map = statistics.map;
   const fb::Grid& table = file.table();
   const fb::Division& n = *table.division();
+  const Vec3i& smallest = statistics.division;
   const auto bytes = [](const auto& records) { return records.size_bytes(); };
   Json json{
       {"space", {{"min", vector_json(table.space()->min())}, {"max", vector_json(table.space()->max())}}},
       {"division", {n.x(), n.y(), n.z()}},
+      {"smallest_division", {smallest.x, smallest.y, smallest.z}},
       {"voxels", map.voxels},
       {"occupied_voxels", map.occupied_voxels},
       {"empty_voxels", map.voxels - map.occupied_voxels},

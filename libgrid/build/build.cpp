@@ -7,7 +7,7 @@
 namespace masu {
 
 void check_primitives(std::uint64_t count) {
-  if (count > most_numbered)
+  if (count > max_numbered)
     throw Error(ErrorCode::input, "scene", "holds more than 2^31 primitives: grids can't number so many");
 }
 
@@ -23,15 +23,7 @@ double expected_build_bytes(const GridLayout& layout, double references) {
 template <class Stored>
 BuildResult uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
   TbbExecutor executor;
-  auto grid = uniform_grid(executor, scene, layout, overlap);
-  return {{layout,
-           GridKind::uniform,
-           grid.block_log2,
-           0,
-           std::move(grid.voxel_map),
-           {},
-           std::move(grid.references)},
-          grid.exceeded};
+  return on_host(uniform_grid(executor, scene, layout, overlap));
 }
 template BuildResult uniform_grid(const SceneView<float>&, const GridLayout&, Overlap);
 template BuildResult uniform_grid(const SceneView<double>&, const GridLayout&, Overlap);

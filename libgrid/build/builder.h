@@ -39,8 +39,7 @@ template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
                                                  std::function<void(double)> progress = {});
 
-// On the first CUDA device: uniform and irregular grids; for others it throws Error(usage, "cuda", …).
-// Throws Error(device) where there is none, and when it fails.
+// On the first CUDA device. Throws Error(device) where there is none, and when it fails.
 template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene);
 

@@ -46,10 +46,7 @@ public:
   BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::uniform)
       return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
-    if (options.kind == GridKind::irregular)
-      return built([&] { return irregular_grid(*executor_, device_->view, layout, overlap, options); });
-    throw Error(ErrorCode::usage, "cuda",
-                "builds uniform and irregular grids, no others: build them on the CPU");
+    return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
   }
 
   const SceneView<Stored>& scene() const override { return host_; }
@@ -65,7 +62,7 @@ private:
     const DevicePrimitives<Stored> primitives(one);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, primitives.view, layout, Overlap::exact);
-    irregular_grid(*executor_, primitives.view, layout, Overlap::exact, {GridKind::irregular});
+    merged_grid(*executor_, primitives.view, layout, Overlap::exact, {GridKind::irregular});
     check(cudaDeviceSynchronize());
   }
 

@@ -7,22 +7,23 @@
 
 namespace masu {
 
-// The cone as a function: how far outside its side a point is, and where along the axis. The solid between
-// the end planes is where side(p) ≤ 0; side is convex, so its least value over a convex body is found on the
-// body's edges unless the axis passes through the body, and its greatest at the body's corners.
+// The cone as an implicit surface: side(p) is a point's signed distance from the side at its position z(p)
+// along the axis, measured across the axis. The solid between the end planes is where side(p) ≤ 0. side is
+// convex: its minimum over a polyhedron is on an edge, unless the axis passes through the polyhedron, and its
+// maximum is at a vertex.
 struct ConeSolid {
   ConeAxis<double> axis;
-  double z_margin; // how far the end planes are moved out, as a share of the axis
+  double z_margin; // how far the end planes are moved out, as a fraction of the axis
   double margin;   // how much of side() counts as touching
 
   MASU_HD double z(const Vec3d& p) const { return dot(p - axis.base, axis.axis) * axis.inverse_square; }
-  MASU_HD double radius(double at) const { return axis.base_radius + axis.growth * at; }
-  MASU_HD double off_axis(const Vec3d& p, double at) const {
-    return length(p - (axis.base + axis.axis * at));
+  MASU_HD double radius(double along) const { return axis.base_radius + axis.growth * along; }
+  MASU_HD double off_axis(const Vec3d& p, double along) const {
+    return length(p - (axis.base + axis.axis * along));
   }
   MASU_HD double side(const Vec3d& p) const {
-    const double at = z(p);
-    return off_axis(p, at) - radius(at);
+    const double along = z(p);
+    return off_axis(p, along) - radius(along);
   }
 };
 
@@ -47,8 +48,8 @@ MASU_HD inline bool clip_to_ends(const ConeSolid& cone, Segment& segment) {
   return true;
 }
 
-// Whether some point of the segment, between the end planes, is within the margin of the solid: ρ² - (R +
-// margin)² ≤ 0 at an end, or at the quadratic's lowest place.
+// Whether a point of the segment, which is between the end planes, is within the margin of the solid: one of
+// its ends, or the minimum of the quadratic ρ² - R².
 MASU_HD inline bool enters_solid(const ConeSolid& cone, const Segment& segment) {
   const Vec3d along = segment.to - segment.from;
   const double z0 = cone.z(segment.from), dz = dot(along, cone.axis.axis) * cone.axis.inverse_square;
@@ -57,10 +58,10 @@ MASU_HD inline bool enters_solid(const ConeSolid& cone, const Segment& segment) 
   const double radius = std::max(0.0, cone.radius(z0)), slope = cone.axis.growth * dz;
   const double a = dot(across, across) - slope * slope;
   const double b = dot(off, across) - slope * radius;
-  // The squares' difference tells where to look; side() itself, which keeps its digits, decides.
-  const double lowest = -b / a;
+  // The quadratic suffers cancellation, and only says where its minimum is; side() decides.
+  const double minimum = -b / a;
   return cone.side(segment.from) <= cone.margin || cone.side(segment.to) <= cone.margin ||
-         (lowest > 0 && lowest < 1 && cone.side(segment.from + along * lowest) <= cone.margin);
+         (minimum > 0 && minimum < 1 && cone.side(segment.from + along * minimum) <= cone.margin);
 }
 
 MASU_HD inline bool axis_meets(const ConeSolid& cone, const Boxd& box) {
@@ -90,8 +91,7 @@ MASU_HD inline bool cut_face(const ConeSolid& cone, double end, const Vec3d (&fa
     const Vec3d &p = face[i], &q = face[(i + 1) % 4];
     const double zp = cone.z(p) - end, zq = cone.z(q) - end;
     if ((zp < 0) == (zq < 0)) continue;
-    const Vec3d at = p + (q - p) * (zp / (zp - zq));
-    (found == 0 ? chord.from : chord.to) = at;
+    (found == 0 ? chord.from : chord.to) = p + (q - p) * (zp / (zp - zq));
     ++found;
   }
   return found == 2;
@@ -101,7 +101,7 @@ MASU_HD inline bool cut_face(const ConeSolid& cone, double end, const Vec3d (&fa
 MASU_HD inline bool meets(const Cone<double>& cone, const Boxd& voxel, double margin) {
   ConeSolid solid{cone_axis<double>(cone), 0, 0};
   const double inverse_length = std::sqrt(solid.axis.inverse_square);
-  // side() changes by no more than this a unit of length: most voxels are decided by their centre.
+  // The gradient of side() is no longer than `steepest`: for most voxels their centre's value decides.
   const double slope = solid.axis.growth * inverse_length;
   const double steepest = std::sqrt(1 + slope * slope);
   solid.z_margin = margin * inverse_length;

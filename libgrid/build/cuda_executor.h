@@ -8,6 +8,7 @@
 #include <cub/device/device_scan.cuh>
 
 #include <algorithm>
+#include <bit>
 #include <optional>
 
 namespace masu {
@@ -45,14 +46,13 @@ private:
   template <class Record>
   __device__ Record of_lane(const Record& own, std::uint32_t other) const {
     static_assert(sizeof(Record) % sizeof(std::uint32_t) == 0);
-    union {
-      std::uint32_t words[sizeof(Record) / sizeof(std::uint32_t)];
-      Record record;
-    } copy{};
-    copy.record = own;
-    for (std::uint32_t& word : copy.words)
+    struct Words {
+      std::uint32_t word[sizeof(Record) / sizeof(std::uint32_t)];
+    };
+    auto words = std::bit_cast<Words>(own);
+    for (std::uint32_t& word : words.word)
       word = __shfl_sync(all(), word, static_cast<int>(other), width);
-    return copy.record;
+    return std::bit_cast<Record>(words);
   }
 };
 
@@ -140,6 +140,7 @@ inline unsigned blocks_for(std::uint64_t threads_wanted) {
 
 class CudaExecutor {
 public:
+  static constexpr bool has_warps = true;
   template <class T>
   using Array = DeviceArray<T>;
 
@@ -199,6 +200,9 @@ public:
     T one;
     check(cudaMemcpy(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost));
     return one;
+  }
+  __device__ static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
+    return atomicAdd(&counter, by);
   }
   // Items are gone through in pieces of so many rows, so that threads share a large one.
   template <class Value, class Emit>

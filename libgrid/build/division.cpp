@@ -270,7 +270,7 @@ Vec3d equal_sides(const Vec3d& extent, double voxels) {
 }
 
 // A quarter of what a merged grid's map may be (merge.h): the rest is for what they are divided into.
-constexpr double most_nested = 0x1p26;
+constexpr double max_nested = 0x1p26;
 
 // Voxels a primitive: few, but more of them the smaller the crowd's part of the space is; and many for cones,
 // whose tests are long: finer voxels save near misses, and lists that a long cone would otherwise be in.
@@ -286,11 +286,11 @@ double nested_density(const DivisionStatistics& statistics, const Boxd& space) {
 
 Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
   constexpr double tolerance = 1.05;
-  constexpr int steps_an_octave = 3, most_octaves = 27; // up to 2^27 voxels
+  constexpr int steps_an_octave = 3, max_octaves = 27; // up to 2^27 voxels
   const Vec3d extent = space.max - space.min;
   std::vector<std::pair<double, Vec3i>> candidates;
   double best = std::numeric_limits<double>::max();
-  for (int step = 0; step <= steps_an_octave * most_octaves; ++step) {
+  for (int step = 0; step <= steps_an_octave * max_octaves; ++step) {
     const Vec3d per_unit = equal_sides(extent, std::exp2(static_cast<double>(step) / steps_an_octave));
     if (largest_magnitude(extent * per_unit) > largest_division / 2.0) break;
     const Vec3i division = division_of(extent, per_unit);
@@ -327,7 +327,7 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
     return automatic_division(statistics, space);
   case DivisionRule::Kind::nested:
     return division_of(
-        extent, equal_sides(extent, std::clamp(nested_density(statistics, space) * count, 1.0, most_nested)));
+        extent, equal_sides(extent, std::clamp(nested_density(statistics, space) * count, 1.0, max_nested)));
   }
   return {1, 1, 1};
 }

@@ -1,6 +1,7 @@
 // Building by passes: each does the same to every one of many items, in any order or all at once. What runs
-// them (an executor) is a template parameter: TbbExecutor (tbb_executor.h) on the host's cores, CudaExecutor
-// (cuda_executor.h) on a device; the tests have plain loops. An executor has
+// them (an executor) is a template parameter: TbbExecutor (tbb_executor.h) on the host's cores,
+// SerialExecutor (serial_executor.h) on one of them, CudaExecutor (cuda_executor.h) on a device. An executor
+// has
 //
 //   Array<T>                      in its memory: data(), size(); moves, doesn't copy
 //   array<T>(count)               of any content;  zeros<T>(count)
@@ -9,7 +10,9 @@
 //                                 larger one where work.size(i) is large; they share a Work::Scratch
 //   scan(values)                  values[i] becomes the sum of all before it
 //   value(values, i)              one value, for the host
-//   emit_sorted<Value>(count, bits, max_pairs, emit)
+//   fetch_add(counter, by)        adds; returns what the counter was: all who add at once get different
+//   values has_warps                     whether its threads run in step, so that work is better sorted by
+//   its kind emit_sorted<Value>(count, bits, max_pairs, emit)
 //                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),
 //                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1: sorted by key, of
 //                                 `bits` bits; equal keys as emitted. None for more than max_pairs.
@@ -17,7 +20,6 @@
 
 #include "libscene/portable.h"
 
-#include <atomic>
 #include <cstdint>
 
 // What a pass does to a thing is a lambda marked so: compiled for the device where nvcc reads it.
@@ -29,27 +31,15 @@
 
 namespace masu {
 
-// The last i with begin(i) <= at, of `count` that rise from 0: whose part of the whole it is.
-template <class Begin>
-MASU_HD std::uint64_t owner_by(const Begin& begin, std::uint64_t count, std::uint64_t at) {
+// The last i with begins[i] <= position, of `count` that rise from 0: whose range the position is in.
+MASU_HD inline std::uint64_t owner_of(const std::uint64_t* begins, std::uint64_t count,
+                                      std::uint64_t position) {
   std::uint64_t low = 0, high = count;
   while (high - low > 1) {
     const std::uint64_t middle = low + (high - low) / 2;
-    (begin(middle) <= at ? low : high) = middle;
+    (begins[middle] <= position ? low : high) = middle;
   }
   return low;
-}
-MASU_HD inline std::uint64_t owner_of(const std::uint64_t* begins, std::uint64_t count, std::uint64_t at) {
-  return owner_by([begins](std::uint64_t i) { return begins[i]; }, count, at);
-}
-
-// Counts `by` more; returns what it was before. Of all who count at once each gets another number.
-MASU_HD inline std::uint32_t counted(std::uint32_t& counter, std::uint32_t by) {
-#ifdef __CUDA_ARCH__
-  return atomicAdd(&counter, by);
-#else
-  return std::atomic_ref(counter).fetch_add(by, std::memory_order_relaxed);
-#endif
 }
 
 template <class Executor, class T>

@@ -119,7 +119,7 @@ private:
         y_log2[l] -= division.log2.y;
         z_log2[l] -= division.log2.z;
         const Vec3i at{x[l] >> x_log2[l], y[l] >> y_log2[l], z[l] >> z_log2[l]};
-        const std::uint32_t next = map[division.place + index_in_division(at, division.log2)];
+        const std::uint32_t next = map[division.offset + index_in_division(at, division.log2)];
         word[l] = (word[l] & arrived) | (next & ~arrived);
       }
     }

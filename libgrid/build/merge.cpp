@@ -1,225 +1,147 @@
 #include "libgrid/build/merge.h"
 
-#include "libgrid/build/expand_passes.h"
-#include "libgrid/build/nested_map.h"
+#include "libgrid/build/merge_passes.h"
+#include "libgrid/build/serial_executor.h"
 #include "libgrid/build/tbb_executor.h"
-#include "libgrid/file/grid_file.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <mutex>
-#include <numeric>
 
 namespace masu {
-namespace {
-
-constexpr double splitting_share = 0.6; // of an irregular grid's time; the rest is expansion
-
-// A part of a grid on its own: places and numbers in it count from its own beginning. `top` are words of the
-// map's top level, `nested` what they lead to.
-struct GridPart {
-  std::vector<std::uint32_t> top, nested;
-  std::vector<MergedCell> cells;
-  std::vector<PrimitiveIndex> references;
-};
-
-void add_cells(const Partition& partition, GridPart& part) {
-  for (const Leaf& leaf : partition.leaves) {
-    const auto list = static_cast<std::uint32_t>(part.references.size());
-    part.cells.push_back(packed(leaf.box, leaf.count > 0 ? list : empty_list));
-    const auto first = partition.references.begin() + leaf.begin;
-    part.references.insert(part.references.end(), first, first + leaf.count);
-    if (leaf.count > 0) part.references.back() |= last_bit;
-  }
-}
-
-std::vector<PrimitiveIndex> listed(const Grid& grid, std::uint32_t list) {
-  std::vector<PrimitiveIndex> primitives;
-  for (bool last = false; !last; ++list) {
-    last = (grid.references[list] & last_bit) != 0;
-    primitives.push_back(grid.references[list] & ~last_bit);
-  }
-  return primitives;
-}
-
-// One row along x of a uniform grid's voxels: empty ones are joined, those with primitives divided by
-// `divide`(voxel's box, primitives).
-template <class Divide>
-GridPart row_part(const Grid& uniform, std::int32_t y, std::int32_t z, std::int32_t nested_log2,
-                  const Divide& divide) {
-  const GridView<double> view = view_of<double>(uniform);
-  GridPart part;
-  bool after_empty = false;
-  for (std::int32_t x = 0; x < view.division.x; ++x) {
-    const Vec3i voxel{x, y, z};
-    const auto scaled = [&](const Vec3i& v) {
-      return Vec3i{v.x << nested_log2, v.y << nested_log2, v.z << nested_log2};
-    };
-    const VoxelBox box{scaled(voxel), scaled(voxel + Vec3i{1, 1, 1})};
-    const std::uint32_t word = look_up(view, voxel).word;
-    if ((word & occupied_bit) == 0) {
-      if (!after_empty) part.cells.push_back(packed(box, empty_list));
-      MergedCell& cell = part.cells.back();
-      cell.x = (cell.x & 0xffff) | static_cast<std::uint32_t>(box.end.x) << 16;
-      part.top.push_back(occupied_bit | static_cast<std::uint32_t>(part.cells.size() - 1));
-      after_empty = true;
-      continue;
-    }
-    after_empty = false;
-    const Partition partition = divide(box, listed(uniform, word & ~occupied_bit));
-    const auto first_cell = static_cast<std::uint32_t>(part.cells.size());
-    const std::size_t first_word = part.nested.size();
-    const std::uint32_t root = append_nested_map(partition.leaves, box.first, nested_log2, part.nested);
-    const auto moved = [&](std::uint32_t w) { return (w & occupied_bit) != 0 ? w + first_cell : w; };
-    part.top.push_back(moved(root));
-    std::transform(part.nested.begin() + static_cast<std::ptrdiff_t>(first_word), part.nested.end(),
-                   part.nested.begin() + static_cast<std::ptrdiff_t>(first_word), moved);
-    add_cells(partition, part);
-  }
-  return part;
-}
-
-// Where each part's words, cells and references begin in the whole; one entry more than there are parts.
-template <class Size>
-std::vector<std::uint64_t> offsets(const std::vector<GridPart>& parts, std::uint64_t first,
-                                   const Size& size) {
-  std::vector<std::uint64_t> begin{first};
-  for (const GridPart& part : parts)
-    begin.push_back(begin.back() + size(part));
-  return begin;
-}
-
-// Puts the rows of the top level's map together, unless that would be too large: returns what exceeds.
-const char* join(std::vector<GridPart>& rows, Grid& grid) {
-  const auto top = offsets(rows, 0, [](const GridPart& part) { return part.top.size(); });
-  const auto nested =
-      offsets(rows, rounded_to_unit(top.back()), [](const GridPart& part) { return part.nested.size(); });
-  const auto cells = offsets(rows, 0, [](const GridPart& part) { return part.cells.size(); });
-  const auto references = offsets(rows, 0, [](const GridPart& part) { return part.references.size(); });
-  if (const char* const exceeded =
-          exceeded_by_sizes(cells.back(), references.back(), nested.front(), nested.back()))
-    return exceeded;
-  grid.voxel_map.assign(nested.back(), 0);
-  grid.cells.resize(cells.back());
-  grid.references.resize(references.back());
-  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
-    GridPart& row = rows[i];
-    const auto cell = static_cast<std::uint32_t>(cells[i]), place = static_cast<std::uint32_t>(nested[i]),
-               list = static_cast<std::uint32_t>(references[i]);
-    const auto moved = [&](std::uint32_t word) {
-      if (word == 0) return word; // fills a unit up
-      if ((word & occupied_bit) != 0) return word + cell;
-      const MapDivision division = map_division(word);
-      return map_word({division.place + place, division.log2});
-    };
-    std::transform(row.top.begin(), row.top.end(), grid.voxel_map.data() + top[i], moved);
-    std::transform(row.nested.begin(), row.nested.end(), grid.voxel_map.data() + nested[i], moved);
-    std::transform(row.cells.begin(), row.cells.end(), grid.cells.data() + cells[i], [&](MergedCell c) {
-      if (c.list != empty_list) c.list += list;
-      return c;
-    });
-    std::copy(row.references.begin(), row.references.end(), grid.references.data() + references[i]);
-    row = {};
-  });
-  return nullptr;
-}
-
-template <class Divide>
-const char* merge_rows(const Grid& uniform, Grid& grid, const std::function<void(double)>& progress,
-                       const Divide& divide) {
-  const Vec3i n = grid.layout.division;
-  std::vector<GridPart> rows(static_cast<std::size_t>(n.y) * static_cast<std::size_t>(n.z));
-  std::mutex counting;
-  std::size_t finished = 0;
-  tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t row) {
-    const auto y = static_cast<std::int32_t>(row % static_cast<std::size_t>(n.y)),
-               z = static_cast<std::int32_t>(row / static_cast<std::size_t>(n.y));
-    rows[row] = row_part(uniform, y, z, grid.nested_log2, divide);
-    if (!progress) return;
-    const std::lock_guard lock(counting);
-    progress(static_cast<double>(++finished) / static_cast<double>(rows.size()));
-  });
-  return join(rows, grid);
-}
-
-template <class Stored>
-const char* merge_balanced(const SceneView<Stored>& scene, Overlap overlap, const GridOptions& options,
-                           Grid& grid) {
-  const Vec3i n = grid.layout.division;
-  std::vector<PrimitiveIndex> all(scene.primitive_count());
-  std::iota(all.begin(), all.end(), 0U);
-  const Partition whole = partition(scene, grid.layout, overlap, options, {{0, 0, 0}, n}, all);
-  std::vector<GridPart> parts(1);
-  GridPart& part = parts.front();
-  add_cells(whole, part);
-  part.top.resize(voxel_count(n));
-  tbb::parallel_for(std::size_t{0}, whole.leaves.size(), [&](std::size_t cell) {
-    const VoxelBox& box = whole.leaves[cell].box;
-    for_each_voxel({box.first, box.end - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      part.top[linear_index(voxel, n)] = occupied_bit | static_cast<std::uint32_t>(cell);
-    });
-  });
-  return join(parts, grid);
-}
-
-} // namespace
 
 const char* exceeded_by_division(const Vec3i& division) {
-  const bool fits = std::max({division.x, division.y, division.z}) <= largest_plane &&
-                    voxel_count(division) <= most_merged_voxels;
+  const bool fits = std::max({division.x, division.y, division.z}) <= max_plane &&
+                    voxel_count(division) <= max_merged_voxels;
   return fits ? nullptr : "more than 2^28 voxels to merge";
 }
 
 const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
                               std::uint64_t words) {
-  if (std::max(cells, references) > most_numbered) return too_many_cells;
-  if (words > most_nested_words && words > top_words) return "more than 2^27 words for its map";
+  if (std::max(cells, references) > max_numbered) return too_many_cells;
+  if (words > max_nested_words && words > top_words) return "more than 2^27 words for its map";
   return nullptr;
 }
 
 std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options) {
   const std::int32_t longest = std::max({division.x, division.y, division.z});
   std::int32_t nested_log2 = 0;
-  while (nested_log2 < options.nested_log2 && (longest << (nested_log2 + 1)) <= largest_plane)
+  while (nested_log2 < options.nested_log2 && (longest << (nested_log2 + 1)) <= max_plane)
     ++nested_log2;
   return nested_log2;
+}
+
+namespace {
+
+// As the passes take them: at whole rows along x, and of few pairs and voxels; but a part is at least a row.
+// The parts don't depend on the number of threads.
+constexpr double parts_share = 0.6; // of an irregular grid's time; the rest is expansion
+constexpr std::uint64_t max_part_pairs = 4096, max_part_voxels = 65536;
+std::vector<VoxelSpan> parts_of(const VoxelSpan& all, const Vec3i& division) {
+  std::vector<VoxelSpan> parts;
+  VoxelSpan part{0, 0, all.indices, all.primitives, 0};
+  while (part.end != all.end) {
+    const std::uint64_t end = part.end + static_cast<std::uint64_t>(division.x);
+    const std::uint64_t* const pairs_end =
+        std::lower_bound(part.indices + part.pairs, all.indices + all.pairs, end);
+    const auto pairs = static_cast<std::uint64_t>(pairs_end - part.indices);
+    if (part.size() > 0 && (pairs > max_part_pairs || end - part.first > max_part_voxels)) {
+      parts.push_back(part);
+      part = {part.end, part.end, part.indices + part.pairs, part.primitives + part.pairs, 0};
+      continue;
+    }
+    part.end = end;
+    part.pairs = pairs;
+  }
+  parts.push_back(part);
+  return parts;
+}
+
+// Where a part's words that its voxels' lead to, its cells and its references begin in the whole.
+struct PartBegin {
+  std::uint64_t nested, cells, references;
+};
+
+void copy_part(const BuildResult& part, const VoxelSpan& span, const PartBegin& begin, Grid& whole) {
+  const Grid& own = part.grid;
+  const std::uint64_t own_nested = rounded_to_unit(span.size());
+  const auto first_cell = static_cast<std::uint32_t>(begin.cells),
+             first_list = static_cast<std::uint32_t>(begin.references),
+             words_before = static_cast<std::uint32_t>(begin.nested - own_nested);
+  const auto moved_word = [=](std::uint32_t word) {
+    if (word == 0) return word; // fills a unit up
+    if ((word & occupied_bit) != 0) return word + first_cell;
+    const MapDivision division = map_division(word);
+    return map_word({division.offset + words_before, division.log2});
+  };
+  const auto moved_cell = [=](MergedCell cell) {
+    if (cell.list != empty_list) cell.list += first_list;
+    return cell;
+  };
+  const std::uint32_t* const words = own.voxel_map.data();
+  std::transform(words, words + span.size(), whole.voxel_map.data() + span.first, moved_word);
+  std::transform(words + own_nested, words + own.voxel_map.size(), whole.voxel_map.data() + begin.nested,
+                 moved_word);
+  std::transform(own.cells.begin(), own.cells.end(), whole.cells.data() + begin.cells, moved_cell);
+  std::copy(own.references.begin(), own.references.end(), whole.references.data() + begin.references);
+}
+
+} // namespace
+
+// Part by part, each by one thread; a row of very many pairs is shared by all.
+template <class BuildPart>
+ExecutorGrid<TbbExecutor> build_in_parts(TbbExecutor& executor, const GridLayout& layout,
+                                         const VoxelSpan& all, const BuildPart& build_part) {
+  const std::vector<VoxelSpan> spans = parts_of(all, layout.division);
+  std::vector<BuildResult> parts(spans.size());
+  const auto is_large = [&](std::size_t i) { return spans[i].pairs > 16 * max_part_pairs; };
+  std::mutex counting;
+  std::size_t finished = 0;
+  tbb::parallel_for(std::size_t{0}, spans.size(), [&](std::size_t i) {
+    SerialExecutor serial;
+    if (!is_large(i)) parts[i] = on_host(build_part(serial, spans[i]));
+    if (!executor.progress) return;
+    const std::lock_guard lock(counting);
+    executor.progress(parts_share * static_cast<double>(++finished) / static_cast<double>(spans.size()));
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (is_large(i)) parts[i] = on_host(build_part(executor, spans[i]));
+  }
+
+  ExecutorGrid<TbbExecutor> whole{layout, parts[0].grid.kind, 0, parts[0].grid.nested_log2};
+  const std::uint64_t top_words = rounded_to_unit(all.size());
+  PartBegin end{top_words, 0, 0};
+  std::vector<PartBegin> begins;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if ((whole.exceeded = parts[i].exceeded) != nullptr) return whole;
+    const Grid& part = parts[i].grid;
+    begins.push_back(end);
+    end.nested += part.voxel_map.size() - rounded_to_unit(spans[i].size());
+    end.cells += part.cells.size();
+    end.references += part.references.size();
+  }
+  if ((whole.exceeded = exceeded_by_sizes(end.cells, end.references, top_words, end.nested)) != nullptr)
+    return whole;
+  Grid grid;
+  grid.voxel_map.resize(end.nested);
+  std::fill(grid.voxel_map.data() + all.size(), grid.voxel_map.data() + top_words, 0U);
+  grid.cells.resize(end.cells);
+  grid.references.resize(end.references);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    copy_part(parts[i], spans[i], begins[i], grid);
+    parts[i] = {};
+  });
+  whole.voxel_map = std::move(grid.voxel_map);
+  whole.cells = std::move(grid.cells);
+  whole.references = std::move(grid.references);
+  return whole;
 }
 
 template <class Stored>
 BuildResult merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
                         const GridOptions& options, const std::function<void(double)>& progress) {
-  BuildResult result{{layout, options.kind, 0, 0, {}, {}, {}}, exceeded_by_division(layout.division)};
-  if (result.exceeded != nullptr) return result;
-  if (options.kind == GridKind::balance) {
-    check_primitives(scene.primitive_count());
-    result.exceeded = merge_balanced(scene, overlap, options, result.grid);
-    return result;
-  }
-  const BuildResult uniform = uniform_grid(scene, layout, overlap);
-  if (uniform.exceeded != nullptr) return uniform;
-  if (options.kind == GridKind::x) {
-    result.exceeded = merge_rows(uniform.grid, result.grid, progress,
-                                 [](const VoxelBox& box, std::vector<PrimitiveIndex> primitives) {
-                                   const auto count = static_cast<std::uint32_t>(primitives.size());
-                                   return Partition{{{box, 0, count}}, std::move(primitives)};
-                                 });
-    return result;
-  }
-  result.grid.nested_log2 = nested_log2_for(layout.division, options);
-  const GridLayout finest = finer(layout, result.grid.nested_log2);
-  const auto splitting = [&](double share) {
-    if (progress) progress(splitting_share * share);
-  };
-  result.exceeded = merge_rows(uniform.grid, result.grid, splitting,
-                               [&](const VoxelBox& box, const std::vector<PrimitiveIndex>& primitives) {
-                                 return partition(scene, finest, overlap, options, box, primitives);
-                               });
   TbbExecutor executor;
-  if (result.exceeded == nullptr)
-    expand_cells(executor, merged_view_of<double>(result.grid), result.grid.cells.size(),
-                 result.grid.cells.data(), options.expansions);
-  return result;
+  executor.progress = progress;
+  return on_host(merged_grid(executor, scene, layout, overlap, options));
 }
 template BuildResult merged_grid(const SceneView<float>&, const GridLayout&, Overlap, const GridOptions&,
                                  const std::function<void(double)>&);

@@ -1,21 +1,17 @@
-// Building grids whose cells are boxes of several voxels, on the host: kinds x, balance and irregular.
-//
-// An irregular grid's voxels are split, and their maps made, one after another, each down to its cells while
-// it is in the cache. The passes of merge_passes.h give the same bytes level by level for all voxels at once,
-// as a device needs it; on two cores they take about twice as long, hence this second implementation.
+// Grids whose cells are boxes of several voxels: their cells, their limits, and building them on the host.
 #pragma once
 
 #include "libgrid/build/build.h"
-#include "libgrid/build/split.h"
+#include "libgrid/build/splitter.h"
 
 #include <functional>
 
 namespace masu {
 
 // The most voxels of a division whose grid is to be merged: its map has a word for each.
-inline constexpr std::uint64_t most_merged_voxels = std::uint64_t{1} << 28;
+inline constexpr std::uint64_t max_merged_voxels = std::uint64_t{1} << 28;
 
-inline constexpr std::int32_t largest_plane = 65535; // a cell's box has 16 bits for it
+inline constexpr std::int32_t max_plane = 65535; // a cell's box has 16 bits for it
 
 MASU_HD inline MergedCell packed(const VoxelBox& box, std::uint32_t list) {
   const auto range = [&](int axis) {
@@ -41,8 +37,8 @@ const char* exceeded_by_division(const Vec3i& division);
 const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
                               std::uint64_t words);
 
-// Independent of the number of threads. Throws Error(input) for more primitives than grids can number.
-// `progress` gets shares of the work, by one thread at a time.
+// Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more
+// primitives than grids can number. `progress` gets shares of the work, by one thread at a time.
 template <class Stored>
 BuildResult merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
                         const GridOptions& options, const std::function<void(double)>& progress = {});

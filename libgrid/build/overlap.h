@@ -55,8 +55,8 @@ MASU_HD inline bool is_line(const VoxelRange& range) {
   return thick <= 1;
 }
 
-// The voxels among which a primitive's are, as rows along an axis w, so that some of them can be gone through
-// by themselves: one row after the other along u, then v.
+// The voxels that a primitive's bounds meet, as rows along an axis w, numbered along u, then v: threads can
+// share them.
 struct VoxelRows {
   VoxelRange range;
   int w, u, v;
@@ -137,7 +137,8 @@ MASU_HD void for_each_overlap(const GridLayout& layout, Overlap overlap, const T
     const auto voxel_below = [&](double coordinate) {
       return (coordinate - layout.space.min[w]) / size[w] - 0.5;
     };
-    // The interval is of centres; a voxel more on both sides makes good its rounding, meets() decides.
+    // The interval bounds voxel centres. One voxel more on either side allows for its rounding; meets()
+    // decides.
     const double from = std::max(std::floor(voxel_below(low)), static_cast<double>(rows.range.first[w]));
     const double to = std::min(std::ceil(voxel_below(high)), static_cast<double>(rows.range.last[w]));
     if (!(from <= to)) return;

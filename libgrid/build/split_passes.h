@@ -1,4 +1,5 @@
-// Splitting many boxes at once: level by level what split.h does box by box.
+// Splitting boxes of voxels into cells, level by level: each pass does something to all boxes of a level, or
+// to all their fragments.
 #pragma once
 
 #include "libgrid/build/executor.h"
@@ -13,33 +14,25 @@ namespace masu {
 
 inline constexpr std::uint32_t no_child = 0xffffffffU;
 
-// A box of a level. While it is open, `begin` … `end` - 1 are its fragments; a leaf's are its references
-// among its level's, in the end.
+// A box of a level. While it is open, `begin` … `end` - 1 are its fragments; in the end they are a leaf's
+// references among its level's.
 struct LevelBox {
   VoxelBox box;
   std::uint32_t begin, end;
-  std::int32_t axis, at; // the plane that divides it
-  std::uint32_t child;   // its number on the next level is that of what is below; what is above follows
+  std::int32_t axis, position; // the plane that divides it
+  std::uint32_t child;         // index on the next level of what is below the plane; what is above follows
 };
-
-struct LeafReference {
-  PrimitiveIndex primitive;
-  std::uint32_t box; // which lists it
-};
+MASU_HD inline LevelBox open_box(const VoxelBox& box, std::uint32_t begin, std::uint32_t end) {
+  return {box, begin, end, 0, 0, no_child};
+}
 
 template <class Executor>
 struct SplitLevel {
   ArrayOf<Executor, LevelBox> boxes{};
-  ArrayOf<Executor, LeafReference> listed{}; // leaf by leaf
+  ArrayOf<Executor, PrimitiveIndex> listed{}; // leaf by leaf
 };
 
-template <class Executor>
-struct OpenFragments {
-  ArrayOf<Executor, Fragment> fragments{};
-  ArrayOf<Executor, std::uint32_t> box_of{};
-};
-
-// Of the fragments before some place: how many there are of below a plane and above it; how many leaves list.
+// Of the fragments before one: how many there are of below a plane and above it; how many leaves list.
 struct FragmentCounts {
   std::uint32_t below, above, listed;
   friend MASU_HD FragmentCounts operator+(const FragmentCounts& a, const FragmentCounts& b) {
@@ -47,168 +40,173 @@ struct FragmentCounts {
   }
 };
 
+// Decides by its primitive where a fragment goes that a plane cuts, or whether a leaf lists it. What is on
+// both sides stays in its place as what is below, and is in `above` as what is above.
 template <class Stored>
-struct ChoosePlanes {
-  using Scratch = PlaneBins;
+struct DecideFragment {
   Splitter<Stored> splitter;
+  const LevelBox* boxes;
+  Fragment *fragments, *above;
+  FragmentCounts* counts;
+
+  MASU_HD void operator()(std::uint32_t i, std::uint32_t box) const {
+    const LevelBox& own = boxes[box];
+    if (own.child == no_child) {
+      counts[i] = {0, 0, splitter.lists(own.box, fragments[i].primitive)};
+      return;
+    }
+    Fragment low{}, high{};
+    const auto sides = splitter.cut(fragments[i], Plane{own.axis, own.position}, low, high);
+    counts[i] = {sides.below, sides.above, 0};
+    fragments[i] = sides.below ? low : high;
+    if (sides.below && sides.above) above[i] = high;
+  }
+};
+
+// Fragments to be decided by a pass of their own, so that all threads of a warp have a primitive to test:
+// those that a plane cuts from the list's front on, those in leaves from its back.
+struct Undecided {
+  std::uint32_t fragment, box;
+};
+struct UndecidedCounts {
+  std::uint32_t cut, in_leaves;
+};
+
+// Chooses the boxes' planes, and counts the fragments on either side of them.
+template <class Executor, class Stored>
+struct DivideBoxes {
+  using Scratch = PlaneBins;
+  DecideFragment<Stored> decide;
   LevelBox* boxes;
-  const Fragment* fragments;
+  Undecided *undecided, *undecided_end;
+  UndecidedCounts* lengths;
 
   MASU_HD std::uint32_t size(std::uint64_t i) const { return boxes[i].end - boxes[i].begin; }
   template <class ThreadGroup>
   MASU_HD void operator()(const ThreadGroup& group, PlaneBins& bins, std::uint64_t i) const {
     LevelBox& own = boxes[i];
-    const Plane plane = splitter.cheapest_plane(group, bins, own.box, fragments + own.begin, size(i));
-    if (group.thread_rank() != 0) return;
-    own.axis = plane.axis;
-    own.at = plane.at;
-    own.child = is_plane(plane) ? 0 : no_child;
+    const Fragment* const fragments = decide.fragments;
+    const Plane best = decide.splitter.best_plane(group, bins, own.box, fragments + own.begin, size(i));
+    if (group.thread_rank() == 0) {
+      own.axis = best.axis;
+      own.position = best.position;
+      own.child = is_plane(best) ? 0 : no_child;
+    }
+    group.sync();
+    const Plane plane{own.axis, own.position};
+    const bool is_leaf = own.child == no_child;
+    const auto box = static_cast<std::uint32_t>(i);
+    const std::uint32_t end = own.end;
+    for (std::uint32_t f = own.begin + group.thread_rank(); f < end; f += group.size()) {
+      const std::uint32_t below = Splitter<Stored>::is_below(fragments[f], plane),
+                          above = Splitter<Stored>::is_above(fragments[f], plane);
+      if (!is_leaf && below + above == 1) {
+        decide.counts[f] = {below, above, 0};
+      } else if (!Executor::has_warps) {
+        decide(f, box);
+      } else if (is_leaf) {
+        *(undecided_end - 1 - Executor::fetch_add(lengths->in_leaves, 1)) = {f, box};
+      } else {
+        undecided[Executor::fetch_add(lengths->cut, 1)] = {f, box};
+      }
+    }
   }
 };
 
-// Says of every fragment on which sides of its box's plane it is, or whether the leaf it is in lists it: the
-// counts before it, and after the last. A fragment that is on both sides stays in its place as what is below,
-// and is in `above` as what is above.
-template <class Executor, class Stored>
-ArrayOf<Executor, FragmentCounts> count_fragments(Executor& executor, const Splitter<Stored>& splitter,
-                                                  const LevelBox* boxes, OpenFragments<Executor>& open,
-                                                  Fragment* above) {
-  const std::uint64_t count = open.fragments.size();
-  Fragment* const fragments = open.fragments.data();
-  const std::uint32_t* const box_of = open.box_of.data();
-  // Most fragments are on one side. Those that look at their primitive are put on lists, so that the threads
-  // of a warp all have one to look at.
-  auto counts = executor.template array<FragmentCounts>(count + 1);
-  auto lists = executor.template array<std::uint32_t>(2 * count);
-  auto lengths = executor.template zeros<std::uint32_t>(2);
-  FragmentCounts* const before = counts.data();
-  std::uint32_t *const cut = lists.data(), *const in_leaf = lists.data() + count,
-                       *const length = lengths.data();
-  executor.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
-    if (i == count) {
-      before[i] = {0, 0, 0};
-      return;
-    }
-    const LevelBox& own = boxes[box_of[i]];
-    if (own.child == no_child) {
-      in_leaf[counted(length[1], 1)] = static_cast<std::uint32_t>(i);
-      return;
-    }
-    const auto sides = splitter.sides_of_fragment(fragments[i], Plane{own.axis, own.at, 0});
-    if (sides.below && sides.above) {
-      cut[counted(length[0], 1)] = static_cast<std::uint32_t>(i);
-    } else {
-      before[i] = {sides.below ? 1U : 0U, sides.above ? 1U : 0U, 0};
-    }
-  });
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    if (i >= length[0]) return;
-    const std::uint32_t fragment = cut[i];
-    const LevelBox& own = boxes[box_of[fragment]];
-    Fragment low{}, high{};
-    const auto sides = splitter.cut(fragments[fragment], Plane{own.axis, own.at, 0}, low, high);
-    before[fragment] = {sides.below ? 1U : 0U, sides.above ? 1U : 0U, 0};
-    fragments[fragment] = sides.below ? low : high;
-    if (sides.below && sides.above) above[fragment] = high;
-  });
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    if (i >= length[1]) return;
-    const std::uint32_t fragment = in_leaf[i];
-    before[fragment] = {0, 0,
-                        splitter.lists(boxes[box_of[fragment]].box, fragments[fragment].primitive) ? 1U : 0U};
-  });
-  executor.scan(counts);
-  return counts;
-}
+// The next level's boxes and fragments: of each divided box those below, then those above, in their order.
+// What leaves list goes to `listed`.
+struct MoveFragments {
+  using Scratch = NoScratch;
+  LevelBox* boxes;
+  const Fragment *fragments, *above;
+  const FragmentCounts* before;
+  const std::uint32_t* divided_before; // of the boxes
+  LevelBox* next_boxes;
+  Fragment* next_fragments;
+  PrimitiveIndex* listed;
 
-// The next level's fragments: of each divided box those below, then those above, in their order. What leaves
-// list goes to `listed`. `divided_before` numbers the boxes that are divided.
-template <class Executor>
-OpenFragments<Executor> move_fragments(Executor& executor, const LevelBox* boxes,
-                                       const OpenFragments<Executor>& open, const Fragment* above,
-                                       const FragmentCounts* before, const std::uint32_t* split_before,
-                                       std::uint64_t next_count, LeafReference* listed) {
-  OpenFragments<Executor> next{executor.template array<Fragment>(next_count),
-                               executor.template array<std::uint32_t>(next_count)};
-  const Fragment* const fragments = open.fragments.data();
-  const std::uint32_t* const box_of = open.box_of.data();
-  Fragment* const next_fragments = next.fragments.data();
-  std::uint32_t* const next_box_of = next.box_of.data();
-  executor.for_each(open.fragments.size(), [=] MASU_PASS(std::uint64_t i) {
-    const FragmentCounts here = before[i], after = before[i + 1];
-    const std::uint32_t box = box_of[i], child = 2 * split_before[box];
-    const FragmentCounts first = before[boxes[box].begin];
-    const std::uint32_t begin = first.below + first.above;
-    const bool is_below = after.below != here.below, is_above = after.above != here.above;
-    if (is_below) {
-      const std::uint32_t at = begin + here.below - first.below;
-      next_fragments[at] = fragments[i];
-      next_box_of[at] = child;
+  MASU_HD std::uint32_t size(std::uint64_t i) const { return boxes[i].end - boxes[i].begin; }
+  template <class ThreadGroup>
+  MASU_HD void operator()(const ThreadGroup& group, NoScratch&, std::uint64_t i) const {
+    const LevelBox own = boxes[i];
+    const FragmentCounts first = before[own.begin], last = before[own.end];
+    const std::uint32_t begin = first.below + first.above, middle = begin + last.below - first.below;
+    for (std::uint32_t f = own.begin + group.thread_rank(); f < own.end; f += group.size()) {
+      const FragmentCounts here = before[f], after = before[f + 1];
+      if (own.child == no_child) {
+        if (after.listed != here.listed) listed[here.listed] = fragments[f].primitive;
+        continue;
+      }
+      const bool is_below = after.below != here.below, is_above = after.above != here.above;
+      if (is_below) next_fragments[begin + here.below - first.below] = fragments[f];
+      if (is_above) next_fragments[middle + here.above - first.above] = is_below ? above[f] : fragments[f];
     }
-    if (is_above) {
-      const std::uint32_t all_below = before[boxes[box].end].below - first.below;
-      const std::uint32_t at = begin + all_below + here.above - first.above;
-      next_fragments[at] = is_below ? above[i] : fragments[i];
-      next_box_of[at] = child + 1;
+    group.sync(); // all have read the box
+    if (group.thread_rank() != 0) return;
+    if (own.child == no_child) {
+      boxes[i].begin = first.listed;
+      boxes[i].end = last.listed;
+      return;
     }
-    if (after.listed != here.listed) listed[here.listed] = {fragments[i].primitive, box};
-  });
-  return next;
-}
+    const std::uint32_t child = boxes[i].child = 2 * divided_before[i];
+    LevelBox low = open_box(own.box, begin, middle),
+             high = open_box(own.box, middle, last.below + last.above);
+    low.box.end.set(own.axis, own.position);
+    high.box.first.set(own.axis, own.position);
+    next_boxes[child] = low;
+    next_boxes[child + 1] = high;
+  }
+};
 
 // Divides the level's boxes, once or not at all, and returns the next level's, if there aren't too many
-// fragments. `open` are the boxes' fragments, and afterwards those of the next level's.
+// fragments. `fragments` are those of the level, and afterwards those of the next.
 template <class Executor, class Stored>
 std::optional<SplitLevel<Executor>> split_level(Executor& executor, const Splitter<Stored>& splitter,
-                                                SplitLevel<Executor>& level, OpenFragments<Executor>& open) {
+                                                SplitLevel<Executor>& level,
+                                                ArrayOf<Executor, Fragment>& fragments) {
+  const std::uint64_t box_count = level.boxes.size(), count = fragments.size();
+  auto counts = executor.template array<FragmentCounts>(count + 1);
+  auto fragments_above = executor.template array<Fragment>(count);
+  auto list = executor.template array<Undecided>(Executor::has_warps ? count : 0);
+  auto list_lengths = executor.template zeros<UndecidedCounts>(1);
   LevelBox* const boxes = level.boxes.data();
-  const std::uint64_t box_count = level.boxes.size(), fragment_count = open.fragments.size();
-  executor.for_each_by_group(box_count, ChoosePlanes<Stored>{splitter, boxes, open.fragments.data()});
+  Fragment *const fragment = fragments.data(), *const above = fragments_above.data();
+  FragmentCounts* const before = counts.data();
+  Undecided* const undecided = list.data();
+  UndecidedCounts* const lengths = list_lengths.data();
+  const DecideFragment<Stored> decide{splitter, boxes, fragment, above, before};
+  executor.for_each_by_group(
+      box_count, DivideBoxes<Executor, Stored>{decide, boxes, undecided, undecided + list.size(), lengths});
   const auto divided =
       numbered(executor, box_count, [=] MASU_PASS(std::uint64_t i) { return boxes[i].child != no_child; });
-  const std::uint32_t* const split_before = divided.data();
-
-  auto above = executor.template array<Fragment>(fragment_count);
-  const auto counts = count_fragments(executor, splitter, boxes, open, above.data());
-  const FragmentCounts all = executor.value(counts, fragment_count);
+  executor.for_each(list.size(), [=] MASU_PASS(std::uint64_t i) {
+    if (i < lengths->cut || i >= count - lengths->in_leaves) decide(undecided[i].fragment, undecided[i].box);
+  });
+  executor.for_each(1, [=] MASU_PASS(std::uint64_t i) { before[count + i] = {0, 0, 0}; });
+  executor.scan(counts);
+  const FragmentCounts all = executor.value(counts, count);
   const std::uint64_t next_count = std::uint64_t{all.below} + all.above;
-  if (next_count > most_numbered) return std::nullopt;
-  level.listed = executor.template array<LeafReference>(all.listed);
-  const FragmentCounts* const before = counts.data();
-  open = move_fragments(executor, boxes, open, above.data(), before, split_before, next_count,
-                        level.listed.data());
-
+  if (next_count > max_numbered) return std::nullopt;
+  level.listed = executor.template array<PrimitiveIndex>(all.listed);
+  auto next_fragments = executor.template array<Fragment>(next_count);
   SplitLevel<Executor> next{
       executor.template array<LevelBox>(2 * std::uint64_t{executor.value(divided, box_count)}), {}};
-  LevelBox* const next_boxes = next.boxes.data();
-  executor.for_each(box_count, [=] MASU_PASS(std::uint64_t i) {
-    LevelBox& own = boxes[i];
-    const FragmentCounts first = before[own.begin], last = before[own.end];
-    if (own.child == no_child) {
-      own.begin = first.listed;
-      own.end = last.listed;
-      return;
-    }
-    own.child = 2 * split_before[i];
-    const std::uint32_t begin = first.below + first.above, end = last.below + last.above;
-    LevelBox low{own.box, begin, begin + last.below - first.below, 0, 0, no_child};
-    LevelBox high{own.box, low.end, end, 0, 0, no_child};
-    low.box.end.set(own.axis, own.at);
-    high.box.first.set(own.axis, own.at);
-    next_boxes[own.child] = low;
-    next_boxes[own.child + 1] = high;
-  });
+  executor.for_each_by_group(box_count,
+                             MoveFragments{boxes, fragment, above, before, divided.data(), next.boxes.data(),
+                                           next_fragments.data(), level.listed.data()});
+  fragments = std::move(next_fragments);
   return next;
 }
 
 // All levels, from the one given down; the last has no boxes. None where there are too many fragments.
 template <class Executor, class Stored>
 std::vector<SplitLevel<Executor>> split_all(Executor& executor, const Splitter<Stored>& splitter,
-                                            SplitLevel<Executor> first, OpenFragments<Executor> open) {
+                                            SplitLevel<Executor> first,
+                                            ArrayOf<Executor, Fragment> fragments) {
   std::vector<SplitLevel<Executor>> levels;
   levels.push_back(std::move(first));
   while (levels.back().boxes.size() > 0) {
-    auto next = split_level(executor, splitter, levels.back(), open);
+    auto next = split_level(executor, splitter, levels.back(), fragments);
     if (!next) return {};
     levels.push_back(std::move(*next));
   }
@@ -258,37 +256,49 @@ std::vector<ArrayOf<Executor, LeafCounts>> count_leaves(Executor& executor,
   return counts;
 }
 
-// Writes all leaves as cells, and what they list. `starts` says of each box of the first level how many cells
-// and references are before it.
+// Writes the leaves of a level as cells, and what they list; and says where those of the next level begin.
+struct WriteLeaves {
+  using Scratch = NoScratch;
+  const LevelBox* boxes;
+  const PrimitiveIndex* listed;
+  const LeafCounts *starts, *below; // `below`: the next level's leaves, box by box
+  LeafCounts* next_starts;
+  MergedCell* cells;
+  PrimitiveIndex* references;
+
+  MASU_HD std::uint32_t size(std::uint64_t i) const {
+    return boxes[i].child == no_child ? boxes[i].end - boxes[i].begin : 0;
+  }
+  template <class ThreadGroup>
+  MASU_HD void operator()(const ThreadGroup& group, NoScratch&, std::uint64_t i) const {
+    const LevelBox& box = boxes[i];
+    const LeafCounts start = starts[i];
+    for (std::uint32_t r = group.thread_rank(); r < size(i); r += group.size())
+      references[start.references + r] = listed[box.begin + r] | (r + 1 == size(i) ? last_bit : 0);
+    if (group.thread_rank() != 0) return;
+    if (box.child == no_child) {
+      cells[start.leaves] = packed(box.box, size(i) > 0 ? start.references : empty_list);
+      return;
+    }
+    next_starts[box.child] = start;
+    next_starts[box.child + 1] = start + below[box.child];
+  }
+};
+
+// `starts` says of each box of the first level how many cells and references are before it.
 template <class Executor>
 void write_leaves(Executor& executor, const std::vector<SplitLevel<Executor>>& levels,
-                  const std::vector<ArrayOf<Executor, LeafCounts>>& counts,
-                  ArrayOf<Executor, LeafCounts> starts, ExecutorGrid<Executor>& grid) {
-  MergedCell* const cells = grid.cells.data();
-  PrimitiveIndex* const references = grid.references.data();
+                  const std::vector<ArrayOf<Executor, LeafCounts>>& counts, const LeafCounts* starts,
+                  ExecutorGrid<Executor>& grid) {
+  ArrayOf<Executor, LeafCounts> own_starts{};
   for (std::size_t level = 0; level + 1 < levels.size(); ++level) {
     auto next_starts = executor.template array<LeafCounts>(levels[level + 1].boxes.size());
-    const LevelBox* const boxes = levels[level].boxes.data();
-    const LeafCounts* const own = starts.data();
-    const LeafCounts* const below = counts[level + 1].data();
-    LeafCounts* const next = next_starts.data();
-    executor.for_each(levels[level].boxes.size(), [=] MASU_PASS(std::uint64_t i) {
-      const LevelBox& box = boxes[i];
-      if (box.child == no_child) {
-        cells[own[i].leaves] = packed(box.box, box.end > box.begin ? own[i].references : empty_list);
-        return;
-      }
-      next[box.child] = own[i];
-      next[box.child + 1] = own[i] + below[box.child];
-    });
-    const LeafReference* const listed = levels[level].listed.data();
-    executor.for_each(levels[level].listed.size(), [=] MASU_PASS(std::uint64_t i) {
-      const LevelBox& box = boxes[listed[i].box];
-      const auto place = static_cast<std::uint32_t>(i);
-      references[own[listed[i].box].references + place - box.begin] =
-          listed[i].primitive | (place + 1 == box.end ? last_bit : 0);
-    });
-    starts = std::move(next_starts);
+    executor.for_each_by_group(levels[level].boxes.size(),
+                               WriteLeaves{levels[level].boxes.data(), levels[level].listed.data(), starts,
+                                           counts[level + 1].data(), next_starts.data(), grid.cells.data(),
+                                           grid.references.data()});
+    own_starts = std::move(next_starts);
+    starts = own_starts.data();
   }
 }
 

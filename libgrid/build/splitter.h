@@ -1,14 +1,23 @@
-// The steps of splitting a box of voxels (split.h), for a single thread or a group of threads that share the
-// box (thread_group.h), on the host or on the device.
+// Splitting a box of voxels into cells, top down: a kd-tree whose planes are those between the voxels, and of
+// which only the leaves are kept. These are its steps for one box, for a single thread or a group of threads
+// that share the box (thread_group.h); split_passes.h does them to many boxes.
 #pragma once
 
+#include "libgrid/build/build_options.h"
 #include "libgrid/build/clipped_bounds.h"
-#include "libgrid/build/split.h"
 #include "libgrid/build/thread_group.h"
+#include "libgrid/grid_layout.h"
+#include "libscene/scene_view.h"
 
 #include <limits>
 
 namespace masu {
+
+// Kind irregular: a box is divided where the expected cost of a ray that meets it becomes least (the surface
+//   area heuristic: Goldsmith & Salmon, IEEE CG&A 7(5), 1987; MacDonald & Booth, The Visual Computer 6(3),
+//   1990), until no division makes it less than `alpha` times what it is. A test costs 1, the step to a cell
+//   step_cost, that to an empty one half of it, since empty cells are joined further (expand_passes.h).
+// Kind balance: until no cell lists more than `target` primitives, so that both halves list about as many.
 
 // The part of a primitive in a box of voxels: the range of those it can meet, both ends included.
 struct Fragment {
@@ -21,7 +30,7 @@ struct Fragment {
 static_assert(sizeof(Fragment) == 20);
 
 struct Plane {
-  std::int32_t axis = 0, at = 0; // between the voxels at - 1 and at
+  std::int32_t axis = 0, position = 0; // between the voxels position - 1 and position
   double cost = std::numeric_limits<double>::max();
 };
 MASU_HD inline bool is_plane(const Plane& plane) {
@@ -31,19 +40,19 @@ MASU_HD inline bool is_plane(const Plane& plane) {
 // The cheaper one; of equally cheap ones, by axis and position.
 MASU_HD inline bool comes_before(const Plane& a, const Plane& b) {
   if (a.cost != b.cost) return a.cost < b.cost;
-  return a.axis != b.axis ? a.axis < b.axis : a.at < b.at;
+  return a.axis != b.axis ? a.axis < b.axis : a.position < b.position;
 }
 
-inline constexpr int most_planes_log2 = 3;
-inline constexpr std::int32_t most_planes = 1 << most_planes_log2;
+inline constexpr int max_planes_log2 = 3;
+inline constexpr std::int32_t max_planes = 1 << max_planes_log2;
 
 // The planes looked at in a box are at multiples of 2^spacing along each axis, few of them. How many
 // fragments begin between them along x, y and z, and how many end.
-using PlaneBins = std::uint32_t[2][3][most_planes + 1];
+using PlaneBins = std::uint32_t[2][3][max_planes + 1];
 
 // How many fragments reach below and above a plane.
 struct PlaneCounts {
-  std::int32_t at;
+  std::int32_t position;
   std::uint32_t below, above;
 };
 
@@ -76,6 +85,15 @@ struct Splitter {
     return some;
   }
 
+  // The plane that divides a box, if any is worth it. To be called by all threads, for the first of them;
+  // `bins` is theirs to share.
+  template <class ThreadGroup>
+  MASU_HD Plane best_plane(const ThreadGroup& group, PlaneBins& bins, const VoxelBox& box,
+                           const Fragment* fragments, std::uint32_t count) const {
+    return options.kind == GridKind::balance ? middle_plane(group, bins, box, fragments, count)
+                                             : cheapest_plane(group, bins, box, fragments, count);
+  }
+
   // The division of a box that makes the expected cost least, if any is worth it. To be called by all
   // threads, for the first of them; `bins` is theirs to share.
   template <class ThreadGroup>
@@ -94,15 +112,15 @@ struct Splitter {
     const double now = cost_of(count) * area;
     for_each_plane(group, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
       const double u = w[(axis + 1) % 3], v = w[(axis + 2) % 3];
-      const double low = (plane.at - box.first[axis]) * size[axis],
-                   high = (box.end[axis] - plane.at) * size[axis];
+      const double low = (plane.position - box.first[axis]) * size[axis],
+                   high = (box.end[axis] - plane.position) * size[axis];
       const double cost =
           (u * v + low * (u + v)) * cost_of(plane.below) + (u * v + high * (u + v)) * cost_of(plane.above);
       // Where many are listed a division may pay only after the next one; if it leaves one side with fewer,
       // or what lies in the same place would be divided without end.
       const bool may_pay_later = count > few && std::min(plane.below, plane.above) <= count - count / 4;
       const double bound = now * (may_pay_later ? patience : options.alpha);
-      if (cost < bound && cost < best.cost) best = {axis, plane.at, cost};
+      if (cost < bound && cost < best.cost) best = {axis, plane.position, cost};
     });
     return group.first_of_all(best);
   }
@@ -116,37 +134,39 @@ struct Splitter {
     if (count <= options.target) return best;
     Vec3i spacings{};
     for (int axis = 0; axis < 3; ++axis) {
-      while (((box.end[axis] - box.first[axis]) >> spacings[axis]) >= most_planes)
+      while (((box.end[axis] - box.first[axis]) >> spacings[axis]) >= max_planes)
         spacings.set(axis, spacings[axis] + 1);
     }
     count_fragments(group, bins, box, spacings, fragments, count);
     for_each_plane(group, bins, box, spacings, count, [&](int axis, const PlaneCounts& plane) {
       const double along = (box.end[axis] - box.first[axis]) * size[axis];
       const double cost = std::max(plane.below, plane.above) + 1 / (1 + along);
-      if (std::min(plane.below, plane.above) < count && cost < best.cost) best = {axis, plane.at, cost};
+      if (std::min(plane.below, plane.above) < count && cost < best.cost) best = {axis, plane.position, cost};
     });
     return group.first_of_all(best);
   }
 
-  // On which sides of a plane a fragment is.
+  MASU_HD static bool is_below(const Fragment& fragment, const Plane& plane) {
+    return fragment.first[plane.axis] < plane.position;
+  }
+  MASU_HD static bool is_above(const Fragment& fragment, const Plane& plane) {
+    return fragment.last[plane.axis] >= plane.position;
+  }
+
   struct Sided {
     bool below, above;
   };
-  MASU_HD static Sided sides_of_fragment(const Fragment& fragment, const Plane& plane) {
-    return {fragment.first[plane.axis] < plane.at, fragment.last[plane.axis] >= plane.at};
-  }
-
   // What of a fragment on both sides is below and above the plane; its primitive may be on one side all the
   // same.
   MASU_HD Sided cut(const Fragment& fragment, const Plane& plane, Fragment& low, Fragment& high) const {
     const std::int32_t axis = plane.axis;
     low = high = fragment;
-    low.last[axis] = static_cast<std::uint16_t>(plane.at - 1);
-    high.first[axis] = static_cast<std::uint16_t>(plane.at);
+    low.last[axis] = static_cast<std::uint16_t>(plane.position - 1);
+    high.first[axis] = static_cast<std::uint16_t>(plane.position);
     Sided in{true, true};
     if (overlap == Overlap::box) return in;
     // Cutting rounds a little more than the margin foresees.
-    const double margin = layout.margin * 1.0625, place = plane_at(axis, plane.at);
+    const double margin = layout.margin * 1.0625, place = plane_at(axis, plane.position);
     with_primitive(scene, fragment.primitive, [&](const auto& primitive) {
       const ClippedBounds sides = sides_of(primitive, axis, place + margin, place - margin);
       in.below = !is_empty(sides.below) && shrink(low, grown(sides.below, margin));
@@ -206,7 +226,7 @@ private:
       inverse_breadths += fragments[i].inverse_breadth;
     const double typical = count * 0x1p31 / static_cast<double>(group.sum(inverse_breadths));
     std::int32_t log2 = 0;
-    while ((longest >> log2) >= most_planes || (2 << log2) * options.detail <= typical)
+    while ((longest >> log2) >= max_planes || (2 << log2) * options.detail <= typical)
       ++log2;
     return log2;
   }
@@ -250,8 +270,8 @@ private:
       const std::int32_t last = bin_of(box.end[axis] - 1, box, spacings, axis);
       for (auto bin = static_cast<std::int32_t>(group.thread_rank()); bin < last;
            bin += static_cast<std::int32_t>(group.size())) {
-        const std::int32_t at = ((box.first[axis] >> spacings[axis]) + bin + 1) << spacings[axis];
-        act(axis, PlaneCounts{at, bins[0][axis][bin], count - bins[1][axis][bin]});
+        const std::int32_t position = ((box.first[axis] >> spacings[axis]) + bin + 1) << spacings[axis];
+        act(axis, PlaneCounts{position, bins[0][axis][bin], count - bins[1][axis][bin]});
       }
     }
   }

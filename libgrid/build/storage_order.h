@@ -27,8 +27,8 @@ struct StorageOrder {
   StorageOrder(const Vec3i& voxels, std::int32_t side_log2)
       : division(voxels), blocks(blocks_of(voxels, side_log2)), block_log2(side_log2) {}
 
-  std::uint64_t places() const { return voxel_count(blocks) << (3 * block_log2); }
-  MASU_HD std::uint64_t place(const Vec3i& voxel) const {
+  std::uint64_t size() const { return voxel_count(blocks) << (3 * block_log2); }
+  MASU_HD std::uint64_t index(const Vec3i& voxel) const {
     if (block_log2 == 0) return linear_index(voxel, division);
     return (linear_index(shifted(voxel, block_log2), blocks) << (3 * block_log2)) +
            index_in_block(voxel, block_log2);

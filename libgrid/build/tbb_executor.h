@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,6 +19,9 @@ namespace masu {
 
 class TbbExecutor {
 public:
+  std::function<void(double)> progress; // gets shares of a grid's work; may be empty
+
+  static constexpr bool has_warps = false;
   template <class T>
   using Array = HostArray<T>;
 
@@ -67,6 +71,10 @@ public:
   template <class T>
   T value(const Array<T>& values, std::uint64_t i) const {
     return values[i];
+  }
+
+  static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
+    return std::atomic_ref(counter).fetch_add(by, std::memory_order_relaxed);
   }
 
   // Pairs go into buckets by the key's highest bits while they are emitted, so that sorting a bucket stays in

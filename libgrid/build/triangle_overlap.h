@@ -35,12 +35,12 @@ struct PlaneAxis {
 MASU_HD inline PlaneAxis plane_axis(const Triangle<double>& triangle, const Vec3d& half) {
   const Vec3d normal = plane_normal(triangle);
   const Vec3d steep{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-  // A needle's normal is mostly rounding: what that can move the plane by within the voxels concerned is
+  // A needle's normal is mostly rounding error: how far that moves the plane within the voxels it meets is
   // added.
   const double side1 = length(triangle.b - triangle.a), side2 = length(triangle.c - triangle.b);
   const double reach = side1 + side2 + length(half) * 2;
-  const double doubt = 16 * RealTraits<double>::unit_roundoff * side1 * side2 * reach;
-  const double offset = dot(normal, triangle.a), radius = dot(steep, half) + doubt;
+  const double rounding = 16 * RealTraits<double>::unit_roundoff * side1 * side2 * reach;
+  const double offset = dot(normal, triangle.a), radius = dot(steep, half) + rounding;
   return {normal, offset - radius, offset + radius};
 }
 

@@ -31,7 +31,15 @@ struct ExecutorGrid {
   const char* exceeded = nullptr; // as in BuildResult
 };
 
-// Pairs of a voxel's place in the storage order and a primitive that it lists, row by row of the voxels that
+// Of an executor in host memory.
+template <class Executor>
+BuildResult on_host(ExecutorGrid<Executor> grid) {
+  return {{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, std::move(grid.voxel_map),
+           std::move(grid.cells), std::move(grid.references)},
+          grid.exceeded};
+}
+
+// Pairs of a voxel's index in the storage order and a primitive that it lists, row by row of the voxels that
 // the primitive's bounds meet.
 template <class Stored>
 struct EmitOverlaps {
@@ -52,7 +60,7 @@ struct EmitOverlaps {
     with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
       const VoxelRows rows = overlap_rows(layout, overlap, primitive);
       for_each_overlap(layout, overlap, primitive, rows, first_row, std::min(end_row, rows.count()),
-                       [&](const Vec3i& voxel) { add(order.place(voxel), static_cast<PrimitiveIndex>(i)); });
+                       [&](const Vec3i& voxel) { add(order.index(voxel), static_cast<PrimitiveIndex>(i)); });
     });
   }
 };
@@ -67,11 +75,10 @@ std::optional<VoxelPairs<Executor>> voxel_pairs(Executor& executor, const SceneV
                                                 const StorageOrder& order) {
   const EmitOverlaps<Stored> emit{scene, layout, overlap, order};
   return executor.template emit_sorted<PrimitiveIndex>(
-      scene.primitive_count(), static_cast<int>(std::bit_width(order.places())), most_numbered, emit);
+      scene.primitive_count(), static_cast<int>(std::bit_width(order.size())), max_numbered, emit);
 }
 
-// Numbers what begins anew along a list: numbers[i] is how many of 0 … i - 1 begin something, for i up to
-// `count`. begins(i) says whether i does.
+// numbers[i] is for how many of 0 … i - 1 begins() holds; for i up to `count`.
 template <class Executor, class Begins>
 ArrayOf<Executor, std::uint32_t> numbered(Executor& executor, std::uint64_t count, const Begins& begins) {
   auto numbers = executor.template array<std::uint32_t>(count + 1);
@@ -94,14 +101,14 @@ ExecutorGrid<Executor> uniform_grid(Executor& executor, const SceneView<Stored>&
     return grid;
   }
   const std::uint64_t count = pairs->keys.size(), block_words = voxel_count(order.blocks);
-  const std::uint64_t* const place = pairs->keys.data();
+  const std::uint64_t* const index = pairs->keys.data();
   const std::int32_t block_bits = 3 * order.block_log2;
 
   ArrayOf<Executor, std::uint32_t> blocks{};
   std::uint64_t block_count = 0;
   if (block_bits > 0) {
     blocks = numbered(executor, count, [=] MASU_PASS(std::uint64_t i) {
-      return i == 0 || place[i] >> block_bits != place[i - 1] >> block_bits;
+      return i == 0 || index[i] >> block_bits != index[i - 1] >> block_bits;
     });
     block_count = executor.value(blocks, count);
   }
@@ -111,15 +118,15 @@ ExecutorGrid<Executor> uniform_grid(Executor& executor, const SceneView<Stored>&
   PrimitiveIndex* const reference = grid.references.data();
   const std::uint32_t* const block_number = blocks.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    const bool begins = i == 0 || place[i] != place[i - 1];
-    const bool ends = i + 1 == count || place[i] != place[i + 1];
+    const bool begins = i == 0 || index[i] != index[i - 1];
+    const bool ends = i + 1 == count || index[i] != index[i + 1];
     if (ends) reference[i] |= last_bit;
     if (!begins) return;
-    std::uint64_t word = place[i];
+    std::uint64_t word = index[i];
     if (block_bits > 0) {
       const std::uint32_t block = block_number[i + 1] - 1;
-      map[place[i] >> block_bits] = block | occupied_bit;
-      const std::uint64_t in_block = place[i] & ((std::uint64_t{1} << block_bits) - 1);
+      map[index[i] >> block_bits] = block | occupied_bit;
+      const std::uint64_t in_block = index[i] & ((std::uint64_t{1} << block_bits) - 1);
       word = block_words + (static_cast<std::uint64_t>(block) << block_bits) + in_block;
     }
     map[word] = static_cast<std::uint32_t>(i) | occupied_bit;

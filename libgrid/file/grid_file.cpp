@@ -147,10 +147,10 @@ private:
     const Vec3i rest = place.log2 - division.log2, &n = division.log2;
     const std::uint64_t count = std::uint64_t{1} << (n.x + n.y + n.z);
     nested += count;
-    if (rest.x < 0 || rest.y < 0 || rest.z < 0 || count < 2 || division.place + count > words_ ||
+    if (rest.x < 0 || rest.y < 0 || rest.z < 0 || count < 2 || division.offset + count > words_ ||
         nested > words_)
       return false;
-    const std::uint32_t* next = grid_.voxel_map + division.place;
+    const std::uint32_t* next = grid_.voxel_map + division.offset;
     const Vec3i step{1 << rest.x, 1 << rest.y, 1 << rest.z},
         end{place.first.x + (step.x << n.x), place.first.y + (step.y << n.y),
             place.first.z + (step.z << n.z)};
@@ -210,7 +210,7 @@ GridFile::GridFile(const std::string& path, Checks checks, const Stopwatch& watc
 }
 
 void GridFile::check(bool good, const char* what) const {
-  if (!good) throw Error(ErrorCode::input, path(), std::string(what) + ": make the file again");
+  if (!good) throw_damaged(path(), what);
 }
 
 void GridFile::check_sizes() const {
@@ -221,7 +221,7 @@ void GridFile::check_sizes() const {
     const auto nested_log2 = table_->nested_log2();
     check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
     good = nested_log2 <= 15 && (std::max({n.x, n.y, n.z}) << nested_log2) <= largest_division &&
-           words >= voxel_count(n) && words <= most_numbered + 1;
+           words >= voxel_count(n) && words <= max_numbered + 1;
   } else {
     const auto block_log2 = static_cast<std::int32_t>(table_->block_log2());
     const std::uint64_t blocks = voxel_count(blocks_of(n, block_log2));
@@ -234,7 +234,7 @@ void GridFile::check_sizes() const {
 void GridFile::check_records() const {
   const std::uint64_t primitives = table_->primitives();
   const auto listed = references();
-  check(listed.size() <= most_numbered && (listed.empty() || (listed.back() & last_bit) != 0) &&
+  check(listed.size() <= max_numbered && (listed.empty() || (listed.back() & last_bit) != 0) &&
             all(listed.size(), [&](std::uint64_t i) { return (listed[i] & ~last_bit) < primitives; }),
         "it lists a primitive that isn't there");
   is_merged() ? check_merged() : check_uniform();
@@ -257,14 +257,13 @@ void GridFile::check_merged() const {
   const auto boxes = cells();
   const auto finest = cast<std::uint32_t>(merged_view<double>().division);
   const std::uint64_t lists = references().size();
-  check(boxes.size() <= most_numbered && all(boxes.size(),
-                                             [&](std::uint64_t i) {
-                                               const MergedCell& cell = boxes[i];
-                                               return (cell.list == empty_list || cell.list < lists) &&
-                                                      (cell.x >> 16) <= finest.x &&
-                                                      (cell.y >> 16) <= finest.y &&
-                                                      (cell.z >> 16) <= finest.z;
-                                             }),
+  check(boxes.size() <= max_numbered && all(boxes.size(),
+                                            [&](std::uint64_t i) {
+                                              const MergedCell& cell = boxes[i];
+                                              return (cell.list == empty_list || cell.list < lists) &&
+                                                     (cell.x >> 16) <= finest.x &&
+                                                     (cell.y >> 16) <= finest.y && (cell.z >> 16) <= finest.z;
+                                            }),
         "its cells leave the space, or name a list that isn't there");
   check(MapCheck(merged_view<double>(), voxel_map().size(), boxes.size()).top_level_good(),
         "its voxel map leads astray");

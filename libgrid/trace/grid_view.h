@@ -37,7 +37,7 @@ inline constexpr std::uint32_t last_bit = 0x80000000U;
 inline constexpr std::uint32_t empty_list = 0xffffffffU;
 
 // Primitives, references, cells and words of the map are numbered with what bit 31 leaves.
-inline constexpr std::uint64_t most_numbered = 0x7fffffff;
+inline constexpr std::uint64_t max_numbered = 0x7fffffff;
 
 template <class Real>
 struct GridView {
@@ -118,20 +118,20 @@ MASU_HD inline MapEntry look_up(const GridView<Real>& grid, const Vec3i& voxel) 
 
 // How a word of a merged grid's map divides its box further.
 struct MapDivision {
-  std::uint32_t place;
+  std::uint32_t offset; // of the first word
   Vec3i log2;
 };
-inline constexpr std::uint32_t most_division_log2 = 3;
-inline constexpr std::uint32_t place_unit_log2 = 2;
-inline constexpr std::uint64_t most_nested_words = std::uint64_t{1} << 27;
+inline constexpr std::uint32_t max_division_log2 = 3;
+inline constexpr std::uint32_t offset_unit_log2 = 2;
+inline constexpr std::uint64_t max_nested_words = std::uint64_t{1} << 27;
 
 MASU_HD inline MapDivision map_division(std::uint32_t word) {
-  return {word >> 6 << place_unit_log2,
+  return {word >> 6 << offset_unit_log2,
           {static_cast<std::int32_t>(word & 3), static_cast<std::int32_t>(word >> 2 & 3),
            static_cast<std::int32_t>(word >> 4 & 3)}};
 }
 MASU_HD inline std::uint32_t map_word(const MapDivision& division) {
-  return division.place >> place_unit_log2 << 6 | static_cast<std::uint32_t>(division.log2.z) << 4 |
+  return division.offset >> offset_unit_log2 << 6 | static_cast<std::uint32_t>(division.log2.z) << 4 |
          static_cast<std::uint32_t>(division.log2.y) << 2 | static_cast<std::uint32_t>(division.log2.x);
 }
 // Which of the words is a box's, whose place along each axis are the lowest bits of `at`.
@@ -158,7 +158,7 @@ MASU_HD inline std::uint32_t cell_number(const MergedGridView<Real>& grid, const
     x <<= log2.x;
     y <<= log2.y;
     z <<= log2.z;
-    word = grid.voxel_map[division.place + index];
+    word = grid.voxel_map[division.offset + index];
   }
   return word & ~occupied_bit;
 }

@@ -3,11 +3,11 @@
 // through cells of many voxels as Pérard-Gayot, Kalojanov & Slusallek, "GPU Ray Tracing using Irregular
 // Grids", CGF 36(2), 2017.
 //
-// Why the grid never shows: along an axis the cell at distance t is bounded by planes whose computed
-// distances enclose t; each is off by less than the builder's margin (libscene/geometry/margin.h). So when
-// the walk has reached t, every primitive with a computed hit up to t is listed in a cell that was visited. A
-// visitor that stops once its nearest hit is no farther than the cell's exit has therefore seen all that
-// could be nearer, or as near.
+// Results are independent of the grid: along an axis the cell at distance t is bounded by planes whose
+// computed distances enclose t; each is off by less than the builder's margin (libscene/geometry/margin.h).
+// So when the walk has reached t, every primitive with a computed hit up to t is listed in a cell that was
+// visited. A visitor that stops once its nearest hit is no farther than the cell's exit has therefore seen
+// all that could be nearer, or as near.
 #pragma once
 
 #include "libgrid/trace/grid_view.h"

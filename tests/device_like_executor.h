@@ -1,4 +1,4 @@
-// Executor (libgrid/build/executor.h) as plain loops, one thing after the other.
+// The passes (libgrid/build/executor.h) that a device runs, as plain loops: what is its own there is so here.
 #pragma once
 
 #include "libgrid/build/merge_passes.h"
@@ -13,7 +13,8 @@
 
 namespace masu {
 
-struct SerialExecutor {
+struct DeviceLikeExecutor {
+  static constexpr bool has_warps = true;
   template <class T>
   using Array = HostArray<T>;
 
@@ -51,9 +52,12 @@ struct SerialExecutor {
   T value(const Array<T>& values, std::uint64_t i) const {
     return values[i];
   }
+  static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
+    return std::exchange(counter, counter + by);
+  }
   template <class Value, class Emit>
-  std::optional<Sorted<SerialExecutor, Value>> emit_sorted(std::uint64_t count, int /*bits*/,
-                                                           std::uint64_t max_pairs, const Emit& emit) const {
+  std::optional<Sorted<DeviceLikeExecutor, Value>>
+  emit_sorted(std::uint64_t count, int /*bits*/, std::uint64_t max_pairs, const Emit& emit) const {
     Array<std::uint64_t> keys;
     Array<Value> values;
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -78,18 +82,8 @@ struct SerialExecutor {
     };
     sorted(keys);
     sorted(values);
-    return Sorted<SerialExecutor, Value>{std::move(keys), std::move(values)};
+    return Sorted<DeviceLikeExecutor, Value>{std::move(keys), std::move(values)};
   }
 };
-
-inline Grid as_grid(ExecutorGrid<SerialExecutor> grid) {
-  return {grid.layout,
-          grid.kind,
-          grid.block_log2,
-          grid.nested_log2,
-          std::move(grid.voxel_map),
-          std::move(grid.cells),
-          std::move(grid.references)};
-}
 
 } // namespace masu
