@@ -1,7 +1,6 @@
-"""A lidar's sweep: `lidar.py FOLDER [DEVICE]` makes a street of boxes, drives past them and writes what a lidar with 64
-beams measures, sweep.ply, a cloud of points with the box that each lies on. Needs NumPy."""
+"""A lidar's sweep: `lidar.py [DEVICE]` makes a street of boxes (street.scene, street.grid), drives past them and writes
+what a lidar with 64 beams measures: sweep.ply, a cloud of points with the box that each lies on. Needs NumPy."""
 
-import os
 import sys
 
 import masu
@@ -37,16 +36,14 @@ def sweep_rays(positions, beams=64, steps=900):
     return rays
 
 
-folder = sys.argv[1] if len(sys.argv) > 1 else "."
-scene, grid, cloud = (os.path.join(folder, name) for name in ("street.scene", "street.grid", "sweep.ply"))
-make_street(scene)
-masu.build_grid(scene, grid)
+make_street("street.scene")
+masu.build_grid("street.scene", "street.grid")
 rays = sweep_rays(np.array([(x, 0, 1.8) for x in np.linspace(-40, 40, 5)]))
-with masu.Tracer(scene, grid, sys.argv[2] if len(sys.argv) > 2 else "cpu") as tracer:
+with masu.Tracer("street.scene", "street.grid", sys.argv[1] if len(sys.argv) > 1 else "cpu") as tracer:
     found = tracer.nearest(rays, fields=("t_hit", "geometry_ids"))
 hit = np.isfinite(found["t_hit"])
 points = rays[hit][:, :3] + found["t_hit"][hit, None] * rays[hit][:, 4:7]
-with open(cloud, "w") as file:
+with open("sweep.ply", "w") as file:
     file.write("ply\nformat ascii 1.0\nelement vertex {}\n".format(len(points)))
     file.write("property float x\nproperty float y\nproperty float z\nproperty int box\nend_header\n")
     np.savetxt(file, np.column_stack([points, found["geometry_ids"][hit]]), "%.3f %.3f %.3f %d")

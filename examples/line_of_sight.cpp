@@ -1,4 +1,5 @@
-// What an observer on a hill sees of the land: `line_of_sight FOLDER` prints a map and writes land.scene and land.grid.
+// What an observer on a hill sees of the land: `line_of_sight FOLDER` prints a map and writes land.scene and
+// land.grid.
 #include <masu/masu.hpp>
 
 #include <cmath>
@@ -15,8 +16,7 @@ float ground(float x, float y) {
 
 } // namespace
 
-int main(int argc, char** argv) try {
-  const std::string land = argc > 1 ? std::string(argv[1]) + "/land" : "land";
+int main() try {
   std::vector<float> vertices;
   std::vector<std::uint32_t> indices;
   for (std::uint32_t y = 0; y < side; ++y)
@@ -27,13 +27,13 @@ int main(int argc, char** argv) try {
       if (x + 1 < side && y + 1 < side)
         indices.insert(indices.end(), {i, i + 1, i + side, i + 1, i + side + 1, i + side});
     }
-  const masu_mesh mesh{vertices.data(), nullptr,            vertices.size() / 3,
-                       indices.data(),  indices.size() / 3, nullptr};
-  masu::write_scene(land + ".scene", {&mesh, 1});
-  masu::build_grid(land + ".scene", land + ".grid");
+  const masu_mesh mesh{vertices.data(),    nullptr, vertices.size() / 3, indices.data(),
+                       indices.size() / 3, nullptr};
+  masu::write_scene("land.scene", {&mesh, 1});
+  masu::build_grid("land.scene", "land.grid");
 
   // From 2 above the ground to 0.2 above each vertex: 0 < t < 1 is the way between.
-  const masu::Tracer tracer(land + ".scene", land + ".grid");
+  const masu::Tracer tracer("land.scene", "land.grid");
   const float eye[3] = {36, 33, ground(36, 33) + 2};
   std::vector<masu_ray> rays;
   for (std::size_t i = 0; i < vertices.size(); i += 3)

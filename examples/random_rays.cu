@@ -1,5 +1,5 @@
-// Which share of random rays hits: `random_rays SCENE GRID`. Rays are made, traced and counted on a GPU, queued on one
-// stream, and only the count leaves it.
+// Which share of random rays hits: `random_rays SCENE GRID`. Rays are made, traced and counted on a GPU,
+// queued on one stream, and only the count leaves it.
 #include <masu/masu.hpp>
 
 #include <cstdio>
@@ -16,15 +16,14 @@ __device__ float random_number(unsigned& state) { // PCG: O'Neill (2014), as a h
 }
 
 // From a point of the box to another.
-__global__ void make_rays(masu_ray* rays, float3 low, float3 size) {
-  const unsigned i = blockIdx.x * blockDim.x + threadIdx.x;
-  unsigned state = i;
-  float p[6];
-  for (float& number : p) number = random_number(state);
-  rays[i] = {{low.x + p[0] * size.x, low.y + p[1] * size.y, low.z + p[2] * size.z},
-             0,
-             {(p[3] - p[0]) * size.x, (p[4] - p[1]) * size.y, (p[5] - p[2]) * size.z},
-             1};
+__global__ void make_rays(masu_ray* rays, masu_description scene) {
+  unsigned state = blockIdx.x * blockDim.x + threadIdx.x;
+  masu_ray& ray = rays[state] = {{}, 0, {}, 1};
+  for (int i = 0; i < 3; ++i) {
+    const float low = static_cast<float>(scene.bounds_min[i]), high = static_cast<float>(scene.bounds_max[i]);
+    ray.origin[i] = low + random_number(state) * (high - low);
+    ray.direction[i] = low + random_number(state) * (high - low) - ray.origin[i];
+  }
 }
 
 __global__ void count_hits(const std::uint8_t* occluded, unsigned* hits) {
@@ -40,12 +39,6 @@ void check(cudaError_t error) {
 int main(int argc, char** argv) try {
   if (argc != 3) return std::fputs("usage: random_rays SCENE GRID\n", stderr), MASU_ERROR_USAGE;
   const masu::Tracer tracer(argv[1], argv[2], 0);
-  const masu_description scene = tracer.describe();
-  float low[3], size[3];
-  for (int i = 0; i < 3; ++i) {
-    low[i] = static_cast<float>(scene.bounds_min[i]);
-    size[i] = static_cast<float>(scene.bounds_max[i] - scene.bounds_min[i]);
-  }
   cudaStream_t stream;
   masu_ray* rays;
   std::uint8_t* occluded;
@@ -55,7 +48,7 @@ int main(int argc, char** argv) try {
   check(cudaMallocAsync(&occluded, ray_count, stream));
   check(cudaMallocAsync(&hits, sizeof(unsigned), stream));
   check(cudaMemsetAsync(hits, 0, sizeof(unsigned), stream));
-  make_rays<<<ray_count / 256, 256, 0, stream>>>(rays, {low[0], low[1], low[2]}, {size[0], size[1], size[2]});
+  make_rays<<<ray_count / 256, 256, 0, stream>>>(rays, tracer.describe());
   tracer.occluded(rays, ray_count, occluded, {MASU_RAYS_FLOAT32, MASU_PRECISION_AUTO, 0, stream});
   count_hits<<<ray_count / 256, 256, 0, stream>>>(occluded, hits);
   check(cudaMemcpyAsync(&hit_count, hits, sizeof(unsigned), cudaMemcpyDeviceToHost, stream));

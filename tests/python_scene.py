@@ -45,6 +45,6 @@ def brute_force(vertices, faces, rays):
     index = hit_t.argmin(1)
     nearest = hit_t.min(1)
     near = t < nearest[:, None] * 1.001
-    unclear = near & (t > -1e-3) & ((np.abs(inside) < 1e-3) | (np.abs(t) < 1e-3) | flat)
+    unclear = near & (t > -1e-3) & ((np.abs(inside) < 1e-4) | (np.abs(t) < 1e-3) | flat)
     others = near & (hit_t < np.inf)
     return nearest, np.where(np.isinf(nearest), -1, index), ~unclear.any(1) & (others.sum(1) <= 1)
