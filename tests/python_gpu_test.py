@@ -16,7 +16,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python"
 import numpy as np
 
 import masu
-from python_scene import random_generator, random_mesh, random_rays
+from python_scene import documented_examples, random_generator, random_mesh, random_rays
 
 torch = cupy = None  # imported in main()
 
@@ -178,6 +178,18 @@ class Torch(WithTracers):
             hits = self.every(self.gpu, array)
             self.assertIsInstance(hits["t_hit"], torch.Tensor)
             self.same(hits, self.every(self.cpu, rays))
+
+    def test_the_documented_example_runs_as_typed(self):
+        blocks = documented_examples()
+        blocks = blocks[:1] + [block for block in blocks if "import torch" in block]
+        self.assertEqual(len(blocks), 2)
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                exec("".join(blocks), {})
+            finally:
+                os.chdir(before)
 
     def test_the_current_device_stays(self):
         for device in range(masu.gpu_count()):

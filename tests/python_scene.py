@@ -2,6 +2,8 @@
 in double, every ray against every triangle."""
 
 import os
+import pathlib
+import re
 
 import numpy as np
 
@@ -48,3 +50,9 @@ def brute_force(vertices, faces, rays):
     unclear = near & (t > -1e-3) & ((np.abs(inside) < 1e-4) | (np.abs(t) < 1e-3) | flat)
     others = near & (hit_t < np.inf)
     return nearest, np.where(np.isinf(nearest), -1, index), ~unclear.any(1) & (others.sum(1) <= 1)
+
+
+def documented_examples():
+    """The blocks of docs/library.md that begin with ```python."""
+    text = pathlib.Path(__file__).resolve().parent.parent.joinpath("docs/library.md").read_text(encoding="utf-8")
+    return re.findall("^```python\n(.*?)^```", text, re.M | re.S)

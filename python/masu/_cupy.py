@@ -8,10 +8,22 @@ import cupy
 from ._streams import handle_of
 
 
-def adopted(array: Any) -> "cupy.ndarray":
-    if hasattr(array, "__dlpack__"):
+def adopted(array: Any, stream: Any) -> "cupy.ndarray":
+    if not hasattr(array, "__dlpack__"):
+        with _chosen(stream, cupy.cuda.Device().id):
+            return cupy.asarray(array)
+    number = int(array.__dlpack_device__()[1])
+    with cupy.cuda.Device(number), _chosen(stream, number):
         return cupy.from_dlpack(array)
-    return cupy.asarray(array)
+
+
+def _chosen(stream: Any, device: int) -> Any:
+    if stream is None:
+        return cupy.cuda.get_current_stream()
+    if isinstance(stream, (cupy.cuda.Stream, cupy.cuda.ExternalStream)):
+        return stream
+    handle = handle_of(stream)
+    return cupy.cuda.ExternalStream(handle, device) if handle else cupy.cuda.Stream.null
 
 
 def gpu(array: "cupy.ndarray") -> int:
@@ -42,12 +54,5 @@ def queue(array: "cupy.ndarray", stream: Any) -> Iterator[int]:
     # CuPy's pool uses memory again only in the order of the stream that was current, so copies may be given back
     # before the queued query has read them.
     with array.device:
-        if stream is None:
-            chosen = cupy.cuda.get_current_stream()
-        elif isinstance(stream, (cupy.cuda.Stream, cupy.cuda.ExternalStream)):
-            chosen = stream
-        else:
-            handle = handle_of(stream)
-            chosen = cupy.cuda.ExternalStream(handle, array.device.id) if handle else cupy.cuda.Stream.null
-        with chosen:
+        with _chosen(stream, array.device.id) as chosen:
             yield int(chosen.ptr)

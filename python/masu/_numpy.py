@@ -6,7 +6,7 @@ from typing import Any, Iterator, Optional, Tuple
 import numpy as np
 
 
-def adopted(array: Any) -> "np.ndarray":
+def adopted(array: Any, stream: Any) -> "np.ndarray":
     if not hasattr(array, "__array__") and hasattr(array, "__dlpack__"):
         return np.from_dlpack(array)
     try:

@@ -8,10 +8,21 @@ import torch
 from ._streams import handle_of
 
 
-def adopted(array: Any) -> "torch.Tensor":
-    if hasattr(array, "__dlpack__"):
+def adopted(array: Any, stream: Any) -> "torch.Tensor":
+    if not hasattr(array, "__dlpack__"):
+        with torch.cuda.stream(_chosen(stream, torch.device("cuda", torch.cuda.current_device()))):
+            return torch.as_tensor(array, device="cuda")
+    with torch.cuda.stream(_chosen(stream, torch.device("cuda", int(array.__dlpack_device__()[1])))):
         return torch.from_dlpack(array)
-    return torch.as_tensor(array, device="cuda")
+
+
+def _chosen(stream: Any, device: "torch.device") -> "torch.cuda.Stream":
+    if stream is None:
+        return torch.cuda.current_stream(device)
+    if isinstance(stream, torch.cuda.Stream):
+        return stream
+    handle = handle_of(stream)
+    return torch.cuda.ExternalStream(handle, device=device) if handle else torch.cuda.default_stream(device)
 
 
 def gpu(array: "torch.Tensor") -> Optional[int]:
@@ -48,14 +59,7 @@ def queue(array: "torch.Tensor", stream: Any) -> Iterator[Optional[int]]:
     if not array.is_cuda:
         yield None
         return
-    if stream is None:
-        chosen = torch.cuda.current_stream(array.device)
-    elif isinstance(stream, torch.cuda.Stream):
-        chosen = stream
-    else:
-        handle = handle_of(stream)
-        chosen = (torch.cuda.ExternalStream(handle, device=array.device) if handle
-                  else torch.cuda.default_stream(array.device))
+    chosen = _chosen(stream, array.device)
     # Memory that the allocator hands out in this context is used again only in the stream's order, so copies may be
     # given back before the queued query has read them. The caller's tensor may be of another stream.
     with torch.cuda.stream(chosen):

@@ -208,7 +208,7 @@ class Tracer:
     def _query(self, rays: Any, fields: Dict[str, _Field], query: Callable[..., int], precision: str, coherent: bool,
                stream: Any) -> Dict[str, Any]:
         record = QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)))
-        arrays, rays = _arrays.recognize(rays)
+        arrays, rays = _arrays.recognize(rays, stream)
         gpu = arrays.gpu(rays)
         shape = tuple(rays.shape)
         if not shape or shape[-1] not in (6, 8):
