@@ -72,12 +72,6 @@ void write_json(const Json& json, const std::string& path) {
   file.commit();
 }
 
-void write_hits(const std::vector<HitRecord>& hits, const std::string& path) {
-  OutputFile file(path);
-  file.write(hits.data(), hits.size() * sizeof(HitRecord));
-  file.commit();
-}
-
 // Of the picture, by --format or else by the name's end; PNG on standard output. Throws Error(usage).
 ImageFormat format_of(const Settings& settings) {
   if (settings.format == Format::pfm) return ImageFormat::pfm;

@@ -19,7 +19,6 @@ struct Settings {
   bool quiet = false;
   Threads threads;
 };
-}
 
 bool is_scene_file(const std::string& path) {
   const MappedFile file(path);

@@ -8,6 +8,7 @@ int main(int argc, char** argv) {
                   argv, [](CLI::App& app, const auto& parse) {
                     add_frame(app);
                     add_rays(app);
+                    add_lists(app);
                     add_load(app);
                     add_tradeoff(app);
                     add_stability(app);

@@ -1,6 +1,9 @@
-// Plain copies of a file's bytes to the memory that tracing reads: the reference for loading.
+// Plain copies: of a file's bytes to the memory that tracing reads, the reference for loading; and between
+// host memory and a device and back, the reference for lists of rays.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <string>
 
 namespace masu {
@@ -14,5 +17,14 @@ double copy_seconds_cpu(const std::string& path, CopyFrom from);
 // The same, into the memory of the first CUDA device. read(2) uses a small page-locked buffer, which is
 // allocated before the time starts. Throws Error(input) and Error(device).
 double copy_seconds_cuda(const std::string& path, CopyFrom from);
+
+// Host memory for a CUDA device, page-locked or as malloc() gives it. Throws Error(device), std::bad_alloc.
+std::shared_ptr<void> host_memory_cuda(std::size_t bytes, bool page_locked);
+
+// Seconds of copying `up_bytes` to the first CUDA device while `down_bytes` come back, both in as many
+// pieces, at the same time: what comes up and what goes down are independent of each other. Memory that isn't
+// page-locked goes through small page-locked buffers, filled and emptied by all cores. Throws Error(device).
+double round_trip_seconds_cuda(const void* up, std::size_t up_bytes, void* down, std::size_t down_bytes,
+                               int pieces, bool page_locked);
 
 } // namespace masu

@@ -1,0 +1,114 @@
+// Long lists of rays in host memory, compared with plain copies of their bytes to the device and back.
+#include "libscene/stopwatch.h"
+#include "tools/backend_choice.h"
+#include "tools/bench/bench.h"
+#include "tools/bench/plain_copy.h"
+#include "tools/bench/ray_sets.h"
+#include "tools/provenance.h"
+#include "tools/repeated.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string scene, grid;
+  std::size_t count = 100'000'000;
+  std::uint64_t seed = 1;
+  int repeat = 5;
+  bool json = false;
+  Threads threads;
+};
+
+constexpr std::size_t different_rays = std::size_t{1} << 22;                // repeated to fill a list
+constexpr std::size_t rays_a_piece = std::size_t{1} << 19;                  // of the plain copy
+constexpr std::size_t result_bytes = sizeof(float) + sizeof(std::uint32_t); // t and primitive
+
+Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
+  const std::size_t count = settings.count;
+  const auto memory = host_memory_cuda(count * sizeof(Ray<float>), page_locked),
+             hits = host_memory_cuda(count * result_bytes, page_locked);
+  auto* const rays = static_cast<Ray<float>*>(memory.get());
+  const std::vector<Ray<double>> made =
+      random_rays(tracer.scene(), std::min(count, different_rays), settings.seed);
+  for (std::size_t i = 0; i < count; ++i)
+    rays[i] = loaded<float>(made.data(), own_format<double>, i % made.size());
+  RayResults results;
+  results.t = static_cast<float*>(hits.get());
+  results.primitive = reinterpret_cast<std::uint32_t*>(results.t + count);
+  const RayList list(rays, count, own_format<float>);
+  const int pieces = static_cast<int>((count + rays_a_piece - 1) / rays_a_piece);
+  std::vector<double> seconds, copies;
+  QueryReport report;
+  for (int i = 0; i <= settings.repeat; ++i) {
+    const Stopwatch watch;
+    report = tracer.trace(list, results, {});
+    const double traced = watch.seconds();
+    const double copied = round_trip_seconds_cuda(rays, count * sizeof(Ray<float>), hits.get(),
+                                                  count * result_bytes, pieces, page_locked);
+    if (i == 0) continue; // warms up
+    seconds.push_back(traced);
+    copies.push_back(copied);
+  }
+  const double traced = median(seconds), copied = median(copies);
+  return {{"count", count},
+          {"memory", page_locked ? "page_locked" : "pageable"},
+          {"median_seconds", traced},
+          {"mrays_per_second", static_cast<double>(count) / traced * 1e-6},
+          {"kernel_seconds", report.seconds.trace},
+          {"plain_copy_seconds", copied},
+          {"plain_copy_over_list", copied / traced}};
+}
+
+void bench_lists(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  static_cast<void>(use_cuda(Backend::cuda, "gridbench"));
+  const SceneFile scene(settings.scene);
+  const GridFile grid(settings.grid);
+  const Tracer tracer(scene, &grid, Device::cuda);
+  Json rows = Json::array();
+  if (!settings.json)
+    fmt::print("{} random rays, median of {}\n\n{:<12} {:>9} {:>9} {:>9} {:>12} {:>12}\n", settings.count,
+               settings.repeat, "memory", "s", "Mray/s", "kernel s", "plain copy s", "copy / list");
+  for (const bool page_locked : {true, false}) {
+    rows.push_back(measure(settings, tracer, page_locked));
+    const Json& row = rows.back();
+    if (!settings.json)
+      fmt::print("{:<12} {:>9.4f} {:>9.1f} {:>9.4f} {:>12.4f} {:>12.2f}\n", row["memory"].get<std::string>(),
+                 row["median_seconds"].get<double>(), row["mrays_per_second"].get<double>(),
+                 row["kernel_seconds"].get<double>(), row["plain_copy_seconds"].get<double>(),
+                 row["plain_copy_over_list"].get<double>());
+  }
+  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
+}
+
+} // namespace
+
+void add_lists(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // by the callback
+  Settings& settings = *owned;
+  CLI::App& command = *app.add_subcommand(
+      "lists",
+      "Long lists of rays from host memory through a GPU, compared with plain copies of their bytes");
+  command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
+  command.add_option("--count", settings.count, "number of rays; 40 bytes of memory each")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 32))
+      ->capture_default_str();
+  command.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
+  command.add_option("--repeat", settings.repeat, "timed runs after an untimed one; the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_flag("--json", settings.json, "print JSON");
+  settings.threads.add_to(command);
+  command.callback([owned] { bench_lists(*owned); });
+}
+
+} // namespace masu
