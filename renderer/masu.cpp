@@ -2,6 +2,7 @@
 #include "renderer/masu.h"
 
 #include "libgrid/build/build_grid.h"
+#include "libscene/file/same_file.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "libscene/processor.h"
 #include "renderer/tracer.h"
@@ -330,6 +331,7 @@ masu_status masu_build_grid(const char* scene, const char* grid, const masu_grid
   return guarded([&] {
     require(scene, "scene");
     require(grid, "grid");
+    if (is_same_file(scene, grid)) fail("grid", "is the scene file itself: name another");
     check_processor();
     masu_grid_options defaults;
     masu_default_grid_options(&defaults);

@@ -24,7 +24,7 @@ require_llvm() { # program…
 
 step "format"
 require_llvm clang-format
-find libscene libgrid renderer tools tests -name '*.h' -o -name '*.cpp' -o -name '*.cu' |
+find examples libscene libgrid renderer tools tests -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.cu' |
   xargs clang-format --dry-run --Werror
 
 step "build, warnings as errors"

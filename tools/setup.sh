@@ -20,6 +20,8 @@ has() { # package
     libtbb-dev) header tbb/tbb.h ;;
     libxxhash-dev) header xxhash.h ;;
     nlohmann-json3-dev) header nlohmann/json.hpp ;;
+    pkg-config) command -v pkg-config >/dev/null ;;
+    python3-numpy) python3 -c 'import numpy' 2>/dev/null || /usr/bin/python3 -c 'import numpy' 2>/dev/null ;;
     zlib1g-dev) header zlib.h ;;
     *) dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' ;;
   esac

@@ -1,0 +1,43 @@
+"""NumPy's arrays: see _arrays."""
+
+import contextlib
+from typing import Any, Iterator, Optional, Tuple
+
+import numpy as np
+
+
+def adopted(array: Any, stream: Any) -> "np.ndarray":
+    if not hasattr(array, "__array__") and hasattr(array, "__dlpack__"):
+        return np.from_dlpack(array)
+    try:
+        return np.asarray(array)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError("rays: no array of numbers: {}".format(error)) from None
+
+
+def gpu(array: "np.ndarray") -> None:
+    return None
+
+
+def packed(array: "np.ndarray") -> "np.ndarray":
+    if array.dtype.kind not in "fiu":
+        raise TypeError("an array of real numbers is needed, not of {}".format(array.dtype))
+    number = np.float32 if array.dtype.newbyteorder("=") == np.float32 else np.float64
+    return np.require(array, number, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def is_float64(array: "np.ndarray") -> bool:
+    return array.dtype == np.float64
+
+
+def pointer(array: "np.ndarray") -> int:
+    return int(array.ctypes.data)
+
+
+def empty(shape: Tuple[int, ...], number: str, array: "np.ndarray") -> "np.ndarray":
+    return np.empty(shape, number)
+
+
+@contextlib.contextmanager
+def queue(array: "np.ndarray", stream: Any) -> Iterator[Optional[int]]:
+    yield None

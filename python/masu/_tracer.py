@@ -1,0 +1,229 @@
+"""The tracer: a scene and its grid on a device, and queries of them."""
+
+import contextlib
+import math
+import operator
+import re
+import threading
+import weakref
+from ctypes import byref, c_void_p
+from typing import Any, Callable, Dict, Iterable, Iterator, NamedTuple, Optional, Tuple, Union
+
+from . import _arrays
+from ._library import (CPU, KINDS, PRECISIONS, DescriptionRecord, HitsRecord, Path, PrimitiveRecord, QueryRecord, check,
+                       choice, library, path_bytes)
+
+Vector = Tuple[float, float, float]
+
+
+class _Field(NamedTuple):
+    record: str  # its name in masu_hits
+    number: str
+    shape: Tuple[int, ...]  # a ray
+
+
+_FIELDS = {
+    "t_hit": _Field("t", "float32", ()),
+    "primitive_ids": _Field("primitive", "int32", ()),
+    "geometry_ids": _Field("object", "int32", ()),
+    "primitive_uvs": _Field("uv", "float32", (2,)),
+    "primitive_normals": _Field("normal", "float32", (3,)),
+}
+FIELDS = tuple(_FIELDS)  # of Tracer.nearest()
+
+
+class Description(NamedTuple):
+    """What a tracer holds."""
+    triangles: int  # primitives are numbered in this order:
+    spheres: int
+    cones: int
+    materials: int
+    bounds_min: Vector  # of all primitives; min > max where there is none
+    bounds_max: Vector
+    scene_bytes: int  # of the files; 0 for no grid
+    grid_bytes: int
+    is_float64: bool  # whether coordinates are stored, and rays traced, in float64
+    device: str  # "cpu", "cuda:0", …
+
+
+class Primitive(NamedTuple):
+    """A primitive, and its material."""
+    kind: str  # "triangle", "sphere" or "cone"
+    object: int  # its mesh, or its index in the NFF text
+    material: int
+    color: Vector
+    diffuse: float
+    specular: float
+    shine: float
+    transmittance: float
+    refraction_index: float
+
+
+def _device_number(device: Union[str, int, Any]) -> int:
+    if not isinstance(device, (str, bool)):
+        try:
+            number = operator.index(device)
+        except TypeError:
+            device = str(device)  # torch.device
+        else:
+            if not 0 <= number < 2**31:
+                raise ValueError("device: {} isn't a GPU's number".format(number))
+            return number
+    if device == "cpu":
+        return CPU
+    match = re.fullmatch("cuda(?::([0-9]{1,9}))?", device) if isinstance(device, str) else None
+    if not match:
+        raise ValueError("device: {!r} isn't \"cpu\", \"cuda\", \"cuda:N\" or a GPU's number".format(device))
+    return int(match[1] or 0)
+
+
+def _device_name(number: int) -> str:
+    return "cpu" if number == CPU else "cuda:{}".format(number)
+
+
+class Tracer:
+    """A scene and its grid on a device, that answers queries until it is closed; also a context manager.
+
+    scene, grid: files; None for the grid tests every ray against every primitive. device: "cpu"; "cuda", the first GPU;
+    "cuda:N" or N, the GPU of that number, from 0. The files are checked and, on a GPU, uploaded here; they must not
+    change until close(). Raises masu.Error.
+
+    **Rays** are an array (..., 6) of origin and direction, or (..., 8) of origin, tmin, direction, tmax: float32 or
+    float64 (other real numbers are converted to float64). A ray's points are origin + t direction with tmin < t < tmax;
+    t counts in lengths of the direction, which needn't be 1. Without them tmin is 0 and tmax infinity.
+
+    **Where.** Arrays of NumPy, and everything that it makes arrays from, are in host memory; results are NumPy's, and
+    there when the call returns. Tensors of PyTorch and arrays of CuPy on the tracer's GPU are read where they lie, and
+    results are the same library's there; the query is only queued, on the library's current stream or on `stream`.
+    Others' arrays on a GPU (those with __dlpack__ or __cuda_array_interface__) are taken over by whichever of both
+    libraries is there, and so are their results. A copy is made of rays that aren't contiguous.
+
+    Threads may use a tracer at the same time. close() waits for them."""
+
+    def __init__(self, scene: Path, grid: Optional[Path] = None, device: Union[str, int, Any] = "cpu") -> None:
+        self._device = _device_number(device)
+        self._idle = threading.Condition()
+        self._calls = 0  # that use the handle now
+        handle = c_void_p()
+        check(library.masu_open(path_bytes(scene), None if grid is None else path_bytes(grid), self._device,
+                                byref(handle)))
+        self._handle: Optional[c_void_p] = handle
+        self._finalizer = weakref.finalize(self, library.masu_close, handle)
+        self._finalizer.atexit = False  # other threads may still be tracing; the process's end frees everything
+
+    def close(self) -> None:
+        """Waits for queries that run, and gives memory back. Using the tracer afterwards is a ValueError."""
+        with self._idle:
+            self._handle = None
+            self._idle.wait_for(lambda: self._calls == 0)
+        self._finalizer()
+
+    def __enter__(self) -> "Tracer":
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self.close()
+
+    @contextlib.contextmanager
+    def _opened(self) -> Iterator[c_void_p]:
+        with self._idle:
+            if self._handle is None:
+                raise ValueError("the tracer is closed")
+            handle = self._handle
+            self._calls += 1
+        try:
+            yield handle
+        finally:
+            with self._idle:
+                self._calls -= 1
+                self._idle.notify_all()
+
+    @property
+    def device(self) -> str:
+        """ "cpu", "cuda:0", … """
+        return _device_name(self._device)
+
+    def describe(self) -> Description:
+        """Counts, bounds and sizes."""
+        record = DescriptionRecord()
+        with self._opened() as handle:
+            check(library.masu_describe(handle, byref(record)))
+        return Description(record.triangles, record.spheres, record.cones, record.materials, tuple(record.bounds_min),
+                           tuple(record.bounds_max), record.scene_bytes, record.grid_bytes, bool(record.is_float64),
+                           _device_name(record.device))
+
+    def primitive(self, index: int) -> Primitive:
+        """The primitive of an index as `primitive_ids` has it; an IndexError where there is none."""
+        index = operator.index(index)
+        description = self.describe()
+        count = description.triangles + description.spheres + description.cones
+        if not 0 <= index < count:
+            raise IndexError("primitive {}: there are {}".format(index, count))
+        record = PrimitiveRecord()
+        with self._opened() as handle:
+            check(library.masu_describe_primitive(handle, index, byref(record)))
+        return Primitive(KINDS[record.kind], record.object, record.material, tuple(record.color), record.diffuse,
+                         record.specular, record.shine, record.transmittance, record.refraction_index)
+
+    def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
+                precision: str = "auto", coherent: bool = False, stream: Any = None) -> Dict[str, Any]:
+        """The nearest hit of each ray: a dictionary of the fields asked for, each an array of the rays' leading shape.
+
+        t_hit              float32: t, infinity for a miss
+        primitive_ids      int32: the primitive's index, -1 for a miss
+        geometry_ids       int32: its object (the mesh), -1 for a miss
+        primitive_uvs      (..., 2) float32: the point of a triangle a b c is (1 - u - v) a + u b + v c; 0 on others
+        primitive_normals  (..., 3) float32: geometric, of unit length, on the primitive's front; 0 for a miss
+
+        precision: "auto" ("robust", or "double" for a scene in float64), "robust", "double", or "fast", which is for
+        comparison. coherent: neighbours in the array have similar origins and directions, which changes the speed
+        alone. stream: for rays on a GPU, as if the call stood in that stream's context: a stream of PyTorch, CuPy or
+        CUDA Python, or a cudaStream_t as a number."""
+        chosen = (fields,) if isinstance(fields, str) else tuple(fields)
+        for name in chosen:
+            if name not in _FIELDS:
+                raise ValueError("fields: {!r} isn't one of {}".format(name, ", ".join(FIELDS)))
+
+        def query(arrays: Any, handle: c_void_p, rays: int, count: int, record: QueryRecord,
+                  results: Dict[str, Any]) -> int:
+            hits = HitsRecord()
+            for name, array in results.items():
+                setattr(hits, _FIELDS[name].record, arrays.pointer(array))
+            return int(library.masu_nearest(handle, rays, count, byref(record), byref(hits)))
+
+        return self._query(rays, {name: _FIELDS[name] for name in chosen}, query, precision, coherent, stream)
+
+    def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None) -> Any:
+        """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
+        those of nearest()."""
+
+        def query(arrays: Any, handle: c_void_p, rays: int, count: int, record: QueryRecord,
+                  results: Dict[str, Any]) -> int:
+            pointer = arrays.pointer(results["occluded"])
+            return int(library.masu_occluded(handle, rays, count, byref(record), pointer))
+
+        fields = {"occluded": _Field("", "bool", ())}
+        return self._query(rays, fields, query, precision, coherent, stream)["occluded"]
+
+    def _query(self, rays: Any, fields: Dict[str, _Field], query: Callable[..., int], precision: str, coherent: bool,
+               stream: Any) -> Dict[str, Any]:
+        record = QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)))
+        arrays, rays = _arrays.recognize(rays, stream)
+        gpu = arrays.gpu(rays)
+        shape = tuple(rays.shape)
+        if not shape or shape[-1] not in (6, 8):
+            raise ValueError("rays: the shape (..., 6) or (..., 8) is needed, not {}".format(shape))
+        if gpu is None and stream is not None:
+            raise ValueError("stream: it is for rays on a GPU, and these are in host memory")
+        if gpu is not None and gpu != self._device:
+            raise ValueError("rays are on {}, the tracer on {}: copy them, or open a tracer there".format(
+                _device_name(gpu), self.device))
+        count = math.prod(shape[:-1])
+        with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
+            rays = arrays.packed(rays)
+            record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
+            results = {name: arrays.empty(shape[:-1] + field.shape, field.number, rays)
+                       for name, field in fields.items()}
+            if count and results:
+                check(query(arrays, handle, arrays.pointer(rays), count, record, results))
+        return results
