@@ -5,16 +5,12 @@
 #pragma once
 
 #include "renderer/kernel_cuda.h"
+#include "renderer/straggler_queue_cuda.h"
 
 namespace masu {
 
 // Rays have numbers of 32 bits, and each warp may once ask for more than there are.
 inline constexpr std::uint64_t max_rays_by_warps = 0x7fffffff;
-
-struct CullState {
-  std::uint32_t culls;  // whether most rays miss the bounds: the others are chosen
-  std::uint32_t chosen; // rays
-};
 
 // Rays to be traced: all of them, or those that were chosen.
 template <class Real>
@@ -22,7 +18,7 @@ struct RayQueue {
   const Ray<Real>* rays;
   std::uint32_t count;
   const std::uint32_t* chosen; // numbers of rays, near their order
-  const CullState* state;      // null: all rays are traced
+  bool may_cull;               // whether `chosen` is there; WarpProgress says whether it holds
 };
 
 // Scales and clips a ray to the scene; false where it misses the bounds.
@@ -35,33 +31,36 @@ MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray
 
 // Fewer rays aren't worth a look.
 inline constexpr std::uint64_t min_rays_culled = std::uint64_t{1} << 18;
-inline constexpr int rays_sampled = 1024;
+inline constexpr unsigned threads_a_culling_block = 512, rays_sampled = 2 * threads_a_culling_block;
 
-// Decides by a sample whether so many rays miss the bounds that choosing the others pays: measured on an
-// H200, from 9 of 20 on. For one block, a thread a sample.
+// Whether so many rays miss the bounds that choosing the others pays: measured on an H200, from 9 of 20 on.
+// By a sample, the same for every block, all of whose threads ask.
 template <class Real, class Stored>
-__global__ void __launch_bounds__(rays_sampled)
-    sample_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
-                  CullState* const state) {
-  ClippedRay<Real> near{};
-  Real scale;
-  const bool meets =
-      scale_and_clip(scene, streamed(rays + threadIdx.x * (count / rays_sampled)), near, scale);
-  const int missing = __syncthreads_count(meets ? 0 : 1);
-  if (threadIdx.x == 0) *state = {missing * 20 >= rays_sampled * 9 ? 1U : 0U, 0};
+__device__ inline bool often_misses(const SceneView<Stored>& scene, const Ray<Real>* rays,
+                                    std::uint32_t count) {
+  int missing = 0;
+#pragma unroll
+  for (unsigned half = 0; half < 2; ++half) {
+    const unsigned sample = half * threads_a_culling_block + threadIdx.x;
+    ClippedRay<Real> near{};
+    Real scale;
+    missing += __syncthreads_count(
+        scale_and_clip(scene, rays[sample * (count / rays_sampled)], near, scale) ? 0 : 1);
+  }
+  return missing * 20 >= static_cast<int>(rays_sampled) * 9;
 }
 
-inline constexpr int threads_a_culling_block = 512;
-
-// Chooses the rays that meet the bounds, and writes the others' results. For as many blocks as fit.
+// Where most rays miss the bounds: chooses those that meet them, and writes the others' results. For as many
+// blocks as fit.
 template <Query query, class Real, class Stored>
 __global__ void __launch_bounds__(threads_a_culling_block)
     cull_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
-                const RayResults results, std::uint32_t* const chosen, CullState* const state) {
+                const RayResults results, std::uint32_t* const chosen, WarpProgress* const progress) {
   constexpr unsigned warps = threads_a_culling_block / lanes_a_warp;
   __shared__ unsigned before[warps]; // rays chosen by the warps before each
   __shared__ std::uint32_t first;
-  if (state->culls == 0) return;
+  if (!often_misses(scene, rays, count)) return;
+  if (blockIdx.x == 0 && threadIdx.x == 0) progress->culls = 1;
   const unsigned lane = threadIdx.x % lanes_a_warp, warp = threadIdx.x / lanes_a_warp;
   for (std::uint32_t begin = blockIdx.x * threads_a_culling_block; begin < count;
        begin += gridDim.x * threads_a_culling_block) {
@@ -83,7 +82,7 @@ __global__ void __launch_bounds__(threads_a_culling_block)
         warps_rays = sum;
         sum += own;
       }
-      first = DeviceAtomic<std::uint32_t>(state->chosen).fetch_add(sum, cuda::memory_order_relaxed);
+      first = DeviceAtomic<std::uint32_t>(progress->chosen).fetch_add(sum, cuda::memory_order_relaxed);
     }
     __syncthreads();
     if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = number;

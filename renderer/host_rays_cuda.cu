@@ -3,6 +3,7 @@
 #include "renderer/queue_cuda.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -98,14 +99,17 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     std::size_t first = 0, count = 0;
   } works[pieces_in_flight];
 
+  const auto rays_of = [&](const Work& work) {
+    return static_cast<const std::uint8_t*>(rays.rays) + work.first * ray_bytes;
+  };
+  const auto copy_in = [&](HostRayBuffers::Piece& piece, const Work& work) {
+    const std::size_t bytes = work.count * ray_bytes;
+    if (!rays_page_locked && bytes > 0) copy_in_parallel(piece.rays.of(bytes), rays_of(work), bytes);
+  };
   const auto begin = [&](HostRayBuffers::Piece& piece, const Work& work) {
     const cudaStream_t stream = piece.stream;
     const std::size_t bytes = work.count * ray_bytes;
-    const void* from = static_cast<const std::uint8_t*>(rays.rays) + work.first * ray_bytes;
-    if (!rays_page_locked) {
-      copy_in_parallel(piece.rays.of(bytes), from, bytes);
-      from = piece.rays.of(bytes);
-    }
+    const void* const from = rays_page_locked ? rays_of(work) : piece.rays.of(bytes);
     const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
     const DeviceArray<std::uint8_t> device_rays(bytes, stream), device_results(result_bytes, stream);
     check(cudaEventRecord(piece.begun, stream));
@@ -125,30 +129,34 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     });
     check(cudaEventRecord(piece.downloaded, stream));
   };
-  const auto finish = [&](HostRayBuffers::Piece& piece, Work& work) {
+  const auto wait = [&](const HostRayBuffers::Piece& piece, const Work& work) {
     if (work.count == 0) return;
     check(cudaEventSynchronize(piece.downloaded));
     report.seconds.upload += seconds_between(piece.begun, piece.uploaded);
     report.seconds.trace += seconds_between(piece.uploaded, piece.traced);
     report.seconds.download += seconds_between(piece.traced, piece.downloaded);
+  };
+  const auto copy_out = [&](HostRayBuffers::Piece& piece, const Work& work) {
     for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
       const ResultArray& array = arrays[k];
       if (!array.page_locked)
         copy_in_parallel(static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_a_ray,
                          piece.results.of(0) + offset, array_bytes);
     });
-    work.count = 0;
   };
 
-  for (std::size_t first = 0, turn = 0; first < rays.count; first += rays_a_piece, ++turn) {
-    const std::size_t k = turn % pieces_in_flight;
-    finish(borrowed->pieces[k], works[k]);
-    works[k] = {first, std::min(rays_a_piece, rays.count - first)};
-    begin(borrowed->pieces[k], works[k]);
-  }
+  // Turn by turn: what a slot's last piece found leaves its buffers while the next one's rays enter them.
   const std::size_t pieces = (rays.count + rays_a_piece - 1) / rays_a_piece;
-  for (std::size_t turn = pieces; turn < pieces + pieces_in_flight; ++turn)
-    finish(borrowed->pieces[turn % pieces_in_flight], works[turn % pieces_in_flight]);
+  for (std::size_t turn = 0; turn < pieces + pieces_in_flight; ++turn) {
+    HostRayBuffers::Piece& piece = borrowed->pieces[turn % pieces_in_flight];
+    Work& work = works[turn % pieces_in_flight];
+    const Work last = work;
+    const std::size_t first = std::min(turn * rays_a_piece, rays.count);
+    work = {first, std::min(rays_a_piece, rays.count - first)};
+    wait(piece, last);
+    tbb::parallel_invoke([&] { copy_out(piece, last); }, [&] { copy_in(piece, work); });
+    if (work.count > 0) begin(piece, work);
+  }
   counts.download(&report.counts);
   return report;
 }

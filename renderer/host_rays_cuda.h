@@ -10,7 +10,7 @@ namespace masu {
 
 // Rays on the device at a time, for each of the stages: one piece is uploaded while another is traced and the
 // results of a third come back.
-inline constexpr std::size_t rays_a_piece = std::size_t{1} << 19;
+inline constexpr std::size_t rays_a_piece = std::size_t{1} << 20;
 inline constexpr int pieces_in_flight = 3;
 
 class Event {

@@ -155,7 +155,7 @@ public:
   Frame render(const FrameRequest& request) const;
 
   // Rays and results in host memory; on a GPU they are copied there in pieces while others are traced. No
-  // more than about 200 MB of device memory is used, however long the list is.
+  // more than about 300 MB of device memory is used, however long the list is.
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
   // On a GPU, rays and results in its memory, any alignment of a number; on the CPU as trace(). The query is
   // put on the stream, a cudaStream_t, and nobody waits for it: the report has the kernel alone, and counting

@@ -134,17 +134,14 @@ KernelSize trace_by_warps(const SceneView<Stored>& scene, const Grid& grid, RayL
   const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), stream);
   const bool may_cull = refills && count >= min_rays_culled;
   const DeviceArray<std::uint32_t> chosen(may_cull ? count : 0, stream);
-  const DeviceArray<CullState> state(may_cull ? 1 : 0, stream);
-  const RayQueue<Real> queue{batch.rays, count, chosen.data(), state.data()};
+  const RayQueue<Real> queue{batch.rays, count, chosen.data(), may_cull};
   const KernelSize size = load(trace);
   load(finish);
   const unsigned culling = resident_blocks(cull_kernel<query, Real, Stored>, threads_a_culling_block, 0);
   batch.begin();
-  if (may_cull) {
-    sample_kernel<Real, Stored><<<1, rays_sampled, 0, stream>>>(scene, batch.rays, count, state.data());
+  if (may_cull)
     cull_kernel<query, Real, Stored><<<culling, threads_a_culling_block, 0, stream>>>(
-        scene, batch.rays, count, batch.results, chosen.data(), state.data());
-  }
+        scene, batch.rays, count, batch.results, chosen.data(), left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
   trace<<<blocks, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
   finish<<<finishing, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());

@@ -99,8 +99,8 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   } shared;
   if constexpr (!finishes) {
     if (threadIdx.x == 0) {
-      const bool culls = queue.state != nullptr && queue.state->culls != 0;
-      shared = {culls ? queue.chosen : nullptr, culls ? queue.state->chosen : queue.count,
+      const bool culls = queue.may_cull && left.progress->culls != 0;
+      shared = {culls ? queue.chosen : nullptr, culls ? left.progress->chosen : queue.count,
                 culls ? some_fetch_chosen : fetching};
     }
     __syncthreads();
