@@ -53,8 +53,7 @@ MASU_API const char* masu_version(void);
 /* How many GPUs can be used: 0 without CUDA, or without one. */
 MASU_API masu_status masu_gpu_count(int* count);
 
-/* --- Tracers
- * -------------------------------------------------------------------------------------------------- */
+/* --- Tracers ------------------------------------------------------------------------------------------- */
 
 typedef struct masu_tracer masu_tracer;
 
@@ -92,13 +91,12 @@ typedef struct masu_primitive {
 MASU_API masu_status masu_describe_primitive(const masu_tracer* tracer, uint32_t index,
                                              masu_primitive* primitive);
 
-/* --- Queries
- * -------------------------------------------------------------------------------------------------- */
+/* --- Queries ------------------------------------------------------------------------------------------- */
 
-/* The points origin + t direction with tmin < t < tmax, 0 <= tmin; t counts in lengths of the direction,
- * which needn't be
- * 1. A ray hits nothing if a number is NaN, tmin >= tmax, the origin is infinite or beyond 1e15, or the
- * direction's largest component isn't from 1e-15 to 1e15; a negative tmin counts as 0. */
+/* The points origin + t direction with tmin < t < tmax, 0 <= tmin. t counts in lengths of the direction,
+ * which may be any. A ray hits nothing if a number is NaN, tmin >= tmax, the origin is infinite or beyond
+ * 1e15 (in double arithmetic 1e105), or the direction's largest component isn't from 1e-15 to 1e15. A
+ * negative tmin counts as 0. */
 typedef struct masu_ray {
   float origin[3], tmin;
   float direction[3], tmax; /* tmax may be INFINITY */
@@ -122,8 +120,7 @@ typedef enum masu_precision {
 typedef struct masu_query {
   masu_ray_format format;
   masu_precision precision;
-  int coherent; /* not 0: neighbours in the list have similar origins and directions; changes the speed alone
-                 */
+  int coherent; /* not 0: neighbours in the list have similar origins and directions; results are the same */
   void* stream; /* cudaStream_t of rays in device memory; NULL: the default stream */
 } masu_query;
 
@@ -149,8 +146,7 @@ MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, s
 MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count,
                                    const masu_query* query, uint8_t* occluded);
 
-/* --- Offline
- * -------------------------------------------------------------------------------------------------- */
+/* --- Offline ------------------------------------------------------------------------------------------- */
 
 /* Triangles: an object. Zeros are defaults. */
 typedef struct masu_mesh {

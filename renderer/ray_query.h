@@ -48,7 +48,7 @@ MASU_HD inline Ray<Real> loaded(const void* rays, const RayFormat& format, std::
 
 // Beyond these something might overflow or underflow on the way.
 template <class Real>
-inline constexpr Real max_ray_origin = sizeof(Real) == sizeof(float) ? Real(1e15F) : Real(1e75);
+inline constexpr Real max_ray_origin = sizeof(Real) == sizeof(float) ? Real(1e15F) : Real(1e105);
 inline constexpr float max_ray_direction = 1e15F, min_ray_direction = 1e-15F;
 
 // Whether origin and direction are finite and neither is beyond what arithmetic allows. A ray that isn't

@@ -40,8 +40,7 @@ struct KernelSize {
   std::int32_t registers = 0, local_bytes = 0;
 };
 
-// --- Pictures
-// -----------------------------------------------------------------------------------------------
+// --- Pictures ---------------------------------------------------------------------------------------------
 
 struct FrameRequest {
   TracingRules tracing{};
@@ -67,8 +66,7 @@ struct Frame {
 // Of the right size, black.
 Frame empty_frame(const FrameRequest& request);
 
-// --- Lists of rays
-// --------------------------------------------------------------------------------------------
+// --- Lists of rays ----------------------------------------------------------------------------------------
 
 // Rays in memory, stored as ray_query.h says.
 struct RayList {

@@ -453,7 +453,8 @@ TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
             (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
   EXPECT_EQ(stats["backend"], "cpu");
   EXPECT_EQ(stats["views"], 1);
-  EXPECT_EQ(stats["scene_hash"], json_of("gridstat", {grid_, "--json"})["scene_hash"]);
+  EXPECT_EQ(json_of("nff2bin", {scene_, "--info", "--json"})["geometry_hash"],
+            json_of("gridstat", {grid_, "--json"})["geometry_hash"]);
   EXPECT_EQ(stats["command"][1], scene_);
 }
 

@@ -305,8 +305,7 @@ TEST_F(Views, InvalidListsAreRefusedByLine) {
   EXPECT_TRUE(refused(1, {"--views", sizes, "-o", file("{name}.png"), "--crop", "0,0,5,1"}, "--crop"));
 }
 
-// --- What is said beside the results
-// ------------------------------------------------------------------------
+// --- What is said beside the results ----------------------------------------------------------------------
 
 TEST_F(Views, ASummaryIsOneLineAndQuietSilencesIt) {
   const ToolResult said = try_render({"-o", file("a.png")});

@@ -41,8 +41,7 @@ bool read_numbers(std::string_view text, char separator, std::array<Number, coun
   throw Error(code, place, message);
 }
 
-// --- A line of a list
-// ----------------------------------------------------------------------------------------------
+// --- A line of a list -------------------------------------------------------------------------------------
 
 struct Line {
   std::string place; // path:line
