@@ -1,0 +1,203 @@
+#!/usr/bin/env bash
+# For developers: measures every figure of docs/performance.md and the README's results on the machine it runs on.
+#   performance.sh BIN OUT [cuda|cpu]
+# BIN has the programs. OUT gets results.json, every command with its output, and performance.md, the tables that
+# performance_tables.py makes of it; that script also puts them into the documents. Without a third argument: cuda if
+# there is a usable GPU; without one, sections that need it are left out. A command that fails costs its figures alone.
+# MASU_PERFORMANCE_QUICK=1: tiny sizes, to try the script. Needs python3, and 4 GB in TMPDIR (default /tmp).
+set -uo pipefail
+export LC_ALL=C
+[ $# -ge 2 ] || { sed -nE '2,7s/^# ?//p' "$0" >&2; exit 1; }
+here=$(cd "$(dirname "$0")" && pwd)
+bin=$(cd "$1" && pwd) && mkdir -p "$2" && out=$(cd "$2" && pwd) || exit 1
+export PATH=$bin:$PATH
+work=$(mktemp -d) || exit 3
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 3
+mkdir raw
+cores=$(nproc)
+quick=${MASU_PERFORMANCE_QUICK:+1}
+full() { if [ "$quick" ]; then echo "$2"; else echo "$1"; fi; } # an option of the full measurement, of the quick one
+
+nffgen tetra --size 1 | nff2bin - -o probe.scene -q || exit 2
+backend=${3:-$(gridbuild probe.scene -o probe.grid --device cuda -q 2>probe.err && echo cuda || echo cpu)}
+devices=$(if [ "$backend" = cuda ]; then echo cuda cpu; else echo cpu; fi)
+size=$(full 1024x1024 64x64)
+warm_up=1 repeat=3 # untimed runs, and timed ones of which the median counts
+[ "$backend" = cuda ] && warm_up=10 repeat=25
+[ "$quick" ] && warm_up=0 repeat=1
+standard=(balls gears mount rings teapot tetra tree)
+large=(teapot-60 mount-10 tetra-9 tetra-10 balls-triangles rings-triangles tree-triangles)
+
+# A line for each scene: its name, the options of nffgen, those of nff2bin.
+scenes() {
+  local name
+  for name in "${standard[@]}"; do echo "$name:$name $(full '' '--size 2'):"; done
+  for name in balls-5 mount-8 teapot-60 mount-10 tetra-9 tetra-10; do
+    echo "$name:${name%-*} --size $(full "${name#*-}" 3):"
+  done
+  for name in balls rings tree; do echo "$name-triangles:$name $(full '' '--size 2'):--tessellate 12"; done
+}
+
+# A line for each grid that the automatic choice is compared with: its name, the options of gridbuild.
+grids() {
+  local n
+  for n in 16 32 $(full '64 128 256' '') auto; do echo "none-$n:--merge none --division $n"; done
+  echo "x-128:--merge x --division $(full 128 16)"
+  for n in $(full 64 8) $(full 128 16); do echo "balance-$n:--merge balance --division $n"; done
+  echo "irregular:--merge irregular"
+  for n in 1.5 2.5 3.5 7 10; do echo "irregular-step-$n:--merge irregular --step-cost $n"; done
+  for n in 0.02 0.05 0.1 0.2 0.5 1 2 8; do echo "irregular-cleary-$n:--merge irregular --division cleary:$n"; done
+  for n in 1.5 6; do echo "irregular-detail-$n:--merge irregular --detail $n"; done
+  for n in 0.8 0.9 1; do echo "irregular-alpha-$n:--merge irregular --alpha $n"; done
+}
+
+# record SECTION KEY COMMAND…: runs the command, keeps what it prints, and how long it took in microseconds.
+record() {
+  local section=$1 key=$2 began=$EPOCHREALTIME status
+  shift 2
+  timeout 120 "$@" >"raw/$section.$key.out" 2>"raw/$section.$key.err"
+  status=$?
+  printf '%s\t%s\t%s\t%s\t%s\n' "$section" "$key" "$status" $((${EPOCHREALTIME/./} - ${began/./})) "$*" >>runs.tsv
+  [ $status = 0 ] || echo "  failed ($status): $*: $(tail -n 1 "raw/$section.$key.err")" >&2
+}
+at_once() { xargs -P "$cores" -d '\n' -I{} bash -c '{}'; } # lines of standard input as commands, one a core
+
+machine() {
+  {
+    echo "commit=$(for tool in nffgen nff2bin grid{build,stat,render,bench}; do "$tool" --version; done |
+      sed -nE 's/.*\(commit (.*)\)/\1/p' | sort -u | paste -sd ' ')"
+    echo "date=$(date -u +%F)"
+    echo "backend=$backend"
+    echo "cpu=$(sed -nE '0,/^model name/s/^model name\s*: //p' /proc/cpuinfo)"
+    echo "cores=$cores"
+    if [ "$backend" = cuda ]; then
+      echo "device=$(gridbuild probe.scene -o probe.grid --device cuda --json -q |
+        sed -nE 's/.*"device":"([^"]*)".*/\1/p')"
+      echo "driver=$(nvidia-smi --query-gpu=driver_version --format=csv,noheader | head -n 1)"
+    fi
+    echo "quick=$quick"
+  } >machine.txt
+}
+
+prepare() {
+  scenes | while IFS=: read -r name made converted; do
+    echo "nffgen $made | nff2bin - -o $name.scene -q $converted"
+  done | at_once
+  for name in "${standard[@]}"; do
+    echo "gridbuild $name.scene -o $name.grid -q --threads 1"
+    grids | while IFS=: read -r grid options; do
+      echo "gridbuild $name.scene -o $name.$grid.grid -q --threads 1 $options"
+    done
+  done | at_once
+  for name in balls-5 mount-8; do gridbuild $name.scene -o $name.grid -q; done
+  for scene in *.scene; do record scenes "${scene%.scene}" nff2bin --info --json "$scene"; done
+}
+
+builds() {
+  local name device run
+  for name in "${standard[@]}" "${large[@]}"; do
+    for device in $devices; do
+      for run in 1 2 3; do
+        record builds "$name.$device.$run" gridbuild "$name.scene" -o "built.$device" --merge irregular \
+          --device "$device" --json -q
+      done
+    done
+    [ -e built.cuda ] && record builds "$name.same" cmp built.cuda built.cpu
+    [ -e "$name.grid" ] || cp built.cpu "$name.grid"
+    record builds "$name.one.1" gridbuild "$name.scene" -o built.one --merge irregular --threads 1 --json -q
+    rm -f built.*
+  done
+}
+
+# picture SECTION KEY SCENE GRID OUTPUT OPTION…
+picture() {
+  record "$1" "$2" gridrender "$3.scene" "$4.grid" -o "$5" --size "$size" --sampling centers --times - -q "${@:6}"
+}
+
+pictures() {
+  local name
+  for name in "${standard[@]}"; do
+    picture pictures "$name.chosen" "$name" "$name" chosen.pfm --backend "$backend" --repeat $repeat
+    picture pictures "$name.uniform" "$name" "$name.none-auto" uniform.pfm --backend "$backend" --repeat $repeat
+    record pictures "$name.same" cmp chosen.pfm uniform.pfm
+  done
+}
+one_core() {
+  for name in "${standard[@]}"; do
+    picture one_core "$name" "$name" "$name" one.pfm --backend cpu --threads 1 --repeat "$(full 3 1)"
+  done
+}
+png() {
+  for name in "${standard[@]}"; do
+    for run in 1 2 3; do
+      picture png "$name.png.$run" "$name" "$name" "$name.png" --backend "$backend"
+      picture png "$name.pfm.$run" "$name" "$name" "$name.pfm" --backend "$backend"
+    done
+  done
+}
+views() {
+  picture views png mount-10 mount-10 'view-{index}.png' --turntable "$(full 200 5)" --backend "$backend"
+  rm -f view-*.png
+}
+
+# frame SECTION KEY SCENE GRIDS OPTION…
+frame() {
+  # shellcheck disable=SC2086 # GRIDS is a list
+  record "$1" "$2" gridbench frame "$3.scene" $4 --backend "$backend" --size "$size" \
+    --warm-up $warm_up --repeat $repeat --json "${@:5}"
+}
+
+chosen() {
+  for name in "${standard[@]}"; do
+    frame chosen "$name" "$name" "$(echo "$name".grid "$name".*.grid)" --schedule hardware
+  done
+}
+schedules() { for name in balls rings teapot; do frame schedules "$name" "$name" "$name.grid" --general; done; }
+kernels() {
+  for name in "${standard[@]}"; do
+    frame kernels "$name.own" "$name" "$name.grid" --schedule hardware
+    frame kernels "$name.general" "$name" "$name.grid" --schedule hardware --general
+  done
+}
+rays() {
+  local loops
+  loops=$(if [ "$backend" = cuda ]; then echo thread_per_ray,warp,warp_refill; else echo thread_per_ray; fi)
+  for name in "${large[@]}" balls gears rings tree; do
+    record rays "$name" gridbench rays "$name.scene" "$name.grid" --loop "$loops" --backend "$backend" --json \
+      --size "$size" --random "$(full 4194304 1000)" --warm-up $warm_up --repeat $repeat
+  done
+}
+cells() {
+  for name in "${standard[@]}"; do
+    for grid in none-{16,32,64,128,auto} x-128 balance-128 irregular; do
+      [ -e "$name.$grid.grid" ] || continue
+      record cells "$name.$grid" gridrender "$name.scene" "$name.$grid.grid" --backend cpu \
+        --size "$(full 256x256 32x32)" --spd-rules --stats - -q
+    done
+  done
+}
+merge() {
+  for mode in none x balance; do gridbuild teapot.scene -o $mode.grid -q --merge $mode --division 69x69x27; done
+  gridbuild teapot.scene -o irregular.grid -q --merge irregular
+  for mode in none x balance irregular; do record merge $mode gridstat $mode.grid --json; done
+}
+load() {
+  record load files gridbench load mount-10.scene mount-10.grid --backend "$backend" --json
+  picture load trace mount-10 mount-10 mount-10.pfm --backend "$backend" --repeat $repeat
+}
+lists() {
+  for name in mount-8 balls-5; do
+    record lists $name gridbench lists $name.scene $name.grid --count "$(full 100000000 1000)" --json
+  done
+}
+
+machine
+for section in prepare builds pictures one_core png views chosen cells merge load rays schedules \
+  $(if [ "$backend" = cuda ]; then echo kernels lists; fi); do
+  echo "[$SECONDS s] $section" >&2
+  $section
+  # After each section: a script that is ended early leaves what it has measured.
+  python3 "$here/performance_tables.py" "$out/results.json" --gather . >"$out/performance.md"
+done
+echo "[$SECONDS s] done: $out/performance.md" >&2

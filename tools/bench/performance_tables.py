@@ -1,0 +1,241 @@
+#!/usr/bin/env python3
+"""The tables of what performance.sh measured.
+
+performance_tables.py RESULTS.json                  prints them as markdown
+performance_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
+                                                    <!-- table NAME --> … <!-- end -->
+performance_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of performance.sh's working folder first
+"""
+import argparse
+import json
+import pathlib
+import re
+import statistics
+
+STANDARD = "balls gears mount rings teapot tetra tree".split()
+LARGE = "teapot-60 mount-10 tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
+
+
+def gather(folder):
+    runs = {}
+    for line in (folder / "runs.tsv").read_text().splitlines():
+        section, key, status, microseconds, command = line.split("\t")
+        run = {"command": command, "status": int(status), "elapsed_seconds": int(microseconds) * 1e-6}
+        text = (folder / "raw" / f"{section}.{key}.out").read_text()
+        if status == "0":
+            run["output"] = json.loads(text) if text else None
+        else:
+            run["error"] = (folder / "raw" / f"{section}.{key}.err").read_text()
+        runs.setdefault(section, {})[key] = run
+    return {
+        "machine": dict(line.split("=", 1) for line in (folder / "machine.txt").read_text().splitlines()),
+        "bytes": {path.name: path.stat().st_size for path in sorted(folder.iterdir())
+                  if path.suffix in (".scene", ".grid", ".png", ".pfm")},
+        "runs": runs,
+    }
+
+
+def figure(make, form=None):
+    """The value of make(), by default to three digits, or a dash where a run that it needs is missing or failed."""
+    try:
+        return form.format(make()) if form else f"{float(f'{make():.3g}'):.15g}"
+    except (LookupError, ValueError, TypeError, ZeroDivisionError):
+        return "-"
+
+
+def table(head, rows):
+    return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *rows])
+
+
+def ms(make):
+    return figure(lambda: make() * 1e3)
+
+
+def tables(results):
+    machine, size, runs = results["machine"], results["bytes"], results["runs"]
+    output = lambda section, key: runs[section][key]["output"]
+    seconds = lambda section, key, what="trace": output(section, key)["seconds"][what]
+    primitives = lambda name: output("scenes", name)["primitives"]["total"]
+    megabytes = lambda file: figure(lambda: size[file] * 1e-6)
+    device = machine.get("device", f"{machine['cores']} cores")
+    cuda = machine["backend"] == "cuda"
+
+    def head():
+        lines = [f"Commit {machine['commit']}, {machine['date']}. "
+                 + (f"GPU: {machine['device']}, driver {machine['driver']}. " if cuda else "No GPU. ")
+                 + f"CPU: {machine['cpu']}, {machine['cores']} cores."]
+        if machine["quick"]:
+            lines.append("**Tiny sizes, to try the script: not a measurement.**")
+        failed = [run["command"] for section in runs.values() for run in section.values() if run["status"]]
+        return "\n".join(lines + [f"Failed: `{command}`" for command in failed])
+
+    def readme():
+        rows = [["primitives", *(figure(lambda: primitives(s), "{}") for s in STANDARD)],
+                [f"{device}, chosen grid", *(ms(lambda: seconds("pictures", f"{s}.chosen")) for s in STANDARD)],
+                [f"{device}, uniform grid", *(ms(lambda: seconds("pictures", f"{s}.uniform")) for s in STANDARD)],
+                ["one core, chosen grid", *(ms(lambda: seconds("one_core", s)) for s in STANDARD)]]
+        return table(["", *STANDARD], rows)
+
+    def pictures():
+        rows = [[s, ms(lambda: seconds("pictures", f"{s}.chosen")), ms(lambda: seconds("pictures", f"{s}.uniform")),
+                 ms(lambda: seconds("one_core", s)),
+                 figure(lambda: seconds("one_core", s) / seconds("pictures", f"{s}.chosen"), "{:.0f}")]
+                for s in STANDARD]
+        return table(["scene", "chosen grid, ms", "uniform, ms", "one CPU core, ms", f"core / {device}"], rows)
+
+    def png():
+        write = lambda s, kind: statistics.median(seconds("png", f"{s}.{kind}.{i}", "write") for i in (1, 2, 3))
+        rows = [[s, ms(lambda: write(s, "png")), megabytes(f"{s}.png"), ms(lambda: write(s, "pfm")),
+                 megabytes(f"{s}.pfm")] for s in STANDARD]
+        return table(["scene", "PNG, ms", "MB", "PFM, ms", "MB"], rows)
+
+    def views():
+        part = lambda what: figure(lambda: seconds("views", "png", what))
+        return table(["views", "trace, s", "download, s", "encode and write, s", "load, s", "whole process, s"],
+                     [[figure(lambda: output("views", "png")["views"], "{}"), part("trace"), part("download"),
+                       part("write"),
+                       figure(lambda: sum(seconds("views", "png", what) for what in ("map", "validate", "upload"))),
+                       figure(lambda: runs["views"]["png"]["elapsed_seconds"])]])
+
+    def frames(section, key):
+        return {row["grid"]: row["median_seconds"] for row in output(section, key)}
+
+    def chosen():
+        def fastest(s):
+            times = frames("chosen", s)
+            return min((time, grid) for grid, time in times.items() if grid != f"{s}.grid")
+        own = lambda s: frames("chosen", s)[f"{s}.grid"]
+        count = figure(lambda: max(len(run["output"]) for run in runs["chosen"].values()) - 1, "{}")
+        rows = [["chosen, ms", *(ms(lambda: own(s)) for s in STANDARD)],
+                [f"fastest of {count}, ms", *(ms(lambda: fastest(s)[0]) for s in STANDARD)],
+                ["chosen / fastest, time", *(figure(lambda: own(s) / fastest(s)[0], "{:.2f}") for s in STANDARD)],
+                ["chosen / fastest, bytes",
+                 *(figure(lambda: size[f"{s}.grid"] / size[fastest(s)[1]], "{:.2f}") for s in STANDARD)],
+                ["the fastest one",
+                 *(figure(lambda: fastest(s)[1].removeprefix(f"{s}.").removesuffix(".grid"), "{}") for s in STANDARD)]]
+        return table(["", *STANDARD], rows)
+
+    def division():
+        time = lambda s, n: frames("chosen", s)[f"{s}.none-{n}.grid"]
+        return table(["voxels an axis", *STANDARD], [[f"{n}, ms", *(ms(lambda: time(s, n)) for s in STANDARD)]
+                                                     for n in (16, 32, 64, 128, 256, "auto")])
+
+    def throughput(name, kind):
+        """Mray/s of each loop, by one set of rays."""
+        speeds = [f"{row['mrays_per_second']:.0f}" for row in output("rays", name) if row["rays"] == kind]
+        return ", ".join(speeds)
+
+    def triangles():
+        def cost(name):
+            rows = {row["rays"]: row for row in output("rays", name)}
+            return "; ".join(f"{rows[kind]['tests_a_ray']:.2f} + {rows[kind]['cells_a_ray']:.2f}"
+                             for kind in ("primary", "diffuse", "random"))
+        rows = [[f"{s} ({figure(lambda: primitives(s), '{:,}')})", megabytes(f"{s}.grid"),
+                 *(figure(lambda: throughput(s, kind), "{}") for kind in ("primary", "diffuse", "random")),
+                 figure(lambda: cost(s), "{}")] for s in LARGE]
+        return table(["scene (triangles)", "grid, MB", "primary", "diffuse", "random",
+                      "tests + cells a ray: primary; diffuse; random"], rows)
+
+    def curved():
+        kinds = "primary", "diffuse", "random", "shadow"
+        rows = [[s, megabytes(f"{s}.grid"), *(figure(lambda: throughput(s, kind), "{}") for kind in kinds)]
+                for s in ("balls", "rings", "tree", "gears")]
+        return table(["scene", "grid, MB", *kinds], rows)
+
+    def cells():
+        def cost(s, grid):
+            stats = output("cells", f"{s}.{grid}")
+            rays = sum(stats[f"{kind}_rays"] for kind in ("eye", "reflection", "refraction", "shadow"))
+            return (stats["cells_visited"] + sum(stats["intersection_tests"].values())) / rays
+        grids = [*(f"none-{n}" for n in (16, 32, 64, 128, "auto")), "x-128", "balance-128", "irregular"]
+        return table(["`--merge`, `--division`", *STANDARD],
+                     [[f"`{grid.replace('-', ', ')}`", *(figure(lambda: cost(s, grid), "{:.1f}") for s in STANDARD)]
+                      for grid in grids])
+
+    def merge():
+        def row(mode):
+            stat = output("merge", mode)
+            references = stat["references_per_occupied_cell"]
+            return [f"{stat['cells']}", f"{stat['references']}", f"{references['mean']:.2f}",
+                    f"{references['evenness']:.2f}", f"{stat['expected_per_ray']['cells']:.1f}",
+                    f"{stat['expected_per_ray']['tests']:.1f}", f"{stat['bytes']['file']}"]
+        return table(["`--merge`", "cells", "references", "mean a cell", "stddev / mean", "cells a random line",
+                      "tests a random line", "bytes"],
+                     [[f"`{mode}`", *row(mode)] for mode in ("none", "x", "balance", "irregular")])
+
+    def schedules():
+        names = "hardware", "block", "cyclic", "persistent"
+        time = lambda s, name: {row["schedule"]: row["median_seconds"] for row in output("schedules", s)}[name]
+        return table(["scene", *names], [[s, *(ms(lambda: time(s, name)) for name in names)]
+                                         for s in ("teapot", "balls", "rings")])
+
+    def kernels():
+        def cell(s, which):
+            row = output("kernels", f"{s}.{which}")[0]
+            return f"{row['median_seconds'] * 1e3:.3g}, {row['kernel']['local_bytes']}"
+        return table(["", *STANDARD], [[text, *(figure(lambda: cell(s, which), "{}") for s in STANDARD)]
+                                       for text, which in (("the scene's kinds", "own"), ("all kinds", "general"))])
+
+    def builds():
+        def middle(s, where):
+            """What the run of median time reports."""
+            of_this = [run["output"] for key, run in runs["builds"].items()
+                       if key.startswith(f"{s}.{where}.") and "output" in run]
+            return sorted(of_this, key=lambda run: run["build_seconds"])[(len(of_this) - 1) // 2]
+
+        def row(s):
+            parts = ("set_up", "upload", "build", "download")
+            return [s, figure(lambda: primitives(s), "{:,}"),
+                    *(ms(lambda: middle(s, "cuda")["device_seconds"][part]) for part in parts),
+                    *(ms(lambda: middle(s, where)["build_seconds"]) for where in ("cuda", "cpu", "one"))]
+        return table(["scene", "primitives", "set-up", "upload", "build", "download", "GPU, whole",
+                      f"{machine['cores']} cores", "one core"], [row(s) for s in STANDARD + LARGE])
+
+    def load():
+        part = lambda *names: ms(lambda: sum(output("load", "files")["median_seconds"][name] for name in names))
+        rows = [["map; validate; upload", "; ".join(part(name) for name in ("map", "validate", "upload"))],
+                ["load: the sum", part("load")],
+                ["plain copy of the mapped files; by `read(2)`", f"{part('copy_mapped')}; {part('copy_read')}"],
+                ["load / plain copy", figure(lambda: output("load", "files")["load_over_copy"]["mapped"], "{:.2f}")],
+                ["trace 1024×1024", ms(lambda: seconds("load", "trace"))]]
+        return table([figure(lambda: output("load", "files")["bytes"] * 1e-6, "{:.0f} MB"), "ms"], rows)
+
+    def lists():
+        rows = [[s, row["memory"].replace("_", "-"), f"{row['count']:,}", ms(lambda: row["median_seconds"]),
+                 f"{row['mrays_per_second']:.0f}", ms(lambda: row["kernel_seconds"]),
+                 ms(lambda: row["plain_copy_seconds"]), f"{row['plain_copy_over_list']:.2f}"]
+                for s in ("mount-8", "balls-5") for row in output("lists", s)]
+        return table(["scene", "memory", "rays", "list, ms", "Mray/s", "kernels, ms", "plain copies, ms",
+                      "copies / list"], rows)
+
+    made = {}
+    for make in (head, readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, schedules,
+                 kernels, load, builds, lists):
+        if make in (kernels, lists) and not cuda:
+            made[make.__name__] = "Needs CUDA: left out."
+            continue
+        try:
+            made[make.__name__] = make()
+        except (LookupError, ValueError, TypeError) as missing:
+            made[make.__name__] = f"Not measured: {missing} is missing."
+    return made
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("results", type=pathlib.Path)
+    options.add_argument("--gather", type=pathlib.Path)
+    options.add_argument("--into", type=pathlib.Path, nargs="+", default=[])
+    given = options.parse_args()
+    if given.gather:
+        given.results.write_text(json.dumps(gather(given.gather), indent=1) + "\n")
+    made = tables(json.loads(given.results.read_text()))
+    mark = re.compile(r"(<!-- table (\w+) -->\n).*?(\n<!-- end -->)", re.DOTALL)
+    for document in given.into:
+        document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + found[3], document.read_text()))
+    if not given.into:
+        print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
+
+
+if __name__ == "__main__":
+    main()
