@@ -15,9 +15,9 @@ TEST_P(StabilityOnGpu, RobustAndDoubleHitsEqualTheCpus) {
   SCOPED_TRACE(seed.trace());
   compare_backends(GetParam(), {static_cast<std::size_t>(cases(2000)), seed.value()},
                    [](const Difference& difference) {
-                     if (difference.way.precision == Precision::fast) return;
+                     if (difference.mode.precision == Precision::fast) return;
                      EXPECT_EQ(difference.differing, 0U)
-                         << difference.way.name << " at " << difference.step << " of " << difference.rays;
+                         << difference.mode.name << " at " << difference.step << " of " << difference.rays;
                    });
 }
 

@@ -21,7 +21,7 @@ TEST_P(Stability, RobustAndDoubleFailNowhere) {
     const Tally& t = row.tally;
     rays += row.within ? t.rays : 0;
     unsure += row.within ? t.unsure : 0;
-    EXPECT_EQ(t.failures(), 0U) << row.way.name << (row.float64 ? ", float64 store" : "") << " at "
+    EXPECT_EQ(t.failures(), 0U) << row.mode.name << (row.float64 ? ", float64 store" : "") << " at "
                                 << row.step << " (" << row.parameter << "): of " << t.rays << " rays "
                                 << t.missed << " missed, " << t.false_hit << " false, " << t.wrong
                                 << " wrong, " << t.misplaced << " misplaced, " << t.by_grid << " by grid";

@@ -27,17 +27,17 @@ struct Settings {
   Threads threads;
 };
 
-std::vector<Way> ways_for(const Settings& settings, const SceneFile& scene) {
-  std::vector<Way> ways;
-  for (const Way& way : {fast, robust, doubled}) {
-    if (std::find(settings.precisions.begin(), settings.precisions.end(), way.name) ==
+std::vector<Mode> modes_for(const Settings& settings, const SceneFile& scene) {
+  std::vector<Mode> modes;
+  for (const Mode& mode : {fast, robust, doubled}) {
+    if (std::find(settings.precisions.begin(), settings.precisions.end(), mode.name) ==
         settings.precisions.end())
       continue;
-    resolved(way.precision, scene); // throws where the scene doesn't allow it
-    ways.push_back(way);
-    if (settings.first_cell_hit) ways.back().stop = StopRule::first_cell;
+    resolved(mode.precision, scene); // throws where the scene doesn't allow it
+    modes.push_back(mode);
+    if (settings.first_cell_hit) modes.back().stop = StopRule::first_cell;
   }
-  return ways;
+  return modes;
 }
 
 constexpr std::size_t rays_a_batch = 1 << 17; // bounds the memory
@@ -49,29 +49,29 @@ void show_progress(std::size_t done, std::size_t all) {
 }
 
 std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, const GridFile& grid,
-                             const std::vector<Way>& ways) {
+                             const std::vector<Mode>& modes) {
   const oracle::SceneOracle oracle = scene.is_float64() ? oracle::SceneOracle(scene.view<double>())
                                                         : oracle::SceneOracle(scene.view<float>());
   const std::vector<Ray<double>> rays = random_rays(scene, settings.count, settings.seed);
-  std::vector<Tally> tallies(ways.size());
+  std::vector<Tally> tallies(modes.size());
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_a_batch) {
     show_progress(begin, rays.size());
     const auto batch = std::span(rays).subspan(begin, std::min(rays_a_batch, rays.size() - begin));
     // All float32 modes are compared with the same reference hits.
     for (const bool wide : {false, true}) {
-      std::vector<std::size_t> judged_ways;
+      std::vector<std::size_t> judged_modes;
       std::vector<std::vector<Found>> found;
-      for (std::size_t i = 0; i < ways.size(); ++i) {
-        if ((ways[i].precision == Precision::doubled) != wide) continue;
-        judged_ways.push_back(i);
-        found.push_back(found_through(scene, grid, batch, ways[i]));
+      for (std::size_t i = 0; i < modes.size(); ++i) {
+        if ((modes[i].precision == Precision::doubled) != wide) continue;
+        judged_modes.push_back(i);
+        found.push_back(found_through(scene, grid, batch, modes[i]));
       }
       if (found.empty()) continue;
-      const Precision precision = ways[judged_ways.front()].precision;
+      const Precision precision = modes[judged_modes.front()].precision;
       const auto part =
           judged(oracle, batch, slack_for(precision, scene.bounds()), unit_roundoff_of(precision), found);
       for (std::size_t i = 0; i < part.size(); ++i)
-        tallies[judged_ways[i]] += part[i];
+        tallies[judged_modes[i]] += part[i];
     }
   }
   show_progress(rays.size(), rays.size());
@@ -83,16 +83,16 @@ void bench_oracle(const Settings& settings) {
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   grid.check_geometry(scene.geometry_hash(), scene.primitive_count());
-  const std::vector<Way> ways = ways_for(settings, scene);
-  const std::vector<Tally> tallies = judge_all(settings, scene, grid, ways);
+  const std::vector<Mode> modes = modes_for(settings, scene);
+  const std::vector<Tally> tallies = judge_all(settings, scene, grid, modes);
   Json rows = Json::array();
   if (!settings.json)
     fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "prec.", "rays", "unsure", "missed",
                "false", "wrong", "misplaced", "t error");
-  for (std::size_t i = 0; i < ways.size(); ++i) {
+  for (std::size_t i = 0; i < modes.size(); ++i) {
     const Tally& t = tallies[i];
     if (settings.json) {
-      rows.push_back({{"precision", ways[i].name},
+      rows.push_back({{"precision", modes[i].name},
                       {"first_cell_hit", settings.first_cell_hit},
                       {"rays", t.rays},
                       {"unsure", t.unsure},
@@ -102,7 +102,7 @@ void bench_oracle(const Settings& settings) {
                       {"misplaced", t.misplaced},
                       {"worst_t_error", t.worst_t}});
     } else {
-      fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9.1e}\n", ways[i].name, t.rays, t.unsure,
+      fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9.1e}\n", modes[i].name, t.rays, t.unsure,
                  t.missed, t.false_hit, t.wrong, t.misplaced, t.worst_t);
     }
   }

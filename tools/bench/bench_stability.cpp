@@ -30,13 +30,13 @@ bool wanted(const std::vector<std::string>& list, const std::string& name) {
 
 Json to_json(const Row& row) {
   const Tally& t = row.tally;
-  return {{"sweep", row.sweep},   {"parameter", row.parameter},
-          {"step", row.step},     {"store", row.float64 ? "float64" : "float32"},
-          {"mode", row.way.name}, {"within_envelope", row.within},
-          {"rays", t.rays},       {"unsure", t.unsure},
-          {"missed", t.missed},   {"false", t.false_hit},
-          {"wrong", t.wrong},     {"misplaced", t.misplaced},
-          {"by_grid", t.by_grid}, {"worst_t_error", t.worst_t}};
+  return {{"sweep", row.sweep},    {"parameter", row.parameter},
+          {"step", row.step},      {"store", row.float64 ? "float64" : "float32"},
+          {"mode", row.mode.name}, {"within_envelope", row.within},
+          {"rays", t.rays},        {"unsure", t.unsure},
+          {"missed", t.missed},    {"false", t.false_hit},
+          {"wrong", t.wrong},      {"misplaced", t.misplaced},
+          {"by_grid", t.by_grid},  {"worst_t_error", t.worst_t}};
 }
 
 // Fractions of the rays; - for none.
@@ -47,7 +47,7 @@ void print_row(const Row& row) {
                        : fmt::format("{:.3g}", static_cast<double>(number) / static_cast<double>(t.rays));
   };
   fmt::print("{:<15} {:>8.3g} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
-             row.step, row.float64 ? "float64" : "float32", row.way.name, t.rays, share(t.unsure),
+             row.step, row.float64 ? "float64" : "float32", row.mode.name, t.rays, share(t.unsure),
              share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
              t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
   flush_standard_output();
@@ -61,18 +61,18 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
                "differing");
   for (const Sweep& sweep : sweeps) {
     compare_backends(sweep, settings.run, [&](const Difference& d) {
-      if (!wanted(settings.precisions, d.way.name)) return;
-      bad += d.way.precision != Precision::fast && d.differing > 0 ? 1 : 0;
+      if (!wanted(settings.precisions, d.mode.name)) return;
+      bad += d.mode.precision != Precision::fast && d.differing > 0 ? 1 : 0;
       rows.push_back({{"sweep", d.sweep},
                       {"step", d.step},
                       {"store", d.float64 ? "float64" : "float32"},
-                      {"mode", d.way.name},
+                      {"mode", d.mode.name},
                       {"backends", "cpu,cuda"},
                       {"rays", d.rays},
                       {"differing", d.differing}});
       if (!settings.json)
         fmt::print("{:<15} {:>8.3g} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, d.step,
-                   d.float64 ? "float64" : "float32", d.way.name, d.rays, d.differing);
+                   d.float64 ? "float64" : "float32", d.mode.name, d.rays, d.differing);
     });
   }
   return bad;
@@ -98,7 +98,7 @@ void bench_stability(const Settings& settings) {
                "t error");
   for (const Sweep& sweep : sweeps) {
     run(sweep, settings.run, [&](const Row& row) {
-      if (!wanted(settings.precisions, row.way.name)) return;
+      if (!wanted(settings.precisions, row.mode.name)) return;
       if (settings.json)
         rows.push_back(to_json(row));
       else

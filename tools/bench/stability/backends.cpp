@@ -65,12 +65,12 @@ void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
   const MemoryFile scene_file;
   write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path());
   const SceneFile scene(scene_file.path());
-  for (const Way& way : float64 ? std::vector<Way>{doubled} : std::vector<Way>{fast, robust, doubled}) {
-    Difference difference{sweep.name, step, way, float64, trial.rays.size(), 0};
+  for (const Mode& mode : float64 ? std::vector<Mode>{doubled} : std::vector<Mode>{fast, robust, doubled}) {
+    Difference difference{sweep.name, step, mode, float64, trial.rays.size(), 0};
     for (const GridWanted& wanted : trial.grids) {
       const MemoryFile grid;
       write_built<Stored>(scene, wanted, grid.path());
-      difference.differing += differing(scene, GridFile(grid.path()), trial.rays, way.precision);
+      difference.differing += differing(scene, GridFile(grid.path()), trial.rays, mode.precision);
     }
     report(difference);
   }

@@ -10,7 +10,7 @@ namespace masu::stability {
 struct Difference {
   std::string sweep;
   double step;
-  Way way;
+  Mode mode;
   bool float64;
   std::uint64_t rays, differing;
 };

@@ -81,7 +81,7 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
 
 // The modes in which scenes of this store can be traced.
 template <class Stored>
-std::vector<Way> ways_for(Judge judge) {
+std::vector<Mode> modes_for(Judge judge) {
   if (std::is_same_v<Stored, double>) return {doubled};
   if (judge == Judge::closest) return {all_ways.begin(), all_ways.end()};
   return {fast, robust, doubled};
@@ -99,22 +99,22 @@ double rounding_of_store(const Boxd& bounds) {
 template <class Stored>
 std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bounds,
                                   const std::vector<Grid>& grids, const Trial<Stored>& trial,
-                                  const std::vector<Way>& ways) {
+                                  const std::vector<Mode>& modes) {
   TestScene<double> original = trial.original.value_or(TestScene<double>{});
   const auto oracle = trial.original ? oracle::SceneOracle(original.view()) : oracle::SceneOracle(view);
   const double rounding = trial.original ? rounding_of_store<Stored>(bounds) : 0;
   std::vector<Tally> tallies;
   // Modes with the same error bound are compared with the same reference hits.
-  for (std::size_t begin = 0, end = 0; begin < ways.size(); begin = end) {
-    const double slack = slack_for(ways[begin].precision, bounds);
+  for (std::size_t begin = 0, end = 0; begin < modes.size(); begin = end) {
+    const double slack = slack_for(modes[begin].precision, bounds);
     std::vector<std::vector<Found>> found;
-    for (end = begin; end < ways.size() && slack_for(ways[end].precision, bounds) == slack; ++end) {
-      with_arithmetic(view, ways[end].precision, [&]<class TestRay>(Arithmetic<TestRay>) {
-        found.push_back(trace<TestRay>(view, grids, trial.rays, ways[end].stop));
+    for (end = begin; end < modes.size() && slack_for(modes[end].precision, bounds) == slack; ++end) {
+      with_arithmetic(view, modes[end].precision, [&]<class TestRay>(Arithmetic<TestRay>) {
+        found.push_back(trace<TestRay>(view, grids, trial.rays, modes[end].stop));
       });
     }
     const auto part =
-        judged(oracle, trial.rays, slack + rounding, unit_roundoff_of(ways[begin].precision), found);
+        judged(oracle, trial.rays, slack + rounding, unit_roundoff_of(modes[begin].precision), found);
     tallies.insert(tallies.end(), part.begin(), part.end());
   }
   return tallies;
@@ -123,17 +123,17 @@ std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bou
 template <class Stored>
 std::vector<Tally> judged_by(Judge judge, const SceneView<Stored>& view, const Boxd& bounds,
                              const std::vector<Grid>& grids, const Trial<Stored>& trial,
-                             const std::vector<Way>& ways) {
-  if (judge == Judge::closest) return judged_closest(view, bounds, grids, trial, ways);
+                             const std::vector<Mode>& modes) {
+  if (judge == Judge::closest) return judged_closest(view, bounds, grids, trial, modes);
   std::vector<Tally> tallies;
-  for (const Way& way : ways) {
-    with_arithmetic(view, way.precision, [&]<class TestRay>(Arithmetic<TestRay>) {
+  for (const Mode& mode : modes) {
+    with_arithmetic(view, mode.precision, [&]<class TestRay>(Arithmetic<TestRay>) {
       switch (judge) {
       case Judge::enclosed:
-        tallies.push_back(judged_enclosed(trace<TestRay>(view, grids, trial.rays, way.stop)));
+        tallies.push_back(judged_enclosed(trace<TestRay>(view, grids, trial.rays, mode.stop)));
         break;
       case Judge::leaving:
-        tallies.push_back(judged_leaving<TestRay>(view, grids, trial, slack_for(way.precision, bounds)));
+        tallies.push_back(judged_leaving<TestRay>(view, grids, trial, slack_for(mode.precision, bounds)));
         break;
       case Judge::glass:
         tallies.push_back(judged_glass<TestRay>(view, grids, trial));
@@ -147,9 +147,9 @@ std::vector<Tally> judged_by(Judge judge, const SceneView<Stored>& view, const B
   return tallies;
 }
 
-bool is_within(const Sweep& sweep, const Way& way, bool float64, double step) {
+bool is_within(const Sweep& sweep, const Mode& mode, bool float64, double step) {
   if (float64) return sweep.doubled64.holds(step);
-  return (way.precision == Precision::doubled ? sweep.doubled : sweep.robust).holds(step);
+  return (mode.precision == Precision::doubled ? sweep.doubled : sweep.robust).holds(step);
 }
 
 template <class Stored>
@@ -158,14 +158,14 @@ void run_step(const Sweep& sweep, Trial<Stored> trial, double step,
   constexpr bool float64 = std::is_same_v<Stored, double>;
   const SceneView<Stored> view = trial.scene.view();
   const Boxd bounds = trial.scene.bounds();
-  const std::vector<Way> ways = ways_for<Stored>(sweep.judge);
+  const std::vector<Mode> modes = modes_for<Stored>(sweep.judge);
   const std::vector<Tally> tallies =
-      judged_by(sweep.judge, view, bounds, build(view, bounds, trial.grids), trial, ways);
-  for (std::size_t i = 0; i < ways.size(); ++i) {
-    const Way& way = ways[i];
-    const bool promised = way.precision != Precision::fast && way.stop == StopRule::proven;
-    report({sweep.name, sweep.parameter, step, way, float64, promised,
-            promised && is_within(sweep, way, float64, step), tallies[i]});
+      judged_by(sweep.judge, view, bounds, build(view, bounds, trial.grids), trial, modes);
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const Mode& mode = modes[i];
+    const bool promised = mode.precision != Precision::fast && mode.stop == StopRule::proven;
+    report({sweep.name, sweep.parameter, step, mode, float64, promised,
+            promised && is_within(sweep, mode, float64, step), tallies[i]});
   }
 }
 
@@ -193,12 +193,12 @@ void run(const Sweep& sweep, const RunSettings& settings, const std::function<vo
 }
 
 std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
-                                 std::span<const Ray<double>> rays, const Way& way) {
+                                 std::span<const Ray<double>> rays, const Mode& mode) {
   std::vector<Found> found(rays.size());
   TracingRules rules;
-  rules.precision = way.precision;
-  rules.stop = way.stop;
-  with_store_and_arithmetic(scene, way.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+  rules.precision = mode.precision;
+  rules.stop = mode.stop;
+  with_store_and_arithmetic(scene, mode.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
     with_method<TestRay>(view, &grid, rules, [&]<class M>(const auto& accelerator, M, const auto&) {
       tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
         const auto hit = find<M>(view, accelerator, rays[i]);

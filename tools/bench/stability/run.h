@@ -10,12 +10,12 @@
 namespace masu::stability {
 
 // A precision and a stop rule.
-struct Way {
+struct Mode {
   const char* name;
   Precision precision;
   StopRule stop;
 };
-inline constexpr Way fast{"fast", Precision::fast, StopRule::proven},
+inline constexpr Mode fast{"fast", Precision::fast, StopRule::proven},
     first_cell{"first-cell-hit", Precision::robust, StopRule::first_cell},
     robust{"robust", Precision::robust, StopRule::proven},
     doubled{"double", Precision::doubled, StopRule::proven};
@@ -25,7 +25,7 @@ inline constexpr std::array all_ways{fast, first_cell, robust, doubled};
 struct Row {
   std::string sweep, parameter;
   double step;
-  Way way;
+  Mode mode;
   bool float64;  // the store
   bool promised; // robust or double, proven: no ray may fail
   bool within;   // promised, and the step is within its envelope: most rays must be sure
@@ -42,7 +42,7 @@ void run(const Sweep& sweep, const RunSettings& settings, const std::function<vo
 
 // Closest hits of rays through a grid file in one mode, on the CPU.
 std::vector<Found> found_through(const SceneFile& scene, const GridFile& grid,
-                                 std::span<const Ray<double>> rays, const Way& way);
+                                 std::span<const Ray<double>> rays, const Mode& mode);
 
 // The error bound of a precision for primitives within `bounds`; that of robust for fast, too.
 double slack_for(Precision precision, const Boxd& bounds);
