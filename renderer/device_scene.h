@@ -74,6 +74,7 @@ template <class Stored>
 struct DeviceFilesOf {
   DeviceScene<Stored> scene;
   DeviceGrid grid;
+  mutable KnownKernels kernels;
 
   DeviceFilesOf(const SceneView<Stored>& host_scene, const GridFile* host_grid, Transfer& upload)
       : scene(host_scene, upload), grid(host_grid, upload) {}

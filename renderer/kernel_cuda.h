@@ -7,6 +7,8 @@
 #include <cuda/atomic>
 
 #include <algorithm>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace masu {
@@ -57,5 +59,27 @@ std::uint32_t resident_blocks(Kernel* kernel, int threads, int each) {
   check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&fitting, kernel, threads, 0));
   return static_cast<std::uint32_t>(multiprocessors * std::max(each > 0 ? each : fitting, 1));
 }
+
+// What a device says of kernels, asked once: it takes longer than a launch. For threads at the same time.
+class KnownKernels {
+public:
+  struct Known {
+    KernelSize size;
+    std::uint32_t blocks; // of so many threads that are resident at once
+  };
+  template <class Kernel>
+  Known of(Kernel* kernel, int threads) {
+    const auto* const key = reinterpret_cast<const void*>(kernel);
+    const std::lock_guard lock(mutex_);
+    for (const auto& [known, value] : all_)
+      if (known == key) return value;
+    all_.push_back({key, {load(kernel), resident_blocks(kernel, threads, 0)}});
+    return all_.back().second;
+  }
+
+private:
+  std::mutex mutex_;
+  std::vector<std::pair<const void*, Known>> all_;
+};
 
 } // namespace masu

@@ -121,31 +121,32 @@ constexpr bool has_warp_loops = query == Query::nearest_hit || std::is_same_v<Te
 
 // Traces by warp or warp_refill (RayLoop).
 template <Query query, class M, class Stored, class Grid>
-KernelSize trace_by_warps(const SceneView<Stored>& scene, const Grid& grid, RayLoop loop,
+KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, RayLoop loop,
                           const RayBatch<typename M::Real>& batch) {
   using Real = typename M::Real;
+  const SceneView<Stored>& scene = files.scene.view;
   const auto count = static_cast<std::uint32_t>(batch.count);
   const cudaStream_t stream = batch.stream;
   const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
-  const unsigned blocks = std::min(blocks_of(rays_a_block, count), resident_blocks(trace, rays_a_block, 0)),
-                 finishing = std::max(blocks, resident_blocks(finish, rays_a_block, 0));
+  auto* const cull = cull_kernel<query, Real, Stored>;
+  const auto known = files.kernels.of(trace, rays_a_block),
+             known_finish = files.kernels.of(finish, rays_a_block);
+  const std::uint32_t blocks = std::min(blocks_of(rays_a_block, count), known.blocks),
+                      finishing = std::max(blocks, known_finish.blocks);
   const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), stream);
   const bool may_cull = refills && count >= min_rays_culled;
   const DeviceArray<std::uint32_t> chosen(may_cull ? count : 0, stream);
   const RayQueue<Real> queue{batch.rays, count, chosen.data(), may_cull};
-  const KernelSize size = load(trace);
-  load(finish);
-  const unsigned culling = resident_blocks(cull_kernel<query, Real, Stored>, threads_a_culling_block, 0);
   batch.begin();
   if (may_cull)
-    cull_kernel<query, Real, Stored><<<culling, threads_a_culling_block, 0, stream>>>(
+    cull<<<files.kernels.of(cull, threads_a_culling_block).blocks, threads_a_culling_block, 0, stream>>>(
         scene, batch.rays, count, batch.results, chosen.data(), left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
   trace<<<blocks, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
   finish<<<finishing, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
-  return size;
+  return known.size;
 }
 
 // Puts a query on its stream. Throws Error(device).
@@ -164,12 +165,12 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
                     M::stop == StopRule::proven && has_warp_loops<query, TestRay>) {
         if (request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps) {
-          size = trace_by_warps<query, M>(scene, grid, request.loop, batch);
+          size = trace_by_warps<query, M>(files, grid, request.loop, batch);
           return;
         }
       }
       auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
-      size = load(kernel);
+      size = files.kernels.of(kernel, rays_a_block).size;
       batch.begin();
       kernel<<<blocks_of(rays_a_block, batch.count), rays_a_block, 0, batch.stream>>>(
           scene, grid, batch.rays, batch.count, batch.results, batch.counts);
