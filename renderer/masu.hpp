@@ -73,17 +73,20 @@ public:
   }
 
   // In host memory, or all in memory of the tracer's GPU.
-  void nearest(const masu_ray* rays, std::size_t count, const masu_hits& hits, const masu_query& query = {}) const {
+  void nearest(const masu_ray* rays, std::size_t count, const masu_hits& hits,
+               const masu_query& query = {}) const {
     check(masu_nearest(tracer_.get(), rays, count, &query, &hits));
   }
-  void occluded(const masu_ray* rays, std::size_t count, std::uint8_t* occluded, const masu_query& query = {}) const {
+  void occluded(const masu_ray* rays, std::size_t count, std::uint8_t* occluded,
+                const masu_query& query = {}) const {
     check(masu_occluded(tracer_.get(), rays, count, &query, occluded));
   }
 
   // In host memory.
   Hits nearest(std::span<const masu_ray> rays, const masu_query& query = {}) const {
     Hits found{std::vector<float>(rays.size()), std::vector<std::uint32_t>(rays.size())};
-    nearest(rays.data(), rays.size(), {found.t.data(), found.primitive.data(), nullptr, nullptr, nullptr}, query);
+    nearest(rays.data(), rays.size(), {found.t.data(), found.primitive.data(), nullptr, nullptr, nullptr},
+            query);
     return found;
   }
   std::vector<std::uint8_t> occluded(std::span<const masu_ray> rays, const masu_query& query = {}) const {
