@@ -2,6 +2,7 @@
 #include "libscene/available_memory.h"
 #include "libscene/file/output_file.h"
 #include "libscene/mesh/import.h"
+#include "tools/progress.h"
 #include "tools/scene_report.h"
 
 #include <sys/resource.h>
@@ -20,6 +21,7 @@ struct Settings {
   std::string input, objects, size;
   ImportOptions import;
   SceneOutput output;
+  bool quiet = false;
   Threads threads;
 };
 
@@ -103,8 +105,12 @@ void run(const Settings& settings) {
   const auto limit = settings.threads.limit();
   check_files({settings.input}, {settings.output.path, settings.objects});
   limit_memory();
-  const ImportedScene imported =
-      guarded(settings.input, [&] { return read_mesh(settings.input, settings.import); });
+  const ImportedScene imported = guarded(settings.input, [&] {
+    Progress progress("reading", settings.quiet);
+    ImportOptions options = settings.import;
+    options.progress = progress.callback();
+    return read_mesh(settings.input, options);
+  });
   print_notes(imported.notes, settings.input);
   write_and_report("mesh2bin", settings.input, imported.scene, settings.output);
   if (!settings.objects.empty()) write_names(imported.object_names, settings.objects);
@@ -131,6 +137,7 @@ int main(int argc, char** argv) {
             "--objects", settings.objects,
             "write the objects' names, one a line in the order of their numbers; - is standard output");
         settings.output.add_to(app);
+        app.add_flag("-q,--quiet", settings.quiet, "no progress on standard error");
         settings.threads.add_to(app);
         parse();
         if (!settings.size.empty()) {

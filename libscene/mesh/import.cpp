@@ -15,11 +15,13 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <assimp/ProgressHandler.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -269,8 +271,22 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-void set_up(Assimp::Importer& importer) {
+class Progress final : public Assimp::ProgressHandler {
+public:
+  explicit Progress(const std::function<void(double)>& progress) : progress_(progress) {}
+  bool Update(float share) override {
+    if (share >= 0) progress_(static_cast<double>(std::min(share, 1.0F)));
+    return true; // goes on
+  }
+
+private:
+  const std::function<void(double)>& progress_;
+};
+
+void set_up(Assimp::Importer& importer, const ImportOptions& options) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  if (options.progress)
+    importer.SetProgressHandler(std::make_unique<Progress>(options.progress).release()); // owned by it
 }
 
 // Assimp's message as one line.
@@ -290,7 +306,7 @@ void set_up(Assimp::Importer& importer) {
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
   import::check_ply_header(text_of(MappedFile(path).bytes()), path);
   Assimp::Importer importer;
-  set_up(importer);
+  set_up(importer, options);
   const aiScene* const file = importer.ReadFile(path, no_steps);
   if (file == nullptr) fail(importer, path);
   return imported(*file, path, options);
@@ -300,7 +316,7 @@ ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string&
                          const std::string& name, const ImportOptions& options) {
   import::check_ply_header(text_of(bytes), name);
   Assimp::Importer importer;
-  set_up(importer);
+  set_up(importer, options);
   const aiScene* const file =
       importer.ReadFileFromMemory(bytes.data(), bytes.size(), no_steps, extension.c_str());
   if (file == nullptr) fail(importer, name);

@@ -13,6 +13,7 @@
 #include "libscene/scene.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct ImportOptions {
   UpAxis up = UpAxis::y; // of the automatic camera only: nothing is rotated
   // Pixels of the picture; 0: the aspect ratio of the file's camera, 512 pixels high.
   std::int32_t width = 0, height = 0;
+  std::function<void(double)> progress{}; // gets shares of the reading, as far as Assimp tells
 };
 
 // What a file holds that its scene doesn't, and what was made up.
