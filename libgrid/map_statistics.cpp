@@ -171,7 +171,7 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
   statistics.loads = loads / voxels;
 
   const std::vector<OwnVoxels> own = own_voxels(grid, cells);
-  double log_stretch = 0;
+  double log_expansion = 0;
   std::uint64_t reached = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (own[i].voxels == 0) continue;
@@ -181,11 +181,11 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
     if (size >= statistics.cells_by_size.size()) statistics.cells_by_size.resize(size + 1, 0);
     ++statistics.cells_by_size[size];
     const double factor = volume_of(cells[i]) / static_cast<double>(own[i].voxels);
-    log_stretch += std::log(factor);
+    log_expansion += std::log(factor);
     if (factor > 1) ++statistics.expanded_cells;
   }
   statistics.mean_expansion =
-      std::exp(log_stretch / static_cast<double>(std::max<std::uint64_t>(reached, 1)));
+      std::exp(log_expansion / static_cast<double>(std::max<std::uint64_t>(reached, 1)));
   statistics.ray = expected_ray(grid, cells, own);
   return statistics;
 }

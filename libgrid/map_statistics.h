@@ -27,7 +27,7 @@ struct MapStatistics {
   double loads = 0;                              // of words of the map, for a random point
   ExpectedRay ray;
   // Of merged grids: cells by size, cells_by_size[n] of 2^n to 2^(n+1) - 1 voxels of their own; and how many
-  // times larger stretching made their boxes, in the geometric mean over all cells, since a few cells' grow
+  // times larger expansion made their boxes, in the geometric mean over all cells, since a few cells' grow
   // beyond all others.
   std::vector<std::uint64_t> cells_by_size;
   std::uint64_t expanded_cells = 0;

@@ -39,9 +39,9 @@ std::array<std::array<std::int32_t, 2>, 3> ranges_of(const MergedCell& cell) {
 }
 
 // A face moves as far as all its neighbours let it; one that once couldn't, never does again.
-class SlowStretcher {
+class SlowExpander {
 public:
-  explicit SlowStretcher(Grid& grid) : grid_(grid), own_(grid.cells), blocked_(grid.cells.size()) {}
+  explicit SlowExpander(Grid& grid) : grid_(grid), own_(grid.cells), blocked_(grid.cells.size()) {}
   int gave_up = 0; // faces of more than max_visits
 
   void pass() {
@@ -115,15 +115,15 @@ TEST(Stretch, MovesFacesAsDefined) {
     Grid fast = slow;
     TbbExecutor executor;
     expand_cells(executor, merged_view_of<double>(fast), fast.cells.size(), fast.cells.data(), rounds);
-    SlowStretcher stretcher(slow);
+    SlowExpander expander(slow);
     for (int i = 0; i < rounds; ++i)
-      stretcher.pass();
+      expander.pass();
     for (std::size_t i = 0; i < slow.cells.size(); ++i) {
       ASSERT_EQ(ranges_of(fast.cells[i]), ranges_of(slow.cells[i])) << "cell " << i;
       ASSERT_EQ(fast.cells[i].list, slow.cells[i].list);
     }
     cells += static_cast<std::int64_t>(slow.cells.size());
-    gave_up += stretcher.gave_up;
+    gave_up += expander.gave_up;
   }
   EXPECT_GT(cells, cases(1000));
   EXPECT_GT(gave_up, 0);

@@ -131,7 +131,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
     ASSERT_EQ(told_by_rows.size(), own.size());
     std::vector<std::uint64_t> by_size;
     std::uint64_t expanded = 0;
-    double log_stretch = 0, cells = 0, tests = 0;
+    double log_expansion = 0, cells = 0, tests = 0;
     const Vec3d size = cast<double>(view.voxel_size);
     const double space = half_area(cast<double>(view.division) * size);
     for (std::size_t cell = 0; cell < own.size(); ++cell) {
@@ -151,14 +151,14 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
       for (const std::uint32_t range : {c.x, c.y, c.z})
         volume *= static_cast<double>(range >> 16) - static_cast<double>(range & 0xffff);
       if (volume > static_cast<double>(own[cell].voxels)) ++expanded;
-      log_stretch += std::log(volume / static_cast<double>(own[cell].voxels));
+      log_expansion += std::log(volume / static_cast<double>(own[cell].voxels));
       const double share = half_area(cast<double>(w) * size) / space;
       cells += share;
       tests += share * references_in(view, box.first);
     }
     EXPECT_EQ(told.cells_by_size, by_size);
     EXPECT_EQ(told.expanded_cells, expanded);
-    EXPECT_NEAR(std::log(told.mean_expansion), log_stretch / static_cast<double>(own.size()), 1e-9);
+    EXPECT_NEAR(std::log(told.mean_expansion), log_expansion / static_cast<double>(own.size()), 1e-9);
     EXPECT_NEAR(told.ray.cells, cells, 1e-9 * cells);
     EXPECT_NEAR(told.ray.tests, tests, 1e-9 * (1 + tests));
     // With what is skipped, every voxel by itself.

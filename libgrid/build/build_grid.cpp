@@ -21,7 +21,7 @@ void check_memory(const GridLayout& layout, double references) {
                   n.x, n.y, n.z, needed / 1e9, available / 1e9));
 }
 
-// As files have it from version 2 on: they call expansion stretching.
+// As files have it.
 std::string merge_text(GridKind kind, const GridOptions& options) {
   switch (kind) {
   case GridKind::x:
@@ -29,7 +29,7 @@ std::string merge_text(GridKind kind, const GridOptions& options) {
   case GridKind::balance:
     return fmt::format("balance target {}", options.target);
   case GridKind::irregular:
-    return fmt::format("irregular nested {} detail {} step {} alpha {} stretch {}", options.nested_log2,
+    return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
                        options.detail, options.step_cost, options.alpha, options.expansions);
   case GridKind::uniform:
   case GridKind::automatic:
