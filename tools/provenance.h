@@ -30,10 +30,19 @@ inline nlohmann::ordered_json provenance() {
   return {{"version", version}, {"commit", commit}, {"command", command_line()}};
 }
 
-// Rows of measurements, each with the version and the commit.
+// Rows, each with the version and the commit.
 inline nlohmann::ordered_json with_version(nlohmann::ordered_json rows) {
   for (auto& row : rows)
     row.update(program_version());
+  return rows;
+}
+
+// Rows of measurements, each with that, the command and the device.
+inline nlohmann::ordered_json with_provenance(nlohmann::ordered_json rows, const std::string& device) {
+  nlohmann::ordered_json origin = provenance();
+  origin["device"] = device;
+  for (auto& row : rows)
+    row.update(origin);
   return rows;
 }
 

@@ -117,7 +117,7 @@ void bench_frame(const Settings& settings) {
       if (!settings.json) print_row(rows.back());
     }
   }
-  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
+  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(cuda)).dump(2));
 }
 
 } // namespace

@@ -86,7 +86,7 @@ void bench_lists(const Settings& settings) {
                  row["kernel_seconds"].get<double>(), row["plain_copy_seconds"].get<double>(),
                  row["plain_copy_over_list"].get<double>());
   }
-  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
+  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(true)).dump(2));
 }
 
 } // namespace

@@ -100,8 +100,10 @@ void print_table(const Json& report) {
 
 void bench_load(const Settings& settings) {
   const auto limit = settings.threads.limit();
-  Json report = measure(settings, use_cuda(settings.backend, "gridbench"));
-  report.update(program_version());
+  const bool cuda = use_cuda(settings.backend, "gridbench");
+  Json report = measure(settings, cuda);
+  report.update(provenance());
+  report["device"] = device_name(cuda);
   if (settings.json)
     fmt::print("{}\n", report.dump(2));
   else

@@ -106,7 +106,7 @@ void bench_oracle(const Settings& settings) {
                  t.missed, t.false_hit, t.wrong, t.misplaced, t.worst_t);
     }
   }
-  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
+  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(false)).dump(2));
 }
 
 } // namespace

@@ -98,6 +98,7 @@ Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, 
   };
   return {{"grid", grid.path()},
           {"grid_bytes", grid.bytes()},
+          {"grid_hash", to_hex(grid.hash())},
           {"rays", set.name},
           {"query", set.query == Query::nearest_hit ? "closest_hit" : "any_hit"},
           {"count", set.rays.size()},
@@ -152,7 +153,7 @@ void bench_rays(const Settings& settings) {
       }
     }
   }
-  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
+  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(cuda)).dump(2));
 }
 
 } // namespace

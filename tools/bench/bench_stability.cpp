@@ -106,7 +106,7 @@ void bench_stability(const Settings& settings) {
     });
   }
   const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
-  if (settings.json) fmt::print("{}\n", with_version(rows).dump(2));
+  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(cuda)).dump(2));
   if (bad == 0) return;
   flush_standard_output();
   throw Error(
