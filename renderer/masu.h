@@ -32,6 +32,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+/* NOLINTBEGIN(modernize-use-using): C */
 
 /* The first four are the tools' exit codes. */
 typedef enum masu_status {
@@ -196,6 +197,7 @@ MASU_API void masu_default_grid_options(masu_grid_options* options);
 /* Writes the grid file of a scene file, whole or not at all. */
 MASU_API masu_status masu_build_grid(const char* scene, const char* grid, const masu_grid_options* options);
 
+/* NOLINTEND(modernize-use-using) */
 #ifdef __cplusplus
 }
 #endif

@@ -43,9 +43,9 @@ BuildResult on_host(ExecutorGrid<Executor> grid) {
 template <class Stored>
 struct EmitOverlaps {
   SceneView<Stored> scene;
-  GridLayout layout;
-  Overlap overlap;
-  StorageOrder order;
+  GridLayout layout{};
+  Overlap overlap{};
+  StorageOrder order{};
 
   MASU_HD std::uint64_t size(std::uint64_t i) const {
     std::uint64_t rows = 0;
