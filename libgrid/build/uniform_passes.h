@@ -45,7 +45,7 @@ struct EmitOverlaps {
   SceneView<Stored> scene;
   GridLayout layout{};
   Overlap overlap{};
-  StorageOrder order{};
+  StorageOrder order;
 
   MASU_HD std::uint64_t size(std::uint64_t i) const {
     std::uint64_t rows = 0;
