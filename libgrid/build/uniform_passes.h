@@ -41,10 +41,10 @@ BuildResult on_host(ExecutorGrid<Executor> grid) {
 // Pairs of a voxel's index in the storage order and a primitive that it lists, row by row of the voxels that
 // the primitive's bounds meet.
 template <class Stored>
-struct EmitOverlaps {
+struct EmitOverlaps { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   SceneView<Stored> scene;
-  GridLayout layout{};
-  Overlap overlap{};
+  GridLayout layout;
+  Overlap overlap;
   StorageOrder order;
 
   MASU_HD std::uint64_t size(std::uint64_t i) const {
