@@ -137,7 +137,7 @@ ResidentRays upload_rays_cuda(const RayList& rays) {
   memory->primitive = DeviceArray<std::uint32_t>(rays.count);
   memory->occluded = DeviceArray<std::uint8_t>(rays.count);
   check(cudaStreamSynchronize(nullptr)); // the rays are copied
-  ResidentRays resident{RayList(memory->rays.data(), rays.count, rays.format), {}, 0, memory};
+  ResidentRays resident{RayList(memory->rays.data(), rays.count, rays.format), {}, memory};
   resident.results.t = memory->t.data();
   resident.results.primitive = memory->primitive.data();
   resident.results.occluded = memory->occluded.data();

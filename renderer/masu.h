@@ -4,10 +4,10 @@
  * (as gridbuild does). Then masu_open() maps both, checks them, puts them on a device once, and
  * masu_nearest() and masu_occluded() answer queries until masu_close().
  *
- * Every function but masu_close(), masu_error() and masu_version() returns a status: MASU_OK, or what went
- * wrong, and masu_error() then says it in one line. After an error nothing was written to the results of a
- * query in host memory that can be relied on. No function terminates the process, and no damaged file and no
- * ray can make one fault; what must be right are pointers and counts.
+ * Functions that can fail return a status: MASU_OK, or what went wrong, and masu_error() then says it in one
+ * line. After an error nothing was written to the results of a query in host memory that can be relied on. No
+ * function terminates the process, and no damaged file and no ray can make one fault; what must be right are
+ * pointers and counts.
  *
  * Threads: a tracer may be used by several threads at the same time, except for masu_close(). Queries of rays
  * in host memory return when their results are there; they use all cores, or on a GPU streams of their own.

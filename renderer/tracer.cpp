@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace masu {
 namespace {
 
@@ -35,7 +33,7 @@ ResidentRays resident_rays(std::span<const Ray<double>> rays, Device device) {
   memory->t.resize(rays.size());
   memory->primitive.resize(rays.size());
   memory->occluded.resize(rays.size());
-  ResidentRays resident{RayList(memory->rays), {}, 0, memory};
+  ResidentRays resident{RayList(memory->rays), {}, memory};
   resident.results.t = memory->t.data();
   resident.results.primitive = memory->primitive.data();
   resident.results.occluded = memory->occluded.data();
@@ -153,11 +151,8 @@ RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName na
 
 ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precision) const {
   precision = masu::resolved(precision, scene_);
-  const Stopwatch watch;
-  ResidentRays resident = precision == Precision::doubled ? resident_rays<double>(rays, device_)
-                                                          : resident_rays<float>(rays, device_);
-  resident.upload_seconds = watch.seconds();
-  return resident;
+  return precision == Precision::doubled ? resident_rays<double>(rays, device_)
+                                         : resident_rays<float>(rays, device_);
 }
 
 QueryReport Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {

@@ -113,8 +113,7 @@ struct QueryReport {
   KernelSize kernel{};
 };
 
-// The results of a list of rays in vectors: those that the query writes, and the attributes that were asked
-// for.
+// The results of a list of rays as records.
 struct RayHits {
   std::vector<HitRecord> hits; // one a ray, in the list's order; for occlusion t is 1, name 0 or -1
   QueryReport report;
@@ -124,7 +123,6 @@ struct RayHits {
 struct ResidentRays {
   RayList list;
   RayResults results;
-  double upload_seconds = 0;
   std::shared_ptr<void> memory{}; // what they point to
 };
 

@@ -1,4 +1,4 @@
-// What is told of where cells are, against every voxel looked up by itself, and against random lines.
+// Statistics of where cells are, against every voxel looked up by itself, and against random lines.
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
 #include "libgrid/file/grid_file.h"
