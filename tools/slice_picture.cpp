@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -423,7 +424,7 @@ SlicePlane parse_slice(const std::string& text, const GridLayout& finest) {
   const double value = std::strtod(number, &end);
   if (text[1] == '@')
     return end == last && std::isfinite(value) ? plane_at(finest, axis, value, place) : fail();
-  if (end + 1 != last || !std::isfinite(value)) return fail();
+  if (end == number || end + 1 != last || !std::isfinite(value)) return fail();
   if (!(value >= 0 && value <= 100))
     throw Error(ErrorCode::usage, place, fmt::format("'{}' lies outside: give 0% to 100%", text));
   const double low = finest.space.min[axis], high = finest.space.max[axis];
