@@ -251,7 +251,7 @@ void draw_axes(Canvas& canvas, const Chart& chart) {
   const auto most = [&](double length, double label) {
     return std::clamp(static_cast<int>(length / label), 2, 9);
   };
-  const int columns = most(plot.width(), 52.0 * s), rows = most(plot.height(), 20.0 * s);
+  const int columns = most(plot.width(), 40.0 * s), rows = most(plot.height(), 20.0 * s);
   for (const double at : linear_ticks(plot.window.min[0], plot.window.max[0], columns)) {
     const double x = std::round(plot.x(at)), y = plot.box.bottom;
     canvas.box({x, y, x + line, y + tick}, black);
