@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the figures and tables of docs/lesson.md: lesson.sh [FOLDER], by default out/lesson; the tools are taken from
-# build/bin, or BIN. Takes four minutes on one core. THREADS (default 1): of the CPU, for measurements.
+# build/bin, or BIN. Takes two minutes on one core. THREADS (default 1): of the CPU, for measurements.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=$(cd "${BIN:-build/bin}" && pwd)
@@ -19,9 +19,9 @@ cost() { # name, scene, grid…
   local name=$1
   shift
   echo
-  echo "\$ gridbench rays $* --sets primary --size 512x512 --backend cpu --threads $threads --warm-up 1 --repeat 5"
+  echo "\$ gridbench rays $* --sets primary --size 256x256 --backend cpu --threads $threads --warm-up 1 --repeat 7"
   for _ in 1 2 3; do
-    gridbench rays "$@" --sets primary --size 512x512 --backend cpu --threads "$threads" --warm-up 1 --repeat 5 --json
+    gridbench rays "$@" --sets primary --size 256x256 --backend cpu --threads "$threads" --warm-up 1 --repeat 7 --json
   done |
     awk -F '[:,]' '
       function number() { return $2 + 0 }
@@ -64,9 +64,9 @@ heads() { printf '%-16s' grid; printf ' %14s' "$@"; echo; }
 section "1. Scenes"
 for scene in teapot balls; do
   nffgen $scene | nff2bin - -o $scene.scene >/dev/null
-  for n in $divisions; do gridbuild -q $scene.scene -o $scene-$n.grid --division "$n"; done
+  for n in $divisions; do gridbuild -q $scene.scene -o "$scene-$n.grid" --division "$n"; done
 done
-run gridrender -q teapot.scene teapot-32.grid -o teapot.png --size 256x256 --backend cpu
+run gridrender -q teapot.scene teapot-32.grid -o teapot.png --size 160x160 --backend cpu
 
 section "2. A uniform grid's trade-off"
 grids() { for n in $divisions; do echo "$1-$n.grid"; done; }
@@ -79,7 +79,7 @@ for scene in teapot balls; do
 done
 if command -v gnuplot >/dev/null; then
   gnuplot <<'END'
-set terminal pngcairo size 900, 360 font 'DejaVu Sans,11' background rgb 'white'
+set terminal pngcairo size 800, 320 font 'DejaVu Sans,10' background rgb 'white'
 set output 'tradeoff.png'
 set multiplot layout 1, 2
 set logscale xy 2
@@ -89,9 +89,9 @@ set border 3
 set tics nomirror
 set xlabel 'voxels an axis'
 set xtics ('2' 2, '4' 4, '8' 8, '16' 16, '32' 32, '64' 64, '128' 128)
-set key bottom center
-set yrange [1:20000]
-set xrange [2:128]
+set key top right
+set yrange [1:200000]
+set xrange [1.8:140]
 do for [scene in 'teapot balls'] {
   set title scene
   plot scene.'.dat' using 1:2 with linespoints lw 2 pt 7 lc rgb '#0072b2' title 'tests a ray', \
@@ -103,14 +103,16 @@ END
 else
   echo "tradeoff.png: left out (it needs gnuplot)"
 fi
-for n in 8 32 128; do
+for n in 8 32; do
   gridstat teapot-$n.grid --slice y@0 --outline teapot.scene --lines --size 480 -o uniform-$n.png \
     --title "uniform, $n x $n x $n"
 done
+gridstat teapot-128.grid --slice y@0 --size 480 -o uniform-128.png --title "uniform, 128 x 128 x 128"
 
 section "3. Occupancy"
 # The 2012 thesis's scenes: without floors and the spheres of mount.
 for scene in "teapot 6" "tetra 6" "mount 6" "nurbs 5" "balls 4" "tree 11" "rings 7"; do
+  # shellcheck disable=SC2086 # words
   set -- $scene
   more=--no-background
   if [ "$1" = teapot ]; then more=; fi # the squares count
@@ -148,10 +150,10 @@ section "6. What a ray costs, and its walk"
 if gridrender --help | grep -q -- --channels; then
   for grid in 32 irregular; do
     run gridrender -q teapot.scene teapot-$grid.grid -o rays-$grid.png --channels cells,tests --no-picture \
-      --size 256x256 --sampling centers --backend cpu
+      --size 160x160 --sampling centers --backend cpu
   done
-  run gridrender -q teapot.scene teapot-32.grid --walk 128,128 --size 256x256 --sampling centers
-  run gridrender -q teapot.scene teapot-irregular.grid --walk 128,128 --size 256x256 --sampling centers
+  run gridrender -q teapot.scene teapot-32.grid --walk 150,120 --size 256x256 --sampling centers
+  run gridrender -q teapot.scene teapot-irregular.grid --walk 150,120 --size 256x256 --sampling centers
 else
   echo "left out: this gridrender has no --channels"
 fi

@@ -75,7 +75,7 @@ struct ValueScale {
   // Both ends, and round numbers between them that leave room for the ends' labels.
   std::vector<double> ticks(double length, double label_height) const {
     if (!(high > low)) return {low};
-    const int most = std::clamp(static_cast<int>(length / (2 * label_height)), 2, 8);
+    const int most = std::clamp(static_cast<int>(length / (1.7 * label_height)), 2, 8);
     std::vector<double> ticks{low};
     for (const double tick : is_logarithmic() ? logarithmic_ticks(low, high, static_cast<std::size_t>(most))
                                               : linear_ticks(low, high, most, true)) {
@@ -393,7 +393,7 @@ const char* kind_of(fb::Merge merge) {
 std::string subtitle_of(const GridFile& file, bool has_outline) {
   std::string text =
       fmt::format("{}, {} voxels", kind_of(file.table().merge()), by_by(file.layout().division));
-  if (file.table().nested_log2() > 0) text += fmt::format(", nested up to 2^{}", file.table().nested_log2());
+  if (file.table().nested_log2() > 0) text += fmt::format(", nested 2^{}", file.table().nested_log2());
   return text + (has_outline ? "; red: geometry" : "");
 }
 
