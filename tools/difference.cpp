@@ -55,7 +55,7 @@ Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std
 
 Raster difference_picture(const Difference& difference) {
   Caption caption;
-  caption.title = fmt::format("difference: largest of a pixel's numbers; rmse {:.4g}, {} of {} pixels differ",
+  caption.title = fmt::format("difference: the largest of each pixel; rmse {:.4g}, {} of {} pixels differ",
                               difference.rmse, difference.different_pixels, difference.pixels.size());
   caption.unit = "absolute difference";
   caption.without = "infinite in one picture only";

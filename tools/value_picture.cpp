@@ -110,8 +110,11 @@ Scale scale_of(std::vector<double> finite, Caption::Values values) {
   scale.high = scale.largest > 1.25 * most && most > smallest ? most : scale.largest;
   scale.low = values == Caption::Values::positive ? smallest : 0;
   scale.offset = values == Caption::Values::counts ? 1 : 0;
-  // Half of the values in the lowest tenth of a linear scale.
-  scale.logarithmic = scale.low + scale.offset > 0 && median - scale.low < (scale.high - scale.low) / 10;
+  // Distances that span more than a factor of 3; large counts, half of them in the lowest tenth of a linear
+  // scale.
+  scale.logarithmic = values == Caption::Values::positive
+                          ? scale.low > 0 && scale.high > 3 * scale.low
+                          : scale.offset > 0 && scale.high > 50 && median < scale.high / 10;
   return scale;
 }
 
@@ -119,14 +122,15 @@ std::string number(double value) {
   return fmt::format("{:.4g}", value);
 }
 
-// Numbers worth a label, the most welcome ones first: ends, then 1, 5 and 2 times powers of ten; of a linear
-// scale, multiples of such a number.
+// Numbers worth a label, the most welcome ones first: ends, then powers of ten and small multiples of them;
+// of a linear scale, multiples of such a number.
 std::vector<double> labels_of(const Scale& scale, bool whole_numbers) {
   std::vector<double> labels{scale.low, scale.high};
   if (scale.logarithmic) {
     const int first = static_cast<int>(std::floor(std::log10(std::max(scale.low, 1e-30)))) - 1;
     const int last = static_cast<int>(std::ceil(std::log10(scale.high)));
-    for (const double digit : {1, 3})
+    const bool few_decades = (scale.high + scale.offset) / (scale.low + scale.offset) < 50;
+    for (const double digit : few_decades ? std::vector<double>{1, 2, 5} : std::vector<double>{1, 3})
       for (int power = whole_numbers ? 0 : first; power <= last; ++power)
         labels.push_back(digit * std::pow(10, power));
     return labels;

@@ -24,8 +24,9 @@ struct Caption {
   enum class Values { positive, from_zero, counts } values = Values::positive;
 };
 
-// Values as lightness and colour. The scale is linear, or logarithmic where a linear one would show most of
-// the values as one colour. A few values that are far larger than 99.9 % of them don't stretch the scale.
+// Values as lightness and colour. The scale is linear; or logarithmic, for positive values that span more
+// than a factor of 3, and for counts beyond 50 of which half would lie in the lowest tenth of a linear one. A
+// few values that are far larger than 99.9 % of them don't stretch the scale.
 Raster value_picture(const ValueMap<double>& map, const Caption& caption);
 
 // Names as colours, neighbouring names as different ones; white for -1.
