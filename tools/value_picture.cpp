@@ -250,7 +250,7 @@ Raster name_picture(const ValueMap<std::int32_t>& map, const Caption& caption) {
   const bool has_misses = std::ranges::any_of(map.values, [](std::int32_t name) { return name < 0; });
   Page page(
       map.width, map.height, caption.title,
-      joined(fmt::format("{} {} seen; neighbours have different colors", categories.size(), caption.unit),
+      joined(fmt::format("{} {} seen; neighbours have different colours", categories.size(), caption.unit),
              has_misses ? caption.without : ""),
       false);
   for (std::int32_t y = 0; y < map.height; ++y)
