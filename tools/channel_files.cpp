@@ -70,7 +70,7 @@ void write_pfm(const Channels& channels, Channel channel, const std::string& pat
   file.commit();
 }
 
-Raster picture_of(const Channels& channels, Channel channel, bool all_rays) {
+Picture picture_of(const Channels& channels, Channel channel, bool all_rays) {
   const std::string cost = all_rays ? "the camera ray and all rays that it spawns" : "the camera ray";
   const auto map = [&]<class T>(const std::vector<T>& values) {
     return ValueMap<T>{channels.columns, channels.rows, values};
@@ -140,8 +140,8 @@ ChannelsSummary write_channels(const Tracer& tracer, const ChannelsJob& job,
       const ChannelFiles files = channel_files(job.pictures[i], channel, job.format);
       job.format == ChannelFormat::npy ? write_npy(channels, channel, files.values)
                                        : write_pfm(channels, channel, files.values);
-      const Raster picture = picture_of(channels, channel, request.all_rays);
-      write_png(picture.rgb(), picture.width(), picture.height(), files.picture, job.texts);
+      const Picture picture = picture_of(channels, channel, request.all_rays);
+      write_png(picture.rgb, picture.width, picture.height, files.picture, job.texts);
     }
   }
   summary.seconds = watch.seconds();

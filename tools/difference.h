@@ -1,8 +1,8 @@
 // How two pictures differ.
 #pragma once
 
+#include "tools/picture.h"
 #include "tools/picture_file.h"
-#include "tools/raster.h"
 
 #include <cstddef>
 
@@ -23,6 +23,6 @@ struct Difference {
 // Throws Error(input, path, …) for pictures of different sizes or channels; `path` is b's.
 Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std::string& path);
 
-Raster difference_picture(const Difference& difference);
+Picture difference_picture(const Difference& difference);
 
 } // namespace masu

@@ -133,8 +133,8 @@ void print_difference(const Inspection& inspection, const std::string& output) {
   const FloatPicture a = read_picture(inspection.difference[0]), b = read_picture(inspection.difference[1]);
   const Difference difference = difference_of(a, b, inspection.difference[1]);
   if (!output.empty()) {
-    const Raster picture = difference_picture(difference);
-    write_png(picture.rgb(), picture.width(), picture.height(), output, {{"Software", program_name()}});
+    const Picture picture = difference_picture(difference);
+    write_png(picture.rgb, picture.width, picture.height, output, {{"Software", program_name()}});
   }
   if (inspection.json.empty()) {
     std::string text =

@@ -1,5 +1,8 @@
 #include "tools/value_picture.h"
 
+#include "tools/bitmap_text.h"
+#include "tools/color_map.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +14,10 @@
 namespace masu {
 namespace {
 
+constexpr Rgb white{255, 255, 255};
+
+constexpr std::size_t usual_categories = 12; // easily told apart
+
 // --- Pages ------------------------------------------------------------------------------------------------
 
 std::size_t index_of(std::int32_t width, std::int32_t x, std::int32_t y) {
@@ -20,12 +27,12 @@ std::size_t index_of(std::int32_t width, std::int32_t x, std::int32_t y) {
 // A picture on a white page: the title above, a column at its right, lines below. Small pictures are shown
 // with squares for pixels.
 struct Page {
-  static constexpr std::int32_t wanted = 480, line_height = glyph_height + 3, bar_room = 68;
+  static constexpr std::int32_t wanted = 480, line_height = text_height + text_descent + 3, bar_room = 68;
 
   std::int32_t square, text, margin;     // of a pixel, of the font's pixels, in pixels of the page
   std::int32_t left, top, width, height; // of the picture
   std::vector<std::string> lines;
-  Raster raster;
+  Picture raster;
 
   Page(std::int32_t columns, std::int32_t rows, const std::string& title, const std::string& note,
        bool has_bar)
@@ -33,19 +40,19 @@ struct Page {
         text(std::max(2, std::max(columns, rows) * square / wanted)), margin(6 * text), left(margin),
         top(margin), width(columns * square), height(rows * square), raster(1, 1) {
     const std::int32_t across = std::max(width + (has_bar ? bar_room * text : 0), wanted * text / 2);
-    const auto characters = static_cast<std::size_t>(across / (Raster::advance * text));
+    const auto characters = static_cast<std::size_t>(across / (text_advance * text));
     const std::vector<std::string> head = wrapped(title, characters);
     lines = wrapped(note, characters);
     top += static_cast<std::int32_t>(head.size()) * line_height * text + text;
     const std::int32_t body = has_bar ? std::max(height, 60 * text) : height;
-    raster = Raster(across + 2 * margin, top + body + margin +
-                                             static_cast<std::int32_t>(lines.size()) * line_height * text +
-                                             margin / 2);
+    raster = Picture(across + 2 * margin, top + body + margin +
+                                              static_cast<std::int32_t>(lines.size()) * line_height * text +
+                                              margin / 2);
     write(head, margin);
     write(lines, top + body + margin);
   }
 
-  void set(std::int32_t x, std::int32_t y, const Rgb& color) {
+  void set(std::int32_t x, std::int32_t y, Rgb color) {
     raster.fill(left + x * square, top + y * square, square, square, color);
   }
   // Around the picture: white parts of it have an end.
@@ -74,7 +81,7 @@ private:
   }
   void write(const std::vector<std::string>& written, std::int32_t y) {
     for (const std::string& line : written) {
-      raster.text(margin, y, text, line);
+      draw_text(raster, margin, y, line, Rgb{0, 0, 0}, text);
       y += line_height * text;
     }
   }
@@ -159,9 +166,9 @@ void draw_bar(Page& page, const ColorMap& colors, const Scale& scale, bool whole
     const auto is_near = [&](std::int32_t other) { return std::abs(y - other) < 13 * unit; };
     if (std::ranges::any_of(taken, is_near)) continue;
     taken.push_back(y);
-    page.raster.fill(x + width, y - unit / 2, 3 * unit, unit, Raster::black);
+    page.raster.fill(x + width, y - unit / 2, 3 * unit, unit, Rgb{0, 0, 0});
     const std::int32_t text_y = std::clamp(y - 3 * unit, page.top, page.top + height - 7 * unit);
-    page.raster.text(x + width + 5 * unit, text_y, unit, number(label));
+    draw_text(page.raster, x + width + 5 * unit, text_y, number(label), Rgb{0, 0, 0}, unit);
   }
 }
 
@@ -194,8 +201,7 @@ std::unordered_map<std::int32_t, std::size_t> categories_of(const ValueMap<std::
   for (const auto& [name, category] : categories)
     names.push_back(name);
   std::ranges::sort(names);
-  // In order of names, each takes the first that no smaller neighbour has, from one of a dozen on.
-  constexpr std::size_t usual = 12;
+  // In order of names, each takes the first that no smaller neighbour has, from one of the usual ones on.
   auto next = touching.begin();
   for (const std::int32_t name : names) {
     std::vector<std::size_t> used;
@@ -203,10 +209,10 @@ std::unordered_map<std::int32_t, std::size_t> categories_of(const ValueMap<std::
       if (next->second < name) used.push_back(categories[next->second]);
     const auto is_free = [&](std::size_t c) { return std::ranges::find(used, c) == used.end(); };
     const std::size_t start = static_cast<std::uint32_t>(name) * 2654435769U >> 16;
-    std::size_t category = start % usual;
-    for (std::size_t tried = 0; tried < usual && !is_free(category); ++tried)
-      category = (start + tried + 1) % usual;
-    for (std::size_t more = usual; !is_free(category); ++more)
+    std::size_t category = start % usual_categories;
+    for (std::size_t tried = 0; tried < usual_categories && !is_free(category); ++tried)
+      category = (start + tried + 1) % usual_categories;
+    for (std::size_t more = usual_categories; !is_free(category); ++more)
       category = more;
     categories[name] = category;
   }
@@ -219,7 +225,7 @@ std::string joined(std::string text, const std::string& without) {
 
 } // namespace
 
-Raster value_picture(const ValueMap<double>& map, const Caption& caption) {
+Picture value_picture(const ValueMap<double>& map, const Caption& caption) {
   std::vector<double> finite;
   std::ranges::copy_if(map.values, std::back_inserter(finite), [](double v) { return std::isfinite(v); });
   const Scale scale = scale_of(finite, caption.values);
@@ -234,14 +240,14 @@ Raster value_picture(const ValueMap<double>& map, const Caption& caption) {
   for (std::int32_t y = 0; y < map.height; ++y)
     for (std::int32_t x = 0; x < map.width; ++x) {
       const double value = map.values[index_of(map.width, x, y)];
-      page.set(x, y, std::isfinite(value) ? colors(scale(value)) : Raster::white);
+      page.set(x, y, std::isfinite(value) ? colors(scale(value)) : white);
     }
   page.frame();
   if (!finite.empty()) draw_bar(page, colors, scale, caption.values == Caption::Values::counts);
   return page.raster;
 }
 
-Raster name_picture(const ValueMap<std::int32_t>& map, const Caption& caption) {
+Picture name_picture(const ValueMap<std::int32_t>& map, const Caption& caption) {
   const auto categories = categories_of(map);
   std::vector<Rgb> colors;
   for (const auto& [name, category] : categories)
@@ -256,16 +262,16 @@ Raster name_picture(const ValueMap<std::int32_t>& map, const Caption& caption) {
   for (std::int32_t y = 0; y < map.height; ++y)
     for (std::int32_t x = 0; x < map.width; ++x) {
       const std::int32_t name = map.values[index_of(map.width, x, y)];
-      page.set(x, y, name < 0 ? Raster::white : colors[categories.at(name)]);
+      page.set(x, y, name < 0 ? white : colors[categories.at(name)]);
     }
   page.frame();
   return page.raster;
 }
 
-Raster normal_picture(const ValueMap<Vec3f>& map, const Caption& caption) {
+Picture normal_picture(const ValueMap<Vec3f>& map, const Caption& caption) {
   const auto color = [](const Vec3f& n) {
     const auto channel = [](float v) { return static_cast<std::uint8_t>((v + 1) / 2 * 255 + 0.5F); };
-    return n == Vec3f{0, 0, 0} ? Raster::white : Rgb{channel(n.x), channel(n.y), channel(n.z)};
+    return n == Vec3f{0, 0, 0} ? white : Rgb{channel(n.x), channel(n.y), channel(n.z)};
   };
   const bool has_misses = std::ranges::any_of(map.values, [](const Vec3f& n) { return n == Vec3f{0, 0, 0}; });
   Page page(map.width, map.height, caption.title,
@@ -285,7 +291,7 @@ Raster normal_picture(const ValueMap<Vec3f>& map, const Caption& caption) {
                                         {"+z", {0, 0, 1}},
                                         {"-z", {0, 0, -1}}}) {
     page.raster.fill(x, y, 8 * unit, 8 * unit, color(direction));
-    page.raster.text(x + 11 * unit, y + unit / 2, unit, name);
+    draw_text(page.raster, x + 11 * unit, y + unit / 2, name, Rgb{0, 0, 0}, unit);
     y += 10 * unit;
   }
   return page.raster;
