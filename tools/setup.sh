@@ -58,8 +58,8 @@ require() {
   fi
 }
 
-basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libtbb-dev
-  libxxhash-dev nlohmann-json3-dev zlib1g-dev)
+basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
+  libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
 extras=(libassimp-dev ninja-build) # libassimp-dev: for mesh2bin
 
 # Sets cuda_options for cmake.
