@@ -16,15 +16,6 @@ void flush_standard_output() {
     throw Error(ErrorCode::output, "standard output", "can't be written");
 }
 
-std::string standard_input() {
-  std::string text;
-  std::vector<char> buffer(std::size_t{1} << 20);
-  for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), stdin)) > 0;)
-    text.append(buffer.data(), got);
-  if (std::ferror(stdin) != 0) throw Error(ErrorCode::input, "standard input", "can't be read: give a file");
-  return text;
-}
-
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
   std::vector<std::string> written{"/dev/stdout"}; // results and reports
   if (std::ranges::count(outputs, "-") > 1)

@@ -1,4 +1,4 @@
-// gridrender: maps a scene and its grid, traces rays through them, writes the picture.
+// gridrender: reads a scene and its grid, traces rays through them, writes the picture.
 #include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"

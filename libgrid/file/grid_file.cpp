@@ -200,7 +200,7 @@ GridFile::GridFile(const std::string& path, Checks checks, const Stopwatch& watc
   check(is_divisible(*table_->space()), "its space is impossible");
   check(table_->block_log2() <= 5, "its blocks are impossible");
   check(is_aligned(section_list(*table_)), "its table is damaged");
-  container_.check_sections(section_list(*table_));
+  container_.read_sections(section_list(*table_));
   check_sizes();
   if (checks == Checks::all) {
     check_records();

@@ -38,7 +38,7 @@ std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
   runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
   runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
   const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
-  runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU reads the mapping in place
+  runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU traces what was read
   runs.load.push_back(runs.map.back() + runs.validate.back() + runs.upload.back());
   return scene.bytes() + grid.bytes();
 }
@@ -117,7 +117,7 @@ void add_load(CLI::App& app) {
   Settings& settings = *owned;
   CLI::App& command = *app.add_subcommand(
       "load",
-      "Mapping, validating and uploading a scene and its grid, compared with plain copies of their bytes");
+      "Reading, validating and uploading a scene and its grid, compared with plain copies of their bytes");
   command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
   add_backend(command, settings.backend);

@@ -110,7 +110,7 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
       scene.is_float64()
           ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), scene.geometry_hash(), options)
           : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), scene.geometry_hash(), options);
-  const MemoryFile file; // lives on in the mapping
+  const MemoryFile file; // its contents live on in the grid
   write_grid(grid, origin, file.path());
   return GridFile(file.path());
 }
