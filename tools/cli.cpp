@@ -4,6 +4,7 @@
 #include "libscene/file/same_file.h"
 #include "libscene/file/temporary_name.h"
 #include "libscene/processor.h"
+#include "tools/printable.h"
 #include "tools/version.h"
 
 #include <csignal>
@@ -39,7 +40,7 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<std::
 
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body) {
   const auto report = [&](ErrorCode code, const char* line) {
-    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, line));
+    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, printable(line).c_str()));
     return static_cast<int>(code);
   };
   // A closed pipe and a file-size limit are write errors like any other.

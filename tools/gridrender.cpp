@@ -3,6 +3,7 @@
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"
+#include "tools/printable.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
 #include "tools/ray_list.h"
@@ -66,7 +67,7 @@ Json counts_json(const Counts& counts) {
 }
 
 void write_json(const Json& json, const std::string& path) {
-  const std::string text = json.dump(2) + "\n";
+  const std::string text = json_text(json) + "\n";
   OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();
@@ -218,7 +219,7 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
     fmt::print(stderr,
                "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
                "a direction below 1e-15\n",
-               settings.rays, summary.invalid, summary.rays);
+               printable(settings.rays), summary.invalid, summary.rays);
   return {0,
           summary.rays,
           summary.counts,

@@ -2,6 +2,7 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/plain_copy.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/repeated.h"
 
@@ -105,7 +106,7 @@ void bench_load(const Settings& settings) {
   report.update(provenance());
   report["device"] = device_name(cuda);
   if (settings.json)
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", json_text(report));
   else
     print_table(report);
 }
