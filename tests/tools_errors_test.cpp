@@ -2,6 +2,7 @@
 #include "tests/run_tool.h"
 #include "tools/bench/stability/random_seed.h"
 
+#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -697,6 +698,26 @@ TEST(Version, GoesToStandardOutput) {
     EXPECT_TRUE(succeeded(result)) << tool;
     EXPECT_TRUE(result.out.starts_with(std::string(tool) + ", Masu ")) << result.out;
   }
+}
+
+// --- Names ----------------------------------------------------------------------------------------------
+
+TEST_F(ToolErrors, ControlCharactersOfNamesAreEscaped) {
+  const std::string name = "a\nb\x1b[2J\xff.nff", shown = "a\\x0ab\\x1b[2J\\xff.nff";
+  EXPECT_TRUE(fails(2, "nff2bin", {file(name), "-o", file("a.scene")}, file(shown), "No such file"));
+  EXPECT_TRUE(fails(2, "gridrender", {file(name), file(name), "-o", file("a.png")}, file(shown)));
+  EXPECT_TRUE(fails(1, "gridstat", {file("a.grid"), "--\x1b[2J"}, "command line", "\\x1b[2J"));
+  const std::string crossing = nff(name, "p 4\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n");
+  const ToolResult warned = run("nff2bin", {crossing, "-o", file("a.scene")});
+  EXPECT_EQ(warned.code, 0);
+  EXPECT_TRUE(warned.err.starts_with("nff2bin: " + file(shown) + ": warning: ")) << warned.err;
+}
+
+TEST_F(ToolErrors, JsonOfInvalidUtf8IsValid) {
+  const std::string in = scene("\xff.scene", nff("a.nff", small_nff));
+  const ToolResult built = run("gridbuild", {in, "-o", file("\xff.grid"), "--json"});
+  ASSERT_EQ(built.code, 0) << built.err;
+  EXPECT_NE(nlohmann::json::parse(built.out)["command"].dump().find("\xef\xbf\xbd.scene"), std::string::npos);
 }
 
 } // namespace

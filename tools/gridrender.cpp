@@ -1,9 +1,10 @@
-// gridrender: maps a scene and its grid, traces rays through them, writes the picture.
+// gridrender: reads a scene and its grid, traces rays through them, writes the picture.
 #include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"
 #include "tools/inspection.h"
+#include "tools/printable.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
 #include "tools/ray_list.h"
@@ -68,7 +69,7 @@ Json counts_json(const Counts& counts) {
 }
 
 void write_json(const Json& json, const std::string& path) {
-  const std::string text = json.dump(2) + "\n";
+  const std::string text = json_text(json) + "\n";
   OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();
@@ -229,7 +230,7 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
     fmt::print(stderr,
                "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
                "a direction below 1e-15\n",
-               settings.rays, summary.invalid, summary.rays);
+               printable(settings.rays), summary.invalid, summary.rays);
   return {0,
           summary.rays,
           summary.counts,

@@ -7,6 +7,7 @@
 #include "libscene/file/scene_file.h"
 #include "tools/cell_export.h"
 #include "tools/cli.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/slice_picture.h"
 
@@ -136,6 +137,16 @@ Json report(const GridFile& file, const Statistics& statistics, bool histogram) 
   return json;
 }
 
+// Quoted where it must be.
+std::string csv_text(const std::string& text) {
+  const std::string line = printable(text);
+  if (line.find_first_of(",\"") == std::string::npos) return line;
+  std::string quoted = "\"";
+  for (const char c : line)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 // One header line, with nested keys joined by points, and one line of values. The columns are the same for
 // every grid: what a grid doesn't have is empty, the map's words are added up, and what has no fixed length
 // (cells_by_size) is left out.
@@ -149,7 +160,9 @@ void print_csv(Json json, const MapStatistics& map) {
     std::string name = path.substr(1);
     std::replace(name.begin(), name.end(), '/', '.');
     names.push_back(name);
-    values.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
+    values.push_back(value.is_null()     ? std::string()
+                     : value.is_string() ? csv_text(value.get<std::string>())
+                                         : value.dump());
   }
   fmt::print("{}\n{}\n", fmt::join(names, ","), fmt::join(values, ","));
 }
@@ -168,7 +181,8 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   };
   line("space", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {}", low.x(), low.y(), low.z(),
                             high.x(), high.y(), high.z(), fb::EnumNameSpace(table.space_rule())));
-  line("division", fmt::format("{} ({})", by_by(file.layout().division), table.division_rule()->str()));
+  line("division",
+       fmt::format("{} ({})", by_by(file.layout().division), printable(table.division_rule()->str())));
   if (table.nested_log2() > 0) {
     line("  smallest voxels",
          fmt::format("{}, 2^{} times finer", by_by(statistics.division), table.nested_log2()));
@@ -194,7 +208,8 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   const Json& bytes = json["bytes"];
   line("bytes", fmt::format("{} (voxel map {}, cells {}, references {})", bytes["file"].dump(),
                             bytes["voxel_map"].dump(), bytes["cells"].dump(), bytes["references"].dump()));
-  const std::string merge = file.is_merged() ? table.merge_rule()->str() : fb::EnumNameMerge(table.merge());
+  const std::string merge =
+      file.is_merged() ? printable(table.merge_rule()->str()) : fb::EnumNameMerge(table.merge());
   line("merge, overlap", fmt::format("{}, {}", merge, fb::EnumNameOverlap(table.overlap())));
   line("geometry", json["geometry_hash"].get<std::string>());
 }
@@ -268,7 +283,7 @@ void inspect(const Settings& settings) {
   const Statistics statistics(file);
   const Json json = report(file, statistics, settings.histogram);
   if (settings.json) {
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json));
   } else if (settings.csv) {
     print_csv(json, statistics.map);
   } else {
@@ -302,7 +317,7 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
                     {"box", occupied(occupied_voxels(scene, layout, Overlap::box))},
                     {"exact", occupied(occupied_voxels(scene, layout, Overlap::exact))}});
   }
-  if (settings.json) return fmt::print("{}\n", with_version(rows).dump(2));
+  if (settings.json) return fmt::print("{}\n", json_text(with_version(rows)));
   fmt::print(
       "{} primitives in a {} space: occupied voxels, by overlap test\n\n{:>8} {:>11} {:>21} {:>21} {:>21}\n",
       scene.primitive_count(), settings.space == SpaceRule::cube ? "cubic" : "tight", "division", "voxels",
