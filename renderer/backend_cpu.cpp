@@ -28,16 +28,17 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
       camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
   tbb::combinable<Counts> totals;
   std::atomic<std::size_t> traced = 0;
+  const std::int32_t counted_rows = frame.rows - (request.count_last_row ? 0 : 1);
   const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
                                std::int32_t end_row) {
-    C counts;
+    C counts, uncounted;
     for (std::int32_t row = first_row; row != end_row; ++row) {
       for (std::int32_t column = first_column; column != end_column; ++column) {
         const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
                         static_cast<std::size_t>(column);
         HitRecord hit{};
-        frame.radiance[at] =
-            radiance<M>(scene, grid, request.rules, camera_ray(rays, column, row), hit, counts);
+        frame.radiance[at] = radiance<M>(scene, grid, request.rules, camera_ray(rays, column, row), hit,
+                                         row < counted_rows ? counts : uncounted);
         if (request.hits) frame.hits[at] = hit;
       }
     }

@@ -2,7 +2,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
-#include "tools/backend_choice.h"
+#include "tools/device_choice.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
 #include "tools/ray_list.h"
@@ -25,7 +25,7 @@ struct Settings {
   std::optional<double> angle;
   int turntable = 0; // views; 0: none
   Format format = Format::automatic;
-  Backend backend = Backend::automatic;
+  DeviceChoice devices;
   TracingRules tracing;
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
@@ -237,7 +237,8 @@ void print_summary(const Outcome& outcome, const std::string& device) {
 
 void render(const Settings& settings) {
   check(settings);
-  const bool cuda = use_cuda(settings.backend, "gridrender", settings.quiet);
+  const std::vector<int> gpus = settings.devices.gpus("gridrender", settings.quiet);
+  const bool cuda = !gpus.empty();
   Seconds seconds;
   const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks records during the upload
   const SceneFile scene(settings.scene, checks);
@@ -252,13 +253,13 @@ void render(const Settings& settings) {
     seconds.map += grid->load_seconds().map;
     seconds.validate += grid->load_seconds().validate;
   }
-  const Tracer tracer(scene, grid ? &*grid : nullptr, cuda ? Device::cuda : Device::cpu);
+  const Tracer tracer(scene, grid ? &*grid : nullptr, cuda ? Device::cuda : Device::cpu, gpus);
   const Outcome outcome = settings.rays.empty() ? render_pictures(tracer, views, settings.quiet)
                                                 : trace_list(tracer, tracing, settings);
   seconds.trace = outcome.seconds;
   seconds.trace.upload += tracer.upload_seconds();
   seconds.write = outcome.write_seconds;
-  const std::string device = device_name(cuda);
+  const std::string device = devices_name(gpus);
   Json head = provenance();
   head.update({{"backend", cuda ? "cuda" : "cpu"},
                {"device", device},
@@ -294,7 +295,7 @@ int main(int argc, char** argv) {
         add_choice(app, "--format", settings.format,
                    {{"auto", Format::automatic}, {"png", Format::png}, {"pfm", Format::pfm}},
                    "the picture's format; auto: by the name's end, PNG on standard output");
-        add_backend(app, settings.backend);
+        settings.devices.add_to(app);
         add_precision(app, settings.tracing.precision);
         add_first_cell_hit(app, settings.tracing.stop);
         app.add_option("--size", settings.size, "WxH pixels instead of the view's resolution");

@@ -1,29 +1,30 @@
 #include "tools/ray_list.h"
 
 #include "libscene/error.h"
-#include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/npy.h"
+#include "tools/placed_file.h"
 #include "tools/repeated.h"
+#include "tools/run_tasks.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_pipeline.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace masu {
 namespace {
 
 constexpr std::size_t rays_a_chunk = std::size_t{1} << 20;
-constexpr std::size_t chunks_in_flight = 3; // one is read, one is traced, one is written
 constexpr std::size_t rays_a_task = 1 << 14;
 
 struct FieldFormat {
@@ -43,6 +44,13 @@ constexpr FieldFormat field_formats[] = {
 
 const FieldFormat& format_of(HitField field) {
   return *std::ranges::find(field_formats, field, &FieldFormat::field);
+}
+
+std::size_t record_bytes_of(const std::vector<HitField>& fields) {
+  std::size_t bytes = 0;
+  for (const HitField field : fields)
+    bytes += format_of(field).bytes;
+  return bytes;
 }
 
 // --- Reading -----------------------------------------------------------------------------------------------
@@ -69,7 +77,7 @@ public:
     return static_cast<std::uint64_t>(status.st_size) / format_.bytes_a_ray();
   }
 
-  // Up to so many rays: fewer at the end.
+  // The next rays, up to so many: fewer at the end.
   std::vector<std::uint8_t> rays(std::size_t count) {
     const std::size_t ray_bytes = format_.bytes_a_ray();
     std::vector<std::uint8_t> bytes = std::move(start_);
@@ -133,6 +141,7 @@ private:
 // --- A chunk of the list -----------------------------------------------------------------------------------
 
 struct Chunk {
+  std::uint64_t first = 0; // ray's index in the list
   std::vector<std::uint8_t> rays;
   std::size_t count = 0;
   std::vector<float> t, uv, normal;
@@ -190,9 +199,7 @@ struct Chunk {
 
   // A record a ray.
   std::vector<std::uint8_t> records(const std::vector<HitField>& fields) const {
-    std::size_t record_bytes = 0;
-    for (const HitField field : fields)
-      record_bytes += format_of(field).bytes;
+    const std::size_t record_bytes = record_bytes_of(fields);
     std::vector<std::uint8_t> records(count * record_bytes);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rays_a_task), [&](const auto& range) {
       std::size_t offset = 0;
@@ -225,36 +232,109 @@ std::uint64_t invalid_rays(const RayList& rays) {
 
 // --- Writing -----------------------------------------------------------------------------------------------
 
-class HitWriter {
+// What the file of hits begins with: of a NumPy array a header, as long for any number of rays; else nothing.
+std::string hits_head(const RayListJob& job, std::uint64_t rays) {
+  if (!job.hits.ends_with(".npy")) return {};
+  std::string type;
+  for (const HitField field : job.fields)
+    type += fmt::format("('{}', {}), ", format_of(field).name, format_of(field).type);
+  return npy_header("[" + type + "]", rays);
+}
+
+// A list's chunks in their order, each of which is read while those before it are traced.
+class ChunkReader {
 public:
-  HitWriter(const std::string& path, const std::vector<HitField>& fields) {
-    if (path.empty()) return;
-    file_.emplace(path);
-    if (!path.ends_with(".npy")) return;
-    for (const HitField field : fields)
-      type_ += fmt::format("('{}', {}), ", format_of(field).name, format_of(field).type);
-    type_ = "[" + type_ + "]";
-    write_header(0);
-  }
-  void write(const std::vector<std::uint8_t>& records) {
-    if (file_) file_->write(records);
-  }
-  void commit(std::uint64_t rays) {
-    if (!file_) return;
-    if (!type_.empty()) { // now that their number is known
-      file_->rewind();
-      write_header(rays);
-    }
-    file_->commit();
+  explicit ChunkReader(RayReader& reader) : reader_(reader) {}
+
+  // Nothing after the last one. For threads at the same time.
+  std::shared_ptr<Chunk> next() {
+    const std::lock_guard lock(mutex_);
+    if (!coming_.valid()) return {};
+    std::shared_ptr<Chunk> chunk = coming_.get();
+    if (chunk->count == 0) return {};
+    coming_ = std::async(std::launch::async, [this] { return read(); });
+    return chunk;
   }
 
 private:
-  void write_header(std::uint64_t rays) {
-    const std::string header = npy_header(type_, rays);
-    file_->write(header.data(), header.size());
+  std::shared_ptr<Chunk> read() {
+    auto chunk = std::make_shared<Chunk>();
+    chunk->rays = reader_.rays(rays_a_chunk);
+    chunk->count = chunk->rays.size() / reader_.format().bytes_a_ray();
+    chunk->first = read_;
+    read_ += chunk->count;
+    return chunk;
   }
-  std::optional<OutputFile> file_;
-  std::string type_; // empty: records without a header
+
+  RayReader& reader_;
+  std::uint64_t read_ = 0; // rays
+  std::mutex mutex_;
+  std::future<std::shared_ptr<Chunk>> coming_ = std::async(std::launch::async, [this] { return read(); });
+};
+
+// Tracing and writing of chunks, in any order and at the same time.
+class ListTracer {
+public:
+  ListTracer(const Tracer& tracer, const RayListJob& job, const std::function<void(double)>& progress)
+      : tracer_(tracer), job_(job), progress_(progress),
+        in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
+        reader_(job.rays, job.format), head_bytes_(hits_head(job, 0).size()) {
+    if (!job.hits.empty()) hits_.emplace(job.hits, hits_head(job, 0));
+  }
+
+  // Besides those that a GPU has: one is written, one is about to be.
+  std::size_t chunks_under_way() const {
+    const std::size_t bytes =
+                          rays_a_chunk * (reader_.format().bytes_a_ray() + 2 * record_bytes_of(job_.fields)),
+                      queries = tracer_.device() == Device::cuda ? queries_a_gpu * tracer_.device_count() : 1;
+    return std::min(tasks_under_way(tracer_, bytes), queries + 2);
+  }
+
+  // The next chunk, traced; or nothing.
+  std::shared_ptr<Chunk> trace(std::size_t device) {
+    std::shared_ptr<Chunk> chunk = chunks_.next();
+    if (!chunk) return {};
+    const RayList rays(chunk->rays.data(), chunk->count, reader_.format());
+    const RayResults results = chunk->results(job_.fields);
+    const QueryReport report =
+        repeated(0, job_.repeat, [&] { return tracer_.trace(rays, results, job_.request, device); });
+    const std::uint64_t invalid = in_double_ ? invalid_rays<double>(rays) : invalid_rays<float>(rays);
+    const std::lock_guard lock(mutex_);
+    summary_.counts += report.counts;
+    summary_.seconds += report.seconds;
+    summary_.invalid += invalid;
+    return chunk;
+  }
+
+  void write(const Chunk& chunk) {
+    const Stopwatch watch;
+    if (hits_)
+      hits_->write({head_bytes_ + chunk.first * record_bytes_of(job_.fields), chunk.records(job_.fields)});
+    const std::lock_guard lock(mutex_);
+    summary_.write_seconds += watch.seconds();
+    summary_.rays += chunk.count;
+    if (reader_.expected_rays() > 0)
+      progress_(static_cast<double>(summary_.rays) / static_cast<double>(reader_.expected_rays()));
+  }
+
+  RayListSummary finish() {
+    const Stopwatch watch;
+    if (hits_) hits_->commit(hits_head(job_, summary_.rays)); // now that their number is known
+    summary_.write_seconds += watch.seconds();
+    return summary_;
+  }
+
+private:
+  const Tracer& tracer_;
+  const RayListJob& job_;
+  const std::function<void(double)>& progress_;
+  bool in_double_;
+  RayReader reader_;
+  std::uint64_t head_bytes_;
+  std::optional<PlacedFile> hits_;
+  ChunkReader chunks_{reader_};
+  std::mutex mutex_; // of what follows
+  RayListSummary summary_;
 };
 
 } // namespace
@@ -280,45 +360,11 @@ std::vector<HitField> hit_fields(const std::string& names) {
 RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job,
                               const std::function<void(double)>& progress) {
   const Stopwatch elapsed;
-  RayListSummary summary;
-  RayReader reader(job.rays, job.format);
-  HitWriter writer(job.hits, job.fields);
-  const bool in_double = resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled;
-  using Passed = std::shared_ptr<Chunk>;
-  const auto read = [&](tbb::flow_control& flow) -> Passed {
-    auto chunk = std::make_shared<Chunk>();
-    chunk->rays = reader.rays(rays_a_chunk);
-    chunk->count = chunk->rays.size() / reader.format().bytes_a_ray();
-    if (chunk->count == 0) flow.stop();
-    return chunk;
-  };
-  const auto trace = [&](const Passed& chunk) {
-    const RayList rays(chunk->rays.data(), chunk->count, reader.format());
-    const RayResults results = chunk->results(job.fields);
-    const QueryReport report =
-        repeated(0, job.repeat, [&] { return tracer.trace(rays, results, job.request); });
-    summary.counts += report.counts;
-    summary.seconds.upload += report.seconds.upload;
-    summary.seconds.trace += report.seconds.trace;
-    summary.seconds.download += report.seconds.download;
-    summary.invalid += in_double ? invalid_rays<double>(rays) : invalid_rays<float>(rays);
-    return chunk;
-  };
-  const auto write = [&](const Passed& chunk) {
-    const Stopwatch watch;
-    writer.write(chunk->records(job.fields));
-    summary.write_seconds += watch.seconds();
-    summary.rays += chunk->count;
-    if (reader.expected_rays() > 0)
-      progress(static_cast<double>(summary.rays) / static_cast<double>(reader.expected_rays()));
-  };
-  constexpr auto in_order = tbb::filter_mode::serial_in_order;
-  tbb::parallel_pipeline(chunks_in_flight, tbb::make_filter<void, Passed>(in_order, read) &
-                                               tbb::make_filter<Passed, Passed>(in_order, trace) &
-                                               tbb::make_filter<Passed, void>(in_order, write));
-  const Stopwatch watch;
-  writer.commit(summary.rays);
-  summary.write_seconds += watch.seconds();
+  ListTracer tracing(tracer, job, progress);
+  run_tasks(
+      tracer, tracing.chunks_under_way(), [&](std::size_t device) { return tracing.trace(device); },
+      [&](const Chunk& chunk) { tracing.write(chunk); });
+  RayListSummary summary = tracing.finish();
   summary.elapsed_seconds = elapsed.seconds();
   return summary;
 }

@@ -1,8 +1,10 @@
-// Renders many views of a scene: one is traced while others are encoded and written.
+// Renders many views of a scene, and large ones in bands: some are traced while others are encoded and
+// written.
 #pragma once
 
 #include "renderer/image.h"
 #include "renderer/tracer.h"
+#include "tools/view_output.h"
 #include "tools/views.h"
 
 #include <functional>
@@ -10,11 +12,6 @@
 #include <vector>
 
 namespace masu {
-
-// The files of a view; an empty name: not written. - is standard output.
-struct ViewFiles {
-  std::string picture, hits;
-};
 
 struct ViewsRequest {
   FrameRequest frame{}; // of every view but for the camera
@@ -33,9 +30,9 @@ struct ViewsReport {
   double elapsed_seconds = 0; // from the first ray to the last byte
 };
 
-// Files are the same bytes for any number of threads. `progress` gets the finished share, from any thread.
-// When it throws (Error of the tracer and of output files), files of some views have been written, each
-// whole.
+// Files are the same bytes for any number of devices and threads. `progress` gets the finished share, from
+// any thread. When it throws (Error of the tracer and of output files), files of some views have been
+// written, each whole.
 ViewsReport render_views(const Tracer& tracer, const ViewsRequest& request,
                          const std::function<void(double)>& progress);
 
