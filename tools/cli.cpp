@@ -46,9 +46,10 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<std::
   }
 }
 
-int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body) {
+int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
+             const Printing& prints) {
   const auto report = [&](ErrorCode code, const char* line) {
-    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, line));
+    if (prints.error()) static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, line));
     return static_cast<int>(code);
   };
   // A closed pipe and a file-size limit are write errors like any other.
@@ -62,7 +63,7 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
     try {
       body(app, [&] { app.parse(argc, argv); });
     } catch (const CLI::Success& success) { // --help, --version
-      app.exit(success);
+      if (prints.help()) app.exit(success);
     } catch (const CLI::ParseError& error) {
       std::string command = name; // with the subcommand whose help lists the options
       for (const CLI::App* const subcommand : app.get_subcommands())

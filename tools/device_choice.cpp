@@ -25,6 +25,12 @@ std::vector<int> numbers_in(const std::string& text) {
   }
 }
 
+std::vector<int> numbers_below(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
 } // namespace
 
 void DeviceChoice::add_to(CLI::App& app) {
@@ -35,8 +41,26 @@ void DeviceChoice::add_to(CLI::App& app) {
       "or what --backend says");
 }
 
-std::vector<int> DeviceChoice::gpus(const char* tool, bool quiet) const {
-  if (devices.empty()) return use_cuda(backend, tool, quiet) ? std::vector<int>{0} : std::vector<int>{};
+std::vector<int> DeviceChoice::gpus(const char* tool, Ranks& ranks, bool quiet) const {
+  const std::vector<int> all = gpus_of_machine(tool, ranks, quiet);
+  if (all.empty() || ranks.count() == 1) return all;
+  const auto rank = static_cast<std::size_t>(ranks.local_rank()),
+             count = static_cast<std::size_t>(ranks.local_count());
+  if (rank >= all.size()) return {all[rank % all.size()]};
+  std::vector<int> mine;
+  for (std::size_t i = rank; i < all.size(); i += count)
+    mine.push_back(all[i]);
+  return mine;
+}
+
+std::vector<int> DeviceChoice::gpus_of_machine(const char* tool, Ranks& ranks, bool quiet) const {
+  if (devices.empty()) {
+    std::uint64_t with_gpu[] = {use_cuda(backend, tool, quiet) ? 1U : 0U};
+    if (ranks.count() == 1) return with_gpu[0] != 0 ? std::vector<int>{0} : std::vector<int>{};
+    ranks.sum(with_gpu);
+    return with_gpu[0] == static_cast<std::uint64_t>(ranks.count()) ? numbers_below(cuda_device_count())
+                                                                    : std::vector<int>{};
+  }
   const bool on_cpu = devices == "cpu";
   const std::vector<int> named = on_cpu || devices == "all" ? std::vector<int>{} : numbers_in(devices);
   if (backend != Backend::automatic && on_cpu != (backend == Backend::cpu))
@@ -50,9 +74,7 @@ std::vector<int> DeviceChoice::gpus(const char* tool, bool quiet) const {
                   fmt::format("GPU {} isn't there: the last of {} is {}", gpu, count, count - 1));
   }
   if (!named.empty()) return named;
-  std::vector<int> all(static_cast<std::size_t>(count));
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+  return numbers_below(count);
 }
 
 std::string devices_name(const std::vector<int>& gpus) {

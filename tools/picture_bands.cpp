@@ -58,9 +58,14 @@ std::uint64_t PictureBands::png_offset(std::size_t band) const {
 
 FilePart PictureBands::picture(std::size_t band, const Frame& frame, const ImageOptions& options) const {
   if (options.format == ImageFormat::pfm) {
+    const std::string head = pfm_head(width(), height_);
+    std::vector<std::uint8_t> bytes = pfm_rows(frame, sampling_);
+    if (is_last(band)) { // the bottom, which the file begins with
+      bytes.insert(bytes.begin(), head.begin(), head.end());
+      return {0, std::move(bytes)};
+    }
     const auto below = static_cast<std::uint64_t>(height_ - first_row(band) - rows(band));
-    return {pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f),
-            pfm_rows(frame, sampling_)};
+    return {head.size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f), std::move(bytes)};
   }
   const PngRows encoded = encoded_rows(rgb_rows(frame, sampling_, options.srgb), width(), is_last(band));
   const PngPartHead head{encoded.rows, encoded.adler, sizeof head + encoded.chunks.size()};
@@ -68,6 +73,16 @@ FilePart PictureBands::picture(std::size_t band, const Frame& frame, const Image
   std::memcpy(part.bytes.data(), &head, sizeof head);
   part.bytes.insert(part.bytes.end(), encoded.chunks.begin(), encoded.chunks.end());
   return part;
+}
+
+std::uint64_t PictureBands::hits_bytes() const {
+  return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows) *
+         sizeof(HitRecord);
+}
+
+std::uint64_t PictureBands::pfm_bytes() const {
+  return pfm_head(width(), height_).size() +
+         static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_) * sizeof(Vec3f);
 }
 
 std::uint64_t png_part_bytes(std::span<const std::uint8_t> head) {

@@ -24,11 +24,15 @@ public:
   std::size_t largest_band_rays() const;
 
   // Of a band's frame: 8-byte records of the hits, and the picture's rows. A PFM file's are where they belong
-  // in the file. A PNG file's have no place before those above them are known: their offset is such that
-  // every band has room, and png_rows() reads them.
+  // in the file, with its head. A PNG file's have no place before those above them are known: their offset is
+  // such that every band has room, and png_rows() reads them.
   FilePart hits(std::size_t band, const Frame& frame) const;
   FilePart picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
   std::uint64_t png_offset(std::size_t band) const;
+
+  // Of the whole files.
+  std::uint64_t hits_bytes() const;
+  std::uint64_t pfm_bytes() const;
 
 private:
   std::int32_t first_row(std::size_t band) const { return static_cast<std::int32_t>(band) * band_rows_; }

@@ -14,7 +14,7 @@ namespace masu {
 // that wait don't keep a core busy.
 class Ranks {
 public:
-  // The first thing that a main does. Throws Error(device) where MPI doesn't start.
+  // The first thing that a main does. Ends the process where MPI doesn't start.
   Ranks(int* argc, char*** argv);
   ~Ranks();
   Ranks(const Ranks&) = delete;
@@ -52,5 +52,8 @@ private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+// Cores for this process: those that it may use, or its share of the machine's where ranks may use all.
+std::size_t cores_of(const Ranks& ranks);
 
 } // namespace masu

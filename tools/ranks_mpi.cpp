@@ -79,8 +79,11 @@ Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
   State& state = *state_;
   int provided = 0;
   if (MPI_Init_thread(argc, argv, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS ||
-      provided < MPI_THREAD_SERIALIZED)
-    throw Error(ErrorCode::device, "MPI", "doesn't support threads (MPI_THREAD_SERIALIZED)");
+      provided < MPI_THREAD_SERIALIZED) {
+    static_cast<void>(std::fputs(
+        "gridrender: MPI: has no threads (MPI_THREAD_SERIALIZED): take another build of it\n", stderr));
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ErrorCode::device));
+  }
   MPI_Comm_rank(MPI_COMM_WORLD, &state.rank);
   MPI_Comm_size(MPI_COMM_WORLD, &state.count);
   MPI_Comm local = MPI_COMM_NULL;
@@ -95,8 +98,6 @@ Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
     state.memory->fill(0);
     MPI_Win_sync(state.window);
     if (state.count > 1) state.helper = std::thread([&state] { state.help(); });
-  } else { // help and version are printed once
-    [[maybe_unused]] const auto* const file = std::freopen("/dev/null", "w", stdout);
   }
   wait_for_all(); // the counters are zero
 }

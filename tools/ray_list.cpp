@@ -1,6 +1,8 @@
 #include "tools/ray_list.h"
 
 #include "libscene/error.h"
+#include "libscene/file/container.h"
+#include "libscene/file/mapped_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/npy.h"
 #include "tools/placed_file.h"
@@ -77,6 +79,24 @@ public:
     return static_cast<std::uint64_t>(status.st_size) / format_.bytes_a_ray();
   }
 
+  // Of a named file, whose rays can be read in any order: how many there are. Throws Error(usage) for another
+  // one.
+  std::uint64_t all_rays() const {
+    struct stat status {};
+    if (file_.get() == stdin || fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode))
+      throw Error(ErrorCode::usage, name_,
+                  "isn't a file, which several ranks and --resume need: name a file");
+    const std::uint64_t bytes = static_cast<std::uint64_t>(status.st_size) - first_byte_,
+                        rays = bytes / format_.bytes_a_ray();
+    if (bytes % format_.bytes_a_ray() != 0) fail_by_bytes(bytes);
+    if (expected_ && rays != *expected_) fail_by_rays(rays);
+    return rays;
+  }
+  std::vector<std::uint8_t> rays_at(std::uint64_t first, std::size_t count) const {
+    return read_part(name_, first_byte_ + first * format_.bytes_a_ray(), count * format_.bytes_a_ray(),
+                     ErrorCode::input);
+  }
+
   // The next rays, up to so many: fewer at the end.
   std::vector<std::uint8_t> rays(std::size_t count) {
     const std::size_t ray_bytes = format_.bytes_a_ray();
@@ -86,12 +106,9 @@ public:
     bytes.resize(count * ray_bytes);
     bytes.resize(before + read(bytes.data() + before, bytes.size() - before));
     bytes_ += bytes.size();
-    if (bytes.size() % ray_bytes != 0)
-      fail(fmt::format("holds {} bytes, not a whole number of rays: a ray is {} {}-bit floats", bytes_,
-                       format_.numbers, format_.is_float64 ? 64 : 32));
+    if (bytes.size() % ray_bytes != 0) fail_by_bytes(bytes_);
     rays_ += bytes.size() / ray_bytes;
-    if (expected_ && bytes.size() < count * ray_bytes && rays_ != *expected_)
-      fail(fmt::format("holds {} rays, its header says {}", rays_, *expected_));
+    if (expected_ && bytes.size() < count * ray_bytes && rays_ != *expected_) fail_by_rays(rays_);
     return bytes;
   }
 
@@ -103,6 +120,14 @@ private:
   };
 
   [[noreturn]] void fail(const std::string& why) const { throw Error(ErrorCode::input, name_, why); }
+
+  [[noreturn]] void fail_by_bytes(std::uint64_t bytes) const {
+    fail(fmt::format("holds {} bytes, not a whole number of rays: a ray is {} {}-bit floats", bytes,
+                     format_.numbers, format_.is_float64 ? 64 : 32));
+  }
+  [[noreturn]] void fail_by_rays(std::uint64_t rays) const {
+    fail(fmt::format("holds {} rays, its header says {}", rays, *expected_));
+  }
 
   std::size_t read(void* to, std::size_t bytes) {
     const std::size_t got = std::fread(to, 1, bytes, file_.get());
@@ -127,6 +152,7 @@ private:
         (array->shape[1] != 6 && array->shape[1] != 8))
       fail("isn't a NumPy array of rays: float32 or float64, in C order, of shape (N, 6) or (N, 8)");
     format_ = {array->type == "<f8", static_cast<int>(array->shape[1])};
+    first_byte_ = static_cast<std::uint64_t>(std::ftell(file_.get()));
     expected_ = array->shape[0];
   }
 
@@ -134,6 +160,7 @@ private:
   RayFormat format_;
   std::unique_ptr<std::FILE, Close> file_;
   std::vector<std::uint8_t> start_; // read already
+  std::uint64_t first_byte_ = 0;    // of the first ray
   std::uint64_t bytes_ = 0, rays_ = 0;
   std::optional<std::uint64_t> expected_;
 };
@@ -141,12 +168,13 @@ private:
 // --- A chunk of the list -----------------------------------------------------------------------------------
 
 struct Chunk {
-  std::uint64_t first = 0; // ray's index in the list
+  std::uint64_t task = 0, first = 0; // first: ray's index in the list
   std::vector<std::uint8_t> rays;
   std::size_t count = 0;
   std::vector<float> t, uv, normal;
   std::vector<std::uint32_t> object, primitive;
   std::vector<std::uint8_t> occluded;
+  TaskTotals totals;
 
   RayResults results(const std::vector<HitField>& fields) {
     RayResults results;
@@ -241,45 +269,77 @@ std::string hits_head(const RayListJob& job, std::uint64_t rays) {
   return npy_header("[" + type + "]", rays);
 }
 
-// A list's chunks in their order, each of which is read while those before it are traced.
+// The chunks of a list, each of which is read while those before it are traced: all in their order, or those
+// of the tasks that this process takes.
 class ChunkReader {
 public:
-  explicit ChunkReader(RayReader& reader) : reader_(reader) {}
+  // tasks: null where nobody else takes any.
+  ChunkReader(RayReader& reader, TaskList* tasks)
+      : reader_(reader), tasks_(tasks), rays_(tasks != nullptr ? reader.all_rays() : 0) {}
 
   // Nothing after the last one. For threads at the same time.
   std::shared_ptr<Chunk> next() {
     const std::lock_guard lock(mutex_);
-    if (!coming_.valid()) return {};
+    if (ended_) return {};
+    const auto begin = [this] { return std::async(std::launch::async, [this] { return read(); }); };
+    if (!coming_.valid()) coming_ = begin();
     std::shared_ptr<Chunk> chunk = coming_.get();
-    if (chunk->count == 0) return {};
-    coming_ = std::async(std::launch::async, [this] { return read(); });
+    ended_ = chunk->count == 0;
+    if (ended_) return {};
+    coming_ = begin();
     return chunk;
   }
 
 private:
+  // Without rays after the last one.
   std::shared_ptr<Chunk> read() {
     auto chunk = std::make_shared<Chunk>();
-    chunk->rays = reader_.rays(rays_a_chunk);
+    if (tasks_ != nullptr) {
+      const auto task = tasks_->next();
+      if (!task) return chunk;
+      chunk->task = *task;
+      chunk->first = *task * rays_a_chunk;
+      chunk->rays =
+          reader_.rays_at(chunk->first, std::min<std::uint64_t>(rays_a_chunk, rays_ - chunk->first));
+    } else {
+      chunk->first = read_;
+      chunk->rays = reader_.rays(rays_a_chunk);
+    }
     chunk->count = chunk->rays.size() / reader_.format().bytes_a_ray();
-    chunk->first = read_;
     read_ += chunk->count;
     return chunk;
   }
 
   RayReader& reader_;
-  std::uint64_t read_ = 0; // rays
+  TaskList* tasks_;
+  std::uint64_t rays_, read_ = 0;
+  bool ended_ = false;
   std::mutex mutex_;
-  std::future<std::shared_ptr<Chunk>> coming_ = std::async(std::launch::async, [this] { return read(); });
+  std::future<std::shared_ptr<Chunk>> coming_;
 };
+
+TaskListOf task_list_of(const RayListJob& job, const RayReader& reader, const Sharing& sharing) {
+  if (!sharing.in_parts()) return {};
+  const std::uint64_t chunks = (reader.all_rays() + rays_a_chunk - 1) / rays_a_chunk;
+  TaskListOf tasks{job.description + "\n" + job.hits, job.hits, chunks};
+  if (!sharing.resume) return tasks;
+  std::string hash =
+      sharing.ranks.rank() == 0 ? to_hex(hash_of(MappedFile(job.rays).bytes())) : std::string();
+  sharing.ranks.broadcast(hash);
+  tasks.description += "\nrays " + hash;
+  return tasks;
+}
 
 // Tracing and writing of chunks, in any order and at the same time.
 class ListTracer {
 public:
-  ListTracer(const Tracer& tracer, const RayListJob& job, const std::function<void(double)>& progress)
-      : tracer_(tracer), job_(job), progress_(progress),
+  ListTracer(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+             const std::function<void(double)>& progress)
+      : tracer_(tracer), job_(job), sharing_(sharing), progress_(progress),
         in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
-        reader_(job.rays, job.format), head_bytes_(hits_head(job, 0).size()) {
-    if (!job.hits.empty()) hits_.emplace(job.hits, hits_head(job, 0));
+        reader_(job.rays, job.format), tasks_(sharing, task_list_of(job, reader_, sharing)),
+        chunks_(reader_, sharing.in_parts() ? &tasks_ : nullptr), head_bytes_(hits_head(job, 0).size()) {
+    if (!job.hits.empty() && !sharing.in_parts()) hits_.emplace(job.hits, hits_head(job, 0));
   }
 
   // Besides those that a GPU has: one is written, one is about to be.
@@ -298,43 +358,81 @@ public:
     const RayResults results = chunk->results(job_.fields);
     const QueryReport report =
         repeated(0, job_.repeat, [&] { return tracer_.trace(rays, results, job_.request, device); });
-    const std::uint64_t invalid = in_double_ ? invalid_rays<double>(rays) : invalid_rays<float>(rays);
+    chunk->totals = {chunk->count, in_double_ ? invalid_rays<double>(rays) : invalid_rays<float>(rays),
+                     report.counts};
     const std::lock_guard lock(mutex_);
-    summary_.counts += report.counts;
-    summary_.seconds += report.seconds;
-    summary_.invalid += invalid;
+    report_.seconds += report.seconds;
     return chunk;
   }
 
   void write(const Chunk& chunk) {
     const Stopwatch watch;
-    if (hits_)
-      hits_->write({head_bytes_ + chunk.first * record_bytes_of(job_.fields), chunk.records(job_.fields)});
+    std::vector<FileRange> written;
+    if (!job_.hits.empty()) {
+      FilePart part{head_bytes_ + chunk.first * record_bytes_of(job_.fields), chunk.records(job_.fields)};
+      if (hits_)
+        hits_->write(std::move(part));
+      else
+        written.push_back(write_part(partial_name(job_.hits), with_head(std::move(part))));
+    }
+    const double share = sharing_.in_parts() ? tasks_.finish(chunk.task, written, chunk.totals) : 0;
     const std::lock_guard lock(mutex_);
-    summary_.write_seconds += watch.seconds();
-    summary_.rays += chunk.count;
+    report_.write_seconds += watch.seconds();
+    if (sharing_.in_parts()) return progress_(share);
+    report_.totals += chunk.totals;
     if (reader_.expected_rays() > 0)
-      progress_(static_cast<double>(summary_.rays) / static_cast<double>(reader_.expected_rays()));
+      progress_(static_cast<double>(report_.totals.rays) / static_cast<double>(reader_.expected_rays()));
   }
 
-  RayListSummary finish() {
+  // Collective: when all tasks are done.
+  TracingReport finish() {
     const Stopwatch watch;
-    if (hits_) hits_->commit(hits_head(job_, summary_.rays)); // now that their number is known
-    summary_.write_seconds += watch.seconds();
-    return summary_;
+    if (sharing_.in_parts()) {
+      finish_parts();
+    } else if (hits_) {
+      hits_->commit(hits_head(job_, report_.totals.rays)); // now that their number is known
+    }
+    report_.write_seconds += watch.seconds();
+    sum_up(sharing_.ranks, report_);
+    return report_;
   }
 
 private:
+  // The first part begins with the head, for the number of rays is known.
+  FilePart with_head(FilePart part) const {
+    if (part.offset > head_bytes_) return part;
+    const std::string head = hits_head(job_, reader_.all_rays());
+    part.bytes.insert(part.bytes.begin(), head.begin(), head.end());
+    return {0, std::move(part.bytes)};
+  }
+
+  void finish_parts() {
+    Ranks& ranks = sharing_.ranks;
+    report_.totals = tasks_.totals();
+    ranks.wait_for_all([&] { progress_(tasks_.share()); });
+    if (ranks.rank() == 0) {
+      if (!job_.hits.empty()) {
+        const std::uint64_t rays = reader_.all_rays();
+        if (rays == 0) write_part(partial_name(job_.hits), with_head({head_bytes_, {}}));
+        finish_partial(job_.hits, head_bytes_ + rays * record_bytes_of(job_.fields));
+      }
+      tasks_.remove_journals();
+    }
+    ranks.wait_for_all();
+  }
+
   const Tracer& tracer_;
   const RayListJob& job_;
+  const Sharing& sharing_;
   const std::function<void(double)>& progress_;
   bool in_double_;
   RayReader reader_;
+  TaskList tasks_;
+  ChunkReader chunks_;
   std::uint64_t head_bytes_;
   std::optional<PlacedFile> hits_;
-  ChunkReader chunks_{reader_};
   std::mutex mutex_; // of what follows
-  RayListSummary summary_;
+  TracingReport report_;
 };
 
 } // namespace
@@ -357,16 +455,16 @@ std::vector<HitField> hit_fields(const std::string& names) {
   return fields;
 }
 
-RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job,
-                              const std::function<void(double)>& progress) {
+TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+                             const std::function<void(double)>& progress) {
   const Stopwatch elapsed;
-  ListTracer tracing(tracer, job, progress);
+  ListTracer tracing(tracer, job, sharing, progress);
   run_tasks(
       tracer, tracing.chunks_under_way(), [&](std::size_t device) { return tracing.trace(device); },
       [&](const Chunk& chunk) { tracing.write(chunk); });
-  RayListSummary summary = tracing.finish();
-  summary.elapsed_seconds = elapsed.seconds();
-  return summary;
+  TracingReport report = tracing.finish();
+  report.elapsed_seconds = elapsed.seconds();
+  return report;
 }
 
 } // namespace masu

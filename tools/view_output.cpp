@@ -8,7 +8,7 @@ ViewOutput::ViewOutput(const ViewFiles& files, const PictureBands& bands, const 
   if (!files.hits.empty()) hits_.emplace(files.hits);
   if (files.picture.empty()) return;
   if (image.format == ImageFormat::pfm) {
-    pfm_.emplace(files.picture, pfm_head(width, height));
+    pfm_.emplace(files.picture);
   } else {
     png_ = std::make_unique<Png>(files.picture, width, height, image.texts);
   }
