@@ -70,12 +70,12 @@ protected:
             {prefix + ending}};
   }
   std::vector<Job> all(const std::string& prefix) const {
-    return {views(prefix),
-            large(prefix, "png", "corners"),
-            large(prefix, "pfm", "corners"),
-            large(prefix, "png", "centers"),
-            list(prefix, ".hits"),
-            list(prefix, ".npy")};
+    return {views(prefix + "v"),
+            large(prefix + "1", "png", "corners"),
+            large(prefix + "2", "pfm", "corners"),
+            large(prefix + "3", "png", "centers"),
+            list(prefix + "4", ".hits"),
+            list(prefix + "5", ".npy")};
   }
 
   void expect_same(const Job& job, const Job& expected) const {
