@@ -25,13 +25,18 @@ void set_up_cuda(int device);
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid, int device,
                                                      const std::function<void()>& meanwhile);
 // Copies rays to the device, and makes room there for t, primitive and occluded.
-ResidentRays upload_rays_cuda(const RayList& rays);
+ResidentRays upload_rays_cuda(const RayList& rays, int device);
 
 Frame render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                   const FrameRequest& request);
-// Of rays in host memory.
+
+// Rays on a device at a time, for each of the stages: one piece is uploaded while another is traced and the
+// results of a third come back.
+inline constexpr std::size_t rays_a_piece = std::size_t{1} << 20;
+// Of rays in host memory: the pieces of a list that it takes from a counter, which devices share.
 QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
-                            const RayList& rays, const RayResults& results, const RaysRequest& request);
+                            const RayList& rays, const RayResults& results, const RaysRequest& request,
+                            std::atomic<std::size_t>& next_piece);
 // Of rays in device memory: puts the query on a stream; or times it.
 QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,

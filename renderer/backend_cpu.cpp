@@ -29,6 +29,7 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
       camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
   tbb::combinable<Counts> totals;
   std::atomic<std::size_t> traced = 0;
+  const std::int32_t counted_rows = frame.rows - (request.count_last_row ? 0 : 1);
   const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
                                std::int32_t end_row) {
     C counts;
@@ -43,7 +44,7 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
             radiance<M>(scene, grid, request.rules, camera_ray(rays, column, row), hit, ray_counts);
         if (request.hits) frame.hits[at] = hit;
         write_costs(costs, at, ray_counts);
-        add(counts, ray_counts);
+        if (row < counted_rows) add(counts, ray_counts);
       }
     }
     add(totals.local(), counts);

@@ -123,7 +123,8 @@ QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, con
   return report;
 }
 
-ResidentRays upload_rays_cuda(const RayList& rays) {
+ResidentRays upload_rays_cuda(const RayList& rays, int device) {
+  const DeviceScope scope(device);
   struct Memory {
     DeviceArray<std::uint8_t> rays;
     DeviceArray<float> t;

@@ -21,14 +21,14 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const Gri
                                                      const std::function<void()>&) {
   refuse();
 }
-ResidentRays upload_rays_cuda(const RayList&) {
+ResidentRays upload_rays_cuda(const RayList&, int) {
   refuse();
 }
 Frame render_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const FrameRequest&) {
   refuse();
 }
 QueryReport trace_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,
-                            const RayResults&, const RaysRequest&) {
+                            const RayResults&, const RaysRequest&, std::atomic<std::size_t>&) {
   refuse();
 }
 QueryReport queue_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,

@@ -80,7 +80,8 @@ void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
 }
 
 QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
-                            const RayList& rays, const RayResults& results, const RaysRequest& request) {
+                            const RayList& rays, const RayResults& results, const RaysRequest& request,
+                            std::atomic<std::size_t>& next_piece) {
   QueryReport report;
   if (rays.count == 0) return report;
   const DeviceScope device(files.device);
@@ -147,14 +148,15 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     });
   };
 
-  // Turn by turn: what a slot's last piece found leaves its buffers while the next one's rays enter them.
-  const std::size_t pieces = (rays.count + rays_a_piece - 1) / rays_a_piece;
-  for (std::size_t turn = 0; turn < pieces + pieces_in_flight; ++turn) {
+  // Turn by turn: what a slot's last piece found leaves its buffers while the next one's rays enter them. The
+  // last turns have none.
+  for (std::size_t turn = 0, last_turns = 0; last_turns < pieces_in_flight; ++turn) {
     HostRayBuffers::Piece& piece = borrowed->pieces[turn % pieces_in_flight];
     Work& work = works[turn % pieces_in_flight];
     const Work last = work;
-    const std::size_t first = std::min(turn * rays_a_piece, rays.count);
+    const std::size_t first = std::min(next_piece.fetch_add(1) * rays_a_piece, rays.count);
     work = {first, std::min(rays_a_piece, rays.count - first)};
+    last_turns += work.count == 0 ? 1 : 0;
     wait(piece, last);
     tbb::parallel_invoke([&] { copy_out(piece, last); }, [&] { copy_in(piece, work); });
     if (work.count > 0) begin(piece, work);

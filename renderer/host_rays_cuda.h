@@ -3,15 +3,13 @@
 #pragma once
 
 #include "libscene/cuda/device_memory.h"
+#include "libscene/cuda/near_device.h"
 
 #include <optional>
 
 namespace masu {
 
-// Rays on the device at a time, for each of the stages: one piece is uploaded while another is traced and the
-// results of a third come back.
-inline constexpr std::size_t rays_a_piece = std::size_t{1} << 20;
-inline constexpr int pieces_in_flight = 3;
+inline constexpr int pieces_in_flight = 3; // of rays_a_piece (backend.h)
 
 class Event {
 public:
@@ -25,12 +23,13 @@ private:
   cudaEvent_t event_ = nullptr;
 };
 
-// Page-locked memory that grows to what was needed most.
+// Page-locked memory near the current device, that grows to what was needed most.
 class PinnedRoom {
 public:
   std::uint8_t* of(std::size_t bytes) {
     if (!buffer_ || buffer_->bytes().size() < bytes) {
       buffer_.reset();
+      const NearDevice near;
       buffer_.emplace(bytes);
     }
     return buffer_->bytes().data();

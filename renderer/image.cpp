@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string_view>
 #include <vector>
 
@@ -44,17 +45,6 @@ std::vector<std::uint8_t> rgb_of(const Frame& frame, Sampling sampling) {
   return rgb;
 }
 
-void write_pfm(const Frame& frame, Sampling sampling, OutputFile& file) {
-  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
-  const std::string head = fmt::format("PF\n{} {}\n-1.0\n", width, height); // -1: little-endian
-  file.write(head.data(), head.size());
-  std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
-  for (std::int32_t row = height; row-- > 0;) { // from the bottom up
-    image_row(frame, sampling, row, pixels);
-    file.write(pixels.data(), pixels.size() * sizeof(Vec3f));
-  }
-}
-
 } // namespace
 
 ImageFormat image_format(const std::string& path) {
@@ -82,16 +72,38 @@ void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::spa
     pixels[i] = ((top[i] + top[i + 1]) + (bottom[i] + bottom[i + 1])) * 0.25F;
 }
 
+std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool srgb) {
+  return srgb ? rgb_of<true>(frame, sampling) : rgb_of<false>(frame, sampling);
+}
+
+std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling) {
+  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
+  const std::size_t row_bytes = sizeof(Vec3f) * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> bytes(row_bytes * static_cast<std::size_t>(height));
+  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_a_task), [&](const auto& range) {
+    std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
+    for (std::int32_t row = range.begin(); row != range.end(); ++row) {
+      image_row(frame, sampling, row, pixels);
+      std::memcpy(bytes.data() + static_cast<std::size_t>(height - 1 - row) * row_bytes, pixels.data(),
+                  row_bytes);
+    }
+  });
+  return bytes;
+}
+
+std::string pfm_head(std::int32_t width, std::int32_t height) {
+  return fmt::format("PF\n{} {}\n-1.0\n", width, height); // -1: little-endian
+}
+
 void write_image(const Frame& frame, const std::string& path, const ImageOptions& options) {
+  const std::int32_t width = image_width(frame, options.sampling),
+                     height = image_height(frame, options.sampling);
+  if (options.format == ImageFormat::png)
+    return write_png(rgb_rows(frame, options.sampling, options.srgb), width, height, path, options.texts);
   OutputFile file(path);
-  if (options.format == ImageFormat::pfm) {
-    write_pfm(frame, options.sampling, file);
-  } else {
-    PngWriter png(file, image_width(frame, options.sampling), image_height(frame, options.sampling),
-                  options.texts);
-    png.write_rows(options.srgb ? rgb_of<true>(frame, options.sampling)
-                                : rgb_of<false>(frame, options.sampling));
-  }
+  const std::string head = pfm_head(width, height);
+  file.write(head.data(), head.size());
+  file.write(pfm_rows(frame, options.sampling));
   file.commit();
 }
 

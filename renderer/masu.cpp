@@ -11,6 +11,7 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <new>
@@ -19,13 +20,13 @@
 struct masu_tracer {
   masu::SceneFile scene;
   std::optional<masu::GridFile> grid;
-  int device;
   masu::Tracer tracer;
 
-  masu_tracer(const char* scene_path, const char* grid_path, int device_, masu::Checks checks)
-      : scene(scene_path, checks), device(device_),
+  // gpus: none for the CPU.
+  masu_tracer(const char* scene_path, const char* grid_path, std::vector<int> gpus, masu::Checks checks)
+      : scene(scene_path, checks),
         tracer(scene, grid_path != nullptr ? &grid.emplace(grid_path, checks) : nullptr,
-               device == MASU_CPU ? masu::Device::cpu : masu::Device::cuda, std::max(device, 0)) {}
+               gpus.empty() ? masu::Device::cpu : masu::Device::cuda, std::move(gpus)) {}
 };
 
 namespace {
@@ -117,12 +118,13 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   }
   if (place == host_memory) {
     tracer.tracer.trace(list, results, request);
-  } else if (place == tracer.device) {
-    tracer.tracer.trace_on_device(list, results, request, wanted.stream);
-  } else {
-    fail("rays", fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
-                             tracer.device == MASU_CPU ? "the CPU" : fmt::format("GPU {}", tracer.device)));
+    return;
   }
+  const std::vector<int>& gpus = tracer.tracer.gpus();
+  if (std::ranges::count(gpus, place) == 0)
+    fail("rays", fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
+                             gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
+  tracer.tracer.trace_on_device(list, results, request, wanted.stream, place);
 }
 
 // --- Grids
@@ -183,19 +185,28 @@ masu_status masu_gpu_count(int* count) {
 }
 
 masu_status masu_open(const char* scene, const char* grid, int device, masu_tracer** tracer) {
+  return masu_open_devices(scene, grid, &device, device == MASU_CPU ? 0 : 1, tracer);
+}
+
+masu_status masu_open_devices(const char* scene, const char* grid, const int* gpus, size_t gpu_count,
+                              masu_tracer** tracer) {
   return guarded([&] {
     require(tracer, "tracer");
     *tracer = nullptr;
     require(scene, "scene");
+    if (gpu_count > 0) require(gpus, "gpus");
     check_processor();
-    if (device != MASU_CPU && (device < 0 || device >= cuda_device_count())) {
-      std::string why = fmt::format("GPU {} isn't there: of {}", device, cuda_device_count());
+    const std::span<const int> numbers(gpus, gpu_count);
+    for (const int gpu : numbers) {
+      if (gpu >= 0 && gpu < cuda_device_count()) continue;
+      std::string why = fmt::format("GPU {} isn't there: of {}", gpu, cuda_device_count());
       if (cuda_device_count() == 0) cuda_available(why);
       throw Error(ErrorCode::device, "device", why + ": use MASU_CPU");
     }
     // On a GPU the tracer checks records while they are uploaded.
-    const Checks checks = device == MASU_CPU ? Checks::all : Checks::table;
-    *tracer = std::make_unique<masu_tracer>(scene, grid, device, checks).release();
+    const Checks checks = numbers.empty() ? Checks::all : Checks::table;
+    *tracer = std::make_unique<masu_tracer>(scene, grid, std::vector(numbers.begin(), numbers.end()), checks)
+                  .release();
   });
 }
 
@@ -224,7 +235,7 @@ masu_status masu_describe(const masu_tracer* tracer, masu_description* descripti
     description->scene_bytes = scene.bytes();
     description->grid_bytes = tracer->grid ? tracer->grid->bytes() : 0;
     description->is_float64 = scene.is_float64() ? 1 : 0;
-    description->device = tracer->device;
+    description->device = tracer->tracer.gpus().empty() ? MASU_CPU : tracer->tracer.gpus().front();
   });
 }
 

@@ -66,6 +66,12 @@ typedef struct masu_tracer masu_tracer;
  * error (MASU_ERROR_INPUT). */
 MASU_API masu_status masu_open(const char* scene, const char* grid, int device, masu_tracer** tracer);
 
+/* The same on several GPUs, by their numbers; none: on the CPU. Each GPU gets the files. They share queries
+ * of rays in host memory; rays in the memory of one of them are traced by that one. Results are independent
+ * of the number of GPUs. */
+MASU_API masu_status masu_open_devices(const char* scene, const char* grid, const int* gpus, size_t gpu_count,
+                                       masu_tracer** tracer);
+
 /* Waits for what runs, and gives memory back. NULL is allowed. */
 MASU_API void masu_close(masu_tracer* tracer);
 
@@ -75,7 +81,7 @@ typedef struct masu_description {
   double bounds_min[3], bounds_max[3]; /* of all primitives; min > max where there is none */
   uint64_t scene_bytes, grid_bytes;    /* of the files; 0 for no grid */
   int is_float64;                      /* whether coordinates are stored, and rays traced, in float64 */
-  int device;
+  int device;                          /* the first one, or MASU_CPU */
 } masu_description;
 
 MASU_API masu_status masu_describe(const masu_tracer* tracer, masu_description* description);
@@ -137,10 +143,10 @@ typedef struct masu_hits {
   float* normal;       /* 3 a ray: geometric, of unit length, on the primitive's front; 0 for a miss */
 } masu_hits;
 
-/* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of the tracer's GPU,
- * which is found out from the pointers (with a tracer on the CPU: in host memory). Rays need the alignment of
- * their numbers; rays on a GPU are traced where they lie if they are MASU_RAYS_FLOAT32 aligned to 16 bytes,
- * else a copy is. */
+/* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of
+ * the tracer's, which is found out from the pointers (with a tracer on the CPU: in host memory). Rays need
+ * the alignment of their numbers; rays on a GPU are traced where they lie if they are MASU_RAYS_FLOAT32
+ * aligned to 16 bytes, else a copy is. */
 MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t count,
                                   const masu_query* query, const masu_hits* hits);
 

@@ -60,6 +60,13 @@ public:
     check(masu_open(scene.c_str(), grid ? grid->c_str() : nullptr, device, &opened));
     tracer_.reset(opened);
   }
+  // On several GPUs, which share queries of rays in host memory; none: on the CPU.
+  Tracer(const std::string& scene, const std::optional<std::string>& grid, std::span<const int> gpus) {
+    masu_tracer* opened = nullptr;
+    check(
+        masu_open_devices(scene.c_str(), grid ? grid->c_str() : nullptr, gpus.data(), gpus.size(), &opened));
+    tracer_.reset(opened);
+  }
 
   masu_description describe() const {
     masu_description description;
@@ -72,7 +79,7 @@ public:
     return primitive;
   }
 
-  // In host memory, or all in memory of the tracer's GPU.
+  // In host memory, or all in memory of one of the tracer's GPUs.
   void nearest(const masu_ray* rays, std::size_t count, const masu_hits& hits,
                const masu_query& query = {}) const {
     check(masu_nearest(tracer_.get(), rays, count, &query, &hits));

@@ -23,8 +23,17 @@ void put(std::vector<std::uint8_t>& bytes, std::uint32_t value) { // big-endian
     bytes.push_back(static_cast<std::uint8_t>(value >> shift));
 }
 
-// The Paeth predictor (PNG specification, 9.4) of every row. Choosing a predictor for each row, as libpng
-// does by default, made rendered pictures no smaller.
+void put_chunk(std::vector<std::uint8_t>& bytes, const char* type, std::span<const std::uint8_t> data) {
+  put(bytes, static_cast<std::uint32_t>(data.size()));
+  bytes.insert(bytes.end(), type, type + 4);
+  bytes.insert(bytes.end(), data.begin(), data.end());
+  std::uint32_t sum = libdeflate_crc32(0, type, 4);
+  if (!data.empty()) sum = libdeflate_crc32(sum, data.data(), data.size()); // of a null pointer it is 0
+  put(bytes, sum);
+}
+
+// The Paeth predictor (PNG specification, 9.4). Choosing a predictor for each row, as libpng does by default,
+// made rendered pictures no smaller.
 void filter(const std::uint8_t* row, const std::uint8_t* above, std::size_t bytes, std::uint8_t* filtered) {
   constexpr std::uint8_t paeth = 4;
   *filtered++ = paeth;
@@ -40,94 +49,104 @@ void filter(const std::uint8_t* row, const std::uint8_t* above, std::size_t byte
   }
 }
 
+// The predictor from the left alone: of a band's first row, so that bands are independent.
+void filter_first(const std::uint8_t* row, std::size_t bytes, std::uint8_t* filtered) {
+  constexpr std::uint8_t sub = 1;
+  *filtered++ = sub;
+  for (std::size_t i = 0; i < bytes; ++i)
+    filtered[i] = static_cast<std::uint8_t>(row[i] - (i < channels ? 0 : row[i - channels]));
+}
+
+// Rows after rows, of both checksums.
+std::uint32_t joined(std::uint32_t adler, std::uint32_t next, std::size_t next_bytes) {
+  return static_cast<std::uint32_t>(adler32_combine(adler, next, static_cast<z_off_t>(next_bytes)));
+}
+
 struct Band {
-  std::vector<std::uint8_t> stream;
+  std::vector<std::uint8_t> chunk;
   std::uint32_t adler = 1;
-  std::size_t bytes = 0; // before compression
 };
+
+Band encoded_band(std::span<const std::uint8_t> rgb, std::size_t row_bytes, bool last) {
+  const std::size_t rows = rgb.size() / row_bytes;
+  std::vector<std::uint8_t> filtered(rows * (row_bytes + 1));
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, rows_a_task), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+      const std::uint8_t* const row = rgb.data() + i * row_bytes;
+      std::uint8_t* const to = filtered.data() + i * (row_bytes + 1);
+      if (i == 0)
+        filter_first(row, row_bytes, to);
+      else
+        filter(row, row - row_bytes, row_bytes, to);
+    }
+  });
+  Band band;
+  put_chunk(band.chunk, "IDAT", deflated(filtered, last));
+  band.adler = libdeflate_adler32(1, filtered.data(), filtered.size());
+  return band;
+}
+
+std::size_t row_bytes_of(std::int32_t width) {
+  return channels * static_cast<std::size_t>(width);
+}
 
 } // namespace
 
+std::int32_t png_band_rows(std::int32_t width) {
+  return static_cast<std::int32_t>(std::max<std::size_t>(band_bytes / (row_bytes_of(width) + 1), 1));
+}
+
+PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool last) {
+  const std::size_t row_bytes = row_bytes_of(width), rows = rgb.size() / row_bytes,
+                    band_rows = static_cast<std::size_t>(png_band_rows(width));
+  std::vector<Band> bands((rows + band_rows - 1) / band_rows);
+  const auto rows_of = [&](std::size_t band) { return std::min(band_rows, rows - band * band_rows); };
+  tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) {
+    bands[i] = encoded_band(rgb.subspan(i * band_rows * row_bytes, rows_of(i) * row_bytes), row_bytes,
+                            last && i + 1 == bands.size());
+  });
+  PngRows encoded{static_cast<std::int32_t>(rows), 1, {}};
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    encoded.adler = joined(encoded.adler, bands[i].adler, rows_of(i) * (row_bytes + 1));
+    encoded.chunks.insert(encoded.chunks.end(), bands[i].chunk.begin(), bands[i].chunk.end());
+  }
+  return encoded;
+}
+
 PngWriter::PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PngTexts& texts)
-    : file_(file), row_bytes_(channels * static_cast<std::size_t>(width)),
-      band_rows_(std::max<std::size_t>(band_bytes / (row_bytes_ + 1), 1)),
-      rows_left_(static_cast<std::size_t>(height)), above_(row_bytes_) {
-  constexpr std::array<std::uint8_t, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-  file_.write(signature);
-  std::vector<std::uint8_t> header;
+    : file_(file), row_bytes_(row_bytes_of(width) + 1), rows_left_(height) {
+  std::vector<std::uint8_t> bytes{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, header;
   put(header, static_cast<std::uint32_t>(width));
   put(header, static_cast<std::uint32_t>(height));
   header.insert(header.end(),
                 {8, 2, 0, 0, 0}); // bits a channel; RGB; deflate; adaptive filters; not interlaced
-  write_chunk("IHDR", header);
+  put_chunk(bytes, "IHDR", header);
   for (const auto& [keyword, text] : texts) {
     std::vector<std::uint8_t> data(keyword.begin(), keyword.end());
     data.push_back(0);
     data.insert(data.end(), text.begin(), text.end());
-    write_chunk("tEXt", data);
+    put_chunk(bytes, "tEXt", data);
   }
-  write_chunk("IDAT", std::array<std::uint8_t, 2>{0x78, 0x5e}); // zlib's header: a window of 32 KiB
+  put_chunk(bytes, "IDAT", std::array<std::uint8_t, 2>{0x78, 0x5e}); // zlib's header: a window of 32 KiB
+  file_.write(bytes);
 }
 
-void PngWriter::write_chunk(const char* type, std::span<const std::uint8_t> data) {
-  std::vector<std::uint8_t> head, tail;
-  put(head, static_cast<std::uint32_t>(data.size()));
-  head.insert(head.end(), type, type + 4);
-  std::uint32_t sum = libdeflate_crc32(0, type, 4);
-  if (!data.empty()) sum = libdeflate_crc32(sum, data.data(), data.size()); // of a null pointer it is 0
-  put(tail, sum);
-  file_.write(head);
-  file_.write(data);
-  file_.write(tail);
-}
-
-void PngWriter::write_rows(std::span<const std::uint8_t> rgb) {
-  const std::size_t rows = rgb.size() / row_bytes_, before = filtered_.size();
-  if (rows == 0) return;
-  filtered_.resize(before + rows * (row_bytes_ + 1));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, rows_a_task), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const std::uint8_t* const row = rgb.data() + i * row_bytes_;
-      filter(row, i == 0 ? above_.data() : row - row_bytes_, row_bytes_,
-             filtered_.data() + before + i * (row_bytes_ + 1));
-    }
-  });
-  const auto last = rgb.subspan((rows - 1) * row_bytes_, row_bytes_);
-  above_.assign(last.begin(), last.end());
-  const std::size_t waiting = filtered_.size() / (row_bytes_ + 1);
-  if (waiting >= band_rows_ || waiting == rows_left_) write_bands(waiting);
-}
-
-// Compresses and writes all whole bands of so many rows, and the picture's last one.
-void PngWriter::write_bands(std::size_t rows) {
-  const bool ends = rows == rows_left_;
-  std::vector<Band> bands((ends ? rows + band_rows_ - 1 : rows) / band_rows_);
-  const std::size_t used = ends ? rows : bands.size() * band_rows_;
-  tbb::parallel_for(std::size_t{0}, bands.size(), [&](std::size_t i) {
-    const std::size_t first = i * band_rows_, count = std::min(band_rows_, used - first);
-    const auto bytes = std::span(filtered_).subspan(first * (row_bytes_ + 1), count * (row_bytes_ + 1));
-    bands[i] = {deflated(bytes, ends && i + 1 == bands.size()),
-                libdeflate_adler32(1, bytes.data(), bytes.size()), bytes.size()};
-  });
-  for (const Band& band : bands) {
-    write_chunk("IDAT", band.stream);
-    adler_ =
-        static_cast<std::uint32_t>(adler32_combine(adler_, band.adler, static_cast<z_off_t>(band.bytes)));
-  }
-  filtered_.erase(filtered_.begin(),
-                  filtered_.begin() + static_cast<std::ptrdiff_t>(used * (row_bytes_ + 1)));
-  rows_left_ -= used;
+void PngWriter::write(const PngRows& rows) {
+  file_.write(rows.chunks);
+  adler_ = joined(adler_, rows.adler, static_cast<std::size_t>(rows.rows) * row_bytes_);
+  rows_left_ -= rows.rows;
   if (rows_left_ > 0) return;
-  std::vector<std::uint8_t> end;
+  std::vector<std::uint8_t> end, bytes;
   put(end, adler_);
-  write_chunk("IDAT", end);
-  write_chunk("IEND", {});
+  put_chunk(bytes, "IDAT", end);
+  put_chunk(bytes, "IEND", {});
+  file_.write(bytes);
 }
 
 void write_png(std::span<const std::uint8_t> rgb, std::int32_t width, std::int32_t height,
                const std::string& path, const PngTexts& texts) {
   OutputFile file(path);
-  PngWriter(file, width, height, texts).write_rows(rgb);
+  PngWriter(file, width, height, texts).write(encoded_rows(rgb, width, true));
   file.commit();
 }
 

@@ -14,26 +14,35 @@ namespace masu {
 // Keywords (1 to 79 characters) and texts, all ASCII.
 using PngTexts = std::vector<std::pair<std::string, std::string>>;
 
-// Writes a picture run of rows by run of rows: memory depends on the runs, not on the picture. Rows are
-// compressed by all threads in bands whose size depends on the picture's width alone, so that the file
-// depends neither on the number of threads nor on the runs.
+// A picture is compressed in bands of so many rows, which its width alone decides; the last one may be lower.
+// Bands are independent: whoever encodes them, in whatever order, the file is the same.
+std::int32_t png_band_rows(std::int32_t width);
+
+// Rows of a picture as chunks of its file, and the checksum of what is compressed in them.
+struct PngRows {
+  std::int32_t rows = 0;
+  std::uint32_t adler = 1;
+  std::vector<std::uint8_t> chunks;
+};
+
+// Encodes whole bands by all threads: rows of three bytes a pixel. last: they end with the picture's last
+// row, else their number is a multiple of png_band_rows().
+PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool last);
+
+// Writes encoded rows one run after the other: memory depends on the runs, not on the picture.
 class PngWriter {
 public:
   // Both sides at least 1. The file must outlive the writer; it isn't committed. All throw Error(output).
   PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, const PngTexts& texts = {});
 
-  // The next rows from the top, three bytes a pixel. The last of all rows completes the file.
-  void write_rows(std::span<const std::uint8_t> rgb);
+  // The next rows from the top. The last of all rows completes the file.
+  void write(const PngRows& rows);
 
 private:
-  void write_chunk(const char* type, std::span<const std::uint8_t> data);
-  void write_bands(std::size_t rows);
-
   OutputFile& file_;
-  std::size_t row_bytes_, band_rows_, rows_left_; // rows_left_: to be compressed
-  std::vector<std::uint8_t> above_;               // the last row given; zeros at first
-  std::vector<std::uint8_t> filtered_;            // rows that aren't compressed yet, a byte more each
-  std::uint32_t adler_ = 1;                       // of all filtered rows compressed so far
+  std::size_t row_bytes_; // of filtered rows
+  std::int32_t rows_left_;
+  std::uint32_t adler_ = 1; // of all rows written so far
 };
 
 // A whole picture. Throws Error(output).

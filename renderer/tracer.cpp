@@ -1,22 +1,27 @@
 #include "renderer/tracer.h"
 
 #include "libscene/error.h"
+#include "libscene/on_threads.h"
 #include "libscene/stopwatch.h"
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <future>
+#include <mutex>
+
 namespace masu {
 namespace {
 
 // Rounded to the arithmetic's numbers, in memory of the device.
 template <class Real>
-ResidentRays resident_rays(std::span<const Ray<double>> rays, Device device) {
+ResidentRays resident_rays(std::span<const Ray<double>> rays, const std::vector<int>& gpus) {
   std::vector<Ray<Real>> rounded(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
     rounded[i] = loaded<Real>(rays.data(), own_format<double>, i);
-  if (device == Device::cuda) return upload_rays_cuda(RayList(rounded));
+  if (!gpus.empty()) return upload_rays_cuda(RayList(rounded), gpus.front());
   struct Memory {
     std::vector<Ray<Real>> rays;
     std::vector<float> t;
@@ -80,19 +85,25 @@ Frame empty_frame(const FrameRequest& request) {
   return frame;
 }
 
-Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device, int gpu)
-    : scene_(scene), grid_(grid), device_(device) {
+Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device, std::vector<int> gpus)
+    : scene_(scene), grid_(grid), device_(device),
+      gpus_(device == Device::cuda ? std::move(gpus) : std::vector<int>()),
+      turn_(std::make_shared<std::atomic<std::size_t>>(0)) {
+  if (device == Device::cuda && gpus_.empty()) throw Error(ErrorCode::usage, "gpus", "none is named");
   if (grid != nullptr) grid->check_geometry(scene.geometry_hash(), scene.primitive_count());
   const auto check = [&] {
     if (!scene.is_checked()) scene.check_records();
     if (grid != nullptr && !grid->is_checked()) grid->check_records();
   };
-  if (device == Device::cuda) set_up_cuda(gpu);
+  on_threads(gpus_.size(), [&](std::size_t i) { set_up_cuda(gpus_[i]); });
   const Stopwatch watch;
-  if (device == Device::cuda)
-    files_ = upload_files_cuda(scene, grid, gpu, check);
-  else
-    check();
+  // One of the uploads checks the files, the others wait for it.
+  const std::shared_future<void> checked = std::async(std::launch::deferred, check).share();
+  files_.resize(gpus_.size());
+  on_threads(gpus_.size(), [&](std::size_t i) {
+    files_[i] = upload_files_cuda(scene, grid, gpus_[i], [mine = checked] { mine.get(); });
+  });
+  if (device == Device::cpu) check();
   upload_seconds_ = watch.seconds();
   kinds_ = scene.is_float64() ? kinds_in(scene.view<double>()) : kinds_in(scene.view<float>());
 }
@@ -103,13 +114,50 @@ TracingRules Tracer::resolved(TracingRules rules) const {
   return rules;
 }
 
-Frame Tracer::render(const FrameRequest& request) const {
+Frame Tracer::render(const FrameRequest& request, std::size_t index) const {
   check_request(request);
   FrameRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   if (request.costs) resolved_request.tracing.count = true;
-  return device_ == Device::cuda ? render_cuda(*files_, scene_, grid_, resolved_request)
+  return device_ == Device::cuda ? render_cuda(*files_.at(index), scene_, grid_, resolved_request)
                                  : render_cpu(scene_, grid_, resolved_request);
+}
+
+Frame Tracer::render(const FrameRequest& request) const {
+  constexpr std::int64_t rays_a_band = std::int64_t{1} << 20;
+  const RayWindow window =
+      request.window.columns > 0 ? request.window : all_rays(request.camera, request.sampling);
+  const auto band_rows =
+      static_cast<std::int32_t>(std::max<std::int64_t>(rays_a_band / std::max(window.columns, 1), 8));
+  if (device_count() == 1 || window.rows <= band_rows) return render(request, next_device());
+  check_window(window, all_rays(request.camera, request.sampling)); // before there is room for it
+  Frame whole = empty_frame(request);
+  std::mutex mutex;
+  std::atomic<std::int32_t> next_row = 0;
+  on_threads(device_count() * queries_a_gpu, [&](std::size_t worker) {
+    for (std::int32_t row; (row = next_row.fetch_add(band_rows)) < window.rows;) {
+      FrameRequest part = request;
+      part.window = {window.first_column, window.first_row + row, window.columns,
+                     std::min(band_rows, window.rows - row)};
+      part.count_last_row = request.count_last_row || row + part.window.rows < window.rows;
+      const Frame band = render(part, worker % device_count());
+      const auto first = static_cast<std::ptrdiff_t>(row) * window.columns;
+      std::ranges::copy(band.radiance, whole.radiance.begin() + first);
+      std::ranges::copy(band.hits, whole.hits.begin() + (request.hits ? first : 0));
+      std::ranges::copy(band.cells, whole.cells.begin() + (request.costs ? first : 0));
+      std::ranges::copy(band.tests, whole.tests.begin() + (request.costs ? first : 0));
+      const std::lock_guard lock(mutex);
+      whole.counts += band.counts;
+      whole.seconds += band.seconds;
+      whole.kernel = band.kernel;
+    }
+  });
+  return whole;
+}
+
+// Small queries take turns.
+std::size_t Tracer::next_device() const {
+  return device_count() > 1 ? turn_->fetch_add(1, std::memory_order_relaxed) % device_count() : 0;
 }
 
 namespace {
@@ -128,24 +176,48 @@ void check_results(const RayList& rays, const RayResults& results, Query query) 
 
 } // namespace
 
-QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
+QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                          std::size_t index) const {
   check_results(rays, results, request.query);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   if (results.costs.wanted()) resolved_request.tracing.count = true;
-  return device_ == Device::cuda ? trace_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request)
-                                 : trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
+  if (device_ == Device::cpu) return trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
+  std::atomic<std::size_t> next_piece = 0;
+  return trace_rays_cuda(*files_.at(index), scene_, grid_, rays, results, resolved_request, next_piece);
+}
+
+QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
+  if (device_count() == 1 || rays.count <= rays_a_piece) return trace(rays, results, request, next_device());
+  check_results(rays, results, request.query);
+  RaysRequest resolved_request = request;
+  resolved_request.tracing = resolved(request.tracing);
+  if (results.costs.wanted()) resolved_request.tracing.count = true;
+  std::atomic<std::size_t> next_piece = 0;
+  std::mutex mutex;
+  QueryReport all;
+  on_threads(device_count(), [&](std::size_t index) {
+    const QueryReport report =
+        trace_rays_cuda(*files_[index], scene_, grid_, rays, results, resolved_request, next_piece);
+    const std::lock_guard lock(mutex);
+    all.counts += report.counts;
+    all.seconds += report.seconds;
+    all.kernel = report.kernel;
+  });
+  return all;
 }
 
 QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& results,
-                                    const RaysRequest& request, void* stream) const {
+                                    const RaysRequest& request, void* stream, int gpu) const {
   if (device_ == Device::cpu) return trace(rays, results, request);
+  const auto index = static_cast<std::size_t>(std::ranges::find(gpus_, gpu) - gpus_.begin());
+  if (index == gpus_.size()) throw Error(ErrorCode::usage, "rays", "aren't in memory of the tracer's GPUs");
   check_results(rays, results, request.query);
   if (request.tracing.count || results.costs.wanted())
     throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
-  return queue_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request, stream);
+  return queue_rays_cuda(*files_[index], scene_, grid_, rays, results, resolved_request, stream);
 }
 
 RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName name) const {
@@ -165,15 +237,15 @@ RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName na
 
 ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precision) const {
   precision = masu::resolved(precision, scene_);
-  return precision == Precision::doubled ? resident_rays<double>(rays, device_)
-                                         : resident_rays<float>(rays, device_);
+  return precision == Precision::doubled ? resident_rays<double>(rays, gpus_)
+                                         : resident_rays<float>(rays, gpus_);
 }
 
 QueryReport Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
   if (device_ == Device::cpu) return trace(rays.list, rays.results, request);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
-  return time_rays_cuda(*files_, scene_, grid_, rays, resolved_request);
+  return time_rays_cuda(*files_.front(), scene_, grid_, rays, resolved_request);
 }
 
 } // namespace masu

@@ -11,6 +11,7 @@
 #include "renderer/ray_query.h"
 #include "renderer/render_pixel.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <span>
@@ -19,6 +20,8 @@
 namespace masu {
 
 enum class Device { cpu, cuda };
+
+inline constexpr int queries_a_gpu = 3; // to keep it busy: one computes, one comes back, one is prepared
 
 // How rays are traced.
 struct TracingRules {
@@ -33,6 +36,13 @@ struct TracingRules {
 // memory that they were read into and rays where the caller has them: nothing is uploaded or downloaded.
 struct TraceSeconds {
   double upload = 0, trace = 0, download = 0;
+
+  TraceSeconds& operator+=(const TraceSeconds& other) {
+    upload += other.upload;
+    trace += other.trace;
+    download += other.download;
+    return *this;
+  }
 };
 
 // What a CUDA kernel takes a thread: registers, and bytes of local memory. 0 on the CPU.
@@ -50,6 +60,7 @@ struct FrameRequest {
   RenderRules rules{5, false, HitName::object};
   bool hits = false;                      // report the hit of each camera ray
   RayWindow window{};                     // the camera rays to trace; all, where it has no columns
+  bool count_last_row = true;             // false: of a band whose last row of rays the next band counts
   std::function<void(double)> progress{}; // gets the share of rays traced, from any thread; on the CPU only
   bool costs = false; // report what each camera ray and all that it spawns took; it is then counted
 };
@@ -148,9 +159,16 @@ public:
   // the tracer. Whatever of them isn't checked yet is checked here, on a GPU while they are copied; nothing
   // is traced before. Throws Error(input) for a damaged file or a grid of another geometry, Error(device)
   // where there is no usable GPU.
-  Tracer(const SceneFile& scene, const GridFile* grid, Device device, int gpu = 0);
+  //
+  // gpus: numbers of GPUs, at least one, for Device::cuda. Each gets the files at the same time; one that is
+  // named twice gets them twice. What comes out is independent of how many they are.
+  Tracer(const SceneFile& scene, const GridFile* grid, Device device, std::vector<int> gpus = {0});
 
   Device device() const { return device_; }
+  // 1 on the CPU.
+  std::size_t device_count() const { return device_ == Device::cuda ? gpus_.size() : 1; }
+  // Empty on the CPU.
+  const std::vector<int>& gpus() const { return gpus_; }
   const SceneFile& scene() const { return scene_; }
   const GridFile* grid() const { return grid_; }
   // Of putting the files on the device, and of checking them.
@@ -159,18 +177,25 @@ public:
   // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), for a depth that isn't from
   // 1 to largest_depth or a window that isn't within the picture, and for results that a query needs and
   // doesn't have; Error(device).
+  //
+  // Several GPUs share a picture of more than a million rays, in bands of rows. Or `index` names the device
+  // that renders it all, from 0 to below device_count().
   Frame render(const FrameRequest& request) const;
+  Frame render(const FrameRequest& request, std::size_t index) const;
 
   // Rays and results in host memory, counted where costs are wanted; on a GPU they are copied there in pieces
-  // while others are traced. No more than about 300 MB of device memory is used, however long the list is.
+  // of a million while others are traced. No more than about 300 MB of device memory is used, however long the
+  // list is. Several GPUs share the pieces, or `index` names the device that traces all.
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
+  QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                    std::size_t index) const;
   // On a GPU, rays and results in its memory, any alignment of a number; on the CPU as trace(). The query is
   // put on the stream, a cudaStream_t, and nobody waits for it: the report has the kernel alone, and neither
-  // counting nor costs are possible.
+  // counting nor costs are possible. `gpu`: the number of the GPU in whose memory they lie, one of gpus().
   QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
-                              void* stream) const;
+                              void* stream, int gpu) const;
 
-  // For measurements, and where vectors are what is wanted.
+  // For measurements: on the first device alone. And where vectors are what is wanted.
   RayHits hits(const RayList& rays, const RaysRequest& request, HitName name) const;
   ResidentRays upload(std::span<const Ray<double>> rays, Precision precision) const;
   // The report's seconds.trace is the device's time for it.
@@ -180,11 +205,14 @@ private:
   const SceneFile& scene_;
   const GridFile* grid_;
   Device device_;
-  std::shared_ptr<const DeviceFiles> files_; // null on the CPU
+  std::vector<int> gpus_;
+  std::vector<std::shared_ptr<const DeviceFiles>> files_; // of each GPU
+  std::shared_ptr<std::atomic<std::size_t>> turn_;        // of small queries among several GPUs
   double upload_seconds_ = 0;
   unsigned kinds_ = with_all_kinds;
 
   TracingRules resolved(TracingRules rules) const;
+  std::size_t next_device() const;
 };
 
 } // namespace masu

@@ -38,7 +38,7 @@ template <class M, class Stored, class Grid, class C>
 __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
     render_kernel(const SceneView<Stored> scene, const Grid grid, const CameraRays<typename M::Real> rays,
                   const RenderRules rules, Vec3f* const colors, HitRecord* const hits, Counts* const total,
-                  const RayCosts costs) {
+                  const RayCosts costs, const std::int32_t counted_rows) {
   const auto column = static_cast<std::int32_t>(blockIdx.x * tile_side + threadIdx.x);
   const auto row = static_cast<std::int32_t>(blockIdx.y * tile_side + threadIdx.y);
   if (column >= rays.columns || row >= rays.rows) return;
@@ -49,7 +49,7 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
   colors[index] = radiance<M>(scene, grid, rules, camera_ray(rays, column, row), hit, counts);
   if (hits != nullptr) hits[index] = hit;
   write_costs(costs, index, counts);
-  add(total, counts);
+  if (row < counted_rows) add(total, counts);
 }
 
 template <Query query, class M, class Stored, class Grid, class C>
@@ -95,7 +95,7 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
     frame.seconds.trace = timed(stream, [&] {
       kernel<<<dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), 0, stream>>>(
           files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
-          RayCosts{cells.data(), tests.data()});
+          RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
     });
   });
   const Stopwatch watch;

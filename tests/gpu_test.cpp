@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace masu {
 namespace {
@@ -368,6 +369,62 @@ TEST_P(CpuAndGpu, RenderTheSameHoweverThePictureIsDivided) {
        {ScreenDivision::block, ScreenDivision::cyclic, ScreenDivision::persistent}) {
     const DividedFrame divided = render_divided_cuda(built.scene, built.grid, wanted, division, 0);
     EXPECT_EQ(divided.frame.radiance, expected.radiance) << static_cast<int>(division);
+  }
+}
+
+// The first GPU twice, and all that there are.
+std::vector<std::vector<int>> several_gpus() {
+  std::vector<int> all(static_cast<std::size_t>(cuda_device_count()));
+  std::iota(all.begin(), all.end(), 0);
+  return {{0, 0}, all, {cuda_device_count() - 1}};
+}
+
+TEST_P(CpuAndGpu, RenderAndTraceTheSameOnSeveralGpus) {
+  const Built built = build(Store::float32, GetParam().min_size + 1, "auto");
+  FrameRequest wanted = request(built.scene, 1300); // more than a million rays: several bands
+  FrameRequest band = wanted;
+  band.window = {0, 100, 1301, 200};
+  band.count_last_row = false;
+  wanted.tracing.count = band.tracing.count = true;
+  const Tracer one(built.scene, &built.grid, Device::cuda), cpu(built.scene, &built.grid, Device::cpu);
+  const std::vector<Ray<double>> rays = random_rays(built.scene, 2'300'000, 1);
+  const RayHits expected_hits = one.hits(rays, {}, HitName::primitive);
+  const Frame expected = one.render(wanted);
+  for (const std::vector<int>& gpus : several_gpus()) {
+    SCOPED_TRACE(testing::Message() << gpus.size() << " GPUs, the last one is " << gpus.back());
+    const Tracer several(built.scene, &built.grid, Device::cuda, gpus);
+    ASSERT_EQ(several.device_count(), gpus.size());
+    expect_same_hits(expected_hits.hits, several.hits(rays, {}, HitName::primitive).hits);
+    const Frame frame = several.render(wanted);
+    EXPECT_EQ(frame.radiance, expected.radiance);
+    expect_same_hits(expected.hits, frame.hits);
+    expect_same_counts(expected.counts, frame.counts);
+    for (std::size_t index = 0; index < gpus.size(); ++index)
+      expect_same_counts(cpu.render(band).counts, several.render(band, index).counts);
+    RaysRequest counted;
+    counted.tracing.count = true;
+    const auto counts = [&](const Tracer& tracer) { // of rays in the memory of its first GPU
+      return tracer.trace(tracer.upload(rays, Precision::automatic), counted).counts;
+    };
+    expect_same_counts(counts(one), counts(several));
+  }
+}
+
+// The rows of bands that share rays are counted once.
+TEST_P(CpuAndGpu, CountBandsAsTheWhole) {
+  const Built built = build(Store::float32, GetParam().min_size + 1, "auto");
+  FrameRequest wanted = request(built.scene, 90);
+  wanted.tracing.count = true;
+  for (const Device device : {Device::cpu, Device::cuda}) {
+    const Tracer tracer(built.scene, &built.grid, device);
+    Counts sum;
+    for (const std::int32_t row : {0, 20, 40, 60, 80}) {
+      FrameRequest band = wanted;
+      band.window = {0, row, 91, std::min(21, 91 - row)};
+      band.count_last_row = row == 80;
+      sum += tracer.render(band).counts;
+    }
+    expect_same_counts(tracer.render(wanted).counts, sum);
   }
 }
 

@@ -260,4 +260,40 @@ TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
   ASSERT_CUDA(cudaFreeHost(t));
 }
 
+TEST_F(LibraryOnGpu, FindsTheSameOnSeveralGpus) {
+  SCOPED_TRACE(seed_.trace());
+  int count = 0;
+  ASSERT_DONE(masu_gpu_count(&count));
+  std::vector<int> all(static_cast<std::size_t>(count));
+  for (int gpu = 0; gpu < count; ++gpu)
+    all[static_cast<std::size_t>(gpu)] = gpu;
+  const std::vector<masu_ray> list = rays(2'500'000); // three pieces
+  const Found expected = on_host(gpu_, list.data(), list.size());
+  for (const std::vector<int>& gpus : {std::vector<int>{0, 0}, all}) {
+    masu_tracer* several = nullptr;
+    ASSERT_DONE(masu_open_devices(scene_.c_str(), grid_.c_str(), gpus.data(), gpus.size(), &several));
+    masu_description description{};
+    ASSERT_DONE(masu_describe(several, &description));
+    EXPECT_EQ(description.device, 0);
+    expect_same(expected, on_host(several, list.data(), list.size()));
+    // Rays on any of its GPUs are traced there.
+    const std::size_t some = 1000;
+    for (const int gpu : gpus) {
+      ASSERT_CUDA(cudaSetDevice(gpu));
+      const Device<masu_ray> device(std::vector<masu_ray>(list.begin(), list.begin() + some));
+      const Device<float> t(some);
+      masu_hits hits{};
+      hits.t = t.data();
+      ASSERT_DONE(masu_nearest(several, device.data(), some, nullptr, &hits));
+      ASSERT_CUDA(cudaDeviceSynchronize());
+      EXPECT_EQ(t.host(some), std::vector<float>(expected.t.begin(), expected.t.begin() + some)) << gpu;
+    }
+    ASSERT_CUDA(cudaSetDevice(0));
+    masu_close(several);
+  }
+  const int beyond[] = {0, count};
+  masu_tracer* refused = nullptr;
+  EXPECT_EQ(masu_open_devices(scene_.c_str(), grid_.c_str(), beyond, 2, &refused), MASU_ERROR_DEVICE);
+}
+
 } // namespace

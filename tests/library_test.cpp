@@ -261,6 +261,23 @@ TEST_F(Library, AnswersThreadsAtTheSameTime) {
     masu_close(tracer);
 }
 
+TEST_F(Library, NoGpusAreTheCpu) {
+  std::mt19937_64 engine(seed_.value());
+  prepare(random_mesh(engine, 10));
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_open_devices(file("scene").c_str(), file("grid").c_str(), nullptr, 0, &tracer));
+  masu_description description{};
+  ASSERT_DONE(masu_describe(tracer, &description));
+  EXPECT_EQ(description.device, MASU_CPU);
+  masu_close(tracer);
+  int count = 0;
+  ASSERT_DONE(masu_gpu_count(&count));
+  const int cpu = MASU_CPU;
+  EXPECT_EQ(masu_open_devices(file("scene").c_str(), nullptr, &count, 1, &tracer), MASU_ERROR_DEVICE);
+  EXPECT_EQ(masu_open_devices(file("scene").c_str(), nullptr, &cpu, 1, &tracer), MASU_ERROR_DEVICE);
+  EXPECT_EQ(masu_open_devices(file("scene").c_str(), nullptr, nullptr, 1, &tracer), MASU_ERROR_USAGE);
+}
+
 TEST_F(Library, RaysThatArentValidHitNothing) {
   std::mt19937_64 engine(seed_.value());
   prepare(random_mesh(engine, 50));

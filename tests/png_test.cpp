@@ -1,4 +1,4 @@
-// PNG files: decoded by libpng they hold the pixels given, by any division of rows into runs.
+// PNG files: decoded by libpng they hold the pixels given, by any division into runs of bands.
 #include "renderer/deflate.h"
 #include "renderer/png_file.h"
 #include "tests/temporary_folder.h"
@@ -10,6 +10,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace masu {
 namespace {
@@ -60,7 +61,7 @@ TEST(Png, HoldsThePixelsOfAnySize) {
   }
 }
 
-TEST(Png, FileDependsNeitherOnRunsOfRowsNorOnThreads) {
+TEST(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
@@ -76,14 +77,25 @@ TEST(Png, FileDependsNeitherOnRunsOfRowsNorOnThreads) {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     EXPECT_TRUE(whole("one.png") == expected);
   }
-  for (const std::size_t longest : {1U, 10U, 2000U}) {
+  const auto band = static_cast<std::size_t>(png_band_rows(width));
+  ASSERT_GE(height / band, 3U);
+  for (const std::size_t longest : {1U, 2U, 4U}) { // bands
+    std::vector<std::pair<std::size_t, std::size_t>> runs;
+    for (std::size_t row = 0; row < height; row += runs.back().second)
+      runs.emplace_back(row, std::min<std::size_t>((1 + random() % longest) * band, height - row));
+    std::vector<PngRows> encoded(runs.size());
+    std::vector<std::size_t> order(runs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), random);
+    for (const std::size_t i : order) {
+      const auto [row, rows] = runs[i];
+      encoded[i] = encoded_rows(std::span(rgb).subspan(row * width * 3, rows * width * 3), width,
+                                row + rows == height);
+    }
     OutputFile file(folder.file("runs.png"));
     PngWriter writer(file, width, height);
-    for (std::size_t row = 0; row < height;) {
-      const std::size_t rows = std::min<std::size_t>(1 + random() % longest, height - row);
-      writer.write_rows(std::span(rgb).subspan(row * width * 3, rows * width * 3));
-      row += rows;
-    }
+    for (const PngRows& rows : encoded)
+      writer.write(rows);
     file.commit();
     EXPECT_TRUE(read_bytes(folder.file("runs.png")) == expected) << "runs of up to " << longest;
   }

@@ -20,7 +20,7 @@ struct Spawned {
 
 Spawned spawn(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings,
               const std::string& out, const std::string& err) {
-  const std::string path = std::string(MASU_BIN_DIR) + "/" + tool;
+  const std::string path = tool.starts_with('/') ? tool : std::string(MASU_BIN_DIR) + "/" + tool;
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments)
     argv.push_back(const_cast<char*>(argument.c_str()));

@@ -24,7 +24,7 @@ struct Surroundings {
   std::string environment;         // one more variable, NAME=value
 };
 
-// `tool`: its name, without a path.
+// `tool`: its name, or the path of another program.
 ToolResult run(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings = {});
 
 // Starts the tool without waiting for it. Its output is discarded.

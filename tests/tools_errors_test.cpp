@@ -676,6 +676,9 @@ TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
   const Surroundings no_device{"/dev/null", {}, "CUDA_VISIBLE_DEVICES=-1"};
   EXPECT_TRUE(fails(4, "gridrender", {scene_, grid_, "-o", file("new.png"), "--backend", "cuda"}, "cuda",
                     "--backend cpu", no_device));
+  for (const char* const devices : {"all", "0", "0,1"})
+    EXPECT_TRUE(fails(4, "gridrender", {scene_, grid_, "-o", file("new.png"), "--devices", devices}, "cuda",
+                      "--backend cpu", no_device));
   EXPECT_TRUE(fails(4, "gridbench", {"load", scene_, grid_, "--backend", "cuda"}, "cuda", "--backend cpu",
                     no_device));
   EXPECT_TRUE(fails(4, "gridbuild", {scene_, "-o", file("new.grid"), "--device", "cuda"}, "cuda",

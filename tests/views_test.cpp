@@ -305,6 +305,69 @@ TEST_F(Views, InvalidListsAreRefusedByLine) {
   EXPECT_TRUE(refused(1, {"--views", sizes, "-o", file("{name}.png"), "--crop", "0,0,5,1"}, "--crop"));
 }
 
+// --- Devices and bands ------------------------------------------------------------------------------------
+
+TEST_F(Views, DevicesAreGpusOrTheCpu) {
+  const auto refused = [&](const Arguments& devices) {
+    Arguments arguments{scene_, grid_, "-o", file("new.png")};
+    arguments.insert(arguments.end(), devices.begin(), devices.end());
+    return failed(run("gridrender", arguments), 1, "gridrender", "--devices");
+  };
+  for (const char* const devices : {"gpu", "0,", ",0", "0 1", "-1", "0,x", "99999999999", "all,0", "cpu,0"})
+    EXPECT_TRUE(refused({std::string("--devices=") + devices})) << devices;
+  EXPECT_TRUE(refused({"--devices", "cpu", "--backend", "cuda"}));
+  EXPECT_TRUE(refused({"--devices", "0", "--backend", "cpu"}));
+  render({"-o", file("a.png")});
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("b.png"), "--devices", "cpu"})));
+  EXPECT_TRUE(read_bytes(file("a.png")) == read_bytes(file("b.png")));
+}
+
+// Of 1048 rows each: records, floats and pixels around their borders are those of crops, which are one band.
+TEST_F(Views, BandsOfLargePicturesAreTheSameBitsAsThePictureUndivided) {
+  constexpr std::size_t width = 1333, height = 2500, band = 1048;
+  for (const bool corners : {true, false}) {
+    const std::size_t more = corners ? 1 : 0;
+    const Arguments common{"--size", "1333x2500",  "--depth",
+                           "1",      "--sampling", corners ? "corners" : "centers"};
+    const auto made = [&](const char* picture, const Arguments& options) {
+      Arguments arguments{"-o", file(picture), "--hits", file("hits"), "--stats", file("stats")};
+      arguments.insert(arguments.end(), common.begin(), common.end());
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      render(arguments);
+      return nlohmann::json::parse(read_text(file("stats")));
+    };
+    made("whole.png", {});
+    const auto stats = made("whole.pfm", {});
+    EXPECT_EQ(stats["eye_rays"], (width + more) * (height + more));
+    const Bytes hits = read_bytes(file("hits")), floats = pfm_floats(file("whole.pfm"), width, height);
+    ASSERT_EQ(hits.size(), 8 * (width + more) * (height + more));
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < hits.size(); i += 8) {
+      std::int32_t name = 0;
+      std::memcpy(&name, hits.data() + i + 4, 4);
+      met += name >= 0 ? 1 : 0;
+    }
+    EXPECT_EQ(stats["eye_hits"], met);
+    const Picture whole = decoded(file("whole.png"));
+    for (const std::size_t y : {std::size_t{0}, band - 20, 2 * band - 20, height - 40}) {
+      const std::string crop = fmt::format("0,{},{},40", y, width);
+      made("crop.png", {"--crop", crop});
+      made("crop.pfm", {"--crop", crop});
+      EXPECT_TRUE(decoded(file("crop.png")).rgb == part(whole.rgb, width, 3, 0, y, width, 40));
+      EXPECT_TRUE(pfm_floats(file("crop.pfm"), width, 40) ==
+                  part(floats, width, 12, 0, height - y - 40, width, 40));
+      EXPECT_TRUE(read_bytes(file("hits")) == part(hits, width + more, 8, 0, y, width + more, 40 + more));
+    }
+    // To a pipe, in order.
+    for (const char* const format : {"png", "pfm"}) {
+      Arguments arguments{"-o", "-", "--format", format};
+      arguments.insert(arguments.end(), common.begin(), common.end());
+      EXPECT_TRUE(succeeded(try_render(arguments, {"/dev/null", file("piped"), {}})));
+      EXPECT_TRUE(read_bytes(file("piped")) == read_bytes(file(fmt::format("whole.{}", format)))) << format;
+    }
+  }
+}
+
 // --- What is said beside the results ----------------------------------------------------------------------
 
 TEST_F(Views, ASummaryIsOneLineAndQuietSilencesIt) {

@@ -60,7 +60,8 @@ void end_without_memory() {
 
 } // namespace
 
-int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body) {
+int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
+             const Printing& prints) {
   // Where no memory is left for the line, it says that.
   const auto report = [&](ErrorCode code, const char* line) {
     std::string text;
@@ -70,7 +71,8 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
       } catch (const std::bad_alloc&) {
       }
     }
-    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, text.empty() ? no_memory : text.c_str()));
+    if (prints.error())
+      static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, text.empty() ? no_memory : text.c_str()));
     return static_cast<int>(code);
   };
   // A closed pipe and a file-size limit are write errors like any other.
@@ -85,7 +87,7 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
     try {
       body(app, [&] { app.parse(argc, argv); });
     } catch (const CLI::Success& success) { // --help, --version
-      app.exit(success);
+      if (prints.help()) app.exit(success);
     } catch (const CLI::ParseError& error) {
       std::string command = name; // with the subcommand whose help lists the options
       for (const CLI::App* const subcommand : app.get_subcommands())

@@ -29,7 +29,12 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<std::
 // A tool's main: body(app, parse) adds options to the app, calls parse(), and runs the tool. Returns the exit
 // code of libscene/error.h; 0 for --help.
 using ToolBody = std::function<void(CLI::App& app, const std::function<void()>& parse)>;
-int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body);
+// Of several processes of a tool, which one prints --help and --version, and which one its error.
+struct Printing {
+  std::function<bool()> help = [] { return true; }, error = [] { return true; };
+};
+int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
+             const Printing& prints = {});
 
 // An option whose values have names. The initial `value` is its default, and must be among them.
 template <class Value>
@@ -64,8 +69,7 @@ public:
         ->capture_default_str();
   }
   // The limit is in force while the result lives.
-  tbb::global_control limit() const {
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  tbb::global_control limit(std::size_t cores = std::max(1U, std::thread::hardware_concurrency())) const {
     return {tbb::global_control::max_allowed_parallelism,
             threads_ > 0 ? static_cast<std::size_t>(threads_) : cores};
   }

@@ -2,11 +2,12 @@
 #include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
-#include "tools/backend_choice.h"
+#include "tools/device_choice.h"
 #include "tools/inspection.h"
 #include "tools/printable.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
+#include "tools/ranks.h"
 #include "tools/ray_list.h"
 #include "tools/render_views.h"
 #include "tools/repeated.h"
@@ -27,7 +28,7 @@ struct Settings {
   std::optional<double> angle;
   int turntable = 0; // views; 0: none
   Format format = Format::automatic;
-  Backend backend = Backend::automatic;
+  DeviceChoice devices;
   TracingRules tracing;
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
@@ -37,6 +38,7 @@ struct Settings {
        brute_force = false, quiet = false;
   Inspection inspection;
   Threads threads;
+  bool resume = false;
 };
 
 struct Seconds {
@@ -86,7 +88,7 @@ bool changes_camera(const Settings& settings) {
   return !settings.from.empty() || !settings.at.empty() || !settings.up.empty() || settings.angle;
 }
 
-void check(const Settings& settings) {
+void check(const Settings& settings, const Sharing& sharing) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
   settings.inspection.check(settings.output);
   if (settings.scene.empty()) fail("command line", "SCENE is required: see gridrender --help");
@@ -113,7 +115,14 @@ void check(const Settings& settings) {
   if (!settings.any_hit && settings.write == "occluded") fail("--write", "occluded needs --any-hit");
   if (settings.grid.empty() && !settings.brute_force)
     fail("GRID", "is missing: name the grid file, or give --brute-force");
+  if (settings.resume && settings.output.empty() && settings.hits.empty())
+    fail("--resume", "needs -o or --hits: nothing else is kept");
   if (!settings.output.empty()) static_cast<void>(format_of(settings));
+  if (sharing.in_parts() && !settings.rays.empty() && !settings.hits.empty())
+    static_cast<void>(partial_name(settings.hits));
+  if (sharing.in_parts() && settings.rays == "-") fail("--rays", "must name a file, for ranks and --resume");
+  if (sharing.ranks.count() > 1 && settings.views == "-")
+    fail("--views", "must name a file, for several ranks");
   check_files({settings.scene, settings.grid, settings.rays, settings.views},
               {settings.output, settings.hits, settings.stats, settings.times, settings.inspection.json});
 }
@@ -190,29 +199,36 @@ ViewsRequest views_request(const Settings& settings, const TracingRules& tracing
 
 // --- The tool's run ---------------------------------------------------------------------------------------
 
+// What files depend on besides cameras and rays.
+std::string run_description(const Tracer& tracer, const Settings& settings, const TracingRules& tracing) {
+  std::string text = program_name();
+  for (const auto& [keyword, value] : picture_texts(settings, tracer.scene()))
+    text += "\n" + value;
+  return text + fmt::format("\n{} counts {} names {} format {} write {} any hit {} rays {} {}",
+                            tracer.device() == Device::cuda ? "cuda" : "cpu", tracing.count,
+                            static_cast<int>(settings.hit_name), static_cast<int>(settings.format),
+                            settings.write, settings.any_hit, settings.ray_numbers,
+                            static_cast<int>(settings.ray_store));
+}
+
 struct Outcome {
-  std::uint64_t views = 0, rays = 0;
-  Counts counts;
-  TraceSeconds seconds;
-  double write_seconds = 0;
+  std::uint64_t views = 0;
+  TracingReport report;
   double rays_seconds = 0;  // in which the rays were traced,
   const char* besides = ""; // and what else was done in them
 };
 
-Outcome render_pictures(const Tracer& tracer, const ViewsRequest& request, bool quiet) {
+Outcome render_pictures(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+                        bool quiet) {
   Progress progress("rendering", quiet);
-  const ViewsReport report = render_views(tracer, request, progress.callback());
-  const bool overlap = request.views.size() > 1;
-  return {request.views.size(),
-          report.rays,
-          report.counts,
-          report.seconds,
-          report.write_seconds,
-          overlap ? report.elapsed_seconds : report.seconds.trace,
+  const TracingReport report = render_views(tracer, request, sharing, progress.callback());
+  const bool overlap = report.tasks > 1 || sharing.in_parts();
+  return {request.views.size(), report, overlap ? report.elapsed_seconds : report.seconds.trace,
           overlap ? " with writing" : ""};
 }
 
-Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Settings& settings) {
+Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Settings& settings,
+                   const Sharing& sharing, bool quiet) {
   RayListJob job{settings.rays, settings.hits,
                  RayFormat{settings.ray_store == Store::float64, settings.ray_numbers}};
   const char* const usual = settings.any_hit                          ? "occluded"
@@ -224,20 +240,16 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
   if (tracer.grid() != nullptr)
     job.request.loop = automatic_loop(settings.coherent, tracer.scene(), *tracer.grid());
   job.repeat = settings.repeat;
-  Progress progress("tracing", settings.quiet);
-  const RayListSummary summary = trace_ray_list(tracer, job, progress.callback());
-  if (summary.invalid > 0)
+  job.description = run_description(tracer, settings, tracing);
+  Progress progress("tracing", quiet);
+  const TracingReport report = trace_ray_list(tracer, job, sharing, progress.callback());
+  const TaskTotals& totals = report.totals;
+  if (totals.invalid > 0 && sharing.ranks.rank() == 0)
     fmt::print(stderr,
                "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
                "a direction below 1e-15\n",
-               printable(settings.rays), summary.invalid, summary.rays);
-  return {0,
-          summary.rays,
-          summary.counts,
-          summary.seconds,
-          summary.write_seconds,
-          summary.elapsed_seconds,
-          " with reading and writing"};
+               printable(settings.rays), totals.invalid, totals.rays);
+  return {0, report, report.elapsed_seconds, " with reading and writing"};
 }
 
 // The channels' rays, besides those of a picture.
@@ -251,7 +263,7 @@ Outcome render_channels(const Tracer& tracer, const Settings& settings, const Vi
                      progress.callback());
   Outcome outcome;
   outcome.views = views.views.size();
-  outcome.rays = summary.rays;
+  outcome.report.totals.rays = summary.rays;
   outcome.rays_seconds = summary.seconds;
   outcome.besides = " with writing";
   return outcome;
@@ -265,16 +277,24 @@ bool wants_picture(const Settings& settings) {
 
 void print_summary(const Outcome& outcome, const std::string& device) {
   const double seconds = outcome.rays_seconds;
+  const std::uint64_t rays = outcome.report.totals.rays;
   fmt::print(stderr, "gridrender: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}\n",
-             outcome.views > 1 ? fmt::format("{} views, ", outcome.views) : "", outcome.rays, seconds,
-             outcome.besides, seconds > 0 ? static_cast<double>(outcome.rays) / seconds * 1e-6 : 0, device);
+             outcome.views > 1 ? fmt::format("{} views, ", outcome.views) : "", rays, seconds,
+             outcome.besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device);
 }
 
-void render(const Settings& settings) {
-  if (!settings.inspection.difference.empty()) return print_difference(settings.inspection, settings.output);
-  check(settings);
+void render(const Settings& settings, Ranks& ranks) {
+  const Sharing sharing{ranks, settings.resume};
+  if (!settings.inspection.difference.empty()) {
+    if (ranks.rank() == 0) print_difference(settings.inspection, settings.output);
+    return;
+  }
+  check(settings, sharing);
+  const bool quiet = settings.quiet || ranks.rank() > 0;
   const bool only_walk = !wants_picture(settings) && settings.inspection.channels.empty(); // on the CPU
-  const bool cuda = !only_walk && use_cuda(settings.backend, "gridrender", settings.quiet);
+  const std::vector<int> gpus =
+      only_walk ? std::vector<int>() : settings.devices.gpus("gridrender", ranks, quiet);
+  const bool cuda = !gpus.empty();
   Seconds seconds;
   const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks records during the upload
   const SceneFile scene(settings.scene, checks);
@@ -282,15 +302,16 @@ void render(const Settings& settings) {
   seconds.validate += scene.load_seconds().validate;
   TracingRules tracing = settings.tracing;
   tracing.count = !settings.stats.empty();
-  const ViewsRequest views = settings.rays.empty() ? views_request(settings, tracing, scene) : ViewsRequest{};
+  ViewsRequest views = settings.rays.empty() ? views_request(settings, tracing, scene) : ViewsRequest{};
   std::optional<GridFile> grid;
   if (!settings.brute_force) {
     grid.emplace(settings.grid, checks);
     seconds.map += grid->load_seconds().map;
     seconds.validate += grid->load_seconds().validate;
   }
-  const Tracer tracer(scene, grid ? &*grid : nullptr, cuda ? Device::cuda : Device::cpu);
-  if (settings.inspection.has_walk()) {
+  const Tracer tracer(scene, grid ? &*grid : nullptr, cuda ? Device::cuda : Device::cpu, gpus);
+  if (settings.rays.empty()) views.description = run_description(tracer, settings, tracing);
+  if (settings.inspection.has_walk() && ranks.rank() == 0) {
     FrameRequest frame = views.frame;
     frame.camera = views.views.front().camera;
     print_walk(settings.inspection, tracer, frame);
@@ -298,17 +319,19 @@ void render(const Settings& settings) {
   if (only_walk) return;
   Outcome outcome;
   if (!settings.rays.empty())
-    outcome = trace_list(tracer, tracing, settings);
+    outcome = trace_list(tracer, tracing, settings, sharing, quiet);
   else if (wants_picture(settings))
-    outcome = render_pictures(tracer, views, settings.quiet);
+    outcome = render_pictures(tracer, views, sharing, quiet);
+  if (ranks.rank() > 0) return;
   if (!settings.inspection.channels.empty()) {
     const Outcome channels = render_channels(tracer, settings, views);
     if (!wants_picture(settings)) outcome = channels;
   }
-  seconds.trace = outcome.seconds;
+  seconds.trace = outcome.report.seconds;
   seconds.trace.upload += tracer.upload_seconds();
-  seconds.write = outcome.write_seconds;
-  const std::string device = device_name(cuda);
+  seconds.write = outcome.report.write_seconds;
+  const std::string device =
+      devices_name(gpus) + (ranks.count() > 1 ? fmt::format(", {} ranks", ranks.count()) : "");
   Json head = provenance();
   head.update({{"backend", cuda ? "cuda" : "cpu"},
                {"device", device},
@@ -321,9 +344,10 @@ void render(const Settings& settings) {
       json.update(part);
     return json;
   };
-  if (!settings.stats.empty()) write_json(joined(head, {counts_json(outcome.counts), times}), settings.stats);
+  if (!settings.stats.empty())
+    write_json(joined(head, {counts_json(outcome.report.totals.counts), times}), settings.stats);
   if (!settings.times.empty()) write_json(joined(head, {times}), settings.times);
-  if (!settings.quiet) print_summary(outcome, device);
+  if (!quiet) print_summary(outcome, device);
 }
 
 } // namespace
@@ -331,9 +355,10 @@ void render(const Settings& settings) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  return run_tool(
+  Ranks ranks(&argc, &argv);
+  const int code = run_tool(
       "gridrender", "Renders a scene through its grid, or traces a list of rays.", argc, argv,
-      [](CLI::App& app, const auto& parse) {
+      [&ranks](CLI::App& app, const auto& parse) {
         Settings settings;
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin; left out with --difference");
         app.add_option("GRID", settings.grid, "grid file, from gridbuild");
@@ -344,7 +369,7 @@ int main(int argc, char** argv) {
         add_choice(app, "--format", settings.format,
                    {{"auto", Format::automatic}, {"png", Format::png}, {"pfm", Format::pfm}},
                    "the picture's format; auto: by the name's end, PNG on standard output");
-        add_backend(app, settings.backend);
+        settings.devices.add_to(app);
         add_precision(app, settings.tracing.precision);
         add_first_cell_hit(app, settings.tracing.stop);
         app.add_option("--size", settings.size, "WxH pixels instead of the view's resolution");
@@ -408,8 +433,12 @@ int main(int argc, char** argv) {
         settings.inspection.add_to(app);
         app.add_flag("-q,--quiet", settings.quiet, "no progress and no summary on standard error");
         settings.threads.add_to(app);
+        app.add_flag("--resume", settings.resume,
+                     "go on where a run with --resume was interrupted: what it finished isn't done again");
         parse();
-        const auto limit = settings.threads.limit();
-        render(settings);
-      });
+        const auto limit = settings.threads.limit(cores_of(ranks));
+        render(settings, ranks);
+      },
+      {[&] { return ranks.rank() == 0; }, [&] { return ranks.is_first_to_fail(); }});
+  return ranks.ended(code);
 }

@@ -1,29 +1,32 @@
 #include "tools/ray_list.h"
 
 #include "libscene/error.h"
-#include "libscene/file/output_file.h"
+#include "libscene/file/container.h"
+#include "libscene/file/input_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/npy.h"
+#include "tools/placed_file.h"
 #include "tools/repeated.h"
+#include "tools/run_tasks.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_pipeline.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace masu {
 namespace {
 
 constexpr std::size_t rays_a_chunk = std::size_t{1} << 20;
-constexpr std::size_t chunks_in_flight = 3; // one is read, one is traced, one is written
 constexpr std::size_t rays_a_task = 1 << 14;
 
 struct FieldFormat {
@@ -43,6 +46,13 @@ constexpr FieldFormat field_formats[] = {
 
 const FieldFormat& format_of(HitField field) {
   return *std::ranges::find(field_formats, field, &FieldFormat::field);
+}
+
+std::size_t record_bytes_of(const std::vector<HitField>& fields) {
+  std::size_t bytes = 0;
+  for (const HitField field : fields)
+    bytes += format_of(field).bytes;
+  return bytes;
 }
 
 // --- Reading -----------------------------------------------------------------------------------------------
@@ -69,7 +79,25 @@ public:
     return static_cast<std::uint64_t>(status.st_size) / format_.bytes_a_ray();
   }
 
-  // Up to so many rays: fewer at the end.
+  // Of a named file, whose rays can be read in any order: how many there are. Throws Error(usage) for another
+  // one.
+  std::uint64_t all_rays() const {
+    struct stat status {};
+    if (file_.get() == stdin || fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode))
+      throw Error(ErrorCode::usage, name_,
+                  "isn't a file, which several ranks and --resume need: name a file");
+    const std::uint64_t bytes = static_cast<std::uint64_t>(status.st_size) - first_byte_,
+                        rays = bytes / format_.bytes_a_ray();
+    if (bytes % format_.bytes_a_ray() != 0) fail_by_bytes(bytes);
+    if (expected_ && rays != *expected_) fail_by_rays(rays);
+    return rays;
+  }
+  std::vector<std::uint8_t> rays_at(std::uint64_t first, std::size_t count) const {
+    return read_part(name_, first_byte_ + first * format_.bytes_a_ray(), count * format_.bytes_a_ray(),
+                     ErrorCode::input);
+  }
+
+  // The next rays, up to so many: fewer at the end.
   std::vector<std::uint8_t> rays(std::size_t count) {
     const std::size_t ray_bytes = format_.bytes_a_ray();
     std::vector<std::uint8_t> bytes = std::move(start_);
@@ -78,12 +106,9 @@ public:
     bytes.resize(count * ray_bytes);
     bytes.resize(before + read(bytes.data() + before, bytes.size() - before));
     bytes_ += bytes.size();
-    if (bytes.size() % ray_bytes != 0)
-      fail(fmt::format("holds {} bytes, not a whole number of rays: a ray is {} {}-bit floats", bytes_,
-                       format_.numbers, format_.is_float64 ? 64 : 32));
+    if (bytes.size() % ray_bytes != 0) fail_by_bytes(bytes_);
     rays_ += bytes.size() / ray_bytes;
-    if (expected_ && bytes.size() < count * ray_bytes && rays_ != *expected_)
-      fail(fmt::format("holds {} rays, its header says {}", rays_, *expected_));
+    if (expected_ && bytes.size() < count * ray_bytes && rays_ != *expected_) fail_by_rays(rays_);
     return bytes;
   }
 
@@ -95,6 +120,14 @@ private:
   };
 
   [[noreturn]] void fail(const std::string& why) const { throw Error(ErrorCode::input, name_, why); }
+
+  [[noreturn]] void fail_by_bytes(std::uint64_t bytes) const {
+    fail(fmt::format("holds {} bytes, not a whole number of rays: a ray is {} {}-bit floats", bytes,
+                     format_.numbers, format_.is_float64 ? 64 : 32));
+  }
+  [[noreturn]] void fail_by_rays(std::uint64_t rays) const {
+    fail(fmt::format("holds {} rays, its header says {}", rays, *expected_));
+  }
 
   std::size_t read(void* to, std::size_t bytes) {
     const std::size_t got = std::fread(to, 1, bytes, file_.get());
@@ -119,6 +152,7 @@ private:
         (array->shape[1] != 6 && array->shape[1] != 8))
       fail("isn't a NumPy array of rays: float32 or float64, in C order, of shape (N, 6) or (N, 8)");
     format_ = {array->type == "<f8", static_cast<int>(array->shape[1])};
+    first_byte_ = static_cast<std::uint64_t>(std::ftell(file_.get()));
     expected_ = array->shape[0];
   }
 
@@ -126,6 +160,7 @@ private:
   RayFormat format_;
   std::unique_ptr<std::FILE, Close> file_;
   std::vector<std::uint8_t> start_; // read already
+  std::uint64_t first_byte_ = 0;    // of the first ray
   std::uint64_t bytes_ = 0, rays_ = 0;
   std::optional<std::uint64_t> expected_;
 };
@@ -133,11 +168,13 @@ private:
 // --- A chunk of the list -----------------------------------------------------------------------------------
 
 struct Chunk {
+  std::uint64_t task = 0, first = 0; // first: ray's index in the list
   std::vector<std::uint8_t> rays;
   std::size_t count = 0;
   std::vector<float> t, uv, normal;
   std::vector<std::uint32_t> object, primitive;
   std::vector<std::uint8_t> occluded;
+  TaskTotals totals;
 
   RayResults results(const std::vector<HitField>& fields) {
     RayResults results;
@@ -190,9 +227,7 @@ struct Chunk {
 
   // A record a ray.
   std::vector<std::uint8_t> records(const std::vector<HitField>& fields) const {
-    std::size_t record_bytes = 0;
-    for (const HitField field : fields)
-      record_bytes += format_of(field).bytes;
+    const std::size_t record_bytes = record_bytes_of(fields);
     std::vector<std::uint8_t> records(count * record_bytes);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rays_a_task), [&](const auto& range) {
       std::size_t offset = 0;
@@ -225,36 +260,195 @@ std::uint64_t invalid_rays(const RayList& rays) {
 
 // --- Writing -----------------------------------------------------------------------------------------------
 
-class HitWriter {
+// What the file of hits begins with: of a NumPy array a header, as long for any number of rays; else nothing.
+std::string hits_head(const RayListJob& job, std::uint64_t rays) {
+  if (!job.hits.ends_with(".npy")) return {};
+  std::string type;
+  for (const HitField field : job.fields)
+    type += fmt::format("('{}', {}), ", format_of(field).name, format_of(field).type);
+  return npy_header("[" + type + "]", rays);
+}
+
+// The chunks of a list, each of which is read while those before it are traced: all in their order, or those
+// of the tasks that this process takes.
+class ChunkReader {
 public:
-  HitWriter(const std::string& path, const std::vector<HitField>& fields) {
-    if (path.empty()) return;
-    file_.emplace(path);
-    if (!path.ends_with(".npy")) return;
-    for (const HitField field : fields)
-      type_ += fmt::format("('{}', {}), ", format_of(field).name, format_of(field).type);
-    type_ = "[" + type_ + "]";
-    write_header(0);
-  }
-  void write(const std::vector<std::uint8_t>& records) {
-    if (file_) file_->write(records);
-  }
-  void commit(std::uint64_t rays) {
-    if (!file_) return;
-    if (!type_.empty()) { // now that their number is known
-      file_->rewind();
-      write_header(rays);
-    }
-    file_->commit();
+  // tasks: null where nobody else takes any.
+  ChunkReader(RayReader& reader, TaskList* tasks)
+      : reader_(reader), tasks_(tasks), rays_(tasks != nullptr ? reader.all_rays() : 0) {}
+
+  // Nothing after the last one. For threads at the same time.
+  std::shared_ptr<Chunk> next() {
+    const std::lock_guard lock(mutex_);
+    if (ended_) return {};
+    const auto begin = [this] { return std::async(std::launch::async, [this] { return read(); }); };
+    if (!coming_.valid()) coming_ = begin();
+    std::shared_ptr<Chunk> chunk = coming_.get();
+    ended_ = chunk->count == 0;
+    if (ended_) return {};
+    coming_ = begin();
+    return chunk;
   }
 
 private:
-  void write_header(std::uint64_t rays) {
-    const std::string header = npy_header(type_, rays);
-    file_->write(header.data(), header.size());
+  // Without rays after the last one.
+  std::shared_ptr<Chunk> read() {
+    auto chunk = std::make_shared<Chunk>();
+    if (tasks_ != nullptr) {
+      const auto task = tasks_->next();
+      if (!task) return chunk;
+      chunk->task = *task;
+      chunk->first = *task * rays_a_chunk;
+      chunk->rays =
+          reader_.rays_at(chunk->first, std::min<std::uint64_t>(rays_a_chunk, rays_ - chunk->first));
+    } else {
+      chunk->first = read_;
+      chunk->rays = reader_.rays(rays_a_chunk);
+    }
+    chunk->count = chunk->rays.size() / reader_.format().bytes_a_ray();
+    read_ += chunk->count;
+    return chunk;
   }
-  std::optional<OutputFile> file_;
-  std::string type_; // empty: records without a header
+
+  RayReader& reader_;
+  TaskList* tasks_;
+  std::uint64_t rays_, read_ = 0;
+  bool ended_ = false;
+  std::mutex mutex_;
+  std::future<std::shared_ptr<Chunk>> coming_;
+};
+
+// Of the hashes of its pieces: files may be larger than memory.
+Hash hash_of_file(const std::string& path) {
+  constexpr std::uint64_t piece_bytes = std::uint64_t{1} << 22;
+  const InputFile file(path);
+  std::vector<std::uint8_t> piece, hashes;
+  for (std::uint64_t offset = 0; offset < file.size(); offset += piece.size()) {
+    piece.resize(std::min(piece_bytes, file.size() - offset));
+    file.read(offset, piece);
+    const Hash hash = hash_of(piece);
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&hash);
+    hashes.insert(hashes.end(), bytes, bytes + sizeof(hash));
+  }
+  file.check_unchanged();
+  return hash_of(hashes);
+}
+
+TaskListOf task_list_of(const RayListJob& job, const RayReader& reader, const Sharing& sharing) {
+  if (!sharing.in_parts()) return {};
+  const std::uint64_t chunks = (reader.all_rays() + rays_a_chunk - 1) / rays_a_chunk;
+  TaskListOf tasks{job.description + "\n" + job.hits, job.hits, chunks};
+  if (!sharing.resume) return tasks;
+  std::string hash =
+      sharing.ranks.rank() == 0 ? to_hex(hash_of_file(job.rays)) : std::string();
+  sharing.ranks.broadcast(hash);
+  tasks.description += "\nrays " + hash;
+  return tasks;
+}
+
+// Tracing and writing of chunks, in any order and at the same time.
+class ListTracer {
+public:
+  ListTracer(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+             const std::function<void(double)>& progress)
+      : tracer_(tracer), job_(job), sharing_(sharing), progress_(progress),
+        in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
+        reader_(job.rays, job.format), tasks_(sharing, task_list_of(job, reader_, sharing)),
+        chunks_(reader_, sharing.in_parts() ? &tasks_ : nullptr), head_bytes_(hits_head(job, 0).size()) {
+    if (!job.hits.empty() && !sharing.in_parts()) hits_.emplace(job.hits, hits_head(job, 0));
+  }
+
+  // Besides those that a GPU has: one is written, one is about to be.
+  std::size_t chunks_under_way() const {
+    const std::size_t bytes =
+                          rays_a_chunk * (reader_.format().bytes_a_ray() + 2 * record_bytes_of(job_.fields)),
+                      queries = tracer_.device() == Device::cuda ? queries_a_gpu * tracer_.device_count() : 1;
+    return std::min(tasks_under_way(tracer_, bytes), queries + 2);
+  }
+
+  // The next chunk, traced; or nothing.
+  std::shared_ptr<Chunk> trace(std::size_t device) {
+    std::shared_ptr<Chunk> chunk = chunks_.next();
+    if (!chunk) return {};
+    const RayList rays(chunk->rays.data(), chunk->count, reader_.format());
+    const RayResults results = chunk->results(job_.fields);
+    const QueryReport report =
+        repeated(0, job_.repeat, [&] { return tracer_.trace(rays, results, job_.request, device); });
+    chunk->totals = {chunk->count, in_double_ ? invalid_rays<double>(rays) : invalid_rays<float>(rays),
+                     report.counts};
+    const std::lock_guard lock(mutex_);
+    report_.seconds += report.seconds;
+    return chunk;
+  }
+
+  void write(const Chunk& chunk) {
+    const Stopwatch watch;
+    std::vector<FileRange> written;
+    if (!job_.hits.empty()) {
+      FilePart part{head_bytes_ + chunk.first * record_bytes_of(job_.fields), chunk.records(job_.fields)};
+      if (hits_)
+        hits_->write(std::move(part));
+      else
+        written.push_back(write_part(partial_name(job_.hits), with_head(std::move(part))));
+    }
+    const double share = sharing_.in_parts() ? tasks_.finish(chunk.task, written, chunk.totals) : 0;
+    const std::lock_guard lock(mutex_);
+    report_.write_seconds += watch.seconds();
+    if (sharing_.in_parts()) return progress_(share);
+    report_.totals += chunk.totals;
+    if (reader_.expected_rays() > 0)
+      progress_(static_cast<double>(report_.totals.rays) / static_cast<double>(reader_.expected_rays()));
+  }
+
+  // Collective: when all tasks are done.
+  TracingReport finish() {
+    const Stopwatch watch;
+    if (sharing_.in_parts()) {
+      finish_parts();
+    } else if (hits_) {
+      hits_->commit(hits_head(job_, report_.totals.rays)); // now that their number is known
+    }
+    report_.write_seconds += watch.seconds();
+    sum_up(sharing_.ranks, report_);
+    return report_;
+  }
+
+private:
+  // The first part begins with the head, for the number of rays is known.
+  FilePart with_head(FilePart part) const {
+    if (part.offset > head_bytes_) return part;
+    const std::string head = hits_head(job_, reader_.all_rays());
+    part.bytes.insert(part.bytes.begin(), head.begin(), head.end());
+    return {0, std::move(part.bytes)};
+  }
+
+  void finish_parts() {
+    Ranks& ranks = sharing_.ranks;
+    report_.totals = tasks_.totals();
+    ranks.wait_for_all([&] { progress_(tasks_.share()); });
+    if (ranks.rank() == 0) {
+      if (!job_.hits.empty()) {
+        const std::uint64_t rays = reader_.all_rays();
+        if (rays == 0) write_part(partial_name(job_.hits), with_head({head_bytes_, {}}));
+        finish_partial(job_.hits, head_bytes_ + rays * record_bytes_of(job_.fields));
+      }
+      tasks_.remove_journals();
+    }
+    ranks.wait_for_all();
+  }
+
+  const Tracer& tracer_;
+  const RayListJob& job_;
+  const Sharing& sharing_;
+  const std::function<void(double)>& progress_;
+  bool in_double_;
+  RayReader reader_;
+  TaskList tasks_;
+  ChunkReader chunks_;
+  std::uint64_t head_bytes_;
+  std::optional<PlacedFile> hits_;
+  std::mutex mutex_; // of what follows
+  TracingReport report_;
 };
 
 } // namespace
@@ -277,50 +471,16 @@ std::vector<HitField> hit_fields(const std::string& names) {
   return fields;
 }
 
-RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job,
-                              const std::function<void(double)>& progress) {
+TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+                             const std::function<void(double)>& progress) {
   const Stopwatch elapsed;
-  RayListSummary summary;
-  RayReader reader(job.rays, job.format);
-  HitWriter writer(job.hits, job.fields);
-  const bool in_double = resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled;
-  using Passed = std::shared_ptr<Chunk>;
-  const auto read = [&](tbb::flow_control& flow) -> Passed {
-    auto chunk = std::make_shared<Chunk>();
-    chunk->rays = reader.rays(rays_a_chunk);
-    chunk->count = chunk->rays.size() / reader.format().bytes_a_ray();
-    if (chunk->count == 0) flow.stop();
-    return chunk;
-  };
-  const auto trace = [&](const Passed& chunk) {
-    const RayList rays(chunk->rays.data(), chunk->count, reader.format());
-    const RayResults results = chunk->results(job.fields);
-    const QueryReport report =
-        repeated(0, job.repeat, [&] { return tracer.trace(rays, results, job.request); });
-    summary.counts += report.counts;
-    summary.seconds.upload += report.seconds.upload;
-    summary.seconds.trace += report.seconds.trace;
-    summary.seconds.download += report.seconds.download;
-    summary.invalid += in_double ? invalid_rays<double>(rays) : invalid_rays<float>(rays);
-    return chunk;
-  };
-  const auto write = [&](const Passed& chunk) {
-    const Stopwatch watch;
-    writer.write(chunk->records(job.fields));
-    summary.write_seconds += watch.seconds();
-    summary.rays += chunk->count;
-    if (reader.expected_rays() > 0)
-      progress(static_cast<double>(summary.rays) / static_cast<double>(reader.expected_rays()));
-  };
-  constexpr auto in_order = tbb::filter_mode::serial_in_order;
-  tbb::parallel_pipeline(chunks_in_flight, tbb::make_filter<void, Passed>(in_order, read) &
-                                               tbb::make_filter<Passed, Passed>(in_order, trace) &
-                                               tbb::make_filter<Passed, void>(in_order, write));
-  const Stopwatch watch;
-  writer.commit(summary.rays);
-  summary.write_seconds += watch.seconds();
-  summary.elapsed_seconds = elapsed.seconds();
-  return summary;
+  ListTracer tracing(tracer, job, sharing, progress);
+  run_tasks(
+      tracer, tracing.chunks_under_way(), [&](std::size_t device) { return tracing.trace(device); },
+      [&](const Chunk& chunk) { tracing.write(chunk); });
+  TracingReport report = tracing.finish();
+  report.elapsed_seconds = elapsed.seconds();
+  return report;
 }
 
 } // namespace masu

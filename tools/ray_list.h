@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/tracer.h"
+#include "tools/tracing_report.h"
 
 #include <string>
 #include <vector>
@@ -22,21 +23,14 @@ struct RayListJob {
   RayFormat format{}; // of what isn't a NumPy array
   std::vector<HitField> fields{};
   RaysRequest request{};
-  int repeat = 1; // of the tracing, whose seconds are the medians' sum
+  std::string description{}; // of the scene and of the options that hits depend on
+  int repeat = 1;            // of the tracing, whose seconds are the medians' sum
 };
 
-struct RayListSummary {
-  std::uint64_t rays = 0;
-  std::uint64_t invalid = 0; // rays that hit nothing because they aren't valid (renderer/ray_query.h)
-  Counts counts;
-  TraceSeconds seconds;
-  double write_seconds = 0, elapsed_seconds = 0; // of writing alone; of everything, which overlaps
-};
-
-// `progress` gets the share of the rays whose hits are written, where the list is a file. Throws Error(input)
-// for what isn't a whole number of rays or another kind of array, Error(output), and what Tracer::trace()
-// throws.
-RayListSummary trace_ray_list(const Tracer& tracer, const RayListJob& job,
-                              const std::function<void(double)>& progress);
+// Collective (tools/ranks.h). `progress` gets the share of the rays whose hits are written, where the list is
+// a file. Throws Error(input) for what isn't a whole number of rays or another kind of array, Error(usage)
+// where ranks share a list that isn't a file, Error(output), and what Tracer::trace() throws.
+TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+                             const std::function<void(double)>& progress);
 
 } // namespace masu

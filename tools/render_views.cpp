@@ -1,151 +1,227 @@
 #include "tools/render_views.h"
 
-#include "libscene/file/output_file.h"
+#include "libscene/error.h"
 #include "libscene/stopwatch.h"
 #include "tools/repeated.h"
+#include "tools/run_tasks.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <mutex>
-#include <semaphore>
 
 namespace masu {
 namespace {
 
-// The unit of work: a part of a view's camera rays.
-struct RenderTask {
-  std::size_t view = 0;
-  RayWindow window{};
+// By what a picture could be made again; it must not tell how it was traced, which makes no difference.
+std::string description(const Camera& camera, const FrameRequest& frame) {
+  const auto vector = [](const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+  std::string text =
+      fmt::format("--from {} --at {} --up {} --angle {} --size {}x{}", vector(camera.from), vector(camera.at),
+                  vector(camera.up), camera.angle, camera.width, camera.height);
+  const RayWindow& window = frame.window;
+  if (window.columns > 0) {
+    const std::int32_t more = frame.sampling == Sampling::corners ? 1 : 0;
+    text += fmt::format(" --crop {},{},{},{}", window.first_column, window.first_row, window.columns - more,
+                        window.rows - more);
+  }
+  return text;
+}
+
+// The views' bands: these are the tasks.
+struct Layout {
+  std::vector<PictureBands> bands;      // of each view
+  std::vector<std::size_t> first_tasks; // of each view
+  std::size_t tasks = 0;
+
+  explicit Layout(const ViewsRequest& request) {
+    for (const View& view : request.views) {
+      bands.emplace_back(request.frame.window.columns > 0 ? request.frame.window
+                                                          : all_rays(view.camera, request.frame.sampling),
+                         request.frame.sampling);
+      first_tasks.push_back(tasks);
+      tasks += bands.back().count();
+    }
+  }
+
+  std::size_t view_of(std::size_t task) const {
+    return static_cast<std::size_t>(std::ranges::upper_bound(first_tasks, task) - 1 - first_tasks.begin());
+  }
+  // Bytes of the largest frame and of what is made of it.
+  std::size_t largest_task() const {
+    std::size_t rays = 0;
+    for (const PictureBands& picture : bands)
+      rays = std::max(rays, picture.largest_band_rays());
+    return 40 * rays;
+  }
 };
+
+TaskListOf task_list_of(const ViewsRequest& request, const Layout& layout, const Sharing& sharing) {
+  TaskListOf tasks{request.description, {}, layout.tasks};
+  for (std::size_t i = 0; i < request.views.size(); ++i) {
+    const auto& [picture, hits] = request.files[i];
+    for (const std::string& file : {picture, hits})
+      if (sharing.in_parts() && !file.empty()) static_cast<void>(partial_name(file)); // can it have one?
+    tasks.description +=
+        fmt::format("\n{}\n{}\n{}", description(request.views[i].camera, request.frame), picture, hits);
+    if (i == 0) tasks.output = picture.empty() ? hits : picture;
+  }
+  return tasks;
+}
 
 struct RenderedTask {
-  RenderTask task;
-  std::shared_ptr<const Frame> frame;
+  std::size_t task, view, band;
+  Frame frame;
 };
-
-constexpr std::ptrdiff_t queries_at_once = 3; // of a GPU: one computes, one comes back, one is prepared
-constexpr std::size_t frames_bytes = std::size_t{4} << 30;
-
-// How many views are under way at most: enough for all threads to encode, as far as memory allows.
-std::size_t views_under_way(const ViewsRequest& request) {
-  std::size_t largest = 1; // bytes of a frame and of what is made of it
-  for (const View& view : request.views) {
-    const RayWindow rays = request.frame.window.columns > 0 ? request.frame.window
-                                                            : all_rays(view.camera, request.frame.sampling);
-    largest =
-        std::max(largest, 28 * static_cast<std::size_t>(rays.columns) * static_cast<std::size_t>(rays.rows));
-  }
-  const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  return std::clamp<std::size_t>(frames_bytes / largest, 2, threads + 1);
-}
-
-void write_hits(const std::vector<HitRecord>& hits, const std::string& path) {
-  OutputFile file(path);
-  file.write(hits.data(), hits.size() * sizeof(HitRecord));
-  file.commit();
-}
 
 // Tracing and writing of tasks, in any order and at the same time.
 class ViewsRenderer {
 public:
-  ViewsRenderer(const Tracer& tracer, const ViewsRequest& request,
-                const std::function<void(double)>& progress)
-      : tracer_(tracer), request_(request), progress_(progress) {}
+  ViewsRenderer(const Tracer& tracer, const ViewsRequest& request, const Layout& layout,
+                const Sharing& sharing, const std::function<void(double)>& progress)
+      : tracer_(tracer), request_(request), layout_(layout), sharing_(sharing), progress_(progress),
+        tasks_(sharing, task_list_of(request, layout, sharing)), outputs_(request.views.size()) {}
 
-  RenderedTask trace(const RenderTask& task) {
+  // The next task's, or nothing.
+  std::shared_ptr<RenderedTask> trace(std::size_t device) {
+    const auto task = tasks_.next();
+    if (!task) return {};
+    const std::size_t view = layout_.view_of(*task), band = *task - layout_.first_tasks[view];
+    const PictureBands& bands = layout_.bands[view];
     FrameRequest frame = request_.frame;
-    frame.camera = request_.views[task.view].camera;
-    frame.window = task.window;
-    // The CPU traces views in order, and that takes the time.
-    const auto views = static_cast<double>(request_.views.size());
-    frame.progress = [&](double share) { progress_((static_cast<double>(task.view) + share) / views); };
-    queries_.acquire();
-    const std::shared_ptr<void> released(nullptr, [&](void*) { queries_.release(); });
-    // A thread that waits for the view's last rays doesn't begin another task meanwhile.
-    return tbb::this_task_arena::isolate([&] {
-      return RenderedTask{task, std::make_shared<const Frame>(
-                                    repeated(0, request_.repeat, [&] { return tracer_.render(frame); }))};
-    });
+    frame.camera = request_.views[view].camera;
+    frame.window = bands.rays(band);
+    frame.count_last_row = bands.is_last(band) || frame.sampling == Sampling::centers;
+    // A process on the CPU traces tasks one by one, and that takes the time.
+    if (!sharing_.in_parts())
+      frame.progress = [&](double share) {
+        progress_((static_cast<double>(*task) + share) / static_cast<double>(layout_.tasks));
+      };
+    return std::make_shared<RenderedTask>(RenderedTask{
+        *task, view, band, repeated(0, request_.repeat, [&] { return tracer_.render(frame, device); })});
   }
 
   void write(const RenderedTask& rendered) {
-    const Frame& frame = *rendered.frame;
-    const std::size_t view = rendered.task.view;
+    const auto& [task, view, band, frame] = rendered;
+    const PictureBands& bands = layout_.bands[view];
     const ViewFiles& files = request_.files[view];
     const Stopwatch watch;
-    if (!files.picture.empty()) {
-      ImageOptions image = request_.image;
-      image.texts.emplace_back("View", description(request_.views[view].camera, rendered.task.window));
-      write_image(frame, files.picture, image);
+    FilePart picture, hits;
+    if (!files.picture.empty()) picture = bands.picture(band, frame, request_.image);
+    if (!files.hits.empty()) hits = bands.hits(band, frame);
+    std::vector<FileRange> written;
+    if (is_in_parts(view)) {
+      if (!files.picture.empty()) written.push_back(write_part(partial_name(files.picture), picture));
+      if (!files.hits.empty()) written.push_back(write_part(partial_name(files.hits), hits));
+    } else {
+      output_of(view)->write(band, std::move(picture), std::move(hits));
+      if (tasks_.keeps_journal()) {
+        for (const std::string& file : {files.picture, files.hits})
+          if (!file.empty()) written.push_back(whole_file(file));
+      }
     }
-    if (!files.hits.empty()) write_hits(frame.hits, files.hits);
+    const double share = tasks_.finish(task, written, {bands.rays_counted(band), 0, frame.counts});
     const std::lock_guard lock(mutex_);
-    report_.rays += frame.radiance.size();
-    report_.counts += frame.counts;
-    report_.seconds.trace += frame.seconds.trace;
-    report_.seconds.upload += frame.seconds.upload;
-    report_.seconds.download += frame.seconds.download;
+    report_.seconds += frame.seconds;
     report_.write_seconds += watch.seconds();
-    ++finished_;
-    if (tracer_.device() == Device::cuda)
-      progress_(static_cast<double>(finished_) / static_cast<double>(request_.views.size()));
+    if (sharing_.in_parts() || tracer_.device() == Device::cuda) progress_(share);
   }
 
-  const ViewsReport& report() const { return report_; }
+  // Collective: when all tasks are done, makes files of what was written in parts.
+  void finish() {
+    Ranks& ranks = sharing_.ranks;
+    const Stopwatch watch;
+    ranks.wait_for_all([&] { progress_(tasks_.share()); });
+    for (std::size_t view = 0; view < layout_.bands.size(); ++view) {
+      if (is_in_parts(view) &&
+          static_cast<int>(view % static_cast<std::size_t>(ranks.count())) == ranks.rank())
+        finish_view(view);
+    }
+    ranks.wait_for_all();
+    if (ranks.rank() == 0) {
+      for (std::size_t view = 0; view < layout_.bands.size(); ++view)
+        if (is_in_parts(view) && !request_.files[view].picture.empty())
+          std::filesystem::remove(partial_name(request_.files[view].picture));
+      tasks_.remove_journals();
+    }
+    report_.write_seconds += watch.seconds();
+  }
+
+  // Collective.
+  TracingReport report() {
+    report_.tasks = layout_.tasks;
+    report_.totals = tasks_.totals();
+    sum_up(sharing_.ranks, report_);
+    return report_;
+  }
 
 private:
-  // By what the picture could be made again; it must not tell how it was traced, which makes no difference.
-  std::string description(const Camera& camera, const RayWindow& window) const {
-    const auto vector = [](const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
-    std::string text =
-        fmt::format("--from {} --at {} --up {} --angle {} --size {}x{}", vector(camera.from),
-                    vector(camera.at), vector(camera.up), camera.angle, camera.width, camera.height);
-    if (window.columns > 0) {
-      const std::int32_t more = request_.frame.sampling == Sampling::corners ? 1 : 0;
-      text += fmt::format(" --crop {},{},{},{}", window.first_column, window.first_row, window.columns - more,
-                          window.rows - more);
-    }
-    return text;
+  bool is_in_parts(std::size_t view) const { return sharing_.in_parts() && layout_.bands[view].count() > 1; }
+
+  ImageOptions image_of(std::size_t view) const {
+    ImageOptions image = request_.image;
+    image.texts.emplace_back("View", description(request_.views[view].camera, request_.frame));
+    return image;
   }
+
+  // Opened by the view's first band, and let go by the last.
+  std::shared_ptr<ViewOutput> output_of(std::size_t view) {
+    const std::lock_guard lock(mutex_);
+    Output& output = outputs_[view];
+    if (output.bands == 0)
+      output.files = std::make_shared<ViewOutput>(request_.files[view], layout_.bands[view], image_of(view));
+    return ++output.bands == layout_.bands[view].count() ? std::move(output.files) : output.files;
+  }
+
+  // A PNG file's bands follow each other now that their sizes are known.
+  void finish_view(std::size_t view) {
+    const PictureBands& bands = layout_.bands[view];
+    const auto& [picture, hits] = request_.files[view];
+    if (!hits.empty()) finish_partial(hits, bands.hits_bytes());
+    if (picture.empty()) return;
+    if (request_.image.format == ImageFormat::pfm) return finish_partial(picture, bands.pfm_bytes());
+    OutputFile file(picture);
+    PngWriter png(file, bands.width(), bands.height(), image_of(view).texts);
+    const std::string partial = partial_name(picture);
+    for (std::size_t band = 0; band < bands.count(); ++band) {
+      const std::uint64_t offset = bands.png_offset(band);
+      png.write(
+          png_rows(read_part(partial, offset, png_part_bytes(read_part(partial, offset, png_part_head)))));
+    }
+    file.commit();
+  }
+
+  struct Output {
+    std::size_t bands = 0; // that have come
+    std::shared_ptr<ViewOutput> files;
+  };
 
   const Tracer& tracer_;
   const ViewsRequest& request_;
+  const Layout& layout_;
+  const Sharing& sharing_;
   const std::function<void(double)>& progress_;
-  std::counting_semaphore<> queries_{queries_at_once};
+  TaskList tasks_;
   std::mutex mutex_; // of what follows
-  ViewsReport report_;
-  std::size_t finished_ = 0;
+  std::vector<Output> outputs_;
+  TracingReport report_;
 };
 
 } // namespace
 
-ViewsReport render_views(const Tracer& tracer, const ViewsRequest& request,
-                         const std::function<void(double)>& progress) {
+TracingReport render_views(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+                           const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  ViewsRenderer renderer(tracer, request, progress);
-  // The CPU's threads share each view's rays; a GPU's tasks wait for each other only on the device.
-  const auto tracing =
-      tracer.device() == Device::cuda ? tbb::filter_mode::parallel : tbb::filter_mode::serial_in_order;
-  std::size_t next = 0;
-  tbb::parallel_pipeline(
-      views_under_way(request),
-      tbb::make_filter<void, RenderTask>(tbb::filter_mode::serial_in_order,
-                                         [&](tbb::flow_control& control) -> RenderTask {
-                                           if (next < request.views.size())
-                                             return {next++, request.frame.window};
-                                           control.stop();
-                                           return {};
-                                         }) &
-          tbb::make_filter<RenderTask, RenderedTask>(
-              tracing, [&](const RenderTask& task) { return renderer.trace(task); }) &
-          tbb::make_filter<RenderedTask, void>(
-              tbb::filter_mode::parallel, [&](const RenderedTask& rendered) { renderer.write(rendered); }));
-  ViewsReport report = renderer.report();
+  const Layout layout(request);
+  ViewsRenderer renderer(tracer, request, layout, sharing, progress);
+  run_tasks(
+      tracer, tasks_under_way(tracer, layout.largest_task()),
+      [&](std::size_t device) { return renderer.trace(device); },
+      [&](const RenderedTask& rendered) { renderer.write(rendered); });
+  if (sharing.in_parts()) renderer.finish();
+  TracingReport report = renderer.report();
   report.elapsed_seconds = watch.seconds();
   return report;
 }

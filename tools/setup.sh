@@ -9,6 +9,7 @@ has() { # package
     clang-format | clang-tidy | cmake) command -v "$1" >/dev/null ;;
     flatbuffers-compiler) command -v flatc >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
+    openmpi-bin) command -v mpirun >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
     libassimp-dev) header assimp/scene.h ;;
     libcli11-dev) header CLI/CLI.hpp ;;
@@ -16,6 +17,7 @@ has() { # package
     libfmt-dev) header fmt/format.h ;;
     libgtest-dev) header gtest/gtest.h ;;
     libdeflate-dev) header libdeflate.h ;;
+    libopenmpi-dev) command -v mpicc >/dev/null ;;
     libpng-dev) header png.h ;;
     libtbb-dev) header tbb/tbb.h ;;
     libxxhash-dev) header xxhash.h ;;
@@ -60,7 +62,8 @@ require() {
 
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
   libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
-extras=(libassimp-dev ninja-build) # libassimp-dev: for mesh2bin
+# libassimp-dev: for mesh2bin; libopenmpi-dev, openmpi-bin: for gridrender-mpi
+extras=(libassimp-dev libopenmpi-dev ninja-build openmpi-bin)
 
 # Sets cuda_options for cmake.
 find_cuda() {
@@ -118,6 +121,7 @@ build() {
   log=$(mktemp)
   if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&
       { ! grep -q 'mesh2bin: off' "$log" || echo "== no Assimp (libassimp-dev): building without mesh2bin"; } &&
+      { ! grep -q 'gridrender-mpi: off' "$log" || echo "== no MPI (libopenmpi-dev): building without gridrender-mpi"; } &&
       cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then
     grep -E -A5 'error|Error|\*\*\*' "$log" || cat "$log"
     rm -f "$log"

@@ -39,6 +39,17 @@ void copy_owner_and_permissions(const struct stat& from, int to) {
 
 } // namespace
 
+bool write_all_at(int file, std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+    offset += static_cast<std::uint64_t>(written);
+  }
+  return true;
+}
+
 std::string followed(const std::string& path) {
   constexpr int max_links = 40; // the kernel's limit
   std::filesystem::path current = path;
@@ -113,6 +124,10 @@ void OutputFile::write(std::span<const std::uint8_t> bytes) {
 
 void OutputFile::write(const void* data, std::size_t bytes) {
   if (bytes > 0 && std::fwrite(data, 1, bytes, stream_) != bytes) fail("can't be written");
+}
+
+void OutputFile::write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes) {
+  if (!write_all_at(fileno(stream_), offset, bytes)) fail("can't be written");
 }
 
 void OutputFile::rewind() {

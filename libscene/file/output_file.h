@@ -38,6 +38,10 @@ public:
   void write(const void* data, std::size_t bytes);
   // The next write replaces the first bytes.
   void rewind();
+  // Whether the file has places for write_at(): a regular file that isn't written directly.
+  bool has_places() const { return folder_ >= 0; }
+  // At an offset, whatever else is written, by any thread.
+  void write_at(std::uint64_t offset, std::span<const std::uint8_t> bytes);
   void commit();
 
   std::FILE* stream() { return stream_; }
@@ -59,5 +63,8 @@ private:
 // `path` with symbolic links in its last component followed, the last of which may dangle. Throws
 // Error(output, path, …) for a cycle of links.
 std::string followed(const std::string& path);
+
+// Writes all bytes at an offset of a file, which is a descriptor. Returns false and sets errno when it fails.
+bool write_all_at(int file, std::uint64_t offset, std::span<const std::uint8_t> bytes);
 
 } // namespace masu

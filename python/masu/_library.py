@@ -113,6 +113,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_error", c_char_p)
     declare("masu_gpu_count", c_int, POINTER(c_int))
     declare("masu_open", c_int, c_char_p, c_char_p, c_int, POINTER(c_void_p))
+    declare("masu_open_devices", c_int, c_char_p, c_char_p, POINTER(c_int), c_size_t, POINTER(c_void_p))
     declare("masu_close", None, c_void_p)
     declare("masu_describe", c_int, c_void_p, POINTER(DescriptionRecord))
     declare("masu_describe_primitive", c_int, c_void_p, c_uint32, POINTER(PrimitiveRecord))

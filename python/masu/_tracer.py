@@ -6,7 +6,7 @@ import operator
 import re
 import threading
 import weakref
-from ctypes import byref, c_void_p
+from ctypes import byref, c_int, c_void_p
 from typing import Any, Callable, Dict, Iterable, Iterator, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
@@ -43,7 +43,7 @@ class Description(NamedTuple):
     scene_bytes: int  # of the files; 0 for no grid
     grid_bytes: int
     is_float64: bool  # whether coordinates are stored, and rays traced, in float64
-    device: str  # "cpu", "cuda:0", …
+    device: str  # as Tracer.device
 
 
 class Primitive(NamedTuple):
@@ -77,23 +77,34 @@ def _device_number(device: Union[str, int, Any]) -> int:
     return int(match[1] or 0)
 
 
-def _device_name(number: int) -> str:
-    return "cpu" if number == CPU else "cuda:{}".format(number)
+def _gpu_numbers(device: Any) -> Tuple[int, ...]:
+    """None for the CPU."""
+    if isinstance(device, (list, tuple)):
+        numbers = tuple(_device_number(each) for each in device)
+        if not numbers or CPU in numbers:
+            raise ValueError("device: a list is of GPUs, at least one")
+        return numbers
+    number = _device_number(device)
+    return () if number == CPU else (number,)
+
+
+def _device_name(gpus: Iterable[int]) -> str:
+    return ",".join("cuda:{}".format(gpu) for gpu in gpus) or "cpu"
 
 
 class Tracer:
     """A scene and its grid on a device, that answers queries until it is closed; also a context manager.
 
     scene, grid: files; None for the grid tests every ray against every primitive. device: "cpu"; "cuda", the first GPU;
-    "cuda:N" or N, the GPU of that number, from 0. The files are checked and, on a GPU, uploaded here; they must not
-    change until close(). Raises masu.Error.
+    "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory. The files
+    are checked and, on a GPU, uploaded here; they must not change until close(). Raises masu.Error.
 
     **Rays** are an array (..., 6) of origin and direction, or (..., 8) of origin, tmin, direction, tmax: float32 or
     float64 (other real numbers are converted to float64). A ray's points are origin + t direction with tmin < t < tmax;
     t counts in lengths of the direction, which needn't be 1. Without them tmin is 0 and tmax infinity.
 
     **Where.** Arrays of NumPy, and everything that it makes arrays from, are in host memory; results are NumPy's, and
-    there when the call returns. Tensors of PyTorch and arrays of CuPy on the tracer's GPU are read where they lie, and
+    there when the call returns. Tensors of PyTorch and arrays of CuPy on a GPU of the tracer's are read where they lie, and
     results are the same library's there; the query is only queued, on the library's current stream or on `stream`.
     Others' arrays on a GPU (those with __dlpack__ or __cuda_array_interface__) are taken over by whichever of both
     libraries is there, and so are their results. A copy is made of rays that aren't contiguous.
@@ -101,12 +112,12 @@ class Tracer:
     Threads may use a tracer at the same time. close() waits for them."""
 
     def __init__(self, scene: Path, grid: Optional[Path] = None, device: Union[str, int, Any] = "cpu") -> None:
-        self._device = _device_number(device)
+        self._gpus = _gpu_numbers(device)
         self._idle = threading.Condition()
         self._calls = 0  # that use the handle now
         handle = c_void_p()
-        check(library.masu_open(path_bytes(scene), None if grid is None else path_bytes(grid), self._device,
-                                byref(handle)))
+        check(library.masu_open_devices(path_bytes(scene), None if grid is None else path_bytes(grid),
+                                        (c_int * len(self._gpus))(*self._gpus), len(self._gpus), byref(handle)))
         self._handle: Optional[c_void_p] = handle
         self._finalizer = weakref.finalize(self, library.masu_close, handle)
         self._finalizer.atexit = False  # other threads may still be tracing; the process's end frees everything
@@ -140,8 +151,8 @@ class Tracer:
 
     @property
     def device(self) -> str:
-        """ "cpu", "cuda:0", … """
-        return _device_name(self._device)
+        """ "cpu", "cuda:0", "cuda:0,cuda:1", … """
+        return _device_name(self._gpus)
 
     def describe(self) -> Description:
         """Counts, bounds and sizes."""
@@ -150,7 +161,7 @@ class Tracer:
             check(library.masu_describe(handle, byref(record)))
         return Description(record.triangles, record.spheres, record.cones, record.materials, tuple(record.bounds_min),
                            tuple(record.bounds_max), record.scene_bytes, record.grid_bytes, bool(record.is_float64),
-                           _device_name(record.device))
+                           self.device)
 
     def primitive(self, index: int) -> Primitive:
         """The primitive of an index as `primitive_ids` has it; an IndexError where there is none."""
@@ -215,9 +226,9 @@ class Tracer:
             raise ValueError("rays: the shape (..., 6) or (..., 8) is needed, not {}".format(shape))
         if gpu is None and stream is not None:
             raise ValueError("stream: it is for rays on a GPU, and these are in host memory")
-        if gpu is not None and gpu != self._device:
+        if gpu is not None and gpu not in self._gpus:
             raise ValueError("rays are on {}, the tracer on {}: copy them, or open a tracer there".format(
-                _device_name(gpu), self.device))
+                _device_name([gpu]), self.device))
         count = math.prod(shape[:-1])
         with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays)

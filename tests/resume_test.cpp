@@ -1,0 +1,354 @@
+// gridrender --resume and gridrender-mpi: whoever shares a run, and however often it is killed, its files are
+// those of one undisturbed process.
+#include "tests/run_tool.h"
+#include "tools/bench/stability/random_seed.h"
+#include "tools/bench/stability/test_scene.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+#include <thread>
+
+namespace masu {
+namespace {
+
+using Files = std::map<std::string, Bytes>; // by name
+
+// A run's outputs, by their names in a folder.
+struct Job {
+  Arguments arguments;
+  std::vector<std::string> outputs;
+};
+
+Arguments joined(Arguments first, const Arguments& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
+class SharedRuns : public ToolTest {
+protected:
+  // Views of one band, in files named `prefix`.
+  Job views(const std::string& prefix) const {
+    Job job{{scene_, grid_, "--backend", "cpu", "--turntable", "24", "--size", "90x70", "-o",
+             file(prefix + "{index}.png"), "--hits", file(prefix + "{index}.hits")},
+            {}};
+    for (int i = 0; i < 24; ++i) {
+      job.outputs.push_back(fmt::format("{}{:02}.png", prefix, i));
+      job.outputs.push_back(fmt::format("{}{:02}.hits", prefix, i));
+    }
+    return job;
+  }
+  // A view of several bands: these have 1048 rows each.
+  Job large(const std::string& prefix, const std::string& ending, const std::string& sampling) const {
+    return {{scene_, grid_, "--backend", "cpu", "--size", "1333x3000", "--sampling", sampling, "--depth", "1",
+             "-o", file(prefix + "." + ending), "--hits", file(prefix + ".hits")},
+            {prefix + "." + ending, prefix + ".hits"}};
+  }
+  // Two chunks and a part of one.
+  Job list(const std::string& prefix, const std::string& ending) const {
+    if (!std::filesystem::exists(file("rays"))) {
+      std::mt19937 random(1);
+      std::uniform_real_distribution<float> coordinate(-1, 1);
+      std::vector<float> rays(6 * ((std::size_t{2} << 20) + 5000));
+      for (float& number : rays)
+        number = coordinate(random);
+      std::ofstream(file("rays"), std::ios::binary)
+          .write(reinterpret_cast<const char*>(rays.data()),
+                 static_cast<std::streamsize>(rays.size() * sizeof(float)));
+    }
+    return {{scene_, grid_, "--backend", "cpu", "--rays", file("rays"), "--hits", file(prefix + ending),
+             "--write", "t,object,normal"},
+            {prefix + ending}};
+  }
+  std::vector<Job> all(const std::string& prefix) const {
+    return {views(prefix + "v"),
+            large(prefix + "1", "png", "corners"),
+            large(prefix + "2", "pfm", "corners"),
+            large(prefix + "3", "png", "centers"),
+            list(prefix + "4", ".hits"),
+            list(prefix + "5", ".npy")};
+  }
+
+  void expect_same(const Job& job, const Job& expected) const {
+    for (std::size_t i = 0; i < job.outputs.size(); ++i)
+      EXPECT_TRUE(read_bytes(file(job.outputs[i])) == read_bytes(file(expected.outputs[i])))
+          << job.outputs[i];
+  }
+  void expect_nothing_left(const Job& job) const {
+    for (const std::string& name : folder_.listing())
+      EXPECT_TRUE(name.find(".partial") == std::string::npos && name.find(".journal") == std::string::npos &&
+                  !name.starts_with(".masu-"))
+          << name << " was left behind";
+    EXPECT_FALSE(job.outputs.empty());
+  }
+  void remove(const Job& job) const {
+    for (const std::string& name : job.outputs)
+      std::filesystem::remove(file(name));
+  }
+
+  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_);
+};
+
+// The processes that a process has started.
+std::vector<pid_t> children_of(pid_t parent) {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    std::ifstream status(entry.path() / "stat");
+    std::string text;
+    std::getline(status, text);
+    const std::size_t after = text.rfind(')'); // of the program's name
+    if (after == std::string::npos) continue;
+    char state = 0;
+    int its_parent = 0;
+    if (std::sscanf(text.c_str() + after + 1, " %c %d", &state, &its_parent) == 2 && its_parent == parent)
+      found.push_back(std::stoi(name));
+  }
+  return found;
+}
+
+// Kills a run at a random moment of its length, again and again until one ends by itself. Returns how many
+// were killed.
+template <class Start, class Kill>
+int run_until_whole(std::mt19937_64& random, double seconds, const Start& begin, const Kill& kill_it) {
+  std::uniform_real_distribution<double> moment(0, 1);
+  for (int killed = 0;; ++killed) {
+    const pid_t process = begin();
+    // Every other try lives longer, so that this ends.
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds * moment(random) * (1 + killed / 4)));
+    int status = 0;
+    if (waitpid(process, &status, WNOHANG) == 0) {
+      kill_it(process);
+      waitpid(process, &status, 0);
+    }
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return killed;
+  }
+}
+
+double seconds_of(const std::string& tool, const Arguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_TRUE(succeeded(run(tool, arguments)));
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+TEST_F(SharedRuns, AResumedRunIsTheSameAsAnUndisturbedOne) {
+  for (std::size_t i = 0; i < all("x").size(); ++i) {
+    const Job expected = all("a")[i], resumed = all("b")[i];
+    EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
+    EXPECT_TRUE(succeeded(run("gridrender", joined(resumed.arguments, {"--resume"}))));
+    expect_same(resumed, expected);
+    expect_nothing_left(resumed);
+  }
+}
+
+TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  const std::size_t kinds = all("x").size();
+  std::vector<double> seconds(kinds);
+  for (std::size_t i = 0; i < kinds; ++i)
+    seconds[i] = seconds_of("gridrender", all("a")[i].arguments);
+  int killed = 0;
+  for (int round = 0; killed < cases(10); ++round) {
+    const std::size_t i = static_cast<std::size_t>(round) % kinds;
+    const Job expected = all("a")[i], resumed = all("b")[i];
+    remove(resumed);
+    killed += run_until_whole(
+        random, seconds[i],
+        [&] {
+          return start("gridrender", joined(resumed.arguments, {"--resume", "-q"}));
+        },
+        [](pid_t process) { kill(process, SIGKILL); });
+    expect_same(resumed, expected);
+    expect_nothing_left(resumed);
+  }
+  RecordProperty("killed", killed);
+}
+
+// What is finished isn't done again: a finished view that is changed under its journal's hash is made again,
+// an unchanged one stays the same file.
+TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
+  const Job expected = views("a"), resumed = views("b");
+  EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
+  const double seconds = seconds_of("gridrender", resumed.arguments);
+  remove(resumed);
+  const Arguments arguments = joined(resumed.arguments, {"--resume", "--stats", file("b.json")});
+  std::vector<std::string> kept;
+  for (double length = seconds / 2; kept.size() < 4; length *= 1.5) { // until some views were finished
+    remove(resumed);
+    const pid_t process = start("gridrender", arguments);
+    std::this_thread::sleep_for(std::chrono::duration<double>(length));
+    kill(process, SIGKILL);
+    int status = 0;
+    waitpid(process, &status, 0);
+    kept.clear();
+    if (WIFEXITED(status)) {
+      length = seconds / 4;
+      continue;
+    }
+    std::ifstream journal(file("b00.png.journal.0"));
+    std::string line;
+    std::getline(journal, line);
+    while (std::getline(journal, line)) {
+      const auto json = nlohmann::json::parse(line, nullptr, false);
+      if (json.is_object()) kept.push_back(json["files"][0]["name"].get<std::string>());
+    }
+  }
+  const auto inode = [](const std::string& path) {
+    struct stat status {};
+    EXPECT_EQ(stat(path.c_str(), &status), 0) << path;
+    return status.st_ino;
+  };
+  const auto unchanged = inode(kept.at(0));
+  write_text(kept.at(1), "torn");
+  EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+  EXPECT_EQ(inode(kept.at(0)), unchanged);
+  expect_same(resumed, expected);
+  // Counts are those of all views.
+  EXPECT_TRUE(succeeded(run("gridrender", joined(expected.arguments, {"--stats", file("a.json")}))));
+  const auto a = nlohmann::json::parse(read_text(file("a.json"))),
+             b = nlohmann::json::parse(read_text(file("b.json")));
+  for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited", "intersection_tests"})
+    EXPECT_EQ(a[key], b[key]) << key;
+}
+
+TEST_F(SharedRuns, AJournalOfOtherOptionsIsIgnored) {
+  const Job expected = large("a", "png", "corners"), resumed = large("b", "png", "corners");
+  EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
+  const double seconds = seconds_of("gridrender", resumed.arguments);
+  const pid_t process = start("gridrender", joined(resumed.arguments, {"--srgb", "--resume"}));
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds * 0.8));
+  kill(process, SIGKILL);
+  int status = 0;
+  waitpid(process, &status, 0);
+  EXPECT_TRUE(succeeded(run("gridrender", joined(resumed.arguments, {"--resume"}))));
+  expect_same(resumed, expected);
+  expect_nothing_left(resumed);
+}
+
+TEST_F(SharedRuns, WhatCannotBeResumedIsRefused) {
+  const auto refused = [&](const Arguments& more, const std::string& place) {
+    return failed(run("gridrender", joined({scene_, grid_, "--backend", "cpu", "--resume"}, more)), 1,
+                  "gridrender", place);
+  };
+  EXPECT_TRUE(refused({"--stats", file("s")}, "--resume"));
+  EXPECT_TRUE(refused({"-o", "-"}, "-"));
+  EXPECT_TRUE(refused({"-o", "/dev/null", "--format", "png"}, "/dev/null"));
+  EXPECT_TRUE(refused({"--rays", "-", "--hits", file("h")}, "--rays"));
+}
+
+#ifdef MASU_MPIRUN
+
+class MpiRuns : public SharedRuns {
+protected:
+  void SetUp() override {
+    for (const char* const name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM"})
+      setenv(name, "1", 1);
+  }
+  static Arguments by(int ranks, const Arguments& arguments) {
+    return joined(
+        {"--oversubscribe", "-n", std::to_string(ranks), std::string(MASU_BIN_DIR) + "/gridrender-mpi"},
+        arguments);
+  }
+};
+
+TEST_F(MpiRuns, AnyNumberOfRanksWritesTheSameBytes) {
+  for (std::size_t i = 0; i < all("x").size(); ++i) {
+    const Job expected = all("a")[i], shared = all("b")[i];
+    EXPECT_TRUE(succeeded(run("gridrender", joined(expected.arguments, {"--stats", file("a.json")}))));
+    for (const int ranks : {1, 2, 4}) {
+      remove(shared);
+      EXPECT_TRUE(
+          succeeded(run(MASU_MPIRUN, by(ranks, joined(shared.arguments, {"--stats", file("b.json")})))))
+          << ranks;
+      expect_same(shared, expected);
+      expect_nothing_left(shared);
+      const auto a = nlohmann::json::parse(read_text(file("a.json"))),
+                 b = nlohmann::json::parse(read_text(file("b.json")));
+      for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited"})
+        EXPECT_EQ(a[key], b[key]) << key;
+    }
+  }
+}
+
+// One rank, or all and mpirun.
+TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  const std::size_t kinds = all("x").size();
+  std::vector<double> seconds(kinds);
+  for (std::size_t i = 0; i < kinds; ++i) {
+    EXPECT_TRUE(succeeded(run("gridrender", all("a")[i].arguments)));
+    seconds[i] = seconds_of(MASU_MPIRUN, by(2, all("b")[i].arguments));
+  }
+  int killed = 0;
+  for (int round = 0; killed < cases(6); ++round) {
+    const std::size_t i = static_cast<std::size_t>(round) % kinds;
+    const Job expected = all("a")[i], resumed = all("b")[i];
+    remove(resumed);
+    killed += run_until_whole(
+        random, seconds[i],
+        [&] {
+          const int ranks = 1 + static_cast<int>(random() % 3);
+          return start(MASU_MPIRUN, by(ranks, joined(resumed.arguments, {"--resume", "-q"})));
+        },
+        [&](pid_t process) {
+          const std::vector<pid_t> ranks = children_of(process);
+          if (ranks.empty() || random() % 2 == 0) {
+            kill(process, SIGKILL);
+            for (const pid_t rank : ranks)
+              kill(rank, SIGKILL);
+          } else {
+            kill(ranks[random() % ranks.size()], SIGKILL);
+          }
+        });
+    expect_same(resumed, expected);
+    expect_nothing_left(resumed);
+  }
+  RecordProperty("killed", killed);
+}
+
+// mpirun adds lines of its own.
+TEST_F(MpiRuns, AnErrorIsOneLineAndItsExitCode) {
+  const auto lines_of_tool = [](const std::string& text) {
+    std::istringstream lines(text);
+    std::vector<std::string> found;
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("gridrender: ")) found.push_back(line);
+    return found;
+  };
+  const auto refused = [&](int code, const Arguments& arguments, const std::string& place) {
+    const ToolResult result = run(MASU_MPIRUN, by(3, arguments));
+    EXPECT_EQ(result.code, code) << result.err;
+    const auto lines = lines_of_tool(result.err);
+    ASSERT_EQ(lines.size(), 1U) << result.err;
+    EXPECT_TRUE(lines[0].starts_with("gridrender: " + place)) << lines[0];
+  };
+  refused(1, {scene_, "--no-such-option"}, "command line");
+  refused(2, {scene_, file("missing"), "-o", file("a.png"), "--backend", "cpu"}, file("missing"));
+  refused(3, {scene_, grid_, "-o", file("missing/a.png"), "--backend", "cpu"}, file("missing/a.png"));
+  refused(1, {scene_, grid_, "-o", "-", "--backend", "cpu"}, "-");
+}
+
+#else
+
+TEST(MpiRuns, AreTested) {
+  GTEST_SKIP() << "built without MPI: gridrender-mpi isn't there";
+}
+
+#endif
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,125 @@
+#include "tools/partial_file.h"
+
+#include "libscene/file/container.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace masu {
+namespace {
+
+constexpr std::string_view suffix = ".partial";
+
+[[noreturn]] void fail(const std::string& path, const char* doing, ErrorCode code = ErrorCode::output) {
+  throw Error(code, path, std::string(doing) + ": " + std::strerror(errno));
+}
+
+class Descriptor {
+public:
+  Descriptor(const std::string& path, int flags) : file_(open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (file_ >= 0) close(file_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  operator int() const { return file_; }
+  // Some file systems say only now that something wasn't written.
+  bool closed() { return close(std::exchange(file_, -1)) == 0; }
+
+private:
+  int file_;
+};
+
+bool read_all_at(int file, std::uint64_t offset, std::span<std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t got = pread(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got == 0) errno = ENODATA;
+    if (got <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+    offset += static_cast<std::uint64_t>(got);
+  }
+  return true;
+}
+
+std::uint64_t size_of(int file) {
+  struct stat status {};
+  return fstat(file, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+}
+
+// Empty where they aren't there.
+std::string hash_at(int file, std::uint64_t offset, std::uint64_t bytes) {
+  if (size_of(file) < offset + bytes) return {};
+  std::vector<std::uint8_t> read(bytes);
+  return read_all_at(file, offset, read) ? to_hex(hash_of(read)) : std::string();
+}
+
+} // namespace
+
+std::string partial_name(const std::string& path) {
+  struct stat status {};
+  if (path == "-" || (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)))
+    throw Error(ErrorCode::usage, path,
+                "isn't a regular file, which several ranks and --resume need: name a file");
+  return followed(path) + std::string(suffix);
+}
+
+FileRange write_part(const std::string& path, const FilePart& part) {
+  Descriptor file(path, O_WRONLY | O_CREAT);
+  if (file < 0) fail(path, "can't be created");
+  if (!write_all_at(file, part.offset, part.bytes) || !file.closed()) fail(path, "can't be written");
+  return {path, part.offset, part.bytes.size(), to_hex(hash_of(part.bytes))};
+}
+
+FileRange whole_file(const std::string& path) {
+  const Descriptor file(path, O_RDONLY);
+  if (file < 0) fail(path, "can't be read again");
+  const std::uint64_t bytes = size_of(file);
+  return {path, {}, bytes, hash_at(file, 0, bytes)};
+}
+
+bool is_whole(const FileRange& range) {
+  if (range.hash.empty()) return false;
+  const Descriptor file(range.path, O_RDONLY);
+  if (file < 0) {
+    return errno == ENOENT && range.path.ends_with(suffix) &&
+           is_whole({range.path.substr(0, range.path.size() - suffix.size()), range.offset, range.bytes,
+                     range.hash});
+  }
+  if (!range.offset && size_of(file) != range.bytes) return false;
+  return hash_at(file, range.offset.value_or(0), range.bytes) == range.hash;
+}
+
+std::vector<std::uint8_t> read_part(const std::string& path, std::uint64_t offset, std::uint64_t bytes,
+                                    ErrorCode code) {
+  const Descriptor file(path, O_RDONLY);
+  std::vector<std::uint8_t> read(bytes);
+  if (file < 0 || !read_all_at(file, offset, read)) fail(path, "can't be read", code);
+  return read;
+}
+
+void finish_partial(const std::string& path, std::uint64_t bytes) {
+  const std::string target = followed(path), partial = target + std::string(suffix);
+  struct stat replaced {};
+  const bool replaces = stat(target.c_str(), &replaced) == 0;
+  Descriptor file(partial, O_WRONLY | (bytes == 0 ? O_CREAT : 0));
+  if (file < 0) {
+    if (errno == ENOENT && replaces && static_cast<std::uint64_t>(replaced.st_size) == bytes) return;
+    fail(partial, "can't be opened");
+  }
+  if (ftruncate(file, static_cast<off_t>(bytes)) != 0) fail(partial, "can't be given its size");
+  if (replaces) static_cast<void>(fchmod(file, replaced.st_mode & 0777U));
+  if (fsync(file) != 0 || !file.closed()) fail(partial, "can't be flushed");
+  if (rename(partial.c_str(), target.c_str()) != 0) fail(path, "can't be given its name");
+  const std::string folder = std::filesystem::path(target).parent_path().string();
+  const Descriptor in(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  if (in >= 0) static_cast<void>(fsync(in));
+}
+
+} // namespace masu

@@ -1,0 +1,51 @@
+// A picture in bands of rows: what is traced at a time, and where it lies in the picture's files.
+#pragma once
+
+#include "renderer/image.h"
+#include "tools/placed_file.h"
+
+namespace masu {
+
+// Bands depend on the size of the picture (or of its part) alone, so files do, too.
+class PictureBands {
+public:
+  // rays: the picture's or a part's.
+  PictureBands(const RayWindow& rays, Sampling sampling);
+
+  std::size_t count() const { return static_cast<std::size_t>((height_ + band_rows_ - 1) / band_rows_); }
+  std::int32_t width() const { return rays_.columns - more_; } // pixels
+  std::int32_t height() const { return height_; }
+
+  // The rays of a band. With Sampling::corners the last row of rays of each band but the last is the next
+  // one's first, which traces it again: the band that doesn't end the picture neither counts nor writes it.
+  RayWindow rays(std::size_t band) const;
+  bool is_last(std::size_t band) const { return band + 1 == count(); }
+  std::uint64_t rays_counted(std::size_t band) const;
+  std::size_t largest_band_rays() const;
+
+  // Of a band's frame: 8-byte records of the hits, and the picture's rows. A PFM file's are where they belong
+  // in the file, with its head. A PNG file's have no place before those above them are known: their offset is
+  // such that every band has room, and png_rows() reads them.
+  FilePart hits(std::size_t band, const Frame& frame) const;
+  FilePart picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
+  std::uint64_t png_offset(std::size_t band) const;
+
+  // Of the whole files.
+  std::uint64_t hits_bytes() const;
+  std::uint64_t pfm_bytes() const;
+
+private:
+  std::int32_t first_row(std::size_t band) const { return static_cast<std::int32_t>(band) * band_rows_; }
+  std::int32_t rows(std::size_t band) const { return std::min(band_rows_, height_ - first_row(band)); }
+
+  RayWindow rays_;
+  Sampling sampling_;
+  std::int32_t more_, height_, band_rows_; // more_: rows and columns of rays than of pixels
+};
+
+// The bytes of a PNG part, of which the first ones say how many they are.
+inline constexpr std::size_t png_part_head = 16;
+std::uint64_t png_part_bytes(std::span<const std::uint8_t> head);
+PngRows png_rows(std::span<const std::uint8_t> part);
+
+} // namespace masu

@@ -1,0 +1,176 @@
+// The ranks of an MPI run. Counters are words of a window of rank 0's memory.
+//
+// One thread at a time calls MPI, and no call waits for another rank but those on the window. So that such
+// calls proceed on networks whose remote memory access needs its target's help, a thread of rank 0 calls MPI
+// continually.
+#include "tools/ranks.h"
+
+#include "libscene/error.h"
+
+#include <mpi.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
+namespace masu {
+namespace {
+
+enum Word : MPI_Aint { next_task, finished_tasks, failures, words };
+
+constexpr auto pause = std::chrono::microseconds(200); // between two looks at what others do
+constexpr auto patience = std::chrono::seconds(20);    // for the rank that reports an error to end all
+
+} // namespace
+
+struct Ranks::State {
+  std::mutex mpi;
+  int rank = 0, count = 1, local_rank = 0, local_count = 1;
+  std::array<std::uint64_t, words>* memory = nullptr; // rank 0's
+  MPI_Win window = MPI_WIN_NULL;
+  std::atomic<bool> ended = false, reports = false; // reports: this rank was the first to fail
+  std::thread helper;
+
+  std::uint64_t fetch_and_add(Word word, std::uint64_t amount) {
+    const std::lock_guard lock(mpi);
+    std::uint64_t before = 0;
+    MPI_Fetch_and_op(&amount, &before, MPI_UINT64_T, 0, word, MPI_SUM, window);
+    MPI_Win_flush(0, window);
+    return before;
+  }
+
+  // Waits for a request that start(request) makes.
+  template <class Start>
+  void complete(const Start& start, const std::function<void()>& idle = {}) {
+    MPI_Request request = MPI_REQUEST_NULL;
+    {
+      const std::lock_guard lock(mpi);
+      start(&request);
+    }
+    for (int turn = 1;; ++turn) {
+      int done = 0;
+      {
+        const std::lock_guard lock(mpi);
+        MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+      }
+      if (done != 0) return;
+      if (idle && turn % 1000 == 0) idle();
+      std::this_thread::sleep_for(pause);
+    }
+  }
+
+  void help() {
+    while (!ended) {
+      {
+        const std::lock_guard lock(mpi);
+        int found = 0;
+        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, MPI_STATUS_IGNORE);
+      }
+      std::this_thread::sleep_for(pause);
+    }
+  }
+};
+
+Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
+  State& state = *state_;
+  int provided = 0;
+  if (MPI_Init_thread(argc, argv, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS ||
+      provided < MPI_THREAD_SERIALIZED) {
+    static_cast<void>(std::fputs(
+        "gridrender: MPI: has no threads (MPI_THREAD_SERIALIZED): take another build of it\n", stderr));
+    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ErrorCode::device));
+  }
+  MPI_Comm_rank(MPI_COMM_WORLD, &state.rank);
+  MPI_Comm_size(MPI_COMM_WORLD, &state.count);
+  MPI_Comm local = MPI_COMM_NULL;
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, state.rank, MPI_INFO_NULL, &local);
+  MPI_Comm_rank(local, &state.local_rank);
+  MPI_Comm_size(local, &state.local_count);
+  MPI_Comm_free(&local);
+  const MPI_Aint bytes = state.rank == 0 ? sizeof *state.memory : 0;
+  MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, MPI_COMM_WORLD, &state.memory, &state.window);
+  MPI_Win_lock_all(MPI_MODE_NOCHECK, state.window);
+  if (state.rank == 0) {
+    state.memory->fill(0);
+    MPI_Win_sync(state.window);
+    if (state.count > 1) state.helper = std::thread([&state] { state.help(); });
+  }
+  wait_for_all(); // the counters are zero
+}
+
+Ranks::~Ranks() {
+  wait_for_all();
+  state_->ended = true;
+  if (state_->helper.joinable()) state_->helper.join();
+  MPI_Win_unlock_all(state_->window);
+  MPI_Win_free(&state_->window);
+  MPI_Finalize();
+}
+
+int Ranks::rank() const {
+  return state_->rank;
+}
+int Ranks::count() const {
+  return state_->count;
+}
+int Ranks::local_rank() const {
+  return state_->local_rank;
+}
+int Ranks::local_count() const {
+  return state_->local_count;
+}
+std::uint64_t Ranks::next() {
+  return state_->fetch_and_add(next_task, 1);
+}
+std::uint64_t Ranks::add_finished(std::uint64_t amount) {
+  return state_->fetch_and_add(finished_tasks, amount) + amount;
+}
+
+void Ranks::wait_for_all(const std::function<void()>& idle) {
+  state_->complete([](MPI_Request* request) { MPI_Ibarrier(MPI_COMM_WORLD, request); }, idle);
+}
+
+void Ranks::sum(std::span<std::uint64_t> values) {
+  state_->complete([&](MPI_Request* request) {
+    MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_UINT64_T, MPI_SUM,
+                   MPI_COMM_WORLD, request);
+  });
+}
+
+void Ranks::sum(std::span<double> values) {
+  state_->complete([&](MPI_Request* request) {
+    MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM,
+                   MPI_COMM_WORLD, request);
+  });
+}
+
+void Ranks::broadcast(std::string& text) {
+  std::uint64_t size = text.size();
+  state_->complete(
+      [&](MPI_Request* request) { MPI_Ibcast(&size, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD, request); });
+  text.resize(size);
+  state_->complete([&](MPI_Request* request) {
+    MPI_Ibcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD, request);
+  });
+}
+
+bool Ranks::is_first_to_fail() {
+  state_->reports = state_->fetch_and_add(failures, 1) == 0;
+  return state_->reports;
+}
+
+int Ranks::ended(int code) {
+  if (code == 0) return 0;
+  if (state_->count == 1) return code;
+  // The first one to fail ends all, as soon as its line is out. The others let it.
+  static_cast<void>(std::fflush(stderr));
+  if (!state_->reports) std::this_thread::sleep_for(patience);
+  MPI_Abort(MPI_COMM_WORLD, code);
+  return code;
+}
+
+} // namespace masu

@@ -1,0 +1,105 @@
+// Tasks on a tracer's devices: some are traced while others are written.
+#pragma once
+
+#include "libscene/on_threads.h"
+#include "renderer/tracer.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <semaphore>
+#include <vector>
+
+namespace masu {
+
+inline std::size_t allowed_threads() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
+// How many tasks are under way at most, of so many bytes each: enough for devices and encoding threads, as
+// far as memory allows.
+inline std::size_t tasks_under_way(const Tracer& tracer, std::size_t bytes_a_task) {
+  constexpr std::size_t all_bytes = std::size_t{4} << 30;
+  const std::size_t devices = tracer.device() == Device::cuda ? queries_a_gpu * tracer.device_count() : 1;
+  return std::clamp<std::size_t>(all_bytes / std::max<std::size_t>(bytes_a_task, 1), 2,
+                                 allowed_threads() + devices);
+}
+
+// Devices that are free for a query: a GPU for several at a time.
+class FreeDevices {
+public:
+  explicit FreeDevices(std::size_t devices) {
+    for (int query = 0; query < queries_a_gpu; ++query)
+      for (std::size_t device = 0; device < devices; ++device)
+        free_.push_back(device);
+    count_.release(static_cast<std::ptrdiff_t>(free_.size()));
+  }
+
+  // act(device's index), when one is free.
+  template <class Act>
+  auto with(const Act& act) {
+    count_.acquire();
+    std::unique_lock lock(mutex_);
+    const std::size_t device = free_.back();
+    free_.pop_back();
+    lock.unlock();
+    struct Return {
+      FreeDevices& devices;
+      std::size_t device;
+      ~Return() {
+        const std::lock_guard guard(devices.mutex_);
+        devices.free_.insert(devices.free_.begin(), device);
+        devices.count_.release();
+      }
+    } const returned{*this, device};
+    return act(device);
+  }
+
+private:
+  std::counting_semaphore<> count_{0};
+  std::mutex mutex_;
+  std::vector<std::size_t> free_;
+};
+
+// Calls trace(device's index) again and again, which takes the next task and returns what it traced, or
+// nothing after the last task; and write(what it traced) meanwhile, in any order. At most `under_way` at the
+// same time. The CPU's threads share each task, and trace() is called by one at a time; GPUs have several
+// tasks each. When either throws, what is under way ends, and no more is begun.
+template <class Trace, class Write>
+void run_tasks(const Tracer& tracer, std::size_t under_way, const Trace& trace, const Write& write) {
+  using Traced = decltype(trace(std::size_t{0}));
+  if (tracer.device() == Device::cpu) {
+    const auto traced = [&](tbb::flow_control& control) {
+      // A thread that waits for the task's last rays doesn't begin another task meanwhile.
+      Traced result = tbb::this_task_arena::isolate([&] { return trace(std::size_t{0}); });
+      if (!result) control.stop();
+      return result;
+    };
+    tbb::parallel_pipeline(under_way,
+                           tbb::make_filter<void, Traced>(tbb::filter_mode::serial_in_order, traced) &
+                               tbb::make_filter<Traced, void>(tbb::filter_mode::parallel,
+                                                              [&](const Traced& result) { write(*result); }));
+    return;
+  }
+  FreeDevices devices(tracer.device_count());
+  std::atomic<bool> ended = false;
+  on_threads(under_way, [&](std::size_t) {
+    try {
+      while (!ended) {
+        const Traced result = devices.with(trace);
+        if (!result) break;
+        write(*result);
+      }
+    } catch (...) {
+      ended = true;
+      throw;
+    }
+  });
+}
+
+} // namespace masu

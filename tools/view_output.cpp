@@ -1,0 +1,29 @@
+#include "tools/view_output.h"
+
+namespace masu {
+
+ViewOutput::ViewOutput(const ViewFiles& files, const PictureBands& bands, const ImageOptions& image)
+    : left_(bands.count()) {
+  const std::int32_t width = bands.width(), height = bands.height();
+  if (!files.hits.empty()) hits_.emplace(files.hits);
+  if (files.picture.empty()) return;
+  if (image.format == ImageFormat::pfm) {
+    pfm_.emplace(files.picture);
+  } else {
+    png_ = std::make_unique<Png>(files.picture, width, height, image.texts);
+  }
+}
+
+void ViewOutput::write(std::size_t band, FilePart picture, FilePart hits) {
+  if (png_)
+    png_->in_order.add(band, band + 1, std::move(picture.bytes),
+                       [&](const auto& part) { png_->writer.write(png_rows(part)); });
+  if (pfm_) pfm_->write(std::move(picture));
+  if (hits_) hits_->write(std::move(hits));
+  if (--left_ > 0) return;
+  if (png_) png_->file.commit();
+  if (pfm_) pfm_->commit();
+  if (hits_) hits_->commit();
+}
+
+} // namespace masu
