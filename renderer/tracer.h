@@ -195,8 +195,9 @@ public:
   QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
                               void* stream, int gpu) const;
 
-  // For measurements: on the first device alone. And where vectors are what is wanted.
+  // Where vectors are what is wanted.
   RayHits hits(const RayList& rays, const RaysRequest& request, HitName name) const;
+  // For measurements, on the first device.
   ResidentRays upload(std::span<const Ray<double>> rays, Precision precision) const;
   // The report's seconds.trace is the device's time for it.
   QueryReport trace(const ResidentRays& rays, const RaysRequest& request) const;

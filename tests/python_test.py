@@ -380,7 +380,8 @@ class Tracers(WithFolder):
 
     def test_devices(self):
         self.scene(10)
-        for device in ([], ["cpu"], [0, "cpu"], [True], [[0]], "cuda:0,cuda:1", "gpu", "cuda:", "cuda:-1", "cuda:1.0", "CPU", -1, 2**40, True, None, 1.5):
+        for device in ("gpu", "cuda:", "cuda:-1", "cuda:1.0", "CPU", -1, 2**40, True, None, 1.5, "cuda:0,cuda:1",
+                       [], ["cpu"], [0, "cpu"], [True], [[0]]):
             with self.assertRaises(ValueError, msg=repr(device)):
                 masu.Tracer(self.file("random.scene"), device=device)
         beyond = masu.gpu_count()
