@@ -9,6 +9,7 @@ namespace masu {
 void add_frame(CLI::App& app);
 void add_rays(CLI::App& app);
 void add_lists(CLI::App& app);
+void add_scale(CLI::App& app);
 void add_load(CLI::App& app);
 void add_tradeoff(CLI::App& app);
 void add_stability(CLI::App& app);

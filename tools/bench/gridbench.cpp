@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
                     add_frame(app);
                     add_rays(app);
                     add_lists(app);
+                    add_scale(app);
                     add_load(app);
                     add_tradeoff(app);
                     add_stability(app);

@@ -21,10 +21,10 @@ double copy_seconds_cuda(const std::string& path, CopyFrom from);
 // Host memory for a CUDA device, page-locked or as malloc() gives it. Throws Error(device), std::bad_alloc.
 std::shared_ptr<void> host_memory_cuda(std::size_t bytes, bool page_locked);
 
-// Seconds of copying `up_bytes` to the first CUDA device while `down_bytes` come back, both in as many
+// Seconds of copying `up_bytes` to a CUDA device while `down_bytes` come back, both in as many
 // pieces, at the same time: what comes up and what goes down are independent of each other. Memory that isn't
 // page-locked goes through small page-locked buffers, filled and emptied by all cores. Throws Error(device).
 double round_trip_seconds_cuda(const void* up, std::size_t up_bytes, void* down, std::size_t down_bytes,
-                               int pieces, bool page_locked);
+                               int pieces, bool page_locked, int gpu = 0);
 
 } // namespace masu

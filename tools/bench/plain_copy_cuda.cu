@@ -1,8 +1,8 @@
 #include "libscene/cuda/device_memory.h"
-#include "tools/bench/mapped_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/host_rays_cuda.h"
 #include "tools/bench/file_reader.h"
+#include "tools/bench/mapped_file.h"
 #include "tools/bench/plain_copy.h"
 
 #include <algorithm>
@@ -57,7 +57,8 @@ std::shared_ptr<void> host_memory_cuda(std::size_t bytes, bool page_locked) {
 }
 
 double round_trip_seconds_cuda(const void* up, std::size_t up_bytes, void* down, std::size_t down_bytes,
-                               int pieces, bool page_locked) {
+                               int pieces, bool page_locked, int gpu) {
+  const DeviceScope scope(gpu);
   constexpr std::size_t in_flight = 3;
   const auto all = static_cast<std::size_t>(pieces);
   const std::size_t up_piece = (up_bytes + all - 1) / all, down_piece = (down_bytes + all - 1) / all;

@@ -13,7 +13,7 @@ std::shared_ptr<void> host_memory_cuda(std::size_t, bool) {
   throw Error(ErrorCode::device, "cuda", "this program was built without it");
 }
 
-double round_trip_seconds_cuda(const void*, std::size_t, void*, std::size_t, int, bool) {
+double round_trip_seconds_cuda(const void*, std::size_t, void*, std::size_t, int, bool, int) {
   throw Error(ErrorCode::device, "cuda", "this program was built without it");
 }
 

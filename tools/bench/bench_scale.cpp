@@ -1,0 +1,326 @@
+// How views, one large view and a list of rays speed up with more GPUs, or with more threads of the CPU; and
+// what bounds them.
+#include "libscene/file/output_file.h"
+#include "libscene/stopwatch.h"
+#include "scale_script.h"
+#include "tools/bench/bench.h"
+#include "tools/bench/gnuplot.h"
+#include "tools/bench/plain_copy.h"
+#include "tools/bench/ray_sets.h"
+#include "tools/device_choice.h"
+#include "tools/printable.h"
+#include "tools/provenance.h"
+#include "tools/render_views.h"
+#include "tools/repeated.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Settings {
+  std::string scene, grid, size = "1024x1024", folder, charts;
+  DeviceChoice devices;
+  int views = 400, large = 16384, repeat = 3;
+  std::size_t rays = 100'000'000;
+  std::uint64_t seed = 1;
+  bool json = false;
+  Threads threads;
+};
+
+// So many GPUs, or threads of the CPU.
+struct Workers {
+  std::vector<int> gpus; // none: the CPU
+  std::size_t count = 0;
+};
+
+// A measurement: what it took by the clock, and, summed over all workers, what its stages took.
+struct Run {
+  double rays = 0, seconds = 0;
+  double trace = 0, copies = 0, encode = 0; // encode: of all threads
+  double plain_copy = 0;                    // by the clock: of the same bytes up and down, and nothing else
+};
+
+std::size_t cores() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
+// Of the stages' shares of the time, the largest: 1 means that nothing else could be faster by more of the
+// others.
+struct Bound {
+  const char* name;
+  double share;
+};
+Bound bound_of(const Run& run, const Workers& workers) {
+  const auto count = static_cast<double>(workers.count);
+  const Bound bounds[] = {{"tracing", run.trace / count / run.seconds},
+                          {"copies", std::max(run.copies / count, run.plain_copy) / run.seconds},
+                          {"encoding", run.encode / static_cast<double>(cores()) / run.seconds}};
+  return *std::ranges::max_element(bounds, {}, &Bound::share);
+}
+
+// A folder that is removed with its contents.
+class Scratch {
+public:
+  explicit Scratch(const std::string& parent) {
+    std::string name = (std::filesystem::path(parent) / "masu-scale-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw Error(ErrorCode::output, parent, "no folder can be made in it");
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+private:
+  std::string path_;
+};
+
+template <class Measure>
+Run median_run(int repeat, const Measure& measure) {
+  std::vector<Run> runs;
+  for (int i = 0; i <= repeat; ++i) {
+    const Run run = measure();
+    if (i > 0) runs.push_back(run); // the first one warms up
+  }
+  std::ranges::sort(runs, {}, &Run::seconds);
+  return runs[runs.size() / 2];
+}
+
+// Views, written as PNG.
+Run rendered(const Settings& settings, const Tracer& tracer, const Camera& camera, int views) {
+  int argc = 0;
+  char** argv = nullptr;
+  Ranks ranks(&argc, &argv);
+  return median_run(settings.repeat, [&] {
+    const Scratch scratch(settings.folder);
+    ViewsRequest request;
+    request.views = views > 1 ? turntable(camera, views) : std::vector<View>{{"0", camera}};
+    for (const View& view : request.views)
+      request.files.push_back({scratch.file(view.name + ".png"), ""});
+    const TracingReport report = render_views(tracer, request, {ranks}, [](double) {});
+    Run run;
+    run.rays = static_cast<double>(report.totals.rays);
+    run.seconds = report.elapsed_seconds;
+    run.trace = report.seconds.trace;
+    run.copies = report.seconds.upload + report.seconds.download;
+    run.encode = report.write_seconds;
+    return run;
+  });
+}
+
+// Lists of rays in memory, page-locked for GPUs.
+class List {
+public:
+  List(const SceneFile& scene, std::size_t count, std::uint64_t seed, bool cuda)
+      : count_(count), memory_(room(count * sizeof(Ray<float>), cuda)),
+        results_memory_(room(count * result_bytes, cuda)) {
+    const std::vector<Ray<double>> made = random_rays(scene, std::min(count, different_rays), seed);
+    auto* const rays = static_cast<Ray<float>*>(memory_.get());
+    for (std::size_t i = 0; i < count; ++i)
+      rays[i] = loaded<float>(made.data(), own_format<double>, i % made.size());
+    results_.t = static_cast<float*>(results_memory_.get());
+    results_.primitive = reinterpret_cast<std::uint32_t*>(results_.t + count);
+  }
+
+  Run traced(const Settings& settings, const Tracer& tracer, const Workers& workers,
+             std::size_t count) const {
+    return median_run(settings.repeat, [&] {
+      Run run;
+      run.rays = static_cast<double>(count);
+      const Stopwatch watch;
+      const QueryReport report = tracer.trace(RayList(memory_.get(), count, own_format<float>), results_, {});
+      run.seconds = watch.seconds();
+      run.trace = report.seconds.trace;
+      run.plain_copy = workers.gpus.empty() ? 0 : copied(workers, count);
+      return run;
+    });
+  }
+  std::size_t size() const { return count_; }
+
+private:
+  static constexpr std::size_t different_rays = std::size_t{1} << 22; // repeated to fill a list
+  static constexpr std::size_t rays_a_piece = std::size_t{1} << 19;   // of the plain copy
+  static constexpr std::size_t result_bytes = sizeof(float) + sizeof(std::uint32_t); // t and primitive
+
+  static std::shared_ptr<void> room(std::size_t bytes, bool cuda) {
+    if (cuda) return host_memory_cuda(bytes, true);
+    return {::operator new(bytes), [](void* memory) { ::operator delete(memory); }};
+  }
+
+  // All GPUs at the same time, each a part.
+  double copied(const Workers& workers, std::size_t count) const {
+    const std::size_t part = count / workers.count;
+    const auto* const rays = static_cast<const Ray<float>*>(memory_.get());
+    auto* const results = static_cast<std::uint8_t*>(results_memory_.get());
+    std::vector<double> seconds(workers.count);
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t i = 0; i < workers.count; ++i) {
+        threads.emplace_back([&, i] {
+          seconds[i] = round_trip_seconds_cuda(
+              rays + i * part, part * sizeof(Ray<float>), results + i * part * result_bytes,
+              part * result_bytes, static_cast<int>(part / rays_a_piece + 1), true, workers.gpus[i]);
+        });
+      }
+    }
+    return *std::ranges::max_element(seconds);
+  }
+
+  std::size_t count_;
+  std::shared_ptr<void> memory_, results_memory_;
+  RayResults results_;
+};
+
+Json row_of(const char* work, const char* scaling, const Workers& workers, const Run& run, double one_rate) {
+  const double rate = run.rays / run.seconds, speedup = one_rate > 0 ? rate / one_rate : 1;
+  const Bound bound = bound_of(run, workers);
+  return {{"work", work},
+          {"scaling", scaling},
+          {"workers", workers.count},
+          {"rays", run.rays},
+          {"seconds", run.seconds},
+          {"mrays_per_second", rate * 1e-6},
+          {"speedup", speedup},
+          {"efficiency", speedup / static_cast<double>(workers.count)},
+          {"bound", bound.name},
+          {"bound_share", bound.share},
+          {"trace_seconds", run.trace},
+          {"copy_seconds", run.copies},
+          {"encode_seconds", run.encode},
+          {"plain_copy_seconds", run.plain_copy}};
+}
+
+void print_row(const Json& row) {
+  fmt::print("{:<12} {:<7} {:>7} {:>9.4f} {:>9.1f} {:>8.2f} {:>6.0f} %  {} {:.0f} %\n",
+             row["work"].get<std::string>(), row["scaling"].get<std::string>(),
+             row["workers"].get<std::size_t>(), row["seconds"].get<double>(),
+             row["mrays_per_second"].get<double>(), row["speedup"].get<double>(),
+             100 * row["efficiency"].get<double>(), row["bound"].get<std::string>(),
+             100 * row["bound_share"].get<double>());
+  flush_standard_output();
+}
+
+void draw(const Settings& settings, const Json& rows) {
+  std::string csv = "work,scaling,workers,seconds,mrays_per_second,speedup\n";
+  for (const Json& row : rows)
+    csv +=
+        fmt::format("{},{},{},{},{},{}\n", row["work"].get<std::string>(), row["scaling"].get<std::string>(),
+                    row["workers"].get<std::size_t>(), row["seconds"].get<double>(),
+                    row["mrays_per_second"].get<double>(), row["speedup"].get<double>());
+  std::filesystem::create_directories(settings.charts);
+  OutputFile file(settings.charts + "/scale.csv");
+  file.write(csv.data(), csv.size());
+  file.commit();
+  if (!draw_charts(scale_script, settings.charts, {"scale.svg", "scale.png"}))
+    fmt::print(stderr, "gridbench: gnuplot isn't installed: scale.csv was written, but no chart\n");
+}
+
+// 1, 2, 4, … and all of them.
+std::vector<Workers> steps(const std::vector<int>& gpus) {
+  const std::size_t all = gpus.empty() ? cores() : gpus.size();
+  std::vector<Workers> found;
+  for (std::size_t count = 1; count < all; count *= 2)
+    found.push_back({{}, count});
+  found.push_back({{}, all});
+  for (Workers& workers : found)
+    workers.gpus.assign(
+        gpus.begin(), gpus.empty() ? gpus.end() : gpus.begin() + static_cast<std::ptrdiff_t>(workers.count));
+  return found;
+}
+
+void bench_scale(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  int argc = 0;
+  char** argv = nullptr;
+  Ranks ranks(&argc, &argv);
+  const std::vector<int> gpus = settings.devices.gpus("gridbench", ranks, false);
+  const bool cuda = !gpus.empty();
+  const SceneFile scene(settings.scene);
+  const GridFile grid(settings.grid);
+  const Camera view = resized(scene.camera(), settings.size),
+               large = resized(scene.camera(), fmt::format("{0}x{0}", settings.large));
+  const std::vector<Workers> all = steps(gpus);
+  std::optional<List> list;
+  if (settings.rays > 0) list.emplace(scene, settings.rays, settings.seed, cuda);
+  if (!settings.json)
+    fmt::print(
+        "{} views of {}, one of {}x{}, {} random rays; median of {} on {}\n\n{:<12} {:<7} {:>7} {:>9} {:>9} "
+        "{:>8} {:>8}  {}\n",
+        settings.views, settings.size, settings.large, settings.large, settings.rays, settings.repeat,
+        devices_name(gpus), "work", "scaling", cuda ? "GPUs" : "threads", "s", "Mray/s", "speed-up",
+        "of ideal", "bound by");
+  Json rows = Json::array();
+  double one_views = 0, one_large = 0, one_list = 0, one_weak = 0;
+  const auto add = [&](const char* work, const char* scaling, const Workers& workers, const Run& run,
+                       double& one) {
+    rows.push_back(row_of(work, scaling, workers, run, one));
+    if (one == 0) one = run.rays / run.seconds;
+    if (!settings.json) print_row(rows.back());
+  };
+  for (const Workers& workers : all) {
+    // On the CPU a worker is a thread.
+    std::optional<tbb::global_control> fewer;
+    if (!cuda) fewer.emplace(tbb::global_control::max_allowed_parallelism, workers.count);
+    const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu, workers.gpus);
+    if (settings.views > 0) {
+      add("views", "strong", workers, rendered(settings, tracer, view, settings.views), one_views);
+      const int share = std::max(1, settings.views / static_cast<int>(all.back().count));
+      add("views", "weak", workers, rendered(settings, tracer, view, share * static_cast<int>(workers.count)),
+          one_weak);
+    }
+    if (settings.large > 0)
+      add("large view", "strong", workers, rendered(settings, tracer, large, 1), one_large);
+    if (list) add("list", "strong", workers, list->traced(settings, tracer, workers, list->size()), one_list);
+  }
+  if (!settings.charts.empty()) draw(settings, rows);
+  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, devices_name(gpus))));
+}
+
+} // namespace
+
+void add_scale(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // by the callback
+  Settings& settings = *owned;
+  settings.folder = std::filesystem::temp_directory_path().string();
+  CLI::App& command = *app.add_subcommand(
+      "scale", "How views, one large view and a list of rays speed up with more GPUs, or threads of the CPU");
+  command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
+  settings.devices.add_to(command);
+  command.add_option("--views", settings.views, "number of views; 0: none")
+      ->check(CLI::Range(0, 1000000))
+      ->capture_default_str();
+  command.add_option("--size", settings.size, "WxH pixels of a view")->capture_default_str();
+  command.add_option("--large", settings.large, "pixels of the large view's sides; 0: none")
+      ->check(CLI::Range(0, 65536))
+      ->capture_default_str();
+  command.add_option("--rays", settings.rays, "rays of the list, 40 bytes of memory each; 0: none")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 32))
+      ->capture_default_str();
+  command.add_option("--folder", settings.folder, "where pictures are written, and removed again")
+      ->capture_default_str();
+  command.add_option("--charts", settings.charts, "a folder that gets scale.csv, scale.svg and scale.png");
+  command.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
+  command.add_option("--repeat", settings.repeat, "timed runs after an untimed one; the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_flag("--json", settings.json, "print JSON");
+  settings.threads.add_to(command);
+  command.callback([owned] { bench_scale(*owned); });
+}
+
+} // namespace masu
