@@ -117,6 +117,21 @@ std::vector<pid_t> children_of(pid_t parent) {
   return found;
 }
 
+// Waits for a process's end. mpirun, whose rank is killed while it is started, may wait for it forever: so it
+// is killed after a while.
+int status_of(pid_t process) {
+  int status = 0;
+  for (int i = 0; i < 1000; ++i) {
+    if (waitpid(process, &status, WNOHANG) == process) return status;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  for (const pid_t child : children_of(process))
+    kill(child, SIGKILL);
+  kill(process, SIGKILL);
+  waitpid(process, &status, 0);
+  return status;
+}
+
 // Kills a run at a random moment of its length, again and again until one ends by itself. Returns how many
 // were killed.
 template <class Start, class Kill>
@@ -129,7 +144,7 @@ int run_until_whole(std::mt19937_64& random, double seconds, const Start& begin,
     int status = 0;
     if (waitpid(process, &status, WNOHANG) == 0) {
       kill_it(process);
-      waitpid(process, &status, 0);
+      status = status_of(process);
     }
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return killed;
   }
