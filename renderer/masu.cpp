@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <new>
 #include <optional>
@@ -81,10 +82,12 @@ void require(const void* pointer, const char* place) {
   if (pointer == nullptr) fail(place, "is a null pointer");
 }
 
-// An enumeration's value out of C, of so many that there are.
+// An enumeration's value out of C, of so many that there are. C++ has no others, so its bytes are looked at.
 template <class To, class From>
-To choice(From value, int values, const char* place) {
-  const int number = static_cast<int>(value);
+To choice(const From& value, int values, const char* place) {
+  int number = 0;
+  static_assert(sizeof number == sizeof value);
+  std::memcpy(&number, &value, sizeof number);
   if (number < 0 || number >= values) fail(place, fmt::format("{} isn't one of its values", number));
   return static_cast<To>(number);
 }

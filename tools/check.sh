@@ -38,14 +38,24 @@ if [ "${1:-}" = --full ]; then
   build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- --target masu_unit_tests
   ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
 
+  step "unit tests under ThreadSanitizer"
+  build build/tsan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=thread -DMASU_CUDA=OFF -- \
+    --target masu_unit_tests
+  TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp ignore_noninstrumented_modules=1 halt_on_error=1" \
+    ctest --test-dir build/tsan --output-on-failure --parallel "$cores" -L unit
+
   step "clang-tidy"
   find libscene libgrid renderer tools -name '*.cpp' ! -name backend_none.cpp |
     xargs -P "$cores" -n 1 clang-tidy -p build --quiet
 
   step "fuzz targets, 20 s each"
   build build/fuzz -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ -DMASU_FUZZ=ON -DMASU_CUDA=OFF
+  rm -rf build/fuzz/seeds
+  tests/fuzz/seeds.sh build/bin build/fuzz/seeds
   # Without mesh_fuzz: the first that it finds are Assimp's own faults.
-  for target in build/fuzz/bin/{nff,scene,grid}_fuzz; do
-    "$target" -max_total_time=20 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=0
+  for target in nff scene grid trace list library; do
+    dictionary=tests/fuzz/$target.dict
+    "build/fuzz/bin/${target}_fuzz" -max_total_time=20 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=0 \
+      $([ ! -f $dictionary ] || echo -dict=$dictionary) build/fuzz/seeds/${target}_fuzz
   done
 fi

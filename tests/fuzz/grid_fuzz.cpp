@@ -55,6 +55,13 @@ void open_and_traverse(std::span<const std::uint8_t> bytes) {
 
 } // namespace
 
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed) {
+  return masu::mutated<masu::fb::Grid>(data, size, max_size, seed, masu::grid_file_kind, LLVMFuzzerMutate);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   open_and_traverse({data, size});
   open_and_traverse(masu::repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind));

@@ -1,13 +1,16 @@
 // Files in memory, and containers with corrected hashes, so that fuzzing reaches the checks behind them.
 #pragma once
 
+#include "libgrid/file/grid_file.h"
 #include "libscene/file/container.h"
 #include "libscene/file/memory_file.h"
 #include "libscene/file/output_file.h"
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace masu {
@@ -18,10 +21,26 @@ inline void fill(const MemoryFile& file, std::span<const std::uint8_t> bytes) {
   output.commit();
 }
 
+// Of the scene that a grid is traced with.
+struct Geometry {
+  Hash hash;
+  std::uint64_t primitives;
+};
+
+// Of a section, as container.h says.
+inline XXH128_hash_t section_hash(const std::uint8_t* data, std::uint64_t size) {
+  constexpr std::uint64_t piece_bytes = std::uint64_t{4} << 20;
+  std::vector<XXH128_hash_t> pieces;
+  for (std::uint64_t begin = 0; begin < size; begin += piece_bytes)
+    pieces.push_back(XXH3_128bits(data + begin, std::min(piece_bytes, size - begin)));
+  return XXH3_128bits(pieces.data(), pieces.size() * sizeof(XXH128_hash_t));
+}
+
 // The input with its prelude and, if it has a valid table, its hashes corrected. Table is fb::Scene or
-// fb::Grid; sections must be smaller than 4 MiB, and so are hashed as one piece.
+// fb::Grid. With a `geometry`, a grid is bound to it.
 template <class Table>
-std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const FileKind& kind) {
+std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const FileKind& kind,
+                                   [[maybe_unused]] const Geometry* geometry = nullptr) {
   std::vector<std::uint8_t> bytes(input.begin(), input.end());
   Prelude head{};
   if (bytes.size() <= sizeof head) return bytes;
@@ -39,6 +58,15 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
 
   flatbuffers::Verifier verifier(table, head.table_bytes);
   if (verifier.VerifyBuffer<Table>(nullptr)) {
+    if constexpr (std::is_same_v<Table, fb::Grid>) {
+      auto* const root = flatbuffers::GetMutableRoot<Table>(table);
+      if (geometry != nullptr && root->geometry_hash() != nullptr) {
+        const fb::Hash hash(geometry->hash.low, geometry->hash.high);
+        std::memcpy(const_cast<fb::Hash*>(root->geometry_hash()), &hash, sizeof hash);
+        reinterpret_cast<flatbuffers::Table*>(root)->SetField<std::uint64_t>(fb::Grid::VT_PRIMITIVES,
+                                                                             geometry->primitives, 0);
+      }
+    }
     const auto* const sections = flatbuffers::GetRoot<Table>(table)->sections();
     const auto list = static_cast<std::size_t>(sections->Data() - table);
     for (std::size_t i = 0; i < sections->size(); ++i) {
@@ -46,8 +74,7 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
       std::memcpy(&section, table + list + i * sizeof section, sizeof section);
       const std::uint64_t size = section.record_bytes() * section.count();
       if (section.offset() > head.body_bytes || size > head.body_bytes - section.offset()) continue;
-      const XXH128_hash_t piece = XXH3_128bits(bytes.data() + head.body_offset + section.offset(), size);
-      const XXH128_hash_t hash = XXH3_128bits(&piece, sizeof piece);
+      const XXH128_hash_t hash = section_hash(bytes.data() + head.body_offset + section.offset(), size);
       section = {section.kind(),
                  section.record_bytes(),
                  section.count(),
@@ -62,6 +89,24 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
   head.hash = {hash.low64, hash.high64};
   std::memcpy(bytes.data(), &head, sizeof head);
   return bytes;
+}
+
+// A mutator for LLVMFuzzerCustomMutator: what the fuzzer does anywhere in the file, or to four bytes of the
+// body, with hashes that are right afterwards most of the time.
+template <class Table>
+std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
+                    const FileKind& kind, std::size_t (*mutate)(std::uint8_t*, std::size_t, std::size_t)) {
+  if (seed % 2 == 0 && size > 4096) {
+    const std::size_t word = (4096 + seed / 2 % (size - 4096)) / 4 * 4;
+    if (word + 4 <= size) static_cast<void>(mutate(data + word, 4, 4));
+  } else {
+    size = mutate(data, size, max_size);
+  }
+  if (seed % 16 == 0) return size;
+  const std::vector<std::uint8_t> bytes = repaired<Table>({data, size}, kind);
+  if (bytes.size() > max_size) return size;
+  std::copy(bytes.begin(), bytes.end(), data);
+  return bytes.size();
 }
 
 } // namespace masu

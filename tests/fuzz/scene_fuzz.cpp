@@ -21,6 +21,13 @@ void open_and_trace(std::span<const std::uint8_t> bytes) {
 
 } // namespace
 
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
+                                               unsigned seed) {
+  return masu::mutated<masu::fb::Scene>(data, size, max_size, seed, masu::scene_file_kind, LLVMFuzzerMutate);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   open_and_trace({data, size});
   open_and_trace(masu::repaired<masu::fb::Scene>({data, size}, masu::scene_file_kind));
