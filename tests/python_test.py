@@ -412,14 +412,20 @@ class Tracers(WithFolder):
     def test_a_tracer_that_nobody_holds_is_closed(self):
         self.scene(10)
 
-        def mapped():
-            return pathlib.Path("/proc/self/maps").read_text().count(self.folder)
+        def opened():
+            links = []
+            for descriptor in pathlib.Path("/proc/self/fd").iterdir():
+                try:
+                    links.append(os.readlink(descriptor))
+                except FileNotFoundError:  # that of this listing
+                    pass
+            return sum(link.startswith(self.folder) for link in links)
 
         tracer = masu.Tracer(self.file("random.scene"))
-        self.assertGreater(mapped(), 0)
+        self.assertGreater(opened(), 0)
         del tracer
         gc.collect()
-        self.assertEqual(mapped(), 0)
+        self.assertEqual(opened(), 0)
 
     def test_threads_use_one_tracer(self):
         self.scene()
