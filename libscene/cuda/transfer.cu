@@ -45,11 +45,16 @@ private:
 
 } // namespace
 
+Transfer::Transfer() {
+  check(cudaGetDevice(&device_));
+}
+
 void Transfer::run(const std::function<void()>& meanwhile) {
   tbb::parallel_invoke([&] { copy_all(); }, meanwhile);
 }
 
 void Transfer::copy_all() {
+  const DeviceScope device(device_); // of a thread that may be another one
   std::vector<Copy> pieces;
   std::size_t total = 0;
   for (const Copy& copy : copies_) {
@@ -68,6 +73,7 @@ void Transfer::copy_all() {
     tbb::task_arena arena(copy_threads);
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+        const DeviceScope of_thread(device_);
         const Copy& piece = pieces[i];
         piece.direction == cudaMemcpyHostToDevice
             ? buffers.local().upload(piece.to, piece.from, piece.bytes)

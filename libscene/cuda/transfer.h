@@ -12,6 +12,8 @@ namespace masu {
 // the bandwidth of the bus; a few threads that copy through page-locked memory saturate it.
 class Transfer {
 public:
+  // Of the current device.
+  Transfer();
   void to_device(void* device, const void* host, std::size_t bytes) {
     if (bytes > 0) copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice});
   }
@@ -40,6 +42,7 @@ private:
     cudaMemcpyKind direction;
   };
   std::vector<Copy> copies_;
+  int device_ = 0;
 };
 
 } // namespace masu

@@ -102,10 +102,10 @@ Run median_run(int repeat, const Measure& measure) {
 
 // Views, written as PNG.
 Run rendered(const Settings& settings, const Tracer& tracer, const Camera& camera, int views) {
-  int argc = 0;
-  char** argv = nullptr;
-  Ranks ranks(&argc, &argv);
   return median_run(settings.repeat, [&] {
+    int argc = 0;
+    char** argv = nullptr;
+    Ranks ranks(&argc, &argv); // which count a run's tasks
     const Scratch scratch(settings.folder);
     ViewsRequest request;
     request.views = views > 1 ? turntable(camera, views) : std::vector<View>{{"0", camera}};
