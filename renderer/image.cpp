@@ -82,6 +82,10 @@ void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::spa
     pixels[i] = ((top[i] + top[i + 1]) + (bottom[i] + bottom[i + 1])) * 0.25F;
 }
 
+std::vector<std::uint8_t> image_bytes(const Frame& frame, Sampling sampling, bool srgb) {
+  return srgb ? rgb_of<true>(frame, sampling) : rgb_of<false>(frame, sampling);
+}
+
 void write_image(const Frame& frame, const std::string& path, const ImageOptions& options) {
   OutputFile file(path);
   if (options.format == ImageFormat::pfm) {
@@ -89,8 +93,7 @@ void write_image(const Frame& frame, const std::string& path, const ImageOptions
   } else {
     PngWriter png(file, image_width(frame, options.sampling), image_height(frame, options.sampling),
                   options.texts);
-    png.write_rows(options.srgb ? rgb_of<true>(frame, options.sampling)
-                                : rgb_of<false>(frame, options.sampling));
+    png.write_rows(image_bytes(frame, options.sampling, options.srgb));
   }
   file.commit();
 }

@@ -3,6 +3,7 @@
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"
+#include "tools/counts_report.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
 #include "tools/ray_list.h"
@@ -47,22 +48,6 @@ Json seconds_json(const Seconds& seconds) {
   return {
       {"map", seconds.map},           {"validate", seconds.validate},       {"upload", seconds.trace.upload},
       {"trace", seconds.trace.trace}, {"download", seconds.trace.download}, {"write", seconds.write}};
-}
-
-Json counts_json(const Counts& counts) {
-  return {
-      {"eye_rays", counts.camera_rays},
-      {"eye_hits", counts.camera_hits},
-      {"reflection_rays", counts.reflection_rays},
-      {"refraction_rays", counts.refraction_rays},
-      {"shadow_rays", counts.shadow_rays},
-      {"shadow_hits", counts.shadow_hits},
-      {"secondary_hits", counts.secondary_hits},
-      {"intersection_tests",
-       {{"triangle", counts.triangle_tests}, {"sphere", counts.sphere_tests}, {"cone", counts.cone_tests}}},
-      {"cells_visited", counts.cells_visited},
-      {"empty_cells_visited", counts.empty_cells_visited},
-      {"voxels_skipped", counts.voxels_skipped}};
 }
 
 void write_json(const Json& json, const std::string& path) {
@@ -271,7 +256,8 @@ void render(const Settings& settings) {
       json.update(part);
     return json;
   };
-  if (!settings.stats.empty()) write_json(joined(head, {counts_json(outcome.counts), times}), settings.stats);
+  if (!settings.stats.empty())
+    write_json(joined(head, {counts_report(outcome.counts), times}), settings.stats);
   if (!settings.times.empty()) write_json(joined(head, {times}), settings.times);
   if (!settings.quiet) print_summary(outcome, device);
 }

@@ -1,0 +1,148 @@
+#include "tools/view/answers.h"
+
+#include "libscene/error.h"
+#include "page_files.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <set>
+
+namespace masu {
+namespace {
+
+constexpr std::int32_t largest_side = 8192;
+constexpr std::int64_t most_pixels = std::int64_t{1} << 23;
+
+// Of a request. Every one is to be read: what is left over is unknown.
+class Parameters {
+public:
+  explicit Parameters(const std::map<std::string, std::string>& values) : values_(values) {}
+
+  const std::string* find(const char* name) {
+    read_.insert(name);
+    const auto found = values_.find(name);
+    return found != values_.end() ? &found->second : nullptr;
+  }
+  const std::string& text(const char* name) {
+    const std::string* const value = find(name);
+    if (value == nullptr) throw Error(ErrorCode::usage, name, "is missing");
+    return *value;
+  }
+  template <class Number>
+  Number number(const char* name, Number least, Number most) {
+    const std::string& value = text(name);
+    Number number{};
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error != std::errc() || end != value.data() + value.size() || !(number >= least && number <= most))
+      throw Error(ErrorCode::usage, name, fmt::format("isn't a number from {} to {}", least, most));
+    return number;
+  }
+  Vec3d vector(const char* name) { return parse_vector(name, text(name)); }
+  // Throws Error(usage) where one is left over.
+  void end() const {
+    for (const auto& [name, value] : values_) {
+      if (!read_.contains(name)) throw Error(ErrorCode::usage, "address", "has an unknown parameter");
+    }
+  }
+
+private:
+  const std::map<std::string, std::string>& values_;
+  std::set<std::string> read_;
+};
+
+std::size_t grid_of(const Viewer& viewer, Parameters& parameters) {
+  return parameters.number<std::size_t>("grid", 0, viewer.grids() - 1);
+}
+
+Camera camera_of(const Viewer& viewer, Parameters& parameters) {
+  Camera camera = viewer.scene().camera();
+  camera.from = parameters.vector("from");
+  camera.at = parameters.vector("at");
+  camera.up = parameters.vector("up");
+  camera.angle = parameters.number<double>("angle", 0, 180);
+  camera.width = parameters.number<std::int32_t>("width", 1, largest_side);
+  camera.height = parameters.number<std::int32_t>("height", 1, largest_side);
+  if (std::int64_t{camera.width} * camera.height > most_pixels)
+    throw Error(ErrorCode::usage, "width", fmt::format("and height make more than {} pixels", most_pixels));
+  if (const auto fault = fault_of(camera, viewer.scene().is_float64() ? 1e100 : 1e12))
+    throw Error(ErrorCode::usage, fault->part, fault->what);
+  return camera;
+}
+
+PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
+  PictureRequest request;
+  request.grid = grid_of(viewer, parameters);
+  request.camera = camera_of(viewer, parameters);
+  request.depth = parameters.number<int>("depth", 1, largest_depth);
+  if (const std::string* const crop = parameters.find("crop")) request.crop = parse_crop("crop", *crop);
+  // moving: soon another one comes. still: the picture that gridrender makes.
+  const std::string& quality = parameters.text("quality");
+  if (quality != "moving" && quality != "still")
+    throw Error(ErrorCode::usage, "quality", "isn't moving or still");
+  const bool still = quality == "still";
+  request.sampling = still ? Sampling::corners : Sampling::centers;
+  request.quality = still ? JpegQuality{95, true} : JpegQuality{80, false};
+  return request;
+}
+
+HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is_gone) {
+  const PictureRequest request = picture_request(viewer, parameters);
+  parameters.end();
+  Picture made = viewer.picture(request, is_gone);
+  const PictureSeconds& s = made.seconds;
+  const auto timing = [](const char* name, double seconds) {
+    return fmt::format("{};dur={:.3f}", name, seconds * 1e3);
+  };
+  return {200, "image/jpeg", std::move(made.jpeg),
+          fmt::format("{}, {}, {}, {}, {}, rays;desc={}", timing("wait", s.wait), timing("trace", s.trace),
+                      timing("copy", s.copy), timing("rows", s.rows), timing("encode", s.encode), made.rays)};
+}
+
+HttpReply json(const nlohmann::ordered_json& value) {
+  return {200, "application/json", value.dump()};
+}
+
+HttpReply file(const char* type, std::string_view text) {
+  return {200, type, std::string(text)};
+}
+
+HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
+  Parameters parameters(request.parameters);
+  const auto is = [&](const char* path) { return request.path == path; };
+  if (is("/api/picture")) return picture(viewer, parameters, request.is_gone);
+  if (is("/api/counts")) {
+    const PictureRequest counted = picture_request(viewer, parameters);
+    parameters.end();
+    return json(viewer.counts(counted, request.is_gone));
+  }
+  if (is("/api/statistics")) {
+    const std::size_t grid = grid_of(viewer, parameters);
+    parameters.end();
+    return json(viewer.statistics(grid, request.is_gone));
+  }
+  parameters.end();
+  if (is("/api/scene")) return json(viewer.description());
+  if (is("/")) return file("text/html; charset=utf-8", page_html);
+  if (is("/page.css")) return file("text/css; charset=utf-8", page_css);
+  for (const auto& [path, text] : {std::pair("/camera.js", camera_js),
+                                   {"/source.js", source_js},
+                                   {"/picture.js", picture_js},
+                                   {"/panels.js", panels_js},
+                                   {"/page.js", page_js}}) {
+    if (is(path)) return file("text/javascript; charset=utf-8", text);
+  }
+  return {404, "application/json", R"({"error": "there is no such address"})"};
+}
+
+} // namespace
+
+HttpReply answer(const Viewer& viewer, const HttpRequest& request) {
+  try {
+    return answer_to(viewer, request);
+  } catch (const Abandoned&) {
+    return {503, "application/json", R"({"error": "too many requests at once"})"};
+  }
+}
+
+} // namespace masu

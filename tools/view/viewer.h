@@ -1,0 +1,90 @@
+// What the page of gridview asks for: pictures of a scene through its grids, and what the grids hold.
+#pragma once
+
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/scene_file.h"
+#include "renderer/tracer.h"
+#include "tools/view/jpeg.h"
+#include "tools/view/turns.h"
+#include "tools/views.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// Lives where it was made: tracers refer to the files.
+struct ViewedGrid {
+  GridFile file;
+  Tracer tracer;
+  nlohmann::ordered_json statistics{}; // null: not made yet
+
+  ViewedGrid(const std::string& path, Checks checks, const SceneFile& scene, Device device)
+      : file(path, checks), tracer(scene, &file, device) {}
+};
+
+struct ViewerSettings {
+  std::string scene;
+  std::vector<std::string> grids;
+  Device device = Device::cpu;
+  Precision precision = Precision::automatic;
+};
+
+struct PictureRequest {
+  std::size_t grid = 0;
+  Camera camera{};
+  Sampling sampling = Sampling::corners;
+  std::optional<Crop> crop{}; // all of the picture, where it isn't given
+  int depth = 5;
+  JpegQuality quality{};
+};
+
+// Seconds: waiting for its turn, tracing, copying from the device, rows to bytes, and JPEG.
+struct PictureSeconds {
+  double wait = 0, trace = 0, copy = 0, rows = 0, encode = 0;
+};
+
+struct Picture {
+  std::string jpeg;
+  std::uint64_t rays = 0; // from the camera
+  PictureSeconds seconds;
+};
+
+using IsGone = std::function<bool()>;
+
+// Threads may ask at the same time.
+class Viewer {
+public:
+  // Throws as SceneFile, GridFile and Tracer do.
+  explicit Viewer(const ViewerSettings& settings);
+
+  const SceneFile& scene() const { return scene_; }
+  const ViewedGrid& grid(std::size_t index) const { return *grids_.at(index); }
+  std::size_t grids() const { return grids_.size(); }
+  Precision precision() const { return precision_; }
+
+  // Throw Abandoned when is_gone() before they have ended, and Error.
+  Picture picture(const PictureRequest& request, const IsGone& is_gone) const;
+  // Ray counts of a picture, as gridrender --stats has them.
+  nlohmann::ordered_json counts(const PictureRequest& request, const IsGone& is_gone) const;
+
+  // The scene, its camera, and its grids by name.
+  nlohmann::ordered_json description() const;
+  // gridstat --json --histogram of a grid. Made once.
+  nlohmann::ordered_json statistics(std::size_t grid, const IsGone& is_gone) const;
+
+private:
+  FrameRequest frame_request(const PictureRequest& request) const;
+
+  SceneFile scene_;
+  std::vector<std::unique_ptr<ViewedGrid>> grids_;
+  Precision precision_;
+  mutable Turns turns_{32};
+};
+
+} // namespace masu
