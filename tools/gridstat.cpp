@@ -1,6 +1,8 @@
-// gridstat: statistics of a grid, pictures of its layers, and the occupied voxels of a scene.
+// gridstat: statistics of a grid, pictures of its slices, its cells as boxes, and the occupied voxels of a
+// scene.
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
+#include "tools/cell_export.h"
 #include "tools/cli.h"
 #include "tools/grid_report.h"
 #include "tools/provenance.h"
@@ -8,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -17,7 +21,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string grid, slice, picture, occupancy;
+  std::string grid, slice, window, outline, picture, cells, occupancy;
+  std::vector<double> within;
+  SliceStyle style;
+  CellExport cell_export;
   std::vector<std::int32_t> divisions{2, 4, 8, 16, 32};
   SpaceRule space = SpaceRule::cube;
   bool json = false, csv = false, histogram = false;
@@ -108,14 +115,50 @@ void print_histogram(const Statistics& statistics) {
              [](std::size_t log2) { return std::uint64_t{1} << log2; });
 }
 
+template <class Stored>
+std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane& plane,
+                                       const SliceWindow& window, std::int32_t pixels) {
+  const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
+  constexpr double deviation = 0.1; // in pixels
+  return section_of(scene.view<Stored>(),
+                    {plane.axis, plane.position, window.min, window.max, deviation * longer / pixels});
+}
+
+void draw_slice(const GridFile& file, const Settings& settings) {
+  if (settings.picture.empty())
+    throw Error(ErrorCode::usage, "--slice", "needs -o FILE, a PNG, SVG or JSON to write");
+  const GridLayout finest = finest_layout(file);
+  const SlicePlane plane = parse_slice(settings.slice, finest);
+  const SliceWindow window = parse_window(settings.window, finest, plane.axis);
+  std::vector<SectionSegment> outline;
+  if (!settings.outline.empty()) {
+    const SceneFile scene(settings.outline);
+    file.check_geometry(scene.geometry_hash(), scene.primitive_count());
+    outline = scene.is_float64() ? outline_of<double>(scene, plane, window, settings.style.size)
+                                 : outline_of<float>(scene, plane, window, settings.style.size);
+  }
+  write_slice(file, plane, window, outline, settings.style, settings.picture);
+}
+
+void write_cells(const GridFile& file, const Settings& settings) {
+  const GridLayout finest = finest_layout(file);
+  CellExport options = settings.cell_export;
+  options.filter.within = whole_of(finest.division);
+  if (!settings.within.empty()) {
+    const auto& w = settings.within;
+    const Boxd box{{w[0], w[1], w[2]}, {w[3], w[4], w[5]}};
+    const bool is_finite = std::ranges::all_of(w, [](double value) { return std::isfinite(value); });
+    if (!is_finite || is_empty(box))
+      throw Error(ErrorCode::usage, "--within", "isn't a box: give the least x, y, z, then the greatest");
+    options.filter.within = voxels_covered(finest, box);
+  }
+  export_cells(file, options, settings.cells);
+}
+
 void inspect(const Settings& settings) {
   const GridFile file(settings.grid);
-  if (!settings.slice.empty()) {
-    if (settings.picture.empty())
-      throw Error(ErrorCode::usage, "--slice", "needs -o FILE.png, the picture to write");
-    const GridLayout voxels = finer(file.layout(), static_cast<std::int32_t>(file.table().nested_log2()));
-    return draw_slice(file, parse_slice(settings.slice, voxels.division), settings.picture);
-  }
+  if (!settings.slice.empty()) return draw_slice(file, settings);
+  if (!settings.cells.empty()) return write_cells(file, settings);
   const Statistics statistics(file);
   const Json json = grid_report(file, statistics, settings.histogram);
   if (settings.json) {
@@ -174,25 +217,77 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
-      "gridstat", "Prints statistics of a grid, or draws a layer of it.", argc, argv,
+      "gridstat", "Prints statistics of a grid, draws slices of it, or exports its cells.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
         auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
-        app.add_flag("--json", settings.json, "print JSON");
+        auto* const json = app.add_flag("--json", settings.json, "print JSON");
         auto* const csv = app.add_flag("--csv", settings.csv,
                                        "print CSV: a header and one line, the same columns for every grid")
                               ->excludes("--json");
-        app.add_flag("--histogram", settings.histogram,
-                     "also print the number of cells by references, and of merged cells by size")
-            ->excludes(csv);
-        auto* const slice = app.add_option(
-            "--slice", settings.slice,
-            "draw a layer of the smallest voxels: AXIS=K, such as z=12, or AXIS=P%, such as z=50%");
-        app.add_option("-o,--output", settings.picture, "the slice's picture, FILE.png")->needs(slice);
+        auto* const histogram =
+            app.add_flag("--histogram", settings.histogram,
+                         "also print the number of cells by references, and of merged cells by size")
+                ->excludes(csv);
+
+        auto* const slice =
+            app.add_option("--slice", settings.slice,
+                           "draw the cells that a plane cuts: AXIS=K, a layer of the smallest "
+                           "voxels; AXIS=P%, of the space; AXIS@X, in scene units")
+                ->excludes(json)
+                ->excludes(csv)
+                ->excludes(histogram);
+        app.add_option("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json")
+            ->needs(slice);
+        app.add_option("--window", settings.window,
+                       "of --slice: what to show, LEFT,BOTTOM,RIGHT,TOP in scene units; default: all")
+            ->needs(slice);
+        app.add_option("--outline", settings.outline,
+                       "of --slice: the grid's scene file, whose cut through the plane is drawn")
+            ->needs(slice);
+        SliceStyle& style = settings.style;
+        add_choice(app, "--color", style.color,
+                   {{"references", SliceColor::references},
+                    {"volume", SliceColor::volume},
+                    {"depth", SliceColor::depth}},
+                   "of --slice: what a cell's colour shows: its references, its volume in voxels of the "
+                   "division, or how often a voxel is halved down to it")
+            ->needs(slice);
+        app.add_flag("--lines", style.lines, "of --slice: draw the cells' sides")->needs(slice);
+        app.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane")
+            ->needs(slice);
+        app.add_option("--size", style.size, "of --slice: pixels of the longer side")
+            ->check(CLI::Range(least_slice_size, most_slice_size))
+            ->capture_default_str()
+            ->needs(slice);
+
+        auto* const cells =
+            app.add_option("--cells", settings.cells,
+                           "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
+                ->excludes(slice)
+                ->excludes(json)
+                ->excludes(csv)
+                ->excludes(histogram);
+        CellExport& cell_export = settings.cell_export;
+        app.add_flag("--occupied", cell_export.filter.occupied_only, "of --cells: only those with references")
+            ->needs(cells);
+        app.add_option("--within", settings.within,
+                       "of --cells: only those that share space with the box X,Y,Z,X,Y,Z in scene units")
+            ->delimiter(',')
+            ->expected(6)
+            ->needs(cells);
+        app.add_flag("--expanded", cell_export.expanded,
+                     "of --cells FILE.ply: the boxes that rays leave cells through, which may overlap")
+            ->needs(cells);
+        app.add_flag("--wireframe", cell_export.wireframe, "of --cells FILE.ply: edges instead of faces")
+            ->needs(cells);
+
         auto* const occupancy_option = app.add_option("--occupancy", settings.occupancy,
                                                       "instead of GRID: a scene file, whose occupied voxels "
                                                       "are counted by division and overlap test")
-                                           ->excludes(grid);
+                                           ->excludes(grid)
+                                           ->excludes(slice)
+                                           ->excludes(cells);
         app.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
             ->delimiter(',')
             ->capture_default_str()
@@ -202,10 +297,22 @@ int main(int argc, char** argv) {
                    "that holds them (cube)")
             ->needs(occupancy_option);
         parse();
-        if (!settings.picture.empty() && !settings.picture.ends_with(".png"))
+        const auto ends_with_one_of = [](const std::string& name,
+                                         std::initializer_list<const char*> endings) {
+          return name.empty() ||
+                 std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
+        };
+        if (!ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
           throw Error(ErrorCode::usage, settings.picture,
-                      "a slice is written as PNG: give a name that ends in .png");
-        check_files({settings.grid, settings.occupancy}, {settings.picture});
+                      "a slice is written as PNG, SVG or JSON: give a name that ends in .png, .svg or .json");
+        if (!ends_with_one_of(settings.cells, {".csv", ".ply"}))
+          throw Error(ErrorCode::usage, settings.cells,
+                      "cells are written as CSV or PLY: give a name that ends in .csv or .ply");
+        if (settings.cells.ends_with(".csv") && (cell_export.expanded || cell_export.wireframe))
+          throw Error(ErrorCode::usage, cell_export.expanded ? "--expanded" : "--wireframe",
+                      "is for PLY: a CSV has both boxes of each cell");
+        check_files({settings.grid, settings.outline, settings.occupancy},
+                    {settings.picture, settings.cells});
         if (!settings.occupancy.empty()) {
           const SceneFile scene(settings.occupancy);
           return scene.is_float64() ? print_occupancy<double>(settings, scene)

@@ -76,6 +76,7 @@ PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   request.camera = camera_of(viewer, parameters);
   request.depth = parameters.number<int>("depth", 1, largest_depth);
   if (const std::string* const crop = parameters.find("crop")) request.crop = parse_crop("crop", *crop);
+  if (parameters.text("channel") != "shaded") throw Error(ErrorCode::usage, "channel", "isn't shaded");
   // moving: soon another one comes. still: the picture that gridrender makes.
   const std::string& quality = parameters.text("quality");
   if (quality != "moving" && quality != "still")
