@@ -6,6 +6,12 @@
 
 namespace masu {
 
+// Where a frame keeps its costs.
+inline RayCosts costs_of(Frame& frame) {
+  return {frame.cells.empty() ? nullptr : frame.cells.data(),
+          frame.tests.empty() ? nullptr : frame.tests.data()};
+}
+
 // The grid is null for brute force. Files are checked, and the precision is resolved.
 Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
 QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,

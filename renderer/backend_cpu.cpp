@@ -20,6 +20,7 @@ void add(Counts& total, const Counts& part) {
   total += part;
 }
 void add(Counts&, const NoCounts&) {}
+void add(NoCounts&, const NoCounts&) {}
 
 template <class M, class Stored, class Grid, class C>
 void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
@@ -31,14 +32,18 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
   const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
                                std::int32_t end_row) {
     C counts;
+    const RayCosts costs = costs_of(frame);
     for (std::int32_t row = first_row; row != end_row; ++row) {
       for (std::int32_t column = first_column; column != end_column; ++column) {
         const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
                         static_cast<std::size_t>(column);
         HitRecord hit{};
+        C ray_counts;
         frame.radiance[at] =
-            radiance<M>(scene, grid, request.rules, camera_ray(rays, column, row), hit, counts);
+            radiance<M>(scene, grid, request.rules, camera_ray(rays, column, row), hit, ray_counts);
         if (request.hits) frame.hits[at] = hit;
+        write_costs(costs, at, ray_counts);
+        add(counts, ray_counts);
       }
     }
     add(totals.local(), counts);
@@ -64,8 +69,11 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
     C counts;
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
-      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray, counts);
+      C ray_counts;
+      const Hit<float> hit = trace_listed<query, M>(scene, grid, ray, ray_counts);
       write_hit<query>(results, i, hit);
+      write_costs(results.costs, i, ray_counts);
+      add(counts, ray_counts);
       if (query == Query::nearest_hit && results.has_attributes())
         write_attributes(scene, ray, hit, results, i);
     }

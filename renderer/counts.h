@@ -3,6 +3,7 @@
 
 #include "libscene/portable.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace masu {
@@ -55,6 +56,25 @@ MASU_HD inline void for_each_count(A& a, B& b, const Act& act) {
   act(a.voxels_skipped, b.voxels_skipped);
 }
 
+// Where the cells visited and the primitive tests of each ray go, or of each camera ray and all that it
+// spawns: an array of one element a ray each, or null for what isn't wanted. Counts beyond 32 bits are 2^32
+// - 1.
+struct RayCosts {
+  std::uint32_t* cells = nullptr;
+  std::uint32_t* tests = nullptr;
+
+  MASU_HD bool wanted() const { return cells != nullptr || tests != nullptr; }
+};
+
+// `counts`: of ray i alone.
+MASU_HD inline void write_costs(const RayCosts& costs, std::size_t i, const Counts& counts) {
+  constexpr std::uint64_t largest = 0xffffffffU;
+  const auto clamped = [](std::uint64_t n) { return static_cast<std::uint32_t>(n < largest ? n : largest); };
+  if (costs.cells != nullptr) costs.cells[i] = clamped(counts.cells_visited);
+  if (costs.tests != nullptr)
+    costs.tests[i] = clamped(counts.triangle_tests + counts.sphere_tests + counts.cone_tests);
+}
+
 struct NoCounts {
   MASU_HD void triangle_test() {}
   MASU_HD void sphere_test() {}
@@ -67,6 +87,8 @@ struct NoCounts {
   MASU_HD void secondary_ray(bool) {}
   MASU_HD void shadow_ray(bool) {}
 };
+
+MASU_HD inline void write_costs(const RayCosts&, std::size_t, const NoCounts&) {}
 
 inline Counts& operator+=(Counts& a, const Counts& b) {
   for_each_count(a, b, [](std::uint64_t& sum, std::uint64_t count) { sum += count; });

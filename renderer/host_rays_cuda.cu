@@ -27,12 +27,13 @@ struct ResultArray {
   std::size_t bytes_a_ray;
   bool page_locked;
 };
-using ResultArrays = std::array<ResultArray, 6>;
+using ResultArrays = std::array<ResultArray, 8>;
 
 ResultArrays arrays_of(const RayResults& results) {
   const auto array = [](auto* host) { return ResultArray{host, sizeof(*host), is_page_locked(host)}; };
-  return {array(results.t),  array(results.primitive), array(results.object),
-          array(results.uv), array(results.normal),    array(results.occluded)};
+  return {array(results.t),           array(results.primitive),  array(results.object),
+          array(results.uv),          array(results.normal),     array(results.occluded),
+          array(results.costs.cells), array(results.costs.tests)};
 }
 
 // One array after another in a block of memory, for so many rays; 16-byte boundaries.
@@ -48,7 +49,7 @@ std::size_t for_each_array(const ResultArrays& arrays, std::size_t rays, const A
 }
 
 RayResults results_in(std::uint8_t* block, const ResultArrays& arrays, std::size_t rays) {
-  std::array<std::uint8_t*, 6> at{};
+  std::array<std::uint8_t*, std::tuple_size_v<ResultArrays>> at{};
   for_each_array(arrays, rays,
                  [&](std::size_t k, std::size_t offset, std::size_t) { at[k] = block + offset; });
   RayResults results;
@@ -58,6 +59,7 @@ RayResults results_in(std::uint8_t* block, const ResultArrays& arrays, std::size
   results.uv = reinterpret_cast<float(*)[2]>(at[3]);
   results.normal = reinterpret_cast<float(*)[3]>(at[4]);
   results.occluded = at[5];
+  results.costs = {reinterpret_cast<std::uint32_t*>(at[6]), reinterpret_cast<std::uint32_t*>(at[7])};
   return results;
 }
 

@@ -43,7 +43,7 @@ private:
 // Of one picture.
 struct FrameBuffers {
   Stream stream;
-  PinnedRoom radiance, hits;
+  PinnedRoom radiance, hits, costs;
 };
 
 // Copies with many threads: one doesn't copy as fast as the bus does.

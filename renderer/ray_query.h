@@ -5,6 +5,7 @@
 #include "libgrid/trace/trace.h"
 #include "libscene/fetch.h"
 #include "libscene/geometry/surface.h"
+#include "renderer/counts.h"
 
 namespace masu {
 
@@ -87,7 +88,7 @@ MASU_HD inline Real scale_direction(Ray<Real>& ray) {
 // scene file; no_primitive for a miss); besides, its object (index in the NFF text), barycentric coordinates
 // (u, v) on a triangle, so that the point is (1 - u - v) a + u b + v c, and the geometric normal, of unit
 // length, on the primitive's front; no_primitive and zeros for a miss, zeros for u and v on other kinds.
-// occlusion writes 1 or 0.
+// occlusion writes 1 or 0. `costs` is written where rays are counted (TracingRules::count).
 struct RayResults {
   float* t = nullptr;
   std::uint32_t* primitive = nullptr;
@@ -95,6 +96,7 @@ struct RayResults {
   float (*uv)[2] = nullptr;
   float (*normal)[3] = nullptr;
   std::uint8_t* occluded = nullptr;
+  RayCosts costs{};
 
   MASU_HD bool has_attributes() const { return object != nullptr || uv != nullptr || normal != nullptr; }
 };

@@ -10,11 +10,6 @@
 namespace masu {
 namespace {
 
-void check_depth(std::int32_t depth) {
-  if (depth < 1 || depth > largest_depth)
-    throw Error(ErrorCode::usage, "depth", fmt::format("{} isn't from 1 to {}", depth, largest_depth));
-}
-
 // Rounded to the arithmetic's numbers, in memory of the device.
 template <class Real>
 ResidentRays resident_rays(std::span<const Ray<double>> rays, Device device) {
@@ -56,15 +51,32 @@ void check_window(const RayWindow& window, const RayWindow& all) {
 
 } // namespace
 
+void check_depth(std::int32_t depth) {
+  if (depth < 1 || depth > largest_depth)
+    throw Error(ErrorCode::usage, "depth", fmt::format("{} isn't from 1 to {}", depth, largest_depth));
+}
+
+void check_request(const FrameRequest& request) {
+  check_depth(request.rules.depth);
+  if (request.window.columns > 0) check_window(request.window, all_rays(request.camera, request.sampling));
+}
+
+RayWindow window_of(const FrameRequest& request) {
+  return request.window.columns > 0 ? request.window : all_rays(request.camera, request.sampling);
+}
+
 Frame empty_frame(const FrameRequest& request) {
   Frame frame;
-  const RayWindow window =
-      request.window.columns > 0 ? request.window : all_rays(request.camera, request.sampling);
+  const RayWindow window = window_of(request);
   frame.columns = window.columns;
   frame.rows = window.rows;
   const std::size_t rays = static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
   frame.radiance.resize(rays);
   if (request.hits) frame.hits.resize(rays);
+  if (request.costs) {
+    frame.cells.resize(rays);
+    frame.tests.resize(rays);
+  }
   return frame;
 }
 
@@ -92,10 +104,10 @@ TracingRules Tracer::resolved(TracingRules rules) const {
 }
 
 Frame Tracer::render(const FrameRequest& request) const {
-  check_depth(request.rules.depth);
-  if (request.window.columns > 0) check_window(request.window, all_rays(request.camera, request.sampling));
+  check_request(request);
   FrameRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
+  if (request.costs) resolved_request.tracing.count = true;
   return device_ == Device::cuda ? render_cuda(*files_, scene_, grid_, resolved_request)
                                  : render_cpu(scene_, grid_, resolved_request);
 }
@@ -120,6 +132,7 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
   check_results(rays, results, request.query);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
+  if (results.costs.wanted()) resolved_request.tracing.count = true;
   return device_ == Device::cuda ? trace_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request)
                                  : trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
 }
@@ -128,7 +141,8 @@ QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& resul
                                     const RaysRequest& request, void* stream) const {
   if (device_ == Device::cpu) return trace(rays, results, request);
   check_results(rays, results, request.query);
-  if (request.tracing.count) throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
+  if (request.tracing.count || results.costs.wanted())
+    throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   return queue_rays_cuda(*files_, scene_, grid_, rays, results, resolved_request, stream);

@@ -51,17 +51,28 @@ struct FrameRequest {
   bool hits = false;                      // report the hit of each camera ray
   RayWindow window{};                     // the camera rays to trace; all, where it has no columns
   std::function<void(double)> progress{}; // gets the share of rays traced, from any thread; on the CPU only
+  bool costs = false; // report what each camera ray and all that it spawns took; it is then counted
 };
 
 // The camera rays' radiance and hits, row by row from the top: of the window.
 struct Frame {
   std::int32_t columns = 0, rows = 0;
   std::vector<Vec3f> radiance;
-  std::vector<HitRecord> hits; // when requested
+  std::vector<HitRecord> hits;             // when requested
+  std::vector<std::uint32_t> cells, tests; // as RayCosts has them, when requested
   Counts counts;
   TraceSeconds seconds;
   KernelSize kernel{};
 };
+
+// Throws Error(usage) for one that isn't from 1 to largest_depth.
+void check_depth(std::int32_t depth);
+
+// Also for a window that isn't within the picture.
+void check_request(const FrameRequest& request);
+
+// The camera rays that are traced.
+RayWindow window_of(const FrameRequest& request);
 
 // Of the right size, black.
 Frame empty_frame(const FrameRequest& request);
@@ -150,12 +161,12 @@ public:
   // doesn't have; Error(device).
   Frame render(const FrameRequest& request) const;
 
-  // Rays and results in host memory; on a GPU they are copied there in pieces while others are traced. No
-  // more than about 300 MB of device memory is used, however long the list is.
+  // Rays and results in host memory, counted where costs are wanted; on a GPU they are copied there in pieces
+  // while others are traced. No more than about 300 MB of device memory is used, however long the list is.
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
   // On a GPU, rays and results in its memory, any alignment of a number; on the CPU as trace(). The query is
-  // put on the stream, a cudaStream_t, and nobody waits for it: the report has the kernel alone, and counting
-  // isn't possible.
+  // put on the stream, a cudaStream_t, and nobody waits for it: the report has the kernel alone, and neither
+  // counting nor costs are possible.
   QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
                               void* stream) const;
 

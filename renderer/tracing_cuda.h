@@ -37,7 +37,8 @@ inline constexpr int tile_side = 8;
 template <class M, class Stored, class Grid, class C>
 __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
     render_kernel(const SceneView<Stored> scene, const Grid grid, const CameraRays<typename M::Real> rays,
-                  const RenderRules rules, Vec3f* const colors, HitRecord* const hits, Counts* const total) {
+                  const RenderRules rules, Vec3f* const colors, HitRecord* const hits, Counts* const total,
+                  const RayCosts costs) {
   const auto column = static_cast<std::int32_t>(blockIdx.x * tile_side + threadIdx.x);
   const auto row = static_cast<std::int32_t>(blockIdx.y * tile_side + threadIdx.y);
   if (column >= rays.columns || row >= rays.rows) return;
@@ -47,6 +48,7 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
                             static_cast<std::size_t>(column);
   colors[index] = radiance<M>(scene, grid, rules, camera_ray(rays, column, row), hit, counts);
   if (hits != nullptr) hits[index] = hit;
+  write_costs(costs, index, counts);
   add(total, counts);
 }
 
@@ -58,6 +60,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   if (i >= count) return;
   C counts;
   write_hit<query>(results, i, trace_listed<query, M>(scene, grid, streamed(rays + i), counts));
+  write_costs(results.costs, i, counts);
   add(total, counts);
 }
 
@@ -77,6 +80,7 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
   const cudaStream_t stream = buffers.stream;
   const DeviceArray<Vec3f> colors(frame.radiance.size(), stream);
   const DeviceArray<HitRecord> hits(frame.hits.size(), stream);
+  const DeviceArray<std::uint32_t> cells(frame.cells.size(), stream), tests(frame.tests.size(), stream);
   const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
                                   stream);
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
@@ -90,7 +94,8 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
     frame.kernel = load(kernel);
     frame.seconds.trace = timed(stream, [&] {
       kernel<<<dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), 0, stream>>>(
-          files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data());
+          files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
+          RayCosts{cells.data(), tests.data()});
     });
   });
   const Stopwatch watch;
@@ -104,6 +109,8 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
   };
   download(colors, buffers.radiance, frame.radiance.data());
   download(hits, buffers.hits, frame.hits.data());
+  download(cells, buffers.costs, frame.cells.data());
+  download(tests, buffers.costs, frame.tests.data());
   total.download(&frame.counts);
   frame.seconds.download = watch.seconds();
 }

@@ -14,10 +14,12 @@ namespace masu {
 // A scene file and a grid for it.
 class Rendering {
 public:
-  Rendering(const Scene& scene, Store store, const std::string& division = "auto") : camera_(scene.camera) {
+  Rendering(const Scene& scene, Store store, const std::string& division = "auto",
+            const GridOptions& options = {})
+      : camera_(scene.camera) {
     write_scene(scene, store, folder_.file("scene"));
     scene_ = std::make_unique<SceneFile>(folder_.file("scene"));
-    scene_->is_float64() ? build<double>(division) : build<float>(division);
+    scene_->is_float64() ? build<double>(division, options) : build<float>(division, options);
     grid_ = std::make_unique<GridFile>(folder_.file("grid"));
   }
 
@@ -38,12 +40,12 @@ public:
 
 private:
   template <class Stored>
-  void build(const std::string& division) {
+  void build(const std::string& division, const GridOptions& options) {
     const SceneView<Stored> view = scene_->view<Stored>();
     const GridLayout layout = make_grid_layout<Stored>(scene_->bounds(), SpaceRule::tight,
                                                        parse_division(division), division_statistics(view));
     write_grid(
-        build_grid(view, layout, Overlap::exact),
+        build_grid(view, layout, Overlap::exact, options),
         {scene_->geometry_hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
         folder_.file("grid"));
   }

@@ -6,6 +6,8 @@
 #include "libscene/geometry/clip.h"
 #include "libscene/geometry/intersect.h"
 
+#include <type_traits>
+
 namespace masu {
 
 // In a grid's place: every primitive is tried.
@@ -38,6 +40,23 @@ struct Method {
   static constexpr StopRule stop = stop_;
 };
 
+// Whether counts are also shown each ray, cell and test (renderer/walk_report.h): they have a member
+// records_walk. For others no code is compiled.
+template <class Counts>
+inline constexpr bool records_walk = requires {
+  Counts::records_walk;
+};
+
+// intersect(), shown to counts that record it.
+template <unsigned kinds, class TestRay, class Stored, class Counts>
+MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay& ray,
+                                   PrimitiveIndex primitive, typename TestRay::Real& t, Counts& counts) {
+  const bool met = intersect<kinds>(scene, ray, primitive, t, counts);
+  if constexpr (records_walk<Counts>)
+    counts.tested(primitive, met ? t : static_cast<typename TestRay::Real>(INFINITY));
+  return met;
+}
+
 // Keeps the nearest hit.
 template <class M, class Stored, class Counts>
 struct NearestHit {
@@ -50,7 +69,10 @@ struct NearestHit {
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
-    if (intersect<M::kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
+    if (test_primitive<M::kinds>(scene, ray, number, t, counts) && is_nearer(t, number, hit)) {
+      hit = {t, number};
+      if constexpr (records_walk<Counts>) counts.kept();
+    }
   }
   MASU_HD bool done(Real exit) const {
     return can_terminate<Query::nearest_hit, M::stop>(hit.t, t_max, exit);
@@ -69,7 +91,10 @@ struct AnyHit {
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
-    if (!found() && intersect<M::kinds>(scene, ray, number, t, counts) && t < t_max) hit = t;
+    if (!found() && test_primitive<M::kinds>(scene, ray, number, t, counts) && t < t_max) {
+      hit = t;
+      if constexpr (records_walk<Counts>) counts.kept();
+    }
   }
   MASU_HD bool found() const { return hit < t_max; }
   MASU_HD bool done(Real exit) const { return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit); }
@@ -82,6 +107,7 @@ MASU_HD inline bool visit_cell(const Grid& grid, Walk<Real, Grid>& walk, Visitor
   walk.enter(grid);
   std::uint32_t next = walk.cell.list;
   visitor.counts.cell(next == empty_list);
+  if constexpr (records_walk<std::decay_t<decltype(visitor.counts)>>) visitor.counts.entered(grid, walk);
   PrimitiveIndex ahead = next != empty_list ? grid.references[next] : 0; // references[next]
   while (next != empty_list) {
     const PrimitiveIndex reference = ahead;
@@ -93,6 +119,7 @@ MASU_HD inline bool visit_cell(const Grid& grid, Walk<Real, Grid>& walk, Visitor
     visitor.primitive(reference & ~last_bit);
   }
   const bool done = visitor.done(walk.exit);
+  if constexpr (records_walk<std::decay_t<decltype(visitor.counts)>>) visitor.counts.left(walk, done);
   const Vec3i from = walk.voxel();
   const bool goes_on = walk.leave(grid) & !done; // without a branch: most go on
   if (goes_on) visitor.counts.skipped(walk.voxels_from(from) - 1);
@@ -120,7 +147,9 @@ MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Sto
                                                              Counts& counts) {
   using Real = typename M::Real;
   ClippedRay<Real> near{};
-  if (!clip(ray, cast<Real>(scene.clip), near)) return {{}, {ray.t_max, no_primitive}, 0};
+  const bool meets_bounds = clip(ray, cast<Real>(scene.clip), near);
+  if constexpr (records_walk<Counts>) counts.begun(Query::nearest_hit, ray, meets_bounds, near);
+  if (!meets_bounds) return {{}, {ray.t_max, no_primitive}, 0};
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
   NearestHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, {near.ray.t_max, 0}};
@@ -142,7 +171,9 @@ MASU_HD inline bool is_occluded(const SceneView<Stored>& scene, const Grid& grid
                                 const Ray<typename M::Real>& ray, Counts& counts) {
   using Real = typename M::Real;
   ClippedRay<Real> near{};
-  if (!clip(ray, cast<Real>(scene.clip), near)) return false;
+  const bool meets_bounds = clip(ray, cast<Real>(scene.clip), near);
+  if constexpr (records_walk<Counts>) counts.begun(Query::occlusion, ray, meets_bounds, near);
+  if (!meets_bounds) return false;
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
   AnyHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, near.ray.t_max};

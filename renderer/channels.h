@@ -1,0 +1,42 @@
+// What each camera ray of a picture meets and takes: maps of depth, normals, objects, primitives, and of the
+// cells visited and the primitives tested.
+#pragma once
+
+#include "renderer/tracer.h"
+
+#include <string>
+#include <vector>
+
+namespace masu {
+
+enum class Channel { depth, normal, object, primitive, cells, tests };
+
+inline constexpr Channel all_channels[] = {Channel::depth,     Channel::normal, Channel::object,
+                                           Channel::primitive, Channel::cells,  Channel::tests};
+const char* name_of(Channel channel);
+
+struct ChannelsRequest {
+  std::vector<Channel> channels{};
+  // Of the rays: all but `hits` and `costs`. `rules` matters only for all_rays.
+  FrameRequest frame{};
+  // cells and tests are sums over a camera ray and all rays that it spawns, shadow rays too; else of the
+  // camera ray alone.
+  bool all_rays = false;
+};
+
+// One value a camera ray, row by row from the top, of the window; empty where it wasn't requested.
+struct Channels {
+  std::int32_t columns = 0, rows = 0;
+  std::vector<float> depth;         // t, which is a distance since directions have length 1; infinity: a miss
+  std::vector<Vec3f> normal;        // geometric, of length 1, on the primitive's front; zeros for a miss
+  std::vector<std::int32_t> object; // index in the NFF text; -1 for a miss
+  std::vector<std::int32_t> primitive; // index in the scene file; -1 for a miss
+  std::vector<std::uint32_t> cells, tests;
+  Counts counts; // where cells or tests were requested: of the rays that they count
+};
+
+// The values are the same bits on the CPU and on a GPU in `robust` and `double` precision. Throws as
+// Tracer::render() does.
+Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request);
+
+} // namespace masu

@@ -1,0 +1,265 @@
+#include "renderer/walk_report.h"
+
+#include "libgrid/statistics.h"
+#include "libscene/error.h"
+#include "renderer/dispatch.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+
+namespace masu {
+namespace {
+
+// --- Where a cell is --------------------------------------------------------------------------------------
+
+template <class Real>
+VoxelBox cell_voxels(const GridView<Real>& grid, const Vec3i& voxel) {
+  const int side = look_up(grid, voxel).side_log2;
+  VoxelBox box{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int32_t first = voxel[axis] >> side << side;
+    box.first.set(axis, first);
+    box.end.set(axis, std::min(first + (1 << side), grid.division[axis]));
+  }
+  return box;
+}
+template <class Real>
+VoxelBox cell_voxels(const MergedGridView<Real>& grid, const Vec3i& voxel) {
+  const MergedCell& cell = grid.cells[cell_number(grid, voxel)];
+  return {{first_of(cell.x), first_of(cell.y), first_of(cell.z)},
+          {end_of(cell.x), end_of(cell.y), end_of(cell.z)}};
+}
+
+template <class Grid>
+Boxd box_of(const Grid& grid, const VoxelBox& voxels) {
+  const auto corner = [&](const Vec3i& plane) {
+    return cast<double>(grid.min) + cast<double>(grid.voxel_size) * Vec3d{static_cast<double>(plane.x),
+                                                                          static_cast<double>(plane.y),
+                                                                          static_cast<double>(plane.z)};
+  };
+  return {corner(voxels.first), corner(voxels.end)};
+}
+
+// --- Recording --------------------------------------------------------------------------------------------
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// Counts that write down what they are shown (trace.h). The calls come in the order of
+// renderer/render_pixel.h: spawned rays wait in a stack, here as there.
+template <class Real>
+class RecordedWalk {
+public:
+  static constexpr bool records_walk = true;
+
+  // `scale`: what the traced t are to be multiplied by (scale_direction in ray_query.h).
+  RecordedWalk(WalkReport& report, Real scale) : report_(report), scale_(scale) {}
+
+  // --- Rays
+
+  void begun(Query query, const Ray<Real>& ray, bool meets_bounds, const ClippedRay<Real>& near) {
+    WalkRay next;
+    if (query == Query::occlusion) {
+      next.kind = RayKind::shadow;
+      next.parent = followed_;
+    } else {
+      if (!pending_.empty()) {
+        next.kind = pending_.back().kind;
+        next.parent = pending_.back().parent;
+        pending_.pop_back();
+      }
+      followed_ = static_cast<std::int32_t>(report_.rays.size());
+    }
+    next.origin = cast<double>(ray.origin);
+    next.direction = cast<double>(ray.direction);
+    next.t_min = static_cast<double>(ray.t_min);
+    next.t_max = ray.t_max < RealTraits<Real>::largest ? static_cast<double>(ray.t_max) : never;
+    skipped_t_ = near.skipped;
+    exit_ = 0;
+    if (meets_bounds) next.end = report_.has_grid ? WalkEnd::left_grid : WalkEnd::tested_all;
+    if (meets_bounds && !report_.has_grid) {
+      WalkStep all;
+      all.box = report_.space;
+      all.enter = from_origin(0);
+      all.exit = never;
+      next.steps.push_back(std::move(all));
+    }
+    report_.rays.push_back(std::move(next));
+  }
+  void camera_ray(bool) {}
+  void secondary_ray(bool) {}
+  void shadow_ray(bool) {}
+  void reflection_ray() { pending_.push_back({RayKind::reflection, followed_}); }
+  void refraction_ray() { pending_.push_back({RayKind::refraction, followed_}); }
+
+  // --- Cells
+
+  void cell(bool) { ++ray().cells; }
+  template <class Grid>
+  void entered(const Grid& grid, const Walk<Real, Grid>& walk) {
+    WalkStep step;
+    step.voxels = cell_voxels(grid, walk.voxel());
+    step.box = box_of(grid, step.voxels);
+    step.enter = from_origin(exit_);
+    step.exit = from_origin(walk.exit);
+    step.references = references_of(grid.references, walk.cell.list);
+    ray().steps.push_back(std::move(step));
+  }
+  template <class Grid>
+  void left(const Walk<Real, Grid>& walk, bool done) {
+    exit_ = walk.exit;
+    if (done) ray().end = ray().primitive != no_primitive ? WalkEnd::hit : WalkEnd::t_max;
+  }
+  void skipped(std::int32_t) {}
+
+  // --- Tests
+
+  void triangle_test() { ++ray().tests; }
+  void sphere_test() { ++ray().tests; }
+  void cone_test() { ++ray().tests; }
+  void tested(PrimitiveIndex primitive, Real t) {
+    ray().steps.back().tests.push_back({primitive, from_origin(t), false});
+  }
+  void kept() {
+    WalkTest& test = ray().steps.back().tests.back();
+    test.kept = true;
+    ray().t = static_cast<float>(test.t);
+    ray().primitive = test.primitive;
+  }
+
+private:
+  WalkRay& ray() { return report_.rays.back(); }
+  // As a query reports it.
+  double from_origin(Real t) const {
+    return t < RealTraits<Real>::largest ? static_cast<double>((t + skipped_t_) * scale_) : never;
+  }
+
+  struct Spawned {
+    RayKind kind;
+    std::int32_t parent;
+  };
+  WalkReport& report_;
+  Real scale_;
+  std::vector<Spawned> pending_{};
+  std::int32_t followed_ = -1;    // the last ray that isn't a shadow ray
+  Real skipped_t_ = 0, exit_ = 0; // of the ray that is traced now
+};
+
+template <class M, class Stored, class Grid>
+void record(const SceneView<Stored>& scene, const Grid& grid, const WalkRequest& request,
+            WalkReport& report) {
+  using Real = typename M::Real;
+  Ray<Real> ray = loaded<Real>(&request.ray, own_format<double>, 0);
+  if (!is_valid(ray))
+    throw Error(ErrorCode::usage, "walk",
+                "the ray isn't valid: its numbers aren't finite or too large, or its direction is too small");
+  if (request.all_rays) {
+    ray = unbounded_ray(ray.origin, ray.direction);
+    RecordedWalk<Real> walk(report, 1);
+    HitRecord hit{};
+    report.radiance = radiance<M>(scene, grid, request.rules, ray, hit, walk);
+  } else {
+    Ray<Real> scaled = ray;
+    RecordedWalk<Real> walk(report, scale_direction(scaled));
+    static_cast<void>(trace_listed<Query::nearest_hit, M>(scene, grid, ray, walk));
+    WalkRay& first = report.rays.front();
+    first.origin = cast<double>(ray.origin);
+    first.direction = cast<double>(ray.direction);
+    first.t_min = static_cast<double>(ray.t_min);
+    first.t_max = ray.t_max < RealTraits<Real>::largest ? static_cast<double>(ray.t_max) : never;
+  }
+  for (WalkRay& traced : report.rays)
+    if (traced.primitive != no_primitive) traced.object = surface_of(scene, traced.primitive).object;
+}
+
+} // namespace
+
+WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
+  check_depth(request.rules.depth);
+  const GridFile* const grid = tracer.grid();
+  WalkReport report;
+  report.has_grid = grid != nullptr;
+  report.space = tracer.scene().bounds();
+  if (grid != nullptr) report.space = grid->layout().space;
+  TracingRules rules = request.tracing;
+  rules.count = true; // the code for all kinds
+  with_store_and_arithmetic(
+      tracer.scene(), rules.precision, [&]<class TestRay>(const auto& scene, Arithmetic<TestRay>) {
+        with_method<TestRay>(scene, grid, rules, [&]<class M, class C>(const auto& accelerator, M, C) {
+          if constexpr (std::is_same_v<C, Counts>) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(accelerator)>, NoGrid>)
+              report.division = accelerator.division;
+            record<M>(scene, accelerator, request, report);
+          }
+        });
+      });
+  return report;
+}
+
+Ray<double> camera_ray_of(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
+                          std::int32_t row) {
+  const RayWindow all = all_rays(request.camera, request.sampling);
+  if (column < 0 || row < 0 || column >= all.columns || row >= all.rows)
+    throw Error(
+        ErrorCode::usage, "walk",
+        fmt::format("{},{} isn't one of the picture's {} x {} rays", column, row, all.columns, all.rows));
+  const RayWindow window{column, row, 1, 1};
+  const auto ray_in = [&]<class Real>(Real) {
+    const Ray<Real> ray =
+        camera_ray(camera_rays<Real>(request.camera, request.sampling, request.hither, window), 0, 0);
+    return loaded<double>(&ray, own_format<Real>, 0);
+  };
+  return resolved(request.tracing.precision, tracer.scene()) == Precision::doubled ? ray_in(double{})
+                                                                                   : ray_in(float{});
+}
+
+const char* name_of(RayKind kind) {
+  switch (kind) {
+  case RayKind::camera:
+    return "camera";
+  case RayKind::reflection:
+    return "reflection";
+  case RayKind::refraction:
+    return "refraction";
+  case RayKind::shadow:
+    return "shadow";
+  }
+  return "";
+}
+
+const char* name_of(WalkEnd end) {
+  switch (end) {
+  case WalkEnd::missed:
+    return "missed_bounds";
+  case WalkEnd::hit:
+    return "hit";
+  case WalkEnd::t_max:
+    return "t_max";
+  case WalkEnd::left_grid:
+    return "left_grid";
+  case WalkEnd::tested_all:
+    return "tested_all";
+  }
+  return "";
+}
+
+std::string description_of(const WalkRay& ray) {
+  switch (ray.end) {
+  case WalkEnd::missed:
+    return "the ray misses the scene's bounds";
+  case WalkEnd::hit:
+    return ray.kind == RayKind::shadow ? "something is hit: the light is occluded"
+                                       : "nothing in a later cell can be nearer than the hit";
+  case WalkEnd::t_max:
+    return ray.kind == RayKind::shadow ? "the light is reached: it isn't occluded"
+                                       : "the ray's end is reached";
+  case WalkEnd::left_grid:
+    return "the ray leaves the grid";
+  case WalkEnd::tested_all:
+    return "every primitive was tested";
+  }
+  return "";
+}
+
+} // namespace masu

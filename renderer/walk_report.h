@@ -1,0 +1,89 @@
+// A ray's way through the grid, cell by cell, as data: what it visited, what it tested there, what it hit and
+// why it ended. Recorded by the normal code (libgrid/trace/trace.h), on the CPU, whatever device the tracer
+// has.
+#pragma once
+
+#include "libgrid/grid_layout.h"
+#include "renderer/tracer.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// t is relative to the ray's own origin, in lengths of its direction.
+
+struct WalkTest {
+  PrimitiveIndex primitive;
+  double t;  // of the primitive's nearest hit, whether or not within the ray's range; infinity for a miss
+  bool kept; // the ray's hit from here on: nearer than all before it, or for a shadow ray any one in range
+};
+
+// A cell visited; without a grid the only step, through all of the scene.
+struct WalkStep {
+  VoxelBox voxels{}; // of the cell, in the grid's smallest voxels; of an expanded cell, of its larger box
+  Boxd box{};        // the same in the scene's units
+  double enter = 0;  // t; the first step's is where the ray enters the scene's bounds
+  double exit = 0;   // t; infinity where the ray never leaves, and without a grid
+  std::uint32_t references = 0;  // that the cell lists; a shadow ray ends before the last of them
+  std::vector<WalkTest> tests{}; // in order
+};
+
+// camera: the first ray, from the camera or given.
+enum class RayKind { camera, reflection, refraction, shadow };
+
+enum class WalkEnd {
+  missed, // the ray doesn't meet the scene's bounds: no cell was visited
+  hit,    // the nearest hit is no farther than the last cell's exit; of a shadow ray: something is hit
+  t_max,  // the last cell's exit is beyond the ray's end
+  left_grid,
+  tested_all // without a grid
+};
+
+struct WalkRay {
+  RayKind kind = RayKind::camera;
+  std::int32_t parent = -1; // the ray that spawned it: its index in WalkReport::rays
+  Vec3d origin{}, direction{};
+  double t_min = 0, t_max = 0; // t_max may be infinity
+  std::vector<WalkStep> steps{};
+  WalkEnd end = WalkEnd::missed;
+  // What is hit, the bits that a query reports; infinity and no_primitive for nothing. Of a shadow ray the
+  // hit by which it is occluded.
+  float t = static_cast<float>(INFINITY);
+  PrimitiveIndex primitive = no_primitive;
+  std::uint32_t object = no_primitive;
+  std::uint64_t cells = 0, tests = 0; // as Counts has them
+};
+
+struct WalkReport {
+  bool has_grid = false;
+  Vec3i division{};            // in the grid's smallest voxels
+  Boxd space{};                // that is divided; without a grid the scene's bounds
+  std::vector<WalkRay> rays{}; // in the order in which they were traced, the camera's first
+  Vec3f radiance{};            // that comes back along the first ray, where all rays are recorded
+};
+
+struct WalkRequest {
+  TracingRules tracing{};
+  Ray<double> ray{};
+  // Also the shadow rays and the rays that are spawned, as a picture has them. The ray's direction then has
+  // length 1; its t_min and t_max are ignored.
+  bool all_rays = false;
+  RenderRules rules{5, false, HitName::primitive};
+};
+
+// Throws Error(usage) as Tracer::render() does, and for a ray that isn't valid (ray_query.h).
+WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request);
+
+// A picture's camera ray, of a column and a row of all_rays(), in the numbers that `precision` traces with.
+// Throws Error(usage, "walk", …) for one that the picture doesn't have.
+Ray<double> camera_ray_of(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
+                          std::int32_t row);
+
+const char* name_of(RayKind kind);
+const char* name_of(WalkEnd end);
+// Why its walk ended, in words.
+std::string description_of(const WalkRay& ray);
+
+} // namespace masu
