@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <set>
 
 namespace masu {
@@ -70,19 +71,34 @@ Camera camera_of(const Viewer& viewer, Parameters& parameters) {
   return camera;
 }
 
+ValueRange parse_range(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  ValueRange range{};
+  const auto read = [](std::string_view part, double& value) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return error == std::errc() && end == part.data() + part.size() && std::isfinite(value);
+  };
+  const std::string_view all = text;
+  if (comma == std::string::npos || !read(all.substr(0, comma), range[0]) ||
+      !read(all.substr(comma + 1), range[1]))
+    throw Error(ErrorCode::usage, "range", "isn't two numbers");
+  return range;
+}
+
 PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   PictureRequest request;
   request.grid = grid_of(viewer, parameters);
   request.camera = camera_of(viewer, parameters);
   request.depth = parameters.number<int>("depth", 1, largest_depth);
   if (const std::string* const crop = parameters.find("crop")) request.crop = parse_crop("crop", *crop);
-  if (parameters.text("channel") != "shaded") throw Error(ErrorCode::usage, "channel", "isn't shaded");
+  request.channel = parse_picture_channel(parameters.text("channel"));
+  if (const std::string* const range = parameters.find("range")) request.range = parse_range(*range);
   // moving: soon another one comes. still: the picture that gridrender makes.
   const std::string& quality = parameters.text("quality");
   if (quality != "moving" && quality != "still")
     throw Error(ErrorCode::usage, "quality", "isn't moving or still");
   const bool still = quality == "still";
-  request.sampling = still ? Sampling::corners : Sampling::centers;
+  request.sampling = still && !request.channel.channel ? Sampling::corners : Sampling::centers;
   request.quality = still ? JpegQuality{95, true} : JpegQuality{80, false};
   return request;
 }
@@ -93,19 +109,24 @@ HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is
   Picture made = viewer.picture(request, is_gone);
   const PictureSeconds& s = made.seconds;
   const auto timing = [](const char* name, double seconds) {
-    return fmt::format("{};dur={:.3f}", name, seconds * 1e3);
+    return fmt::format("{};dur={:.3f}, ", name, seconds * 1e3);
   };
-  return {200, "image/jpeg", std::move(made.jpeg),
-          fmt::format("{}, {}, {}, {}, {}, rays;desc={}", timing("wait", s.wait), timing("trace", s.trace),
-                      timing("copy", s.copy), timing("rows", s.rows), timing("encode", s.encode), made.rays)};
+  HttpReply reply{200, "image/jpeg", std::move(made.jpeg)};
+  reply.timing = timing("wait", s.wait) + timing("trace", s.trace) + timing("copy", s.copy) +
+                 timing("rows", s.rows) + timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
+  if (made.range)
+    reply.timing += fmt::format(", low;desc={}, high;desc={}", (*made.range)[0], (*made.range)[1]);
+  return reply;
 }
 
 HttpReply json(const nlohmann::ordered_json& value) {
   return {200, "application/json", value.dump()};
 }
 
-HttpReply file(const char* type, std::string_view text) {
-  return {200, type, std::string(text)};
+const char* type_of(std::string_view name) {
+  return name.ends_with(".html")  ? "text/html; charset=utf-8"
+         : name.ends_with(".css") ? "text/css; charset=utf-8"
+                                  : "text/javascript; charset=utf-8";
 }
 
 HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
@@ -117,6 +138,20 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
     parameters.end();
     return json(viewer.counts(counted, request.is_gone));
   }
+  if (is("/api/walk")) {
+    const PictureRequest walked = picture_request(viewer, parameters);
+    const auto column = parameters.number<std::int32_t>("x", 0, walked.camera.width - 1);
+    const auto row = parameters.number<std::int32_t>("y", 0, walked.camera.height - 1);
+    const bool all_rays = parameters.number<int>("all", 0, 1) == 1;
+    parameters.end();
+    return json(viewer.walk(walked, column, row, all_rays, request.is_gone));
+  }
+  if (is("/api/slice")) {
+    const SliceRequest sliced{grid_of(viewer, parameters), parameters.number<int>("axis", 0, 2),
+                              parameters.number<double>("share", 0, 1)};
+    parameters.end();
+    return json(viewer.slice(sliced, request.is_gone));
+  }
   if (is("/api/statistics")) {
     const std::size_t grid = grid_of(viewer, parameters);
     parameters.end();
@@ -124,14 +159,10 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
   }
   parameters.end();
   if (is("/api/scene")) return json(viewer.description());
-  if (is("/")) return file("text/html; charset=utf-8", page_html);
-  if (is("/page.css")) return file("text/css; charset=utf-8", page_css);
-  for (const auto& [path, text] : {std::pair("/camera.js", camera_js),
-                                   {"/source.js", source_js},
-                                   {"/picture.js", picture_js},
-                                   {"/panels.js", panels_js},
-                                   {"/page.js", page_js}}) {
-    if (is(path)) return file("text/javascript; charset=utf-8", text);
+  const std::string_view path = request.path;
+  for (const auto& [name, text] : page_files) {
+    if (path == "/" ? name == "page.html" : path.starts_with('/') && path.substr(1) == name)
+      return {200, type_of(name), std::string(text)};
   }
   return {404, "application/json", R"({"error": "there is no such address"})"};
 }

@@ -8,7 +8,12 @@ const state = {
   camera: null,
   depth: 5,
   panes: [],             // [{grid, channel, cells}]: one, or two that are compared
+  slice: {axis: 2, share: 0.5},
+  picking: null,         // the cross hair: {pane, x, y}, shares of the picture
 };
+const ranges = {};       // of the colours of channels: [low, high], the same in all pictures
+let slicePanel = null, walkPanel = null, colors = null;
+const CELLS = ['none', 'slice', 'ray'];
 const panes = [];        // what is on the page for each of state.panes
 let source = null;
 
@@ -28,6 +33,9 @@ function fragment() {
   if (state.depth !== 5) parts.set('depth', state.depth);
   parts.set('grid', state.panes.map((pane) => state.scene.grids[pane.grid].name).join());
   parts.set('channel', state.panes.map((pane) => pane.channel).join());
+  if (state.panes.some((pane) => pane.cells !== 'none')) parts.set('cells', state.panes.map((pane) => pane.cells).join());
+  if (state.slice.axis !== 2 || state.slice.share !== 0.5) parts.set('slice', `${'xyz'[state.slice.axis]},${state.slice.share}`);
+  if (walkPanel && walkPanel.pixel) parts.set('pixel', [walkPanel.pixel.shareX, walkPanel.pixel.shareY].map((share) => Number(share.toFixed(5))).join());
   return '#' + parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
 }
 
@@ -47,8 +55,12 @@ function readFragment() {
   state.depth = depth >= 1 && depth <= 32 ? Math.round(depth) : 5;
   const grids = (parts.get('grid') || '').split(',').map((name) => state.scene.grids.findIndex((grid) => grid.name === name));
   const channels = (parts.get('channel') || '').split(',');
+  const cells = (parts.get('cells') || '').split(',');
+  const [axis, share] = (parts.get('slice') || '').split(',');
+  if (['x', 'y', 'z'].includes(axis) && share >= 0 && share <= 1) state.slice = {axis: 'xyz'.indexOf(axis), share: Number(share)};
   const made = grids.filter((grid) => grid >= 0).slice(0, 2).map((grid, i) => ({
-    grid, channel: state.scene.channels.includes(channels[i]) ? channels[i] : 'shaded', cells: 'none'}));
+    grid, channel: state.scene.channels.includes(channels[i]) ? channels[i] : 'shaded',
+    cells: CELLS.includes(cells[i]) ? cells[i] : 'none'}));
   state.panes = made.length > 0 ? made : [{grid: 0, channel: 'shaded', cells: 'none'}];
 }
 
@@ -69,7 +81,8 @@ class Pane {
     this.root = root;
     this.stage = root.querySelector('.stage');
     this.image = root.querySelector('.image');
-    this.overlay = root.querySelector('.overlay');
+    this.overlay = new Overlay(root.querySelector('.overlay'));
+    this.scale = root.querySelector('.scale');
     this.status = root.querySelector('.status');
     this.problem = root.querySelector('.problem');
     this.gridSelect = root.querySelector('.grid');
@@ -80,6 +93,8 @@ class Pane {
     this.picture = new Picture(this.image, source, (frame) => this.drawn(frame), (text) => this.failed(text));
     state.scene.grids.forEach((grid, i) => this.gridSelect.append(element('option', {value: i}, grid.name)));
     for (const channel of state.scene.channels) this.channelSelect.append(element('option', {value: channel}, channel));
+    for (const cells of CELLS) this.cellsSelect.append(element('option', {value: cells}, cells));
+    this.cellsSelect.addEventListener('change', () => this.set({cells: this.cellsSelect.value}));
     this.gridSelect.addEventListener('change', () => this.set({grid: Number(this.gridSelect.value)}));
     this.channelSelect.addEventListener('change', () => this.set({channel: this.channelSelect.value}));
     this.resized = new ResizeObserver(() => this.update());
@@ -91,7 +106,8 @@ class Pane {
 
   set(change) {
     Object.assign(this.settings, change);
-    this.counts = null;
+    if ('grid' in change) this.counts = null;
+    if ('grid' in change && walkPanel.pixel && walkPanel.pixel.pane === this.index) walkAgain();
     update();
   }
 
@@ -107,8 +123,10 @@ class Pane {
     const [width, height] = this.size();
     this.gridSelect.value = this.settings.grid;
     this.channelSelect.value = this.settings.channel;
+    this.cellsSelect.value = this.settings.cells;
     this.stage.setAttribute('aria-label', `${state.scene.scene.name} through ${state.scene.grids[this.settings.grid].name}, ${this.settings.channel}. Arrow keys orbit, Enter picks a pixel.`);
-    this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: state.camera, width, height, depth: state.depth});
+    this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: state.camera,
+      width, height, depth: state.depth, range: ranges[this.settings.channel]});
   }
 
   drawn(frame) {
@@ -119,7 +137,64 @@ class Pane {
     this.status.textContent = `${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${what}`;
     this.root.dataset.state = frame.isSharp ? 'sharp' : 'moving';
     if (frame.isSharp) this.count(frame.view);
+    this.drawOverlay();
+    this.showScale();
+    if (frame.range && !frame.isSharp) fitRange(frame.view.channel);
     showCost();
+  }
+
+  // With the camera of the picture that is shown.
+  drawOverlay() {
+    if (!this.frame) return;
+    const {camera, width, height} = this.frame.view;
+    const {overlay} = this;
+    overlay.begin(camera, width, height);
+    if (this.settings.cells === 'slice') {
+      const slice = slicePanel.of(this.settings.grid);
+      if (slice) {
+        overlay.lines(sliceLines(slice, 60000), '#fff', 0.8, 0.55);
+        overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
+      }
+    }
+    if (walkPanel.walk && (this.settings.cells === 'ray' || walkPanel.pixel.pane === this.index)) this.drawWalk();
+    if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
+  }
+
+  drawWalk() {
+    const {overlay} = this;
+    const ray = walkPanel.current;
+    const at = (t) => Vec.add(ray.origin, Vec.scaled(ray.direction, t));
+    const boxes = ray.steps.map((step) => step.box);
+    if (this.settings.cells === 'ray') {
+      overlay.boxes(boxes, '#000', 2.2, 0.25);
+      overlay.boxes(boxes, '#7fd1ff', 1, 0.75);
+    }
+    const step = ray.steps[walkPanel.step];
+    if (step) {
+      overlay.boxes([step.box], '#000', 4, 0.5);
+      overlay.boxes([step.box], '#ffd54a', 2);
+    }
+    const last = ray.steps[ray.steps.length - 1];
+    const end = ray.hit ? ray.hit.t : last && last.exit !== null ? last.exit : null;
+    if (end !== null) {
+      overlay.lines([[ray.origin, at(end)]], '#000', 3, 0.5);
+      overlay.lines([[ray.origin, at(end)]], '#ff7a1a', 1.5);
+    }
+    if (ray.hit) {
+      overlay.point(ray.hit.position, '#000', 4.5);
+      overlay.point(ray.hit.position, '#ff7a1a', 3.2);
+    }
+  }
+
+  showScale() {
+    const channel = this.frame.view.channel;
+    const range = this.frame.view.range || this.frame.range;
+    const isNumber = range && ['depth', 'cells', 'tests', 'all cells', 'all tests'].includes(channel);
+    this.scale.hidden = !isNumber;
+    if (!isNumber) return;
+    this.scale.querySelector('.colors').style.backgroundImage = colors.gradient();
+    this.scale.querySelector('.low').textContent = `${channel} ${Text.number(range[0])}`;
+    this.scale.querySelector('.high').textContent = channel === 'depth' ? Text.number(range[1]) : `${Text.number(range[1])} and more`;
   }
 
   // Ray counts of a smaller picture of the same view.
@@ -160,12 +235,44 @@ function showPanes() {
   $('compare').setAttribute('aria-pressed', String(panes.length > 1));
 }
 
+// Round numbers around the values of all pictures of the channel. Kept while they fit fairly, so that colours
+// don't flicker while the view moves.
+function fitRange(channel) {
+  const own = panes.filter((pane) => pane.frame && pane.frame.range && pane.frame.view.channel === channel).map((pane) => pane.frame.range);
+  if (own.length === 0) return;
+  const low = Math.min(...own.map((range) => range[0])), high = Math.max(...own.map((range) => range[1]));
+  const old = ranges[channel];
+  const width = old ? old[1] - old[0] : 0;
+  if (old && low >= old[0] && high <= old[1] && high - low > 0.45 * width) return;
+  const step = 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-30))) / 2;
+  const made = [Math.floor(low / step) * step, Math.max(Math.ceil(high / step), Math.floor(low / step) + 1) * step].map((x) => Number(x.toPrecision(6)));
+  if (channel !== 'depth') made[0] = 0;
+  if (old && String(made) === String(old)) return;
+  ranges[channel] = made;
+  for (const pane of panes) {
+    if (pane.settings.channel === channel) pane.update();
+  }
+}
+
 // After any change of `state`.
 function update() {
   showPanes();
   for (const pane of panes) pane.update();
   showView();
   showFigures();
+  showSlice();
+  rememberSoon();
+}
+
+function showSlice() {
+  const shown = [...new Set(state.panes.map((pane) => pane.grid))];
+  slicePanel.isOverlaid = state.panes.some((pane) => pane.cells === 'slice');
+  slicePanel.show(shown, shown.map((i) => state.scene.grids[i].name));
+  drawOverlays();
+}
+
+function drawOverlays() {
+  for (const pane of panes) pane.drawOverlay();
   rememberSoon();
 }
 
@@ -242,6 +349,7 @@ function controlCamera(pane) {
 }
 
 function keyOfPicture(pane, event) {
+  if (state.picking && keyOfPicking(pane, event)) return true;
   const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
   if (event.key in arrows) {
     const [x, y] = arrows[event.key];
@@ -253,6 +361,9 @@ function keyOfPicture(pane, event) {
   else if (event.key === '-' || event.key === '_') setCamera(Camera.zoomed(state.camera, KEY_ZOOM));
   else if (event.key === 'c') nextChannel(pane);
   else if (event.key === 'g') nextGrid(pane);
+  else if (event.key === 'w') nextCells(pane);
+  else if (event.key === 'Enter') setPicking({pane: pane.index, x: 0.5, y: 0.5});
+  else if (event.key === 'Escape' && walkPanel.walk) walkPanel.clear();
   else return false;
   return true;
 }
@@ -267,11 +378,70 @@ function nextGrid(pane) {
   announce(`grid ${state.scene.grids[pane.settings.grid].name}`);
 }
 
-function pick() {}
+function nextCells(pane) {
+  pane.set({cells: CELLS[(CELLS.indexOf(pane.settings.cells) + 1) % CELLS.length]});
+  announce(`cells: ${pane.settings.cells}`);
+}
+
+// The cross hair, moved by keys.
+function setPicking(picking) {
+  state.picking = picking;
+  for (const pane of panes) pane.stage.classList.toggle('picking', Boolean(picking && picking.pane === pane.index));
+  drawOverlays();
+  if (picking) announce('Arrow keys move the cross hair, Enter picks, Escape drops it');
+}
+function keyOfPicking(pane, event) {
+  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+  const {x, y} = state.picking;
+  if (event.key in arrows) {
+    const [dx, dy] = arrows[event.key];
+    const [width, height] = pane.size();
+    const pixels = event.shiftKey ? 20 : 2;
+    const clamped = (value) => Math.max(0, Math.min(0.99999, value));
+    state.picking = {pane: pane.index, x: clamped(x + dx * pixels / width), y: clamped(y + dy * pixels / height)};
+    drawOverlays();
+  } else if (event.key === 'Enter') {
+    setPicking(null);
+    pick(pane, x, y);
+  } else if (event.key === 'Escape') {
+    setPicking(null);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// The walk of the pixel at shares x, y of the picture.
+let walking = null;
+async function pick(pane, shareX, shareY) {
+  const [width, height] = pane.size();
+  const x = Math.max(0, Math.min(width - 1, Math.floor(shareX * width))), y = Math.max(0, Math.min(height - 1, Math.floor(shareY * height)));
+  const grid = pane.settings.grid;
+  if (walking) walking.abort();
+  walking = new AbortController();
+  const camera = state.camera;
+  try {
+    const walk = await source.walk({grid, camera, width, height, depth: state.depth}, x, y, $('walk-all').checked, walking.signal);
+    walkPanel.show(walk, {x, y, width, height, shareX, shareY, pane: pane.index, name: state.scene.grids[grid].name, camera});
+    $('walk-panel').open = true;
+    const {cells, tests} = walk.rays[0];
+    announce(`pixel ${x}, ${y}: ${cells} cells, ${tests} tests`);
+  } catch (error) {
+    if (error.name !== 'AbortError') walkPanel.failed(error.message);
+  }
+}
+
+// The same ray's pixel, where the grid is another one.
+function walkAgain() {
+  const {pane, shareX, shareY, camera} = walkPanel.pixel;
+  if (Camera.same(camera, state.camera)) pick(panes[pane], shareX, shareY);
+  else walkPanel.clear();
+}
 
 function toggleCompare() {
   if (state.panes.length > 1) {
     state.panes.length = 1;
+    if (walkPanel.pixel && walkPanel.pixel.pane > 0) walkPanel.clear();
   } else {
     const first = state.panes[0];
     state.panes.push({...first, grid: (first.grid + 1) % state.scene.grids.length});
@@ -284,6 +454,8 @@ function keyOfPage(event) {
   if (event.key === '?') toggleKeys();
   else if (event.key === 'v') toggleCompare();
   else if (event.key === 'Home') setCamera(homeCamera());
+  else if (event.key === ',' && walkPanel.move(-1)) { /* a step back */ }
+  else if (event.key === '.' && walkPanel.move(1)) { /* a step on */ }
   else return;
   event.preventDefault();
 }
@@ -406,9 +578,16 @@ async function begin() {
   source = new Server();
   state.scene = await source.scene();
   state.scene.channels = state.scene.channels || ['shaded'];
+  colors = new ColorScale(state.scene.colors);
   describeScene();
   readFragment();
+  walkPanel = new WalkPanel($('walk'), drawOverlays, (point) => setCamera(Camera.centered(state.camera, point)));
+  slicePanel = new SlicePanel($('slice'), source, colors, state.slice, drawOverlays);
+  $('slice-panel').addEventListener('toggle', () => showSlice());
+  $('walk-all').addEventListener('change', () => { if (walkPanel.pixel) walkAgain(); });
   update();
+  const pixel = (new URLSearchParams(location.hash.slice(1)).get('pixel') || '').split(',').map(Number);
+  if (pixel.length === 2 && pixel.every((share) => share >= 0 && share < 1)) pick(panes[0], ...pixel);
   $('compare').addEventListener('click', toggleCompare);
   $('reset').addEventListener('click', () => setCamera(homeCamera()));
   $('keys').addEventListener('click', toggleKeys);

@@ -35,7 +35,8 @@ class Server {
 
   static cameraParameters(view) {
     const {from, at, up, angle} = view.camera;
-    return {grid: view.grid, from: from.join(), at: at.join(), up: up.join(), angle, width: view.width,
+    const range = view.range && view.channel !== 'shaded' ? {range: view.range.join()} : {};
+    return {...range, grid: view.grid, from: from.join(), at: at.join(), up: up.join(), angle, width: view.width,
             height: view.height, depth: view.depth, channel: view.channel};
   }
 
@@ -47,14 +48,20 @@ class Server {
     const response = await this.get('api/picture', parameters, signal);
     const image = await createImageBitmap(await response.blob());
     const milliseconds = readTiming(response.headers.get('Server-Timing'));
-    const range = response.headers.get('Masu-Range');
     return {image, milliseconds: {...milliseconds, total: performance.now() - begin}, rays: milliseconds.rays,
-            range: range ? range.split(',').map(Number) : null};
+            range: 'low' in milliseconds ? [milliseconds.low, milliseconds.high] : null};
   }
 
   counts(view, signal) {
-    return this.json('api/counts', {...Server.cameraParameters(view), channel: 'shaded', quality: 'still'}, signal);
+    return this.json('api/counts', {...Server.cameraParameters(view), channel: 'shaded', range: null, quality: 'still'}, signal);
   }
+
+  walk(view, x, y, all, signal) {
+    return this.json('api/walk', {...Server.cameraParameters({...view, channel: 'shaded', range: null}), quality: 'still', x, y,
+                                  all: all ? 1 : 0}, signal);
+  }
+
+  slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }
 
   statistics(grid) {
     if (!this.statisticsOf.has(grid)) {

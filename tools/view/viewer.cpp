@@ -1,11 +1,16 @@
 #include "tools/view/viewer.h"
 
+#include "libgrid/slice.h"
+#include "libscene/section.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
+#include "renderer/walk_report.h"
 #include "tools/backend_choice.h"
+#include "tools/color_map.h"
 #include "tools/counts_report.h"
 #include "tools/grid_report.h"
 #include "tools/provenance.h"
+#include "tools/walk_text.h"
 
 #include <atomic>
 #include <filesystem>
@@ -17,6 +22,17 @@ using Json = nlohmann::ordered_json;
 
 Json vector_json(const Vec3d& v) {
   return {v.x, v.y, v.z};
+}
+
+// The colour map in equal steps, as #rrggbb.
+Json color_map_samples() {
+  constexpr int samples = 33;
+  Json colors = Json::array();
+  for (int i = 0; i < samples; ++i) {
+    const Rgb8 color = color_at(static_cast<double>(i) / (samples - 1));
+    colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b));
+  }
+  return colors;
 }
 
 std::string file_name(const std::string& path) {
@@ -31,6 +47,67 @@ std::function<void(double)> abandoned_when(const IsGone& is_gone) {
     if (watch.seconds() < due || !next->compare_exchange_strong(due, watch.seconds() + 0.01)) return;
     if (is_gone()) throw Abandoned();
   };
+}
+
+// 8 bits a channel, rows from the top.
+struct Bytes {
+  std::vector<std::uint8_t> rgb;
+  std::int32_t width, height;
+};
+
+Bytes shaded(const Tracer& tracer, const FrameRequest& request, Picture& picture) {
+  const Frame frame = tracer.render(request);
+  picture.rays = frame.radiance.size();
+  picture.seconds.trace = frame.seconds.trace;
+  picture.seconds.copy = frame.seconds.download;
+  const Stopwatch rows;
+  Bytes bytes{image_bytes(frame, request.sampling), image_width(frame, request.sampling),
+              image_height(frame, request.sampling)};
+  picture.seconds.rows = rows.seconds();
+  return bytes;
+}
+
+Bytes channel(const Tracer& tracer, const PictureRequest& request, const FrameRequest& frame,
+              Picture& picture) {
+  const Channel wanted = *request.channel.channel;
+  const Stopwatch trace;
+  const Channels channels = trace_channels(tracer, {{wanted}, frame, request.channel.all_rays});
+  picture.seconds.trace = trace.seconds(); // with the copy
+  picture.rays = static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
+  const Stopwatch rows;
+  picture.range = value_range(channels, wanted);
+  const ValueRange range = request.range.value_or(picture.range.value_or(ValueRange{0, 1}));
+  Bytes bytes{channel_bytes(channels, wanted, range), channels.columns, channels.rows};
+  picture.seconds.rows = rows.seconds();
+  return bytes;
+}
+
+Json slice_cells(const GridFile& file, const SlicePlane& plane, const SliceWindow& window) {
+  constexpr std::size_t most = 200000;
+  Json cells = Json::array();
+  bool truncated = false;
+  for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
+    if (cell.references == 0 && !file.is_merged()) return;
+    if (cells.size() < most)
+      cells.push_back({cell.first[0], cell.first[1], cell.end[0], cell.end[1], cell.references});
+    else
+      truncated = true;
+  });
+  return {{"cells", std::move(cells)}, {"truncated", truncated}};
+}
+
+template <class Stored>
+Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceWindow& window) {
+  constexpr std::size_t most = 200000;
+  const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
+  Json lines = Json::array();
+  for (const SectionSegment& line : section_of(
+           scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max, 2e-4 * longer})) {
+    if (lines.size() == most) break;
+    lines.push_back({static_cast<float>(line.from[0]), static_cast<float>(line.from[1]),
+                     static_cast<float>(line.to[0]), static_cast<float>(line.to[1])});
+  }
+  return lines;
 }
 
 } // namespace
@@ -57,26 +134,17 @@ FrameRequest Viewer::frame_request(const PictureRequest& request) const {
 Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) const {
   FrameRequest frame_request = this->frame_request(request);
   frame_request.progress = abandoned_when(is_gone);
-  const ViewedGrid& grid = this->grid(request.grid);
+  const Tracer& tracer = grid(request.grid).tracer;
   Picture picture;
-  std::int32_t width = 0, height = 0;
-  Stopwatch wait;
-  // A frame takes more memory than its bytes: it ends with its turn.
-  const std::vector<std::uint8_t> rgb = turns_.run(is_gone, [&] {
+  const Stopwatch wait;
+  // What was traced takes more memory than its bytes: it ends with its turn.
+  const Bytes bytes = turns_.run(is_gone, [&] {
     picture.seconds.wait = wait.seconds();
-    const Frame frame = grid.tracer.render(frame_request);
-    picture.rays = frame.radiance.size();
-    picture.seconds.trace = frame.seconds.trace;
-    picture.seconds.copy = frame.seconds.download;
-    width = image_width(frame, request.sampling);
-    height = image_height(frame, request.sampling);
-    const Stopwatch rows;
-    auto bytes = image_bytes(frame, request.sampling);
-    picture.seconds.rows = rows.seconds();
-    return bytes;
+    return request.channel.channel ? channel(tracer, request, frame_request, picture)
+                                   : shaded(tracer, frame_request, picture);
   });
   const Stopwatch encode;
-  picture.jpeg = jpeg(rgb, width, height, request.quality);
+  picture.jpeg = jpeg(bytes.rgb, bytes.width, bytes.height, request.quality);
   picture.seconds.encode = encode.seconds();
   return picture;
 }
@@ -89,6 +157,44 @@ Json Viewer::counts(const PictureRequest& request, const IsGone& is_gone) const 
   Json json = counts_report(frame.counts);
   json["trace_seconds"] = frame.seconds.trace;
   return json;
+}
+
+Json Viewer::walk(const PictureRequest& request, std::int32_t column, std::int32_t row, bool all_rays,
+                  const IsGone& is_gone) const {
+  const Tracer& tracer = grid(request.grid).tracer;
+  FrameRequest frame = frame_request(request);
+  frame.sampling = Sampling::centers;
+  WalkRequest walk;
+  walk.tracing = frame.tracing;
+  walk.ray = camera_ray_of(tracer, frame, column, row);
+  walk.all_rays = all_rays;
+  walk.rules.depth = request.depth;
+  return turns_.run(is_gone, [&] { return walk_json(trace_walk(tracer, walk)); });
+}
+
+Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
+  const GridFile& file = grid(request.grid).file;
+  const GridLayout finest = finest_layout(file);
+  const auto [u, v] = slice_axes(request.axis);
+  const double low = finest.space.min[request.axis], high = finest.space.max[request.axis];
+  const SlicePlane plane = plane_at(finest, request.axis, low + request.share * (high - low), "share");
+  const SliceWindow window = window_of(finest, request.axis);
+  const Vec3d step = voxel_size(finest);
+  Json json{{"axis", request.axis},
+            {"axes", {u, v}},
+            {"position", plane.position},
+            {"layer", plane.layer},
+            {"layers", finest.division[request.axis]},
+            {"range", {low, high}},
+            {"voxels", {finest.division[u], finest.division[v]}},
+            {"min", window.min},
+            {"step", {step[u], step[v]}}};
+  return turns_.run(is_gone, [&] {
+    json.update(slice_cells(file, plane, window));
+    json["outline"] = scene_.is_float64() ? slice_outline<double>(scene_, plane, window)
+                                          : slice_outline<float>(scene_, plane, window);
+    return json;
+  });
 }
 
 Json Viewer::description() const {
@@ -121,6 +227,8 @@ Json Viewer::description() const {
               {"width", camera.width},
               {"height", camera.height}}},
             {"grids", grids},
+            {"channels", picture_channel_names()},
+            {"colors", color_map_samples()},
             {"backend", cuda ? "cuda" : "cpu"},
             {"device", device_name(cuda)},
             {"precision", name_of(resolved(precision_, scene_))}};

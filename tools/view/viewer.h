@@ -4,6 +4,7 @@
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
+#include "tools/view/channel_colors.h"
 #include "tools/view/jpeg.h"
 #include "tools/view/turns.h"
 #include "tools/views.h"
@@ -41,6 +42,8 @@ struct PictureRequest {
   Sampling sampling = Sampling::corners;
   std::optional<Crop> crop{}; // all of the picture, where it isn't given
   int depth = 5;
+  PictureChannel channel{};
+  std::optional<ValueRange> range{}; // of the channel's colours; its own values', where it isn't given
   JpegQuality quality{};
 };
 
@@ -51,8 +54,16 @@ struct PictureSeconds {
 
 struct Picture {
   std::string jpeg;
-  std::uint64_t rays = 0; // from the camera
+  std::uint64_t rays = 0;            // from the camera
+  std::optional<ValueRange> range{}; // of the channel's values
   PictureSeconds seconds;
+};
+
+// A plane perpendicular to `axis` (0 to 2), at a share of the grid's space.
+struct SliceRequest {
+  std::size_t grid = 0;
+  int axis = 2;
+  double share = 0.5;
 };
 
 using IsGone = std::function<bool()>;
@@ -72,6 +83,15 @@ public:
   Picture picture(const PictureRequest& request, const IsGone& is_gone) const;
   // Ray counts of a picture, as gridrender --stats has them.
   nlohmann::ordered_json counts(const PictureRequest& request, const IsGone& is_gone) const;
+
+  // The walk of the camera ray through a pixel's centre, as gridrender --walk has it; all_rays: and of all
+  // rays that it spawns.
+  nlohmann::ordered_json walk(const PictureRequest& request, std::int32_t column, std::int32_t row,
+                              bool all_rays, const IsGone& is_gone) const;
+  // {axis, axes, position, range, voxels, min, step, cells, outline, truncated}: cells as [first u, first v,
+  // end u, end v, references] in the smallest voxels, those of a uniform grid without the empty ones; outline
+  // as [from u, from v, to u, to v] in scene units.
+  nlohmann::ordered_json slice(const SliceRequest& request, const IsGone& is_gone) const;
 
   // The scene, its camera, and its grids by name.
   nlohmann::ordered_json description() const;
