@@ -90,6 +90,7 @@ class Pane {
     this.cellsSelect = root.querySelector('.cells');
     this.frame = null;
     this.counts = null;
+    this.range = null; // {channel, values} of the last picture while it moved
     this.picture = new Picture(this.image, source, (frame) => this.drawn(frame), (text) => this.failed(text));
     state.scene.grids.forEach((grid, i) => this.gridSelect.append(element('option', {value: i}, grid.name)));
     for (const channel of state.scene.channels) this.channelSelect.append(element('option', {value: channel}, channel));
@@ -139,7 +140,10 @@ class Pane {
     if (frame.isSharp) this.count(frame.view);
     this.drawOverlay();
     this.showScale();
-    if (frame.range && !frame.isSharp) fitRange(frame.view.channel);
+    if (frame.range && frame.isMoving) {
+      this.range = {channel: frame.view.channel, values: frame.range};
+      fitRange(frame.view.channel);
+    }
     showCost();
   }
 
@@ -238,7 +242,7 @@ function showPanes() {
 // Round numbers around the values of all pictures of the channel. Kept while they fit fairly, so that colours
 // don't flicker while the view moves.
 function fitRange(channel) {
-  const own = panes.filter((pane) => pane.frame && pane.frame.range && pane.frame.view.channel === channel).map((pane) => pane.frame.range);
+  const own = panes.filter((pane) => pane.range && pane.range.channel === channel).map((pane) => pane.range.values);
   if (own.length === 0) return;
   const low = Math.min(...own.map((range) => range[0])), high = Math.max(...own.map((range) => range[1]));
   const old = ranges[channel];

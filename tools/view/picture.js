@@ -7,8 +7,8 @@ const MOVING_BUDGET_MS = 28; // for a picture while the view moves
 const BAND_MS = 100;         // for a band of the sharp picture
 
 class Picture {
-  // canvas: what is drawn on; drawn(shown) is called after each change with {view, isSharp, share, milliseconds,
-  // rays, range}; failed(text), or '' when all is well again.
+  // canvas: what is drawn on; drawn(shown) is called after each change with {view, isMoving, isSharp, share,
+  // milliseconds, rays, range}; failed(text), or '' when all is well again.
   constructor(canvas, source, drawn, failed) {
     this.canvas = canvas;
     this.context = canvas.getContext('2d', {alpha: false});
@@ -108,7 +108,7 @@ class Picture {
     this.context.imageSmoothingEnabled = view.channel === 'shaded';
     this.context.drawImage(got.image, 0, 0, view.width, view.height);
     got.image.close();
-    this.drawn({...got, view, isSharp: false, scale, share: 1});
+    this.drawn({...got, view, isMoving: true, isSharp: false, scale, share: 1});
   }
 
   // False where the view has moved meanwhile.
@@ -136,7 +136,7 @@ class Picture {
       rays += got.rays;
       for (const [name, value] of Object.entries(got.milliseconds)) sum[name] = (sum[name] || 0) + value;
       const isLast = y + height === view.height;
-      this.drawn({...got, view, milliseconds: sum, rays, isSharp: isLast, scale: 1, share: (y + height) / view.height});
+      this.drawn({...got, view, milliseconds: sum, rays, isMoving: false, isSharp: isLast, scale: 1, share: (y + height) / view.height});
     }
     this.stillMsPerPixel = Math.max(1e-6, (performance.now() - begin) / pixels);
     return true;

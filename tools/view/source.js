@@ -53,11 +53,11 @@ class Server {
   }
 
   counts(view, signal) {
-    return this.json('api/counts', {...Server.cameraParameters(view), channel: 'shaded', range: null, quality: 'still'}, signal);
+    return this.json('api/counts', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still'}, signal);
   }
 
   walk(view, x, y, all, signal) {
-    return this.json('api/walk', {...Server.cameraParameters({...view, channel: 'shaded', range: null}), quality: 'still', x, y,
+    return this.json('api/walk', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still', x, y,
                                   all: all ? 1 : 0}, signal);
   }
 
