@@ -132,8 +132,10 @@ class Page(unittest.TestCase):
 
     def pixels(self, pane=0):
         """Bytes of the picture: r, g, b, a."""
-        return self.js("const {canvas} = panes[arguments[0]].picture; return [canvas.width, canvas.height, "
-                       "Array.from(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data)]", pane)
+        return self.js("const {canvas} = panes[arguments[0]].picture, copy = document.createElement('canvas'); "
+                       "copy.width = canvas.width; copy.height = canvas.height; "
+                       "const context = copy.getContext('2d', {willReadFrequently: true}); context.drawImage(canvas, 0, 0); "
+                       "return [copy.width, copy.height, Array.from(context.getImageData(0, 0, copy.width, copy.height).data)]", pane)
 
     def camera(self):
         return self.js("return state.camera")

@@ -11,6 +11,8 @@ has() { # package
     gnuplot-nox) command -v gnuplot >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
     libassimp-dev) header assimp/scene.h ;;
+    libcpp-httplib-dev) header httplib.h ;;
+    libturbojpeg0-dev) header turbojpeg.h ;;
     libcli11-dev) header CLI/CLI.hpp ;;
     libflatbuffers-dev) header flatbuffers/flatbuffers.h ;;
     libfmt-dev) header fmt/format.h ;;
@@ -60,7 +62,8 @@ require() {
 
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libtbb-dev
   libxxhash-dev nlohmann-json3-dev zlib1g-dev)
-extras=(libassimp-dev ninja-build) # libassimp-dev: for mesh2bin
+# libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview
+extras=(libassimp-dev libcpp-httplib-dev libturbojpeg0-dev ninja-build pkg-config)
 
 # Sets cuda_options for cmake.
 find_cuda() {
@@ -118,6 +121,7 @@ build() {
   log=$(mktemp)
   if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&
       { ! grep -q 'mesh2bin: off' "$log" || echo "== no Assimp (libassimp-dev): building without mesh2bin"; } &&
+      { ! grep 'gridview: off' "$log" | sed 's/^-- /== /'; } &&
       cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then
     grep -E -A5 'error|Error|\*\*\*' "$log" || cat "$log"
     rm -f "$log"
