@@ -22,7 +22,7 @@ struct GridCell {
 
 // Which cells are wanted.
 struct CellFilter {
-  VoxelBox within; // cells whose box has voxels in common with it
+  VoxelBox within{}; // cells whose box has voxels in common with it
   bool occupied_only = false;
 };
 

@@ -1,7 +1,7 @@
 /* Masu: rays traced through voxel grids, on a CPU or a CUDA GPU. The C interface of libmasu.so.
  *
  * Offline: masu_write_scene() makes a scene file (as nff2bin and mesh2bin do), masu_build_grid() a grid file
- * (as gridbuild does). Then masu_open() maps both, checks them, puts them on a device once, and
+ * (as gridbuild does). Then masu_open() reads both, checks them, puts them on a device once, and
  * masu_nearest() and masu_occluded() answer queries until masu_close().
  *
  * Functions that can fail return a status: MASU_OK, or what went wrong, and masu_error() then says it in one
@@ -60,9 +60,10 @@ typedef struct masu_tracer masu_tracer;
 
 #define MASU_CPU (-1)
 
-/* Maps, checks and, on a GPU, uploads a scene file and a grid file of the same geometry. `grid` may be NULL:
- * every ray is then tested against every primitive. `device` is MASU_CPU or a GPU's number, from 0. The files
- * must not change until masu_close(). */
+/* Reads, checks and, on a GPU, uploads a scene file and a grid file of the same geometry. `grid` may be NULL:
+ * every ray is then tested against every primitive. `device` is MASU_CPU or a GPU's number, from 0. What
+ * happens to the files afterwards changes nothing; a file that is written while it is read is an
+ * error (MASU_ERROR_INPUT). */
 MASU_API masu_status masu_open(const char* scene, const char* grid, int device, masu_tracer** tracer);
 
 /* Waits for what runs, and gives memory back. NULL is allowed. */

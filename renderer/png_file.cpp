@@ -73,7 +73,9 @@ void PngWriter::write_chunk(const char* type, std::span<const std::uint8_t> data
   std::vector<std::uint8_t> head, tail;
   put(head, static_cast<std::uint32_t>(data.size()));
   head.insert(head.end(), type, type + 4);
-  put(tail, libdeflate_crc32(libdeflate_crc32(0, type, 4), data.data(), data.size()));
+  std::uint32_t sum = libdeflate_crc32(0, type, 4);
+  if (!data.empty()) sum = libdeflate_crc32(sum, data.data(), data.size()); // of a null pointer it is 0
+  put(tail, sum);
   file_.write(head);
   file_.write(data);
   file_.write(tail);

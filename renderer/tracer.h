@@ -29,8 +29,8 @@ struct TracingRules {
   unsigned kinds = with_all_kinds; // that the scene holds: a tracer fills it in
 };
 
-// Seconds of wall-clock time; of kernels, on the device's own clock. The CPU reads files where they are
-// mapped and rays where the caller has them: nothing is uploaded or downloaded.
+// Seconds of wall-clock time; of kernels, on the device's own clock. The CPU traces files in the
+// memory that they were read into and rays where the caller has them: nothing is uploaded or downloaded.
 struct TraceSeconds {
   double upload = 0, trace = 0, download = 0;
 };

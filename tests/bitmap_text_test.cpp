@@ -10,16 +10,16 @@
 namespace masu {
 namespace {
 
-double luminance(Rgb8 color) {
+double luminance(Rgb color) {
   const auto linear = [](std::uint8_t value) {
     const double x = value / 255.0;
     return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
   };
-  return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b);
+  return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
 }
 
 // CIE 1976 lightness.
-double lightness(Rgb8 color) {
+double lightness(Rgb color) {
   const double y = luminance(color);
   return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
 }

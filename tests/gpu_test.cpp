@@ -4,7 +4,9 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/nff/nff.h"
 #include "libscene/spd/spd.h"
+#include "renderer/channels.h"
 #include "renderer/tracer.h"
+#include "renderer/walk_report.h"
 #include "tests/temporary_folder.h"
 #include "tests/unchecked_grid.h"
 #include "tools/bench/ray_sets.h"
@@ -231,6 +233,87 @@ TEST_P(CpuAndGpu, CountTheSame) {
   wanted.tracing.count = true;
   const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
   expect_same_counts(cpu.counts, gpu.counts);
+}
+
+TEST_P(CpuAndGpu, TraceTheSameChannels) {
+  for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular}) {
+    for (const auto& [store, precision] : {std::pair{Store::float32, Precision::robust},
+                                           {Store::float32, Precision::doubled},
+                                           {Store::float64, Precision::doubled}}) {
+      SCOPED_TRACE(testing::Message()
+                   << "kind " << static_cast<int>(kind) << " precision " << name_of(precision));
+      const Built built = build(store, GetParam().min_size + 1,
+                                kind == GridKind::irregular ? "5x4x3" : "33x20x5", options_of(kind));
+      ChannelsRequest wanted;
+      wanted.channels.assign(std::begin(all_channels), std::end(all_channels));
+      wanted.frame = request(built.scene, 96);
+      wanted.frame.tracing.precision = precision;
+      for (const GridFile* const grid : {&built.grid, static_cast<const GridFile*>(nullptr)}) {
+        if (grid == nullptr && kind != GridKind::uniform) continue;
+        const Tracer cpu_tracer(built.scene, grid, Device::cpu), gpu_tracer(built.scene, grid, Device::cuda);
+        for (const bool all_rays : {false, true}) {
+          SCOPED_TRACE(all_rays ? "all rays" : "camera rays");
+          wanted.all_rays = all_rays;
+          const Channels cpu = trace_channels(cpu_tracer, wanted), gpu = trace_channels(gpu_tracer, wanted);
+          const auto same = [](const auto& a, const auto& b) {
+            return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+          };
+          EXPECT_TRUE(same(cpu.depth, gpu.depth));
+          EXPECT_TRUE(same(cpu.normal, gpu.normal));
+          EXPECT_TRUE(same(cpu.object, gpu.object));
+          EXPECT_TRUE(same(cpu.primitive, gpu.primitive));
+          EXPECT_TRUE(same(cpu.cells, gpu.cells));
+          EXPECT_TRUE(same(cpu.tests, gpu.tests));
+          expect_same_counts(cpu.counts, gpu.counts);
+        }
+      }
+    }
+  }
+}
+
+// Bands of more rays than a piece of a list.
+TEST_P(CpuAndGpu, TraceTheSameChannelsOfALargePicture) {
+  const Built built = build(Store::float32, GetParam().min_size + 1, "33x20x5");
+  ChannelsRequest wanted;
+  wanted.channels = {Channel::depth, Channel::primitive, Channel::cells, Channel::tests};
+  wanted.frame = request(built.scene, 2100);
+  const Channels cpu = trace_channels(Tracer(built.scene, &built.grid, Device::cpu), wanted),
+                 gpu = trace_channels(Tracer(built.scene, &built.grid, Device::cuda), wanted);
+  EXPECT_TRUE(cpu.depth == gpu.depth);
+  EXPECT_TRUE(cpu.primitive == gpu.primitive);
+  EXPECT_TRUE(cpu.cells == gpu.cells);
+  EXPECT_TRUE(cpu.tests == gpu.tests);
+}
+
+// A walk is recorded on the CPU, of a GPU's tracer too.
+TEST_P(CpuAndGpu, WalksHaveTheHitsAndCountsOfAGpusChannels) {
+  const Built built =
+      build(Store::float32, GetParam().min_size + 1, "5x4x3", options_of(GridKind::irregular));
+  ChannelsRequest wanted;
+  wanted.channels = {Channel::depth, Channel::primitive, Channel::cells, Channel::tests};
+  wanted.frame = request(built.scene, 40);
+  const Tracer tracer(built.scene, &built.grid, Device::cuda);
+  for (const bool all_rays : {false, true}) {
+    wanted.all_rays = all_rays;
+    const Channels channels = trace_channels(tracer, wanted);
+    for (std::int32_t row = 0; row < channels.rows; row += 7) {
+      for (std::int32_t column = 0; column < channels.columns; column += 5) {
+        const auto i = static_cast<std::size_t>(row * channels.columns + column);
+        WalkRequest walk{wanted.frame.tracing, camera_ray_of(tracer, wanted.frame, column, row), all_rays,
+                         wanted.frame.rules};
+        const WalkReport report = trace_walk(tracer, walk);
+        std::uint64_t cells = 0, tests = 0;
+        for (const WalkRay& ray : report.rays) {
+          cells += ray.cells;
+          tests += ray.tests;
+        }
+        EXPECT_EQ(report.rays[0].t, channels.depth[i]);
+        EXPECT_EQ(static_cast<std::int32_t>(report.rays[0].primitive), channels.primitive[i]);
+        EXPECT_EQ(cells, channels.cells[i]);
+        EXPECT_EQ(tests, channels.tests[i]);
+      }
+    }
+  }
 }
 
 TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {

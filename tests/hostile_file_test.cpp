@@ -311,6 +311,7 @@ WrongGrid space(const char* name, const fb::Box& box) {
 INSTANTIATE_TEST_SUITE_P(
     Lists, HostileGrid,
     testing::Values(word("LastWithoutEnd", GridSection::references, 4, 2),
+                    word("SharedByVoxels", GridSection::voxel_map, 0, occupied_bit | 1),
                     without("None", GridSection::references),
                     word("OneMoreWithoutEnd", GridSection::references, 5, 0),
                     word("SeveralMoreWithoutEnd", GridSection::references, 9, 0),
@@ -379,6 +380,7 @@ INSTANTIATE_TEST_SUITE_P(
     Map, HostileGridOfBlocks,
     testing::Values(word("BlockBeyond", GridSection::voxel_map, 1, occupied_bit | 2),
                     word("BlockFarBeyond", GridSection::voxel_map, 0, 0xffffffff),
+                    word("BlocksShared", GridSection::voxel_map, 1, occupied_bit | 1),
                     word("EmptyBlockWithANumber", GridSection::voxel_map, 1, 1),
                     word("ListBeyond", GridSection::voxel_map, 3, occupied_bit | 5),
                     word("EmptyVoxelWithANumber", GridSection::voxel_map, 5, 2),

@@ -84,12 +84,44 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Lists, HostileMergedGrid,
     testing::Values(word("LastWithoutEnd", GridSection::references, 4, 2),
+                    word("SharedByCells", GridSection::cells, 3, 1),
                     word("ReferenceBeyond", GridSection::references, 1, 4),
                     word("LastReferenceBeyond", GridSection::references, 2, 4 | last_bit),
                     word("OneMoreWithoutEnd", GridSection::references, 5, 0),
                     without("None", GridSection::references),
                     WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }}),
     by_name);
+
+// A small file of a million voxels, or cells, that share one list of 100,000 references.
+TEST(HostileLists, SharedByAllCellsAreRefusedQuickly) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("hostile.grid");
+  constexpr std::int32_t side = 100;
+  Grid uniform = tiny_grid();
+  uniform.layout.division = {side, side, side};
+  uniform.references.assign(100000, 0);
+  uniform.references.back() |= last_bit;
+  for (const std::uint32_t step : {0U, 1U}) { // the whole list, or all of its ends
+    uniform.voxel_map.clear();
+    for (std::uint32_t i = 0; i < side * side * side; ++i)
+      uniform.voxel_map.push_back(occupied_bit | step * (i % 1000));
+    write_grid(uniform, tiny_grid_origin({1, 2}), path);
+    EXPECT_TRUE(is_refused_as<GridFile>(path));
+    Grid merged = tiny_merged_grid();
+    merged.layout.division = {side, side, side};
+    merged.nested_log2 = 0;
+    merged.references = uniform.references;
+    merged.voxel_map.clear();
+    merged.cells.clear();
+    for (std::uint32_t i = 0; i < side * side * side; ++i) {
+      const std::uint32_t x = i % side, y = i / side % side, z = i / side / side;
+      merged.voxel_map.push_back(occupied_bit | i);
+      merged.cells.push_back({range(x, x + 1), range(y, y + 1), range(z, z + 1), step * (i % 1000)});
+    }
+    write_grid(merged, tiny_grid_origin({1, 2}, merge_rule), path);
+    EXPECT_TRUE(is_refused_as<GridFile>(path));
+  }
+}
 
 // Few words that divide the space 15 times, all eight of each level by the same next one: 8^15 paths.
 TEST(HostileNestedMap, SharedByCubesIsRefusedQuickly) {

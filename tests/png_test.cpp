@@ -100,6 +100,27 @@ TEST(Png, TextsAreChunksAndPixelsStayTheSame) {
   EXPECT_NE(text.find(std::string("tEXtSource\0", 11)), std::string::npos);
 }
 
+// Also of the last chunk, which is empty and which libpng doesn't read.
+TEST(Png, ChunksHaveTheirChecksums) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.png");
+  write_png(Bytes{1, 2, 3}, 1, 1, path, {{"Software", "Masu"}});
+  const Bytes bytes = read_bytes(path);
+  const auto number = [&](std::size_t at) {
+    return static_cast<std::size_t>(bytes[at]) << 24 | static_cast<std::size_t>(bytes[at + 1]) << 16 |
+           static_cast<std::size_t>(bytes[at + 2]) << 8 | bytes[at + 3];
+  };
+  std::size_t at = 8, chunks = 0;
+  for (; at + 12 <= bytes.size(); ++chunks) {
+    const std::size_t length = number(at);
+    ASSERT_LE(at + 12 + length, bytes.size());
+    EXPECT_EQ(number(at + 8 + length), crc32(0, bytes.data() + at + 4, static_cast<uInt>(4 + length)));
+    at += 12 + length;
+  }
+  EXPECT_EQ(at, bytes.size());
+  EXPECT_GE(chunks, 4U);
+}
+
 // zlib inflates pieces one after the other as one stream.
 TEST(Deflate, PiecesAreOneStream) {
   const RandomSeed seed;

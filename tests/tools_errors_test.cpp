@@ -2,6 +2,7 @@
 #include "tests/run_tool.h"
 #include "tools/bench/stability/random_seed.h"
 
+#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -340,6 +341,11 @@ TEST_F(BadFiles, UnwritableOutputsAreOutputErrors) {
   std::filesystem::create_directory(folder);
   EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "-o", folder}, folder, "is a directory"));
   EXPECT_TRUE(fails(3, "gridstat", {grid_, "--slice", "z=0", "-o", folder}, folder, "is a directory"));
+  // /dev/full takes nothing.
+  for (const char* const name : {"full.csv", "full.ply"}) {
+    std::filesystem::create_symlink("/dev/full", file(name));
+    EXPECT_TRUE(fails(3, "gridstat", {grid_, "--cells", file(name)}, file(name)));
+  }
 }
 
 TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
@@ -438,7 +444,12 @@ TEST_F(Inputs, AreNeverOutputs) {
       expect_spared(input, "gridrender", {scene_, grid_}, "-o", ending);
     expect_spared(input, "gridrender", {scene_, grid_, "--brute-force"}, "--hits");
   }
-  expect_spared(grid_, "gridstat", {grid_, "--slice", "z=0"}, "-o", ".png");
+  for (const char* const ending : {".png", ".svg", ".json"}) {
+    expect_spared(grid_, "gridstat", {grid_, "--slice", "z=0"}, "-o", ending);
+    expect_spared(scene_, "gridstat", {grid_, "--slice", "z=0", "--outline", scene_}, "-o", ending);
+  }
+  for (const char* const ending : {".csv", ".ply"})
+    expect_spared(grid_, "gridstat", {grid_}, "--cells", ending);
 }
 
 TEST_F(Inputs, FromStandardInputAreNeverOutputs) {
@@ -588,6 +599,52 @@ TEST_F(BadCommand, OfGridrenderIsAUsageError) {
 TEST_F(BadCommand, OfGridstatIsAUsageError) {
   for (const char* const slice : {"z", "z=", "w=0", "z=-1", "z=99999", "=0", "z=0x"})
     EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
+  for (const char* const slice :
+       {"z@", "z@x", "z@nan", "z@1e99", "z@1 ", "zz=1", "z=1.5", "z=1e1", "z=101%", "z=-1%", "z=nan%", "z=%",
+        "z=99999999999999999999", "z=0x1", "z= 1", "x@0x1p0", ""})
+    EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
+  const Arguments slice{grid_, "--slice", "z=0", "-o", file("new.svg")};
+  const auto with_slice = [&](const Arguments& more, const std::string& place = "command line") {
+    Arguments all = slice;
+    all.insert(all.end(), more.begin(), more.end());
+    return refused("gridstat", all, place);
+  };
+  for (const char* const window : {"1", "0,0,1", "0,0,1,1,", "0,0,1,1,1", "1,1,0,0", "0,0,0,1", "nan,0,1,1",
+                                   "0,0,inf,1", "100,100,101,101", "0;0;1;1", "0,0,1,1 "})
+    EXPECT_TRUE(with_slice({std::string("--window=") + window}, "--window")) << window;
+  for (const char* const size : {"0", "63", "4097", "-1", "x", "1e9"})
+    EXPECT_TRUE(with_slice({"--size", size})) << size;
+  EXPECT_TRUE(with_slice({"--color", "red"}));
+  EXPECT_TRUE(with_slice({"--cells", file("new.csv")}));
+  EXPECT_TRUE(with_slice({"--json"}));
+  EXPECT_TRUE(with_slice({"--occupied"}));
+  for (const Arguments& alone : {Arguments{"--lines"},
+                                 {"--color", "depth"},
+                                 {"--window", "0,0,1,1"},
+                                 {"--outline", scene_},
+                                 {"--title", "a"},
+                                 {"--size", "99"},
+                                 {"--occupied"},
+                                 {"--within", "0,0,0,1,1,1"},
+                                 {"--expanded"},
+                                 {"--wireframe"}}) {
+    Arguments all{grid_};
+    all.insert(all.end(), alone.begin(), alone.end());
+    EXPECT_TRUE(refused("gridstat", all)) << alone.front();
+  }
+  const auto with_cells = [&](const char* name, const Arguments& more, const std::string& place) {
+    Arguments all{grid_, "--cells", file(name)};
+    all.insert(all.end(), more.begin(), more.end());
+    return refused("gridstat", all, place);
+  };
+  for (const char* const name : {"new.obj", "new", "new.PLY", "new.csv.gz"})
+    EXPECT_TRUE(with_cells(name, {}, file(name))) << name;
+  for (const char* const within : {"1", "0,0,0,1,1", "a,b,c,d,e,f"})
+    EXPECT_TRUE(with_cells("new.csv", {std::string("--within=") + within}, "command line")) << within;
+  for (const char* const within : {"1,1,1,0,0,0", "nan,0,0,1,1,1", "0,0,0,1,1,inf"})
+    EXPECT_TRUE(with_cells("new.csv", {std::string("--within=") + within}, "--within")) << within;
+  EXPECT_TRUE(with_cells("new.csv", {"--expanded"}, "--expanded"));
+  EXPECT_TRUE(with_cells("new.csv", {"--wireframe"}, "--wireframe"));
   EXPECT_TRUE(refused("gridstat", {grid_, "--slice", "z=0"}, "--slice"));
   EXPECT_TRUE(refused("gridstat", {grid_, "-o", file("new.png")})); // without --slice
   for (const char* const name : {"new.jpg", "new.pfm", "new", "new.PNG", "-"})
@@ -641,6 +698,26 @@ TEST(Version, GoesToStandardOutput) {
     EXPECT_TRUE(succeeded(result)) << tool;
     EXPECT_TRUE(result.out.starts_with(std::string(tool) + ", Masu ")) << result.out;
   }
+}
+
+// --- Names ----------------------------------------------------------------------------------------------
+
+TEST_F(ToolErrors, ControlCharactersOfNamesAreEscaped) {
+  const std::string name = "a\nb\x1b[2J\xff.nff", shown = "a\\x0ab\\x1b[2J\\xff.nff";
+  EXPECT_TRUE(fails(2, "nff2bin", {file(name), "-o", file("a.scene")}, file(shown), "No such file"));
+  EXPECT_TRUE(fails(2, "gridrender", {file(name), file(name), "-o", file("a.png")}, file(shown)));
+  EXPECT_TRUE(fails(1, "gridstat", {file("a.grid"), "--\x1b[2J"}, "command line", "\\x1b[2J"));
+  const std::string crossing = nff(name, "p 4\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n");
+  const ToolResult warned = run("nff2bin", {crossing, "-o", file("a.scene")});
+  EXPECT_EQ(warned.code, 0);
+  EXPECT_TRUE(warned.err.starts_with("nff2bin: " + file(shown) + ": warning: ")) << warned.err;
+}
+
+TEST_F(ToolErrors, JsonOfInvalidUtf8IsValid) {
+  const std::string in = scene("\xff.scene", nff("a.nff", small_nff));
+  const ToolResult built = run("gridbuild", {in, "-o", file("\xff.grid"), "--json"});
+  ASSERT_EQ(built.code, 0) << built.err;
+  EXPECT_NE(nlohmann::json::parse(built.out)["command"].dump().find("\xef\xbf\xbd.scene"), std::string::npos);
 }
 
 } // namespace

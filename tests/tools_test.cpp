@@ -553,14 +553,6 @@ TEST_F(Tools, BenchLoadComparesLoadingWithPlainCopies) {
                    seconds["load"].get<double>() / seconds["copy_mapped"].get<double>());
 }
 
-TEST_F(Tools, ASliceIsAPngWithSquareVoxels) {
-  EXPECT_TRUE(
-      succeeded(run("gridstat", {grid("b.grid", scene_, "8x4x2"), "--slice", "z=1", "-o", file("s.png")})));
-  const Picture picture = decoded_png(file("s.png"));
-  EXPECT_GT(picture.width, 0U);
-  EXPECT_EQ(picture.width, 2 * picture.height);
-}
-
 // CSV of several grids can be joined: the columns don't depend on the kind of grid.
 TEST_F(Tools, GridstatsCsvHasTheSameColumnsForEveryGrid) {
   std::set<std::string> headers;

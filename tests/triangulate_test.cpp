@@ -1,4 +1,5 @@
 #include "libscene/geometry/orientation.h"
+#include "libscene/mesh/sweep_triangulation.h"
 #include "libscene/mesh/triangulate.h"
 #include "tools/bench/stability/random_seed.h"
 
@@ -11,6 +12,7 @@
 #include <numbers>
 #include <numeric>
 #include <random>
+#include <ranges>
 #include <set>
 #include <utility>
 #include <vector>
@@ -482,6 +484,158 @@ TEST(Triangulate, HugeSelfCrossingPolygonsTakeSeconds) {
   EXPECT_TRUE(triangulate(in_plane(flat)).crosses_itself);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_LT(seconds.count(), 60);
+}
+
+// --- The sweep
+
+Triangulation by_sweep(const Flat& flat, SweepOutcome& outcome) {
+  std::vector<std::uint32_t> ring(flat.size());
+  std::iota(ring.begin(), ring.end(), 0U);
+  Triangulation result;
+  outcome = triangulate_by_sweep(flat, ring, result.triangles);
+  return result;
+}
+
+Flat turned(const Flat& flat, double angle) {
+  Flat result;
+  for (const Point2& p : flat)
+    result.push_back(
+        {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
+  return result;
+}
+
+double signed_area(const Flat& flat) {
+  double area = 0;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const Point2 &a = flat[i], &b = flat[(i + 1) % flat.size()];
+    area += a.x * b.y - b.x * a.y;
+  }
+  return area;
+}
+
+enum class Simplicity { simple, touches, crosses };
+
+// Of all pairs of edges.
+Simplicity simplicity_of(const Flat& flat) {
+  const std::size_t n = flat.size();
+  Simplicity worst = Simplicity::simple;
+  const auto on = [](const Point2& a, const Point2& b, const Point2& p) {
+    return orientation(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+           std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const Point2 &a = flat[i], &b = flat[(i + 1) % n], &c = flat[j], &d = flat[(j + 1) % n];
+      if (j == i + 1 || (i == 0 && j == n - 1)) { // neighbours: one goes back over the other
+        if (j == i + 1 ? on(a, b, d) || on(c, d, a) : on(c, d, b) || on(a, b, c))
+          worst = std::max(worst, Simplicity::touches);
+        continue;
+      }
+      const auto sign = [](double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; };
+      const int by_c = sign(orientation(a, b, c)), by_d = sign(orientation(a, b, d)),
+                by_a = sign(orientation(c, d, a)), by_b = sign(orientation(c, d, b));
+      if (by_c * by_d < 0 && by_a * by_b < 0)
+        worst = Simplicity::crosses;
+      else if (on(a, b, c) || on(a, b, d) || on(c, d, a) || on(c, d, b))
+        worst = std::max(worst, Simplicity::touches);
+    }
+  }
+  return worst;
+}
+
+TEST(SweepTriangulation, CoversSimplePolygons) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 200; ++i) {
+    const double angle = uniform(random, 0, 7);
+    const int size = whole(random, 1, 60);
+    for (const Flat& flat :
+         {star(random, size + 2), regular(size + 2), gear(size + 2), comb(size), spiral(size + 20)}) {
+      SweepOutcome outcome{};
+      const Flat placed = turned(flat, angle);
+      const Triangulation result = by_sweep(placed, outcome);
+      ASSERT_EQ(outcome, SweepOutcome::triangulated) << flat.size() << " corners";
+      expect_covers(placed, result);
+    }
+  }
+}
+
+// Few corners, so that many are simple: in general position, and on a lattice, where points coincide, edges
+// overlap, and many corners have the same x.
+TEST(SweepTriangulation, KnowsSimplePolygonsFromOthers) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  std::map<std::pair<Simplicity, SweepOutcome>, int> seen;
+  for (int i = 0; i < 20000; ++i) {
+    const bool on_lattice = i % 2 == 0;
+    const int range = whole(random, 1, 5);
+    Flat flat(static_cast<std::size_t>(whole(random, 3, 9)));
+    for (Point2& p : flat)
+      p = on_lattice ? Point2{double(whole(random, 0, range)), double(whole(random, 0, range))}
+                     : Point2{uniform(random, 0, 1), uniform(random, 0, 1)};
+    if (signed_area(flat) == 0) continue;
+    if (signed_area(flat) < 0) std::reverse(flat.begin(), flat.end());
+    const Simplicity simplicity = simplicity_of(flat);
+    SweepOutcome outcome{};
+    const Triangulation result = by_sweep(flat, outcome);
+    ++seen[{simplicity, outcome}];
+    if (simplicity == Simplicity::simple) {
+      const bool is_straight = std::ranges::any_of(std::views::iota(0U, flat.size()), [&](std::size_t v) {
+        return orientation(flat[v], flat[(v + 1) % flat.size()], flat[(v + 2) % flat.size()]) == 0;
+      });
+      ASSERT_TRUE(is_straight || outcome == SweepOutcome::triangulated);
+    }
+    if (outcome == SweepOutcome::triangulated) {
+      ASSERT_EQ(simplicity, Simplicity::simple);
+      expect_covers(flat, result);
+    }
+    ASSERT_TRUE(outcome != SweepOutcome::crosses || simplicity != Simplicity::simple);
+    ASSERT_TRUE(on_lattice || simplicity != Simplicity::crosses || outcome == SweepOutcome::crosses);
+  }
+  EXPECT_GT((seen[{Simplicity::simple, SweepOutcome::triangulated}]), 1000);
+  EXPECT_GT((seen[{Simplicity::crosses, SweepOutcome::crosses}]), 1000);
+  EXPECT_GT((seen[{Simplicity::touches, SweepOutcome::undecided}]), 100);
+}
+
+// Holes cut in by bridges, and outlines that touch themselves at points.
+TEST(SweepTriangulation, TouchingIsNoCrossing) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 300; ++i) {
+    for (const Flat& flat :
+         {blob_outline(random, whole(random, 1, 30)), square_with_holes(whole(random, 1, 9))}) {
+      SweepOutcome outcome{};
+      const Triangulation result = by_sweep(flat, outcome);
+      ASSERT_NE(outcome, SweepOutcome::crosses);
+      if (outcome == SweepOutcome::triangulated) expect_covers(flat, result);
+    }
+  }
+}
+
+TEST(SweepTriangulation, CoversHugeStars) {
+  Random random(1);
+  const Flat flat = star(random, 200000);
+  SweepOutcome outcome{};
+  const Triangulation swept = by_sweep(flat, outcome);
+  ASSERT_EQ(outcome, SweepOutcome::triangulated);
+  expect_covers(flat, swept);
+  const Triangulation result = triangulate(in_plane(flat)); // ear clipping gives up
+  EXPECT_EQ(result.triangles, swept.triangles);
+  EXPECT_FALSE(result.crosses_itself);
+}
+
+// Where no result can be right, one comes soon all the same.
+TEST(SweepTriangulation, HugeSelfCrossingPolygonsAreReported) {
+  Random random(1);
+  Flat flat;
+  for (int i = 0; i < 200000; ++i)
+    flat.push_back({uniform(random, 0, 1), uniform(random, 0, 1)});
+  const Triangulation result = triangulate(in_plane(flat));
+  EXPECT_TRUE(result.crosses_itself);
+  EXPECT_EQ(result.triangles.size() + result.slivers, flat.size() - 2);
 }
 
 } // namespace

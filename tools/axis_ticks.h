@@ -21,8 +21,9 @@ inline std::vector<double> linear_ticks(double low, double high, int most, bool 
     const double step = digit * power, slack = step * 1e-9;
     const double first = std::ceil((low - slack) / step), last = std::floor((high + slack) / step);
     if (last - first + 1 > most) continue;
-    for (double i = first; i <= last; ++i)
-      ticks.push_back(i * step + 0.0); // never -0
+    const int count = static_cast<int>(last - first);
+    for (int i = 0; i <= count; ++i)
+      ticks.push_back((first + i) * step + 0.0); // never -0
     return ticks;
   }
   return ticks;

@@ -84,7 +84,7 @@ bool is_set(char character, std::int32_t column, std::int32_t row) {
 
 } // namespace
 
-void draw_text(Picture& picture, std::int32_t x, std::int32_t y, std::string_view text, Rgb8 color,
+void draw_text(Picture& picture, std::int32_t x, std::int32_t y, std::string_view text, Rgb color,
                std::int32_t scale, TextDirection direction) {
   std::int32_t start = 0; // of the character, along the text
   for (const char character : text) {

@@ -22,8 +22,7 @@ enum class TextDirection { right, up };
 // (x, y) is the pixel of the text's upper left corner; with TextDirection::up that of the picture's corner
 // where the first character's top left comes to lie: its lower left. ASCII; other bytes become boxes.
 // Pixels beyond the picture are left out.
-void draw_text(Picture& picture, std::int32_t x, std::int32_t y, std::string_view text,
-               Rgb8 color = {0, 0, 0}, std::int32_t scale = 1,
-               TextDirection direction = TextDirection::right);
+void draw_text(Picture& picture, std::int32_t x, std::int32_t y, std::string_view text, Rgb color = {0, 0, 0},
+               std::int32_t scale = 1, TextDirection direction = TextDirection::right);
 
 } // namespace masu

@@ -51,8 +51,8 @@ std::string xml_text(const std::string& text) {
   return xml;
 }
 
-std::string hex(Rgb8 color) {
-  return fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b);
+std::string hex(Rgb color) {
+  return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
 }
 
 // To a hundredth of a pixel, as short as possible.
@@ -65,13 +65,13 @@ std::string short_number(double value) {
 
 } // namespace
 
-void PngCanvas::box(const CanvasBox& box, Rgb8 color) {
+void PngCanvas::box(const CanvasBox& box, Rgb color) {
   const std::int32_t left = rounded(box.left), top = rounded(box.top);
   picture.fill(left, top, rounded(box.right) - left, rounded(box.bottom) - top, color);
 }
 
 // A pixel's share is what a line of this width covers of it, by the distance of its centre.
-void PngCanvas::lines(std::span<const CanvasLine> lines, Rgb8 color, double width, double opacity,
+void PngCanvas::lines(std::span<const CanvasLine> lines, Rgb color, double width, double opacity,
                       const CanvasBox& clip) {
   const double reach = width / 2 + 0.5;
   for (const CanvasLine& line : lines) {
@@ -106,7 +106,7 @@ void PngCanvas::lines(std::span<const CanvasLine> lines, Rgb8 color, double widt
   }
 }
 
-void PngCanvas::text(const CanvasText& text, Rgb8 color) {
+void PngCanvas::text(const CanvasText& text, Rgb color) {
   const std::int32_t width = text_width(text.text, text.scale);
   const std::int32_t back = text.anchor == TextAnchor::start ? 0
                             : text.anchor == TextAnchor::end ? width
@@ -118,7 +118,7 @@ void PngCanvas::text(const CanvasText& text, Rgb8 color) {
     draw_text(picture, x - height, y + back, text.text, color, text.scale, TextDirection::up);
 }
 
-void SvgCanvas::box(const CanvasBox& box, Rgb8 color) {
+void SvgCanvas::box(const CanvasBox& box, Rgb color) {
   fmt::format_to(
       std::back_inserter(body_),
       "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" shape-rendering=\"crispEdges\"/>\n",
@@ -126,7 +126,7 @@ void SvgCanvas::box(const CanvasBox& box, Rgb8 color) {
       short_number(box.bottom - box.top), hex(color));
 }
 
-void SvgCanvas::lines(std::span<const CanvasLine> lines, Rgb8 color, double width, double opacity,
+void SvgCanvas::lines(std::span<const CanvasLine> lines, Rgb color, double width, double opacity,
                       const CanvasBox& clip) {
   if (lines.empty()) return;
   const int number = clips_++;
@@ -149,7 +149,7 @@ void SvgCanvas::lines(std::span<const CanvasLine> lines, Rgb8 color, double widt
   body_ += "\"/>\n";
 }
 
-void SvgCanvas::text(const CanvasText& text, Rgb8 color) {
+void SvgCanvas::text(const CanvasText& text, Rgb color) {
   constexpr double capital_height = 0.72; // of the font's size, in Helvetica and its like
   const char* const anchor = text.anchor == TextAnchor::start ? "start"
                              : text.anchor == TextAnchor::end ? "end"
@@ -163,8 +163,8 @@ void SvgCanvas::text(const CanvasText& text, Rgb8 color) {
                  xml_text(text.text));
 }
 
-void SvgCanvas::cell(const CanvasBox& box, Rgb8 color) {
-  const std::uint32_t key = std::uint32_t{color.r} << 16 | std::uint32_t{color.g} << 8 | color.b;
+void SvgCanvas::cell(const CanvasBox& box, Rgb color) {
+  const std::uint32_t key = std::uint32_t{color[0]} << 16 | std::uint32_t{color[1]} << 8 | color[2];
   const auto path = std::back_inserter(cells_[key]);
   fmt::format_to(path, "M{} {}H{}V{}H{}z", short_number(box.left), short_number(box.top),
                  short_number(box.right), short_number(box.bottom), short_number(box.left));

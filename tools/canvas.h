@@ -38,13 +38,13 @@ class PngCanvas {
 public:
   PngCanvas(std::int32_t width, std::int32_t height) : picture(width, height) {}
 
-  void box(const CanvasBox& box, Rgb8 color);
+  void box(const CanvasBox& box, Rgb color);
   // Antialiased; what lies outside `clip` is left out. `opacity` from 0 to 1.
-  void lines(std::span<const CanvasLine> lines, Rgb8 color, double width, double opacity,
+  void lines(std::span<const CanvasLine> lines, Rgb color, double width, double opacity,
              const CanvasBox& clip);
-  void text(const CanvasText& text, Rgb8 color);
+  void text(const CanvasText& text, Rgb color);
   // Boxes of one or a few colours, as the cells of a slice are; like box().
-  void cell(const CanvasBox& box, Rgb8 color) { this->box(box, color); }
+  void cell(const CanvasBox& box, Rgb color) { this->box(box, color); }
 
   Picture picture;
 };
@@ -53,12 +53,12 @@ class SvgCanvas {
 public:
   SvgCanvas(std::int32_t width, std::int32_t height) : width_(width), height_(height) {}
 
-  void box(const CanvasBox& box, Rgb8 color);
-  void lines(std::span<const CanvasLine> lines, Rgb8 color, double width, double opacity,
+  void box(const CanvasBox& box, Rgb color);
+  void lines(std::span<const CanvasLine> lines, Rgb color, double width, double opacity,
              const CanvasBox& clip);
-  void text(const CanvasText& text, Rgb8 color);
+  void text(const CanvasText& text, Rgb color);
   // Cells of a colour become one path.
-  void cell(const CanvasBox& box, Rgb8 color);
+  void cell(const CanvasBox& box, Rgb color);
   // To be called after the last cell and before what is drawn over them.
   void finish_cells();
 

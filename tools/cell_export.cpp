@@ -102,14 +102,14 @@ void write_ply(const GridFile& file, const CellExport& options, OutputFile& out)
   Bytes bytes(out);
   for_each_cell(file, options.filter, [&](const GridCell& cell) {
     const Boxd box = box_in_scene(finest, options.expanded ? cell.expanded : cell.box);
-    constexpr Rgb8 empty{230, 230, 230};
-    const Rgb8 color = cell.references == 0 ? empty : map(1 - std::log(cell.references) / range);
+    constexpr Rgb empty{230, 230, 230};
+    const Rgb color = cell.references == 0 ? empty : map(1 - std::log(cell.references) / range);
     for (std::uint32_t corner = 0; corner < corners_a_cell; ++corner) {
       for (int axis = 0; axis < 3; ++axis)
         bytes.put((corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis]);
-      bytes.put(color.r);
-      bytes.put(color.g);
-      bytes.put(color.b);
+      bytes.put(color[0]);
+      bytes.put(color[1]);
+      bytes.put(color[2]);
       bytes.put(static_cast<float>(cell.references));
     }
   });

@@ -4,8 +4,12 @@
 #include "libscene/file/same_file.h"
 #include "libscene/file/temporary_name.h"
 #include "libscene/processor.h"
+#include "tools/printable.h"
 #include "tools/version.h"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 #include <exception>
 #include <new>
@@ -14,15 +18,6 @@ namespace masu {
 void flush_standard_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw Error(ErrorCode::output, "standard output", "can't be written");
-}
-
-std::string standard_input() {
-  std::string text;
-  std::vector<char> buffer(std::size_t{1} << 20);
-  for (std::size_t got = 0; (got = std::fread(buffer.data(), 1, buffer.size(), stdin)) > 0;)
-    text.append(buffer.data(), got);
-  if (std::ferror(stdin) != 0) throw Error(ErrorCode::input, "standard input", "can't be read: give a file");
-  return text;
 }
 
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
@@ -46,15 +41,43 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<std::
   }
 }
 
+namespace {
+
+constexpr const char* no_memory = "memory: there isn't enough: choose a smaller scene or a coarser grid";
+
+// Destructors of libraries (nlohmann's JSON, TBB) allocate memory, and end the process where there is none.
+void end_without_memory() {
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    static_cast<void>(std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, no_memory));
+    remove_temporary_names();
+    _exit(static_cast<int>(ErrorCode::input));
+  } catch (...) {
+  }
+  std::abort();
+}
+
+} // namespace
+
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body) {
+  // Where no memory is left for the line, it says that.
   const auto report = [&](ErrorCode code, const char* line) {
-    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, line));
+    std::string text;
+    if (line != nullptr) {
+      try {
+        text = printable(line);
+      } catch (const std::bad_alloc&) {
+      }
+    }
+    static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, text.empty() ? no_memory : text.c_str()));
     return static_cast<int>(code);
   };
   // A closed pipe and a file-size limit are write errors like any other.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   remove_temporary_names_on_signals();
+  std::set_terminate(end_without_memory);
   try {
     check_processor();
     CLI::App app(description, name);
@@ -75,7 +98,7 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
   } catch (const Error& error) {
     return report(error.code(), error.what());
   } catch (const std::bad_alloc&) {
-    return report(ErrorCode::input, "memory: there isn't enough: choose a smaller scene or a coarser grid");
+    return report(ErrorCode::input, nullptr);
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return report(ErrorCode::output, "standard output: can't be written");
     return report(ErrorCode::input, error.what());

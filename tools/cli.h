@@ -22,9 +22,6 @@ namespace masu {
 // Flushes standard output. Throws Error(output) where anything printed could not be written.
 void flush_standard_output();
 
-// All of standard input. Throws Error(input).
-std::string standard_input();
-
 // Refuses outputs that are an input, or each other, by whatever name. To be called before anything is opened.
 // Empty names are ignored; - is standard input or output. Throws Error(usage, output, …).
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);

@@ -1,52 +1,79 @@
-// Colours of numbers: a perceptually uniform map from dark purple over blue and green to light yellow.
+// Colours of values and of categories, in steps that look equally large: computed in OKLab (Ottosson, "A
+// perceptual color space for image processing", 2020).
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 
 namespace masu {
 
-struct Rgb8 {
-  std::uint8_t r, g, b;
-  friend bool operator==(const Rgb8&, const Rgb8&) = default;
-};
+using Rgb = std::array<std::uint8_t, 3>; // sRGB
 
-// Lightness grows linearly, so that the map reads without colour too; hue turns evenly from 310° to 105°.
-// Within Oklab (Ottosson 2020), where equal distances look alike.
-inline Rgb8 color_at(double position) { // 0 to 1
-  const double t = std::clamp(position, 0.0, 1.0), t2 = t * t;
-  const double lightness = 0.25 + 0.67 * t, hue = (310 - 205 * t) * (3.14159265358979 / 180);
-  const double chroma = 0.094 + 0.09 * t2 * t2; // within what sRGB can show
-  const double a = chroma * std::cos(hue), b = chroma * std::sin(hue);
-  const auto cube = [](double x) { return x * x * x; };
+// Lightness and chroma of OKLab, hue in degrees; linear sRGB, which may lie out of its gamut.
+inline std::array<double, 3> linear_srgb(double lightness, double chroma, double hue) {
+  const double angle = hue * std::numbers::pi / 180;
+  const double a = chroma * std::cos(angle), b = chroma * std::sin(angle);
+  const auto cube = [](double v) { return v * v * v; };
   const double l = cube(lightness + 0.3963377774 * a + 0.2158037573 * b),
                m = cube(lightness - 0.1055613458 * a - 0.0638541728 * b),
                s = cube(lightness - 0.0894841775 * a - 1.2914855480 * b);
-  const auto encoded = [](double linear) {
-    const double x = std::clamp(linear, 0.0, 1.0);
-    const double value = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * value));
-  };
-  return {encoded(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
-          encoded(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
-          encoded(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
+  return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+          -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+          -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
 }
 
-// The map in 256 steps, computed once where many pixels are coloured.
-struct ColorMap {
-  std::array<Rgb8, 256> colors{};
+// The colour of that lightness and hue with that chroma, or with as much as sRGB has.
+inline Rgb color_of(double lightness, double chroma, double hue) {
+  const auto fits = [&](double c) {
+    for (const double channel : linear_srgb(lightness, c, hue))
+      if (channel < 0 || channel > 1) return false;
+    return true;
+  };
+  double least = 0, most = chroma;
+  if (!fits(chroma)) {
+    for (int i = 0; i < 20; ++i)
+      (fits((least + most) / 2) ? least : most) = (least + most) / 2;
+    most = least;
+  }
+  Rgb rgb{};
+  const std::array<double, 3> linear = linear_srgb(lightness, most, hue);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double v = std::fmin(std::fmax(linear[i], 0), 1);
+    rgb[i] = static_cast<std::uint8_t>(
+        255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055) + 0.5);
+  }
+  return rgb;
+}
 
+// From dark violet by green to light yellow: lightness rises evenly, so that order can be seen without
+// colour.
+class ColorMap {
+public:
   ColorMap() {
-    for (std::size_t i = 0; i < colors.size(); ++i)
-      colors[i] = color_at(static_cast<double>(i) / 255);
+    for (std::size_t i = 0; i < size; ++i) {
+      const double t = static_cast<double>(i) / (size - 1);
+      // Chroma stays below what sRGB has of each hue, or a kink would look like an edge.
+      const double chroma = 0.09 + 0.25 * (t - 0.42) * (t - 0.42);
+      colors_[i] = color_of(0.2 + 0.74 * t, chroma, 300 - 195 * t);
+    }
   }
-  // Positions from 0 to 1; beyond them (and NaN) the ends.
-  Rgb8 operator()(double position) const {
-    return colors[position > 0 ? static_cast<std::size_t>(std::lround(255 * std::min(position, 1.0))) : 0];
+  // t from 0 to 1; others as the nearer end.
+  const Rgb& operator()(double t) const {
+    return colors_[static_cast<std::size_t>(std::fmin(std::fmax(t, 0), 1) * (size - 1) + 0.5)];
   }
+
+private:
+  static constexpr std::size_t size = 1024;
+  std::array<Rgb, size> colors_;
 };
+
+// Category k of any number: the first dozen are easily told apart, also by lightness.
+inline Rgb category_color(std::size_t k) {
+  constexpr double lightness[] = {0.62, 0.82, 0.45, 0.72};
+  return color_of(lightness[k % 4], 0.13, std::fmod(30 + 137.508 * static_cast<double>(k), 360));
+}
 
 } // namespace masu

@@ -5,6 +5,7 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/cli.h"
+#include "tools/printable.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
 
@@ -57,7 +58,7 @@ void build(const Settings& settings, const SceneFile& file) {
                  {"device", settings.device == Device::cuda ? cuda_device_name() : "cpu"},
                  {"scene_hash", to_hex(file.hash())}});
     json.update(provenance());
-    fmt::print(out, "{}\n", json.dump());
+    fmt::print(out, "{}\n", json_text(json, -1));
   } else if (!settings.quiet) {
     const std::string merged = grid.kind == GridKind::uniform ? "" : fmt::format("{} cells, ", counted.cells);
     fmt::print(out, "{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n",

@@ -1,9 +1,11 @@
-// gridrender: maps a scene and its grid, traces rays through them, writes the picture.
+// gridrender: reads a scene and its grid, traces rays through them, writes the picture.
 #include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
 #include "tools/backend_choice.h"
 #include "tools/counts_report.h"
+#include "tools/inspection.h"
+#include "tools/printable.h"
 #include "tools/progress.h"
 #include "tools/provenance.h"
 #include "tools/ray_list.h"
@@ -34,6 +36,7 @@ struct Settings {
   int depth = 5, repeat = 1, ray_numbers = 6;
   bool any_hit = false, coherent = false, spd_rules = false, hither = false, srgb = false,
        brute_force = false, quiet = false;
+  Inspection inspection;
   Threads threads;
 };
 
@@ -51,7 +54,7 @@ Json seconds_json(const Seconds& seconds) {
 }
 
 void write_json(const Json& json, const std::string& path) {
-  const std::string text = json.dump(2) + "\n";
+  const std::string text = json_text(json) + "\n";
   OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();
@@ -70,8 +73,10 @@ bool changes_camera(const Settings& settings) {
 
 void check(const Settings& settings) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
+  settings.inspection.check(settings.output);
+  if (settings.scene.empty()) fail("command line", "SCENE is required: see gridrender --help");
   if (settings.rays.empty() && settings.output.empty() && settings.hits.empty() && settings.stats.empty() &&
-      settings.times.empty())
+      settings.times.empty() && !settings.inspection.has_walk())
     fail("-o", "is missing: nothing would be written");
   if (!settings.rays.empty() && !settings.output.empty()) fail("--rays", "makes no picture: leave out -o");
   if (!settings.rays.empty() && (changes_camera(settings) || !settings.size.empty() ||
@@ -79,6 +84,10 @@ void check(const Settings& settings) {
     fail("--rays", "traces no camera rays: leave out the options of views");
   if (!settings.rays.empty() && settings.hits.empty() && settings.stats.empty() && settings.times.empty())
     fail("--rays", "needs --hits, --stats or --times, or nothing would be written");
+  if (!settings.rays.empty() && settings.inspection.has_walk())
+    fail("--rays", "has many rays: give one to --walk-ray");
+  if (settings.inspection.has_walk() && (!settings.views.empty() || settings.turntable > 0))
+    fail("--walk", "is of one view: leave out --views and --turntable");
   if (settings.rays.empty() && (!settings.write.empty() || settings.any_hit || settings.coherent))
     fail(!settings.write.empty() ? "--write"
          : settings.any_hit      ? "--any-hit"
@@ -91,7 +100,7 @@ void check(const Settings& settings) {
     fail("GRID", "is missing: name the grid file, or give --brute-force");
   if (!settings.output.empty()) static_cast<void>(format_of(settings));
   check_files({settings.scene, settings.grid, settings.rays, settings.views},
-              {settings.output, settings.hits, settings.stats, settings.times});
+              {settings.output, settings.hits, settings.stats, settings.times, settings.inspection.json});
 }
 
 // --- Views ------------------------------------------------------------------------------------------------
@@ -118,11 +127,14 @@ std::vector<View> views_of(const Settings& settings, const SceneFile& scene) {
 
 std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View>& views) {
   const auto pictures = file_names(settings.output, views), hits = file_names(settings.hits, views);
+  settings.inspection.check_channel_files(
+      pictures, {settings.scene, settings.grid, settings.views},
+      {settings.hits, settings.stats, settings.times, settings.inspection.json});
   std::vector<ViewFiles> files;
   for (std::size_t i = 0; i < views.size(); ++i) {
     check_files({settings.scene, settings.grid, settings.views},
                 {pictures[i], hits[i], settings.stats, settings.times});
-    files.push_back({pictures[i], hits[i]});
+    files.push_back({settings.inspection.no_picture ? "" : pictures[i], hits[i]});
   }
   return files;
 }
@@ -203,7 +215,7 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
     fmt::print(stderr,
                "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
                "a direction below 1e-15\n",
-               settings.rays, summary.invalid, summary.rays);
+               printable(settings.rays), summary.invalid, summary.rays);
   return {0,
           summary.rays,
           summary.counts,
@@ -211,6 +223,29 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
           summary.write_seconds,
           summary.elapsed_seconds,
           " with reading and writing"};
+}
+
+// The channels' rays, besides those of a picture.
+Outcome render_channels(const Tracer& tracer, const Settings& settings, const ViewsRequest& views) {
+  Progress progress("tracing channels", settings.quiet);
+  const ChannelsSummary summary =
+      write_channels(tracer,
+                     {settings.inspection.channels_request(views.frame), views.views,
+                      file_names(settings.output, views.views), settings.inspection.channel_format,
+                      picture_texts(settings, tracer.scene())},
+                     progress.callback());
+  Outcome outcome;
+  outcome.views = views.views.size();
+  outcome.rays = summary.rays;
+  outcome.rays_seconds = summary.seconds;
+  outcome.besides = " with writing";
+  return outcome;
+}
+
+// Whether anything but channels and a walk is to be traced.
+bool wants_picture(const Settings& settings) {
+  return (!settings.output.empty() && !settings.inspection.no_picture) || !settings.hits.empty() ||
+         !settings.stats.empty() || !settings.times.empty();
 }
 
 void print_summary(const Outcome& outcome, const std::string& device) {
@@ -221,8 +256,10 @@ void print_summary(const Outcome& outcome, const std::string& device) {
 }
 
 void render(const Settings& settings) {
+  if (!settings.inspection.difference.empty()) return print_difference(settings.inspection, settings.output);
   check(settings);
-  const bool cuda = use_cuda(settings.backend, "gridrender", settings.quiet);
+  const bool only_walk = !wants_picture(settings) && settings.inspection.channels.empty(); // on the CPU
+  const bool cuda = !only_walk && use_cuda(settings.backend, "gridrender", settings.quiet);
   Seconds seconds;
   const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks records during the upload
   const SceneFile scene(settings.scene, checks);
@@ -238,8 +275,21 @@ void render(const Settings& settings) {
     seconds.validate += grid->load_seconds().validate;
   }
   const Tracer tracer(scene, grid ? &*grid : nullptr, cuda ? Device::cuda : Device::cpu);
-  const Outcome outcome = settings.rays.empty() ? render_pictures(tracer, views, settings.quiet)
-                                                : trace_list(tracer, tracing, settings);
+  if (settings.inspection.has_walk()) {
+    FrameRequest frame = views.frame;
+    frame.camera = views.views.front().camera;
+    print_walk(settings.inspection, tracer, frame);
+  }
+  if (only_walk) return;
+  Outcome outcome;
+  if (!settings.rays.empty())
+    outcome = trace_list(tracer, tracing, settings);
+  else if (wants_picture(settings))
+    outcome = render_pictures(tracer, views, settings.quiet);
+  if (!settings.inspection.channels.empty()) {
+    const Outcome channels = render_channels(tracer, settings, views);
+    if (!wants_picture(settings)) outcome = channels;
+  }
   seconds.trace = outcome.seconds;
   seconds.trace.upload += tracer.upload_seconds();
   seconds.write = outcome.write_seconds;
@@ -271,7 +321,7 @@ int main(int argc, char** argv) {
       "gridrender", "Renders a scene through its grid, or traces a list of rays.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
-        app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+        app.add_option("SCENE", settings.scene, "scene file, from nff2bin; left out with --difference");
         app.add_option("GRID", settings.grid, "grid file, from gridbuild");
         app.add_option(
             "-o,--output", settings.output,
@@ -341,6 +391,7 @@ int main(int argc, char** argv) {
             app, "--hit-name", settings.hit_name,
             {{"object", HitName::object}, {"primitive", HitName::primitive}},
             "what --hits identifies: object (index in the NFF text) or primitive (index in the scene file)");
+        settings.inspection.add_to(app);
         app.add_flag("-q,--quiet", settings.quiet, "no progress and no summary on standard error");
         settings.threads.add_to(app);
         parse();

@@ -5,6 +5,7 @@
 #include "tools/cell_export.h"
 #include "tools/cli.h"
 #include "tools/grid_report.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/slice_picture.h"
 
@@ -43,7 +44,9 @@ void print_csv(Json json, const MapStatistics& map) {
     std::string name = path.substr(1);
     std::replace(name.begin(), name.end(), '/', '.');
     names.push_back(name);
-    values.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
+    values.push_back(value.is_null()     ? std::string()
+                     : value.is_string() ? csv_text(value.get<std::string>())
+                                         : value.dump());
   }
   fmt::print("{}\n{}\n", fmt::join(names, ","), fmt::join(values, ","));
 }
@@ -62,7 +65,8 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   };
   line("space", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {}", low.x(), low.y(), low.z(),
                             high.x(), high.y(), high.z(), fb::EnumNameSpace(table.space_rule())));
-  line("division", fmt::format("{} ({})", by_by(file.layout().division), table.division_rule()->str()));
+  line("division",
+       fmt::format("{} ({})", by_by(file.layout().division), printable(table.division_rule()->str())));
   if (table.nested_log2() > 0) {
     line("  smallest voxels",
          fmt::format("{}, 2^{} times finer", by_by(statistics.division), table.nested_log2()));
@@ -88,7 +92,8 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   const Json& bytes = json["bytes"];
   line("bytes", fmt::format("{} (voxel map {}, cells {}, references {})", bytes["file"].dump(),
                             bytes["voxel_map"].dump(), bytes["cells"].dump(), bytes["references"].dump()));
-  const std::string merge = file.is_merged() ? table.merge_rule()->str() : fb::EnumNameMerge(table.merge());
+  const std::string merge =
+      file.is_merged() ? printable(table.merge_rule()->str()) : fb::EnumNameMerge(table.merge());
   line("merge, overlap", fmt::format("{}, {}", merge, fb::EnumNameOverlap(table.overlap())));
   line("geometry", json["geometry_hash"].get<std::string>());
 }
@@ -162,7 +167,7 @@ void inspect(const Settings& settings) {
   const Statistics statistics(file);
   const Json json = grid_report(file, statistics, settings.histogram);
   if (settings.json) {
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json));
   } else if (settings.csv) {
     print_csv(json, statistics.map);
   } else {
@@ -196,7 +201,7 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
                     {"box", occupied(occupied_voxels(scene, layout, Overlap::box))},
                     {"exact", occupied(occupied_voxels(scene, layout, Overlap::exact))}});
   }
-  if (settings.json) return fmt::print("{}\n", with_version(rows).dump(2));
+  if (settings.json) return fmt::print("{}\n", json_text(with_version(rows)));
   fmt::print(
       "{} primitives in a {} space: occupied voxels, by overlap test\n\n{:>8} {:>11} {:>21} {:>21} {:>21}\n",
       scene.primitive_count(), settings.space == SpaceRule::cube ? "cubic" : "tight", "division", "voxels",
@@ -237,8 +242,9 @@ int main(int argc, char** argv) {
                 ->excludes(json)
                 ->excludes(csv)
                 ->excludes(histogram);
-        app.add_option("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json")
-            ->needs(slice);
+        auto* const output =
+            app.add_option("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json")
+                ->needs(slice);
         app.add_option("--window", settings.window,
                        "of --slice: what to show, LEFT,BOTTOM,RIGHT,TOP in scene units; default: all")
             ->needs(slice);
@@ -302,10 +308,12 @@ int main(int argc, char** argv) {
           return name.empty() ||
                  std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
         };
-        if (!ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
+        if (slice->count() > 0 && settings.slice.empty())
+          throw Error(ErrorCode::usage, "--slice", "is empty: give a plane, such as z=50%");
+        if (output->count() > 0 && !ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
           throw Error(ErrorCode::usage, settings.picture,
                       "a slice is written as PNG, SVG or JSON: give a name that ends in .png, .svg or .json");
-        if (!ends_with_one_of(settings.cells, {".csv", ".ply"}))
+        if (cells->count() > 0 && !ends_with_one_of(settings.cells, {".csv", ".ply"}))
           throw Error(ErrorCode::usage, settings.cells,
                       "cells are written as CSV or PLY: give a name that ends in .csv or .ply");
         if (settings.cells.ends_with(".csv") && (cell_export.expanded || cell_export.wireframe))

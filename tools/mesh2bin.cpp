@@ -2,6 +2,7 @@
 #include "libscene/available_memory.h"
 #include "libscene/file/output_file.h"
 #include "libscene/mesh/import.h"
+#include "tools/printable.h"
 #include "tools/progress.h"
 #include "tools/scene_report.h"
 
@@ -56,7 +57,8 @@ template <class Read>
 auto guarded(const std::string& name, const Read& read) {
   const auto line = fmt::format_to_n(
       fault_line.data(), fault_line.size() - 2,
-      "mesh2bin: {}: Assimp crashed on it: convert it to another format, such as PLY or glTF", name);
+      "mesh2bin: {}: Assimp crashed on it: convert it to another format, such as PLY or glTF",
+      printable(name));
   *line.out = '\n';
   stack_t stack{};
   stack.ss_sp = fault_stack.data();
@@ -77,7 +79,7 @@ auto guarded(const std::string& name, const Read& read) {
 
 void print_notes(const ImportNotes& notes, const std::string& place) {
   const auto line = [&](std::uint64_t number, const char* what) {
-    if (number > 0) fmt::print(stderr, "mesh2bin: {}: warning: {} {}\n", place, number, what);
+    if (number > 0) fmt::print(stderr, "mesh2bin: {}: warning: {} {}\n", printable(place), number, what);
   };
   line(notes.points_and_lines, "point(s) and line(s) left out");
   line(notes.invalid_faces, "face(s) left out: a coordinate isn't finite or is beyond 1e100");
@@ -89,11 +91,8 @@ void print_notes(const ImportNotes& notes, const std::string& place) {
 // One a line, line N + 1 for object N.
 void write_names(const std::vector<std::string>& names, const std::string& path) {
   std::string text;
-  for (const std::string& name : names) {
-    for (const char c : name)
-      text += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    text += '\n';
-  }
+  for (const std::string& name : names)
+    text += printable(name) + '\n';
   if (path == "-") return fmt::print("{}", text);
   OutputFile file(path);
   file.write(text.data(), text.size());

@@ -1,12 +1,14 @@
 // nff2bin: converts NFF text to a scene file, and reports the content of either.
-#include "libscene/file/mapped_file.h"
+#include "libscene/file/input_file.h"
 #include "libscene/mesh/tessellate.h"
 #include "libscene/nff/nff.h"
 #include "tools/progress.h"
 #include "tools/scene_report.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
-#include <cstring>
+#include <filesystem>
 #include <utility>
 
 namespace masu {
@@ -21,10 +23,12 @@ struct Settings {
 };
 
 bool is_scene_file(const std::string& path) {
-  const MappedFile file(path);
-  const auto& magic = scene_file_kind.magic;
-  return file.bytes().size() >= magic.size() &&
-         std::memcmp(file.bytes().data(), magic.data(), magic.size()) == 0;
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return false; // pipes are read once
+  const InputFile file(path);
+  std::array<std::uint8_t, std::tuple_size_v<decltype(FileKind::magic)>> begin{};
+  if (file.size() >= begin.size()) file.read(0, begin);
+  return std::ranges::equal(begin, scene_file_kind.magic);
 }
 
 // The error message for an N of --tessellate; empty where it is valid.
@@ -38,15 +42,14 @@ std::string check_facets(const std::string& text) {
 }
 
 void convert(const Settings& settings) {
-  const bool is_piped = settings.input == "-";
   Scene scene = [&] {
     Progress progress("reading", settings.quiet);
     NffOptions options;
     options.progress = progress.callback();
-    return is_piped ? parse_nff(standard_input(), "stdin", options) : read_nff(settings.input, options);
+    return read_nff(settings.input, options);
   }();
   if (settings.facets > 0) scene = tessellated(std::move(scene), settings.facets);
-  write_and_report("nff2bin", is_piped ? "stdin" : settings.input, scene, settings.output);
+  write_and_report("nff2bin", settings.input == "-" ? "stdin" : settings.input, scene, settings.output);
 }
 
 void run(const Settings& settings) {

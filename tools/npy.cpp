@@ -19,6 +19,19 @@ std::optional<std::string> value_of(const std::string& dictionary, const std::st
   return dictionary.substr(begin);
 }
 
+std::string header_of(std::string dictionary) {
+  constexpr std::size_t preamble = 10, alignment = 64;
+  const std::size_t unpadded = preamble + dictionary.size() + 1;
+  dictionary.append((alignment - unpadded % alignment) % alignment, ' ');
+  dictionary += '\n';
+  std::string header(npy_magic.begin(), npy_magic.end());
+  header += '\x01';
+  header += '\x00';
+  header += static_cast<char>(dictionary.size() & 0xff);
+  header += static_cast<char>(dictionary.size() >> 8 & 0xff);
+  return header + dictionary;
+}
+
 } // namespace
 
 std::optional<NpyArray> parsed_npy_header(const std::string& dictionary) {
@@ -43,19 +56,15 @@ std::optional<NpyArray> parsed_npy_header(const std::string& dictionary) {
 }
 
 std::string npy_header(const std::string& type, std::uint64_t count) {
-  constexpr std::size_t preamble = 10, alignment = 64;
   // Blanks stand where a larger count would have digits.
-  std::string dictionary =
-      fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({:<20},), }}", type, count);
-  const std::size_t unpadded = preamble + dictionary.size() + 1;
-  dictionary.append((alignment - unpadded % alignment) % alignment, ' ');
-  dictionary += '\n';
-  std::string header(npy_magic.begin(), npy_magic.end());
-  header += '\x01';
-  header += '\x00';
-  header += static_cast<char>(dictionary.size() & 0xff);
-  header += static_cast<char>(dictionary.size() >> 8 & 0xff);
-  return header + dictionary;
+  return header_of(fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({:<20},), }}", type, count));
+}
+
+std::string npy_header(const std::string& type, const std::vector<std::uint64_t>& shape) {
+  std::string sizes;
+  for (const std::uint64_t size : shape)
+    sizes += fmt::format("{}, ", size);
+  return header_of(fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, sizes));
 }
 
 } // namespace masu

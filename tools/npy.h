@@ -23,4 +23,7 @@ std::optional<NpyArray> parsed_npy_header(const std::string& dictionary);
 // for any count.
 std::string npy_header(const std::string& type, std::uint64_t count);
 
+// The same of an array of numbers of a type, such as <f4, in C order.
+std::string npy_header(const std::string& type, const std::vector<std::uint64_t>& shape);
+
 } // namespace masu

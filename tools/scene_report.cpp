@@ -1,5 +1,6 @@
 #include "tools/scene_report.h"
 
+#include "tools/printable.h"
 #include "tools/provenance.h"
 
 #include <nlohmann/json.hpp>
@@ -239,14 +240,14 @@ void print_table(const Report& r) {
 
 void print(const Report& report, bool json) {
   if (json)
-    fmt::print("{}\n", to_json(report).dump(2));
+    fmt::print("{}\n", json_text(to_json(report)));
   else
     print_table(report);
 }
 
 void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings) {
   const auto line = [&](std::uint64_t number, const char* what) {
-    if (number > 0) fmt::print(stderr, "{}: {}: warning: {} {}\n", tool, input, number, what);
+    if (number > 0) fmt::print(stderr, "{}: {}: warning: {} {}\n", tool, printable(input), number, what);
   };
   line(warnings.degenerate_polygons, "polygon(s) without area left out");
   line(warnings.degenerate_triangles, "vertices on triangles without area left out");
@@ -287,7 +288,7 @@ void write_and_report(const char* tool, const std::string& input, const Scene& s
     const std::uint64_t bytes = std::filesystem::file_size(output.path, failed);
     if (!failed) report.file_bytes = bytes;
     if (store == Store::float32 && !float32.suffices())
-      fmt::print(stderr, "{}: {}: warning: {}: use --store float64\n", tool, input,
+      fmt::print(stderr, "{}: {}: warning: {}: use --store float64\n", tool, printable(input),
                  reason_against(float32).text);
   }
   if (output.info) print(report, output.json);

@@ -60,8 +60,8 @@ require() {
   fi
 }
 
-basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libtbb-dev
-  libxxhash-dev nlohmann-json3-dev zlib1g-dev)
+basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
+  libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
 # libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview
 extras=(libassimp-dev libcpp-httplib-dev libturbojpeg0-dev ninja-build pkg-config)
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -19,7 +20,7 @@
 namespace masu {
 namespace {
 
-constexpr Rgb8 black{0, 0, 0}, white{255, 255, 255}, outline_color{214, 40, 20};
+constexpr Rgb black{0, 0, 0}, white{255, 255, 255}, outline_color{214, 40, 20};
 constexpr std::size_t most_svg_cells = std::size_t{1} << 18, most_json_cells = std::size_t{1} << 22;
 
 // --- Values and their colours
@@ -74,7 +75,7 @@ struct ValueScale {
   // Both ends, and round numbers between them that leave room for the ends' labels.
   std::vector<double> ticks(double length, double label_height) const {
     if (!(high > low)) return {low};
-    const int most = std::clamp(static_cast<int>(length / (2 * label_height)), 2, 8);
+    const int most = std::clamp(static_cast<int>(length / (1.7 * label_height)), 2, 8);
     std::vector<double> ticks{low};
     for (const double tick : is_logarithmic() ? logarithmic_ticks(low, high, static_cast<std::size_t>(most))
                                               : linear_ticks(low, high, most, true)) {
@@ -87,12 +88,12 @@ struct ValueScale {
 };
 
 // The map from light to dark, so that white, which means empty, is next to the least value.
-Rgb8 color_of(const ColorMap& map, double darkness) {
+Rgb shade_of(const ColorMap& map, double darkness) {
   return map(1 - darkness);
 }
 
-bool is_light(Rgb8 color) {
-  return 2 * color.r + 5 * color.g + color.b > 8 * 110;
+bool is_light(Rgb color) {
+  return 2 * color[0] + 5 * color[1] + color[2] > 8 * 110;
 }
 
 // --- Where things are
@@ -191,7 +192,7 @@ public:
     for (std::int32_t y = 0; y < rows_; ++y) {
       for (std::int32_t x = 0; x < columns_; ++x) {
         if (!line_[index(x, y)]) continue;
-        const Rgb8 color = color_at_pixel(map, x, y);
+        const Rgb color = color_at_pixel(map, x, y);
         for (std::int32_t i = 0; i < line_width; ++i)
           picture.blend(left_ + x, top_ + y - i, is_light(color) ? black : white, 0.4);
       }
@@ -205,9 +206,9 @@ private:
   std::size_t index(std::int32_t x, std::int32_t y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
   }
-  Rgb8 color_at_pixel(const ColorMap& map, std::int32_t x, std::int32_t y) const {
+  Rgb color_at_pixel(const ColorMap& map, std::int32_t x, std::int32_t y) const {
     const float darkness = darkness_[index(x, y)];
-    return darkness < 0 ? white : color_of(map, static_cast<double>(darkness));
+    return darkness < 0 ? white : shade_of(map, static_cast<double>(darkness));
   }
 
   std::int32_t left_, top_, columns_, rows_;
@@ -250,7 +251,7 @@ void draw_axes(Canvas& canvas, const Chart& chart) {
   const auto most = [&](double length, double label) {
     return std::clamp(static_cast<int>(length / label), 2, 9);
   };
-  const int columns = most(plot.width(), 52.0 * s), rows = most(plot.height(), 20.0 * s);
+  const int columns = most(plot.width(), 40.0 * s), rows = most(plot.height(), 20.0 * s);
   for (const double at : linear_ticks(plot.window.min[0], plot.window.max[0], columns)) {
     const double x = std::round(plot.x(at)), y = plot.box.bottom;
     canvas.box({x, y, x + line, y + tick}, black);
@@ -311,7 +312,7 @@ void draw_legend(Canvas& canvas, const Chart& chart) {
     const double share = steps > 1 ? i / (steps - 1.0) : 0.5;
     const double darkness = steps == 1 ? 0.25 : chart.scale.color == SliceColor::volume ? 1 - share : share;
     canvas.box({bar.left, bar.bottom - length * (i + 1) / steps, bar.right, bar.bottom - length * i / steps},
-               color_of(chart.map, darkness));
+               shade_of(chart.map, darkness));
   }
   draw_frame(canvas, bar, line);
   std::size_t longest = 0;
@@ -392,7 +393,7 @@ const char* kind_of(fb::Merge merge) {
 std::string subtitle_of(const GridFile& file, bool has_outline) {
   std::string text =
       fmt::format("{}, {} voxels", kind_of(file.table().merge()), by_by(file.layout().division));
-  if (file.table().nested_log2() > 0) text += fmt::format(", nested up to 2^{}", file.table().nested_log2());
+  if (file.table().nested_log2() > 0) text += fmt::format(", nested 2^{}", file.table().nested_log2());
   return text + (has_outline ? "; red: geometry" : "");
 }
 
@@ -423,7 +424,7 @@ SlicePlane parse_slice(const std::string& text, const GridLayout& finest) {
   const double value = std::strtod(number, &end);
   if (text[1] == '@')
     return end == last && std::isfinite(value) ? plane_at(finest, axis, value, place) : fail();
-  if (end + 1 != last || !std::isfinite(value)) return fail();
+  if (end == number || end + 1 != last || !std::isfinite(value)) return fail();
   if (!(value >= 0 && value <= 100))
     throw Error(ErrorCode::usage, place, fmt::format("'{}' lies outside: give 0% to 100%", text));
   const double low = finest.space.min[axis], high = finest.space.max[axis];
@@ -507,7 +508,7 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
     SvgCanvas canvas(canvas_width(plot), canvas_height(plot));
     std::vector<CanvasLine> on_light, on_dark;
     for_each_box([&](const CanvasBox& box, std::optional<double> darkness) {
-      const Rgb8 color = darkness ? color_of(map, *darkness) : white;
+      const Rgb color = darkness ? shade_of(map, *darkness) : white;
       if (darkness) canvas.cell(box, color);
       if (!style.lines || box.right - box.left < room_for_lines || box.bottom - box.top < room_for_lines)
         return;

@@ -1,7 +1,7 @@
 #include "tools/views.h"
 
 #include "libscene/error.h"
-#include "tools/cli.h"
+#include "libscene/file/input_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <sstream>
 #include <string_view>
@@ -159,15 +158,8 @@ RayWindow window_of(const Crop& crop, const Camera& camera, Sampling sampling, c
 }
 
 std::vector<View> read_views(const std::string& path, const Camera& base, double reach) {
-  const bool is_standard_input = path == "-";
-  std::istringstream text(is_standard_input ? standard_input() : std::string());
-  std::ifstream file;
-  if (!is_standard_input) {
-    file.open(path);
-    if (!file) fail(ErrorCode::input, path, "can't be opened: give a list of views, or - for standard input");
-  }
-  std::istream& in = is_standard_input ? static_cast<std::istream&>(text) : file;
-  const std::string name = is_standard_input ? "stdin" : path;
+  std::istringstream in(read_text_input(path));
+  const std::string name = path == "-" ? "stdin" : path;
   std::vector<View> views;
   std::vector<std::string> places;
   std::string content;
@@ -180,7 +172,6 @@ std::vector<View> read_views(const std::string& path, const Camera& base, double
     views.push_back({line.name().value_or(""), camera});
     places.push_back(line.place);
   }
-  if (in.bad() || (file.is_open() && !file.eof())) fail(ErrorCode::input, name, "can't be read");
   if (views.empty()) fail(ErrorCode::input, name, "has no view: give a JSON object a line");
   std::unordered_map<std::string, std::size_t> known; // names
   for (std::size_t i = 0; i < views.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -82,7 +83,7 @@ std::string text_of(const VoxelBox& box) {
 
 std::string outcome(const WalkTest& test) {
   if (!std::isfinite(test.t)) return "miss";
-  return fmt::format("t {:<12.7g}{}", test.t, test.kept ? " kept" : "");
+  return test.kept ? fmt::format("t {:<12.7g} kept", test.t) : fmt::format("t {:.7g}", test.t);
 }
 
 void append(std::string& text, const WalkRay& ray, std::size_t index, bool has_grid) {
@@ -93,16 +94,24 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, bool has_g
   if (ray.t_min > 0) fmt::format_to(out, "   t_min {:.7g}", ray.t_min);
   if (std::isfinite(ray.t_max)) fmt::format_to(out, "   t_max {:.7g}", ray.t_max);
   text += '\n';
+  const auto voxels_of = [&](const WalkStep& step) {
+    return has_grid ? text_of(step.voxels) : std::string("everything");
+  };
+  std::size_t widest = 12; // of the voxels
+  for (const WalkStep& step : ray.steps)
+    widest = std::max(widest, voxels_of(step).size());
   if (!ray.steps.empty())
-    fmt::format_to(out, "  {:>5}  {:<20} {:>12} {:>12}  tests\n", "cell", "voxels x y z", "t enter",
+    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10}  {:>10}  tests\n", "cell", "voxels x y z", widest, "t enter",
                    "t exit");
   for (std::size_t i = 0; i < ray.steps.size(); ++i) {
     const WalkStep& step = ray.steps[i];
-    fmt::format_to(out, "  {:>5}  {:<20} {:>12.7g} {:>12.7g}  ", has_grid ? fmt::format("{}", i) : "-",
-                   has_grid ? text_of(step.voxels) : "everything", step.enter, step.exit);
+    const std::size_t line = text.size();
+    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10.7g}  {:>10.7g}  ", has_grid ? fmt::format("{}", i) : "-",
+                   voxels_of(step), widest, step.enter, step.exit);
+    const std::size_t indent = text.size() - line;
     if (step.tests.empty()) text += "none\n";
     for (std::size_t k = 0; k < step.tests.size(); ++k)
-      fmt::format_to(out, "{:>{}}primitive {:<8} {}\n", "", k == 0 ? 0 : 57, step.tests[k].primitive,
+      fmt::format_to(out, "{:>{}}primitive {:<8} {}\n", "", k == 0 ? 0 : indent, step.tests[k].primitive,
                      outcome(step.tests[k]));
   }
   if (hits(ray))

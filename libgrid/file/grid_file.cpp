@@ -9,6 +9,8 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace masu {
 namespace {
@@ -95,6 +97,58 @@ MergedGridView<Real> view_of(const GridLayout& layout, std::int32_t nested_log2,
           cast<Real>(size),  cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
           finest.division,   layout.division,
           nested_log2};
+}
+
+// Whether each cell's list, list(i) or empty_list, begins where a list does, behind those of the cells
+// before.
+template <class List>
+bool lists_are_in_order(std::uint64_t cells, const List& list, std::span<const PrimitiveIndex> references) {
+  struct Run {
+    std::uint64_t first = std::uint64_t{1} << 32, end = 0; // of the lists' beginnings; empty
+    bool is_good = true;
+  };
+  const auto joined = [](const Run& a, const Run& b) {
+    return Run{std::min(a.first, b.first), std::max(a.end, b.end),
+               a.is_good && b.is_good && a.end <= b.first};
+  };
+  return tbb::parallel_reduce(
+             tbb::blocked_range<std::uint64_t>(0, cells, 1 << 16), Run{},
+             [&](const tbb::blocked_range<std::uint64_t>& range, Run run) {
+               for (std::uint64_t i = range.begin(); run.is_good && i != range.end(); ++i) {
+                 const std::uint64_t begin = list(i);
+                 if (begin == empty_list) continue;
+                 run.is_good = begin >= run.end && (begin == 0 || (references[begin - 1] & last_bit) != 0);
+                 run.first = std::min(run.first, begin);
+                 run.end = begin + 1;
+               }
+               return run;
+             },
+             joined)
+      .is_good;
+}
+
+// Whether the cells' lists have no more references together than there are, as where each list belongs to one
+// cell. So a ray, which meets a cell once, tests no more primitives than the file has references. If many
+// cells shared a long list, a small file could take for ever to trace. All lists must end.
+template <class List>
+bool lists_are_short(std::uint64_t cells, const List& list, std::span<const PrimitiveIndex> references) {
+  if (lists_are_in_order(cells, list, references)) return true; // the builders' are, which is soon found out
+  constexpr std::uint64_t batch = 1 << 12;
+  std::atomic<std::uint64_t> total = 0;
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::uint64_t>(0, cells, 1 << 14), true,
+      [&](const tbb::blocked_range<std::uint64_t>& range, bool so_far) {
+        std::uint64_t sum = 0;
+        for (std::uint64_t i = range.begin(); so_far && i != range.end(); ++i) {
+          std::uint64_t at = list(i);
+          if (at == empty_list) continue;
+          for (++sum; (references[at] & last_bit) == 0; ++at)
+            ++sum;
+          if (sum > batch) so_far = (total += std::exchange(sum, 0)) <= references.size();
+        }
+        return so_far && (total += sum) <= references.size();
+      },
+      std::logical_and<>());
 }
 
 // A merged grid's map, checked word by word: every voxel leads to a cell whose box it is in. No word is on
@@ -200,7 +254,7 @@ GridFile::GridFile(const std::string& path, Checks checks, const Stopwatch& watc
   check(is_divisible(*table_->space()), "its space is impossible");
   check(table_->block_log2() <= 5, "its blocks are impossible");
   check(is_aligned(section_list(*table_)), "its table is damaged");
-  container_.check_sections(section_list(*table_));
+  container_.read_sections(section_list(*table_));
   check_sizes();
   if (checks == Checks::all) {
     check_records();
@@ -251,6 +305,21 @@ void GridFile::check_uniform() const {
               return (map[i] & occupied_bit) != 0 ? (map[i] & ~occupied_bit) < limit : map[i] == 0;
             }),
         "its voxel map names a list that isn't there");
+  const std::uint64_t first = block_log2 > 0 ? blocks : 0;
+  std::vector<std::atomic<bool>> is_used(block_log2 > 0 ? block_maps : 0);
+  check(all(first,
+            [&](std::uint64_t i) {
+              return (map[i] & occupied_bit) == 0 || !is_used[map[i] & ~occupied_bit].exchange(true);
+            }),
+        "its blocks share maps");
+  check(lists_are_short(
+            map.size() - first,
+            [&](std::uint64_t i) {
+              const std::uint32_t word = map[first + i];
+              return (word & occupied_bit) != 0 ? word & ~occupied_bit : empty_list;
+            },
+            references()),
+        "its voxels share lists");
 }
 
 void GridFile::check_merged() const {
@@ -265,6 +334,9 @@ void GridFile::check_merged() const {
                                                      (cell.y >> 16) <= finest.y && (cell.z >> 16) <= finest.z;
                                             }),
         "its cells leave the space, or name a list that isn't there");
+  check(lists_are_short(
+            boxes.size(), [&](std::uint64_t i) { return boxes[i].list; }, references()),
+        "its cells share lists");
   check(MapCheck(merged_view<double>(), voxel_map().size(), boxes.size()).top_level_good(),
         "its voxel map leads astray");
 }

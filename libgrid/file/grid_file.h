@@ -28,7 +28,7 @@ struct GridOrigin {
 // Writes the grid to `path`, whole or not at all. Throws Error(output).
 void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path);
 
-// A mapped grid file, checked: every index in it can be followed.
+// A grid file in memory, checked: every index in it can be followed.
 class GridFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
@@ -51,7 +51,7 @@ public:
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
 
-  // Point into the mapping; of a uniform grid, of a merged one. Real is the arithmetic's type.
+  // Point into its memory; of a uniform grid, of a merged one. Real is the arithmetic's type.
   template <class Real>
   GridView<Real> view() const;
   template <class Real>

@@ -27,13 +27,17 @@ std::uint64_t rounded_up(std::uint64_t value, std::uint64_t to) {
   return (value + to - 1) / to * to;
 }
 
-// Pieces are hashed in parallel; the result doesn't depend on the number of threads.
-Hash hash_of_pieces(const std::uint8_t* data, std::uint64_t bytes) {
-  const std::uint64_t pieces = (bytes + piece_bytes - 1) / piece_bytes;
+// Pieces are hashed in parallel, each after fill(its offset, it); the result doesn't depend on the number of
+// threads.
+template <class Byte, class Fill>
+Hash hash_of_pieces(std::span<Byte> bytes, const Fill& fill) {
+  const std::uint64_t pieces = (bytes.size() + piece_bytes - 1) / piece_bytes;
   std::vector<Hash> hashes(pieces);
-  tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t piece) {
-    const std::uint64_t begin = piece * piece_bytes;
-    hashes[piece] = hash_of({data + begin, std::min(piece_bytes, bytes - begin)});
+  tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t i) {
+    const std::uint64_t begin = i * piece_bytes;
+    const auto piece = bytes.subspan(begin, std::min(piece_bytes, bytes.size() - begin));
+    fill(begin, piece);
+    hashes[i] = hash_of(piece);
   });
   return hash_of({reinterpret_cast<const std::uint8_t*>(hashes.data()), hashes.size() * sizeof(Hash)});
 }
@@ -78,7 +82,8 @@ std::vector<fb::Section> lay_out(std::span<const SectionData> sections) {
     if (section.count == 0) continue;
     offset = rounded_up(offset, section_alignment);
     const std::uint64_t bytes = section.record_bytes * section.count;
-    const Hash hash = hash_of_pieces(static_cast<const std::uint8_t*>(section.data), bytes);
+    const Hash hash = hash_of_pieces(std::span(static_cast<const std::uint8_t*>(section.data), bytes),
+                                     [](std::uint64_t, const auto&) {});
     layout.emplace_back(section.kind, section.record_bytes, section.count, offset,
                         fb::Hash(hash.low, hash.high));
     offset += bytes;
@@ -118,37 +123,47 @@ void throw_damaged(const std::string& path, const std::string& what) {
 }
 
 ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : file_(path) {
-  const auto bytes = file_.bytes();
-  if (bytes.size() < kind.magic.size() ||
-      std::memcmp(bytes.data(), kind.magic.data(), kind.magic.size()) != 0) {
+  const std::uint64_t size = file_.size();
+  Prelude head;
+  const std::span head_bytes(reinterpret_cast<std::uint8_t*>(&head),
+                             std::min(size, std::uint64_t{sizeof head}));
+  file_.read(0, head_bytes);
+  if (size < kind.magic.size() || head.magic != kind.magic)
     throw Error(ErrorCode::input, path, fmt::format("isn't a {0} file: name a {0} file", kind.name));
-  }
-  if (bytes.size() < sizeof(Prelude)) throw_damaged(path, fmt::format("the {} file is truncated", kind.name));
-  const Prelude& head = prelude();
+  if (size < sizeof head) throw_damaged(path, fmt::format("the {} file is truncated", kind.name));
   if (head.version != kind.version) {
     throw Error(ErrorCode::input, path,
                 fmt::format("is version {} of the {} format, this program reads version {}: {}", head.version,
                             kind.name, kind.version, kind.remake));
   }
-  const std::uint64_t size = bytes.size();
-  const bool fits = head.reserved == 0 && head.reserved2 == 0 && head.table_bytes < size - sizeof(Prelude) &&
-                    head.body_offset == rounded_up(sizeof(Prelude) + head.table_bytes, body_alignment) &&
+  const bool fits = head.reserved == 0 && head.reserved2 == 0 && head.table_bytes < size - sizeof head &&
+                    head.body_offset == rounded_up(sizeof head + head.table_bytes, body_alignment) &&
                     head.body_offset <= size && head.body_bytes == size - head.body_offset;
   if (!fits)
     throw_damaged(path,
                   fmt::format("the {} file is truncated, too long, or its prelude is damaged", kind.name));
-  if (content_hash(head, table()) != head.hash ||
-      !all_zero(bytes.subspan(sizeof(Prelude) + head.table_bytes,
-                              head.body_offset - sizeof(Prelude) - head.table_bytes))) {
+  bytes_ = file_.memory();
+  std::copy(head_bytes.begin(), head_bytes.end(), bytes_.bytes().begin());
+  const auto rest = bytes_.bytes().subspan(sizeof head, head.body_offset - sizeof head);
+  file_.read(sizeof head, rest);
+  if (content_hash(head, table()) != head.hash || !all_zero(rest.subspan(head.table_bytes))) {
+    file_.check_unchanged();
     throw_damaged(path, fmt::format("the {} file's table is damaged (its hash is wrong)", kind.name));
   }
 }
 
-void ContainerFile::check_sections(std::span<const fb::Section> sections) const {
+Hash ContainerFile::read_section(const fb::Section& section) {
+  const std::uint64_t offset = prelude().body_offset + section.offset();
+  const auto to = bytes_.bytes().subspan(offset, section_size(section));
+  return hash_of_pieces(
+      to, [&](std::uint64_t begin, std::span<std::uint8_t> piece) { file_.read(offset + begin, piece); });
+}
+
+void ContainerFile::read_sections(std::span<const fb::Section> sections) {
   const auto check = [&](bool good, const char* what) {
     if (!good) throw_damaged(path(), what);
   };
-  const auto body = file_.bytes().subspan(prelude().body_offset);
+  const auto body = bytes_.bytes().subspan(prelude().body_offset);
   std::uint64_t end = 0;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const fb::Section& section = sections[i];
@@ -157,15 +172,19 @@ void ContainerFile::check_sections(std::span<const fb::Section> sections) const 
               section.offset() == rounded_up(end, section_alignment) && section.offset() <= body.size() &&
               section.count() <= (body.size() - section.offset()) / section.record_bytes(),
           "a section's size, offset or alignment is wrong");
-    check(all_zero(body.subspan(end, section.offset() - end)), "there are bytes between its sections");
+    const auto gap = body.subspan(end, section.offset() - end);
+    file_.read(prelude().body_offset + end, gap);
+    check(all_zero(gap), "there are bytes between its sections");
     end = section.offset() + section_size(section);
   }
   check(end == body.size(), "there are bytes after its last section");
-  for (const fb::Section& section : sections) {
-    const Hash hash = hash_of_pieces(body.data() + section.offset(), section_size(section));
-    check(hash == Hash{section.hash().low(), section.hash().high()},
+  std::vector<Hash> hashes;
+  for (const fb::Section& section : sections)
+    hashes.push_back(read_section(section));
+  file_.check_unchanged();
+  for (std::size_t i = 0; i < sections.size(); ++i)
+    check(hashes[i] == Hash{sections[i].hash().low(), sections[i].hash().high()},
           "its contents are damaged (a section's hash is wrong)");
-  }
 }
 
 std::span<const std::uint8_t> ContainerFile::section_bytes(std::span<const fb::Section> sections,
@@ -175,7 +194,7 @@ std::span<const std::uint8_t> ContainerFile::section_bytes(std::span<const fb::S
     if (section.kind() != kind) continue;
     if (section.record_bytes() != record_bytes)
       throw_damaged(path(), "a section's records have the wrong size");
-    return file_.bytes().subspan(prelude().body_offset + section.offset(), section_size(section));
+    return bytes_.bytes().subspan(prelude().body_offset + section.offset(), section_size(section));
   }
   return {};
 }

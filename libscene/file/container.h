@@ -12,7 +12,7 @@
 // hash of the hashes of its 4 MiB pieces, which are computed in parallel.
 #pragma once
 
-#include "libscene/file/mapped_file.h"
+#include "libscene/file/input_file.h"
 #include "schemas/section_generated.h"
 
 #include <array>
@@ -85,29 +85,32 @@ inline bool is_aligned(std::span<const fb::Section> sections) {
 // so that sections can be copied, but check_records() must be called before any index in them is used.
 enum class Checks { all, table };
 
-// Seconds to open a file: mapping it and checking its prelude; the other checks.
+// Seconds to open a file: opening it, reading and checking its prelude and table; reading its sections and
+// the other checks.
 struct LoadSeconds {
   double map = 0, validate = 0;
 };
 
-// A mapped container whose prelude has been checked. The caller must verify the table (FlatBuffers), then
-// call check_sections.
+// A container in memory of this process: what is checked is what is used, whatever happens to the file. Its
+// prelude and its table's hash have been checked. The caller must verify the table (FlatBuffers), then call
+// read_sections.
 class ContainerFile {
 public:
-  // Throws Error(input, path, …).
+  // Reads the prelude and the table. Throws Error(input, path, …).
   ContainerFile(const std::string& path, const FileKind& kind);
 
   std::span<const std::uint8_t> table() const {
-    return file_.bytes().subspan(sizeof(Prelude), prelude().table_bytes);
+    return bytes_.bytes().subspan(sizeof(Prelude), prelude().table_bytes);
   }
   const Hash& hash() const { return prelude().hash; }
   const std::string& path() const { return file_.path(); }
-  std::uint64_t bytes() const { return file_.bytes().size(); }
+  std::uint64_t bytes() const { return bytes_.bytes().size(); }
 
-  // Checks the sections' order, bounds, alignment, padding, and hashes (in parallel). Throws Error(input).
-  void check_sections(std::span<const fb::Section> sections) const;
+  // Checks the sections' order, bounds and alignment, reads them, and checks padding and hashes (in
+  // parallel, while they are read). Throws Error(input).
+  void read_sections(std::span<const fb::Section> sections);
 
-  // The records of the section of this kind, in place; empty when there is none. Call after check_sections.
+  // The records of the section of this kind; empty when there is none. Call after read_sections.
   // Throws Error(input) when its record size isn't T's.
   template <class T>
   std::span<const T> records(std::span<const fb::Section> sections, std::uint32_t kind) const {
@@ -116,11 +119,14 @@ public:
   }
 
 private:
-  const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(file_.bytes().data()); }
+  const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(bytes_.bytes().data()); }
+  // Reads a section; returns its hash.
+  Hash read_section(const fb::Section& section);
   std::span<const std::uint8_t> section_bytes(std::span<const fb::Section> sections, std::uint32_t kind,
                                               std::size_t record_bytes) const;
 
-  MappedFile file_;
+  InputFile file_;
+  PrivateMemory bytes_; // the whole file, as far as it is read
 };
 
 } // namespace masu

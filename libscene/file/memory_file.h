@@ -15,7 +15,7 @@ public:
   MemoryFile& operator=(const MemoryFile&) = delete;
   MemoryFile& operator=(MemoryFile&&) = delete;
 
-  // Valid in this process only; for OutputFile and MappedFile.
+  // Valid in this process only; for OutputFile and InputFile.
   std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
 
 private:

@@ -311,7 +311,7 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
   check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
         "its bounds are invalid");
   check(is_aligned(section_list(*table_)), "its table is damaged");
-  container_.check_sections(section_list(*table_));
+  container_.read_sections(section_list(*table_));
   geometry_hash_ = masu::geometry_hash(section_list(*table_), *table_->bounds());
 
   const fb::ObjectCounts& counted = *table_->objects();

@@ -40,7 +40,7 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds)
 // float32, 1e-90 to 1e100 for float64), or a cone has no length once rounded.
 Hash write_scene(const Scene& scene, Store store, const std::string& path);
 
-// A mapped scene file, checked: every index and range in it is valid.
+// A scene file in memory, checked: every index and range in it is valid.
 class SceneFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
@@ -61,7 +61,7 @@ public:
   Boxd bounds() const; // of all primitives; empty where there is none
   bool is_float64() const { return table_->store() == fb::Store::float64; }
 
-  // Points into the mapping; Stored must be the file's own (is_float64).
+  // Points into its memory; Stored must be the file's own (is_float64).
   template <class Stored>
   SceneView<Stored> view() const;
 

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <csignal>
 #include <functional>
+#include <utility>
 
 namespace masu {
 namespace {
@@ -47,11 +48,8 @@ void unregister_name(int folder, const std::string& name) {
   }
 }
 
-// Calls only async-signal-safe functions.
 void remove_all_and_end(int signal) {
-  for (const RegisteredName& entry : registered_names) {
-    if (const int folder = entry.folder; folder >= 0) unlinkat(folder, entry.name.data(), 0);
-  }
+  remove_temporary_names();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -97,10 +95,10 @@ template <class Act>
 bool TemporaryName::take(const Act& act) {
   constexpr int max_names = 1000, max_attempts = 100;
   for (int number = 0; number < max_names; ++number) {
-    const std::string name = fmt::format(".masu-{:016x}-{}.tmp", hash_, number);
+    std::string name = fmt::format(".masu-{:016x}-{}.tmp", hash_, number);
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
       if (act(name.c_str())) {
-        name_ = name;
+        name_ = std::move(name); // can't throw: the file would be left
         register_name(folder_, name_);
         return true;
       }
@@ -140,6 +138,12 @@ bool TemporaryName::rename_to(const std::string& name) {
   unregister_name(folder_, name_);
   name_.clear();
   return true;
+}
+
+void remove_temporary_names() {
+  for (const RegisteredName& entry : registered_names) {
+    if (const int folder = entry.folder; folder >= 0) unlinkat(folder, entry.name.data(), 0);
+  }
 }
 
 void remove_temporary_names_on_signals() {

@@ -37,6 +37,9 @@ private:
   std::string name_; // empty: none
 };
 
+// Removes all temporary names, as the process ends. Calls only async-signal-safe functions.
+void remove_temporary_names();
+
 // For a program's main: SIGINT, SIGTERM and SIGHUP remove all temporary names, then end the process as by
 // default. Ignored signals stay ignored.
 void remove_temporary_names_on_signals();

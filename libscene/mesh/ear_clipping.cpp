@@ -33,7 +33,8 @@ bool EarClipper::Candidate::operator<(const Candidate& other) const {
 EarClipper::EarClipper(std::span<const Point2> points, std::span<const std::uint32_t> ring)
     : points_(points), previous_(points.size()), next_(points.size()), stamps_(points.size(), 0),
       ranks_(points.size(), Rank::open), obstacles_(points, {}), size_(ring.size()),
-      retests_left_(64 * ring.size() + 4096), some_vertex_(ring.front()) {
+      retests_left_(64 * ring.size() + 4096), steps_left_(64 * ring.size() + 4000000),
+      some_vertex_(ring.front()) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::uint32_t follower = ring[i + 1 < ring.size() ? i + 1 : 0];
     next_[ring[i]] = follower;
@@ -81,18 +82,24 @@ bool EarClipper::turns_once(std::span<const std::uint32_t> ring) const {
   return turns == 1;
 }
 
-void EarClipper::run(Triangulation& result) {
-  std::vector<std::uint32_t> ring;
-  ring.reserve(size_);
-  for (std::uint32_t v = some_vertex_; ring.size() < size_; v = next_[v])
-    ring.push_back(v);
-  if (!turns_once(ring)) result.crosses_itself = true;
-  while (size_ > 3)
+bool EarClipper::run(Triangulation& result, Effort effort) {
+  if (effort == Effort::limited) { // the first call
+    std::vector<std::uint32_t> ring;
+    ring.reserve(size_);
+    for (std::uint32_t v = some_vertex_; ring.size() < size_; v = next_[v])
+      ring.push_back(v);
+    if (!turns_once(ring)) result.crosses_itself = true;
+  }
+  effort_ = effort;
+  while (size_ > 3) {
+    if (effort_ == Effort::limited && steps_left_ == 0) return false;
     process(pop(), result);
+  }
   if (size_ == 3) {
     if (turn(some_vertex_) < 0) result.crosses_itself = true;
     emit(some_vertex_, result);
   }
+  return true;
 }
 
 void EarClipper::process(const Candidate& candidate, Triangulation& result) {
@@ -140,13 +147,15 @@ bool EarClipper::retest_blocked() {
   return any;
 }
 
-EarClipper::Fit EarClipper::fit(std::uint32_t v) const {
+EarClipper::Fit EarClipper::fit(std::uint32_t v) {
+  if (effort_ == Effort::untested) return Fit::clear;
   const std::array<Point2, 3> ear{before(v), points_[v], after(v)};
   Fit worst = Fit::clear;
-  obstacles_.visit(ear, slack, [&](std::uint32_t other) {
+  const std::size_t steps = obstacles_.visit(ear, slack, [&](std::uint32_t other) {
     if (other != v && other != previous_[v] && other != next_[v]) worst = std::max(worst, fit(ear, other));
     return worst == Fit::blocked;
   });
+  steps_left_ -= std::min(steps_left_, steps);
   return worst;
 }
 

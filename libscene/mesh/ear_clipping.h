@@ -11,12 +11,20 @@ namespace masu {
 
 class EarClipper {
 public:
+  enum class Effort {
+    limited,
+    unlimited,
+    untested, // as unlimited, but ears may contain vertices: for polygons that have no triangulation
+  };
+
   // `ring`: indices of `points`, of positive signed area; no two neighbours are the same point. Magnitudes of
   // coordinates are at most 1. Both must outlive the clipper.
   EarClipper(std::span<const Point2> points, std::span<const std::uint32_t> ring);
 
-  // Appends the triangles.
-  void run(Triangulation& result);
+  // Appends triangles: all, or until finding out whether ears contain other vertices has taken too many
+  // steps, about so many that n log n of them are enough for most polygons. Then it returns false, and goes
+  // on when it is called with another effort.
+  bool run(Triangulation& result, Effort effort);
 
 private:
   // The kinds of vertices, in the order in which they are cut off.
@@ -44,7 +52,7 @@ private:
   PointTree obstacles(std::span<const std::uint32_t> ring) const;
   bool turns_once(std::span<const std::uint32_t> ring) const;
 
-  Fit fit(std::uint32_t v) const;
+  Fit fit(std::uint32_t v);
   Fit fit(const std::array<Point2, 3>& ear, std::uint32_t other) const;
   void push(std::uint32_t v, Rank rank);
   Candidate pop();
@@ -62,7 +70,8 @@ private:
   std::vector<Candidate> heap_; // one valid candidate for each vertex of the ring
   PointTree obstacles_;         // vertices that can block an ear: all that aren't clearly convex
   std::size_t size_;            // vertices in the ring
-  std::size_t retests_left_;
+  std::size_t retests_left_, steps_left_;
+  Effort effort_ = Effort::limited;
   bool changed_ = false; // since blocked ears were last tested again
   std::uint32_t some_vertex_;
 };

@@ -2,7 +2,7 @@
 
 #include "libscene/available_memory.h"
 #include "libscene/error.h"
-#include "libscene/file/mapped_file.h"
+#include "libscene/file/input_file.h"
 #include "libscene/material_table.h"
 #include "libscene/mesh/import_material.h"
 #include "libscene/mesh/import_normals.h"
@@ -11,6 +11,7 @@
 #include "libscene/mesh/import_view.h"
 #include "libscene/mesh/triangulate.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -283,7 +285,18 @@ private:
   const std::function<void(double)>& progress_;
 };
 
+// A file can name any other, as its materials, say: pipes and devices could be read for ever.
+class RegularFiles final : public Assimp::DefaultIOSystem {
+public:
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    std::error_code unknown;
+    if (!std::filesystem::is_regular_file(path, unknown)) return nullptr;
+    return DefaultIOSystem::Open(path, mode);
+  }
+};
+
 void set_up(Assimp::Importer& importer, const ImportOptions& options) {
+  importer.SetIOHandler(std::make_unique<RegularFiles>().release()); // owned by it
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   if (options.progress)
     importer.SetProgressHandler(std::make_unique<Progress>(options.progress).release()); // owned by it
@@ -304,7 +317,7 @@ void set_up(Assimp::Importer& importer, const ImportOptions& options) {
 } // namespace
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
-  import::check_ply_header(text_of(MappedFile(path).bytes()), path);
+  import::check_ply_header(FileContents(path).text(), path);
   Assimp::Importer importer;
   set_up(importer, options);
   const aiScene* const file = importer.ReadFile(path, no_steps);

@@ -37,14 +37,16 @@ public:
   }
 
   // Calls visit(point) for every point in the counter-clockwise triangle, including all within `slack` times
-  // an edge's length outside it, and maybe for others nearby. Stops when visit returns true.
+  // an edge's length outside it, and maybe for others nearby. Stops when visit returns true. Returns the
+  // number of nodes that it looked at.
   template <class Visit>
-  void visit(const std::array<Point2, 3>& triangle, double slack, Visit visit) const {
-    if (nodes_.empty()) return;
+  std::size_t visit(const std::array<Point2, 3>& triangle, double slack, Visit visit) const {
+    if (nodes_.empty()) return 0;
     const auto [low, high] = box_of(triangle, slack);
     std::array<std::size_t, 64> pending{};
-    std::size_t count = 1;
+    std::size_t count = 1, visited = 0;
     while (count > 0) {
+      ++visited;
       const std::size_t index = pending[--count];
       const Node& node = nodes_[index];
       if (node.alive == 0 || node.max.x < low.x || node.min.x > high.x || node.max.y < low.y ||
@@ -57,8 +59,9 @@ public:
         continue;
       }
       for (std::uint32_t i = node.first; i < node.last; ++i)
-        if (holds(members_[i]) && visit(members_[i])) return;
+        if (holds(members_[i]) && visit(members_[i])) return visited;
     }
+    return visited;
   }
 
 private:

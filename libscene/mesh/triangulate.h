@@ -3,7 +3,8 @@
 // Ear clipping in the polygon's plane, short cuts first, after G. H. Meisters, "Polygons Have Ears", American
 // Mathematical Monthly 82(6), 1975. Orientations are exact, and an ear may not touch a vertex on a straight
 // edge: so a simple polygon is always covered, without flipped triangles and without slivers. Time is about
-// n log n for n vertices, n² in the worst case.
+// n log n for n vertices; polygons for which it would be more go through a plane sweep instead
+// (sweep_triangulation.h), unless they touch themselves.
 #pragma once
 
 #include "libscene/geometry/vector.h"

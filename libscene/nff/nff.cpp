@@ -2,7 +2,7 @@
 #include "libscene/nff/nff.h"
 
 #include "libscene/error.h"
-#include "libscene/file/mapped_file.h"
+#include "libscene/file/input_file.h"
 #include "libscene/nff/nff_piece.h"
 #include "libscene/nff/nff_view.h"
 
@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <fmt/format.h>
 #include <limits>
 #include <utility>
@@ -245,9 +246,10 @@ Scene parse_nff(std::string_view characters, const std::string& name, const NffO
 }
 
 Scene read_nff(const std::string& path, const NffOptions& options) {
-  const MappedFile file(path);
-  const auto bytes = file.bytes();
-  return parse_nff({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path, options);
+  std::error_code unknown;
+  if (path != "-" && (std::filesystem::is_regular_file(path, unknown) || unknown))
+    return parse_nff(FileContents(path).text(), path, options);
+  return parse_nff(read_text_input(path), path == "-" ? "stdin" : path, options);
 }
 
 } // namespace masu

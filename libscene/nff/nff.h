@@ -31,7 +31,7 @@ struct NffOptions {
 // dropped, equal ones merged.
 Scene parse_nff(std::string_view text, const std::string& name, const NffOptions& options = {});
 
-// Maps the file and parses it.
+// The same from a file; - is standard input, and pipes are read too.
 Scene read_nff(const std::string& path, const NffOptions& options = {});
 
 } // namespace masu

@@ -2,6 +2,7 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/screen_division.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/repeated.h"
 
@@ -75,7 +76,7 @@ Json measure(const Settings& settings, const Tracer& tracer, const std::string& 
 }
 
 void print_row(const Json& row) {
-  fmt::print("{:<24} {:<10} {:>8} {:>10.3f}\n", row["grid"].get<std::string>(),
+  fmt::print("{:<24} {:<10} {:>8} {:>10.3f}\n", printable(row["grid"].get<std::string>()),
              row["schedule"].get<std::string>(), row["workers"].get<std::uint64_t>(),
              row["median_seconds"].get<double>() * 1e3);
   flush_standard_output();
@@ -117,7 +118,7 @@ void bench_frame(const Settings& settings) {
       if (!settings.json) print_row(rows.back());
     }
   }
-  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(cuda)).dump(2));
+  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "tools/bench/bench.h"
 #include "tools/bench/plain_copy.h"
 #include "tools/bench/ray_sets.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/repeated.h"
 
@@ -86,7 +87,7 @@ void bench_lists(const Settings& settings) {
                  row["kernel_seconds"].get<double>(), row["plain_copy_seconds"].get<double>(),
                  row["plain_copy_over_list"].get<double>());
   }
-  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(true)).dump(2));
+  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(true))));
 }
 
 } // namespace

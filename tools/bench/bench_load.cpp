@@ -2,6 +2,7 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/plain_copy.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/repeated.h"
 
@@ -38,7 +39,7 @@ std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
   runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
   runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
   const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
-  runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU reads the mapping in place
+  runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU traces what was read
   runs.load.push_back(runs.map.back() + runs.validate.back() + runs.upload.back());
   return scene.bytes() + grid.bytes();
 }
@@ -105,7 +106,7 @@ void bench_load(const Settings& settings) {
   report.update(provenance());
   report["device"] = device_name(cuda);
   if (settings.json)
-    fmt::print("{}\n", report.dump(2));
+    fmt::print("{}\n", json_text(report));
   else
     print_table(report);
 }
@@ -117,7 +118,7 @@ void add_load(CLI::App& app) {
   Settings& settings = *owned;
   CLI::App& command = *app.add_subcommand(
       "load",
-      "Mapping, validating and uploading a scene and its grid, compared with plain copies of their bytes");
+      "Reading, validating and uploading a scene and its grid, compared with plain copies of their bytes");
   command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
   add_backend(command, settings.backend);

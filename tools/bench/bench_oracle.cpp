@@ -3,6 +3,7 @@
 #include "tools/bench/bench.h"
 #include "tools/bench/ray_sets.h"
 #include "tools/bench/stability/run.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 
 #include <nlohmann/json.hpp>
@@ -106,7 +107,7 @@ void bench_oracle(const Settings& settings) {
                  t.missed, t.false_hit, t.wrong, t.misplaced, t.worst_t);
     }
   }
-  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(false)).dump(2));
+  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(false))));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "tools/backend_choice.h"
 #include "tools/bench/ray_sets.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/repeated.h"
 
@@ -116,7 +117,7 @@ Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, 
 
 void print_row(const Json& row) {
   fmt::print("{:<24} {:<8} {:<6} {:<14} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
-             row["grid"].get<std::string>(), row["rays"].get<std::string>(),
+             printable(row["grid"].get<std::string>()), row["rays"].get<std::string>(),
              row["precision"].get<std::string>(), row["loop"].get<std::string>(),
              row["count"].get<std::uint64_t>(), row["mrays_per_second"].get<double>(),
              100 * row["hits_a_ray"].get<double>(), row["tests_a_ray"].get<double>(),
@@ -153,7 +154,7 @@ void bench_rays(const Settings& settings) {
       }
     }
   }
-  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(cuda)).dump(2));
+  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
 }
 
 } // namespace

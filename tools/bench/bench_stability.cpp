@@ -3,6 +3,7 @@
 #include "tools/bench/bench.h"
 #include "tools/bench/stability/backends.h"
 #include "tools/bench/stability/run.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 
 #include <nlohmann/json.hpp>
@@ -106,7 +107,7 @@ void bench_stability(const Settings& settings) {
     });
   }
   const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
-  if (settings.json) fmt::print("{}\n", with_provenance(rows, device_name(cuda)).dump(2));
+  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
   if (bad == 0) return;
   flush_standard_output();
   throw Error(

@@ -6,6 +6,7 @@
 #include "tools/bench/tradeoff_csv.h"
 #include "tools/bench/tradeoff_front.h"
 #include "tools/bench/tradeoff_measure.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tradeoff_script.h"
 
@@ -110,7 +111,7 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
       scene.is_float64()
           ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), scene.geometry_hash(), options)
           : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), scene.geometry_hash(), options);
-  const MemoryFile file; // lives on in the mapping
+  const MemoryFile file; // its contents live on in the grid
   write_grid(grid, origin, file.path());
   return GridFile(file.path());
 }
@@ -156,7 +157,7 @@ public:
     ++done_;
     if (isatty(STDERR_FILENO) == 0) return;
     shown_ = true;
-    fmt::print(stderr, "\r\033[K{} {}/{}: {}", scene_, done_, all_, what);
+    fmt::print(stderr, "\r\033[K{} {}/{}: {}", printable(scene_), done_, all_, what);
     static_cast<void>(std::fflush(stderr));
   }
 
@@ -256,8 +257,8 @@ void print_row(const TradeoffRow& row) {
   const Accuracy& a = m.accuracy;
   fmt::print("{:<10} {:<23} {:<20} {:>8.2f} {:>9.3f} {:>7.2f} {:>7.2f} {:>7} {:>7} {:>7} {:>9.1e} {:>9.1e} "
              "{:>9.1e}\n",
-             row.scene, method_of(row.configuration), grid_of(row.configuration), m.mrays, m.picture_ms,
-             static_cast<double>(m.grid_bytes) * 1e-6,
+             printable(row.scene), method_of(row.configuration), grid_of(row.configuration), m.mrays,
+             m.picture_ms, static_cast<double>(m.grid_bytes) * 1e-6,
              static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6, a.missed, a.false_hits,
              a.wrong_primitives, a.worst_t, a.median_t, a.rmse);
 }
@@ -278,7 +279,7 @@ void report(const std::vector<std::vector<TradeoffRow>>& groups, bool as_json) {
     for (const std::size_t i : front_of(group, merit_of_hits))
       as_json ? json.push_back(json_of(group[i])) : print_row(group[i]);
   }
-  if (as_json) fmt::print("{}\n", with_version(json).dump(2));
+  if (as_json) fmt::print("{}\n", json_text(with_version(json)));
 }
 
 void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string& folder) {
@@ -297,7 +298,7 @@ void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string
         stderr,
         "gridbench: gnuplot: isn't on the PATH, so no chart was drawn: install gnuplot (Debian's package is "
         "gnuplot-nox) and run gridbench tradeoff --charts-only -o {}\n",
-        folder);
+        printable(folder));
 }
 
 // Draws what can be compared, and reports it.

@@ -1,6 +1,6 @@
-#include "libscene/file/mapped_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/bench/file_reader.h"
+#include "tools/bench/mapped_file.h"
 #include "tools/bench/plain_copy.h"
 
 #include <cstring>

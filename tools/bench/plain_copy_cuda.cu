@@ -1,5 +1,5 @@
 #include "libscene/cuda/device_memory.h"
-#include "libscene/file/mapped_file.h"
+#include "tools/bench/mapped_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/host_rays_cuda.h"
 #include "tools/bench/file_reader.h"

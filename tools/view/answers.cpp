@@ -2,6 +2,7 @@
 
 #include "libscene/error.h"
 #include "page_files.h"
+#include "tools/printable.h"
 
 #include <fmt/format.h>
 
@@ -120,7 +121,7 @@ HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is
 }
 
 HttpReply json(const nlohmann::ordered_json& value) {
-  return {200, "application/json", value.dump()};
+  return {200, "application/json", json_text(value, -1)};
 }
 
 const char* type_of(std::string_view name) {

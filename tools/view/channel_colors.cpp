@@ -12,28 +12,29 @@
 namespace masu {
 namespace {
 
-constexpr Rgb8 missed{128, 128, 128};
+constexpr Rgb missed{255, 255, 255};
 constexpr const char* all_prefix = "all ";
 
 bool counts(Channel channel) {
   return channel == Channel::cells || channel == Channel::tests;
 }
 
-// Neighbouring names get colours far apart: hues by the golden ratio, lightness by other bits.
-Rgb8 color_of_name(std::int32_t name) {
-  if (name < 0) return missed;
-  const auto number = static_cast<double>(name);
-  const double hue = 6 * std::fmod(number * 0.61803398875, 1.0),
-               light = 0.45 + 0.5 * std::fmod(number * 0.7548776662, 1.0);
-  const auto channel = [&](double shift) {
-    const double t = std::fmod(hue + shift, 6.0);
-    const double ramp = std::clamp(std::abs(t - 3) - 1, 0.0, 1.0);
-    return static_cast<std::uint8_t>(std::lround(255 * light * (0.35 + 0.65 * ramp)));
-  };
-  return {channel(0), channel(4), channel(2)};
-}
+// Of the categories that come first; others share them.
+class NameColors {
+public:
+  NameColors() {
+    for (std::size_t i = 0; i < colors_.size(); ++i)
+      colors_[i] = category_color(i);
+  }
+  const Rgb& operator()(std::int32_t name) const {
+    return name < 0 ? missed : colors_[static_cast<std::size_t>(name) % colors_.size()];
+  }
 
-Rgb8 color_of_normal(const Vec3f& n) {
+private:
+  std::array<Rgb, 1021> colors_;
+};
+
+Rgb color_of_normal(const Vec3f& n) {
   if (dot(n, n) == 0) return missed;
   const auto channel = [](float x) {
     return static_cast<std::uint8_t>(std::lround(127.5F * (1 + std::clamp(x, -1.0F, 1.0F))));
@@ -46,10 +47,10 @@ std::vector<std::uint8_t> colored(std::size_t pixels, const ColorOf& color_of) {
   std::vector<std::uint8_t> bytes(3 * pixels);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels, 4096), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const Rgb8 color = color_of(i);
-      bytes[3 * i] = color.r;
-      bytes[3 * i + 1] = color.g;
-      bytes[3 * i + 2] = color.b;
+      const Rgb color = color_of(i);
+      bytes[3 * i] = color[0];
+      bytes[3 * i + 1] = color[1];
+      bytes[3 * i + 2] = color[2];
     }
   });
   return bytes;
@@ -113,9 +114,9 @@ std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channe
   case Channel::normal:
     return colored(pixels, [&](std::size_t i) { return color_of_normal(channels.normal[i]); });
   case Channel::object:
-    return colored(pixels, [&](std::size_t i) { return color_of_name(channels.object[i]); });
+    return colored(pixels, [&, names = NameColors()](std::size_t i) { return names(channels.object[i]); });
   case Channel::primitive:
-    return colored(pixels, [&](std::size_t i) { return color_of_name(channels.primitive[i]); });
+    return colored(pixels, [&, names = NameColors()](std::size_t i) { return names(channels.primitive[i]); });
   case Channel::cells:
   case Channel::tests:
     break;

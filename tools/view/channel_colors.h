@@ -30,7 +30,7 @@ using ValueRange = std::array<double, 2>;
 // extreme pixels don't take all colours. None where there are no such values.
 std::optional<ValueRange> value_range(const Channels& channels, Channel channel);
 
-// 8 bits a channel, rows from the top; what missed is grey. `range`: needed for depth, cells and tests.
+// 8 bits a channel, rows from the top; what missed is white. `range`: needed for depth, cells and tests.
 std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channel, const ValueRange& range);
 
 } // namespace masu

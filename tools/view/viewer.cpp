@@ -27,10 +27,11 @@ Json vector_json(const Vec3d& v) {
 // The colour map in equal steps, as #rrggbb.
 Json color_map_samples() {
   constexpr int samples = 33;
+  const ColorMap map;
   Json colors = Json::array();
   for (int i = 0; i < samples; ++i) {
-    const Rgb8 color = color_at(static_cast<double>(i) / (samples - 1));
-    colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color.r, color.g, color.b));
+    const Rgb& color = map(static_cast<double>(i) / (samples - 1));
+    colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]));
   }
   return colors;
 }

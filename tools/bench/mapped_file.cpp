@@ -1,4 +1,4 @@
-#include "libscene/file/mapped_file.h"
+#include "tools/bench/mapped_file.h"
 
 #include "libscene/error.h"
 

@@ -1,4 +1,4 @@
-// A read-only memory mapping of a whole file.
+// A read-only memory mapping of a whole file: what loading is compared with.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,186 @@
+#include "libscene/file/input_file.h"
+
+#include "libscene/available_memory.h"
+#include "libscene/error.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+namespace masu {
+namespace {
+
+constexpr std::uint64_t piece_bytes = std::uint64_t{4} << 20;
+// Less is allocated without asking how much memory is available, which takes longer than reading it.
+constexpr std::uint64_t small_bytes = std::uint64_t{64} << 20;
+
+// Not blocking: opening a pipe would wait for its writer. Reading a regular file is the same.
+constexpr int open_flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
+
+std::string gigabytes(double bytes) {
+  return fmt::format("{:.2g} GB", bytes * 1e-9);
+}
+
+bool is_equal(const timespec& a, const timespec& b) {
+  return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
+}
+
+} // namespace
+
+// --- Regular files -----------------------------------------------------------------------------------------
+
+InputFile::InputFile(std::string path) : path_(std::move(path)), file_(open(path_.c_str(), open_flags)) {
+  if (file_ < 0) fail(std::string("can't be opened: ") + std::strerror(errno));
+  std::string why;
+  if (fstat(file_, &opened_) != 0)
+    why = std::string("can't be read: ") + std::strerror(errno);
+  else if (S_ISDIR(opened_.st_mode))
+    why = "is a directory: name a file";
+  else if (!S_ISREG(opened_.st_mode))
+    why = "isn't a regular file: name a file";
+  if (why.empty()) return;
+  close(std::exchange(file_, -1));
+  fail(why);
+}
+
+InputFile::~InputFile() {
+  if (file_ >= 0) close(file_);
+}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), opened_(other.opened_) {}
+
+void InputFile::fail(const std::string& what) const {
+  throw Error(ErrorCode::input, path_, what);
+}
+
+PrivateMemory InputFile::memory() const {
+  const auto needed = static_cast<double>(size());
+  if (size() > small_bytes) {
+    if (const double available = available_memory(); needed > available)
+      fail(fmt::format("needs {} of memory, {} are available: use a machine with more memory",
+                       gigabytes(needed), gigabytes(available)));
+  }
+  return PrivateMemory(size());
+}
+
+void InputFile::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
+  while (!to.empty()) {
+    const ssize_t got = pread(file_, to.data(), to.size(), static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail(std::string("can't be read: ") + std::strerror(errno));
+    if (got == 0) fail("was truncated while it was read: run again when it is complete");
+    offset += static_cast<std::uint64_t>(got);
+    to = to.subspan(static_cast<std::size_t>(got));
+  }
+}
+
+void InputFile::check_unchanged() const {
+  struct stat now {};
+  if (fstat(file_, &now) != 0) fail(std::string("can't be read: ") + std::strerror(errno));
+  if (now.st_size != opened_.st_size || !is_equal(now.st_mtim, opened_.st_mtim))
+    fail("was changed while it was read: run again when it is complete");
+}
+
+FileContents::FileContents(const std::string& path) {
+  const InputFile file(path);
+  memory_ = file.memory();
+  const std::uint64_t pieces = (file.size() + piece_bytes - 1) / piece_bytes;
+  tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t piece) {
+    const std::uint64_t begin = piece * piece_bytes;
+    file.read(begin, memory_.bytes().subspan(begin, std::min(piece_bytes, file.size() - begin)));
+  });
+  file.check_unchanged();
+}
+
+// --- Texts -------------------------------------------------------------------------------------------------
+
+namespace {
+
+// A file of any kind, or standard input, read from its start to its end.
+class Stream {
+public:
+  explicit Stream(const std::string& path)
+      : name_(path == "-" ? "stdin" : path), is_ours_(path != "-"),
+        file_(path == "-" ? STDIN_FILENO : open(path.c_str(), open_flags)) {
+    if (file_ < 0) fail(std::string("can't be opened: ") + std::strerror(errno));
+  }
+  ~Stream() {
+    if (is_ours_ && file_ >= 0) close(file_);
+  }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorCode::input, name_, what); }
+
+  // 0 at the end.
+  std::size_t read(char* to, std::size_t bytes) {
+    for (;;) {
+      const ssize_t got = ::read(file_, to, bytes);
+      if (got > 0) return begun_ = true, static_cast<std::size_t>(got);
+      if (got == 0) {
+        if (begun_ || !is_pipe()) return 0;
+        wait_for_writer();
+      } else if (errno == EAGAIN) {
+        begun_ = true; // there is a writer
+        pollfd readable{file_, POLLIN, 0};
+        static_cast<void>(poll(&readable, 1, -1));
+      } else if (errno != EINTR) {
+        fail(errno == EISDIR ? std::string("is a directory: name a file")
+                             : std::string("can't be read: ") + std::strerror(errno));
+      }
+    }
+  }
+
+private:
+  // Of a name of its own. (On standard input a pipe without a writer is at its end.)
+  bool is_pipe() const {
+    struct stat status {};
+    return is_ours_ && fstat(file_, &status) == 0 && S_ISFIFO(status.st_mode);
+  }
+  void wait_for_writer() {
+    constexpr std::chrono::milliseconds pause(20), longest(5000);
+    if ((waited_ += pause) > longest) fail("is a pipe that nobody writes to: start its writer first");
+    std::this_thread::sleep_for(pause);
+  }
+
+  std::string name_;
+  bool is_ours_, begun_ = false;
+  int file_;
+  std::chrono::milliseconds waited_{0};
+};
+
+} // namespace
+
+std::string read_text_input(const std::string& path) {
+  constexpr std::size_t chunk = std::size_t{1} << 20;
+  Stream stream(path);
+  // Parsing takes as much again, or more.
+  const double limit = available_memory() / 2;
+  std::string text;
+  for (;;) {
+    const std::size_t before = text.size();
+    if (static_cast<double>(before) + static_cast<double>(chunk) > limit)
+      stream.fail(fmt::format("is longer than {}, half of the available memory: give less, or a machine more",
+                              gigabytes(limit)));
+    if (text.capacity() - before < chunk) text.reserve(2 * before + chunk);
+    text.resize(before + chunk);
+    const std::size_t got = stream.read(text.data() + before, chunk);
+    text.resize(before + got);
+    if (got == 0) return text;
+    if (const void* const zero = std::memchr(text.data() + before, 0, got))
+      stream.fail(
+          fmt::format("isn't a text: its byte {} is zero", static_cast<const char*>(zero) - text.data()));
+  }
+}
+
+} // namespace masu

@@ -1,0 +1,244 @@
+// Preloaded into a tool (LD_PRELOAD): makes one of its calls fail, as where a disk is full, a device breaks,
+// or memory is short.
+//
+//   MASU_FAULT=write:3    the third write fails; write:3+: all from the third on
+//   MASU_FAULT_COUNT=FILE the number of calls is written into the file at the end
+//   MASU_FAULT=all        nothing fails
+//   MASU_FAULT_LOG=FILE   a line a trapped call that succeeds: its name and its file descriptor
+//
+// System calls are trapped by seccomp wherever they are made, also within the C library, whose stdio doesn't
+// call the functions that a preloaded library can replace; allocations are replaced functions. Calls count
+// from main() on, in all threads.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <ucontext.h>
+
+extern "C" long masu_system_call(long number, long a, long b, long c, long d, long e, long f);
+extern "C" const char masu_system_call_end[];
+// The only place whose system calls aren't trapped.
+asm(R"(
+.text
+.globl masu_system_call
+.type masu_system_call, @function
+masu_system_call:
+  movq %rdi, %rax
+  movq %rsi, %rdi
+  movq %rdx, %rsi
+  movq %rcx, %rdx
+  movq %r8, %r10
+  movq %r9, %r8
+  movq 8(%rsp), %r9
+  syscall
+  ret
+.globl masu_system_call_end
+masu_system_call_end:
+)");
+
+namespace {
+
+struct Fault {
+  const char* name;
+  std::array<long, 3> calls; // -1: none
+  int error;
+};
+constexpr Fault faults[] = {
+    {"write", {SYS_write, SYS_pwrite64, SYS_writev}, ENOSPC},
+    {"fsync", {SYS_fsync, SYS_fdatasync, -1}, EIO},
+    {"rename", {SYS_renameat, SYS_renameat2, SYS_rename}, EIO},
+    {"link", {SYS_linkat, -1, -1}, EIO},
+    {"open", {SYS_openat, SYS_open, -1}, EMFILE},
+    {"read", {SYS_read, SYS_pread64, -1}, EIO},
+    {"mmap", {SYS_mmap, -1, -1}, ENOMEM},
+    {"all", {SYS_write, SYS_fsync, SYS_renameat}, 0},
+    {"malloc", {-1, -1, -1}, ENOMEM},
+};
+
+const Fault* fault = nullptr;
+std::uint64_t failing = 0; // the call that fails, from 1; 0: none
+bool all_after = false;
+std::atomic<bool> counting{false};
+std::atomic<std::uint64_t> calls{0};
+
+bool fails_now() {
+  if (!counting) return false;
+  const std::uint64_t call = ++calls;
+  return failing > 0 && (call == failing || (all_after && call > failing));
+}
+
+int log_file = -1;
+
+void write_log(long number, long descriptor) {
+  const char* const name = number == SYS_fsync || number == SYS_fdatasync      ? "fsync"
+                           : number == SYS_linkat                              ? "link"
+                           : number == SYS_renameat || number == SYS_renameat2 ? "rename"
+                                                                               : "write";
+  std::array<char, 64> line{};
+  const int size = std::snprintf(line.data(), line.size(), "%s %ld\n", name, descriptor);
+  masu_system_call(SYS_write, log_file, reinterpret_cast<long>(line.data()), size, 0, 0, 0);
+}
+
+void on_system_call(int, siginfo_t* info, void* context) {
+  auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext.gregs;
+  const long descriptor = registers[REG_RDI];
+  const long result =
+      fails_now() ? -fault->error
+                  : masu_system_call(info->si_syscall, descriptor, registers[REG_RSI], registers[REG_RDX],
+                                     registers[REG_R10], registers[REG_R8], registers[REG_R9]);
+  if (log_file >= 0 && result >= 0) write_log(info->si_syscall, descriptor);
+  registers[REG_RAX] = result;
+}
+
+void trap() {
+  struct sigaction action {};
+  action.sa_sigaction = on_system_call;
+  action.sa_flags = SA_SIGINFO | SA_NODEFER | SA_RESTART;
+  sigaction(SIGSYS, &action, nullptr);
+  const auto begin = reinterpret_cast<std::uintptr_t>(&masu_system_call),
+             end = reinterpret_cast<std::uintptr_t>(masu_system_call_end);
+  const auto high = static_cast<std::uint32_t>(begin >> 32);
+  // The stub is within one 4 GiB block, or nothing is trapped.
+  if (high != end >> 32) return;
+  const auto load = [](std::size_t offset) {
+    return sock_filter(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)));
+  };
+  constexpr std::size_t pointer = offsetof(seccomp_data, instruction_pointer);
+  std::array<sock_filter, 48> filter{
+      load(pointer + 4),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, high, 0, 4),
+      load(pointer),
+      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, static_cast<std::uint32_t>(begin), 0, 2),
+      BPF_JUMP(BPF_JMP | BPF_JGT | BPF_K, static_cast<std::uint32_t>(end), 1, 0),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+      load(offsetof(seccomp_data, nr)),
+  };
+  std::size_t size = 7;
+  const bool all = std::strcmp(fault->name, "all") == 0;
+  for (const Fault& other : faults) {
+    const bool changes_files =
+        other.error == ENOSPC || (other.error == EIO && std::strcmp(other.name, "read") != 0);
+    if (all ? !changes_files : &other != fault) continue;
+    for (const long call : other.calls) {
+      if (call < 0) continue;
+      filter[size++] = BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 1);
+      filter[size++] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP);
+    }
+  }
+  filter[size++] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
+  const sock_fprog program{static_cast<unsigned short>(size), filter.data()};
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program);
+}
+
+using Main = int (*)(int, char**, char**);
+Main real_main = nullptr;
+
+int counted_main(int argc, char** argv, char** environment) {
+  if (const char* const wanted = std::getenv("MASU_FAULT")) {
+    const char* const colon = std::strchr(wanted, ':');
+    const std::size_t length =
+        colon != nullptr ? static_cast<std::size_t>(colon - wanted) : std::strlen(wanted);
+    for (const Fault& known : faults)
+      if (std::strlen(known.name) == length && std::strncmp(known.name, wanted, length) == 0) fault = &known;
+    char* end = nullptr;
+    if (colon != nullptr) failing = std::strtoull(colon + 1, &end, 10);
+    all_after = end != nullptr && *end == '+';
+    if (const char* const log = std::getenv("MASU_FAULT_LOG"))
+      log_file = open(log, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
+    if (fault != nullptr && fault->calls[0] >= 0) trap();
+    counting = true;
+  }
+  return real_main(argc, argv, environment);
+}
+
+__attribute__((destructor)) void write_count() {
+  counting = false;
+  log_file = -1;
+  const char* const path = std::getenv("MASU_FAULT_COUNT");
+  if (path == nullptr) return;
+  std::array<char, 32> text{};
+  const int size = std::snprintf(text.data(), text.size(), "%llu\n", static_cast<unsigned long long>(calls));
+  const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+  static_cast<void>(!write(file, text.data(), static_cast<std::size_t>(size)));
+  close(file);
+}
+
+// TBB waits for ever where one of its own small allocations fails while it starts: they don't, here.
+bool is_tbb(const void* caller) {
+  Dl_info info{};
+  return dladdr(caller, &info) != 0 && info.dli_fname != nullptr &&
+         std::strstr(info.dli_fname, "libtbb") != nullptr;
+}
+
+bool allocation_fails(const void* caller) {
+  if (fault == nullptr || fault->calls[0] >= 0 || !counting || is_tbb(caller) || !fails_now()) return false;
+  errno = ENOMEM;
+  return true;
+}
+
+} // namespace
+
+extern "C" {
+
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+__attribute__((visibility("default"))) void* malloc(std::size_t size) {
+  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+}
+__attribute__((visibility("default"))) void* calloc(std::size_t count, std::size_t size) {
+  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_calloc(count, size);
+}
+__attribute__((visibility("default"))) void* realloc(void* memory, std::size_t size) {
+  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_realloc(memory, size);
+}
+__attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
+}
+__attribute__((visibility("default"))) int posix_memalign(void** memory, std::size_t alignment,
+                                                          std::size_t size) {
+  if (allocation_fails(__builtin_return_address(0))) return ENOMEM;
+  *memory = __libc_memalign(alignment, size);
+  return *memory != nullptr ? 0 : ENOMEM;
+}
+
+__attribute__((visibility("default"))) int __libc_start_main(Main main, int argc, char** argv, void (*init)(),
+                                                             void (*fini)(), void (*rtld_fini)(),
+                                                             void* stack_end) {
+  real_main = main;
+  using Start = int (*)(Main, int, char**, void (*)(), void (*)(), void (*)(), void*);
+  const auto start = reinterpret_cast<Start>(dlsym(RTLD_NEXT, "__libc_start_main"));
+  return start(counted_main, argc, argv, init, fini, rtld_fini, stack_end);
+}
+
+} // extern "C"
+
+// Of their own, to know who calls them.
+__attribute__((visibility("default"))) void* operator new(std::size_t size) {
+  void* const memory = allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+__attribute__((visibility("default"))) void* operator new[](std::size_t size) {
+  void* const memory = allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}

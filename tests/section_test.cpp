@@ -1,0 +1,222 @@
+// The curves in which planes cut primitives, against what defines the primitives.
+#include "libscene/section.h"
+#include "tests/random_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace masu {
+namespace {
+
+constexpr double no_limit = 1e300;
+
+SectionOptions everywhere(int axis, double position, double deviation) {
+  return {axis, position, {-no_limit, -no_limit}, {no_limit, no_limit}, deviation};
+}
+
+Vec3d in_space(const SectionOptions& plane, const std::array<double, 2>& at) {
+  Vec3d p{};
+  p.set(plane.axis, plane.position);
+  p.set(plane.axis == 0 ? 1 : 0, at[0]);
+  p.set(plane.axis == 2 ? 1 : 2, at[1]);
+  return p;
+}
+
+double length(const Vec3d& v) {
+  return std::sqrt(dot(v, v));
+}
+
+double distance_to_segment(const Vec3d& p, const Vec3d& a, const Vec3d& b) {
+  const Vec3d d = b - a;
+  const double square = dot(d, d);
+  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
+  return length(p - (a + d * t));
+}
+
+// How far a point is from a primitive.
+double distance(const Triangle<double>& t, const Vec3d& p) {
+  const Vec3d n = cross(t.b - t.a, t.c - t.a);
+  const double square = dot(n, n);
+  const double at_sides = std::min(
+      {distance_to_segment(p, t.a, t.b), distance_to_segment(p, t.b, t.c), distance_to_segment(p, t.c, t.a)});
+  if (!(square > 0)) return at_sides;
+  const auto is_left_of = [&](const Vec3d& a, const Vec3d& b) { return dot(cross(b - a, p - a), n) >= 0; };
+  if (!is_left_of(t.a, t.b) || !is_left_of(t.b, t.c) || !is_left_of(t.c, t.a)) return at_sides;
+  return std::min(at_sides, std::abs(dot(p - t.a, n)) / std::sqrt(square));
+}
+double distance(const Sphere<double>& s, const Vec3d& p) {
+  return std::abs(length(p - s.center) - std::abs(s.radius));
+}
+// Within a half-plane through the axis the side is a segment.
+double distance(const Cone<double>& c, const Vec3d& p) {
+  const Vec3d axis = c.apex - c.base;
+  const double rise = length(axis), height = dot(p - c.base, axis) / rise;
+  const double rho = length(cross(p - c.base, axis)) / rise;
+  return distance_to_segment({rho, height, 0}, {std::abs(c.base_radius), 0, 0},
+                             {std::abs(c.apex_radius), rise, 0});
+}
+
+// A point of the primitive.
+Vec3d point_on(Chance& chance, const Triangle<double>& t) {
+  double u = chance.uniform(0, 1), v = chance.uniform(0, 1);
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
+}
+Vec3d point_on(Chance& chance, const Sphere<double>& s) {
+  return s.center + chance.direction() * std::abs(s.radius);
+}
+Vec3d point_on(Chance& chance, const Cone<double>& c) {
+  const Vec3d axis = c.apex - c.base;
+  const Vec3d side = cross(axis, chance.direction());
+  const double z = chance.uniform(0, 1);
+  const double radius = std::abs(c.base_radius) + (std::abs(c.apex_radius) - std::abs(c.base_radius)) * z;
+  return c.base + axis * z + side * (radius / length(side));
+}
+
+// How wide it is across its longest extent: a needle's section may be a point once rounded.
+double thickness(const Triangle<double>& t) {
+  const Vec3d n = cross(t.b - t.a, t.c - t.a);
+  return length(n) / std::max({length(t.b - t.a), length(t.c - t.b), length(t.a - t.c)});
+}
+template <class Primitive>
+double thickness(const Primitive& primitive) {
+  const Boxd box = bounds(primitive);
+  return length(box.max - box.min);
+}
+
+double size_of(const Boxd& box) {
+  return std::max(length(box.max - box.min), largest_magnitude(box));
+}
+
+TEST(Section, LiesOnItsPrimitives) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  std::size_t segments = 0;
+  for (int i = 0; i < 300; ++i) {
+    TestScene<double> scene = SceneMaker<double>(chance, 1).scene();
+    const Boxd box = scene.bounds();
+    const int axis = chance.whole(0, 2);
+    const double position = chance.uniform(box.min[axis], box.max[axis]);
+    const SectionOptions plane = everywhere(axis, position, 1e-3);
+    for (const SectionSegment& segment : section_of(scene.view(), plane)) {
+      ++segments;
+      with_primitive(scene.view(), segment.primitive, [&](const auto& primitive) {
+        for (const auto& end : {segment.from, segment.to})
+          EXPECT_LE(distance(primitive, in_space(plane, end)), 1e-9 * size_of(box))
+              << described(primitive) << " axis " << axis << " at " << position;
+      });
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(segments, 1000U);
+}
+
+// Any point of a primitive is near a segment of the plane through it.
+TEST(Section, HasEveryPointOfItsPrimitives) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (int i = 0; i < 400; ++i) {
+    TestScene<double> scene = SceneMaker<double>(chance, 1).scene();
+    const SceneView<double> view = scene.view();
+    if (view.primitive_count() == 0) continue;
+    const auto index = static_cast<PrimitiveIndex>(chance.index(view.primitive_count()));
+    with_primitive(view, index, [&](const auto& primitive) {
+      const Vec3d p = point_on(chance, primitive);
+      const Boxd own = bounds(primitive);
+      const double extent = length(own.max - own.min);
+      const int axis = chance.whole(0, 2);
+      const SectionOptions plane = everywhere(axis, p[axis], 1e-4 * extent);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const SectionSegment& segment : section_of(view, plane)) {
+        if (segment.primitive == index)
+          nearest = std::min(
+              nearest, distance_to_segment(p, in_space(plane, segment.from), in_space(plane, segment.to)));
+      }
+      // Where the plane all but touches, the point may be beyond the primitive by rounding.
+      const double slack = 1e-6 * size_of(own);
+      const bool only_touches = p[axis] < own.min[axis] + slack || p[axis] > own.max[axis] - slack;
+      if (!only_touches && thickness(primitive) > slack) {
+        EXPECT_LE(nearest, 0.02 * extent)
+            << described(primitive) << " axis " << axis << " at " << described(p);
+      }
+    });
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Section, OfTheWindowHasAllThatIsInIt) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (int i = 0; i < 100; ++i) {
+    TestScene<double> scene = SceneMaker<double>(chance, 1).scene();
+    const Boxd box = scene.bounds();
+    const int axis = chance.whole(0, 2);
+    SectionOptions plane = everywhere(axis, chance.uniform(box.min[axis], box.max[axis]), 1e-3);
+    const auto all = section_of(scene.view(), plane);
+    const Vec3d a = chance.in_box(box), b = chance.in_box(box);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const int along = k == 0 ? (axis == 0 ? 1 : 0) : (axis == 2 ? 1 : 2);
+      plane.min[k] = std::min(a[along], b[along]);
+      plane.max[k] = std::max(a[along], b[along]);
+    }
+    const auto some = section_of(scene.view(), plane);
+    for (const SectionSegment& segment : all) {
+      const auto is_inside = [&](const std::array<double, 2>& p) {
+        return p[0] > plane.min[0] && p[0] < plane.max[0] && p[1] > plane.min[1] && p[1] < plane.max[1];
+      };
+      if (!is_inside(segment.from) && !is_inside(segment.to)) continue;
+      EXPECT_TRUE(std::ranges::any_of(some, [&](const SectionSegment& other) {
+        return other.from == segment.from && other.to == segment.to && other.primitive == segment.primitive;
+      }));
+    }
+  }
+}
+
+double total_length(const std::vector<SectionSegment>& segments) {
+  double sum = 0;
+  for (const SectionSegment& s : segments)
+    sum += std::hypot(s.to[0] - s.from[0], s.to[1] - s.from[1]);
+  return sum;
+}
+
+template <class Primitive>
+std::vector<SectionSegment> cut(const Primitive& primitive, int axis, double position) {
+  TestScene<double> scene;
+  if constexpr (std::is_same_v<Primitive, Triangle<double>>) scene.triangles.push_back(primitive);
+  if constexpr (std::is_same_v<Primitive, Sphere<double>>) scene.spheres.push_back(primitive);
+  if constexpr (std::is_same_v<Primitive, Cone<double>>) scene.cones.push_back(primitive);
+  return section_of(scene.view(), everywhere(axis, position, 1e-6));
+}
+
+TEST(Section, HasTheLengthsOfKnownCurves) {
+  constexpr double pi = std::numbers::pi;
+  const auto triangle = triangle_of<double>(Vec3d{0, 0, 0}, Vec3d{2, 0, 0}, Vec3d{0, 2, 2});
+  EXPECT_DOUBLE_EQ(total_length(cut(triangle, 2, 1)), 1);
+  EXPECT_DOUBLE_EQ(total_length(cut(triangle, 2, 0)), 2); // its side in the plane
+  EXPECT_TRUE(cut(triangle, 2, 2).empty());               // its corner
+  const auto flat = triangle_of<double>(Vec3d{0, 0, 1}, Vec3d{3, 0, 1}, Vec3d{0, 4, 1});
+  EXPECT_DOUBLE_EQ(total_length(cut(flat, 2, 1)), 12);
+  EXPECT_NEAR(total_length(cut(sphere_of<double>({1, 2, 3}, -5), 0, 4)), 2 * pi * 4, 1e-3);
+  EXPECT_TRUE(cut(sphere_of<double>({0, 0, 0}, 1), 1, 1).empty()); // touches
+  const auto cylinder = cone_of<double>({0, 0, 0}, 1, {0, 0, 3}, 1);
+  EXPECT_NEAR(total_length(cut(cylinder, 2, 1.5)), 2 * pi, 1e-3);
+  EXPECT_NEAR(total_length(cut(cylinder, 2, 3)), 2 * pi, 1e-3);
+  EXPECT_NEAR(total_length(cut(cylinder, 0, 0.5)), 6, 1e-9); // two lines
+  EXPECT_TRUE(cut(cylinder, 0, 1.01).empty());
+  const auto pointed = cone_of<double>({0, 0, 0}, 1, {0, 0, 1}, 0);
+  EXPECT_NEAR(total_length(cut(pointed, 2, 0.75)), 2 * pi * 0.25, 1e-3);
+  EXPECT_NEAR(total_length(cut(pointed, 1, 0)), 2 * std::sqrt(2), 1e-9); // through the axis
+}
+
+} // namespace
+} // namespace masu
