@@ -14,7 +14,6 @@ namespace masu {
 namespace {
 
 constexpr std::int32_t largest_side = 8192;
-constexpr std::int64_t most_pixels = std::int64_t{1} << 23;
 
 // Of a request. Every one is to be read: what is left over is unknown.
 class Parameters {

@@ -51,6 +51,8 @@ function readFragment() {
   if (angle > 0 && angle < 180) camera.angle = angle;
   const view = Vec.sub(camera.at, camera.from);
   state.camera = Vec.length(Vec.cross(view, camera.up)) > 0 ? camera : homeCamera();
+  if (!source.isLive) state.camera = source.nearest(state.camera);
+  state.wish = state.camera;
   const depth = Number(parts.get('depth'));
   state.depth = depth >= 1 && depth <= 32 ? Math.round(depth) : 5;
   const grids = (parts.get('grid') || '').split(',').map((name) => state.scene.grids.findIndex((grid) => grid.name === name));
@@ -70,6 +72,11 @@ function rememberSoon() {
   addressTimer = setTimeout(() => {
     if (location.hash !== fragment()) history.replaceState(null, '', fragment());
   }, 250);
+}
+
+// A grid's name without the ending, where that's enough to tell grids apart; may break at underlines.
+function shortName(index) {
+  return state.scene.grids[index].name.replace(/\.grid$/, '').replaceAll('_', '_\u200b');
 }
 
 // --- Panes ---------------------------------------------------------------------------------------------------
@@ -113,6 +120,7 @@ class Pane {
   }
 
   size() {
+    if (!source.isLive) return source.size;
     const ratio = window.devicePixelRatio || 1;
     let width = Math.max(16, Math.round(this.stage.clientWidth * ratio));
     let height = Math.max(16, Math.round(this.stage.clientHeight * ratio));
@@ -135,7 +143,9 @@ class Pane {
     const {trace, total} = frame.milliseconds;
     const size = `${Math.round(frame.view.width * frame.scale)} × ${Math.round(frame.view.height * frame.scale)}`;
     const what = frame.isSharp ? 'sharp' : frame.share < 1 ? `${Math.round(100 * frame.share)} %` : 'moving';
-    this.status.textContent = `${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${what}`;
+    this.status.textContent = source.isLive
+      ? `${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${what}`
+      : `${size} · trace ${Text.milliseconds(trace)} when it was exported`;
     this.root.dataset.state = frame.isSharp ? 'sharp' : 'moving';
     if (frame.isSharp) this.count(frame.view);
     this.drawOverlay();
@@ -203,7 +213,6 @@ class Pane {
 
   // Ray counts of a smaller picture of the same view.
   async count(view) {
-    if (!source.isLive) return;
     const scale = Math.min(1, Math.sqrt(60000 / (view.width * view.height)));
     const small = {...view, width: Math.max(1, Math.round(view.width * scale)), height: Math.max(1, Math.round(view.height * scale))};
     if (this.counting) this.counting.abort();
@@ -271,7 +280,7 @@ function update() {
 function showSlice() {
   const shown = [...new Set(state.panes.map((pane) => pane.grid))];
   slicePanel.isOverlaid = state.panes.some((pane) => pane.cells === 'slice');
-  slicePanel.show(shown, shown.map((i) => state.scene.grids[i].name));
+  slicePanel.show(shown, shown.map(shortName));
   drawOverlays();
 }
 
@@ -281,6 +290,13 @@ function drawOverlays() {
 }
 
 function setCamera(camera) {
+  state.wish = camera; // an exported page has a few views alone
+  if (!source.isLive) {
+    const old = state.camera;
+    camera = source.nearest(camera);
+    if (Camera.same(old, camera)) return;
+    if (walkPanel.pixel) walkPanel.clear();
+  }
   state.camera = camera;
   for (const pane of panes) {
     if (pane.counting) pane.counting.abort();
@@ -317,7 +333,7 @@ function controlCamera(pane) {
     const dx = (now.x - old.x) / height, dy = (now.y - old.y) / height;
     moved += Math.abs(now.x - old.x) + Math.abs(now.y - old.y);
     if (moved < 4) return;
-    let camera = state.camera;
+    let camera = state.wish || state.camera;
     if (pointers.size === 2) {
       const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
       const before = Math.hypot(old.x - other.x, old.y - other.y), after = Math.hypot(now.x - other.x, now.y - other.y);
@@ -357,8 +373,9 @@ function keyOfPicture(pane, event) {
   const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
   if (event.key in arrows) {
     const [x, y] = arrows[event.key];
+    const orbit = source.isLive ? KEY_ORBIT : source.step;
     setCamera(event.shiftKey ? Camera.panned(state.camera, x * KEY_PAN, y * KEY_PAN)
-                             : Camera.orbited(state.camera, x * KEY_ORBIT, y * KEY_ORBIT));
+                             : Camera.orbited(state.camera, x * orbit, y * orbit));
     return true;
   }
   if (event.key === '+' || event.key === '=') setCamera(Camera.zoomed(state.camera, 1 / KEY_ZOOM));
@@ -419,6 +436,7 @@ function keyOfPicking(pane, event) {
 let walking = null;
 async function pick(pane, shareX, shareY) {
   const [width, height] = pane.size();
+  if (!source.isLive) shareX = shareY = 0.5; // the only pixel whose walk was exported
   const x = Math.max(0, Math.min(width - 1, Math.floor(shareX * width))), y = Math.max(0, Math.min(height - 1, Math.floor(shareY * height)));
   const grid = pane.settings.grid;
   if (walking) walking.abort();
@@ -517,14 +535,14 @@ function showCost() {
   if (costFrame) return;
   costFrame = requestAnimationFrame(() => {
     costFrame = 0;
-    const shown = panes.map((pane) => ({name: state.scene.grids[pane.settings.grid].name, frame: pane.frame,
+    const shown = panes.map((pane) => ({name: shortName(pane.settings.grid), frame: pane.frame,
       counts: pane.counts, grid: state.scene.grids[pane.settings.grid]}));
     $('cost').replaceChildren(costTable(shown));
   });
 }
 
 async function showFigures() {
-  const names = state.scene.grids.map((grid) => grid.name);
+  const names = state.scene.grids.map((grid, i) => shortName(i));
   try {
     const all = await Promise.all(names.map((name, i) => source.statistics(i)));
     $('statistics').replaceChildren(element('div', {class: 'scroll wide', tabindex: 0, role: 'group', 'aria-label': 'Statistics of the grids'}, statisticsTable(names, all)));
@@ -579,7 +597,8 @@ function describeScene() {
 }
 
 async function begin() {
-  source = new Server();
+  source = typeof EXPORTED === 'undefined' ? new Server() : new Exported(EXPORTED);
+  document.body.classList.toggle('exported', !source.isLive);
   state.scene = await source.scene();
   state.scene.channels = state.scene.channels || ['shaded'];
   colors = new ColorScale(state.scene.colors);

@@ -79,9 +79,10 @@ function costTable(shown) {
   const tests = (c) => Object.values(c.intersection_tests).reduce((a, b) => a + b, 0);
   const time = {text: Text.milliseconds};
   const perRay = {text: Text.number, less: true};
+  const areSharp = shown.every((one) => one.frame && one.frame.isSharp && one.frame.view.channel === shown[0].frame.view.channel);
   return table(shown.map((one) => one.name), [
     ['picture', column((one) => `${one.frame.view.width} × ${one.frame.view.height}`), {text: (t) => t || '–'}],
-    ['trace', column((one) => one.frame.milliseconds.trace), {text: Text.milliseconds, less: true}],
+    ['trace', column((one) => one.frame.milliseconds.trace), {text: Text.milliseconds, less: areSharp}],
     ['camera rays', column((one) => one.frame.rays / one.frame.milliseconds.trace / 1e3), {text: (v) => `${Text.number(v)} M/s`, title: 'Camera rays a second, with all rays that they spawn'}],
     ['copy from device', column((one) => one.frame.milliseconds.copy), time],
     ['rows, JPEG', column((one) => one.frame.milliseconds.rows + one.frame.milliseconds.encode), time],

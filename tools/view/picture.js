@@ -97,17 +97,18 @@ class Picture {
   }
 
   async drawMoving(view) {
-    const scale = Math.min(1, Math.max(0.08, Math.sqrt(MOVING_BUDGET_MS / (this.msPerPixel * view.width * view.height))));
+    const affordable = Math.sqrt(MOVING_BUDGET_MS / (this.msPerPixel * view.width * view.height));
+    const scale = this.source.isLive ? Math.min(1, Math.max(0.08, affordable)) : 1;
     const small = {...view, width: Math.max(1, Math.round(view.width * scale)),
                    height: Math.max(1, Math.round(view.height * scale))};
     const got = await this.source.picture(small, 'moving', null, undefined);
-    const cost = (got.milliseconds.total - got.milliseconds.wait) / (small.width * small.height);
+    const cost = !this.source.isLive ? 0 : (got.milliseconds.total - got.milliseconds.wait) / (small.width * small.height);
     this.msPerPixel += (cost - this.msPerPixel) * (cost > this.msPerPixel ? 0.5 : 0.2);
     if (this.isClosed) return;
     this.fit(view);
     this.context.imageSmoothingEnabled = view.channel === 'shaded';
     this.context.drawImage(got.image, 0, 0, view.width, view.height);
-    got.image.close();
+    if (got.image.close) got.image.close();
     this.drawn({...got, view, isMoving: true, isSharp: false, scale, share: 1});
   }
 
@@ -115,7 +116,7 @@ class Picture {
   async drawSharp(view, version) {
     const pixels = view.width * view.height;
     const estimate = pixels * this.stillMsPerPixel;
-    const bands = Math.max(1, Math.min(Math.ceil(estimate / BAND_MS), Math.ceil(view.height / 16)));
+    const bands = !this.source.isLive ? 1 : Math.max(1, Math.min(Math.ceil(estimate / BAND_MS), Math.ceil(view.height / 16)));
     const rows = Math.ceil(view.height / bands / 16) * 16; // whole blocks of JPEG
     const sum = {};
     let rays = 0;
@@ -131,8 +132,8 @@ class Picture {
       }
       if (this.version !== version || this.isClosed) return false;
       this.fit(view);
-      this.context.drawImage(got.image, 0, y);
-      got.image.close();
+      this.context.drawImage(got.image, 0, y, view.width, height);
+      if (got.image.close) got.image.close();
       rays += got.rays;
       for (const [name, value] of Object.entries(got.milliseconds)) sum[name] = (sum[name] || 0) + value;
       const isLast = y + height === view.height;

@@ -83,8 +83,7 @@ Bytes channel(const Tracer& tracer, const PictureRequest& request, const FrameRe
   return bytes;
 }
 
-Json slice_cells(const GridFile& file, const SlicePlane& plane, const SliceWindow& window) {
-  constexpr std::size_t most = 200000;
+Json slice_cells(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, std::size_t most) {
   Json cells = Json::array();
   bool truncated = false;
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
@@ -191,7 +190,7 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
             {"min", window.min},
             {"step", {step[u], step[v]}}};
   return turns_.run(is_gone, [&] {
-    json.update(slice_cells(file, plane, window));
+    json.update(slice_cells(file, plane, window, request.most_cells));
     json["outline"] = scene_.is_float64() ? slice_outline<double>(scene_, plane, window)
                                           : slice_outline<float>(scene_, plane, window);
     return json;

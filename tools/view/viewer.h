@@ -36,6 +36,8 @@ struct ViewerSettings {
   Precision precision = Precision::automatic;
 };
 
+inline constexpr std::int64_t most_pixels = std::int64_t{1} << 23; // of a picture
+
 struct PictureRequest {
   std::size_t grid = 0;
   Camera camera{};
@@ -64,6 +66,7 @@ struct SliceRequest {
   std::size_t grid = 0;
   int axis = 2;
   double share = 0.5;
+  std::size_t most_cells = 200000; // beyond, the slice is truncated
 };
 
 using IsGone = std::function<bool()>;
