@@ -322,6 +322,37 @@ class Page(unittest.TestCase):
                 self.js("scrollTo(0, 0)")
                 self.screenshot(f"{width}-{'dark' if dark else 'light'}")
 
+    def test_an_exported_page_needs_no_server(self):
+        tools.run("gridview", *scene, "--export", "page.html", "--views", "3", "--size", "160x120", "-q")
+        text = (tools.folder / "page.html").read_text()
+        self.assertIn("default-src 'none'", text)
+        self.assertNotRegex(text, r'(src|href)="(?!data:|#)[^"]*"')
+        self.browser.get("about:blank")
+        self.logs()
+        address = (tools.folder / "page.html").as_uri()
+        self.browser.get(f"{address}#grid={scene[1]},{scene[2]}&channel=shaded,cells")
+        self.wait_sharp()
+        self.assertEqual(self.pixels(0)[:2], [160, 120])
+        before = self.pixels(0)
+        self.js("panes[0].stage.focus()")
+        self.keys(Keys.ARROW_RIGHT)
+        self.wait_sharp()
+        self.assertNotEqual(self.pixels(0), before)
+        for name in self.js("return state.scene.channels"):
+            self.js("panes[1].set({channel: arguments[0]})", name)
+            self.wait_sharp()
+        self.js("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
+        wait_until(lambda: self.js("return document.querySelector('canvas.slice') && document.querySelector('#statistics table') && "
+                                   "document.querySelectorAll('#cost td.better').length > 0"), "all panels")
+        self.keys(Keys.ENTER, Keys.ENTER)
+        wait_until(lambda: self.js("return walkPanel.walk"), "the middle pixel's walk")
+        self.screenshot("exported")
+        events, console = self.logs()
+        self.assertEqual([entry["message"] for entry in console], [])
+        for event in events:
+            if event["method"] == "Network.requestWillBeSent":
+                self.assertTrue(event["params"]["request"]["url"].startswith((address, "data:", "blob:", "about:")), event["params"]["request"]["url"])
+
     def test_a_hidden_or_closed_page_asks_nothing(self):
         self.browser.get("about:blank")
         self.logs()

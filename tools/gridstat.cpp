@@ -31,6 +31,16 @@ struct Settings {
   bool json = false, csv = false, histogram = false;
 };
 
+// Quoted where it must be.
+std::string csv_text(const std::string& text) {
+  const std::string line = printable(text);
+  if (line.find_first_of(",\"") == std::string::npos) return line;
+  std::string quoted = "\"";
+  for (const char c : line)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 // One header line, with nested keys joined by points, and one line of values. The columns are the same for
 // every grid: what a grid doesn't have is empty, the map's words are added up, and what has no fixed length
 // (cells_by_size) is left out.

@@ -150,7 +150,7 @@ class Pane {
     if (frame.isSharp) this.count(frame.view);
     this.drawOverlay();
     this.showScale();
-    if (frame.range && frame.isMoving) {
+    if (source.isLive && frame.range && frame.isMoving) {
       this.range = {channel: frame.view.channel, values: frame.range};
       fitRange(frame.view.channel);
     }
@@ -202,7 +202,7 @@ class Pane {
 
   showScale() {
     const channel = this.frame.view.channel;
-    const range = this.frame.view.range || this.frame.range;
+    const range = source.isLive && this.frame.view.range ? this.frame.view.range : this.frame.range;
     const isNumber = range && ['depth', 'cells', 'tests', 'all cells', 'all tests'].includes(channel);
     this.scale.hidden = !isNumber;
     if (!isNumber) return;

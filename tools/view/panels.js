@@ -37,7 +37,7 @@ const Text = {
     while (value >= 1000 && unit + 1 < units.length) { value /= 1000; unit += 1; }
     return `${unit === 0 ? value : Text.number(value)} ${units[unit]}`;
   },
-  milliseconds: (value) => `${Text.number(value)} ms`,
+  milliseconds: (value) => Number.isFinite(value) ? `${Text.number(value)} ms` : '–',
   seconds: (value) => (value === null || value === undefined ? '–' : value < 1 ? Text.milliseconds(value * 1e3) : `${Text.number(value)} s`),
   percent: (value) => `${Text.number(value)} %`,
   vector: (value) => value.map((x) => Number(x.toPrecision(6))).join(', '),

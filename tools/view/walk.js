@@ -72,10 +72,9 @@ class WalkPanel {
       this.body.append(element('tr', {id: `walk-step-${i}`, 'data-step': i, role: 'option', 'aria-selected': i === this.step,
         onclick: () => this.select(i), title: step.tests.map((test) => `primitive ${test.primitive}: ${test.t === null ? 'missed' : `t ${test.t}${test.kept ? ', kept' : ''}`}`).join('\n')},
         element('td', {}, String(i)), element('td', {}, voxels(step.voxels)), element('td', {}, Text.number(step.enter)),
-        element('td', {}, step.exit === null ? '∞' : Text.number(step.exit)), element('td', {}, String(step.references)),
-        element('td', {class: kept ? 'hit' : null}, kept ? 'hit' : '')));
+        element('td', {}, step.exit === null ? '∞' : Text.number(step.exit)), element('td', {class: kept ? 'hit' : null}, `${step.references}${kept ? ' hit' : ''}`)));
     });
-    const head = ['cell', 'voxels x y z', 't in', 't out', 'tests', ''].map((name) => element('th', {scope: 'col'}, name));
+    const head = ['cell', 'voxels x y z', 't in', 't out', 'tests'].map((name) => element('th', {scope: 'col'}, name));
     this.list = element('div', {class: 'scroll', tabindex: 0, role: 'listbox', 'aria-label': 'Cells that the ray visits', onkeydown: (event) => {
       const by = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -1e9, End: 1e9}[event.key];
       if (by && this.move(by)) { event.preventDefault(); event.stopPropagation(); }
