@@ -121,7 +121,8 @@ build() {
   log=$(mktemp)
   if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&
       { ! grep -q 'mesh2bin: off' "$log" || echo "== no Assimp (libassimp-dev): building without mesh2bin"; } &&
-      { ! grep 'gridview: off' "$log" | sed 's/^-- /== /'; } &&
+      { ! grep -q 'gridview: off' "$log" ||
+        echo "== no cpp-httplib or libjpeg-turbo (libcpp-httplib-dev, libturbojpeg0-dev, pkg-config): building without gridview"; } &&
       cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then
     grep -E -A5 'error|Error|\*\*\*' "$log" || cat "$log"
     rm -f "$log"
