@@ -22,8 +22,8 @@ std::int32_t image_height(const Frame& frame, Sampling sampling);
 // picture's width.
 void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels);
 
-// All pixels as PNG has them: 8 bits a channel, values above 1 cut off; srgb: encoded as sRGB, otherwise stored
-// as they are.
+// All pixels as PNG has them: 8 bits a channel, values above 1 cut off; srgb: encoded as sRGB, otherwise
+// stored as they are.
 std::vector<std::uint8_t> image_bytes(const Frame& frame, Sampling sampling, bool srgb = false);
 
 struct ImageOptions {
