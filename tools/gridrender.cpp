@@ -2,6 +2,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
+#include "tools/counts_report.h"
 #include "tools/device_choice.h"
 #include "tools/inspection.h"
 #include "tools/printable.h"
@@ -52,22 +53,6 @@ Json seconds_json(const Seconds& seconds) {
   return {
       {"map", seconds.map},           {"validate", seconds.validate},       {"upload", seconds.trace.upload},
       {"trace", seconds.trace.trace}, {"download", seconds.trace.download}, {"write", seconds.write}};
-}
-
-Json counts_json(const Counts& counts) {
-  return {
-      {"eye_rays", counts.camera_rays},
-      {"eye_hits", counts.camera_hits},
-      {"reflection_rays", counts.reflection_rays},
-      {"refraction_rays", counts.refraction_rays},
-      {"shadow_rays", counts.shadow_rays},
-      {"shadow_hits", counts.shadow_hits},
-      {"secondary_hits", counts.secondary_hits},
-      {"intersection_tests",
-       {{"triangle", counts.triangle_tests}, {"sphere", counts.sphere_tests}, {"cone", counts.cone_tests}}},
-      {"cells_visited", counts.cells_visited},
-      {"empty_cells_visited", counts.empty_cells_visited},
-      {"voxels_skipped", counts.voxels_skipped}};
 }
 
 void write_json(const Json& json, const std::string& path) {
@@ -345,7 +330,7 @@ void render(const Settings& settings, Ranks& ranks) {
     return json;
   };
   if (!settings.stats.empty())
-    write_json(joined(head, {counts_json(outcome.report.totals.counts), times}), settings.stats);
+    write_json(joined(head, {counts_report(outcome.report.totals.counts), times}), settings.stats);
   if (!settings.times.empty()) write_json(joined(head, {times}), settings.times);
   if (!quiet) print_summary(outcome, device);
 }

@@ -1,12 +1,10 @@
 // gridstat: statistics of a grid, pictures of its slices, its cells as boxes, and the occupied voxels of a
 // scene.
-#include "libgrid/file/grid_file.h"
-#include "libgrid/map_statistics.h"
-#include "libgrid/statistics.h"
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/cell_export.h"
 #include "tools/cli.h"
+#include "tools/grid_report.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/slice_picture.h"
@@ -32,110 +30,6 @@ struct Settings {
   SpaceRule space = SpaceRule::cube;
   bool json = false, csv = false, histogram = false;
 };
-
-Json vector_json(const fb::Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-double percent(std::uint64_t part, std::uint64_t whole) {
-  return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
-
-// Of cells and references, and of the voxel map.
-struct Statistics {
-  GridStatistics cells;
-  MapStatistics map;
-  Vec3i division{}; // in the smallest voxels
-
-  explicit Statistics(const GridFile& file) {
-    if (file.is_merged()) {
-      const auto view = file.merged_view<double>();
-      cells = grid_statistics(view, file.cells());
-      map = map_statistics(view, file.cells());
-      division = view.division;
-    } else {
-      const auto view = file.view<double>();
-      cells = grid_statistics(view, file.references());
-      map = map_statistics(view, file.references());
-      division = view.division;
-    }
-  }
-  // Coefficient of variation of the references of occupied cells: 0 when all list the same number.
-  double evenness() const { return cells.mean > 0 ? cells.stddev / cells.mean : 0; }
-};
-
-// What only merged grids have; null for uniform ones, so that every report has the same keys.
-Json merged_report(const GridFile& file, const Statistics& statistics) {
-  if (!file.is_merged())
-    return {{"merge_rule", nullptr},
-            {"nested_log2", nullptr},
-            {"cells_by_size", nullptr},
-            {"expanded_cells", nullptr},
-            {"mean_expansion", nullptr}};
-  const MapStatistics& map = statistics.map;
-  Json sizes = Json::array();
-  for (std::size_t log2 = 0; log2 < map.cells_by_size.size(); ++log2) {
-    if (map.cells_by_size[log2] > 0) sizes.push_back({std::uint64_t{1} << log2, map.cells_by_size[log2]});
-  }
-  return {{"merge_rule", file.table().merge_rule()->str()},
-          {"nested_log2", file.table().nested_log2()},
-          {"cells_by_size", sizes},
-          {"expanded_cells", map.expanded_cells},
-          {"mean_expansion", map.mean_expansion}};
-}
-
-Json report(const GridFile& file, const Statistics& statistics, bool histogram) {
-  const GridStatistics& s = statistics.cells;
-  const MapStatistics& map = statistics.map;
-  const fb::Grid& table = file.table();
-  const fb::Division& n = *table.division();
-  const Vec3i& smallest = statistics.division;
-  const auto bytes = [](const auto& records) { return records.size_bytes(); };
-  Json json{
-      {"space", {{"min", vector_json(table.space()->min())}, {"max", vector_json(table.space()->max())}}},
-      {"division", {n.x(), n.y(), n.z()}},
-      {"smallest_division", {smallest.x, smallest.y, smallest.z}},
-      {"voxels", map.voxels},
-      {"occupied_voxels", map.occupied_voxels},
-      {"empty_voxels", map.voxels - map.occupied_voxels},
-      {"occupancy_percent", percent(map.occupied_voxels, map.voxels)},
-      {"cells", s.cells},
-      {"occupied_cells", s.occupied_cells},
-      {"empty_cells", s.cells - s.occupied_cells},
-      {"references", s.references},
-      {"references_per_occupied_cell",
-       {{"mean", s.mean},
-        {"stddev", s.stddev},
-        {"evenness", statistics.evenness()},
-        {"median", s.median},
-        {"p99", s.p99},
-        {"min", s.min},
-        {"max", s.max}}},
-      {"map", {{"words_by_level", map.words}, {"mean_loads", map.loads}}},
-      {"expected_per_ray",
-       {{"cells", map.ray.cells}, {"tests", map.ray.tests}, {"voxels_skipped", map.ray.voxels_skipped}}},
-      {"bytes",
-       {{"file", file.bytes()},
-        {"voxel_map", bytes(file.voxel_map())},
-        {"cells", bytes(file.cells())},
-        {"references", bytes(file.references())}}},
-      {"merge", fb::EnumNameMerge(table.merge())},
-      {"overlap", fb::EnumNameOverlap(table.overlap())},
-      {"space_rule", fb::EnumNameSpace(table.space_rule())},
-      {"division_rule", table.division_rule()->str()},
-      {"geometry_hash", to_hex({table.geometry_hash()->low(), table.geometry_hash()->high()})},
-      {"build_seconds", nullptr},
-  };
-  if (table.build_seconds() >= 0) json["build_seconds"] = table.build_seconds();
-  json.update(merged_report(file, statistics));
-  json.update(program_version());
-  if (histogram) {
-    for (std::size_t references = 0; references < s.histogram.size(); ++references) {
-      if (s.histogram[references] > 0) json["histogram"].push_back({references, s.histogram[references]});
-    }
-  }
-  return json;
-}
 
 // Quoted where it must be.
 std::string csv_text(const std::string& text) {
@@ -281,7 +175,7 @@ void inspect(const Settings& settings) {
   if (!settings.slice.empty()) return draw_slice(file, settings);
   if (!settings.cells.empty()) return write_cells(file, settings);
   const Statistics statistics(file);
-  const Json json = report(file, statistics, settings.histogram);
+  const Json json = grid_report(file, statistics, settings.histogram);
   if (settings.json) {
     fmt::print("{}\n", json_text(json));
   } else if (settings.csv) {

@@ -12,6 +12,8 @@ has() { # package
     openmpi-bin) command -v mpirun >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
     libassimp-dev) header assimp/scene.h ;;
+    libcpp-httplib-dev) header httplib.h ;;
+    libturbojpeg0-dev) header turbojpeg.h ;;
     libcli11-dev) header CLI/CLI.hpp ;;
     libflatbuffers-dev) header flatbuffers/flatbuffers.h ;;
     libfmt-dev) header fmt/format.h ;;
@@ -62,8 +64,9 @@ require() {
 
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
   libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
-# libassimp-dev: for mesh2bin; libopenmpi-dev, openmpi-bin: for gridrender-mpi
-extras=(libassimp-dev libopenmpi-dev ninja-build openmpi-bin)
+# libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,
+# openmpi-bin: for gridrender-mpi
+extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)
 
 # Sets cuda_options for cmake.
 find_cuda() {
@@ -122,6 +125,8 @@ build() {
   if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&
       { ! grep -q 'mesh2bin: off' "$log" || echo "== no Assimp (libassimp-dev): building without mesh2bin"; } &&
       { ! grep -q 'gridrender-mpi: off' "$log" || echo "== no MPI (libopenmpi-dev): building without gridrender-mpi"; } &&
+      { ! grep -q 'gridview: off' "$log" ||
+        echo "== no cpp-httplib or libjpeg-turbo (libcpp-httplib-dev, libturbojpeg0-dev, pkg-config): building without gridview"; } &&
       cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then
     grep -E -A5 'error|Error|\*\*\*' "$log" || cat "$log"
     rm -f "$log"

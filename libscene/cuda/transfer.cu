@@ -1,6 +1,7 @@
 #include "libscene/cuda/transfer.h"
 
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
@@ -70,7 +71,8 @@ void Transfer::copy_all() {
       check(cudaMemcpy(copy.to, copy.from, copy.bytes, copy.direction));
   } else {
     tbb::enumerable_thread_specific<StagingBuffers> buffers;
-    tbb::task_arena arena(copy_threads);
+    const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    tbb::task_arena arena(std::min(copy_threads, static_cast<int>(allowed)));
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         const DeviceScope of_thread(device_);

@@ -1,0 +1,96 @@
+"""Runs the built tools for tests of gridview."""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+
+
+def skip(reason):
+    """ctest shows a test that returns 77 as skipped."""
+    print(f"skipped: {reason}")
+    sys.exit(77)
+
+
+class Tools:
+    """The tools of a build folder, and a temporary folder with a scene and its grids."""
+
+    def __init__(self, bin_folder):
+        self.bin = pathlib.Path(bin_folder).resolve()
+        if not (self.bin / "gridview").exists():
+            skip("gridview isn't built: it needs cpp-httplib and libjpeg-turbo")
+        self.folder_owner = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.folder_owner.name)
+
+    def run(self, *words):
+        words = [str(self.bin / words[0]), *map(str, words[1:])]
+        return subprocess.run(words, cwd=self.folder, check=True, capture_output=True, text=True).stdout
+
+    def make_scene(self, name="balls", size=2):
+        """NAME.scene, NAME.grid (irregular) and NAME_uniform.grid."""
+        self.run("nffgen", name, "--size", size, "-o", f"{name}.nff")
+        self.run("nff2bin", f"{name}.nff", "-o", f"{name}.scene")
+        self.run("gridbuild", f"{name}.scene", "-o", f"{name}.grid", "--merge", "irregular")
+        self.run("gridbuild", f"{name}.scene", "-o", f"{name}_uniform.grid", "--merge", "none")
+        return [f"{name}.scene", f"{name}.grid", f"{name}_uniform.grid"]
+
+
+class Gridview:
+    """A gridview that is serving; ends with the block."""
+
+    def __init__(self, tools, *arguments):
+        # A sanitizer's options are the environment's; its reports are on standard error.
+        self.log = open(tools.folder / "gridview.log", "w+")
+        self.process = subprocess.Popen([tools.bin / "gridview", *arguments, "--port", "0"], cwd=tools.folder,
+                                        stdout=subprocess.PIPE, stderr=self.log, text=True)
+        self.address = self.process.stdout.readline().strip()
+        match = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/(\?token=[0-9a-f]{32})?", self.address)
+        assert match, f"no address: {self.address!r}, {self.text()}"
+        self.port = int(match[1])
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self.process.poll() is None:
+            self.process.terminate()
+            self.process.wait(30)
+        self.process.stdout.close()
+        self.log.close()
+
+    def text(self):
+        """What it wrote to standard error."""
+        self.log.flush()
+        return pathlib.Path(self.log.name).read_text()
+
+    def get(self, path, **headers):
+        request = urllib.request.Request(f"http://127.0.0.1:{self.port}{path}", headers=headers)
+        with urllib.request.urlopen(request, timeout=60) as response:
+            return response.read()
+
+    def memory(self):
+        """Resident bytes."""
+        text = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return 1024 * int(re.search(r"VmRSS:\s+(\d+)", text)[1])
+
+    def threads(self):
+        return len(os.listdir(f"/proc/{self.process.pid}/task"))
+
+    def files(self):
+        return len(os.listdir(f"/proc/{self.process.pid}/fd"))
+
+    def cpu_seconds(self):
+        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def wait_until(condition, what, seconds=60):
+    """Not a measurement: the bound is for what hangs."""
+    end = time.monotonic() + seconds
+    while not (value := condition()):
+        assert time.monotonic() < end, f"never happened: {what}"
+        time.sleep(0.05)
+    return value

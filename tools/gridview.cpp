@@ -1,0 +1,162 @@
+// gridview: a scene and its grids as a page in the browser, served on the loopback address.
+#include "tools/backend_choice.h"
+#include "tools/cli.h"
+#include "tools/printable.h"
+#include "tools/progress.h"
+#include "tools/provenance.h"
+#include "tools/view/answers.h"
+#include "tools/view/export.h"
+#include "tools/view/measure.h"
+
+#include <csignal>
+#include <thread>
+
+namespace masu {
+namespace {
+
+constexpr int usual_port = 8765;
+
+struct Settings {
+  ViewerSettings viewer;
+  Backend backend = Backend::automatic;
+  std::string address = "127.0.0.1";
+  int port = -1; // the usual one, or any that is free
+  bool token = false, quiet = false, measures = false;
+  std::string size;
+  ExportSettings exported; // to a file, where it has a path
+  MeasureSettings measured;
+  Threads threads;
+};
+
+// The signals that end the server. To be called before any thread starts, for threads inherit the mask.
+sigset_t block_ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    sigaddset(&signals, signal);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+HttpServer listening(const Settings& settings, const std::string& token, const HttpHandler& handler) {
+  const auto at = [&](int port) { return HttpServer({settings.address, port, token}, handler); };
+  if (settings.port >= 0) return at(settings.port);
+  try {
+    return at(usual_port);
+  } catch (const Error&) { // taken
+    return at(0);
+  }
+}
+
+void print_address(const Settings& settings, int port, const std::string& token, const std::string& device) {
+  const bool local = is_loopback_address(settings.address);
+  const std::string host =
+      settings.address.find(':') == std::string::npos ? settings.address : "[" + settings.address + "]";
+  fmt::print("http://{}:{}/{}\n", host, port, token.empty() ? "" : "?token=" + token);
+  flush_standard_output();
+  if (settings.quiet) return;
+  fmt::print(stderr, "gridview: traces on {}; Ctrl+C ends it\n", device);
+  if (local)
+    fmt::print(stderr,
+               "gridview: from another machine: ssh -L {0}:{1}:{0} HOST, then open the same address there\n",
+               port, host);
+  else
+    fmt::print(stderr,
+               "gridview: anybody who has the token can look, and so can who reads the network: ssh -L and "
+               "127.0.0.1 are safer\n");
+}
+
+// Instead of serving.
+void export_file(const Settings& settings, const ViewerSettings& viewed) {
+  if (!settings.exported.path.ends_with(".html"))
+    throw Error(ErrorCode::usage, settings.exported.path, "is a page: give a name that ends in .html");
+  std::vector<std::string> inputs = viewed.grids;
+  inputs.push_back(viewed.scene);
+  check_files(inputs, {settings.exported.path});
+  const Viewer viewer(viewed);
+  Progress progress("exporting", settings.quiet);
+  export_page(viewer, settings.exported, progress.callback());
+}
+
+void view(const Settings& settings) {
+  const bool cuda = use_cuda(settings.backend, "gridview", settings.quiet);
+  if (!settings.exported.path.empty() || settings.measures) {
+    ViewerSettings viewed = settings.viewer;
+    viewed.device = cuda ? Device::cuda : Device::cpu;
+    if (!settings.measures) return export_file(settings, viewed);
+    const Viewer viewer(viewed);
+    return fmt::print("{}\n",
+                      json_text(with_provenance(measure(viewer, settings.measured), device_name(cuda))));
+  }
+  const sigset_t signals = block_ending_signals();
+  ViewerSettings viewed = settings.viewer;
+  viewed.device = cuda ? Device::cuda : Device::cpu;
+  std::thread([signals] { // at once, whatever is being traced
+    int signal = 0;
+    while (sigwait(&signals, &signal) != 0) {
+    }
+    std::_Exit(0);
+  })
+      .detach();
+  const Viewer viewer(viewed);
+  const std::string token = settings.token || !is_loopback_address(settings.address) ? random_token() : "";
+  HttpServer server =
+      listening(settings, token, [&viewer](const HttpRequest& request) { return answer(viewer, request); });
+  print_address(settings, server.port(), token, device_name(cuda));
+  server.serve();
+}
+
+} // namespace
+} // namespace masu
+
+int main(int argc, char** argv) {
+  using namespace masu;
+  return run_tool(
+      "gridview", "Shows a scene and its grids as a page in the browser.", argc, argv,
+      [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        app.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin")->required();
+        app.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
+            ->required()
+            ->expected(1, 16);
+        app.add_option("--port", settings.port,
+                       fmt::format("to listen on; 0: any that is free; without it {}, or any where "
+                                   "that is taken",
+                                   usual_port))
+            ->check(CLI::Range(0, 65535));
+        app.add_option("--bind", settings.address,
+                       "address to listen on; any but loopback's needs the token that is printed")
+            ->capture_default_str();
+        app.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
+        auto* const file = app.add_option("--export", settings.exported.path,
+                                          "write the page to this .html instead of serving it: pictures "
+                                          "around the scene, channels, slices and statistics in one file");
+        app.add_option("--views", settings.exported.views, "of --export: how many, on a circle")
+            ->check(CLI::Range(1, 360))
+            ->capture_default_str()
+            ->needs(file);
+        auto* const measures =
+            app.add_flag("--measure", settings.measures,
+                         "instead of serving, measure pictures a second over loopback, and print JSON")
+                ->excludes(file);
+        app.add_option("--repeat", settings.measured.repeat, "of --measure: pictures")
+            ->check(CLI::Range(1, 100000))
+            ->capture_default_str()
+            ->needs(measures);
+        app.add_option("--size", settings.size, "WxH pixels of --export (640x480) and --measure (1024x1024)");
+        add_backend(app, settings.backend);
+        add_precision(app, settings.viewer.precision);
+        app.add_flag("-q,--quiet", settings.quiet, "print the address alone");
+        settings.threads.add_to(app);
+        parse();
+        if (!settings.size.empty()) {
+          const Camera camera = resized({}, settings.size);
+          if (std::int64_t{camera.width} * camera.height > most_pixels)
+            throw Error(ErrorCode::usage, "--size", fmt::format("has more than {} pixels", most_pixels));
+          settings.exported.width = settings.measured.width = camera.width;
+          settings.exported.height = settings.measured.height = camera.height;
+        }
+        const auto limit = settings.threads.limit();
+        view(settings);
+      });
+}

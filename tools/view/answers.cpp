@@ -1,0 +1,180 @@
+#include "tools/view/answers.h"
+
+#include "libscene/error.h"
+#include "page_files.h"
+#include "tools/printable.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <set>
+
+namespace masu {
+namespace {
+
+constexpr std::int32_t largest_side = 8192;
+
+// Of a request. Every one is to be read: what is left over is unknown.
+class Parameters {
+public:
+  explicit Parameters(const std::map<std::string, std::string>& values) : values_(values) {}
+
+  const std::string* find(const char* name) {
+    read_.insert(name);
+    const auto found = values_.find(name);
+    return found != values_.end() ? &found->second : nullptr;
+  }
+  const std::string& text(const char* name) {
+    const std::string* const value = find(name);
+    if (value == nullptr) throw Error(ErrorCode::usage, name, "is missing");
+    return *value;
+  }
+  template <class Number>
+  Number number(const char* name, Number least, Number most) {
+    const std::string& value = text(name);
+    Number number{};
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    if (error != std::errc() || end != value.data() + value.size() || !(number >= least && number <= most))
+      throw Error(ErrorCode::usage, name, fmt::format("isn't a number from {} to {}", least, most));
+    return number;
+  }
+  Vec3d vector(const char* name) { return parse_vector(name, text(name)); }
+  // Throws Error(usage) where one is left over.
+  void end() const {
+    for (const auto& [name, value] : values_) {
+      if (!read_.contains(name)) throw Error(ErrorCode::usage, "address", "has an unknown parameter");
+    }
+  }
+
+private:
+  const std::map<std::string, std::string>& values_;
+  std::set<std::string> read_;
+};
+
+std::size_t grid_of(const Viewer& viewer, Parameters& parameters) {
+  return parameters.number<std::size_t>("grid", 0, viewer.grids() - 1);
+}
+
+Camera camera_of(const Viewer& viewer, Parameters& parameters) {
+  Camera camera = viewer.scene().camera();
+  camera.from = parameters.vector("from");
+  camera.at = parameters.vector("at");
+  camera.up = parameters.vector("up");
+  camera.angle = parameters.number<double>("angle", 0, 180);
+  camera.width = parameters.number<std::int32_t>("width", 1, largest_side);
+  camera.height = parameters.number<std::int32_t>("height", 1, largest_side);
+  if (std::int64_t{camera.width} * camera.height > most_pixels)
+    throw Error(ErrorCode::usage, "width", fmt::format("and height make more than {} pixels", most_pixels));
+  if (const auto fault = fault_of(camera, viewer.scene().is_float64() ? 1e100 : 1e12))
+    throw Error(ErrorCode::usage, fault->part, fault->what);
+  return camera;
+}
+
+ValueRange parse_range(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  ValueRange range{};
+  const auto read = [](std::string_view part, double& value) {
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    return error == std::errc() && end == part.data() + part.size() && std::isfinite(value);
+  };
+  const std::string_view all = text;
+  if (comma == std::string::npos || !read(all.substr(0, comma), range[0]) ||
+      !read(all.substr(comma + 1), range[1]))
+    throw Error(ErrorCode::usage, "range", "isn't two numbers");
+  return range;
+}
+
+PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
+  PictureRequest request;
+  request.grid = grid_of(viewer, parameters);
+  request.camera = camera_of(viewer, parameters);
+  request.depth = parameters.number<int>("depth", 1, largest_depth);
+  if (const std::string* const crop = parameters.find("crop")) request.crop = parse_crop("crop", *crop);
+  request.channel = parse_picture_channel(parameters.text("channel"));
+  if (const std::string* const range = parameters.find("range")) request.range = parse_range(*range);
+  // moving: soon another one comes. still: the picture that gridrender makes.
+  const std::string& quality = parameters.text("quality");
+  if (quality != "moving" && quality != "still")
+    throw Error(ErrorCode::usage, "quality", "isn't moving or still");
+  const bool still = quality == "still";
+  request.sampling = still && !request.channel.channel ? Sampling::corners : Sampling::centers;
+  request.quality = still ? JpegQuality{95, true} : JpegQuality{80, false};
+  return request;
+}
+
+HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is_gone) {
+  const PictureRequest request = picture_request(viewer, parameters);
+  parameters.end();
+  Picture made = viewer.picture(request, is_gone);
+  const PictureSeconds& s = made.seconds;
+  const auto timing = [](const char* name, double seconds) {
+    return fmt::format("{};dur={:.3f}, ", name, seconds * 1e3);
+  };
+  HttpReply reply{200, "image/jpeg", std::move(made.jpeg)};
+  reply.timing = timing("wait", s.wait) + timing("trace", s.trace) + timing("copy", s.copy) +
+                 timing("rows", s.rows) + timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
+  if (made.range)
+    reply.timing += fmt::format(", low;desc={}, high;desc={}", (*made.range)[0], (*made.range)[1]);
+  return reply;
+}
+
+HttpReply json(const nlohmann::ordered_json& value) {
+  return {200, "application/json", json_text(value, -1)};
+}
+
+const char* type_of(std::string_view name) {
+  return name.ends_with(".html")  ? "text/html; charset=utf-8"
+         : name.ends_with(".css") ? "text/css; charset=utf-8"
+                                  : "text/javascript; charset=utf-8";
+}
+
+HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
+  Parameters parameters(request.parameters);
+  const auto is = [&](const char* path) { return request.path == path; };
+  if (is("/api/picture")) return picture(viewer, parameters, request.is_gone);
+  if (is("/api/counts")) {
+    const PictureRequest counted = picture_request(viewer, parameters);
+    parameters.end();
+    return json(viewer.counts(counted, request.is_gone));
+  }
+  if (is("/api/walk")) {
+    const PictureRequest walked = picture_request(viewer, parameters);
+    const auto column = parameters.number<std::int32_t>("x", 0, walked.camera.width - 1);
+    const auto row = parameters.number<std::int32_t>("y", 0, walked.camera.height - 1);
+    const bool all_rays = parameters.number<int>("all", 0, 1) == 1;
+    parameters.end();
+    return json(viewer.walk(walked, column, row, all_rays, request.is_gone));
+  }
+  if (is("/api/slice")) {
+    const SliceRequest sliced{grid_of(viewer, parameters), parameters.number<int>("axis", 0, 2),
+                              parameters.number<double>("share", 0, 1)};
+    parameters.end();
+    return json(viewer.slice(sliced, request.is_gone));
+  }
+  if (is("/api/statistics")) {
+    const std::size_t grid = grid_of(viewer, parameters);
+    parameters.end();
+    return json(viewer.statistics(grid, request.is_gone));
+  }
+  parameters.end();
+  if (is("/api/scene")) return json(viewer.description());
+  const std::string_view path = request.path;
+  for (const auto& [name, text] : page_files) {
+    if (path == "/" ? name == "page.html" : path.starts_with('/') && path.substr(1) == name)
+      return {200, type_of(name), std::string(text)};
+  }
+  return {404, "application/json", R"({"error": "there is no such address"})"};
+}
+
+} // namespace
+
+HttpReply answer(const Viewer& viewer, const HttpRequest& request) {
+  try {
+    return answer_to(viewer, request);
+  } catch (const Abandoned&) {
+    return {503, "application/json", R"({"error": "too many requests at once"})"};
+  }
+}
+
+} // namespace masu

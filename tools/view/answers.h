@@ -1,0 +1,13 @@
+// The addresses that the page asks, and the page itself.
+#pragma once
+
+#include "tools/view/http_server.h"
+#include "tools/view/viewer.h"
+
+namespace masu {
+
+// Status 404 for any other path. Throws Error(usage) for parameters that are missing, unknown or out of
+// range.
+HttpReply answer(const Viewer& viewer, const HttpRequest& request);
+
+} // namespace masu

@@ -1,0 +1,66 @@
+// HTTP for one page, over cpp-httplib, which by itself reads a line of any length for as long as bytes come:
+// so requests' heads are read here, and bounded in size and time, and so are connections.
+//
+// Only GET and HEAD are heard, without a body. Requests of other origins, and those that name another host
+// than this one (DNS rebinding), are refused.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace masu {
+
+struct HttpRequest {
+  std::string path;
+  std::map<std::string, std::string> parameters;
+  std::function<bool()> is_gone; // whether the client has hung up: nobody needs the reply
+};
+
+struct HttpReply {
+  int status = 200;
+  std::string type = "application/json", body{};
+  std::string timing{}; // header Server-Timing
+};
+
+// Called by many threads at once. An Error becomes status 400, any other exception 500.
+using HttpHandler = std::function<HttpReply(const HttpRequest&)>;
+
+struct HttpSettings {
+  std::string address = "127.0.0.1";
+  int port = 0;        // 0: any that is free
+  std::string token{}; // without it nothing is heard but /?token=TOKEN, which sets a cookie; empty: no token
+  std::size_t connections = 128; // at once; beyond, the one that has been silent longest is closed
+};
+
+class HttpServer {
+public:
+  // Throws Error(usage) where the address and port can't be had.
+  HttpServer(const HttpSettings& settings, HttpHandler handler);
+  ~HttpServer();
+  HttpServer(const HttpServer&) = delete;
+  HttpServer(HttpServer&&) = delete;
+  HttpServer& operator=(const HttpServer&) = delete;
+  HttpServer& operator=(HttpServer&&) = delete;
+
+  int port() const { return port_; }
+  // Until stop(), which any thread may call.
+  void serve();
+  void stop();
+
+private:
+  class Guarded;
+  std::unique_ptr<Guarded> server_;
+  int port_ = 0;
+};
+
+// Whether the name of a Host header, "localhost:8080", is that of a loopback address.
+bool is_loopback_host(const std::string& host);
+// The same of an address to listen on.
+bool is_loopback_address(const std::string& address);
+
+// 128 random bits as hexadecimal digits.
+std::string random_token();
+
+} // namespace masu

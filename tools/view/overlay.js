@@ -1,0 +1,89 @@
+// Cells over the picture: lines of the scene, projected with the picture's own camera.
+'use strict';
+
+class Overlay {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.context = canvas.getContext('2d');
+  }
+
+  // camera, width and height: of the picture that is shown.
+  begin(camera, width, height) {
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+    }
+    this.context.clearRect(0, 0, width, height);
+    this.camera = camera;
+    this.axes = Camera.axes(camera);
+    this.near = 1e-3 * Camera.distance(camera);
+    this.project = Camera.projection(camera, width, height);
+    this.unit = Math.max(1, width / Math.max(1, this.canvas.clientWidth)); // pixels of the canvas for one of the page
+  }
+
+  // The part of a segment in front of the camera.
+  segment(path, a, b) {
+    const depth = (point) => Vec.dot(Vec.sub(point, this.camera.from), this.axes.forward);
+    const da = depth(a), db = depth(b);
+    if (da < this.near && db < this.near) return;
+    const at = (t) => Vec.add(a, Vec.scaled(Vec.sub(b, a), t));
+    const from = da < this.near ? at((this.near - da) / (db - da)) : a;
+    const to = db < this.near ? at((this.near - da) / (db - da)) : b;
+    const [x0, y0] = this.project(from), [x1, y1] = this.project(to);
+    path.moveTo(x0, y0);
+    path.lineTo(x1, y1);
+  }
+
+  stroke(path, color, width, alpha = 1) {
+    const {context} = this;
+    context.globalAlpha = alpha;
+    context.strokeStyle = color;
+    context.lineWidth = width * this.unit;
+    context.stroke(path);
+    context.globalAlpha = 1;
+  }
+
+  // boxes: [{min, max}].
+  boxes(boxes, color, width, alpha) {
+    const path = new Path2D();
+    for (const {min, max} of boxes) {
+      const corner = (i) => [i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]];
+      for (let i = 0; i < 8; ++i) {
+        for (const bit of [1, 2, 4]) {
+          if (!(i & bit)) this.segment(path, corner(i), corner(i | bit));
+        }
+      }
+    }
+    this.stroke(path, color, width, alpha);
+  }
+
+  lines(lines, color, width, alpha) {
+    const path = new Path2D();
+    for (const [a, b] of lines) this.segment(path, a, b);
+    this.stroke(path, color, width, alpha);
+  }
+
+  point(point, color, radius) {
+    const [x, y, depth] = this.project(point);
+    if (depth < this.near) return;
+    const {context} = this;
+    context.fillStyle = color;
+    context.beginPath();
+    context.arc(x, y, radius * this.unit, 0, 7);
+    context.fill();
+  }
+
+  // x, y: shares of the picture.
+  crossHair(x, y, color) {
+    const {context, canvas} = this;
+    const px = x * canvas.width, py = y * canvas.height, gap = 5 * this.unit, arm = 16 * this.unit;
+    const path = new Path2D();
+    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+      path.moveTo(px + dx * gap, py + dy * gap);
+      path.lineTo(px + dx * arm, py + dy * arm);
+    }
+    this.stroke(path, '#000', 3, 0.6);
+    this.stroke(path, color, 1.5);
+    context.globalAlpha = 1;
+  }
+}

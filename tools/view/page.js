@@ -1,0 +1,625 @@
+// The page: what is shown, and how the mouse, fingers and keys change it.
+'use strict';
+
+const $ = (id) => document.getElementById(id);
+
+const state = {
+  scene: null,           // as /api/scene describes it
+  camera: null,
+  depth: 5,
+  panes: [],             // [{grid, channel, cells}]: one, or two that are compared
+  slice: {axis: 2, share: 0.5},
+  picking: null,         // the cross hair: {pane, x, y}, shares of the picture
+};
+const ranges = {};       // of the colours of channels: [low, high], the same in all pictures
+let slicePanel = null, walkPanel = null, colors = null;
+const CELLS = ['none', 'slice', 'ray'];
+const panes = [];        // what is on the page for each of state.panes
+let source = null;
+
+// --- What the address holds ----------------------------------------------------------------------------------
+
+function homeCamera() {
+  const {from, at, up, angle} = state.scene.camera;
+  return {from, at, up, angle};
+}
+
+function fragment() {
+  const parts = new URLSearchParams();
+  const home = homeCamera();
+  for (const part of ['from', 'at', 'up', 'angle']) {
+    if (String(state.camera[part]) !== String(home[part])) parts.set(part, String(state.camera[part]));
+  }
+  if (state.depth !== 5) parts.set('depth', state.depth);
+  parts.set('grid', state.panes.map((pane) => state.scene.grids[pane.grid].name).join());
+  parts.set('channel', state.panes.map((pane) => pane.channel).join());
+  if (state.panes.some((pane) => pane.cells !== 'none')) parts.set('cells', state.panes.map((pane) => pane.cells).join());
+  if (state.slice.axis !== 2 || state.slice.share !== 0.5) parts.set('slice', `${'xyz'[state.slice.axis]},${state.slice.share}`);
+  if (walkPanel && walkPanel.pixel) parts.set('pixel', [walkPanel.pixel.shareX, walkPanel.pixel.shareY].map((share) => Number(share.toFixed(5))).join());
+  return '#' + parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
+}
+
+// Whatever of it makes sense.
+function readFragment() {
+  const parts = new URLSearchParams(location.hash.slice(1));
+  const camera = homeCamera();
+  for (const part of ['from', 'at', 'up']) {
+    const numbers = (parts.get(part) || '').split(',').map(Number);
+    if (parts.has(part) && numbers.length === 3 && numbers.every(Number.isFinite)) camera[part] = numbers;
+  }
+  const angle = Number(parts.get('angle'));
+  if (angle > 0 && angle < 180) camera.angle = angle;
+  const view = Vec.sub(camera.at, camera.from);
+  state.camera = Vec.length(Vec.cross(view, camera.up)) > 0 ? camera : homeCamera();
+  if (!source.isLive) state.camera = source.nearest(state.camera);
+  state.wish = state.camera;
+  const depth = Number(parts.get('depth'));
+  state.depth = depth >= 1 && depth <= 32 ? Math.round(depth) : 5;
+  const grids = (parts.get('grid') || '').split(',').map((name) => state.scene.grids.findIndex((grid) => grid.name === name));
+  const channels = (parts.get('channel') || '').split(',');
+  const cells = (parts.get('cells') || '').split(',');
+  const [axis, share] = (parts.get('slice') || '').split(',');
+  if (['x', 'y', 'z'].includes(axis) && share >= 0 && share <= 1) state.slice = {axis: 'xyz'.indexOf(axis), share: Number(share)};
+  const made = grids.filter((grid) => grid >= 0).slice(0, 2).map((grid, i) => ({
+    grid, channel: state.scene.channels.includes(channels[i]) ? channels[i] : 'shaded',
+    cells: CELLS.includes(cells[i]) ? cells[i] : 'none'}));
+  state.panes = made.length > 0 ? made : [{grid: 0, channel: 'shaded', cells: 'none'}];
+}
+
+let addressTimer = 0;
+function rememberSoon() {
+  clearTimeout(addressTimer);
+  addressTimer = setTimeout(() => {
+    if (location.hash !== fragment()) history.replaceState(null, '', fragment());
+  }, 250);
+}
+
+// A grid's name without the ending, where that's enough to tell grids apart; may break at underlines.
+function shortName(index) {
+  return state.scene.grids[index].name.replace(/\.grid$/, '').replaceAll('_', '_\u200b');
+}
+
+// --- Panes ---------------------------------------------------------------------------------------------------
+
+class Pane {
+  constructor(index) {
+    this.index = index;
+    const root = $('picture-template').content.firstElementChild.cloneNode(true);
+    this.root = root;
+    this.stage = root.querySelector('.stage');
+    this.image = root.querySelector('.image');
+    this.overlay = new Overlay(root.querySelector('.overlay'));
+    this.scale = root.querySelector('.scale');
+    this.status = root.querySelector('.status');
+    this.problem = root.querySelector('.problem');
+    this.gridSelect = root.querySelector('.grid');
+    this.channelSelect = root.querySelector('.channel');
+    this.cellsSelect = root.querySelector('.cells');
+    this.frame = null;
+    this.counts = null;
+    this.range = null; // {channel, values} of the last picture while it moved
+    this.picture = new Picture(this.image, source, (frame) => this.drawn(frame), (text) => this.failed(text));
+    state.scene.grids.forEach((grid, i) => this.gridSelect.append(element('option', {value: i}, grid.name)));
+    for (const channel of state.scene.channels) this.channelSelect.append(element('option', {value: channel}, channel));
+    for (const cells of CELLS) this.cellsSelect.append(element('option', {value: cells}, cells));
+    this.cellsSelect.addEventListener('change', () => this.set({cells: this.cellsSelect.value}));
+    this.gridSelect.addEventListener('change', () => this.set({grid: Number(this.gridSelect.value)}));
+    this.channelSelect.addEventListener('change', () => this.set({channel: this.channelSelect.value}));
+    this.resized = new ResizeObserver(() => this.update());
+    this.resized.observe(this.stage);
+    controlCamera(this);
+  }
+
+  get settings() { return state.panes[this.index]; }
+
+  set(change) {
+    Object.assign(this.settings, change);
+    if ('grid' in change) this.counts = null;
+    if ('grid' in change && walkPanel.pixel && walkPanel.pixel.pane === this.index) walkAgain();
+    update();
+  }
+
+  size() {
+    if (!source.isLive) return source.size;
+    const ratio = window.devicePixelRatio || 1;
+    let width = Math.max(16, Math.round(this.stage.clientWidth * ratio));
+    let height = Math.max(16, Math.round(this.stage.clientHeight * ratio));
+    const scale = Math.min(1, Math.sqrt(4e6 / (width * height)));
+    return [Math.round(width * scale), Math.round(height * scale)];
+  }
+
+  update() {
+    const [width, height] = this.size();
+    this.gridSelect.value = this.settings.grid;
+    this.channelSelect.value = this.settings.channel;
+    this.cellsSelect.value = this.settings.cells;
+    this.stage.setAttribute('aria-label', `${state.scene.scene.name} through ${state.scene.grids[this.settings.grid].name}, ${this.settings.channel}. Arrow keys orbit, Enter picks a pixel.`);
+    this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: state.camera,
+      width, height, depth: state.depth, range: ranges[this.settings.channel]});
+  }
+
+  drawn(frame) {
+    this.frame = frame;
+    const {trace, total} = frame.milliseconds;
+    const size = `${Math.round(frame.view.width * frame.scale)} × ${Math.round(frame.view.height * frame.scale)}`;
+    const what = frame.isSharp ? 'sharp' : frame.share < 1 ? `${Math.round(100 * frame.share)} %` : 'moving';
+    this.status.textContent = source.isLive
+      ? `${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${what}`
+      : `${size} · trace ${Text.milliseconds(trace)} when it was exported`;
+    this.root.dataset.state = frame.isSharp ? 'sharp' : 'moving';
+    if (frame.isSharp) this.count(frame.view);
+    this.drawOverlay();
+    this.showScale();
+    if (source.isLive && frame.range && frame.isMoving) {
+      this.range = {channel: frame.view.channel, values: frame.range};
+      fitRange(frame.view.channel);
+    }
+    showCost();
+  }
+
+  // With the camera of the picture that is shown.
+  drawOverlay() {
+    if (!this.frame) return;
+    const {camera, width, height} = this.frame.view;
+    const {overlay} = this;
+    overlay.begin(camera, width, height);
+    if (this.settings.cells === 'slice') {
+      const slice = slicePanel.of(this.settings.grid);
+      if (slice) {
+        overlay.lines(sliceLines(slice, 60000), '#fff', 0.8, 0.55);
+        overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
+      }
+    }
+    if (walkPanel.walk && (this.settings.cells === 'ray' || walkPanel.pixel.pane === this.index)) this.drawWalk();
+    if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
+  }
+
+  drawWalk() {
+    const {overlay} = this;
+    const ray = walkPanel.current;
+    const at = (t) => Vec.add(ray.origin, Vec.scaled(ray.direction, t));
+    const boxes = ray.steps.map((step) => step.box);
+    if (this.settings.cells === 'ray') {
+      overlay.boxes(boxes, '#000', 2.2, 0.25);
+      overlay.boxes(boxes, '#7fd1ff', 1, 0.75);
+    }
+    const step = ray.steps[walkPanel.step];
+    if (step) {
+      overlay.boxes([step.box], '#000', 4, 0.5);
+      overlay.boxes([step.box], '#ffd54a', 2);
+    }
+    const last = ray.steps[ray.steps.length - 1];
+    const end = ray.hit ? ray.hit.t : last && last.exit !== null ? last.exit : null;
+    if (end !== null) {
+      overlay.lines([[ray.origin, at(end)]], '#000', 3, 0.5);
+      overlay.lines([[ray.origin, at(end)]], '#ff7a1a', 1.5);
+    }
+    if (ray.hit) {
+      overlay.point(ray.hit.position, '#000', 4.5);
+      overlay.point(ray.hit.position, '#ff7a1a', 3.2);
+    }
+  }
+
+  showScale() {
+    const channel = this.frame.view.channel;
+    const range = source.isLive && this.frame.view.range ? this.frame.view.range : this.frame.range;
+    const isNumber = range && ['depth', 'cells', 'tests', 'all cells', 'all tests'].includes(channel);
+    this.scale.hidden = !isNumber;
+    if (!isNumber) return;
+    this.scale.querySelector('.colors').style.backgroundImage = colors.gradient();
+    this.scale.querySelector('.low').textContent = `${channel} ${Text.number(range[0])}`;
+    this.scale.querySelector('.high').textContent = channel === 'depth' ? Text.number(range[1]) : `${Text.number(range[1])} and more`;
+  }
+
+  // Ray counts of a smaller picture of the same view.
+  async count(view) {
+    const scale = Math.min(1, Math.sqrt(60000 / (view.width * view.height)));
+    const small = {...view, width: Math.max(1, Math.round(view.width * scale)), height: Math.max(1, Math.round(view.height * scale))};
+    if (this.counting) this.counting.abort();
+    this.counting = new AbortController();
+    try {
+      this.counts = await source.counts(small, this.counting.signal);
+      showCost();
+    } catch (error) {
+      if (error.name !== 'AbortError') this.failed(error.message);
+    }
+  }
+
+  failed(text) {
+    this.problem.textContent = text;
+    this.problem.hidden = text === '';
+  }
+
+  close() {
+    this.picture.close();
+    if (this.counting) this.counting.abort();
+    this.resized.disconnect();
+    this.root.remove();
+  }
+}
+
+function showPanes() {
+  while (panes.length > state.panes.length) panes.pop().close();
+  while (panes.length < state.panes.length) {
+    const pane = new Pane(panes.length);
+    panes.push(pane);
+    $('pictures').append(pane.root);
+  }
+  $('compare').setAttribute('aria-pressed', String(panes.length > 1));
+}
+
+// Round numbers around the values of all pictures of the channel. Kept while they fit fairly, so that colours
+// don't flicker while the view moves.
+function fitRange(channel) {
+  const own = panes.filter((pane) => pane.range && pane.range.channel === channel).map((pane) => pane.range.values);
+  if (own.length === 0) return;
+  const low = Math.min(...own.map((range) => range[0])), high = Math.max(...own.map((range) => range[1]));
+  const old = ranges[channel];
+  const width = old ? old[1] - old[0] : 0;
+  if (old && low >= old[0] && high <= old[1] && high - low > 0.45 * width) return;
+  const step = 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-30))) / 2;
+  const made = [Math.floor(low / step) * step, Math.max(Math.ceil(high / step), Math.floor(low / step) + 1) * step].map((x) => Number(x.toPrecision(6)));
+  if (channel !== 'depth') made[0] = 0;
+  if (old && String(made) === String(old)) return;
+  ranges[channel] = made;
+  for (const pane of panes) {
+    if (pane.settings.channel === channel) pane.update();
+  }
+}
+
+// After any change of `state`.
+function update() {
+  showPanes();
+  for (const pane of panes) pane.update();
+  showView();
+  showFigures();
+  showSlice();
+  rememberSoon();
+}
+
+function showSlice() {
+  const shown = [...new Set(state.panes.map((pane) => pane.grid))];
+  slicePanel.isOverlaid = state.panes.some((pane) => pane.cells === 'slice');
+  slicePanel.show(shown, shown.map(shortName));
+  drawOverlays();
+}
+
+function drawOverlays() {
+  for (const pane of panes) pane.drawOverlay();
+  rememberSoon();
+}
+
+function setCamera(camera) {
+  state.wish = camera; // an exported page has a few views alone
+  if (!source.isLive) {
+    const old = state.camera;
+    camera = source.nearest(camera);
+    if (Camera.same(old, camera)) return;
+    if (walkPanel.pixel) walkPanel.clear();
+  }
+  state.camera = camera;
+  for (const pane of panes) {
+    if (pane.counting) pane.counting.abort();
+    pane.update();
+  }
+  showView();
+  rememberSoon();
+}
+
+// --- Mouse, fingers, keys ------------------------------------------------------------------------------------
+
+const ORBIT = 2.6;     // radians for a drag over the picture's height
+const KEY_ORBIT = 0.05, KEY_PAN = 0.03, KEY_ZOOM = 1.08;
+
+function controlCamera(pane) {
+  const {stage} = pane;
+  const pointers = new Map(); // id to {x, y}
+  let moved = 0, button = 0;
+
+  stage.addEventListener('pointerdown', (event) => {
+    if (event.button > 2) return;
+    stage.focus({preventScroll: true});
+    stage.setPointerCapture(event.pointerId);
+    pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+    moved = pointers.size > 1 ? 100 : 0;
+    button = event.button;
+    event.preventDefault();
+  });
+  stage.addEventListener('pointermove', (event) => {
+    const old = pointers.get(event.pointerId);
+    if (!old) return;
+    const now = {x: event.clientX, y: event.clientY};
+    const height = stage.clientHeight;
+    const dx = (now.x - old.x) / height, dy = (now.y - old.y) / height;
+    moved += Math.abs(now.x - old.x) + Math.abs(now.y - old.y);
+    if (moved < 4) return;
+    let camera = state.wish || state.camera;
+    if (pointers.size === 2) {
+      const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
+      const before = Math.hypot(old.x - other.x, old.y - other.y), after = Math.hypot(now.x - other.x, now.y - other.y);
+      camera = Camera.panned(camera, -dx / 2, dy / 2);
+      if (before > 0 && after > 0) camera = Camera.zoomed(camera, before / after);
+    } else if (button === 2 || button === 1 || event.shiftKey) {
+      camera = Camera.panned(camera, -dx, dy);
+    } else {
+      camera = Camera.orbited(camera, -dx * ORBIT, dy * ORBIT);
+    }
+    pointers.set(event.pointerId, now);
+    setCamera(camera);
+  });
+  const end = (event) => {
+    if (!pointers.delete(event.pointerId)) return;
+    if (event.type === 'pointerup' && moved < 4 && button === 0 && !event.shiftKey) {
+      const box = stage.getBoundingClientRect();
+      pick(pane, (event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
+    }
+  };
+  stage.addEventListener('pointerup', end);
+  stage.addEventListener('pointercancel', end);
+  stage.addEventListener('contextmenu', (event) => event.preventDefault());
+  stage.addEventListener('wheel', (event) => {
+    event.preventDefault();
+    const lines = event.deltaMode === 0 ? event.deltaY / 40 : event.deltaY;
+    setCamera(Camera.zoomed(state.camera, Math.exp(Math.max(-8, Math.min(8, lines)) * 0.04)));
+  }, {passive: false});
+  stage.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (keyOfPicture(pane, event)) event.preventDefault();
+  });
+}
+
+function keyOfPicture(pane, event) {
+  if (state.picking && keyOfPicking(pane, event)) return true;
+  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+  if (event.key in arrows) {
+    const [x, y] = arrows[event.key];
+    const orbit = source.isLive ? KEY_ORBIT : source.step;
+    setCamera(event.shiftKey ? Camera.panned(state.camera, x * KEY_PAN, y * KEY_PAN)
+                             : Camera.orbited(state.camera, x * orbit, y * orbit));
+    return true;
+  }
+  if (event.key === '+' || event.key === '=') setCamera(Camera.zoomed(state.camera, 1 / KEY_ZOOM));
+  else if (event.key === '-' || event.key === '_') setCamera(Camera.zoomed(state.camera, KEY_ZOOM));
+  else if (event.key === 'c') nextChannel(pane);
+  else if (event.key === 'g') nextGrid(pane);
+  else if (event.key === 'w') nextCells(pane);
+  else if (event.key === 'Enter') setPicking({pane: pane.index, x: 0.5, y: 0.5});
+  else if (event.key === 'Escape' && walkPanel.walk) walkPanel.clear();
+  else return false;
+  return true;
+}
+
+function nextChannel(pane) {
+  const all = state.scene.channels;
+  pane.set({channel: all[(all.indexOf(pane.settings.channel) + 1) % all.length]});
+  announce(`channel ${pane.settings.channel}`);
+}
+function nextGrid(pane) {
+  pane.set({grid: (pane.settings.grid + 1) % state.scene.grids.length});
+  announce(`grid ${state.scene.grids[pane.settings.grid].name}`);
+}
+
+function nextCells(pane) {
+  pane.set({cells: CELLS[(CELLS.indexOf(pane.settings.cells) + 1) % CELLS.length]});
+  announce(`cells: ${pane.settings.cells}`);
+}
+
+// The cross hair, moved by keys.
+function setPicking(picking) {
+  state.picking = picking;
+  for (const pane of panes) pane.stage.classList.toggle('picking', Boolean(picking && picking.pane === pane.index));
+  drawOverlays();
+  if (picking) announce('Arrow keys move the cross hair, Enter picks, Escape drops it');
+}
+function keyOfPicking(pane, event) {
+  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+  const {x, y} = state.picking;
+  if (event.key in arrows) {
+    const [dx, dy] = arrows[event.key];
+    const [width, height] = pane.size();
+    const pixels = event.shiftKey ? 20 : 2;
+    const clamped = (value) => Math.max(0, Math.min(0.99999, value));
+    state.picking = {pane: pane.index, x: clamped(x + dx * pixels / width), y: clamped(y + dy * pixels / height)};
+    drawOverlays();
+  } else if (event.key === 'Enter') {
+    setPicking(null);
+    pick(pane, x, y);
+  } else if (event.key === 'Escape') {
+    setPicking(null);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+// The walk of the pixel at shares x, y of the picture.
+let walking = null;
+async function pick(pane, shareX, shareY) {
+  const [width, height] = pane.size();
+  if (!source.isLive) shareX = shareY = 0.5; // the only pixel whose walk was exported
+  const x = Math.max(0, Math.min(width - 1, Math.floor(shareX * width))), y = Math.max(0, Math.min(height - 1, Math.floor(shareY * height)));
+  const grid = pane.settings.grid;
+  if (walking) walking.abort();
+  walking = new AbortController();
+  const camera = state.camera;
+  try {
+    const walk = await source.walk({grid, camera, width, height, depth: state.depth}, x, y, $('walk-all').checked, walking.signal);
+    walkPanel.show(walk, {x, y, width, height, shareX, shareY, pane: pane.index, name: state.scene.grids[grid].name, camera});
+    $('walk-panel').open = true;
+    const {cells, tests} = walk.rays[0];
+    announce(`pixel ${x}, ${y}: ${cells} cells, ${tests} tests`);
+  } catch (error) {
+    if (error.name !== 'AbortError') walkPanel.failed(error.message);
+  }
+}
+
+// The same ray's pixel, where the grid is another one.
+function walkAgain() {
+  const {pane, shareX, shareY, camera} = walkPanel.pixel;
+  if (Camera.same(camera, state.camera)) pick(panes[pane], shareX, shareY);
+  else walkPanel.clear();
+}
+
+function toggleCompare() {
+  if (state.panes.length > 1) {
+    state.panes.length = 1;
+    if (walkPanel.pixel && walkPanel.pixel.pane > 0) walkPanel.clear();
+  } else {
+    const first = state.panes[0];
+    state.panes.push({...first, grid: (first.grid + 1) % state.scene.grids.length});
+  }
+  update();
+}
+
+function keyOfPage(event) {
+  if (event.ctrlKey || event.altKey || event.metaKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
+  if (event.key === '?') toggleKeys();
+  else if (event.key === 'v') toggleCompare();
+  else if (event.key === 'Home') setCamera(homeCamera());
+  else if (event.key === ',' && walkPanel.move(-1)) { /* a step back */ }
+  else if (event.key === '.' && walkPanel.move(1)) { /* a step on */ }
+  else return;
+  event.preventDefault();
+}
+
+function toggleKeys() {
+  const list = $('keys-list');
+  list.hidden = !list.hidden;
+  $('keys').setAttribute('aria-expanded', String(!list.hidden));
+}
+
+// --- Panels --------------------------------------------------------------------------------------------------
+
+function showView() {
+  const rows = [['from', 'Vector x, y, z'], ['at', 'The point that the camera orbits'], ['up', 'Vector x, y, z']];
+  const panel = $('view-rows');
+  if (panel.childElementCount === 0) {
+    for (const [name, title] of rows) {
+      const input = element('input', {id: `view-${name}`, type: 'text', title, spellcheck: 'false', autocomplete: 'off',
+        onchange: () => changeVector(name)});
+      panel.append(element('label', {class: 'name', for: `view-${name}`}, name), input);
+    }
+    panel.append(element('label', {class: 'name', for: 'view-angle'}, 'angle, degrees'),
+      element('input', {id: 'view-angle', type: 'number', min: 0.1, max: 179, step: 'any', onchange: () => {
+        const angle = Number($('view-angle').value);
+        if (angle > 0 && angle < 180) setCamera({...state.camera, angle});
+        else showView();
+      }}),
+      element('label', {class: 'name', for: 'view-depth'}, 'ray depth'),
+      element('input', {id: 'view-depth', type: 'number', min: 1, max: 32, step: 1, onchange: () => {
+        const depth = Math.round(Number($('view-depth').value));
+        if (depth >= 1 && depth <= 32) state.depth = depth;
+        update();
+      }}));
+  }
+  for (const [name] of rows) {
+    const input = $(`view-${name}`);
+    if (document.activeElement !== input) input.value = Text.vector(state.camera[name]);
+  }
+  if (document.activeElement !== $('view-angle')) $('view-angle').value = Number(state.camera.angle.toPrecision(6));
+  if (document.activeElement !== $('view-depth')) $('view-depth').value = state.depth;
+}
+
+function changeVector(name) {
+  const numbers = $(`view-${name}`).value.split(/[\s,]+/).filter(Boolean).map(Number);
+  const camera = {...state.camera, [name]: numbers};
+  const sees = numbers.length === 3 && numbers.every(Number.isFinite) &&
+    Vec.length(Vec.cross(Vec.sub(camera.at, camera.from), camera.up)) > 0;
+  if (sees) setCamera(camera);
+  else announce(`${name} isn’t a vector x, y, z by which the camera can see`);
+  $(`view-${name}`).value = Text.vector(state.camera[name]);
+}
+
+let costFrame = 0;
+function showCost() {
+  if (costFrame) return;
+  costFrame = requestAnimationFrame(() => {
+    costFrame = 0;
+    const shown = panes.map((pane) => ({name: shortName(pane.settings.grid), frame: pane.frame,
+      counts: pane.counts, grid: state.scene.grids[pane.settings.grid]}));
+    $('cost').replaceChildren(costTable(shown));
+  });
+}
+
+async function showFigures() {
+  const names = state.scene.grids.map((grid, i) => shortName(i));
+  try {
+    const all = await Promise.all(names.map((name, i) => source.statistics(i)));
+    $('statistics').replaceChildren(element('div', {class: 'scroll wide', tabindex: 0, role: 'group', 'aria-label': 'Statistics of the grids'}, statisticsTable(names, all)));
+    const shown = [...new Set(state.panes.map((pane) => pane.grid))];
+    $('histogram').replaceChildren(histogramChart(shown.map((i) => names[i]), shown.map((i) => all[i])));
+  } catch (error) {
+    $('statistics').replaceChildren(element('p', {class: 'note'}, error.message));
+  }
+}
+
+// --- Buttons -------------------------------------------------------------------------------------------------
+
+let announcementTimer = 0;
+function announce(text) {
+  $('announcement').textContent = text;
+  clearTimeout(announcementTimer);
+  announcementTimer = setTimeout(() => { $('announcement').textContent = ''; }, 2500);
+}
+
+async function copy(text, what) {
+  try {
+    await navigator.clipboard.writeText(text);
+    announce(`${what} copied`);
+  } catch { // without permission, and where the page isn't on localhost
+    window.prompt(`${what}: copy it from here`, text);
+  }
+}
+
+function quoted(word) {
+  return /^[\w@%+=:,.\/-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
+}
+
+// The command that makes the first picture.
+function command() {
+  const pane = panes[0];
+  const {scene, grids, precision} = state.scene;
+  const [width, height] = pane.size();
+  const {from, at, up, angle} = state.camera;
+  return ['gridrender', quoted(scene.path), quoted(grids[pane.settings.grid].path), '-o picture.png',
+    `--size ${width}x${height}`, `--from=${from.join()}`, `--at=${at.join()}`, `--up=${up.join()}`, `--angle ${angle}`,
+    ...(state.depth === 5 ? [] : [`--depth ${state.depth}`]),
+    ...(precision === 'robust' ? [] : [`--precision ${precision}`])].join(' ');
+}
+
+// --- Beginning -----------------------------------------------------------------------------------------------
+
+function describeScene() {
+  const {scene, device, precision, version} = state.scene;
+  document.title = `${scene.name} – gridview`;
+  $('scene-name').textContent = scene.name;
+  $('scene-facts').textContent = `${Text.count(scene.primitives)} primitives · ${Text.bytes(scene.bytes)} · ${precision} · ${device} · Masu ${version}`;
+}
+
+async function begin() {
+  source = typeof EXPORTED === 'undefined' ? new Server() : new Exported(EXPORTED);
+  document.body.classList.toggle('exported', !source.isLive);
+  state.scene = await source.scene();
+  state.scene.channels = state.scene.channels || ['shaded'];
+  colors = new ColorScale(state.scene.colors);
+  describeScene();
+  readFragment();
+  walkPanel = new WalkPanel($('walk'), drawOverlays, (point) => setCamera(Camera.centered(state.camera, point)));
+  slicePanel = new SlicePanel($('slice'), source, colors, state.slice, drawOverlays);
+  $('slice-panel').addEventListener('toggle', () => showSlice());
+  $('walk-all').addEventListener('change', () => { if (walkPanel.pixel) walkAgain(); });
+  update();
+  const pixel = (new URLSearchParams(location.hash.slice(1)).get('pixel') || '').split(',').map(Number);
+  if (pixel.length === 2 && pixel.every((share) => share >= 0 && share < 1)) pick(panes[0], ...pixel);
+  $('compare').addEventListener('click', toggleCompare);
+  $('reset').addEventListener('click', () => setCamera(homeCamera()));
+  $('keys').addEventListener('click', toggleKeys);
+  $('copy-link').addEventListener('click', () => copy(location.href.split('#')[0] + fragment(), 'Link'));
+  $('copy-command').addEventListener('click', () => copy(command(), 'Command'));
+  document.addEventListener('keydown', keyOfPage);
+  window.addEventListener('hashchange', () => { readFragment(); update(); });
+}
+
+begin().catch((error) => {
+  document.querySelector('main').replaceChildren(element('p', {role: 'alert', class: 'note'}, `gridview: ${error.message}`));
+});

@@ -1,0 +1,145 @@
+// A picture that follows the view: coarse while it moves, then sharp. One request at a time, always for the
+// newest view; the sharp picture is made in bands, and given up as soon as the view moves.
+'use strict';
+
+const STILL_MS = 60;         // without a move, before the picture is made sharp
+const MOVING_BUDGET_MS = 28; // for a picture while the view moves
+const BAND_MS = 100;         // for a band of the sharp picture
+
+class Picture {
+  // canvas: what is drawn on; drawn(shown) is called after each change with {view, isMoving, isSharp, share,
+  // milliseconds, rays, range}; failed(text), or '' when all is well again.
+  constructor(canvas, source, drawn, failed) {
+    this.canvas = canvas;
+    this.context = canvas.getContext('2d', {alpha: false});
+    this.source = source;
+    this.drawn = drawn;
+    this.failed = failed;
+    this.view = null;
+    this.version = 0;         // of the view
+    this.movedAt = 0;
+    this.msPerPixel = 2e-4;   // of moving pictures, a running mean
+    this.stillMsPerPixel = 4e-4;
+    this.isRunning = false;
+    this.isClosed = false;
+    this.abort = null;
+    this.wake = () => {};
+  }
+
+  // view: {grid, channel, camera, width, height, depth}
+  show(view) {
+    this.view = view;
+    this.version += 1;
+    this.movedAt = performance.now();
+    if (this.abort) this.abort.abort();
+    this.wake();
+    if (!this.isRunning) this.run();
+  }
+
+  close() {
+    this.isClosed = true;
+    if (this.abort) this.abort.abort();
+    this.wake();
+  }
+
+  async run() {
+    this.isRunning = true;
+    let coarse = -1, sharp = -1; // versions that were drawn
+    let failures = 0;
+    while (!this.isClosed) {
+      const version = this.version;
+      try {
+        if (document.hidden) {
+          await this.sleep(1000); // nobody looks
+        } else if (coarse !== version) {
+          await this.drawMoving(this.view);
+          coarse = version;
+        } else if (sharp !== version) {
+          const left = this.movedAt + STILL_MS - performance.now();
+          if (left > 0) await this.sleep(left);
+          else if (await this.drawSharp(this.view, version)) sharp = version;
+        } else {
+          await this.sleep(1e6);
+        }
+        if (failures > 0) this.failed('');
+        failures = 0;
+      } catch (error) {
+        if (error.name === 'AbortError') continue;
+        failures += 1;
+        this.failed(error instanceof TypeError ? 'gridview doesn’t answer: is it still running?' : error.message);
+        await this.sleep(Math.min(5000, 500 * failures));
+      }
+    }
+    this.isRunning = false;
+  }
+
+  // Until the time is over or the view moves.
+  sleep(milliseconds) {
+    return new Promise((resolve) => {
+      const timer = setTimeout(resolve, Math.min(milliseconds, 0x7fffffff));
+      this.wake = () => { clearTimeout(timer); resolve(); };
+    });
+  }
+
+  fit(view) {
+    if (this.canvas.width === view.width && this.canvas.height === view.height) return;
+    const old = this.canvas.width > 1 ? this.copy() : null;
+    this.canvas.width = view.width;
+    this.canvas.height = view.height;
+    if (old) this.context.drawImage(old, 0, 0, view.width, view.height);
+  }
+  copy() {
+    const canvas = document.createElement('canvas');
+    canvas.width = this.canvas.width;
+    canvas.height = this.canvas.height;
+    canvas.getContext('2d').drawImage(this.canvas, 0, 0);
+    return canvas;
+  }
+
+  async drawMoving(view) {
+    const affordable = Math.sqrt(MOVING_BUDGET_MS / (this.msPerPixel * view.width * view.height));
+    const scale = this.source.isLive ? Math.min(1, Math.max(0.08, affordable)) : 1;
+    const small = {...view, width: Math.max(1, Math.round(view.width * scale)),
+                   height: Math.max(1, Math.round(view.height * scale))};
+    const got = await this.source.picture(small, 'moving', null, undefined);
+    const cost = !this.source.isLive ? 0 : (got.milliseconds.total - got.milliseconds.wait) / (small.width * small.height);
+    this.msPerPixel += (cost - this.msPerPixel) * (cost > this.msPerPixel ? 0.5 : 0.2);
+    if (this.isClosed) return;
+    this.fit(view);
+    this.context.imageSmoothingEnabled = view.channel === 'shaded';
+    this.context.drawImage(got.image, 0, 0, view.width, view.height);
+    if (got.image.close) got.image.close();
+    this.drawn({...got, view, isMoving: true, isSharp: false, scale, share: 1});
+  }
+
+  // False where the view has moved meanwhile.
+  async drawSharp(view, version) {
+    const pixels = view.width * view.height;
+    const estimate = pixels * this.stillMsPerPixel;
+    const bands = !this.source.isLive ? 1 : Math.max(1, Math.min(Math.ceil(estimate / BAND_MS), Math.ceil(view.height / 16)));
+    const rows = Math.ceil(view.height / bands / 16) * 16; // whole blocks of JPEG
+    const sum = {};
+    let rays = 0;
+    const begin = performance.now();
+    for (let y = 0; y < view.height; y += rows) {
+      const height = Math.min(rows, view.height - y);
+      this.abort = new AbortController();
+      let got;
+      try {
+        got = await this.source.picture(view, 'still', bands > 1 ? [0, y, view.width, height] : null, this.abort.signal);
+      } finally {
+        this.abort = null;
+      }
+      if (this.version !== version || this.isClosed) return false;
+      this.fit(view);
+      this.context.drawImage(got.image, 0, y, view.width, height);
+      if (got.image.close) got.image.close();
+      rays += got.rays;
+      for (const [name, value] of Object.entries(got.milliseconds)) sum[name] = (sum[name] || 0) + value;
+      const isLast = y + height === view.height;
+      this.drawn({...got, view, milliseconds: sum, rays, isMoving: false, isSharp: isLast, scale: 1, share: (y + height) / view.height});
+    }
+    this.stillMsPerPixel = Math.max(1e-6, (performance.now() - begin) / pixels);
+    return true;
+  }
+}

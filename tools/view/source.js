@@ -1,0 +1,74 @@
+// Where pictures and figures come from: the server that served this page.
+'use strict';
+
+// Reads "trace;dur=1.5, rays;desc=300" as {trace: 1.5, rays: 300}.
+function readTiming(header) {
+  const values = {};
+  for (const entry of (header || '').split(',')) {
+    const [name, value] = entry.trim().split(';');
+    if (value) values[name] = Number(value.slice(value.indexOf('=') + 1));
+  }
+  return values;
+}
+
+class Server {
+  constructor() {
+    this.statisticsOf = new Map();
+    this.isLive = true;
+  }
+
+  async get(path, parameters, signal) {
+    const query = new URLSearchParams(parameters).toString();
+    const response = await fetch(query ? path + '?' + query : path, {signal, cache: 'no-store', credentials: 'same-origin'});
+    if (response.ok) return response;
+    let why = response.statusText;
+    try {
+      why = (await response.json()).error;
+    } catch { /* no JSON: the status says enough */ }
+    throw new Error(why);
+  }
+  async json(path, parameters, signal) {
+    return (await this.get(path, parameters, signal)).json();
+  }
+
+  scene() { return this.json('api/scene'); }
+
+  static cameraParameters(view) {
+    const {from, at, up, angle} = view.camera;
+    const range = view.range && view.channel !== 'shaded' ? {range: view.range.join()} : {};
+    return {...range, grid: view.grid, from: from.join(), at: at.join(), up: up.join(), angle, width: view.width,
+            height: view.height, depth: view.depth, channel: view.channel};
+  }
+
+  // {image, milliseconds: {wait, trace, …, total}, rays}. crop: [x, y, width, height].
+  async picture(view, quality, crop, signal) {
+    const begin = performance.now();
+    const parameters = {...Server.cameraParameters(view), quality};
+    if (crop) parameters.crop = crop.join();
+    const response = await this.get('api/picture', parameters, signal);
+    const image = await createImageBitmap(await response.blob());
+    const milliseconds = readTiming(response.headers.get('Server-Timing'));
+    return {image, milliseconds: {...milliseconds, total: performance.now() - begin}, rays: milliseconds.rays,
+            range: 'low' in milliseconds ? [milliseconds.low, milliseconds.high] : null};
+  }
+
+  counts(view, signal) {
+    return this.json('api/counts', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still'}, signal);
+  }
+
+  walk(view, x, y, all, signal) {
+    return this.json('api/walk', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still', x, y,
+                                  all: all ? 1 : 0}, signal);
+  }
+
+  slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }
+
+  statistics(grid) {
+    if (!this.statisticsOf.has(grid)) {
+      const made = this.json('api/statistics', {grid});
+      made.catch(() => this.statisticsOf.delete(grid));
+      this.statisticsOf.set(grid, made);
+    }
+    return this.statisticsOf.get(grid);
+  }
+}

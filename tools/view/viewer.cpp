@@ -1,0 +1,248 @@
+#include "tools/view/viewer.h"
+
+#include "libgrid/slice.h"
+#include "libscene/section.h"
+#include "libscene/stopwatch.h"
+#include "renderer/image.h"
+#include "renderer/walk_report.h"
+#include "tools/backend_choice.h"
+#include "tools/color_map.h"
+#include "tools/counts_report.h"
+#include "tools/grid_report.h"
+#include "tools/provenance.h"
+#include "tools/walk_text.h"
+
+#include <atomic>
+#include <filesystem>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(const Vec3d& v) {
+  return {v.x, v.y, v.z};
+}
+
+// The colour map in equal steps, as #rrggbb.
+Json color_map_samples() {
+  constexpr int samples = 33;
+  const ColorMap map;
+  Json colors = Json::array();
+  for (int i = 0; i < samples; ++i) {
+    const Rgb& color = map(static_cast<double>(i) / (samples - 1));
+    colors.push_back(fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]));
+  }
+  return colors;
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+// For FrameRequest::progress, where pictures may take seconds: throws Abandoned from tracing. Looks at the
+// connection every 10 ms.
+std::function<void(double)> abandoned_when(const IsGone& is_gone) {
+  return [&is_gone, watch = Stopwatch(), next = std::make_shared<std::atomic<double>>(0.01)](double) {
+    double due = *next;
+    if (watch.seconds() < due || !next->compare_exchange_strong(due, watch.seconds() + 0.01)) return;
+    if (is_gone()) throw Abandoned();
+  };
+}
+
+// 8 bits a channel, rows from the top.
+struct Bytes {
+  std::vector<std::uint8_t> rgb;
+  std::int32_t width, height;
+};
+
+Bytes shaded(const Tracer& tracer, const FrameRequest& request, Picture& picture) {
+  const Frame frame = tracer.render(request);
+  picture.rays = frame.radiance.size();
+  picture.seconds.trace = frame.seconds.trace;
+  picture.seconds.copy = frame.seconds.download;
+  const Stopwatch rows;
+  Bytes bytes{rgb_rows(frame, request.sampling, false), image_width(frame, request.sampling),
+              image_height(frame, request.sampling)};
+  picture.seconds.rows = rows.seconds();
+  return bytes;
+}
+
+Bytes channel(const Tracer& tracer, const PictureRequest& request, const FrameRequest& frame,
+              Picture& picture) {
+  const Channel wanted = *request.channel.channel;
+  const Stopwatch trace;
+  const Channels channels = trace_channels(tracer, {{wanted}, frame, request.channel.all_rays});
+  picture.seconds.trace = trace.seconds(); // with the copy
+  picture.rays = static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
+  const Stopwatch rows;
+  picture.range = value_range(channels, wanted);
+  const ValueRange range = request.range.value_or(picture.range.value_or(ValueRange{0, 1}));
+  Bytes bytes{channel_bytes(channels, wanted, range), channels.columns, channels.rows};
+  picture.seconds.rows = rows.seconds();
+  return bytes;
+}
+
+Json slice_cells(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, std::size_t most) {
+  Json cells = Json::array();
+  bool truncated = false;
+  for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
+    if (cell.references == 0 && !file.is_merged()) return;
+    if (cells.size() < most)
+      cells.push_back({cell.first[0], cell.first[1], cell.end[0], cell.end[1], cell.references});
+    else
+      truncated = true;
+  });
+  return {{"cells", std::move(cells)}, {"truncated", truncated}};
+}
+
+template <class Stored>
+Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceWindow& window) {
+  constexpr std::size_t most = 200000;
+  const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
+  Json lines = Json::array();
+  for (const SectionSegment& line : section_of(
+           scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max, 2e-4 * longer})) {
+    if (lines.size() == most) break;
+    lines.push_back({static_cast<float>(line.from[0]), static_cast<float>(line.from[1]),
+                     static_cast<float>(line.to[0]), static_cast<float>(line.to[1])});
+  }
+  return lines;
+}
+
+} // namespace
+
+Viewer::Viewer(const ViewerSettings& settings)
+    : scene_(settings.scene, settings.device == Device::cuda ? Checks::table : Checks::all),
+      precision_(settings.precision) {
+  // On a GPU the tracer checks records during the upload.
+  const Checks checks = settings.device == Device::cuda ? Checks::table : Checks::all;
+  for (const std::string& path : settings.grids)
+    grids_.push_back(std::make_unique<ViewedGrid>(path, checks, scene_, settings.device));
+}
+
+FrameRequest Viewer::frame_request(const PictureRequest& request) const {
+  FrameRequest frame;
+  frame.tracing.precision = precision_;
+  frame.camera = request.camera;
+  frame.sampling = request.sampling;
+  frame.rules.depth = request.depth;
+  if (request.crop) frame.window = window_of(*request.crop, request.camera, request.sampling, "crop");
+  return frame;
+}
+
+Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) const {
+  FrameRequest frame_request = this->frame_request(request);
+  frame_request.progress = abandoned_when(is_gone);
+  const Tracer& tracer = grid(request.grid).tracer;
+  Picture picture;
+  const Stopwatch wait;
+  // What was traced takes more memory than its bytes: it ends with its turn.
+  const Bytes bytes = turns_.run(is_gone, [&] {
+    picture.seconds.wait = wait.seconds();
+    return request.channel.channel ? channel(tracer, request, frame_request, picture)
+                                   : shaded(tracer, frame_request, picture);
+  });
+  const Stopwatch encode;
+  picture.jpeg = jpeg(bytes.rgb, bytes.width, bytes.height, request.quality);
+  picture.seconds.encode = encode.seconds();
+  return picture;
+}
+
+Json Viewer::counts(const PictureRequest& request, const IsGone& is_gone) const {
+  FrameRequest frame_request = this->frame_request(request);
+  frame_request.tracing.count = true;
+  frame_request.progress = abandoned_when(is_gone);
+  const Frame frame = turns_.run(is_gone, [&] { return grid(request.grid).tracer.render(frame_request); });
+  Json json = counts_report(frame.counts);
+  json["trace_seconds"] = frame.seconds.trace;
+  return json;
+}
+
+Json Viewer::walk(const PictureRequest& request, std::int32_t column, std::int32_t row, bool all_rays,
+                  const IsGone& is_gone) const {
+  const Tracer& tracer = grid(request.grid).tracer;
+  FrameRequest frame = frame_request(request);
+  frame.sampling = Sampling::centers;
+  WalkRequest walk;
+  walk.tracing = frame.tracing;
+  walk.ray = camera_ray_of(tracer, frame, column, row);
+  walk.all_rays = all_rays;
+  walk.rules.depth = request.depth;
+  return turns_.run(is_gone, [&] { return walk_json(trace_walk(tracer, walk)); });
+}
+
+Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
+  const GridFile& file = grid(request.grid).file;
+  const GridLayout finest = finest_layout(file);
+  const auto [u, v] = slice_axes(request.axis);
+  const double low = finest.space.min[request.axis], high = finest.space.max[request.axis];
+  const SlicePlane plane = plane_at(finest, request.axis, low + request.share * (high - low), "share");
+  const SliceWindow window = window_of(finest, request.axis);
+  const Vec3d step = voxel_size(finest);
+  Json json{{"axis", request.axis},
+            {"axes", {u, v}},
+            {"position", plane.position},
+            {"layer", plane.layer},
+            {"layers", finest.division[request.axis]},
+            {"range", {low, high}},
+            {"voxels", {finest.division[u], finest.division[v]}},
+            {"min", window.min},
+            {"step", {step[u], step[v]}}};
+  return turns_.run(is_gone, [&] {
+    json.update(slice_cells(file, plane, window, request.most_cells));
+    json["outline"] = scene_.is_float64() ? slice_outline<double>(scene_, plane, window)
+                                          : slice_outline<float>(scene_, plane, window);
+    return json;
+  });
+}
+
+Json Viewer::description() const {
+  const Camera camera = scene_.camera();
+  const Boxd bounds = scene_.bounds();
+  Json grids = Json::array();
+  for (const auto& grid : grids_) {
+    const fb::Grid& table = grid->file.table();
+    grids.push_back({{"name", file_name(grid->file.path())},
+                     {"path", grid->file.path()},
+                     {"merge", fb::EnumNameMerge(table.merge())},
+                     {"merge_rule", grid->file.is_merged() ? Json(table.merge_rule()->str()) : Json()},
+                     {"hash", to_hex(grid->file.hash())},
+                     {"bytes", grid->file.bytes()},
+                     {"upload_seconds", grid->tracer.upload_seconds()}});
+  }
+  const bool cuda = !grids_.empty() && grids_.front()->tracer.device() == Device::cuda;
+  Json json{{"scene",
+             {{"name", file_name(scene_.path())},
+              {"path", scene_.path()},
+              {"hash", to_hex(scene_.hash())},
+              {"primitives", scene_.primitive_count()},
+              {"bytes", scene_.bytes()},
+              {"bounds", {{"min", vector_json(bounds.min)}, {"max", vector_json(bounds.max)}}}}},
+            {"camera",
+             {{"from", vector_json(camera.from)},
+              {"at", vector_json(camera.at)},
+              {"up", vector_json(camera.up)},
+              {"angle", camera.angle},
+              {"width", camera.width},
+              {"height", camera.height}}},
+            {"grids", grids},
+            {"channels", picture_channel_names()},
+            {"colors", color_map_samples()},
+            {"backend", cuda ? "cuda" : "cpu"},
+            {"device", device_name(cuda)},
+            {"precision", name_of(resolved(precision_, scene_))}};
+  json.update(program_version());
+  return json;
+}
+
+Json Viewer::statistics(std::size_t grid, const IsGone& is_gone) const {
+  ViewedGrid& viewed = *grids_.at(grid);
+  return turns_.run(is_gone, [&] { // one at a time
+    if (viewed.statistics.is_null())
+      viewed.statistics = grid_report(viewed.file, Statistics(viewed.file), true);
+    return viewed.statistics;
+  });
+}
+
+} // namespace masu

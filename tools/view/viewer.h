@@ -1,0 +1,113 @@
+// What the page of gridview asks for: pictures of a scene through its grids, and what the grids hold.
+#pragma once
+
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/scene_file.h"
+#include "renderer/tracer.h"
+#include "tools/view/channel_colors.h"
+#include "tools/view/jpeg.h"
+#include "tools/view/turns.h"
+#include "tools/views.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// Lives where it was made: tracers refer to the files.
+struct ViewedGrid {
+  GridFile file;
+  Tracer tracer;
+  nlohmann::ordered_json statistics{}; // null: not made yet
+
+  ViewedGrid(const std::string& path, Checks checks, const SceneFile& scene, Device device)
+      : file(path, checks), tracer(scene, &file, device) {}
+};
+
+struct ViewerSettings {
+  std::string scene;
+  std::vector<std::string> grids;
+  Device device = Device::cpu;
+  Precision precision = Precision::automatic;
+};
+
+inline constexpr std::int64_t most_pixels = std::int64_t{1} << 23; // of a picture
+
+struct PictureRequest {
+  std::size_t grid = 0;
+  Camera camera{};
+  Sampling sampling = Sampling::corners;
+  std::optional<Crop> crop{}; // all of the picture, where it isn't given
+  int depth = 5;
+  PictureChannel channel{};
+  std::optional<ValueRange> range{}; // of the channel's colours; its own values', where it isn't given
+  JpegQuality quality{};
+};
+
+// Seconds: waiting for its turn, tracing, copying from the device, rows to bytes, and JPEG.
+struct PictureSeconds {
+  double wait = 0, trace = 0, copy = 0, rows = 0, encode = 0;
+};
+
+struct Picture {
+  std::string jpeg;
+  std::uint64_t rays = 0;            // from the camera
+  std::optional<ValueRange> range{}; // of the channel's values
+  PictureSeconds seconds;
+};
+
+// A plane perpendicular to `axis` (0 to 2), at a share of the grid's space.
+struct SliceRequest {
+  std::size_t grid = 0;
+  int axis = 2;
+  double share = 0.5;
+  std::size_t most_cells = 200000; // beyond, the slice is truncated
+};
+
+using IsGone = std::function<bool()>;
+
+// Threads may ask at the same time.
+class Viewer {
+public:
+  // Throws as SceneFile, GridFile and Tracer do.
+  explicit Viewer(const ViewerSettings& settings);
+
+  const SceneFile& scene() const { return scene_; }
+  const ViewedGrid& grid(std::size_t index) const { return *grids_.at(index); }
+  std::size_t grids() const { return grids_.size(); }
+  Precision precision() const { return precision_; }
+
+  // Throw Abandoned when is_gone() before they have ended, and Error.
+  Picture picture(const PictureRequest& request, const IsGone& is_gone) const;
+  // Ray counts of a picture, as gridrender --stats has them.
+  nlohmann::ordered_json counts(const PictureRequest& request, const IsGone& is_gone) const;
+
+  // The walk of the camera ray through a pixel's centre, as gridrender --walk has it; all_rays: and of all
+  // rays that it spawns.
+  nlohmann::ordered_json walk(const PictureRequest& request, std::int32_t column, std::int32_t row,
+                              bool all_rays, const IsGone& is_gone) const;
+  // {axis, axes, position, range, voxels, min, step, cells, outline, truncated}: cells as [first u, first v,
+  // end u, end v, references] in the smallest voxels, those of a uniform grid without the empty ones; outline
+  // as [from u, from v, to u, to v] in scene units.
+  nlohmann::ordered_json slice(const SliceRequest& request, const IsGone& is_gone) const;
+
+  // The scene, its camera, and its grids by name.
+  nlohmann::ordered_json description() const;
+  // gridstat --json --histogram of a grid. Made once.
+  nlohmann::ordered_json statistics(std::size_t grid, const IsGone& is_gone) const;
+
+private:
+  FrameRequest frame_request(const PictureRequest& request) const;
+
+  SceneFile scene_;
+  std::vector<std::unique_ptr<ViewedGrid>> grids_;
+  Precision precision_;
+  mutable Turns turns_{32};
+};
+
+} // namespace masu
