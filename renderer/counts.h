@@ -10,6 +10,7 @@ namespace masu {
 
 // Each function is called when the thing happens.
 struct Counts {
+  static constexpr bool is_counted = true;
   std::uint64_t camera_rays = 0, camera_hits = 0;
   std::uint64_t reflection_rays = 0, refraction_rays = 0, secondary_hits = 0;
   std::uint64_t shadow_rays = 0, shadow_hits = 0;
@@ -76,6 +77,7 @@ MASU_HD inline void write_costs(const RayCosts& costs, std::size_t i, const Coun
 }
 
 struct NoCounts {
+  static constexpr bool is_counted = false;
   MASU_HD void triangle_test() {}
   MASU_HD void sphere_test() {}
   MASU_HD void cone_test() {}

@@ -46,12 +46,14 @@ struct DeviceGrid {
   DeviceArray<std::uint32_t> voxel_map;
   DeviceArray<MergedCell> cells;
   DeviceArray<PrimitiveIndex> references;
+  DeviceArray<HierarchyNode> nodes;
 
   DeviceGrid(const GridFile* grid, Transfer& upload) {
     if (grid == nullptr) return;
     voxel_map = upload.array(grid->voxel_map());
     cells = upload.array(grid->cells());
     references = upload.array(grid->references(), references_read_ahead);
+    nodes = upload.array(grid->nodes());
   }
   template <class Real>
   GridView<Real> moved(GridView<Real> view) const {
@@ -65,6 +67,10 @@ struct DeviceGrid {
     view.cells = cells.data();
     view.references = references.data();
     return view;
+  }
+  template <class Real>
+  HierarchyView<Real> moved(HierarchyView<Real>) const {
+    return {nodes.data(), references.data()};
   }
   NoGrid moved(NoGrid) const { return {}; }
 };

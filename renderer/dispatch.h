@@ -41,23 +41,32 @@ void with_kinds(unsigned kinds, const Act& act) {
   act(Kinds<with_all_kinds>{});
 }
 
-// Calls act(GridView, MergedGridView or NoGrid, Method, Counts or NoCounts) for rays of one arithmetic: what
-// a job needs, and no more. Counting, brute force and StopRule::first_cell run the code for all kinds.
+template <class View>
+inline constexpr bool is_hierarchy = false;
+template <class Real>
+inline constexpr bool is_hierarchy<HierarchyView<Real>> = true;
+
+// Calls act(GridView, MergedGridView, HierarchyView or NoGrid, Method, Counts or NoCounts) for rays of one
+// arithmetic: what a job needs, and no more. Counting, brute force and StopRule::first_cell run the code for
+// all kinds.
 template <class TestRay, class Stored, class Act>
 void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRules& rules, const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
   if (grid == nullptr) return act(NoGrid{}, General{}, Counts{});
   const auto with_view = [&](const auto& view) {
-    if (rules.stop == StopRule::first_cell) {
-      using Study = Method<TestRay, with_all_kinds, StopRule::first_cell>;
-      return rules.count ? act(view, Study{}, Counts{}) : act(view, Study{}, NoCounts{});
+    if constexpr (!is_hierarchy<std::decay_t<decltype(view)>>) {
+      if (rules.stop == StopRule::first_cell) {
+        using Study = Method<TestRay, with_all_kinds, StopRule::first_cell>;
+        return rules.count ? act(view, Study{}, Counts{}) : act(view, Study{}, NoCounts{});
+      }
     }
     if (rules.count) return act(view, General{}, Counts{});
     if (rules.general) return act(view, General{}, NoCounts{});
     with_kinds<TestRay, Stored>(
         rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) { act(view, Method<TestRay, kinds>{}, NoCounts{}); });
   };
+  if (grid->is_hierarchy()) return with_view(grid->hierarchy_view<Real>());
   grid->is_merged() ? with_view(grid->merged_view<Real>()) : with_view(grid->view<Real>());
 }
 

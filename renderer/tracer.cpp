@@ -111,6 +111,8 @@ Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device, std:
 TracingRules Tracer::resolved(TracingRules rules) const {
   rules.precision = masu::resolved(rules.precision, scene_);
   rules.kinds = kinds_;
+  if (rules.stop == StopRule::first_cell && grid_ != nullptr && grid_->is_hierarchy())
+    throw Error(ErrorCode::usage, "--first-cell-hit", "needs a grid of cells: a hierarchy has none");
   return rules;
 }
 

@@ -116,6 +116,7 @@ enum class RayLoop { thread_per_ray, warp, warp_refill };
 // of scene and irregular grid, or 32 MB of other grids, most of whose steps find nothing to share.
 inline RayLoop automatic_loop(bool coherent, const SceneFile& scene, const GridFile& grid) {
   if (!coherent) return RayLoop::warp_refill;
+  if (grid.is_hierarchy()) return RayLoop::thread_per_ray;
   const std::uint64_t near = grid.table().merge() == fb::Merge::irregular ? 10 : 32;
   return scene.bytes() + grid.bytes() <= near << 20 ? RayLoop::thread_per_ray : RayLoop::warp;
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "libscene/stopwatch.h"
+#include "renderer/hierarchy_rays_cuda.h"
 #include "renderer/queue_cuda.h"
 #include "renderer/warp_tracing_cuda.h"
 
@@ -52,11 +53,15 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
   if (row < counted_rows) add(total, counts);
 }
 
+// Threads of a block of rays that know nothing of each other.
+template <class Grid>
+constexpr int threads_a_block = is_hierarchy<Grid> ? hierarchy_threads : rays_a_block;
+
 template <Query query, class M, class Stored, class Grid, class C>
-__global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
+__global__ void __launch_bounds__(threads_a_block<Grid>, resident_threads_wanted<M> / threads_a_block<Grid>)
     trace_kernel(const SceneView<Stored> scene, const Grid grid, const Ray<typename M::Real>* const rays,
                  const std::uint64_t count, const RayResults results, Counts* const total) {
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * threads_a_block<Grid> + threadIdx.x;
   if (i >= count) return;
   C counts;
   write_hit<query>(results, i, trace_listed<query, M>(scene, grid, streamed(rays + i), counts));
@@ -126,6 +131,26 @@ inline unsigned blocks_of(int threads, std::size_t rays) {
 template <Query query, class TestRay>
 constexpr bool has_warp_loops = query == Query::nearest_hit || std::is_same_v<TestRay, WatertightRay<float>>;
 
+// A list of rays, with room for those that culling chooses where that may be worth it.
+template <class Real>
+struct CullingMemory {
+  DeviceArray<std::uint32_t> chosen;
+  RayQueue<Real> queue;
+
+  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, cudaStream_t stream)
+      : chosen(refills && count >= min_rays_culled ? count : 0, stream),
+        queue{rays, count, chosen.data(), chosen.size() > 0} {}
+};
+
+template <Query query, class Real, class Stored>
+void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const CullingMemory<Real>& culled,
+          WarpProgress* progress) {
+  if (!culled.queue.may_cull) return;
+  auto* const kernel = cull_kernel<query, Real, Stored>;
+  kernel<<<files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block, 0, batch.stream>>>(
+      files.scene.view, batch.rays, culled.queue.count, batch.results, culled.chosen.data(), progress);
+}
+
 // Traces by warp or warp_refill (RayLoop).
 template <Query query, class M, class Stored, class Grid>
 KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, RayLoop loop,
@@ -137,22 +162,37 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
-  auto* const cull = cull_kernel<query, Real, Stored>;
   const auto known = files.kernels.of(trace, rays_a_block),
              known_finish = files.kernels.of(finish, rays_a_block);
   const std::uint32_t blocks = std::min(blocks_of(rays_a_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
   const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), stream);
-  const bool may_cull = refills && count >= min_rays_culled;
-  const DeviceArray<std::uint32_t> chosen(may_cull ? count : 0, stream);
-  const RayQueue<Real> queue{batch.rays, count, chosen.data(), may_cull};
+  const CullingMemory<Real> culled(batch.rays, count, refills, stream);
+  const RayQueue<Real>& queue = culled.queue;
   batch.begin();
-  if (may_cull)
-    cull<<<files.kernels.of(cull, threads_a_culling_block).blocks, threads_a_culling_block, 0, stream>>>(
-        scene, batch.rays, count, batch.results, chosen.data(), left.view().progress);
+  cull<query>(files, batch, culled, left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
   trace<<<blocks, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
   finish<<<finishing, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
+  return known.size;
+}
+
+// The same through a hierarchy, which has a loop that refills alone.
+template <Query query, class M, class Stored>
+KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files,
+                             const HierarchyView<typename M::Real>& hierarchy,
+                             const RayBatch<typename M::Real>& batch) {
+  const SceneView<Stored>& scene = files.scene.view;
+  auto* const trace = refill_kernel<query, OnDevice<M>, Stored>;
+  const auto known = files.kernels.of(trace, hierarchy_threads);
+  const auto count = static_cast<std::uint32_t>(batch.count);
+  const DeviceArray<WarpProgress> progress(1, batch.stream);
+  progress.clear();
+  const CullingMemory<typename M::Real> culled(batch.rays, count, true, batch.stream);
+  batch.begin();
+  cull<query>(files, batch, culled, progress.data());
+  trace<<<std::min(blocks_of(hierarchy_threads, count), known.blocks), hierarchy_threads, 0, batch.stream>>>(
+      scene, hierarchy, culled.queue, batch.results, progress.data());
   return known.size;
 }
 
@@ -171,15 +211,23 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
       using Used = std::conditional_t<query == Query::occlusion, Method<TestRay, M::kinds>, M>;
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
                     M::stop == StopRule::proven && has_warp_loops<query, TestRay>) {
-        if (request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps) {
-          size = trace_by_warps<query, M>(files, grid, request.loop, batch);
-          return;
+        if constexpr (!is_hierarchy<Accelerator>) {
+          if (request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps) {
+            size = trace_by_warps<query, M>(files, grid, request.loop, batch);
+            return;
+          }
+        } else if constexpr (std::is_same_v<TestRay, WatertightRay<float>>) {
+          if (request.loop == RayLoop::warp_refill && batch.count <= max_rays_by_warps) {
+            size = trace_with_refill<query, M>(files, grid, batch);
+            return;
+          }
         }
       }
       auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
-      size = files.kernels.of(kernel, rays_a_block).size;
+      constexpr int threads = threads_a_block<Accelerator>;
+      size = files.kernels.of(kernel, threads).size;
       batch.begin();
-      kernel<<<blocks_of(rays_a_block, batch.count), rays_a_block, 0, batch.stream>>>(
+      kernel<<<blocks_of(threads, batch.count), threads, 0, batch.stream>>>(
           scene, grid, batch.rays, batch.count, batch.results, batch.counts);
     });
   });

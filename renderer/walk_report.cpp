@@ -178,6 +178,8 @@ void record(const SceneView<Stored>& scene, const Grid& grid, const WalkRequest&
 WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   check_depth(request.rules.depth);
   const GridFile* const grid = tracer.grid();
+  if (grid != nullptr && grid->is_hierarchy())
+    throw Error(ErrorCode::usage, "walk", "needs a grid of cells: a hierarchy has none");
   WalkReport report;
   report.has_grid = grid != nullptr;
   report.space = tracer.scene().bounds();
@@ -187,7 +189,7 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   with_store_and_arithmetic(
       tracer.scene(), rules.precision, [&]<class TestRay>(const auto& scene, Arithmetic<TestRay>) {
         with_method<TestRay>(scene, grid, rules, [&]<class M, class C>(const auto& accelerator, M, C) {
-          if constexpr (std::is_same_v<C, Counts>) {
+          if constexpr (std::is_same_v<C, Counts> && !is_hierarchy<std::decay_t<decltype(accelerator)>>) {
             if constexpr (!std::is_same_v<std::decay_t<decltype(accelerator)>, NoGrid>)
               report.division = accelerator.division;
             record<M>(scene, accelerator, request, report);

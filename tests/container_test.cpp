@@ -62,6 +62,11 @@ std::vector<Kind> kinds() {
          write_grid(tiny_merged_grid(), tiny_grid_origin({1, 2}, "irregular"), path);
        },
        open_grid, grid_file_kind},
+      {"Hierarchy", "grid",
+       [](const std::string& path) {
+         write_grid(tiny_hierarchy(), tiny_grid_origin({1, 2}, "bvh"), path);
+       },
+       open_grid, grid_file_kind},
   };
 }
 

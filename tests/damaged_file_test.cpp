@@ -1,5 +1,6 @@
 // Files damaged at random, with correct hashes: any that still opens can be built on and traced. With
 // sanitizers this shows that no index leads out of the file.
+#include "libgrid/hierarchy_statistics.h"
 #include "libgrid/statistics.h"
 #include "libscene/error.h"
 #include "tests/hostile_files.h"
@@ -69,7 +70,8 @@ std::unique_ptr<T> opened(const std::string& path) {
 
 void build_and_trace(const SceneFile& scene, const std::string& path) {
   for (const Overlap overlap : {Overlap::box, Overlap::exact}) {
-    for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular}) {
+    for (const GridKind kind :
+         {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy}) {
       try {
         build_a_little(scene, overlap, kind, path);
       } catch (const Error&) { // the space can't be divided
@@ -109,6 +111,7 @@ TEST(DamagedFile, ASceneThatOpensCanBeTraced) {
 }
 
 void describe(const GridFile& file) {
+  if (file.is_hierarchy()) return static_cast<void>(hierarchy_statistics(file.nodes()));
   static_cast<void>(file.is_merged() ? grid_statistics(file.merged_view<double>(), file.cells())
                                      : grid_statistics(file.view<double>(), file.references()));
 }
@@ -122,7 +125,7 @@ TEST(DamagedFile, AGridThatOpensCanBeTraced) {
   for (const Store store : {Store::float32, Store::float64}) {
     write_scene(tiny_scene(), store, scene_path);
     const SceneFile scene(scene_path);
-    for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
+    for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid(), tiny_hierarchy()}) {
       write_grid(made, tiny_grid_origin(scene.geometry_hash()), path);
       const GridParts parts(path);
       int open = 0;

@@ -3,12 +3,15 @@
 
 #include "tests/golden/grid.h"
 #include "tests/golden/grid_of_blocks.h"
+#include "tests/golden/hierarchy.h"
 #include "tests/golden/merged_grid.h"
 #include "tests/golden/scene_float32.h"
 #include "tests/golden/scene_float64.h"
+#include "tests/refused.h"
 #include "tests/tiny_scene.h"
 
 #include <cmath>
+#include <cstring>
 #include <functional>
 
 namespace masu {
@@ -61,6 +64,11 @@ INSTANTIATE_TEST_SUITE_P(
                            [](const std::string& path) {
                              write_grid(tiny_merged_grid(),
                                         tiny_grid_origin(golden_geometry_hash, "irregular"), path);
+                           }},
+                    Golden{"hierarchy", golden_hierarchy,
+                           [](const std::string& path) {
+                             write_grid(tiny_hierarchy(), tiny_grid_origin(golden_geometry_hash, "bvh"),
+                                        path);
                            }}),
     [](const auto& test) { return std::string(test.param.name); });
 
@@ -186,7 +194,9 @@ void expect_grid(const GridFile& file, const Grid& grid) {
   EXPECT_EQ(file.table().overlap(), fb::Overlap::exact);
   EXPECT_EQ(file.table().nested_log2(), static_cast<std::uint32_t>(grid.nested_log2));
   EXPECT_EQ(file.table().merge(), static_cast<fb::Merge>(grid.kind));
-  EXPECT_EQ(file.table().merge_rule()->str(), file.is_merged() ? "irregular" : "");
+  EXPECT_EQ(file.table().merge_rule()->str(), file.is_merged()      ? "irregular"
+                                              : file.is_hierarchy() ? "bvh"
+                                                                    : "");
   EXPECT_EQ(file.table().division_rule()->str(), "2x2x1");
   EXPECT_EQ(file.table().build_seconds(), -1);
   EXPECT_EQ(file.layout().division, grid.layout.division);
@@ -198,6 +208,9 @@ void expect_grid(const GridFile& file, const Grid& grid) {
     return a.x == b.x && a.y == b.y && a.z == b.z && a.list == b.list;
   }));
   EXPECT_TRUE(std::ranges::equal(file.references(), grid.references));
+  ASSERT_EQ(file.nodes().size(), grid.nodes.size());
+  for (std::size_t i = 0; i < grid.nodes.size(); ++i)
+    EXPECT_EQ(std::memcmp(&file.nodes()[i], &grid.nodes[i], sizeof(HierarchyNode)), 0) << i;
 }
 
 TEST(GoldenFileReading, GridIsRead) {
@@ -235,6 +248,29 @@ TEST(GoldenFileReading, MergedGridIsRead) {
   EXPECT_EQ(up.list, 1U);
   EXPECT_EQ(up.far, (Vec3i{8, 2, 4}));
   EXPECT_EQ(down.far, (Vec3i{2, 0, 0}));
+}
+
+TEST(GoldenFileReading, HierarchyIsRead) {
+  const TemporaryFolder folder;
+  const GridFile file(written_golden(folder, golden_hierarchy));
+  expect_grid(file, tiny_hierarchy());
+  EXPECT_TRUE(file.is_hierarchy());
+  EXPECT_FALSE(file.is_merged());
+  const HierarchyView<float> view = file.hierarchy_view<float>();
+  EXPECT_EQ(node_slots(view.nodes[0]), 1U << 6);
+  EXPECT_EQ(references_in(slot_byte(view.nodes[0].slots, 1)), 2U);
+  EXPECT_EQ(references_begin(slot_byte(view.nodes[1].slots, 5)), 1U);
+}
+
+// Said in one line, with what to do.
+TEST(GoldenFileReading, AnOlderVersionIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("old.grid");
+  Bytes bytes = bytes_of_hex_lines(golden_grid);
+  bytes[8] = 3;
+  write_bytes(path, bytes);
+  EXPECT_TRUE(is_refused([](const std::string& name) { const GridFile file(name); }, path,
+                         "build it again with gridbuild"));
 }
 
 } // namespace

@@ -89,7 +89,8 @@ TYPED_TEST(BuiltOnTheGpu, AGridOfNothingIsTheSameBytes) {
   TestScene<TypeParam> scene;
   const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
   const auto cpu = cpu_builder(scene.view()), gpu = cuda_builder(scene.view());
-  for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular})
+  for (const GridKind kind :
+       {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy})
     expect_same(cpu->build(layout, Overlap::exact, {kind}), gpu->build(layout, Overlap::exact, {kind}));
 }
 

@@ -159,8 +159,10 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
   SCOPED_TRACE(seed.trace());
   for (const auto& [division, kind] :
        {std::pair{"2", GridKind::uniform}, std::pair{"auto", GridKind::uniform},
-        std::pair{"4", GridKind::irregular}}) {
-    SCOPED_TRACE(std::string(division) + (kind == GridKind::uniform ? "" : " irregular"));
+        std::pair{"4", GridKind::irregular}, std::pair{"1", GridKind::hierarchy}}) {
+    SCOPED_TRACE(std::string(division) + (kind == GridKind::uniform     ? ""
+                                          : kind == GridKind::irregular ? " irregular"
+                                                                        : " bvh"));
     const Built built = build(Store::float32, GetParam().min_size + 1, division, options_of(kind));
     std::vector<Ray<double>> rays = random_rays(built.scene, 4000, seed.engine()());
     const std::vector<Ray<double>> eye =
@@ -328,7 +330,7 @@ TEST_P(CpuAndGpu, SeeTheSameWithoutAGridAndWithATwoLevelMap) {
 }
 
 TEST_P(CpuAndGpu, SeeTheSameThroughMergedGrids) {
-  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
+  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy}) {
     SCOPED_TRACE(static_cast<int>(kind));
     for (const Store store : {Store::float32, Store::float64}) {
       const Built built = build(store, GetParam().min_size + 1,

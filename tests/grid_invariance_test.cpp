@@ -77,7 +77,7 @@ struct MergeCase {
 
 TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
   const Result expected = rendered({"--brute-force"});
-  const std::array<MergeCase, 8> merges{{
+  const std::array<MergeCase, 9> merges{{
       {"33x20x5", {"--merge", "x"}},
       {"auto", {"--merge", "x", "--overlap", "box", "--space", "cube"}},
       {"40x30x20", {"--merge", "balance"}},
@@ -86,6 +86,7 @@ TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
       {"5x4x3", {"--merge", "irregular", "--nested", "3", "--step-cost", "0.5", "--overlap", "box"}},
       {"1", {"--merge", "irregular", "--detail", "10", "--alpha", "0.8", "--space", "cube"}},
       {"16", {"--merge", "irregular", "--expand", "0", "--step-cost", "10"}},
+      {"auto", {"--merge", "bvh"}},
   }};
   for (const MergeCase& merge : merges) {
     SCOPED_TRACE(fmt::format("division {}, {}", merge.division, fmt::join(merge.rules, " ")));
@@ -100,10 +101,11 @@ TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
 TEST_P(GridInvariance, ResultsInDoubleAreIndependentOfGrids) {
   const bool is_float32 = std::string_view(GetParam().store) == "float32";
   const std::string uniform = built("16", {"--merge", "none"}),
-                    merged = built("auto", {"--merge", "irregular"});
+                    merged = built("auto", {"--merge", "irregular"}),
+                    hierarchy = built("auto", {"--merge", "bvh"});
   EXPECT_TRUE(rendered({uniform}) == rendered({uniform, "--precision", is_float32 ? "robust" : "double"}));
   const Result expected = rendered({"--brute-force", "--precision", "double"});
-  for (const std::string& path : {uniform, merged})
+  for (const std::string& path : {uniform, merged, hierarchy})
     EXPECT_TRUE(rendered({path, "--precision", "double"}) == expected);
 }
 

@@ -322,7 +322,7 @@ INSTANTIATE_TEST_SUITE_P(
                     WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
                     WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }},
                     WrongGrid{"OfAMergedGrid", [](GridParts& p) { p.merge = fb::Merge::balance; }},
-                    WrongGrid{"OfAnUnknownMerge", [](GridParts& p) { p.merge = static_cast<fb::Merge>(4); }}),
+                    WrongGrid{"OfAnUnknownMerge", [](GridParts& p) { p.merge = static_cast<fb::Merge>(5); }}),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -77,8 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                     cell("BoxThatBeginsBeyond", 5, 2, range(0xffff, 4)), without("None", GridSection::cells),
                     WrongGrid{"OneTooFew",
                               [](GridParts& p) { p.section(GridSection::cells).bytes.resize(5 * 16); }},
-                    merged_as("OfAUniformGrid", 0), merged_as("MergedInNoKnownWay", 4),
-                    merged_as("MergedInTheLastWay", 255)),
+                    merged_as("OfAUniformGrid", 0), merged_as("OfAHierarchy", 4),
+                    merged_as("MergedInNoKnownWay", 5), merged_as("MergedInTheLastWay", 255)),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(

@@ -21,6 +21,7 @@ inline void expect_same(const Grid& a, const Grid& b) {
   EXPECT_TRUE(same_bytes(a.references, b.references)) << a.references.size() << ' ' << b.references.size();
   EXPECT_TRUE(same_bytes(a.cells, b.cells)) << a.cells.size() << ' ' << b.cells.size();
   EXPECT_TRUE(same_bytes(a.voxel_map, b.voxel_map)) << a.voxel_map.size() << ' ' << b.voxel_map.size();
+  EXPECT_TRUE(same_bytes(a.nodes, b.nodes)) << a.nodes.size() << ' ' << b.nodes.size();
 }
 
 } // namespace masu

@@ -84,6 +84,37 @@ inline Grid tiny_merged_grid() {
           {0 | last_bit, 0, 3 | last_bit, 1, 2 | last_bit}};
 }
 
+// A hierarchy of two nodes: the root holds the triangles, in its slot 1, and a node of the sphere and the
+// cone, in its slot 6. Planes are in sixteenths.
+inline Grid tiny_hierarchy() {
+  constexpr std::uint32_t sixteenths = 123 | 123 << 8 | 123 << 16;
+  const auto in_slots = [](std::uint32_t(&words)[2], int slot, std::uint32_t byte) {
+    words[slot / 4] |= byte << (slot % 4 * 8);
+  };
+  const auto add = [&](HierarchyNode& node, int slot, std::uint32_t held, const Vec3i& low,
+                       const Vec3i& high) {
+    in_slots(node.slots, slot, held);
+    for (int axis = 0; axis < 3; ++axis) {
+      in_slots(node.low[axis], slot, static_cast<std::uint32_t>(low[axis]));
+      in_slots(node.high[axis], slot, static_cast<std::uint32_t>(high[axis]));
+    }
+  };
+  HierarchyNode root{{-2.25F, -2.25F, -1.25F}, sixteenths | 1U << (24 + 6), 1, 0, {}, {}, {}};
+  add(root, 1, 3 << 5 | 0, {3, 3, 3}, {69, 69, 21});
+  add(root, 6, node_slot | 6, {35, 11, 11}, {53, 49, 33});
+  HierarchyNode inner{{-2.25F, -2.25F, -1.25F}, sixteenths, 2, 2, {}, {}, {}};
+  add(inner, 0, 1 << 5 | 0, {39, 39, 23}, {49, 49, 33});
+  add(inner, 5, 1 << 5 | 1, {35, 11, 11}, {53, 37, 29});
+  return {{{{-2, -2, -1}, {2, 2, 1}}, {1, 1, 1}, 0.0625},
+          GridKind::hierarchy,
+          0,
+          0,
+          {},
+          {},
+          {0, 1, 2, 3},
+          {root, inner}};
+}
+
 inline GridOrigin tiny_grid_origin(const Hash& geometry_hash, const std::string& merge_rule = "") {
   return {geometry_hash, tiny_scene_primitives, SpaceRule::tight, Overlap::exact, "2x2x1", merge_rule};
 }

@@ -1,5 +1,7 @@
-// gridbuild: divides a scene's space into voxels and writes which primitives each one holds.
+// gridbuild: divides a scene's space into voxels and writes which primitives each one holds; or builds a
+// bounding volume hierarchy instead.
 #include "libgrid/build/build_grid.h"
+#include "libgrid/hierarchy_statistics.h"
 #include "libgrid/statistics.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/file/scene_file.h"
@@ -26,6 +28,26 @@ struct Settings {
   Threads threads;
 };
 
+// Of a build that took so many seconds, with writing.
+void report_hierarchy(const Settings& settings, const SceneFile& file, const HierarchyStatistics& built,
+                      double seconds, double total_seconds) {
+  std::FILE* const out = settings.output == "-" ? stderr : stdout; // beside the grid
+  if (settings.json) {
+    nlohmann::ordered_json json{{"nodes", built.nodes},
+                                {"depth", built.depth},
+                                {"references", built.references},
+                                {"build_seconds", seconds},
+                                {"total_seconds", total_seconds},
+                                {"device", "cpu"},
+                                {"scene_hash", to_hex(file.hash())}};
+    json.update(provenance());
+    fmt::print(out, "{}\n", json.dump());
+  } else if (!settings.quiet) {
+    fmt::print(out, "{} nodes, {} references; built in {:.3f} s, written in {:.3f} s\n", built.nodes,
+               built.references, seconds, total_seconds - seconds);
+  }
+}
+
 template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
@@ -38,6 +60,8 @@ void build(const Settings& settings, const SceneFile& file) {
   const double seconds = watch.seconds();
   if (settings.record_seconds) origin.build_seconds = seconds;
   write_grid(grid, origin, settings.output);
+  if (grid.kind == GridKind::hierarchy)
+    return report_hierarchy(settings, file, hierarchy_statistics(grid.nodes), seconds, watch.seconds());
   const Vec3i n = grid.layout.division;
   const GridStatistics counted = grid.kind == GridKind::uniform
                                      ? grid_statistics(view_of<double>(grid), grid.references)
@@ -72,6 +96,7 @@ void build(const Settings& settings, const SceneFile& file) {
 // The library's errors in the command line's words.
 Error translated(const Error& error) {
   if (error.place() == "division") return {error.code(), "--division", error.message()};
+  if (error.place() == "merge") return {error.code(), "--merge", error.message()};
   if (error.place() == "cuda") return {error.code(), "cuda", error.message() + " (--device cpu)"};
   return error;
 }
@@ -83,7 +108,8 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
       "gridbuild",
-      "Builds the voxel grid of a scene.\n\nDivision rules, for N primitives in a space of sides w "
+      "Builds the voxel grid of a scene, or a bounding volume hierarchy.\n\nDivision rules, for N primitives "
+      "in a space of sides w "
       "and volume V:\n"
       "  N              N voxels an axis\n"
       "  NXxNYxNZ       so many along x, y, z\n"
@@ -108,10 +134,13 @@ int main(int argc, char** argv) {
                     {"none", GridKind::uniform},
                     {"x", GridKind::x},
                     {"balance", GridKind::balance},
-                    {"irregular", GridKind::irregular}},
+                    {"irregular", GridKind::irregular},
+                    {"bvh", GridKind::hierarchy}},
                    "which voxels share a cell: auto (none where a division is given; else none or irregular, "
                    "as a cost model says), none, x (empty ones in a run along x), balance (as many as list "
-                   "--target primitives), irregular (voxels are divided further, by expected cost)");
+                   "--target primitives), irregular (voxels are divided further, by expected cost), bvh (no "
+                   "voxels: a "
+                   "bounding volume hierarchy of eight boxes a node)");
         app.add_option("--target", settings.options.grid.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();
@@ -137,7 +166,7 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(0, 64))
             ->capture_default_str();
         add_choice(app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
-                   "who builds: cpu or cuda; the file is the same");
+                   "who builds: cpu or cuda; the file is the same (a hierarchy is always built by the cpu)");
         app.add_flag("--record-seconds", settings.record_seconds,
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");

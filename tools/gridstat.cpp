@@ -5,6 +5,7 @@
 #include "tools/cell_export.h"
 #include "tools/cli.h"
 #include "tools/grid_report.h"
+#include "tools/hierarchy_report.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/slice_picture.h"
@@ -172,6 +173,15 @@ void write_cells(const GridFile& file, const Settings& settings) {
 
 void inspect(const Settings& settings) {
   const GridFile file(settings.grid);
+  if (file.is_hierarchy()) {
+    for (const auto& [wanted, option] : {std::pair(!settings.slice.empty(), "--slice"),
+                                         std::pair(!settings.cells.empty(), "--cells"),
+                                         std::pair(settings.histogram, "--histogram")})
+      if (wanted) throw Error(ErrorCode::usage, option, "needs a grid of cells: a hierarchy has none");
+    return print_hierarchy_report(file, settings.json  ? ReportFormat::json
+                                        : settings.csv ? ReportFormat::csv
+                                                       : ReportFormat::table);
+  }
   if (!settings.slice.empty()) return draw_slice(file, settings);
   if (!settings.cells.empty()) return write_cells(file, settings);
   const Statistics statistics(file);
@@ -232,13 +242,13 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
-      "gridstat", "Prints statistics of a grid, draws slices of it, or exports its cells.", argc, argv,
+      "gridstat", "Prints statistics of a grid or a hierarchy, draws slices of a grid, or exports its cells.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
         auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
         auto* const json = app.add_flag("--json", settings.json, "print JSON");
         auto* const csv = app.add_flag("--csv", settings.csv,
-                                       "print CSV: a header and one line, the same columns for every grid")
+                                       "print CSV: a header and one line, the same columns for every grid of cells")
                               ->excludes("--json");
         auto* const histogram =
             app.add_flag("--histogram", settings.histogram,

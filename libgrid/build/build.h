@@ -6,11 +6,12 @@
 #include "libgrid/build/storage_order.h"
 #include "libgrid/grid_layout.h"
 #include "libgrid/trace/grid_view.h"
+#include "libgrid/trace/hierarchy_view.h"
 #include "libscene/scene_view.h"
 
 namespace masu {
 
-// In host memory; see grid_view.h for what the arrays hold.
+// In host memory; see grid_view.h and hierarchy_view.h for what the arrays hold.
 struct Grid {
   GridLayout layout{}; // a merged grid's smallest voxels are 2^nested_log2 times smaller
   GridKind kind = GridKind::uniform;
@@ -19,6 +20,7 @@ struct Grid {
   HostArray<std::uint32_t> voxel_map;
   HostArray<MergedCell> cells; // of merged ones
   HostArray<PrimitiveIndex> references;
+  HostArray<HierarchyNode> nodes{}; // of a hierarchy, which has no map and no cells
 };
 
 // About how many bytes building takes at its peak, for so many references.

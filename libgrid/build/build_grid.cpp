@@ -31,6 +31,8 @@ std::string merge_text(GridKind kind, const GridOptions& options) {
   case GridKind::irregular:
     return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
                        options.detail, options.step_cost, options.alpha, options.expansions);
+  case GridKind::hierarchy:
+    return "bvh";
   case GridKind::uniform:
   case GridKind::automatic:
     break;
@@ -85,6 +87,10 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
   const auto layout_for = [&](GridKind kind) {
     DivisionRule rule = options.division;
     if (kind == GridKind::irregular && automatic_division) rule.kind = DivisionRule::Kind::nested;
+    if (kind == GridKind::hierarchy) { // whose space isn't divided
+      rule.kind = DivisionRule::Kind::fixed;
+      rule.fixed = {1, 1, 1};
+    }
     const GridLayout layout = make_grid_layout<Stored>(bounds, options.space, rule, statistics);
     check_memory(layout, expected_references(statistics.all, layout));
     return layout;

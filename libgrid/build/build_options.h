@@ -11,9 +11,10 @@ namespace masu {
 //   balance    boxes of voxels that list no more than `target` primitives are one cell
 //   irregular  each voxel of a coarse division is divided further, as deep as its primitives demand, by
 //              expected cost (splitter.h); cells are then expanded over neighbours (expand_passes.h)
+//   hierarchy  no voxels: a bounding volume hierarchy (hierarchy.h)
 //   automatic  uniform or irregular, by expected cost (build_grid.h); a built grid is never of this kind
-// The first four are numbered as schemas/grid.fbs numbers them.
-enum class GridKind { uniform, x, balance, irregular, automatic };
+// But for the last, they are numbered as schemas/grid.fbs numbers them.
+enum class GridKind { uniform, x, balance, irregular, hierarchy, automatic };
 
 // A kind and its options; those of other kinds don't matter.
 struct GridOptions {

@@ -1,6 +1,7 @@
 // One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
 #include "libgrid/build/builder.h"
 #include "libgrid/build/cuda_executor.h"
+#include "libgrid/build/hierarchy.h"
 #include "libgrid/build/merge_passes.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/cuda/transfer.h"
@@ -44,6 +45,7 @@ public:
   }
 
   BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+    if (options.kind == GridKind::hierarchy) return {hierarchy_grid(host_, layout)}; // by the CPU
     if (options.kind == GridKind::uniform)
       return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
     return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -227,6 +228,51 @@ private:
   std::atomic<std::uint64_t> nested_ = 0;
 };
 
+// Whether the references of a node are there, its slots are what its mask of nodes says, and it names no
+// place in it but its own. Any planes are good: they only say what is visited.
+bool is_good_node(const HierarchyNode& node, std::uint64_t references) {
+  for (const float origin : node.origin)
+    if (!std::isfinite(origin)) return false;
+  for (int slot = 0; slot < boxes_a_node; ++slot) {
+    const std::uint32_t held = slot_byte(node.slots, slot);
+    const bool is_node = (node_slots(node) >> slot & 1) != 0;
+    if (is_node ? held != (node_slot | static_cast<std::uint32_t>(slot))
+                : (held & 0x18) == 0x18 ||
+                      references_begin(held) + std::bit_width(held >> 5) > max_references_a_node ||
+                      (held >> 5 != 0 && node.first_reference + std::uint64_t{references_begin(held)} +
+                                                 std::bit_width(held >> 5) >
+                                             references))
+      return false;
+  }
+  return true;
+}
+
+// Whether nodes come depth first, each in one place alone, and no deeper than the walk's stack allows: so
+// every walk ends.
+bool is_depth_first(std::span<const HierarchyNode> nodes) {
+  struct Siblings {
+    std::uint64_t next, end;
+  };
+  std::array<Siblings, max_hierarchy_depth> path{};
+  std::size_t depth = 1;
+  path[0] = {0, 1};
+  std::uint64_t met = 1; // nodes whose place is known
+  while (depth > 0) {
+    Siblings& siblings = path[depth - 1];
+    if (siblings.next == siblings.end) {
+      --depth;
+      continue;
+    }
+    const HierarchyNode& node = nodes[siblings.next++];
+    const auto held = static_cast<std::uint64_t>(std::popcount(node_slots(node)));
+    if (held == 0) continue;
+    if (node.first_node != met || held > nodes.size() - met || depth == max_hierarchy_depth) return false;
+    path[depth++] = {met, met + held};
+    met += held;
+  }
+  return met == nodes.size();
+}
+
 } // namespace
 
 void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path) {
@@ -234,6 +280,7 @@ void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& p
       section_data(number(fb::GridSection::voxel_map), std::span(grid.voxel_map)),
       section_data(number(fb::GridSection::cells), std::span(grid.cells)),
       section_data(number(fb::GridSection::references), std::span(grid.references)),
+      section_data(number(fb::GridSection::nodes), std::span(grid.nodes)),
   };
   const auto section_layout = lay_out(sections);
   write_container(path, grid_file_kind, grid_table(grid, origin, section_layout), sections, section_layout);
@@ -271,9 +318,14 @@ void GridFile::check_sizes() const {
   const std::uint64_t words = voxel_map().size();
   const Vec3i n = layout().division;
   bool good = false;
+  check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
+  if (is_hierarchy()) {
+    check(!nodes().empty() && words == 0 && cells().empty() && voxel_count(n) == 1, "it has no hierarchy");
+    return;
+  }
+  check(nodes().empty(), "its table is damaged");
   if (is_merged()) {
     const auto nested_log2 = table_->nested_log2();
-    check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
     good = nested_log2 <= 15 && (std::max({n.x, n.y, n.z}) << nested_log2) <= largest_division &&
            words >= voxel_count(n) && words <= max_numbered + 1;
   } else {
@@ -288,6 +340,12 @@ void GridFile::check_sizes() const {
 void GridFile::check_records() const {
   const std::uint64_t primitives = table_->primitives();
   const auto listed = references();
+  if (is_hierarchy()) {
+    check(listed.size() <= max_numbered &&
+              all(listed.size(), [&](std::uint64_t i) { return listed[i] < primitives; }),
+          "it lists a primitive that isn't there");
+    return check_hierarchy();
+  }
   check(listed.size() <= max_numbered && (listed.empty() || (listed.back() & last_bit) != 0) &&
             all(listed.size(), [&](std::uint64_t i) { return (listed[i] & ~last_bit) < primitives; }),
         "it lists a primitive that isn't there");
@@ -341,6 +399,15 @@ void GridFile::check_merged() const {
         "its voxel map leads astray");
 }
 
+void GridFile::check_hierarchy() const {
+  const auto all_nodes = nodes();
+  const std::uint64_t lists = references().size();
+  check(all_nodes.size() <= max_numbered &&
+            all(all_nodes.size(), [&](std::uint64_t i) { return is_good_node(all_nodes[i], lists); }),
+        "its nodes name what isn't there");
+  check(is_depth_first(all_nodes), "its nodes lead astray");
+}
+
 GridLayout GridFile::layout() const {
   const fb::Division& n = *table_->division();
   return {{vector_of(table_->space()->min()), vector_of(table_->space()->max())},
@@ -356,6 +423,10 @@ std::span<const MergedCell> GridFile::cells() const {
 }
 std::span<const PrimitiveIndex> GridFile::references() const {
   return container_.records<PrimitiveIndex>(section_list(*table_), number(fb::GridSection::references));
+}
+
+std::span<const HierarchyNode> GridFile::nodes() const {
+  return container_.records<HierarchyNode>(section_list(*table_), number(fb::GridSection::nodes));
 }
 
 void GridFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const {

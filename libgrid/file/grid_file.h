@@ -12,7 +12,7 @@
 namespace masu {
 
 inline constexpr FileKind grid_file_kind{
-    {'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 3, "grid", "build it again with gridbuild"};
+    {'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 4, "grid", "build it again with gridbuild"};
 
 // How a grid came about, as its file tells it.
 struct GridOrigin {
@@ -43,19 +43,25 @@ public:
   std::uint64_t bytes() const { return container_.bytes(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
   GridLayout layout() const;
-  bool is_merged() const { return table_->merge() != fb::Merge::none; }
+  bool is_hierarchy() const { return table_->merge() == fb::Merge::hierarchy; }
+  bool is_merged() const { return table_->merge() != fb::Merge::none && !is_hierarchy(); }
   std::span<const std::uint32_t> voxel_map() const;
   std::span<const MergedCell> cells() const;
   std::span<const PrimitiveIndex> references() const;
+  std::span<const HierarchyNode> nodes() const;
 
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
 
-  // Point into its memory; of a uniform grid, of a merged one. Real is the arithmetic's type.
+  // Point into its memory; of a uniform grid, of a merged one, of a hierarchy. Real is the arithmetic's type.
   template <class Real>
   GridView<Real> view() const;
   template <class Real>
   MergedGridView<Real> merged_view() const;
+  template <class Real>
+  HierarchyView<Real> hierarchy_view() const {
+    return {nodes().data(), references().data()};
+  }
 
 private:
   GridFile(const std::string& path, Checks checks, const Stopwatch& watch);
@@ -63,6 +69,7 @@ private:
   void check_sizes() const;
   void check_uniform() const;
   void check_merged() const;
+  void check_hierarchy() const;
 
   ContainerFile container_;
   const fb::Grid* table_;
@@ -75,5 +82,16 @@ template <class Real>
 GridView<Real> view_of(const Grid& grid);
 template <class Real>
 MergedGridView<Real> merged_view_of(const Grid& grid);
+template <class Real>
+HierarchyView<Real> hierarchy_view_of(const Grid& grid) {
+  return {grid.nodes.data(), grid.references.data()};
+}
+
+// Calls act(the grid's view), which is of the type for its kind.
+template <class Real, class Act>
+void with_grid_view(const Grid& grid, const Act& act) {
+  if (grid.kind == GridKind::hierarchy) return act(hierarchy_view_of<Real>(grid));
+  grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
+}
 
 } // namespace masu

@@ -2,6 +2,7 @@
 // primitive. Either way the same bits come out.
 #pragma once
 
+#include "libgrid/trace/hierarchy_walk.h"
 #include "libgrid/trace/walk.h"
 #include "libscene/geometry/clip.h"
 #include "libscene/geometry/intersect.h"
@@ -77,6 +78,9 @@ struct NearestHit {
   MASU_HD bool done(Real exit) const {
     return can_terminate<Query::nearest_hit, M::stop>(hit.t, t_max, exit);
   }
+  // What lies beyond can't be the nearest hit; nor what is still to come, whatever it is.
+  MASU_HD Real farthest() const { return hit.t; }
+  MASU_HD bool ends() const { return false; }
 };
 
 // Ends with the first hit nearer than t_max, whichever it is.
@@ -98,6 +102,8 @@ struct AnyHit {
   }
   MASU_HD bool found() const { return hit < t_max; }
   MASU_HD bool done(Real exit) const { return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit); }
+  MASU_HD Real farthest() const { return t_max; }
+  MASU_HD bool ends() const { return found(); }
 };
 
 // Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the
@@ -140,7 +146,7 @@ MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t 
 }
 
 // The nearest hit at t_min < t < t_max, as of the ray from where it enters the scene's bounds: there t has
-// the most digits. Grid: GridView<Real>, MergedGridView<Real> or NoGrid; M: a Method.
+// the most digits. Grid: GridView<Real>, MergedGridView<Real>, HierarchyView<Real> or NoGrid; M: a Method.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
                                                              const Ray<typename M::Real>& ray,

@@ -1,6 +1,7 @@
 // libFuzzer target: any bytes as a grid file throw Error, or all indices are valid. Seeds: files made by
 // gridbuild.
 #include "libgrid/file/grid_file.h"
+#include "libgrid/hierarchy_statistics.h"
 #include "libgrid/statistics.h"
 #include "libgrid/trace/trace.h"
 #include "libscene/error.h"
@@ -10,26 +11,28 @@
 namespace {
 
 // Checks the primitive indices that traversal meets.
+template <class Real>
 struct Visitor {
   std::uint64_t primitives;
+  masu::Ray<Real> ray;
   masu::NoCounts counts;
 
   void primitive(masu::PrimitiveIndex index) const {
     if (index >= primitives) std::abort();
   }
-  template <class Real>
-  bool done(Real) const {
-    return false;
-  }
+  bool done(Real) const { return false; }
+  Real farthest() const { return ray.t_max; }
+  bool ends() const { return false; }
 };
 
 template <class Real, class Grid>
-void traverse(const Grid& grid, std::uint64_t primitives) {
-  Visitor visitor{primitives, {}};
+void traverse(const Grid& grid, const masu::GridFile& file) {
   const Real almost_one = Real(0.99);
   for (const masu::Vec3<Real>& d :
        {masu::Vec3<Real>{1, almost_one, Real(0.5)}, {-1, Real(0.001), 0}, {0, 0, 1}, {-1, -1, -1}}) {
-    const masu::ClippedRay<Real> ray{masu::unbounded_ray(grid.min, d), {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+    const masu::ClippedRay<Real> ray{
+        masu::unbounded_ray(masu::cast<Real>(file.layout().space.min), d), {1 / d.x, 1 / d.y, 1 / d.z}, 0};
+    Visitor<Real> visitor{file.table().primitives(), ray.ray, {}};
     masu::visit(grid, ray, 0, visitor);
   }
 }
@@ -39,15 +42,18 @@ void open_and_traverse(std::span<const std::uint8_t> bytes) {
     const masu::MemoryFile memory;
     masu::fill(memory, bytes);
     const masu::GridFile file(memory.path());
-    const std::uint64_t primitives = file.table().primitives();
-    if (file.is_merged()) {
+    if (file.is_hierarchy()) {
+      static_cast<void>(masu::hierarchy_statistics(file.nodes()));
+      traverse<float>(file.hierarchy_view<float>(), file);
+      traverse<double>(file.hierarchy_view<double>(), file);
+    } else if (file.is_merged()) {
       static_cast<void>(masu::grid_statistics(file.merged_view<double>(), file.cells()));
-      traverse<float>(file.merged_view<float>(), primitives);
-      traverse<double>(file.merged_view<double>(), primitives);
+      traverse<float>(file.merged_view<float>(), file);
+      traverse<double>(file.merged_view<double>(), file);
     } else {
       static_cast<void>(masu::grid_statistics(file.view<double>(), file.references()));
-      traverse<float>(file.view<float>(), primitives);
-      traverse<double>(file.view<double>(), primitives);
+      traverse<float>(file.view<float>(), file);
+      traverse<double>(file.view<double>(), file);
     }
   } catch (const masu::Error&) {
   }

@@ -12,8 +12,8 @@ void open_and_trace(std::span<const std::uint8_t> bytes) {
     masu::fill(file, bytes);
     const masu::SceneFile scene(file.path());
     masu::trace_a_little(scene, nullptr);
-    for (const masu::GridKind kind :
-         {masu::GridKind::uniform, masu::GridKind::balance, masu::GridKind::irregular})
+    for (const masu::GridKind kind : {masu::GridKind::uniform, masu::GridKind::balance,
+                                      masu::GridKind::irregular, masu::GridKind::hierarchy})
       masu::build_a_little(scene, masu::Overlap::exact, kind, "/dev/null");
   } catch (const masu::Error&) {
   }

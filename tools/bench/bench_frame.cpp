@@ -114,6 +114,11 @@ void bench_frame(const Settings& settings) {
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
     for (const auto& [name, division] : all_schedules) {
       if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+      if (grid.is_hierarchy() && division) {
+        if (settings.schedules.empty()) continue;
+        throw Error(ErrorCode::usage, "--schedule",
+                    "block, cyclic and persistent need a grid of cells: a hierarchy has none: name hardware");
+      }
       rows.push_back(measure(settings, tracer, name, division, picture));
       if (!settings.json) print_row(rows.back());
     }

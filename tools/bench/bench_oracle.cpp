@@ -84,6 +84,8 @@ void bench_oracle(const Settings& settings) {
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   grid.check_geometry(scene.geometry_hash(), scene.primitive_count());
+  if (settings.first_cell_hit && grid.is_hierarchy())
+    throw Error(ErrorCode::usage, "--first-cell-hit", "needs a grid of cells: a hierarchy has none");
   const std::vector<Mode> modes = modes_for(settings, scene);
   const std::vector<Tally> tallies = judge_all(settings, scene, grid, modes);
   Json rows = Json::array();

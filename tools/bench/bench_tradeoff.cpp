@@ -78,6 +78,13 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
     if (std::find(all.begin(), all.end(), c) == all.end()) all.push_back(c);
   };
   for (const std::string& merge : settings.merges) {
+    // A hierarchy has no division, no overlap test and no cells.
+    if (merge_named(merge) == GridKind::hierarchy) {
+      for (const std::string& precision : settings.precisions)
+        if (std::find(settings.stops.begin(), settings.stops.end(), "proven") != settings.stops.end())
+          add({precision_named(precision), StopRule::proven, GridKind::hierarchy, "auto", Overlap::exact});
+      continue;
+    }
     // The top level of an irregular grid always has the automatic division.
     const bool own = merge_named(merge) == GridKind::irregular;
     for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions) {
@@ -372,10 +379,10 @@ void add_tradeoff(CLI::App& app) {
            "which anything is hit)",
            {"proven", "first-cell-hit"});
   add_list("--merges", settings.merges, "kinds of grid (see gridbuild --help)",
-           {"none", "x", "balance", "irregular"});
+           {"none", "x", "balance", "irregular", "bvh"});
   add_list("--overlaps", settings.overlaps, "overlap tests (see gridbuild --help)", {"box", "exact"});
   add_list("--divisions", settings.divisions,
-           "divisions (see gridbuild --help); irregular grids always use auto", {});
+           "divisions (see gridbuild --help); irregular grids always use auto, bvh has none", {});
   add_list("--curve", settings.curve,
            "divisions of the chart of time against division (uniform grids, exact overlap, robust)", {});
   tradeoff.add_option("--size", settings.size, "number of primary rays, WxH [256x256; 1024x1024 on a GPU]");

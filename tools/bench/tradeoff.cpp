@@ -38,6 +38,8 @@ const char* name_of(GridKind merge) {
     return "balance";
   case GridKind::irregular:
     return "irregular";
+  case GridKind::hierarchy:
+    return "bvh";
   }
   return "";
 }
@@ -55,7 +57,8 @@ StopRule stop_named(const std::string& text) {
 }
 
 GridKind merge_named(const std::string& text) {
-  return named(text, std::array{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular});
+  return named(text, std::array{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
+                                GridKind::hierarchy});
 }
 
 Overlap overlap_named(const std::string& text) {
@@ -68,6 +71,7 @@ std::string method_of(const Configuration& configuration) {
 }
 
 std::string grid_of(const Configuration& configuration) {
+  if (configuration.merge == GridKind::hierarchy) return name_of(configuration.merge);
   const char* const merge =
       configuration.merge == GridKind::uniform ? "uniform" : name_of(configuration.merge);
   const bool divided = configuration.merge != GridKind::irregular || configuration.division != "auto";

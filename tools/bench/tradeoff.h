@@ -63,7 +63,7 @@ struct TradeoffRow {
 
 // The names used in the table and the file.
 const char* name_of(StopRule stop);   // proven, first-cell-hit
-const char* name_of(GridKind merge);  // none, x, balance, irregular
+const char* name_of(GridKind merge);  // none, x, balance, irregular, bvh
 const char* name_of(Overlap overlap); // box, exact
 // Throw Error(usage, text, …).
 Precision precision_named(const std::string& text);

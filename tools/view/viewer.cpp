@@ -119,6 +119,10 @@ Viewer::Viewer(const ViewerSettings& settings)
   const Checks checks = settings.device == Device::cuda ? Checks::table : Checks::all;
   for (const std::string& path : settings.grids)
     grids_.push_back(std::make_unique<ViewedGrid>(path, checks, scene_, settings.device));
+  for (const auto& grid : grids_) {
+    if (grid->file.is_hierarchy())
+      throw Error(ErrorCode::usage, grid->file.path(), "is a hierarchy: gridview shows grids of cells");
+  }
 }
 
 FrameRequest Viewer::frame_request(const PictureRequest& request) const {

@@ -83,7 +83,7 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
       same = same && other.primitive == hit.primitive && same_bits(other.t, hit.t);
     };
     for (const Grid& grid : grids)
-      grid.kind == GridKind::uniform ? compare(view_of<Real>(grid)) : compare(merged_view_of<Real>(grid));
+      with_grid_view<Real>(grid, compare);
     return same;
   };
   return tallied(trial.rays.size(), [&](std::size_t i, Tally& tally) {
@@ -135,7 +135,7 @@ Tally judged_glass(SceneView<Stored> scene, const std::vector<Grid>& grids, cons
       same = same && same_bits(other, light);
     };
     for (const Grid& grid : grids)
-      grid.kind == GridKind::uniform ? compare(view_of<Real>(grid)) : compare(merged_view_of<Real>(grid));
+      with_grid_view<Real>(grid, compare);
     tally.wrong += good ? 0 : 1;
     tally.by_grid += same ? 0 : 1;
   });

@@ -28,11 +28,6 @@ bool same_hit(const Hit<Real>& a, const Hit<Real>& b) {
   return a.primitive == b.primitive && same_bits(a.t, b.t);
 }
 
-template <class Real, class Act>
-void with_view(const Grid& grid, const Act& act) {
-  grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
-}
-
 template <class TestRay, class Stored>
 std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>& grids,
                          const std::vector<Ray<double>>& rays, StopRule stop) {
@@ -43,7 +38,7 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>
   const auto for_each_ray = [&](const auto& act) { tbb::parallel_for(std::size_t{0}, rays.size(), act); };
   if (stop == StopRule::first_cell) {
     using FirstCell = Method<TestRay, with_all_kinds, StopRule::first_cell>;
-    with_view<Real>(grids.front(), [&](const auto& view) {
+    with_grid_view<Real>(grids.front(), [&](const auto& view) {
       for_each_ray([&](std::size_t i) {
         const Hit<Real> hit = find<FirstCell>(scene, view, rays[i]);
         found[i] = {static_cast<double>(hit.t), hit.primitive, true};
@@ -56,7 +51,7 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>
     found[i] = {static_cast<double>(first[i].t), first[i].primitive, true};
   });
   for (const Grid& grid : grids) {
-    with_view<Real>(grid, [&](const auto& view) {
+    with_grid_view<Real>(grid, [&](const auto& view) {
       for_each_ray([&](std::size_t i) {
         found[i].same = found[i].same && same_hit(find<Proven>(scene, view, rays[i]), first[i]);
       });

@@ -29,7 +29,8 @@ struct Trial {
   std::vector<GridWanted> grids{{{7, 6, 5}, GridKind::uniform},
                                 {{40, 33, 64}, GridKind::uniform},
                                 {{3, 4, 2}, GridKind::irregular},
-                                {{16, 16, 16}, GridKind::x}};
+                                {{16, 16, 16}, GridKind::x},
+                                {{1, 1, 1}, GridKind::hierarchy}};
   std::vector<Vec3d> aims{}; // leaving: a random unit vector for each ray
   std::int32_t depth = 1;    // glass: the largest depth of rays
   std::optional<TestScene<double>>

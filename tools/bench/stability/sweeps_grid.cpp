@@ -79,7 +79,8 @@ Trial<Stored> on_faces(Chance& chance, double parameter, std::size_t rays) {
   }
   trial.grids = {{{voxels, voxels, voxels}, GridKind::uniform},
                  {{voxels, voxels, voxels}, GridKind::x},
-                 {{std::min(voxels, 64), std::min(voxels, 64), std::min(voxels, 64)}, GridKind::irregular}};
+                 {{std::min(voxels, 64), std::min(voxels, 64), std::min(voxels, 64)}, GridKind::irregular},
+                 {{1, 1, 1}, GridKind::hierarchy}};
   return trial;
 }
 

@@ -1,0 +1,31 @@
+// Builds a bounding volume hierarchy on the host (libgrid/trace/hierarchy_view.h).
+#pragma once
+
+#include "libgrid/build/build.h"
+#include "libscene/scene_view.h"
+
+#include <functional>
+
+namespace masu {
+
+struct Hierarchy {
+  HostArray<HierarchyNode> nodes; // the root first; depth first, a node's nodes side by side
+  HostArray<PrimitiveIndex> references;
+};
+
+// First a binary hierarchy from the top down, by the surface area heuristic over bins (Wald, "On Fast
+// Construction of SAH-based Bounding Volume Hierarchies", RT 2007); then the cheapest nodes of eight boxes
+// that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017). The same for any
+// number of threads. Boxes contain `margin` around each primitive. `progress` gets shares of the work, from
+// any thread. Throws Error(input) for more primitives than can be numbered.
+template <class Stored>
+Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
+                          const std::function<void(double)>& progress = {});
+
+// The same as a grid: of the layout's space and margin, in one voxel. Throws Error(usage, "merge", …) for a
+// scene that reaches farther than float32 does.
+template <class Stored>
+Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
+                    const std::function<void(double)>& progress = {});
+
+} // namespace masu

@@ -1,0 +1,62 @@
+// A bounding volume hierarchy as tracing sees it: where its arrays lie, on the host or on the device. Passed
+// by value.
+//
+// It is the other way to hold a scene's references: where a grid divides space, and a ray steps through what
+// is empty, a hierarchy bounds what is there. Nodes hold up to eight boxes, compressed to 8 bits a plane,
+// after Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
+// HPG 2017.
+#pragma once
+
+#include "libscene/fetch.h"
+#include "libscene/geometry/primitives.h"
+
+namespace masu {
+
+// Boxes are in units of `exponent`'s power of two an axis, counted from `origin`. A slot of a node holds one
+// of the boxes, and what is in it:
+//
+//   0                   nothing
+//   0x38 | slot         a node: `first_node` and so many after it as lower slots hold nodes
+//   unary << 5 | first  references: as many as `unary` (1, 3 or 7) has bits, `first_reference + first` and
+//   after
+//
+// Which slot a box has says in which octant about the node's centre it lies, so far as that can be: rays
+// visit slots in the order of slot ^ octant, octant being that of their direction.
+struct alignas(16) HierarchyNode {
+  float origin[3];
+  std::uint32_t exponents; // 8 bits an axis, biased as a float's; then a bit for each slot that holds a node
+  std::uint32_t first_node, first_reference;
+  std::uint32_t slots[2];  // 8 bits a slot
+  std::uint32_t low[3][2]; // 8 bits a slot: the planes of the boxes, x, y, z
+  std::uint32_t high[3][2];
+};
+static_assert(sizeof(HierarchyNode) == 80);
+
+inline constexpr int boxes_a_node = 8;
+inline constexpr unsigned max_references_a_box = 3, max_references_a_node = 24;
+inline constexpr std::uint32_t node_slot = 0x38; // with the slot's number
+
+// Nodes on the way from the root to a box, at most.
+inline constexpr int max_hierarchy_depth = 48;
+
+MASU_HD inline std::uint32_t node_slots(const HierarchyNode& node) {
+  return node.exponents >> 24;
+}
+MASU_HD inline std::uint32_t slot_byte(const std::uint32_t (&words)[2], int slot) {
+  return words[slot / 4] >> (slot % 4 * 8) & 0xff;
+}
+// Of a box of references, at which of the node's they begin and how many they are.
+MASU_HD inline std::uint32_t references_begin(std::uint32_t slot) {
+  return slot & 0x1f;
+}
+MASU_HD inline std::uint32_t references_in(std::uint32_t slot) {
+  return (slot >> 5 & 1) + (slot >> 6 & 1) + (slot >> 7 & 1);
+}
+
+template <class Real>
+struct HierarchyView {
+  const HierarchyNode* nodes; // node 0 is the root
+  const PrimitiveIndex* references;
+};
+
+} // namespace masu
