@@ -1,11 +1,11 @@
-// The walk of a ray through a bounding volume hierarchy: node by node, from near to far; after Ylitie, Karras &
-// Laine (hierarchy_view.h).
+// The walk of a ray through a bounding volume hierarchy: node by node, from near to far; after Ylitie, Karras
+// & Laine (hierarchy_view.h).
 //
 // Results are independent of the hierarchy. A primitive's box contains its surface and the builder's margin
-// (libscene/geometry/margin.h) around it. So a computed hit lies at least 39 u M inside its boxes, and the distance
-// of a plane is off by less than 14 u M along its axis, and besides by 3 · 2^-9 units of the node, for which the
-// builder makes boxes larger by 2^-6 units: a ray is never found to miss the box of what it hits, nor to enter it
-// beyond the hit.
+// (libscene/geometry/margin.h) around it. So a computed hit lies at least 39 u M inside its boxes, and the
+// distance of a plane is off by less than 14 u M along its axis, and besides by 3 · 2^-9 units of the node,
+// for which the builder makes boxes larger by 2^-6 units: a ray is never found to miss the box of what it
+// hits, nor to enter it beyond the hit.
 #pragma once
 
 #include "libgrid/trace/hierarchy_view.h"
@@ -18,8 +18,8 @@
 
 namespace masu {
 
-// The inverse of a direction, bounded so that no product with it overflows: what a ray moves along an axis that is
-// slower than 2^-64 is far below a rounding.
+// The inverse of a direction, bounded so that no product with it overflows: what a ray moves along an axis
+// that is slower than 2^-64 is far below a rounding.
 template <class Real>
 MASU_HD inline Vec3<Real> bounded_inverse(const ClippedRay<Real>& near) {
   constexpr Real limit = 0x1p64F;
@@ -33,13 +33,13 @@ MASU_HD inline std::uint32_t octant_of(const Vec3<Real>& inverse) {
   return (inverse.x < 0 ? 0U : 1U) | (inverse.y < 0 ? 0U : 2U) | (inverse.z < 0 ? 0U : 4U);
 }
 
-// Along one axis: plane q of a node is met at t = (2^15 + q) · scale + start. A float whose bits are those of 2^15
-// with q in its second byte is just that sum: no conversion is needed.
+// Along one axis: plane q of a node is met at t = (2^15 + q) · scale + start. A float whose bits are those of
+// 2^15 with q in its second byte is just that sum: no conversion is needed.
 template <class Real>
 struct NodeAxis {
   Real scale, start;
 };
-inline constexpr std::uint32_t plane_bits = 0x47000000; // of 2^15
+inline constexpr std::uint32_t plane_offset_bits = 0x47000000; // of 2^15
 inline constexpr float plane_offset = 0x1p15F;
 
 template <class Real>
@@ -48,19 +48,18 @@ MASU_HD inline NodeAxis<Real> node_axis(float origin, std::uint32_t exponent, Re
   return {scale, fma(Real(-plane_offset), scale, (static_cast<Real>(origin) - from) * inverse)};
 }
 
-// What a ray meets of a node: bit 24 + (slot ^ octant) for a node, so that the highest is visited first, and bit i
-// for reference i of the node's.
+// What a ray meets of a node: bit 24 + (slot ^ octant) for a node, so that the highest is visited first, and
+// bit i for reference i of the node's.
 #ifdef __CUDA_ARCH__
 template <int byte>
 __device__ inline float plane_of(std::uint32_t planes) {
-  return __uint_as_float(__byte_perm(planes, plane_bits, 0x7604 | byte << 4));
+  return __uint_as_float(__byte_perm(planes, plane_offset_bits, 0x7604 | byte << 4));
 }
 template <class Real>
-__device__ inline std::uint32_t met_of_four(const NodeAxis<Real>& x, const NodeAxis<Real>& y,
-                                            const NodeAxis<Real>& z, std::uint32_t near_x, std::uint32_t far_x,
-                                            std::uint32_t near_y, std::uint32_t far_y, std::uint32_t near_z,
-                                            std::uint32_t far_z, std::uint32_t slots, std::uint32_t octants,
-                                            Real t_max) {
+__device__ inline std::uint32_t
+met_of_four(const NodeAxis<Real>& x, const NodeAxis<Real>& y, const NodeAxis<Real>& z, std::uint32_t near_x,
+            std::uint32_t far_x, std::uint32_t near_y, std::uint32_t far_y, std::uint32_t near_z,
+            std::uint32_t far_z, std::uint32_t slots, std::uint32_t octants, Real t_max) {
   // Four slots at a time: those of nodes have bits 3 and 4 set; all bits of their bytes.
   const std::uint32_t is_node = (slots & slots << 1) & 0x10101010;
   std::uint32_t nodes;
@@ -68,10 +67,9 @@ __device__ inline std::uint32_t met_of_four(const NodeAxis<Real>& x, const NodeA
   const std::uint32_t shifts = (slots ^ (octants & nodes)) & 0x1f1f1f1f, unary = slots >> 5 & 0x07070707;
   std::uint32_t met = 0;
   const auto test = [&]<int i>(std::integral_constant<int, i>) {
-    const Real enter =
-        fast_max(fast_max(fma(Real(plane_of<i>(near_x)), x.scale, x.start),
-                          fma(Real(plane_of<i>(near_y)), y.scale, y.start)),
-                 fast_max(fma(Real(plane_of<i>(near_z)), z.scale, z.start), Real(0)));
+    const Real enter = fast_max(fast_max(fma(Real(plane_of<i>(near_x)), x.scale, x.start),
+                                         fma(Real(plane_of<i>(near_y)), y.scale, y.start)),
+                                fast_max(fma(Real(plane_of<i>(near_z)), z.scale, z.start), Real(0)));
     const Real leave = fast_min(fast_min(fma(Real(plane_of<i>(far_x)), x.scale, x.start),
                                          fma(Real(plane_of<i>(far_y)), y.scale, y.start)),
                                 fast_min(fma(Real(plane_of<i>(far_z)), z.scale, z.start), t_max));
@@ -104,8 +102,8 @@ MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Rea
   for (int half = 0; half < 2; ++half) {
     const std::uint32_t lx = node.low[0][half], hx = node.high[0][half], ly = node.low[1][half],
                         hy = node.high[1][half], lz = node.low[2][half], hz = node.high[2][half];
-    met |= met_of_four(x, y, z, up_x ? lx : hx, up_x ? hx : lx, up_y ? ly : hy, up_y ? hy : ly, up_z ? lz : hz,
-                       up_z ? hz : lz, node.slots[half], octants, t_max);
+    met |= met_of_four(x, y, z, up_x ? lx : hx, up_x ? hx : lx, up_y ? ly : hy, up_y ? hy : ly,
+                       up_z ? lz : hz, up_z ? hz : lz, node.slots[half], octants, t_max);
   }
   return met;
 #else
@@ -120,8 +118,9 @@ MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Rea
   if constexpr (sizeof(Real) == sizeof(float)) {
     const auto t = [](const std::uint32_t(&planes)[2], const NodeAxis<float>& axis) {
       const __m256i bytes = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(planes)));
-      const __m256i bits = _mm256_or_si256(_mm256_slli_epi32(bytes, 8), _mm256_set1_epi32(plane_bits));
-      return _mm256_fmadd_ps(_mm256_castsi256_ps(bits), _mm256_set1_ps(axis.scale), _mm256_set1_ps(axis.start));
+      const __m256i bits = _mm256_or_si256(_mm256_slli_epi32(bytes, 8), _mm256_set1_epi32(plane_offset_bits));
+      return _mm256_fmadd_ps(_mm256_castsi256_ps(bits), _mm256_set1_ps(axis.scale),
+                             _mm256_set1_ps(axis.start));
     };
     const __m256 enter = _mm256_max_ps(_mm256_max_ps(t(near_x, x), t(near_y, y)),
                                        _mm256_max_ps(t(near_z, z), _mm256_setzero_ps())),
@@ -136,20 +135,22 @@ MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Rea
   }
 #endif
   const auto t = [](const std::uint32_t(&planes)[2], int slot, const NodeAxis<Real>& axis) {
-    return fma(static_cast<Real>(float_of(plane_bits | slot_byte(planes, slot) << 8)), axis.scale, axis.start);
+    return fma(static_cast<Real>(float_of(plane_offset_bits | slot_byte(planes, slot) << 8)), axis.scale,
+               axis.start);
   };
   for (int slot = 0; slot < boxes_a_node; ++slot) {
     const Real enter = fast_max(fast_max(t(near_x, slot, x), t(near_y, slot, y)),
                                 fast_max(t(near_z, slot, z), Real(0))),
-               leave = fast_min(fast_min(t(far_x, slot, x), t(far_y, slot, y)), fast_min(t(far_z, slot, z), t_max));
+               leave = fast_min(fast_min(t(far_x, slot, x), t(far_y, slot, y)),
+                                fast_min(t(far_z, slot, z), t_max));
     if (enter <= leave) met |= met_bits(slot_byte(node.slots, slot), octant);
   }
   return met;
 #endif
 }
 
-// What is still to be visited: nodes from `first` on, by the bits above 23 (boxes_met) and the mask of slots that
-// hold nodes below; or references from `first` on, by the bits below 24, where no bit above is set.
+// What is still to be visited: nodes from `first` on, by the bits above 23 (boxes_met) and the mask of slots
+// that hold nodes below; or references from `first` on, by the bits below 24, where no bit above is set.
 struct HierarchyGroup {
   std::uint32_t first, bits;
   MASU_HD bool has_nodes() const { return bits > 0xffffff; }
@@ -178,9 +179,9 @@ struct HierarchyWalk {
     height = 0;
   }
 
-  // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray meets; false at the end.
-  // Tests are put off where few of a warp's lanes have any (after Ylitie, Karras & Laine), unless the visitor
-  // counts: what is visited would depend on that.
+  // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray
+  // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
+  // Laine), unless the visitor counts: what is visited would depend on that.
   template <class Visitor>
   MASU_HD bool advance(const HierarchyView<Real>& hierarchy, Visitor& visitor) {
     if (nodes.has_nodes()) {

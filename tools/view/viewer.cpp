@@ -1,6 +1,7 @@
 #include "tools/view/viewer.h"
 
 #include "libgrid/slice.h"
+#include "libscene/error.h"
 #include "libscene/section.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
