@@ -42,7 +42,8 @@ struct LaneBox {
   }
 };
 
-// The bounds of a primitive, or of a part of it, the margin included; its index is in a lane that boxes ignore.
+// The bounds of a primitive, or of a part of it, the margin included; its index is in a lane that boxes
+// ignore.
 struct Fragment {
   LaneBox box;
 
@@ -72,17 +73,19 @@ Fragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex primitive
 template <class Stored>
 HostArray<Fragment> fragments_of(const SceneView<Stored>& scene, double margin, std::size_t room) {
   HostArray<Fragment> fragments(scene.primitive_count() + room);
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.primitive_count(), 4096), [&](const auto& range) {
-    for (PrimitiveIndex i = range.begin(); i != range.end(); ++i) {
-      with_primitive(scene, i, [&](const auto& primitive) {
-        fragments[i] = fragment_of(bounds(primitive), margin, i);
-      });
-    }
-  });
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.primitive_count(), 4096),
+                    [&](const auto& range) {
+                      for (PrimitiveIndex i = range.begin(); i != range.end(); ++i) {
+                        with_primitive(scene, i, [&](const auto& primitive) {
+                          fragments[i] = fragment_of(bounds(primitive), margin, i);
+                        });
+                      }
+                    });
   return fragments;
 }
 
-// --- The binary hierarchy ------------------------------------------------------------------------------------
+// --- The binary hierarchy
+// ------------------------------------------------------------------------------------
 
 // A leaf has one fragment; of others, so many are in it.
 struct BinaryNode {
@@ -98,8 +101,8 @@ struct FragmentRange {
 
 constexpr int most_bins = 32;
 
-// What a bin holds. By centre: the fragments whose centres are in it, as many begin as end. By space: the parts in it
-// of fragments, of which so many begin and end there.
+// What a bin holds. By centre: the fragments whose centres are in it, as many begin as end. By space: the
+// parts in it of fragments, of which so many begin and end there.
 struct Bin {
   LaneBox box;
   std::uint32_t begin = 0, end = 0;
@@ -128,7 +131,8 @@ struct Binning {
   int bins;
 
   // scale: of what is binned to the box's coordinates.
-  Binning(const LaneBox& box, int bins_) : low(box.low), unit((box.high - box.low) / static_cast<float>(bins_)), bins(bins_) {
+  Binning(const LaneBox& box, int bins_)
+      : low(box.low), unit((box.high - box.low) / static_cast<float>(bins_)), bins(bins_) {
     for (int axis = 0; axis < 3; ++axis) {
       const float scale = static_cast<float>(bins) * 0.99999F / (box.high[axis] - box.low[axis]);
       bins_per_unit[axis] = box.high[axis] > box.low[axis] && std::isfinite(scale) ? scale : 0;
@@ -164,8 +168,8 @@ Split best_split(const Bins& bins, int count) {
       left.begin += bins.at(axis, i).begin;
       const Bin& beyond = right[static_cast<unsigned>(i) + 1];
       if (left.begin == 0 || beyond.end == 0) continue;
-      const float cost =
-          left.box.area() * static_cast<float>(left.begin) + beyond.box.area() * static_cast<float>(beyond.end);
+      const float cost = left.box.area() * static_cast<float>(left.begin) +
+                         beyond.box.area() * static_cast<float>(beyond.end);
       if (cost < best.cost) best = {cost, axis, i, left.box, beyond.box};
     }
   }
@@ -179,8 +183,8 @@ bool holds_something(const LaneBox& box) {
   return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
 }
 
-// Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial one isn't
-// tried (Stich, Friedrich & Dietrich); so much more room for fragments there is.
+// Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial
+// one isn't tried (Stich, Friedrich & Dietrich); so much more room for fragments there is.
 constexpr float overlap_worth_splitting = 1e-4F;
 constexpr double spare_fragments = 0.3;
 
@@ -271,8 +275,9 @@ private:
     with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
       const ClippedBounds parts = sides_of(primitive, axis, plane, plane);
       const auto part = [&](const Boxd& bounds) {
-        return is_empty(bounds) ? LaneBox{}
-                                : common(fragment_of(bounds, margin_, fragment.primitive()).box, fragment.box);
+        return is_empty(bounds)
+                   ? LaneBox{}
+                   : common(fragment_of(bounds, margin_, fragment.primitive()).box, fragment.box);
       };
       sides = {part(parts.below), part(parts.above)};
     });
@@ -284,7 +289,8 @@ private:
         range,
         [&](Bins& bins, const Fragment& fragment) {
           for (int axis = 0; axis < 3; ++axis) {
-            const int first = binning.bin(fragment.box.low, axis), last = binning.bin(fragment.box.high, axis);
+            const int first = binning.bin(fragment.box.low, axis),
+                      last = binning.bin(fragment.box.high, axis);
             ++bins.at(axis, first).begin;
             ++bins.at(axis, last).end;
             Fragment rest = fragment;
@@ -327,7 +333,8 @@ private:
     const std::uint32_t count = range.count;
     for (std::uint32_t i = range.first; i != range.first + count && range.room > 0; ++i) {
       Fragment& fragment = fragments_[i];
-      if (binning.bin(fragment.box.low, best.axis) > best.bin || binning.bin(fragment.box.high, best.axis) <= best.bin)
+      if (binning.bin(fragment.box.low, best.axis) > best.bin ||
+          binning.bin(fragment.box.high, best.axis) <= best.bin)
         continue;
       const Sides sides = sides_of_fragment(fragment, best.axis, plane);
       if (!holds_something(sides.below) || !holds_something(sides.above)) continue;
@@ -339,18 +346,18 @@ private:
       fragments_[range.first + range.count++] = above;
       --range.room;
     }
-    const std::uint32_t left_count = partitioned(range, [&](const Fragment& fragment) {
-      return fragment.centre()[best.axis] < 2 * plane;
-    });
+    const std::uint32_t left_count = partitioned(
+        range, [&](const Fragment& fragment) { return fragment.centre()[best.axis] < 2 * plane; });
     // Parts within the margin of an older plane may all come to lie on one side.
     const bool one_sided = left_count == 0 || left_count == range.count;
     return with_room(range, one_sided ? range.count / 2 : left_count);
   }
 
   Halves halves_of(const FragmentRange& range, const Extent& extent, int depth) {
-    // Halves are taken where else the hierarchy would become too deep for the walk's stack. A spatial split may leave
-    // twice as many fragments on one side.
-    if (depth + std::bit_width(range.count) + 1 >= max_hierarchy_depth) return with_room(range, range.count / 2);
+    // Halves are taken where else the hierarchy would become too deep for the walk's stack. A spatial split
+    // may leave twice as many fragments on one side.
+    if (depth + std::bit_width(range.count) + 1 >= max_hierarchy_depth)
+      return with_room(range, range.count / 2);
     const int bins = range.count > 64 ? most_bins : most_bins / 2;
     const Binning by_centre(extent.centres, bins);
     const Split objects = best_split(binned_by_centre(range, by_centre), bins);
@@ -400,13 +407,14 @@ private:
   std::atomic<std::uint64_t> done_ = 0;
 };
 
-// --- Nodes of eight ------------------------------------------------------------------------------------------
+// --- Nodes of eight
+// ------------------------------------------------------------------------------------------
 
 // Of a visit to a node, relative to it: the test of a reference.
 constexpr float test_cost = 0.3F;
 
-// The least costs, in areas, of a binary node's contents in up to so many boxes of a wide node; and how many of
-// them go to its left: 0 where fewer boxes cost no more.
+// The least costs, in areas, of a binary node's contents in up to so many boxes of a wide node; and how many
+// of them go to its left: 0 where fewer boxes cost no more.
 struct Collapse {
   float cost[boxes_a_node]; // [i]: in up to i boxes, from 1 on
   std::uint8_t left[boxes_a_node + 1];
@@ -493,7 +501,8 @@ private:
     place(node.left + 1, boxes - to_left);
   }
 
-  // The slot of each box, by the octant about the centre that it lies in most: those that gain most come first.
+  // The slot of each box, by the octant about the centre that it lies in most: those that gain most come
+  // first.
   std::array<int, boxes_a_node> slots_of(const Boxes& boxes, const LaneBox& around) const {
     std::array<int, boxes_a_node> slots{};
     const Lanes centre = around.low + around.high;
@@ -533,8 +542,8 @@ private:
     list(hierarchy, node.left + 1);
   }
 
-  // Units of the compressed boxes: powers of two, of which the node's box has 240 at most; it begins a few after
-  // the origin.
+  // Units of the compressed boxes: powers of two, of which the node's box has 240 at most; it begins a few
+  // after the origin.
   static constexpr double units = 240, units_before = 4;
   // Larger by this many units than what they hold: hierarchy_walk.h says why.
   static constexpr double slack = 1.0 / 64;
@@ -550,7 +559,8 @@ private:
     for (int axis = 0; axis < 3; ++axis) {
       const double extent = static_cast<double>(around.high[axis]) - static_cast<double>(around.low[axis]);
       // No smaller than the origin's rounding.
-      const double least = std::max(extent / units, std::abs(static_cast<double>(around.low[axis])) * 0x1p-22);
+      const double least =
+          std::max(extent / units, std::abs(static_cast<double>(around.low[axis])) * 0x1p-22);
       const int exponent = std::clamp(std::ilogb(std::max(least, 0x1p-100)) + 1, -100, 100);
       unit[axis] = std::ldexp(1.0, exponent);
       node.origin[axis] = rounded_down(static_cast<double>(around.low[axis]) - units_before * unit[axis]);
@@ -560,7 +570,8 @@ private:
     std::array<std::uint32_t, boxes_a_node> in_slot{};
     unsigned filled = 0;
     for (int box = 0; box < boxes.count; ++box) {
-      in_slot[static_cast<unsigned>(slots[static_cast<unsigned>(box)])] = boxes.nodes[static_cast<unsigned>(box)];
+      in_slot[static_cast<unsigned>(slots[static_cast<unsigned>(box)])] =
+          boxes.nodes[static_cast<unsigned>(box)];
       filled |= 1U << slots[static_cast<unsigned>(box)];
     }
     node.first_node = static_cast<std::uint32_t>(hierarchy.nodes.size());
@@ -615,9 +626,9 @@ template Hierarchy build_hierarchy(const SceneView<double>&, double, const std::
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
                     const std::function<void(double)>& progress) {
-  constexpr double reach = 1e15; // as of scenes in float32, so that areas are finite
-  if (!(largest_magnitude(layout.space) <= reach))
-    throw Error(ErrorCode::usage, "merge", "a hierarchy holds coordinates up to 1e15: build a grid of voxels");
+  if (!fits_hierarchy(layout.space))
+    throw Error(ErrorCode::usage, "merge",
+                "a hierarchy holds coordinates up to 1e15: build a grid of voxels");
   Hierarchy hierarchy = build_hierarchy(scene, layout.margin, progress);
   Grid grid;
   grid.layout = {layout.space, {1, 1, 1}, layout.margin};

@@ -22,6 +22,12 @@ template <class Stored>
 Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
                           const std::function<void(double)>& progress = {});
 
+// Whether a hierarchy's float32 boxes, and sums of their areas, hold what is in this space.
+inline bool fits_hierarchy(const Boxd& space) {
+  constexpr double reach = 1e15; // as of scenes in float32
+  return largest_magnitude(space) <= reach;
+}
+
 // The same as a grid: of the layout's space and margin, in one voxel. Throws Error(usage, "merge", …) for a
 // scene that reaches farther than float32 does.
 template <class Stored>

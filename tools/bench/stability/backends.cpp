@@ -2,6 +2,7 @@
 
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
+#include "libgrid/build/hierarchy.h"
 #include "libscene/file/memory_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/bench/stability/same_bits.h"
@@ -68,6 +69,9 @@ void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
   for (const Mode& mode : float64 ? std::vector<Mode>{doubled} : std::vector<Mode>{fast, robust, doubled}) {
     Difference difference{sweep.name, step, mode, float64, trial.rays.size(), 0};
     for (const GridWanted& wanted : trial.grids) {
+      if (wanted.kind == GridKind::hierarchy &&
+          !fits_hierarchy(space_of<Stored>(scene.bounds(), SpaceRule::tight)))
+        continue;
       const MemoryFile grid;
       write_built<Stored>(scene, wanted, grid.path());
       difference.differing += differing(scene, GridFile(grid.path()), trial.rays, mode.precision);

@@ -2,6 +2,7 @@
 
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
+#include "libgrid/build/hierarchy.h"
 #include "renderer/dispatch.h"
 #include "tools/bench/stability/judge_surfaces.h"
 #include "tools/bench/stability/same_bits.h"
@@ -67,6 +68,7 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
   for (const GridWanted& grid : wanted) {
     const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight), grid.division,
                             rounding_margin<Stored>(bounds)};
+    if (grid.kind == GridKind::hierarchy && !fits_hierarchy(layout.space)) continue;
     GridOptions options;
     options.kind = grid.kind;
     grids.push_back(build_grid(view, layout, Overlap::exact, options));
