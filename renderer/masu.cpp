@@ -24,7 +24,8 @@ struct masu_tracer {
   masu::Tracer tracer;
 
   // gpus: none for the CPU.
-  masu_tracer(const char* scene_path, const char* grid_path, const std::vector<int>& gpus, masu::Checks checks)
+  masu_tracer(const char* scene_path, const char* grid_path, const std::vector<int>& gpus,
+              masu::Checks checks)
       : scene(scene_path, checks),
         tracer(scene, grid_path != nullptr ? &grid.emplace(grid_path, checks) : nullptr,
                gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus) {}

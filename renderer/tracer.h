@@ -185,8 +185,8 @@ public:
   Frame render(const FrameRequest& request, std::size_t index) const;
 
   // Rays and results in host memory, counted where costs are wanted; on a GPU they are copied there in pieces
-  // of a million while others are traced. No more than about 300 MB of device memory is used, however long the
-  // list is. Several GPUs share the pieces, or `index` names the device that traces all.
+  // of a million while others are traced. No more than about 300 MB of device memory is used, however long
+  // the list is. Several GPUs share the pieces, or `index` names the device that traces all.
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const;
   QueryReport trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
                     std::size_t index) const;

@@ -310,7 +310,7 @@ class Hostile(unittest.TestCase):
 
     def test_a_port_that_is_taken_is_an_error(self):
         import subprocess
-        ended = subprocess.run([tools.bin / "gridview", *scene, "--port", str(self.server.port)], cwd=tools.folder, capture_output=True, text=True)
+        ended = subprocess.run([tools.bin / "gridview", *scene, "--port", str(self.server.port), "-q"], cwd=tools.folder, capture_output=True, text=True)
         self.assertEqual(ended.returncode, 1)
         self.assertEqual(len(ended.stderr.strip().splitlines()), 1)
         self.assertIn(f"port {self.server.port}", ended.stderr)

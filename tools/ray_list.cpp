@@ -339,8 +339,7 @@ TaskListOf task_list_of(const RayListJob& job, const RayReader& reader, const Sh
   const std::uint64_t chunks = (reader.all_rays() + rays_a_chunk - 1) / rays_a_chunk;
   TaskListOf tasks{job.description + "\n" + job.hits, job.hits, chunks};
   if (!sharing.resume) return tasks;
-  std::string hash =
-      sharing.ranks.rank() == 0 ? to_hex(hash_of_file(job.rays)) : std::string();
+  std::string hash = sharing.ranks.rank() == 0 ? to_hex(hash_of_file(job.rays)) : std::string();
   sharing.ranks.broadcast(hash);
   tasks.description += "\nrays " + hash;
   return tasks;
