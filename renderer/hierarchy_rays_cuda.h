@@ -1,6 +1,7 @@
-// Rays through a bounding volume hierarchy by warps whose idle lanes fetch the next ray (CUDA sources only): after
-// Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009, and, for when to fetch, Ylitie,
-// Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", HPG 2017.
+// Rays through a bounding volume hierarchy by warps whose idle lanes fetch the next ray (CUDA sources only):
+// after Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009, and, for when to
+// fetch, Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
+// HPG 2017.
 #pragma once
 
 #include "libgrid/trace/hierarchy_walk.h"
@@ -17,7 +18,8 @@ inline constexpr int lost_steps = 8, lanes_lost_freely = 4;
 template <Query query, class M, class Stored>
 __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> / hierarchy_threads)
     refill_kernel(const SceneView<Stored> scene, const HierarchyView<typename M::Real> hierarchy,
-                  const RayQueue<typename M::Real> queue, const RayResults results, WarpProgress* const progress) {
+                  const RayQueue<typename M::Real> queue, const RayResults results,
+                  WarpProgress* const progress) {
   using Real = typename M::Real;
   // What is needed of a ray when it is begun and ended would take up registers.
   __shared__ RayEnds<Real> ends[hierarchy_threads];
@@ -37,7 +39,8 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
     unsigned idle = __ballot_sync(all_lanes, !under_way);
     if (more && idle != 0) {
       const std::uint32_t first = add_for_warp(progress->next_ray, __popc(idle)),
-                          number = first + rank_among(idle, lane), count = culls ? progress->chosen : queue.count;
+                          number = first + rank_among(idle, lane),
+                          count = culls ? progress->chosen : queue.count;
       more = first + static_cast<unsigned>(__popc(idle)) < count;
       if (!under_way && number < count) {
         const std::uint32_t mine = culls ? queue.chosen[number] : number;

@@ -135,8 +135,8 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
 
 BuildOptions build_options(const masu_grid_options& from) {
   BuildOptions options;
-  constexpr GridKind kinds[] = {GridKind::automatic, GridKind::uniform, GridKind::x, GridKind::balance,
-                                GridKind::irregular, GridKind::hierarchy};
+  constexpr GridKind kinds[] = {GridKind::automatic, GridKind::uniform,   GridKind::x,
+                                GridKind::balance,   GridKind::irregular, GridKind::hierarchy};
   const auto in_range = [](double value, double low, double high, const char* place) {
     if (!(value >= low && value <= high))
       fail(place, fmt::format("{} isn't from {} to {}", value, low, high));

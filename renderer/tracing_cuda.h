@@ -138,8 +138,8 @@ struct CullingMemory {
   RayQueue<Real> queue;
 
   CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, cudaStream_t stream)
-      : chosen(refills && count >= min_rays_culled ? count : 0, stream),
-        queue{rays, count, chosen.data(), chosen.size() > 0} {}
+      : chosen(refills && count >= min_rays_culled ? count : 0, stream), queue{rays, count, chosen.data(),
+                                                                               chosen.size() > 0} {}
 };
 
 template <Query query, class Real, class Stored>
@@ -147,8 +147,9 @@ void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const
           WarpProgress* progress) {
   if (!culled.queue.may_cull) return;
   auto* const kernel = cull_kernel<query, Real, Stored>;
-  kernel<<<files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block, 0, batch.stream>>>(
-      files.scene.view, batch.rays, culled.queue.count, batch.results, culled.chosen.data(), progress);
+  kernel<<<files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block, 0,
+           batch.stream>>>(files.scene.view, batch.rays, culled.queue.count, batch.results,
+                           culled.chosen.data(), progress);
 }
 
 // Traces by warp or warp_refill (RayLoop).

@@ -174,9 +174,9 @@ void write_cells(const GridFile& file, const Settings& settings) {
 void inspect(const Settings& settings) {
   const GridFile file(settings.grid);
   if (file.is_hierarchy()) {
-    for (const auto& [wanted, option] : {std::pair(!settings.slice.empty(), "--slice"),
-                                         std::pair(!settings.cells.empty(), "--cells"),
-                                         std::pair(settings.histogram, "--histogram")})
+    for (const auto& [wanted, option] :
+         {std::pair(!settings.slice.empty(), "--slice"), std::pair(!settings.cells.empty(), "--cells"),
+          std::pair(settings.histogram, "--histogram")})
       if (wanted) throw Error(ErrorCode::usage, option, "needs a grid of cells: a hierarchy has none");
     return print_hierarchy_report(file, settings.json  ? ReportFormat::json
                                         : settings.csv ? ReportFormat::csv
@@ -242,14 +242,15 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
-      "gridstat", "Prints statistics of a grid or a hierarchy, draws slices of a grid, or exports its cells.", argc, argv,
-      [](CLI::App& app, const auto& parse) {
+      "gridstat", "Prints statistics of a grid or a hierarchy, draws slices of a grid, or exports its cells.",
+      argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
         auto* const json = app.add_flag("--json", settings.json, "print JSON");
-        auto* const csv = app.add_flag("--csv", settings.csv,
-                                       "print CSV: a header and one line, the same columns for every grid of cells")
-                              ->excludes("--json");
+        auto* const csv =
+            app.add_flag("--csv", settings.csv,
+                         "print CSV: a header and one line, the same columns for every grid of cells")
+                ->excludes("--json");
         auto* const histogram =
             app.add_flag("--histogram", settings.histogram,
                          "also print the number of cells by references, and of merged cells by size")
