@@ -172,9 +172,9 @@ private:
   std::list<Entry> entries_;
 };
 
-// A thread for each connection. Beyond `most`, the connection that has been waiting longest gives way; where
-// none waits, or there are twice as many, the task runs on the thread that accepts connections, whose
-// connections are refused.
+// A thread for each connection. Beyond `most`, the connection that has been waiting longest gives way; those
+// that give way are waited for at twice as many. Where none waits, the task runs on the thread that accepts
+// connections, whose connections are refused.
 class ConnectionThreads final : public httplib::TaskQueue {
 public:
   ConnectionThreads(Connections& connections, std::size_t most) : connections_(connections), most_(most) {}
@@ -194,7 +194,8 @@ public:
 private:
   bool start(const std::function<void()>& task) {
     std::unique_lock lock(mutex_);
-    if (threads_ >= 2 * most_ || (threads_ >= most_ && !connections_.hang_up_longest_waiting())) return false;
+    if (threads_ >= most_ && !connections_.hang_up_longest_waiting()) return false;
+    if (!ended_.wait_for(lock, seconds(1), [this] { return threads_ < 2 * most_; })) return false;
     ++threads_;
     lock.unlock();
     try {

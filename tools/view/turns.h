@@ -2,9 +2,9 @@
 // in which they came, and leave when nobody needs them any more.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <cstdint>
 #include <deque>
 #include <functional>
 #include <mutex>
@@ -26,18 +26,26 @@ public:
     return work();
   }
 
+  // Besides the one that works.
+  std::size_t waiting() const {
+    const std::lock_guard lock(mutex_);
+    return queue_.empty() ? 0 : queue_.size() - 1;
+  }
+
 private:
   class Turn {
   public:
-    Turn(Turns& turns, const std::function<bool()>& is_gone) : turns_(turns) {
+    Turn(Turns& turns, const std::function<bool()>& is_gone) : turns_(turns), is_gone_(is_gone) {
       std::unique_lock lock(turns.mutex_);
-      if (turns.queue_.size() >= turns.most_waiting_) throw Abandoned();
-      const std::uint64_t number = turns.next_++;
-      turns.queue_.push_back(number);
-      while (turns.queue_.front() != number) {
+      std::deque<const Turn*>& queue = turns.queue_;
+      if (queue.size() >= turns.most_waiting_) turns.drop_those_gone();
+      if (queue.size() >= turns.most_waiting_) throw Abandoned();
+      queue.push_back(this);
+      while (queue.front() != this) {
         turns.moved_.wait_for(lock, std::chrono::milliseconds(20));
-        if (turns.queue_.front() == number || !is_gone()) continue;
-        std::erase(turns.queue_, number);
+        if (std::find(queue.begin(), queue.end(), this) == queue.end()) throw Abandoned();
+        if (queue.front() == this || !is_gone()) continue;
+        std::erase(queue, this);
         throw Abandoned();
       }
     }
@@ -51,15 +59,24 @@ private:
     Turn& operator=(const Turn&) = delete;
     Turn& operator=(Turn&&) = delete;
 
+    bool is_gone() const { return is_gone_(); }
+
   private:
     Turns& turns_;
+    const std::function<bool()>& is_gone_;
   };
 
+  // A full queue asks those who wait at once, so that many who have hung up don't turn away one who is there.
+  void drop_those_gone() {
+    queue_.erase(
+        std::remove_if(queue_.begin() + 1, queue_.end(), [](const Turn* turn) { return turn->is_gone(); }),
+        queue_.end());
+  }
+
   std::size_t most_waiting_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable moved_;
-  std::deque<std::uint64_t> queue_; // the first one works
-  std::uint64_t next_ = 0;
+  std::deque<const Turn*> queue_; // the first one works
 };
 
 } // namespace masu
