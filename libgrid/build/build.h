@@ -2,11 +2,11 @@
 #pragma once
 
 #include "libgrid/build/build_options.h"
-#include "libgrid/build/host_array.h"
 #include "libgrid/build/storage_order.h"
 #include "libgrid/grid_layout.h"
 #include "libgrid/trace/grid_view.h"
 #include "libgrid/trace/hierarchy_view.h"
+#include "libscene/host_array.h"
 #include "libscene/scene_view.h"
 
 namespace masu {

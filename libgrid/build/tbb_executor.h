@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libgrid/build/executor.h"
-#include "libgrid/build/host_array.h"
+#include "libscene/host_array.h"
 #include "libgrid/build/thread_group.h"
 
 #include <tbb/blocked_range.h>

@@ -1,0 +1,73 @@
+// A binary bounding volume hierarchy on the host, which one of eight boxes a node is made of (hierarchy.h).
+#pragma once
+
+#include "libscene/host_array.h"
+#include "libscene/scene_view.h"
+
+#include <cmath>
+#include <functional>
+
+namespace masu {
+
+// x, y, z, and a lane that boxes ignore: min and max of all four take an instruction.
+using Lanes = float __attribute__((vector_size(16)));
+
+inline Lanes smaller(Lanes a, Lanes b) {
+  return a < b ? a : b;
+}
+inline Lanes larger(Lanes a, Lanes b) {
+  return a > b ? a : b;
+}
+
+struct LaneBox {
+  Lanes low = {INFINITY, INFINITY, INFINITY, INFINITY};
+  Lanes high = {-INFINITY, -INFINITY, -INFINITY, -INFINITY};
+
+  void join(const LaneBox& other) {
+    low = smaller(low, other.low);
+    high = larger(high, other.high);
+  }
+  // Half of the surface: what SAH compares.
+  float area() const {
+    const Lanes side = high - low;
+    return side[0] * (side[1] + side[2]) + side[1] * side[2];
+  }
+};
+
+// The bounds of a primitive, or of a part of it, the margin included; its index is in a lane that boxes
+// ignore.
+struct Fragment {
+  LaneBox box;
+
+  PrimitiveIndex primitive() const { return bits_of(box.low[3]); }
+  // Twice the centre.
+  Lanes centre() const { return box.low + box.high; }
+};
+
+float rounded_down(double value);
+
+// A leaf has one fragment; of others, so many are in it.
+struct BinaryNode {
+  LaneBox box;
+  std::uint32_t first, count; // `first`: a leaf's fragment
+  std::uint32_t left;         // the right one comes after it; 0 for a leaf
+};
+
+struct BinaryHierarchy {
+  HostArray<Fragment> fragments;
+  HostArray<BinaryNode> nodes; // the root first; none for no primitives
+};
+
+// From the top down, by the surface area heuristic over bins (Wald, "On Fast Construction of SAH-based
+// Bounding Volume Hierarchies", RT 2007), with primitives divided at planes where boxes would overlap (Stich,
+// Friedrich & Dietrich, "Spatial Splits in Bounding Volume Hierarchies", HPG 2009). Boxes contain `margin`
+// around each primitive. No more than max_hierarchy_depth nodes deep. `progress` gets shares of the work,
+// from any thread.
+template <class Stored>
+BinaryHierarchy binary_hierarchy(const SceneView<Stored>& scene, double margin,
+                                 const std::function<void(double)>& progress);
+
+// About how many bytes a primitive the binary hierarchy takes, and what it is made into.
+inline constexpr double hierarchy_bytes_a_primitive = 300;
+
+} // namespace masu
