@@ -2,8 +2,8 @@
 #pragma once
 
 #include "libgrid/build/executor.h"
-#include "libscene/host_array.h"
 #include "libgrid/build/thread_group.h"
+#include "libscene/host_array.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
