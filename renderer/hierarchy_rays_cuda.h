@@ -26,6 +26,7 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
   const unsigned lane = threadIdx.x % lanes_a_warp;
   RayEnds<Real>& own = ends[threadIdx.x];
   NoCounts counts;
+  HierarchyStack stack;
   HierarchyWalk<Real> walk;
   typename M::TestRay test_ray;
   Hit<Real> nearest{};
@@ -64,12 +65,13 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
     while (under_way) {
       bool goes_on;
       if constexpr (query == Query::nearest_hit) {
+        // 0: t_max is for the rule of termination, which only grids ask.
         NearestHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, 0, nearest};
-        goes_on = walk.advance(hierarchy, visitor);
+        goes_on = walk.advance(hierarchy, stack, visitor);
         nearest = visitor.hit;
       } else {
         AnyHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, own.t_max, nearest.t};
-        goes_on = walk.advance(hierarchy, visitor);
+        goes_on = walk.advance(hierarchy, stack, visitor);
         nearest.t = visitor.hit;
       }
       if (!goes_on) report();

@@ -164,13 +164,17 @@ MASU_HD inline int highest_bit(std::uint32_t bits) { // of a number other than 0
 #endif
 }
 
-// A walk under way. A node pushes at most what it holds besides the node visited next, and the tests put off.
+// What a walk comes back to. A node pushes at most what it holds besides the node visited next, and the tests
+// put off. It isn't part of the walk: a struct that holds an array which is indexed lies in memory as a
+// whole, where registers should hold the rest.
+using HierarchyStack = HierarchyGroup[2 * max_hierarchy_depth];
+
+// A walk under way.
 template <class Real>
 struct HierarchyWalk {
   Vec3<Real> inverse; // bounded
   HierarchyGroup nodes, references;
-  int height;
-  HierarchyGroup stack[2 * max_hierarchy_depth];
+  int height; // of the stack
 
   MASU_HD void begin(const ClippedRay<Real>& near) {
     inverse = bounded_inverse(near);
@@ -183,7 +187,7 @@ struct HierarchyWalk {
   // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
   // Laine), unless the visitor counts: what is visited would depend on that.
   template <class Visitor>
-  MASU_HD bool advance(const HierarchyView<Real>& hierarchy, Visitor& visitor) {
+  MASU_HD bool advance(const HierarchyView<Real>& hierarchy, HierarchyStack& stack, Visitor& visitor) {
     if (nodes.has_nodes()) {
       const int next = highest_bit(nodes.bits);
       const std::uint32_t first = nodes.first, siblings = nodes.bits & 0xff;
@@ -230,9 +234,10 @@ struct HierarchyWalk {
 template <class Real, class Visitor>
 MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay<Real>& near, std::uint32_t,
                           Visitor& visitor) {
+  HierarchyStack stack;
   HierarchyWalk<Real> walk;
   walk.begin(near);
-  while (walk.advance(hierarchy, visitor)) {
+  while (walk.advance(hierarchy, stack, visitor)) {
   }
 }
 
