@@ -126,10 +126,11 @@ inline unsigned blocks_of(int threads, std::size_t rays) {
   return static_cast<unsigned>((rays + each - 1) / each);
 }
 
-// Occlusion by other arithmetics than `robust` is always traced by a thread a ray: it isn't worth their
-// kernels.
-template <Query query, class TestRay>
-constexpr bool has_warp_loops = query == Query::nearest_hit || std::is_same_v<TestRay, WatertightRay<float>>;
+// Other arithmetics than `robust` trace occlusion, and hierarchies, by a thread a ray: they aren't worth
+// their kernels.
+template <Query query, class TestRay, class Grid>
+constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
+                                (query == Query::nearest_hit && !is_hierarchy<Grid>);
 
 // A list of rays, with room for those that culling chooses where that may be worth it.
 template <class Real>
@@ -211,13 +212,13 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
       // Any hit is as good as another: the rule by which a search for the nearest one ends doesn't matter.
       using Used = std::conditional_t<query == Query::occlusion, Method<TestRay, M::kinds>, M>;
       if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
-                    M::stop == StopRule::proven && has_warp_loops<query, TestRay>) {
+                    M::stop == StopRule::proven && has_warp_loops<query, TestRay, Accelerator>) {
         if constexpr (!is_hierarchy<Accelerator>) {
           if (request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps) {
             size = trace_by_warps<query, M>(files, grid, request.loop, batch);
             return;
           }
-        } else if constexpr (std::is_same_v<TestRay, WatertightRay<float>>) {
+        } else {
           if (request.loop == RayLoop::warp_refill && batch.count <= max_rays_by_warps) {
             size = trace_with_refill<query, M>(files, grid, batch);
             return;

@@ -228,6 +228,14 @@ private:
   std::atomic<std::uint64_t> nested_ = 0;
 };
 
+// Whether a slot holds nothing, or references that are there.
+bool holds_references(std::uint32_t held, std::uint64_t first_reference, std::uint64_t references) {
+  if (held == 0) return true;
+  const std::uint32_t unary = held >> 5, end = references_begin(held) + std::bit_width(unary);
+  return (unary == 1 || unary == 3 || unary == 7) && end <= max_references_a_node &&
+         first_reference + end <= references;
+}
+
 // Whether the references of a node are there, its slots are what its mask of nodes says, and it names no
 // place in it but its own. Any planes are good: they only say what is visited.
 bool is_good_node(const HierarchyNode& node, std::uint64_t references) {
@@ -237,11 +245,7 @@ bool is_good_node(const HierarchyNode& node, std::uint64_t references) {
     const std::uint32_t held = slot_byte(node.slots, slot);
     const bool is_node = (node_slots(node) >> slot & 1) != 0;
     if (is_node ? held != (node_slot | static_cast<std::uint32_t>(slot))
-                : (held & 0x18) == 0x18 ||
-                      references_begin(held) + std::bit_width(held >> 5) > max_references_a_node ||
-                      (held >> 5 != 0 && node.first_reference + std::uint64_t{references_begin(held)} +
-                                                 std::bit_width(held >> 5) >
-                                             references))
+                : !holds_references(held, node.first_reference, references))
       return false;
   }
   return true;
