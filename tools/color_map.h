@@ -1,6 +1,8 @@
 // Colours of values and of categories, in steps that look equally large: computed in OKLab (Ottosson, "A
-// perceptual color space for image processing", 2020).
+// perceptual color space for image processing", 2020); and of normals.
 #pragma once
+
+#include "libscene/geometry/vector.h"
 
 #include <array>
 #include <cmath>
@@ -74,6 +76,14 @@ private:
 inline Rgb category_color(std::size_t k) {
   constexpr double lightness[] = {0.62, 0.82, 0.45, 0.72};
   return color_of(lightness[k % 4], 0.13, std::fmod(30 + 137.508 * static_cast<double>(k), 360));
+}
+
+// A unit vector n as (n + 1) / 2 in red, green, blue.
+inline Rgb normal_color(const Vec3f& n) {
+  const auto channel = [](float v) {
+    return static_cast<std::uint8_t>(std::lround(127.5F * (1 + std::fmin(std::fmax(v, -1.0F), 1.0F))));
+  };
+  return {channel(n.x), channel(n.y), channel(n.z)};
 }
 
 } // namespace masu

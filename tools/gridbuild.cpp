@@ -41,7 +41,7 @@ void report_hierarchy(const Settings& settings, const SceneFile& file, const Hie
                                 {"device", "cpu"},
                                 {"scene_hash", to_hex(file.hash())}};
     json.update(provenance());
-    fmt::print(out, "{}\n", json.dump());
+    fmt::print(out, "{}\n", json_text(json, -1));
   } else if (!settings.quiet) {
     fmt::print(out, "{} nodes, {} references; built in {:.3f} s, written in {:.3f} s\n", built.nodes,
                built.references, seconds, total_seconds - seconds);

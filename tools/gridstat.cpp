@@ -4,6 +4,7 @@
 #include "libscene/file/scene_file.h"
 #include "tools/cell_export.h"
 #include "tools/cli.h"
+#include "tools/flat_csv.h"
 #include "tools/grid_report.h"
 #include "tools/hierarchy_report.h"
 #include "tools/printable.h"
@@ -32,34 +33,13 @@ struct Settings {
   bool json = false, csv = false, histogram = false;
 };
 
-// Quoted where it must be.
-std::string csv_text(const std::string& text) {
-  const std::string line = printable(text);
-  if (line.find_first_of(",\"") == std::string::npos) return line;
-  std::string quoted = "\"";
-  for (const char c : line)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-// One header line, with nested keys joined by points, and one line of values. The columns are the same for
-// every grid: what a grid doesn't have is empty, the map's words are added up, and what has no fixed length
+// The columns are the same for every grid: the map's words are added up, and what has no fixed length
 // (cells_by_size) is left out.
 void print_csv(Json json, const MapStatistics& map) {
   json["map"].erase("words_by_level");
   json["map"]["words"] = std::accumulate(map.words.begin(), map.words.end(), std::uint64_t{0});
   json.erase("cells_by_size");
-  std::vector<std::string> names, values;
-  const Json flat = json.flatten();
-  for (const auto& [path, value] : flat.items()) {
-    std::string name = path.substr(1);
-    std::replace(name.begin(), name.end(), '/', '.');
-    names.push_back(name);
-    values.push_back(value.is_null()     ? std::string()
-                     : value.is_string() ? csv_text(value.get<std::string>())
-                                         : value.dump());
-  }
-  fmt::print("{}\n{}\n", fmt::join(names, ","), fmt::join(values, ","));
+  fmt::print("{}", csv_of(json));
 }
 
 std::string by_by(const Vec3i& n) {

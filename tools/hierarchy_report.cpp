@@ -1,14 +1,14 @@
 #include "tools/hierarchy_report.h"
 
 #include "libgrid/hierarchy_statistics.h"
+#include "tools/flat_csv.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 namespace masu {
 namespace {
@@ -39,18 +39,6 @@ Json report(const GridFile& file, const HierarchyStatistics& s) {
   return json;
 }
 
-void print_csv(const Json& json) {
-  std::vector<std::string> names, values;
-  const Json flat = json.flatten();
-  for (const auto& [path, value] : flat.items()) {
-    std::string name = path.substr(1);
-    std::replace(name.begin(), name.end(), '/', '.');
-    names.push_back(name);
-    values.push_back(value.is_null() ? "" : value.is_string() ? value.get<std::string>() : value.dump());
-  }
-  fmt::print("{}\n{}\n", fmt::join(names, ","), fmt::join(values, ","));
-}
-
 void print_table(const GridFile& file, const HierarchyStatistics& s, const Json& json) {
   const auto line = [](const char* name, const std::string& value) {
     fmt::print("{:<28} {}\n", name, value);
@@ -76,9 +64,9 @@ void print_hierarchy_report(const GridFile& file, ReportFormat format) {
   case ReportFormat::table:
     return print_table(file, statistics, json);
   case ReportFormat::json:
-    return fmt::print("{}\n", json.dump(2));
+    return fmt::print("{}\n", json_text(json));
   case ReportFormat::csv:
-    return print_csv(json);
+    return fmt::print("{}", csv_of(json));
   }
 }
 

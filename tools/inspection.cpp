@@ -4,6 +4,7 @@
 #include "libscene/file/output_file.h"
 #include "renderer/walk_report.h"
 #include "tools/difference.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/walk_text.h"
 
@@ -122,7 +123,7 @@ void print_walk(const Inspection& inspection, const Tracer& tracer, const FrameR
   json["grid_hash"] = tracer.grid() != nullptr ? nlohmann::ordered_json(to_hex(tracer.grid()->hash()))
                                                : nlohmann::ordered_json();
   json.update(walk_json(report));
-  write_text(json.dump(2) + "\n", inspection.json);
+  write_text(json_text(json) + "\n", inspection.json);
 }
 
 void print_difference(const Inspection& inspection, const std::string& output) {
@@ -155,7 +156,7 @@ void print_difference(const Inspection& inspection, const std::string& output) {
                {"different_pixels", difference.different_pixels},
                {"incomparable_pixels", difference.incomparable_pixels}});
   if (!(difference.largest > 0)) json["largest_at"] = nullptr;
-  write_text(json.dump(2) + "\n", inspection.json);
+  write_text(json_text(json) + "\n", inspection.json);
 }
 
 } // namespace masu

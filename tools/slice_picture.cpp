@@ -4,6 +4,7 @@
 #include "renderer/png_file.h"
 #include "tools/axis_ticks.h"
 #include "tools/canvas.h"
+#include "tools/printable.h"
 #include "tools/provenance.h"
 
 #include <fmt/format.h>
@@ -469,7 +470,7 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
   if (path.ends_with(".json")) {
     auto json = slice_json(slice_of(file, plane, window, "--slice", most_json_cells), window, outline);
     json.update(program_version());
-    return write_text(json.dump() + "\n", path);
+    return write_text(json_text(json, -1) + "\n", path);
   }
   const GridLayout finest = finest_layout(file);
   const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());

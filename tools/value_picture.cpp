@@ -269,10 +269,7 @@ Picture name_picture(const ValueMap<std::int32_t>& map, const Caption& caption) 
 }
 
 Picture normal_picture(const ValueMap<Vec3f>& map, const Caption& caption) {
-  const auto color = [](const Vec3f& n) {
-    const auto channel = [](float v) { return static_cast<std::uint8_t>((v + 1) / 2 * 255 + 0.5F); };
-    return n == Vec3f{0, 0, 0} ? white : Rgb{channel(n.x), channel(n.y), channel(n.z)};
-  };
+  const auto color = [](const Vec3f& n) { return n == Vec3f{0, 0, 0} ? white : normal_color(n); };
   const bool has_misses = std::ranges::any_of(map.values, [](const Vec3f& n) { return n == Vec3f{0, 0, 0}; });
   Page page(map.width, map.height, caption.title,
             joined("red, green, blue: x, y, z of the normal from -1 to 1", has_misses ? caption.without : ""),

@@ -34,14 +34,6 @@ private:
   std::array<Rgb, 1021> colors_;
 };
 
-Rgb color_of_normal(const Vec3f& n) {
-  if (dot(n, n) == 0) return missed;
-  const auto channel = [](float x) {
-    return static_cast<std::uint8_t>(std::lround(127.5F * (1 + std::clamp(x, -1.0F, 1.0F))));
-  };
-  return {channel(n.x), channel(n.y), channel(n.z)};
-}
-
 template <class ColorOf>
 std::vector<std::uint8_t> colored(std::size_t pixels, const ColorOf& color_of) {
   std::vector<std::uint8_t> bytes(3 * pixels);
@@ -92,7 +84,7 @@ std::optional<ValueRange> value_range(const Channels& channels, Channel channel)
   } else if (counts(channel)) {
     std::vector<std::uint32_t> values = counts_of(channels, channel);
     if (values.empty()) return {};
-    const auto most = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 995 / 1000);
+    const auto most = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 999 / 1000);
     std::nth_element(values.begin(), most, values.end());
     return ValueRange{0, static_cast<double>(*most)};
   }
@@ -112,7 +104,10 @@ std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channe
       return std::isfinite(depth) ? map(position(static_cast<double>(depth))) : missed;
     });
   case Channel::normal:
-    return colored(pixels, [&](std::size_t i) { return color_of_normal(channels.normal[i]); });
+    return colored(pixels, [&](std::size_t i) {
+      const Vec3f& n = channels.normal[i];
+      return n == Vec3f{0, 0, 0} ? missed : normal_color(n);
+    });
   case Channel::object:
     return colored(pixels, [&, names = NameColors()](std::size_t i) { return names(channels.object[i]); });
   case Channel::primitive:
