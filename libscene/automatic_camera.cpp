@@ -12,7 +12,7 @@ Boxd rough_bounds(const Scene& scene) {
   const auto join_sphere = [&](const Vec3d& center, double radius) {
     box = join(box, grown(Boxd{center, center}, std::abs(radius)));
   };
-  for (const Triangle<double>& triangle : scene.triangles)
+  for (const SceneTriangle& triangle : scene.triangles)
     box = join(join(join(box, triangle.a), triangle.b), triangle.c);
   for (const Sphere<double>& sphere : scene.spheres)
     join_sphere(sphere.center, sphere.radius);

@@ -177,9 +177,9 @@ struct Indices {
   }
 };
 
-template <class Stored>
-std::uint64_t triangles_alone(std::span<const Triangle<Stored>> triangles, double size) {
-  const auto is_small = [size](const Triangle<Stored>& t) { return extent(bounds(t)) <= size; };
+template <class Face>
+std::uint64_t triangles_alone(std::span<const Face> triangles, double size) {
+  const auto is_small = [size](const Face& t) { return extent(bounds(t)) <= size; };
   const Indices small = gathered<Indices>(triangles, [&](const auto& t, Indices& part, std::size_t i) {
     if (is_small(t)) part.list.push_back(static_cast<std::uint32_t>(i));
   });
@@ -193,7 +193,7 @@ std::uint64_t triangles_alone(std::span<const Triangle<Stored>> triangles, doubl
   std::vector<std::atomic<bool>> marked(surfaces.corner_count());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size(), grain), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const Triangle<Stored>& t = triangles[i];
+      const Face& t = triangles[i];
       if (is_small(t)) continue;
       for (const auto& v : {t.a, t.b, t.c}) {
         const std::uint32_t shared = surfaces.find(corner_of(v));
@@ -219,12 +219,12 @@ struct Found {
 
 } // namespace
 
-SceneSpans<double> spans_of(const Scene& scene) {
+SceneSpans<double, SceneTriangle> spans_of(const Scene& scene) {
   return {scene.triangles, scene.spheres, scene.cones, scene.lights};
 }
 
-template <class Stored>
-Float32Precision float32_precision(const SceneSpans<Stored>& scene) {
+template <class Stored, class Face>
+Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene) {
   Float32Precision result;
   const bool lights_in_range =
       std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light<Stored>& light) {
@@ -242,7 +242,7 @@ Float32Precision float32_precision(const SceneSpans<Stored>& scene) {
     return result;
   }
   const double size = 2 * result.margin;
-  Found found = gathered<Found>(scene.triangles, [](const Triangle<Stored>& t, Found& part, std::size_t) {
+  Found found = gathered<Found>(scene.triangles, [](const Face& t, Found& part, std::size_t) {
     part.rounding = std::max(part.rounding, rounding_of(widened(t)));
   });
   found += gathered<Found>(scene.spheres, [&](const Sphere<Stored>& stored, Found& part, std::size_t) {
@@ -260,5 +260,6 @@ Float32Precision float32_precision(const SceneSpans<Stored>& scene) {
 }
 template Float32Precision float32_precision(const SceneSpans<float>&);
 template Float32Precision float32_precision(const SceneSpans<double>&);
+template Float32Precision float32_precision(const SceneSpans<double, SceneTriangle>&);
 
 } // namespace masu

@@ -31,15 +31,15 @@ struct Float32Precision {
   bool suffices() const { return in_range && !is_far() && standing_alone == 0 && moved_cones == 0; }
 };
 
-// The primitives and lights of a scene in host memory.
-template <class Stored>
+// The primitives and lights of a scene in host memory. `Face`: its record of a triangle.
+template <class Stored, class Face = Triangle<Stored>>
 struct SceneSpans {
-  std::span<const Triangle<Stored>> triangles;
+  std::span<const Face> triangles;
   std::span<const Sphere<Stored>> spheres;
   std::span<const Cone<Stored>> cones;
   std::span<const Light<Stored>> lights;
 };
-SceneSpans<double> spans_of(const Scene& scene);
+SceneSpans<double, SceneTriangle> spans_of(const Scene& scene);
 template <class Stored>
 SceneSpans<Stored> spans_of(const SceneView<Stored>& view) {
   return {{view.triangles, view.triangle_count},
@@ -59,8 +59,8 @@ SceneSpans<Stored> spans_of(const SceneView<Stored>& view) {
 // traced: corners that were equal stay so, and what rounding joins was no farther apart than a hundredth of
 // the margin, which results can't tell anyway. Corners farther apart may be meant as one, but a gap is
 // between them, so they aren't.
-template <class Stored>
-Float32Precision float32_precision(const SceneSpans<Stored>& scene);
+template <class Stored, class Face>
+Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene);
 inline Float32Precision float32_precision(const Scene& scene) {
   return float32_precision(spans_of(scene));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libscene/geometry/primitives.h"
+#include "libscene/growing_array.h"
 
 #include <cstdint>
 #include <string>
@@ -55,6 +56,28 @@ struct ObjectCounts {
   std::uint64_t polygons = 0, patches = 0, spheres = 0, cones = 0;
 };
 
+// A Triangle<double> without the padding that its loads need.
+struct SceneTriangle {
+  Vec3d a, b, c;
+  std::uint32_t object, material, normals;
+
+  SceneTriangle() = default;
+  SceneTriangle(const Vec3d& a_, std::uint64_t object_, const Vec3d& b_, std::uint64_t material_,
+                const Vec3d& c_, std::uint64_t normals_)
+      : a(a_), b(b_), c(c_), object(static_cast<std::uint32_t>(object_)),
+        material(static_cast<std::uint32_t>(material_)), normals(static_cast<std::uint32_t>(normals_)) {}
+  SceneTriangle(const Triangle<double>& t) : SceneTriangle(t.a, t.object, t.b, t.material, t.c, t.normals) {}
+  operator Triangle<double>() const { return {a, object, b, material, c, normals}; }
+};
+static_assert(sizeof(SceneTriangle) == 88);
+
+inline Boxd bounds(const SceneTriangle& t) {
+  return join(join(Boxd{t.a, t.a}, t.b), t.c);
+}
+inline Triangle<double> widened(const SceneTriangle& t) {
+  return t;
+}
+
 // Geometry is double until the file is written: only then is it known whether float32 is precise enough.
 struct Scene {
   Camera camera;
@@ -64,12 +87,12 @@ struct Scene {
   std::vector<Light<double>> lights;
   std::vector<Material> materials;
 
-  std::vector<Triangle<double>> triangles;
-  std::vector<CornerNormals<double>> normals;
-  std::vector<Sphere<double>> spheres;
-  std::vector<Surface> sphere_surfaces;
-  std::vector<Cone<double>> cones;
-  std::vector<Surface> cone_surfaces;
+  GrowingArray<SceneTriangle> triangles;
+  GrowingArray<CornerNormals<double>> normals;
+  GrowingArray<Sphere<double>> spheres;
+  GrowingArray<Surface> sphere_surfaces;
+  GrowingArray<Cone<double>> cones;
+  GrowingArray<Surface> cone_surfaces;
 
   ObjectCounts objects;
   SceneWarnings warnings;

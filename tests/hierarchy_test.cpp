@@ -1,6 +1,7 @@
 // Results are independent of the hierarchy: through it a ray finds the same bits as by trying every
 // primitive. And what is behind that: boxes contain what they hold, on every way of computing them, and walks
 // end.
+#include "libgrid/build/binary_hierarchy.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/hierarchy_statistics.h"
 #include "libgrid/trace/trace.h"
@@ -539,6 +540,25 @@ TYPED_TEST(BuiltHierarchy, BoxesMetAreTheSameOneByOne) {
   }
   EXPECT_GT(met, cases(10'000));
   EXPECT_GT(missed, cases(1000));
+}
+
+TEST(Hierarchies, OfMorePrimitivesThanThereIsMemoryOrNumbersForAreRefused) {
+  const auto said = [](std::uint64_t primitives, double available) -> std::string {
+    try {
+      check_hierarchy(primitives, available);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::usage);
+      return error.what();
+    }
+    return "";
+  };
+  constexpr double plenty = 1e18;
+  EXPECT_EQ(said(1000, 300000), "");
+  EXPECT_NE(said(1000, 299999).find("free: build a grid"), std::string::npos);
+  EXPECT_EQ(said(max_hierarchy_primitives, plenty), "");
+  EXPECT_NE(said(max_hierarchy_primitives + 1, plenty).find("can be numbered"), std::string::npos);
+  // With what is divided, references have 31 bits, and twice as many binary nodes 32.
+  EXPECT_LE(static_cast<double>(max_hierarchy_primitives) * (1 + spare_fragments), 0x7fffffff);
 }
 
 } // namespace

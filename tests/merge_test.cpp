@@ -1,7 +1,11 @@
 // What the cells of merged grids hold, against what each primitive says of each voxel.
-#include "libgrid/build/merge.h"
+#include "libgrid/build/builder.h"
+#include "libgrid/build/merge_passes.h"
+#include "libscene/error.h"
+#include "tests/device_like_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
+#include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -170,6 +174,34 @@ TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
     const Overlap overlap = this->random_overlap(chance);
     const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
     expect_listed(grid, needed_lists(scene, finest_layout(grid), overlap));
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+}
+
+TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(20); s > 0; --s) {
+    TestScene<TypeParam> scene;
+    for (int i = 0; i < 500; ++i) {
+      const Vec3d a = chance.in_cube(1), b = a + chance.in_cube(0.1), c = a + chance.in_cube(0.1);
+      scene.triangles.push_back(triangle_of(cast<TypeParam>(a), cast<TypeParam>(b), cast<TypeParam>(c)));
+    }
+    GridOptions options{GridKind::irregular};
+    options.nested_log2 = 3;
+    GridLayout layout = masu::random_layout<TypeParam>(chance, scene.bounds());
+    layout.division = {2, 2, 2};
+    const Grid whole = build_grid(scene.view(), layout, Overlap::exact, options);
+    EXPECT_EQ(whole.detail, options.detail);
+    options.max_map_words = whole.voxel_map.size() / 2;
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, options);
+    EXPECT_LT(grid.detail, options.detail);
+    EXPECT_LE(grid.voxel_map.size(), options.max_map_words);
+    expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::exact));
+    DeviceLikeExecutor executor;
+    expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, Overlap::exact, options)).grid);
+    options.max_map_words = voxel_count(layout.division);
+    EXPECT_THROW(cpu_builder(scene.view())->build(layout, Overlap::exact, options), Error);
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
 }

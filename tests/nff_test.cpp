@@ -2,6 +2,7 @@
 #include "libscene/nff/nff.h"
 #include "tools/bench/stability/random_seed.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -155,10 +156,14 @@ NffOptions random_options(Random& random) {
 
 // --- Comparison
 
-template <class Record>
-void expect_same_bytes(const std::vector<Record>& a, const std::vector<Record>& b, const char* what) {
+template <class Records>
+void expect_same_bytes(const Records& a, const Records& b, const char* what) {
   ASSERT_EQ(a.size(), b.size()) << what;
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Record)) == 0) << what;
+  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0) << what;
+}
+// Without padding.
+std::vector<Triangle<double>> padless(const GrowingArray<SceneTriangle>& triangles) {
+  return {triangles.begin(), triangles.end()};
 }
 
 std::array<std::uint64_t, 9> counts(const Scene& scene) {
@@ -178,7 +183,7 @@ std::array<std::uint64_t, 9> counts(const Scene& scene) {
 void expect_same(const Scene& a, const Scene& b) {
   expect_same_bytes(a.lights, b.lights, "lights");
   expect_same_bytes(a.materials, b.materials, "materials");
-  expect_same_bytes(a.triangles, b.triangles, "triangles");
+  expect_same_bytes(padless(a.triangles), padless(b.triangles), "triangles");
   expect_same_bytes(a.normals, b.normals, "normals");
   expect_same_bytes(a.spheres, b.spheres, "spheres");
   expect_same_bytes(a.sphere_surfaces, b.sphere_surfaces, "sphere surfaces");
@@ -251,6 +256,22 @@ TEST(Nff, ErrorIsIndependentOfPieces) {
           pick<char>(random, {'x', ' ', '\n', '#', '-', '.', 'p', 's', '9'});
     EXPECT_EQ(error_of(text), error_of(text, random_options(random))) << text;
   }
+}
+
+TEST(Nff, MorePrimitivesThanAreAllowedAreRefused) {
+  std::string text = "p 4 0 0 0 1 0 0 1 1 0 0 1 0\n";
+  for (int i = 0; i < 8; ++i)
+    text += fmt::format("s {} 0 0 1\nc {} 0 0 1 {} 0 1 1\n", i, i, i);
+  constexpr std::uint64_t primitives = 2 + 8 + 8;
+  for (const std::size_t piece_bytes : {std::size_t{1}, std::size_t{1} << 20}) {
+    NffOptions options;
+    options.piece_bytes = piece_bytes;
+    options.max_primitives = primitives;
+    EXPECT_EQ(error_of(text, options), std::nullopt);
+    options.max_primitives = primitives - 1;
+    EXPECT_EQ(error_of(text, options), "t: has more than 17 primitives: split the scene");
+  }
+  EXPECT_EQ(NffOptions{}.max_primitives, 0x7fffffffU);
 }
 
 // --- Damage

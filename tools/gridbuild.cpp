@@ -72,6 +72,7 @@ void build(const Settings& settings, const SceneFile& file) {
   if (settings.json) {
     nlohmann::ordered_json json{
         {"division", {n.x, n.y, n.z}}, {"occupied_cells", cells}, {"references", grid.references.size()}};
+    if (grid.kind == GridKind::irregular) json["detail"] = grid.detail;
     if (settings.device == Device::cuda)
       json["device_seconds"] = {{"set_up", on_device.set_up},
                                 {"upload", on_device.upload},
@@ -87,6 +88,8 @@ void build(const Settings& settings, const SceneFile& file) {
     const std::string merged = grid.kind == GridKind::uniform ? "" : fmt::format("{} cells, ", counted.cells);
     fmt::print(out, "{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n",
                n.x, n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
+    if (grid.kind == GridKind::irregular && grid.detail < settings.options.grid.detail)
+      fmt::print(out, "built with --detail {}: with more its map would be too large\n", grid.detail);
     if (settings.device == Device::cuda)
       fmt::print(out, "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
                  on_device.set_up, on_device.upload, on_device.build, on_device.download);

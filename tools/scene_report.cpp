@@ -35,18 +35,18 @@ std::uint64_t count(const std::vector<Material>& materials, bool (*property)(con
   return static_cast<std::uint64_t>(std::count_if(materials.begin(), materials.end(), property));
 }
 
-template <class Stored>
-std::uint64_t count_smooth(std::span<const Triangle<Stored>> triangles) {
+template <class Triangles>
+std::uint64_t count_smooth(const Triangles& triangles) {
   return static_cast<std::uint64_t>(
       std::count_if(triangles.begin(), triangles.end(),
-                    [](const Triangle<Stored>& triangle) { return triangle.normals != no_normals; }));
+                    [](const auto& triangle) { return triangle.normals != no_normals; }));
 }
 
 Report report_of(const Scene& scene, Store store, const Float32Precision& float32) {
   Report report;
   report.objects = scene.objects;
   report.triangles = scene.triangles.size();
-  report.smooth = count_smooth<double>(scene.triangles);
+  report.smooth = count_smooth(scene.triangles);
   report.spheres = scene.spheres.size();
   report.cones = scene.cones.size();
   report.corner_normals = scene.normals.size();
@@ -72,7 +72,7 @@ Report report_of(const SceneFile& file) {
   Report report;
   report.objects = {objects.polygons(), objects.patches(), objects.spheres(), objects.cones()};
   report.triangles = view.triangle_count;
-  report.smooth = count_smooth<Stored>(spans.triangles);
+  report.smooth = count_smooth(spans.triangles);
   report.spheres = view.sphere_count;
   report.cones = view.cone_count;
   report.corner_normals = view.normals_count;

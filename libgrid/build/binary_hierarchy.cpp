@@ -2,7 +2,9 @@
 
 #include "libgrid/build/clipped_bounds.h"
 #include "libgrid/trace/hierarchy_view.h"
+#include "libscene/error.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
@@ -14,6 +16,19 @@
 #include <utility>
 
 namespace masu {
+
+void check_hierarchy(std::uint64_t primitives, double available) {
+  const auto fail = [](const std::string& what) {
+    throw Error(ErrorCode::usage, "merge", what + ": build a grid of voxels");
+  };
+  if (primitives > max_hierarchy_primitives)
+    fail(fmt::format("{} primitives are more than the {} that a hierarchy's nodes can be numbered for",
+                     primitives, max_hierarchy_primitives));
+  const double needed = hierarchy_bytes_a_primitive * static_cast<double>(primitives);
+  if (needed > available)
+    fail(fmt::format("a hierarchy of {} primitives needs about {:.1f} GB to build, {:.1f} GB are free",
+                     primitives, needed / 1e9, available / 1e9));
+}
 
 float rounded_down(double value) {
   const auto rounded = static_cast<float>(value);
@@ -138,9 +153,8 @@ bool holds_something(const LaneBox& box) {
 }
 
 // Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial
-// one isn't tried; so much more room for fragments there is.
+// one isn't tried; spare_fragments is how much more room for fragments there is.
 constexpr float overlap_worth_splitting = 1e-4F;
-constexpr double spare_fragments = 0.3;
 
 template <class Stored>
 class BinaryBuilder {

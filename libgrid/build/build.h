@@ -21,6 +21,7 @@ struct Grid {
   HostArray<MergedCell> cells; // of merged ones
   HostArray<PrimitiveIndex> references;
   HostArray<HierarchyNode> nodes{}; // of a hierarchy, which has no map and no cells
+  double detail = 0;                // of an irregular one: as GridOptions, or less where its map demands that
 };
 
 // About how many bytes building takes at its peak, for so many references.

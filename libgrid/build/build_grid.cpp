@@ -22,15 +22,15 @@ void check_memory(const GridLayout& layout, double references) {
 }
 
 // As files have it.
-std::string merge_text(GridKind kind, const GridOptions& options) {
-  switch (kind) {
+std::string merge_text(const Grid& grid, const GridOptions& options) {
+  switch (grid.kind) {
   case GridKind::x:
     return "x";
   case GridKind::balance:
     return fmt::format("balance target {}", options.target);
   case GridKind::irregular:
     return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
-                       options.detail, options.step_cost, options.alpha, options.expansions);
+                       grid.detail, options.step_cost, options.alpha, options.expansions);
   case GridKind::hierarchy:
     return "bvh";
   case GridKind::uniform:
@@ -107,7 +107,7 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
   DescribedGrid result{built(), {}};
   result.origin = {geometry_hash,         builder.scene().primitive_count(),
                    options.space,         options.overlap,
-                   options.division.text, merge_text(result.grid.kind, options.grid)};
+                   options.division.text, merge_text(result.grid, options.grid)};
   return result;
 }
 template DescribedGrid build_grid(GridBuilder<float>&, const Boxd&, const Hash&, const BuildOptions&);

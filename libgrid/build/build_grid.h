@@ -16,7 +16,8 @@ struct DescribedGrid {
 // Kind automatic: where options.division isn't automatic, that division, uniform. Else a uniform and an
 // irregular grid are built, and the one is taken that a random ray is expected to cross at less cost
 // (map_statistics.h), a step costing options.grid.step_cost tests; or the smaller one where that makes less
-// than a tenth's difference. A scene whose irregular grid would be too large gets the uniform one.
+// than a tenth's difference. A scene whose irregular grid would be too large even with least
+// detail (merge.h) gets the uniform one.
 //
 // Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
 // as the builder does.

@@ -3,6 +3,7 @@
 
 #include "libgrid/build/division.h"
 #include "libgrid/build/overlap.h"
+#include "libgrid/trace/grid_view.h"
 
 namespace masu {
 
@@ -22,9 +23,11 @@ struct GridOptions {
   std::uint32_t target = 8; // balance: the most references of a cell, where voxels allow it
   double alpha = 0.95;      // irregular: divide while that makes the cost less than alpha times what it is
   double step_cost = 5;     // irregular, automatic: of the step to a cell, in intersection tests
-  double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this
+  double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this, or
+                            // over a part of it where the map would become too large (merge.h)
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
   int expansions = 4;           // irregular: rounds of expansion; 0 for none
+  std::uint64_t max_map_words = max_nested_words; // irregular: of its map
 };
 
 struct BuildOptions {

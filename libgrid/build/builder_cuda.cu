@@ -75,7 +75,7 @@ private:
     seconds_.build += timer.seconds();
     const Stopwatch watch;
     if (grid.exceeded != nullptr) return {{}, grid.exceeded};
-    Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {}, {}};
+    Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {}, {}, {}, grid.detail};
     Transfer transfer;
     const auto fetch = [&](const auto& from, auto& to) {
       to.resize(from.size());

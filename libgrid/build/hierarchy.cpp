@@ -1,6 +1,7 @@
 #include "libgrid/build/hierarchy.h"
 
 #include "libgrid/build/binary_hierarchy.h"
+#include "libscene/available_memory.h"
 #include "libscene/error.h"
 
 #include <tbb/parallel_invoke.h>
@@ -216,7 +217,7 @@ private:
 template <class Stored>
 Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
                           const std::function<void(double)>& progress) {
-  check_primitives(scene.primitive_count());
+  check_hierarchy(scene.primitive_count(), available_memory());
   const BinaryHierarchy binary = binary_hierarchy(scene, margin, progress);
   return Collapser(binary).collapse();
 }

@@ -17,7 +17,8 @@ struct Hierarchy {
 // Construction of SAH-based Bounding Volume Hierarchies", RT 2007); then the cheapest nodes of eight boxes
 // that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017). The same for any
 // number of threads. Boxes contain `margin` around each primitive. `progress` gets shares of the work, from
-// any thread. Throws Error(input) for more primitives than can be numbered.
+// any thread. Throws Error(usage, "merge", …) for more primitives than nodes can be numbered for, or than
+// there is memory for.
 template <class Stored>
 Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
                           const std::function<void(double)>& progress = {});

@@ -5,6 +5,7 @@
 #include "libgrid/build/tbb_executor.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 namespace masu {
@@ -16,9 +17,9 @@ const char* exceeded_by_division(const Vec3i& division) {
 }
 
 const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
-                              std::uint64_t words) {
+                              std::uint64_t words, std::uint64_t max_words) {
   if (std::max(cells, references) > max_numbered) return too_many_cells;
-  if (words > max_nested_words && words > top_words) return "more than 2^27 words for its map";
+  if (words > max_words && words > top_words) return too_many_words;
   return nullptr;
 }
 
@@ -91,25 +92,37 @@ void copy_part(const BuildResult& part, const VoxelSpan& span, const PartBegin& 
 // Part by part, each by one thread; a row of very many pairs is shared by all.
 template <class BuildPart>
 ExecutorGrid<TbbExecutor> build_in_parts(TbbExecutor& executor, const GridLayout& layout,
-                                         const VoxelSpan& all, const BuildPart& build_part) {
+                                         const VoxelSpan& all, std::uint64_t max_words,
+                                         const BuildPart& build_part) {
   const std::vector<VoxelSpan> spans = parts_of(all, layout.division);
   std::vector<BuildResult> parts(spans.size());
   const auto is_large = [&](std::size_t i) { return spans[i].pairs > 16 * max_part_pairs; };
   std::mutex counting;
   std::size_t finished = 0;
+  const std::uint64_t top_words = rounded_to_unit(all.size());
+  std::atomic<std::uint64_t> words =
+      top_words; // of the parts so far: if too many, the others needn't be built
+  const auto too_many = [&] { return exceeded_by_sizes(0, 0, top_words, words, max_words); };
   tbb::parallel_for(std::size_t{0}, spans.size(), [&](std::size_t i) {
     SerialExecutor serial;
-    if (!is_large(i)) parts[i] = on_host(build_part(serial, spans[i]));
+    if (too_many() != nullptr) return;
+    if (!is_large(i)) {
+      parts[i] = on_host(build_part(serial, spans[i]));
+      words += parts[i].grid.voxel_map.size() -
+               std::min(parts[i].grid.voxel_map.size(), rounded_to_unit(spans[i].size()));
+    }
     if (!executor.progress) return;
     const std::lock_guard lock(counting);
     executor.progress(parts_share * static_cast<double>(++finished) / static_cast<double>(spans.size()));
   });
+  ExecutorGrid<TbbExecutor> whole{layout};
+  if ((whole.exceeded = too_many()) != nullptr) return whole;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (is_large(i)) parts[i] = on_host(build_part(executor, spans[i]));
   }
 
-  ExecutorGrid<TbbExecutor> whole{layout, parts[0].grid.kind, 0, parts[0].grid.nested_log2};
-  const std::uint64_t top_words = rounded_to_unit(all.size());
+  whole.kind = parts[0].grid.kind;
+  whole.nested_log2 = parts[0].grid.nested_log2;
   PartBegin end{top_words, 0, 0};
   std::vector<PartBegin> begins;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -120,7 +133,8 @@ ExecutorGrid<TbbExecutor> build_in_parts(TbbExecutor& executor, const GridLayout
     end.cells += part.cells.size();
     end.references += part.references.size();
   }
-  if ((whole.exceeded = exceeded_by_sizes(end.cells, end.references, top_words, end.nested)) != nullptr)
+  if ((whole.exceeded = exceeded_by_sizes(end.cells, end.references, top_words, end.nested, max_words)) !=
+      nullptr)
     return whole;
   Grid grid;
   grid.voxel_map.resize(end.nested);

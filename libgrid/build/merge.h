@@ -30,12 +30,18 @@ MASU_HD inline VoxelBox box_of(const MergedCell& cell) {
 std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options);
 
 inline constexpr const char* too_many_cells = "more than 2^31 cells or references";
+inline constexpr const char* too_many_words = "more than 2^27 words for its map";
+
+// Where an irregular grid has more cells, references or words of its map than can be numbered, planes twice
+// as far apart are tried: with half of the detail, but no less than this. That takes a third of the words or
+// less, and hardly adds references.
+inline constexpr double least_detail = 0.1;
 
 // What exceeds a limit, or nullptr: before building, for too many voxels; and for what has become too large,
 // the map being of `words` words, the first top_words of them its top level.
 const char* exceeded_by_division(const Vec3i& division);
 const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std::uint64_t top_words,
-                              std::uint64_t words);
+                              std::uint64_t words, std::uint64_t max_words = max_nested_words);
 
 // Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more
 // primitives than grids can number. `progress` gets shares of the work, by one thread at a time.

@@ -211,11 +211,12 @@ struct ListCells {
 };
 
 // The maps of the occupied voxels, cubes of the nested division. Makes the grid's map as large as it has to
-// be. `starts` and `leaves` say of each voxel where its cells begin, and how many they are.
+// be, unless it has too many words. `starts` and `leaves` say of each voxel where its cells begin, and how
+// many they are.
 template <class Executor>
 void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpan& span,
                        const ArrayOf<Executor, std::uint32_t>& indices, const LeafCounts* starts,
-                       const LeafCounts* leaves, ExecutorGrid<Executor>& grid) {
+                       const LeafCounts* leaves, std::uint64_t max_words, ExecutorGrid<Executor>& grid) {
   const std::uint64_t voxels = indices.size(), top_words = rounded_to_unit(span.size());
   const std::uint32_t* const index = indices.data();
   const std::int32_t log2 = grid.nested_log2;
@@ -249,7 +250,7 @@ void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpa
     levels.push_back(divide_map_level(executor, grid.cells.data(), levels.back(), entries, grid.exceeded));
     if (grid.exceeded != nullptr) return;
     words += levels[levels.size() - 2].words.size();
-    if ((grid.exceeded = exceeded_by_sizes(0, 0, top_words, words)) != nullptr) return;
+    if ((grid.exceeded = exceeded_by_sizes(0, 0, top_words, words, max_words)) != nullptr) return;
   }
 
   const auto counts = count_words(executor, levels);
@@ -312,7 +313,8 @@ ExecutorGrid<Executor> merged_part(Executor& executor, const Splitter<Stored>& s
   grid.references = executor.template array<PrimitiveIndex>(references);
   write_leaves(executor, levels, counts, start, grid);
   levels.clear();
-  write_nested_maps(executor, division, span, occupied.indices, start, leaves, grid);
+  write_nested_maps(executor, division, span, occupied.indices, start, leaves, splitter.options.max_map_words,
+                    grid);
   if (grid.exceeded != nullptr) return grid;
   write_empty_runs(executor, division, span, occupied_number, cell_before, grid);
   return grid;
@@ -321,7 +323,7 @@ ExecutorGrid<Executor> merged_part(Executor& executor, const Splitter<Stored>& s
 // All voxels as one part. On the host's cores: as many (merge.cpp).
 template <class Executor, class BuildPart>
 ExecutorGrid<Executor> build_in_parts(Executor& executor, const GridLayout&, const VoxelSpan& all,
-                                      const BuildPart& build_part) {
+                                      std::uint64_t, const BuildPart& build_part) {
   return build_part(executor, all);
 }
 
@@ -394,8 +396,9 @@ ExecutorGrid<Executor> merged_grid(Executor& executor, const SceneView<Stored>& 
   const std::int32_t nested_log2 = irregular ? nested_log2_for(layout.division, options) : 0;
   ExecutorGrid<Executor> grid{layout, options.kind, 0, nested_log2};
   if ((grid.exceeded = exceeded_by_division(layout.division)) != nullptr) return grid;
-  const Splitter<Stored> splitter(scene, finer(layout, nested_log2), overlap, options);
-  if (options.kind == GridKind::balance) return balanced_grid(executor, splitter);
+  GridOptions tried = options;
+  const auto splitter = [&] { return Splitter<Stored>(scene, finer(layout, nested_log2), overlap, tried); };
+  if (options.kind == GridKind::balance) return balanced_grid(executor, splitter());
   auto pairs = voxel_pairs(executor, scene, layout, overlap, StorageOrder(layout.division, 0));
   if (!pairs) {
     grid.exceeded = too_many_references;
@@ -403,9 +406,15 @@ ExecutorGrid<Executor> merged_grid(Executor& executor, const SceneView<Stored>& 
   }
   const VoxelSpan all{0, voxel_count(layout.division), pairs->keys.data(), pairs->values.data(),
                       pairs->keys.size()};
-  grid = build_in_parts(executor, layout, all, [&](auto& part_executor, const VoxelSpan& span) {
-    return merged_part(part_executor, splitter, layout, nested_log2, span);
-  });
+  for (;; tried.detail /= 2) {
+    grid = {};
+    grid = build_in_parts(executor, layout, all, options.max_map_words,
+                          [&](auto& part_executor, const VoxelSpan& span) {
+                            return merged_part(part_executor, splitter(), layout, nested_log2, span);
+                          });
+    if (grid.exceeded == nullptr || !irregular || tried.detail < 2 * least_detail) break;
+  }
+  if (irregular) grid.detail = tried.detail;
   pairs.reset();
   if (grid.exceeded == nullptr && irregular)
     expand_cells(executor, merged_view(grid), grid.cells.size(), grid.cells.data(), options.expansions);

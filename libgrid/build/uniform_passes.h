@@ -28,13 +28,21 @@ struct ExecutorGrid {
   ArrayOf<Executor, MergedCell> cells{};
   ArrayOf<Executor, PrimitiveIndex> references{};
   const char* exceeded = nullptr; // as in BuildResult
+  double detail = 0;              // as in Grid
 };
 
 // Of an executor in host memory.
 template <class Executor>
 BuildResult on_host(ExecutorGrid<Executor> grid) {
-  return {{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, std::move(grid.voxel_map),
-           std::move(grid.cells), std::move(grid.references)},
+  return {{grid.layout,
+           grid.kind,
+           grid.block_log2,
+           grid.nested_log2,
+           std::move(grid.voxel_map),
+           std::move(grid.cells),
+           std::move(grid.references),
+           {},
+           grid.detail},
           grid.exceeded};
 }
 

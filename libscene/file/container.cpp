@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 #include <xxhash.h>
@@ -27,19 +28,35 @@ std::uint64_t rounded_up(std::uint64_t value, std::uint64_t to) {
   return (value + to - 1) / to * to;
 }
 
-// Pieces are hashed in parallel, each after fill(its offset, it); the result doesn't depend on the number of
-// threads.
-template <class Byte, class Fill>
-Hash hash_of_pieces(std::span<Byte> bytes, const Fill& fill) {
-  const std::uint64_t pieces = (bytes.size() + piece_bytes - 1) / piece_bytes;
+// The hash of `bytes` bytes. Pieces of them are hashed in parallel, each as piece(its offset, its size) has
+// it; the result doesn't depend on the number of threads.
+template <class Piece>
+Hash hash_of_pieces(std::uint64_t bytes, const Piece& piece) {
+  const std::uint64_t pieces = (bytes + piece_bytes - 1) / piece_bytes;
   std::vector<Hash> hashes(pieces);
   tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t i) {
     const std::uint64_t begin = i * piece_bytes;
-    const auto piece = bytes.subspan(begin, std::min(piece_bytes, bytes.size() - begin));
-    fill(begin, piece);
-    hashes[i] = hash_of(piece);
+    hashes[i] = hash_of(piece(begin, std::min(piece_bytes, bytes - begin)));
   });
   return hash_of({reinterpret_cast<const std::uint8_t*>(hashes.data()), hashes.size() * sizeof(Hash)});
+}
+
+// Some of a section's bytes; converted into the buffer, where that has to be.
+std::span<const std::uint8_t> bytes_of(const SectionData& section, std::uint64_t begin, std::uint64_t bytes,
+                                       std::vector<std::uint8_t>& buffer) {
+  if (!section.convert) return {static_cast<const std::uint8_t*>(section.data) + begin, bytes};
+  const std::uint64_t each = section.record_bytes, first = begin / each,
+                      end = rounded_up(begin + bytes, each) / each;
+  buffer.resize((end - first) * each);
+  section.convert(first, end - first, buffer.data());
+  return std::span(buffer).subspan(begin - first * each, bytes);
+}
+
+Hash hash_of_section(const SectionData& section) {
+  tbb::enumerable_thread_specific<std::vector<std::uint8_t>> buffers;
+  return hash_of_pieces(section.record_bytes * section.count, [&](std::uint64_t begin, std::uint64_t bytes) {
+    return bytes_of(section, begin, bytes, buffers.local());
+  });
 }
 
 // With a hash field of zeros.
@@ -57,6 +74,22 @@ std::uint64_t section_size(const fb::Section& section) {
 
 bool all_zero(std::span<const std::uint8_t> bytes) {
   return std::all_of(bytes.begin(), bytes.end(), [](std::uint8_t byte) { return byte == 0; });
+}
+
+// A few pieces at a time, converted in parallel.
+void write_section(OutputFile& file, const SectionData& section) {
+  const std::uint64_t all = section.record_bytes * section.count;
+  if (!section.convert) return file.write(section.data, all);
+  std::array<std::vector<std::uint8_t>, 4> buffers;
+  std::array<std::span<const std::uint8_t>, 4> pieces;
+  for (std::uint64_t begin = 0; begin < all; begin += pieces.size() * piece_bytes) {
+    tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+      const std::uint64_t from = std::min(begin + i * piece_bytes, all);
+      pieces[i] = bytes_of(section, from, std::min(piece_bytes, all - from), buffers[i]);
+    });
+    for (const auto piece : pieces)
+      file.write(piece);
+  }
 }
 
 void write_zeros(OutputFile& file, std::uint64_t count) {
@@ -82,8 +115,7 @@ std::vector<fb::Section> lay_out(std::span<const SectionData> sections) {
     if (section.count == 0) continue;
     offset = rounded_up(offset, section_alignment);
     const std::uint64_t bytes = section.record_bytes * section.count;
-    const Hash hash = hash_of_pieces(std::span(static_cast<const std::uint8_t*>(section.data), bytes),
-                                     [](std::uint64_t, const auto&) {});
+    const Hash hash = hash_of_section(section);
     layout.emplace_back(section.kind, section.record_bytes, section.count, offset,
                         fb::Hash(hash.low, hash.high));
     offset += bytes;
@@ -110,7 +142,7 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
   for (const SectionData& section : sections) {
     if (section.count == 0) continue;
     write_zeros(file, entry->offset() - written);
-    file.write(section.data, section_size(*entry));
+    write_section(file, section);
     written = entry->offset() + section_size(*entry);
     ++entry;
   }
@@ -155,8 +187,11 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : fi
 Hash ContainerFile::read_section(const fb::Section& section) {
   const std::uint64_t offset = prelude().body_offset + section.offset();
   const auto to = bytes_.bytes().subspan(offset, section_size(section));
-  return hash_of_pieces(
-      to, [&](std::uint64_t begin, std::span<std::uint8_t> piece) { file_.read(offset + begin, piece); });
+  return hash_of_pieces(to.size(), [&](std::uint64_t begin, std::uint64_t bytes) {
+    const auto piece = to.subspan(begin, bytes);
+    file_.read(offset + begin, piece);
+    return piece;
+  });
 }
 
 void ContainerFile::read_sections(std::span<const fb::Section> sections) {

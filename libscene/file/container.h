@@ -15,10 +15,13 @@
 #include "libscene/file/input_file.h"
 #include "schemas/section_generated.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace masu {
@@ -51,17 +54,30 @@ struct Prelude {
 };
 static_assert(sizeof(Prelude) == 64);
 
-// An array to write.
+// An array to write; or what makes its records when they are hashed, and again when they are written, so that
+// no more than some of them are in memory: convert(first, how many, to), which any thread may call.
 struct SectionData {
   std::uint32_t kind;
   std::uint32_t record_bytes;
   std::uint64_t count;
   const void* data;
+  std::function<void(std::uint64_t, std::uint64_t, void*)> convert{};
 };
 
 template <class T>
 SectionData section_data(std::uint32_t kind, std::span<const T> records) {
-  return {kind, sizeof(T), records.size(), records.data()};
+  return {kind, sizeof(T), records.size(), records.data(), {}};
+}
+
+// Each record is converted(of one in `records`), which must outlive the section.
+template <class Records, class Converted>
+SectionData converted_section_data(std::uint32_t kind, const Records& records, const Converted& converted) {
+  using To = std::decay_t<decltype(converted(records[0]))>;
+  return {kind, sizeof(To), records.size(), nullptr,
+          [&records, converted](std::uint64_t first, std::uint64_t count, void* to) {
+            std::transform(records.data() + first, records.data() + first + count, static_cast<To*>(to),
+                           converted);
+          }};
 }
 
 // Each section's offset and hash, as listed in the table. Empty sections are left out.

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -161,25 +162,61 @@ private:
 
 } // namespace
 
+TextSource TextSource::of(std::string_view text) {
+  const auto read = [text](char* to, std::size_t bytes) mutable {
+    const std::string_view part = text.substr(0, bytes);
+    std::copy(part.begin(), part.end(), to);
+    text.remove_prefix(part.size());
+    return part.size();
+  };
+  return {read, text.size()};
+}
+
+TextSource TextSource::of(const InputFile& file) {
+  const auto read = [&file, offset = std::uint64_t{0}](char* to, std::size_t bytes) mutable {
+    const std::uint64_t part = std::min<std::uint64_t>(bytes, file.size() - offset);
+    file.read(offset, {reinterpret_cast<std::uint8_t*>(to), part});
+    offset += part;
+    return static_cast<std::size_t>(part);
+  };
+  return {read, file.size()};
+}
+
+TextSource text_stream(const std::string& path) {
+  const auto read = [stream = std::make_shared<Stream>(path),
+                     before = std::uint64_t{0}](char* to, std::size_t bytes) mutable {
+    std::size_t all = 0;
+    while (all < bytes) {
+      const std::size_t got = stream->read(to + all, bytes - all);
+      if (got == 0) break;
+      if (const void* const zero = std::memchr(to + all, 0, got))
+        stream->fail(fmt::format("isn't a text: its byte {} is zero",
+                                 before + static_cast<std::uint64_t>(static_cast<const char*>(zero) - to)));
+      all += got;
+    }
+    before += all;
+    return all;
+  };
+  return {read, {}};
+}
+
 std::string read_text_input(const std::string& path) {
   constexpr std::size_t chunk = std::size_t{1} << 20;
-  Stream stream(path);
-  // Parsing takes as much again, or more.
+  const TextSource source = text_stream(path);
+  // What is made of it takes as much again, or more.
   const double limit = available_memory() / 2;
   std::string text;
   for (;;) {
     const std::size_t before = text.size();
     if (static_cast<double>(before) + static_cast<double>(chunk) > limit)
-      stream.fail(fmt::format("is longer than {}, half of the available memory: give less, or a machine more",
+      throw Error(ErrorCode::input, path == "-" ? "stdin" : path,
+                  fmt::format("is longer than {}, half of the available memory: give less, or a machine more",
                               gigabytes(limit)));
     if (text.capacity() - before < chunk) text.reserve(2 * before + chunk);
     text.resize(before + chunk);
-    const std::size_t got = stream.read(text.data() + before, chunk);
+    const std::size_t got = source.read(text.data() + before, chunk);
     text.resize(before + got);
-    if (got == 0) return text;
-    if (const void* const zero = std::memchr(text.data() + before, 0, got))
-      stream.fail(
-          fmt::format("isn't a text: its byte {} is zero", static_cast<const char*>(zero) - text.data()));
+    if (got < chunk) return text;
   }
 }
 

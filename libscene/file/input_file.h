@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,9 +59,24 @@ private:
   PrivateMemory memory_;
 };
 
-// All of a text in a file of any kind; `path` - is standard input. Endless ones end with an error: at the
-// first zero byte, which no text holds, or where half of the memory that was available is used. A pipe
-// that no process has open for writing is waited for a few seconds. Throws Error(input, path or stdin, …).
+// A text that is read from its start to its end, once.
+struct TextSource {
+  // Reads so many bytes; fewer at the end alone. Throws Error(input, …).
+  std::function<std::size_t(char*, std::size_t)> read;
+  std::optional<std::uint64_t> bytes{}; // of all of it, where that is known
+
+  // Of what outlives it.
+  static TextSource of(std::string_view text);
+  static TextSource of(const InputFile& file);
+};
+
+// A text in a file of any kind; `path` - is standard input. At its first zero byte, which no text holds, it
+// ends with an error. A pipe that no process has open for writing is waited for a few seconds. Throws
+// Error(input, path or stdin, …).
+TextSource text_stream(const std::string& path);
+
+// All of a text in a file of any kind; as text_stream() reads it. Endless ones end with an error also where
+// half of the memory that was available is used.
 std::string read_text_input(const std::string& path);
 
 } // namespace masu

@@ -21,47 +21,44 @@ std::uint32_t number(fb::SceneSection section) {
   return static_cast<std::uint32_t>(section);
 }
 
-template <class To, class From>
-Triangle<To> converted(const Triangle<From>& t) {
-  return {cast<To>(t.a), static_cast<typename Triangle<To>::Tag>(t.object),
-          cast<To>(t.b), static_cast<typename Triangle<To>::Tag>(t.material),
-          cast<To>(t.c), static_cast<typename Triangle<To>::Tag>(t.normals)};
+template <class To>
+Triangle<To> converted(const SceneTriangle& t) {
+  return {cast<To>(t.a), t.object, cast<To>(t.b), t.material, cast<To>(t.c), t.normals};
 }
-template <class To, class From>
-CornerNormals<To> converted(const CornerNormals<From>& n) {
+template <class To>
+CornerNormals<To> converted(const CornerNormals<double>& n) {
   return {cast<To>(n.a), cast<To>(n.b), cast<To>(n.c)};
 }
-template <class To, class From>
-Sphere<To> converted(const Sphere<From>& s) {
+template <class To>
+Sphere<To> converted(const Sphere<double>& s) {
   return {cast<To>(s.center), static_cast<To>(s.radius)};
 }
-template <class To, class From>
-Cone<To> converted(const Cone<From>& c) {
+template <class To>
+Cone<To> converted(const Cone<double>& c) {
   return {cast<To>(c.base), static_cast<To>(c.base_radius), cast<To>(c.apex), static_cast<To>(c.apex_radius)};
 }
-template <class To, class From>
-Light<To> converted(const Light<From>& l) {
+template <class To>
+Light<To> converted(const Light<double>& l) {
   return {cast<To>(l.position), cast<To>(l.intensity)};
 }
 
-template <class To, template <class> class Record>
-std::vector<Record<To>> converted(const std::vector<Record<double>>& records) {
-  std::vector<Record<To>> result(records.size());
-  tbb::parallel_for(std::size_t{0}, records.size(),
-                    [&](std::size_t i) { result[i] = converted<To>(records[i]); });
-  return result;
-}
-
-template <class Record>
-Boxd bounds_of(const std::vector<Record>& records) {
+// Of what `stored` makes of the records.
+template <class Records, class AsStored>
+Boxd bounds_of(const Records& records, const AsStored& stored) {
   return tbb::parallel_reduce(
       tbb::blocked_range<std::size_t>(0, records.size()), empty_box<double>(),
       [&](const tbb::blocked_range<std::size_t>& range, Boxd box) {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
-          box = join(box, cast<double>(bounds(records[i])));
+          box = join(box, cast<double>(bounds(stored(records[i]))));
         return box;
       },
       [](const Boxd& a, const Boxd& b) { return join(a, b); });
+}
+
+template <class AsStored>
+Boxd bounds_of(const Scene& scene, const AsStored& stored) {
+  return join(join(bounds_of(scene.triangles, stored), bounds_of(scene.spheres, stored)),
+              bounds_of(scene.cones, stored));
 }
 
 fb::Vec3 table_vector(const Vec3d& v) {
@@ -130,48 +127,49 @@ bool reaches_within(const Boxd& bounds) {
 
 template <class Stored>
 Hash write_stored(const Scene& scene, const std::string& path) {
-  // The sections point into these.
-  const auto lights = converted<Stored>(scene.lights);
-  const auto triangles = converted<Stored>(scene.triangles);
-  const auto normals = converted<Stored>(scene.normals);
-  const auto spheres = converted<Stored>(scene.spheres);
-  const auto cones = converted<Stored>(scene.cones);
+  // Records are converted when they are needed: another copy of them all could be too large.
+  const auto stored = [](const auto& record) { return converted<Stored>(record); };
   const auto section = [](fb::SceneSection kind, const auto& records) {
     return section_data(number(kind), std::span(records));
   };
+  const auto converted_section = [&](fb::SceneSection kind, const auto& records) {
+    return converted_section_data(number(kind), records, stored);
+  };
   using fb::SceneSection;
   const std::array sections{
-      section(SceneSection::lights, lights),
+      converted_section(SceneSection::lights, scene.lights),
       section(SceneSection::materials, scene.materials),
-      section(SceneSection::triangles, triangles),
-      section(SceneSection::corner_normals, normals),
-      section(SceneSection::spheres, spheres),
+      converted_section(SceneSection::triangles, scene.triangles),
+      converted_section(SceneSection::corner_normals, scene.normals),
+      converted_section(SceneSection::spheres, scene.spheres),
       section(SceneSection::sphere_surfaces, scene.sphere_surfaces),
-      section(SceneSection::cones, cones),
+      converted_section(SceneSection::cones, scene.cones),
       section(SceneSection::cone_surfaces, scene.cone_surfaces),
   };
   // A cone without length, or whose length's square underflows, has no bounds.
-  const auto flattened = std::count_if(
-      cones.begin(), cones.end(), [](const auto& cone) { return is_finite(cone) && is_empty(bounds(cone)); });
+  const auto flattened = std::count_if(scene.cones.begin(), scene.cones.end(), [&](const Cone<double>& cone) {
+    return is_finite(stored(cone)) && is_empty(bounds(stored(cone)));
+  });
   if (flattened > 0) {
     throw Error(ErrorCode::input, path,
                 fmt::format("{} cone(s) have no length in {}: {}", flattened, store_name<Stored>,
                             std::is_same_v<Stored, float> ? "store it as float64" : "make them longer"));
   }
-  const auto all_finite = [](const auto& records) {
-    return std::all_of(records.begin(), records.end(), [](const auto& record) { return is_finite(record); });
+  const auto all_finite = [&](const auto& records) {
+    return std::all_of(records.begin(), records.end(),
+                       [&](const auto& record) { return is_finite(stored(record)); });
   };
-  const Boxd box = join(join(bounds_of(triangles), bounds_of(spheres)), bounds_of(cones));
-  if (!reaches_within<Stored>(box) || !all_finite(cones)) { // infinite ones have no bounds either
+  const Boxd box = bounds_of(scene, stored);
+  if (!reaches_within<Stored>(box) || !all_finite(scene.cones)) { // infinite ones have no bounds either
     throw Error(ErrorCode::input, path,
                 fmt::format("the largest coordinate is {:g}, but {} allows {:g} to {:g}: {}",
                             largest_magnitude(box), store_name<Stored>, reach_of<Stored>.min,
                             reach_of<Stored>.max,
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
   }
-  if (!all_finite(normals))
+  if (!all_finite(scene.normals))
     throw Error(ErrorCode::input, path, "a corner's normal isn't finite: give it a length near 1");
-  if (!all_finite(lights))
+  if (!all_finite(scene.lights))
     throw Error(ErrorCode::input, path,
                 fmt::format("a light's position isn't finite in {}: move it closer", store_name<Stored>));
   const auto layout = lay_out(sections);
@@ -202,7 +200,7 @@ std::span<const fb::Section> section_list(const fb::Scene& table) {
 } // namespace
 
 Boxd bounds(const Scene& scene) {
-  return join(join(bounds_of(scene.triangles), bounds_of(scene.spheres)), bounds_of(scene.cones));
+  return bounds_of(scene, [](const auto& record) { return record; });
 }
 
 Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds) {

@@ -86,8 +86,8 @@ std::uint64_t count_triangles(const aiMesh& mesh, const std::string& name) {
 }
 
 // Throws where the instances' triangles are too many for a scene or for the memory. Returns their number.
-std::uint64_t checked_size(const aiScene& file, const std::vector<Instance>& instances, bool smooth,
-                           const std::string& name) {
+std::uint64_t checked_size(const aiScene& file, const std::vector<Instance>& instances,
+                           const ImportOptions& options, const std::string& name) {
   std::vector<std::uint64_t> of_mesh(file.mNumMeshes);
   for (unsigned i = 0; i < file.mNumMeshes; ++i)
     of_mesh[i] = count_triangles(*file.mMeshes[i], name);
@@ -96,13 +96,11 @@ std::uint64_t checked_size(const aiScene& file, const std::vector<Instance>& ins
     triangles += of_mesh[instance.mesh]; // at most 2^32 times 2^64 / 2^32 faces that are in memory
   if (instances.size() > max_objects)
     throw Error(ErrorCode::input, name, fmt::format("has more than {} objects: split the file", max_objects));
-  if (triangles > max_primitives)
+  if (triangles > options.max_primitives)
     throw Error(ErrorCode::input, name,
-                fmt::format("has more than {} triangles: split the file", max_primitives));
-  // In memory in double, and once more in float32 when written.
+                fmt::format("has more than {} triangles: split the file", options.max_primitives));
   const std::uint64_t each =
-      sizeof(Triangle<double>) + sizeof(Triangle<float>) +
-      (smooth ? sizeof(CornerNormals<double>) + sizeof(CornerNormals<float>) : std::uint64_t{0});
+      sizeof(SceneTriangle) + (options.smooth ? sizeof(CornerNormals<double>) : std::uint64_t{0});
   const double needed = static_cast<double>(triangles) * static_cast<double>(each);
   if (const double available = available_memory(); needed > available)
     throw Error(ErrorCode::input, name,
@@ -250,7 +248,7 @@ void read_materials(Importing& state, const std::string& name) {
 ImportedScene imported(const aiScene& file, const std::string& name, const ImportOptions& options) {
   const std::vector<Instance> instances =
       file.mRootNode != nullptr ? instances_of(file, name) : std::vector<Instance>{};
-  const std::uint64_t triangles = checked_size(file, instances, options.smooth, name);
+  const std::uint64_t triangles = checked_size(file, instances, options, name);
   if (triangles == 0)
     throw Error(ErrorCode::input, name, "has no face of three corners or more: give a mesh of polygons");
   Importing state{file, options.smooth, {}, {}, {}, {}, {}, {}, {}, {}};

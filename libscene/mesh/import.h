@@ -29,6 +29,7 @@ struct ImportOptions {
   // Pixels of the picture; 0: the aspect ratio of the file's camera, 512 pixels high.
   std::int32_t width = 0, height = 0;
   std::function<void(double)> progress{}; // gets shares of the reading, as far as Assimp tells
+  std::uint64_t max_primitives = masu::max_primitives;
 };
 
 // What a file holds that its scene doesn't, and what was made up.
@@ -48,7 +49,7 @@ struct ImportedScene {
 };
 
 // Throws Error(input, path, …) for what Assimp can't read, with its own message; for a file without a face;
-// for more than 2^31-1 objects or 2^32-2 triangles, and where these need more memory than is available.
+// for more than 2^31-1 objects or triangles, and where these need more memory than is available.
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options = {});
 
 // The same from memory. `extension` (without a dot) tells the format where the bytes don't. Files that the

@@ -1,18 +1,21 @@
-// Cuts the text into pieces, parses them in parallel, and joins them in order.
+// Cuts the text into pieces while it is read, parses them in parallel, and joins them in order.
 #include "libscene/nff/nff.h"
 
+#include "libscene/available_memory.h"
 #include "libscene/error.h"
 #include "libscene/file/input_file.h"
+#include "libscene/host_array.h"
 #include "libscene/nff/nff_piece.h"
 #include "libscene/nff/nff_view.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fmt/format.h>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include <tbb/parallel_pipeline.h>
@@ -27,30 +30,114 @@ using nff::Text;
 constexpr std::uint64_t max_objects = 0x7fffffff; // object indices are int32, with -1 for none
 constexpr Material default_material{{1, 1, 1}, 1, 0, 0, 0, 1};
 
-// Whether the line at `line` starts with an entity. The lines of a view (from, at, …) aren't entities.
-bool is_entity_start(const char* line, const char* end) {
-  const char* start = line;
-  while (start != end && (*start == ' ' || *start == '\t'))
-    ++start;
-  const char* word_end = start;
-  while (word_end != end && word_end - start < 3 && nff::kind_of(*word_end) == nff::Character::other)
-    ++word_end;
-  const std::string_view word(start, static_cast<std::size_t>(word_end - start));
-  return word == "pp" ||
-         (word.size() == 1 && std::string_view("pscflbv").find(word[0]) != std::string_view::npos);
-}
+// A piece in the pipeline.
+struct Job {
+  HostArray<char> characters{}; // of the piece and some after it
+  std::uint64_t size = 0;       // of the piece
+  std::uint64_t lines_before = 0, bytes_after = 0;
+  double share = 0; // of the text that ends with it; 0 where that isn't known
+  Piece piece{};
+  std::exception_ptr error{};
+};
 
-// The end of the piece that starts at `from`: the first line that starts with an entity, piece_bytes later or
-// more.
-const char* piece_end(const Text& text, const char* from, std::size_t piece_bytes) {
-  if (static_cast<std::size_t>(text.end() - from) <= piece_bytes) return text.end();
-  const std::size_t start = static_cast<std::size_t>(from - text.begin()) + piece_bytes;
-  // A comment ends with its line, so that no such line is inside one.
-  for (std::size_t i = text.characters.find('\n', start); i != std::string_view::npos;
-       i = text.characters.find('\n', i + 1))
-    if (is_entity_start(text.begin() + i + 1, text.end())) return text.begin() + i + 1;
-  return text.end();
-}
+// Cuts a text into pieces while it is read. A piece ends before the first line that starts with an entity,
+// piece_bytes after its own start or later.
+class Cutter {
+public:
+  Cutter(const TextSource& source, const std::string& name, std::size_t piece_bytes)
+      : source_(source), name_(name), piece_bytes_(std::max<std::size_t>(piece_bytes, 1)) {}
+
+  bool is_at_end() const { return is_all_read_ && rest_.empty(); }
+
+  void next(Job& job) {
+    job.characters.assign(rest_.begin(), rest_.end());
+    std::uint64_t searched = piece_bytes_ - 1; // a line can't start before
+    for (;;) {
+      const std::optional<std::uint64_t> end = end_of_piece(job.characters, searched);
+      if (end) {
+        job.size = *end;
+        break;
+      }
+      read(job.characters);
+    }
+    rest_.assign(job.characters.begin() + static_cast<std::ptrdiff_t>(job.size), job.characters.end());
+    job.lines_before = lines_;
+    lines_ += count_lines({job.characters.data(), job.size});
+    bytes_ += job.size;
+    constexpr std::uint64_t unknown = std::uint64_t{1} << 62;
+    const std::uint64_t seen = bytes_ + rest_.size() + mark_bytes_;
+    job.bytes_after = is_all_read_ ? 0 : source_.bytes ? *source_.bytes - seen : unknown;
+    job.share = source_.bytes ? static_cast<double>(bytes_) / static_cast<double>(*source_.bytes) : 0;
+  }
+
+private:
+  // The beginning of the first line at or after `searched`, which an entity starts; or the end of the text.
+  // None where that isn't read yet: what is before `searched` needn't be searched again.
+  std::optional<std::uint64_t> end_of_piece(const HostArray<char>& characters,
+                                            std::uint64_t& searched) const {
+    const std::string_view text(characters.data(), characters.size());
+    // A comment ends with its line, so that no such line is inside one.
+    for (std::size_t i = text.find('\n', searched); i != std::string_view::npos; i = text.find('\n', i + 1)) {
+      searched = i;
+      const std::size_t begin = text.find_first_not_of(" \t", i + 1);
+      std::size_t end = std::min(begin, text.size());
+      while (end != text.size() && end - begin < 3 && nff::kind_of(text[end]) == nff::Character::other)
+        ++end;
+      if (end == text.size() && !is_all_read_) return {};
+      if (begin < end && is_entity(text.substr(begin, end - begin))) return i + 1;
+    }
+    if (is_all_read_) return text.size();
+    searched = std::max(searched, text.size());
+    return {};
+  }
+  // The lines of a view (from, at, …) aren't entities.
+  static bool is_entity(std::string_view word) {
+    return word == "pp" ||
+           (word.size() == 1 && std::string_view("pscflbv").find(word[0]) != std::string_view::npos);
+  }
+
+  void read(HostArray<char>& characters) {
+    constexpr std::size_t few = 4096;
+    const std::size_t before = characters.size();
+    const std::size_t more = before < piece_bytes_ ? piece_bytes_ - before + few : before / 4 + few;
+    check_length(characters, more);
+    characters.resize(before + more);
+    const std::size_t got = source_.read(characters.data() + before, more);
+    characters.resize(before + got);
+    is_all_read_ = got < more;
+    if (bytes_ == 0 && before == 0 && std::string_view(characters.data(), got).starts_with("\xEF\xBB\xBF")) {
+      mark_bytes_ = 3;
+      characters.erase(characters.begin(), characters.begin() + 3);
+    }
+  }
+  // A text without entities is one piece, which takes this memory twice while it grows.
+  void check_length(const HostArray<char>& characters, std::size_t more) const {
+    if (characters.size() < std::size_t{64} << 20) return;
+    const double needed = 2 * static_cast<double>(characters.size() + more), available = available_memory();
+    if (needed > available)
+      throw Error(
+          ErrorCode::input, name_,
+          fmt::format("has {:.1f} GB in which no line starts with an entity, and {:.1f} GB of memory are "
+                      "available: start entities on lines of their own",
+                      static_cast<double>(characters.size()) / 1e9, available / 1e9));
+    if (std::memchr(characters.data(), 0, characters.size()) != nullptr)
+      throw Error(ErrorCode::input, name_, "isn't a text: it has bytes that are zero");
+  }
+  // Lines end with LF, CR or both; no piece ends between these.
+  static std::uint64_t count_lines(std::string_view text) {
+    auto lines = std::count(text.begin(), text.end(), '\n');
+    for (std::size_t i = text.find('\r'); i != std::string_view::npos; i = text.find('\r', i + 1))
+      lines += i + 1 == text.size() || text[i + 1] != '\n' ? 1 : 0;
+    return static_cast<std::uint64_t>(lines);
+  }
+
+  const TextSource& source_;
+  const std::string& name_;
+  std::size_t piece_bytes_;
+  HostArray<char> rest_; // read, but after the last piece
+  std::uint64_t lines_ = 0, bytes_ = 0, mark_bytes_ = 0;
+  bool is_all_read_ = false;
+};
 
 // The joined pieces.
 struct Assembly {
@@ -61,22 +148,28 @@ struct Assembly {
   Material material = default_material; // current at the end of the joined pieces
   std::uint64_t objects = 0;
   bool holds_entities = false;
+  std::uint64_t checked_bytes = 0; // of the scene, when there was memory for more
 };
 
-// Appends `piece`, which ends after a fraction `share` of the text. Reserves what the whole text is expected
-// to need, at most four times the current size.
-template <class Record>
-void append(std::vector<Record>& all, std::vector<Record>&& piece, double share) {
-  const std::size_t needed = all.size() + piece.size();
-  if (all.empty() && share == 1) {
-    all = std::move(piece);
-    return;
-  }
-  if (needed > all.capacity()) {
-    const double expected = 1.02 * static_cast<double>(needed) / share;
-    all.reserve(static_cast<std::size_t>(std::min(expected, 4 * static_cast<double>(needed))));
-  }
-  all.insert(all.end(), piece.begin(), piece.end());
+template <class... Arrays>
+std::uint64_t bytes_of(const Arrays&... arrays) {
+  return (std::uint64_t{0} + ... + (arrays.size() * sizeof(*arrays.data())));
+}
+
+// Throws where memory runs out.
+void check_memory(Assembly& assembly, const std::string& name) {
+  constexpr std::uint64_t step = std::uint64_t{256} << 20;
+  const Scene& s = assembly.scene;
+  const std::uint64_t bytes =
+      bytes_of(s.triangles, s.normals, s.spheres, s.sphere_surfaces, s.cones, s.cone_surfaces);
+  if (bytes < assembly.checked_bytes + step) return;
+  assembly.checked_bytes = bytes;
+  if (const double available = available_memory(); available < 2 * static_cast<double>(step))
+    throw Error(
+        ErrorCode::input, name,
+        fmt::format("takes more than {:.1f} GB of memory, and {:.1f} GB more are available: split the "
+                    "scene, or use a machine with more memory",
+                    static_cast<double>(bytes) / 1e9, available / 1e9));
 }
 
 std::vector<std::uint32_t> join_materials(Assembly& assembly, const Piece& piece) {
@@ -90,8 +183,8 @@ std::vector<std::uint32_t> join_materials(Assembly& assembly, const Piece& piece
 
 // Replaces the piece's indices of objects, materials and normals by the scene's.
 void renumber(Piece& piece, const std::vector<std::uint32_t>& materials, std::uint32_t first_object,
-              std::uint64_t first_normals) {
-  for (Triangle<double>& triangle : piece.triangles) {
+              std::uint32_t first_normals) {
+  for (SceneTriangle& triangle : piece.triangles) {
     triangle.object += first_object;
     triangle.material = materials[triangle.material];
     if (triangle.normals != no_normals) triangle.normals += first_normals;
@@ -117,7 +210,7 @@ void add(SceneWarnings& all, const SceneWarnings& more) {
 }
 
 // Adds the piece's counts. Throws when indices would overflow.
-void join_counts(Assembly& assembly, const Piece& piece, const std::string& name) {
+void join_counts(Assembly& assembly, const Piece& piece, const NffOptions& options, const std::string& name) {
   Scene& scene = assembly.scene;
   add(scene.objects, piece.objects);
   add(scene.warnings, piece.warnings);
@@ -128,35 +221,29 @@ void join_counts(Assembly& assembly, const Piece& piece, const std::string& name
   if (assembly.objects > max_objects)
     throw Error(ErrorCode::input, name,
                 fmt::format("has more than {} objects: split the scene", max_objects));
-  if (primitives > max_primitives)
+  if (primitives > options.max_primitives)
     throw Error(ErrorCode::input, name,
-                fmt::format("has more than {} primitives: split the scene", max_primitives));
+                fmt::format("has more than {} primitives: split the scene", options.max_primitives));
 }
 
-void join(Assembly& assembly, Piece&& piece, double share, const std::string& name) {
+void join(Assembly& assembly, Piece& piece, const NffOptions& options, const std::string& name) {
   Scene& scene = assembly.scene;
   const auto first_object = static_cast<std::uint32_t>(assembly.objects);
-  join_counts(assembly, piece, name);
-  renumber(piece, join_materials(assembly, piece), first_object, scene.normals.size());
-  append(scene.triangles, std::move(piece.triangles), share);
-  append(scene.normals, std::move(piece.normals), share);
-  append(scene.spheres, std::move(piece.spheres), share);
-  append(scene.sphere_surfaces, std::move(piece.sphere_surfaces), share);
-  append(scene.cones, std::move(piece.cones), share);
-  append(scene.cone_surfaces, std::move(piece.cone_surfaces), share);
+  join_counts(assembly, piece, options, name);
+  renumber(piece, join_materials(assembly, piece), first_object,
+           static_cast<std::uint32_t>(scene.normals.size()));
+  scene.triangles.append(piece.triangles);
+  scene.normals.append(piece.normals);
+  scene.spheres.append(piece.spheres);
+  scene.sphere_surfaces.append(piece.sphere_surfaces);
+  scene.cones.append(piece.cones);
+  scene.cone_surfaces.append(piece.cone_surfaces);
   assembly.lights.insert(assembly.lights.end(), piece.lights.begin(), piece.lights.end());
   if (piece.view) assembly.view = piece.view;
   if (piece.background) scene.background = *piece.background;
   assembly.holds_entities = assembly.holds_entities || piece.holds_entities;
+  check_memory(assembly, name);
 }
-
-// A piece in the pipeline.
-struct Job {
-  const char* from = nullptr;
-  const char* to = nullptr;
-  Piece piece{};
-  std::exception_ptr error{};
-};
 
 // Calls body() and returns what it throws. oneTBB's pipeline may leak tokens when a filter throws, and
 // rethrows any one of several exceptions.
@@ -170,38 +257,46 @@ std::exception_ptr caught(const Body& body) {
   }
 }
 
-void parse_all(const Text& text, const char* from, const NffOptions& options, Assembly& assembly) {
-  const std::size_t piece_bytes = std::max<std::size_t>(options.piece_bytes, 1);
+void parse_job(Job& job, const std::string& name) {
+  const Text text{{job.characters.data(), job.characters.size()}, name, job.lines_before, job.bytes_after};
+  job.piece = nff::parse_piece(text, text.begin() + job.size);
+}
+
+void parse_all(Cutter& cutter, Job&& first, const std::string& name, const NffOptions& options,
+               Assembly& assembly) {
   const int cores = tbb::this_task_arena::max_concurrency();
   tbb::task_arena arena(options.threads > 0 ? std::min(options.threads, cores) : cores);
   // One for each token of the pipeline: pieces leave it in order, so that the oldest job is free.
   std::vector<Job> jobs(2 * static_cast<std::size_t>(arena.max_concurrency()));
+  jobs[0] = std::move(first);
   std::size_t started = 0;
-  std::exception_ptr error; // the first in the text
+  std::exception_ptr error, cut_error; // the first in the text; and what ended the reading
   std::atomic<bool> has_failed = false;
 
   const auto cut = [&](tbb::flow_control& control) -> Job* {
-    if (from == text.end() || has_failed) {
+    if (has_failed || (started > 0 && cutter.is_at_end())) {
       control.stop();
       return nullptr;
     }
-    Job& job = jobs[started++ % jobs.size()];
-    job.from = std::exchange(from, piece_end(text, from, piece_bytes));
-    job.to = from;
+    Job& job = jobs[started % jobs.size()];
+    if (started > 0) cut_error = caught([&] { cutter.next(job); });
+    if (cut_error) {
+      control.stop();
+      return nullptr;
+    }
+    ++started;
     return &job;
   };
   const auto parse = [&](Job* job) {
-    job->error = caught([&] { job->piece = nff::parse_piece(text, job->from, job->to); });
+    job->error = caught([&] { parse_job(*job, name); });
     return job;
   };
   const auto collect = [&](Job* job) {
     Piece piece = std::exchange(job->piece, {});
     if (error) return;
-    const double share =
-        static_cast<double>(job->to - text.begin()) / static_cast<double>(text.characters.size());
-    error = job->error ? job->error : caught([&] { join(assembly, std::move(piece), share, text.name); });
+    error = job->error ? job->error : caught([&] { join(assembly, piece, options, name); });
     has_failed = error != nullptr;
-    if (options.progress) options.progress(share);
+    if (options.progress && job->share > 0) options.progress(job->share);
   };
   using tbb::filter_mode;
   arena.execute([&] {
@@ -211,6 +306,7 @@ void parse_all(const Text& text, const char* from, const NffOptions& options, As
                                tbb::make_filter<Job*, void>(filter_mode::serial_in_order, collect));
   });
   if (error) std::rethrow_exception(error);
+  if (cut_error) std::rethrow_exception(cut_error);
 }
 
 // Lights, and the ambient light for n lights, √n/(2n) by the SPD's rule.
@@ -225,31 +321,42 @@ void finish_lights(Assembly& assembly) {
     scene.lights.push_back({light.position, light.color.value_or(Vec3d{each, each, each})});
 }
 
-} // namespace
-
-Scene parse_nff(std::string_view characters, const std::string& name, const NffOptions& options) {
-  const Text text{characters, name};
+Scene parse(const TextSource& source, const std::string& name, const NffOptions& options) {
   Assembly assembly;
-  const char* const start = text.begin() + (characters.starts_with("\xEF\xBB\xBF") ? 3 : 0);
-  if (characters.size() <= options.piece_bytes)
-    join(assembly, nff::parse_piece(text, start, text.end()), 1, name);
-  else
-    parse_all(text, start, options, assembly);
+  Cutter cutter(source, name, options.piece_bytes);
+  Job first;
+  cutter.next(first);
+  if (cutter.is_at_end()) {
+    parse_job(first, name);
+    join(assembly, first.piece, options, name);
+  } else {
+    parse_all(cutter, std::move(first), name, options, assembly);
+  }
   if (!assembly.holds_entities)
     throw Error(ErrorCode::input, name,
                 "has no NFF entity: give a text with at least one of v b l f c s p pp");
   assembly.scene.materials = std::move(assembly.materials.materials);
   assembly.scene.has_camera = assembly.view.has_value();
-  assembly.scene.camera = nff::complete_view(assembly.view.value_or(nff::View{}), assembly.scene, text);
+  assembly.scene.camera = nff::complete_view(assembly.view.value_or(nff::View{}), assembly.scene);
   finish_lights(assembly);
   return std::move(assembly.scene);
 }
 
+} // namespace
+
+Scene parse_nff(std::string_view text, const std::string& name, const NffOptions& options) {
+  return parse(TextSource::of(text), name, options);
+}
+
 Scene read_nff(const std::string& path, const NffOptions& options) {
   std::error_code unknown;
-  if (path != "-" && (std::filesystem::is_regular_file(path, unknown) || unknown))
-    return parse_nff(FileContents(path).text(), path, options);
-  return parse_nff(read_text_input(path), path == "-" ? "stdin" : path, options);
+  if (path != "-" && (std::filesystem::is_regular_file(path, unknown) || unknown)) {
+    const InputFile file(path);
+    Scene scene = parse(TextSource::of(file), path, options);
+    file.check_unchanged();
+    return scene;
+  }
+  return parse(text_stream(path), path == "-" ? "stdin" : path, options);
 }
 
 } // namespace masu

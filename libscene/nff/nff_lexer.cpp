@@ -10,19 +10,15 @@
 namespace masu::nff {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 bool has_nonzero_digit(std::string_view token) {
   return token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != std::string_view::npos;
 }
 
 } // namespace
 
-void fail(const Text& text, const char* position, const std::string& message) {
-  std::string_view before(text.begin(), static_cast<std::size_t>(position - text.begin()));
-  if (before.substr(0, byte_order_mark.size()) == byte_order_mark)
-    before.remove_prefix(byte_order_mark.size());
-  std::size_t line = 1;
+std::string place_of(const Text& text, const char* position) {
+  const std::string_view before(text.begin(), static_cast<std::size_t>(position - text.begin()));
+  std::uint64_t line = text.lines_before + 1;
   std::size_t line_start = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const bool is_cr_of_crlf =
@@ -32,8 +28,11 @@ void fail(const Text& text, const char* position, const std::string& message) {
       line_start = i + 1;
     }
   }
-  throw Error(ErrorCode::input, fmt::format("{}:{}:{}", text.name, line, before.size() - line_start + 1),
-              message);
+  return fmt::format("{}:{}:{}", text.name, line, before.size() - line_start + 1);
+}
+
+void fail(const Text& text, const char* position, const std::string& message) {
+  throw Error(ErrorCode::input, place_of(text, position), message);
 }
 
 std::string quoted(const Text& text, const char* position) {

@@ -8,17 +8,20 @@
 
 namespace masu::nff {
 
-// A whole text and its name in errors.
+// A text, or some lines of it; and its name in errors.
 struct Text {
   std::string_view characters;
   const std::string& name;
+  std::uint64_t lines_before = 0, bytes_after = 0; // those of the whole text
 
   const char* begin() const { return characters.data(); }
   const char* end() const { return characters.data() + characters.size(); }
 };
 
-// Throws Error(input, "name:line:column", message) for `position`. Lines end with LF, CR or both;
-// columns count bytes from 1.
+// "name:line:column". Lines end with LF, CR or both; columns count bytes from 1.
+std::string place_of(const Text& text, const char* position);
+
+// Throws Error(input, its place, message).
 [[noreturn]] void fail(const Text& text, const char* position, const std::string& message);
 
 // The token at `position`, quoted for a message: truncated, with '?' for control characters.

@@ -25,6 +25,7 @@ struct Reader {
   std::optional<std::uint32_t> material; // the current fill's index in the piece, once an object has used it
   std::vector<Vec3d> vertices, normals;
   Triangulation triangulation;
+  const char* view_position = nullptr; // of the last one
 };
 
 // Braced initialisers are evaluated from left to right.
@@ -71,7 +72,6 @@ Vec3i read_resolution(Lexer& lexer) {
 void read_view(Reader& reader, const char* position) {
   Lexer& lexer = reader.lexer;
   View view;
-  view.position = position;
   for (;;) {
     Lexer ahead = lexer;
     const std::string_view word = ahead.word();
@@ -94,6 +94,7 @@ void read_view(Reader& reader, const char* position) {
   if (view.from && view.look_at && *view.from == *view.look_at)
     fail(lexer.text(), position, "the view's from and at are the same point: move one of them");
   reader.piece.view = view;
+  reader.view_position = position;
 }
 
 void read_light(Reader& reader) {
@@ -187,7 +188,7 @@ std::uint64_t read_vertex_count(Lexer& lexer, std::uint64_t numbers_each, const 
   const char* const position = lexer.next();
   const std::uint64_t count = lexer.whole(3, 0xffffffffU, syntax);
   // A number takes two characters or more: a blank and a digit.
-  const auto left = static_cast<std::uint64_t>(lexer.text().end() - position);
+  const auto left = static_cast<std::uint64_t>(lexer.text().end() - position) + lexer.text().bytes_after;
   if (count > left / (2 * numbers_each))
     fail(lexer.text(), position,
          quoted(lexer.text(), position) + " vertices are more than the rest of the text can hold: "
@@ -257,12 +258,13 @@ void read_entity(Reader& reader) {
 
 } // namespace
 
-Piece parse_piece(const Text& text, const char* from, const char* to) {
-  Reader reader{Lexer(text, from), {}, {}, {}, {}, {}};
+Piece parse_piece(const Text& text, const char* to) {
+  Reader reader{Lexer(text, text.begin()), {}, {}, {}, {}, {}};
   while (reader.lexer.next() < to) {
     read_entity(reader);
     reader.piece.holds_entities = true;
   }
+  if (reader.piece.view) reader.piece.view->place = place_of(text, reader.view_position);
   return std::move(reader.piece);
 }
 

@@ -7,13 +7,14 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace masu::nff {
 
-// A `v` as written. `position`: in the text, for errors found once the scene is complete.
+// A `v` as written. `place`: for errors found once the scene is complete.
 struct View {
-  const char* position = nullptr;
+  std::string place;
   std::optional<Vec3d> from, look_at, up;
   std::optional<double> angle, hither;
   std::optional<Vec3i> resolution; // z unused
@@ -29,7 +30,7 @@ struct WrittenLight {
 struct Piece {
   static constexpr std::uint32_t inherited = 0;
 
-  std::vector<Triangle<double>> triangles;
+  std::vector<SceneTriangle> triangles;
   std::vector<CornerNormals<double>> normals;
   std::vector<Sphere<double>> spheres;
   std::vector<Surface> sphere_surfaces;
@@ -48,8 +49,9 @@ struct Piece {
   bool holds_entities = false;
 };
 
-// Parses the entities that start in [from, to). The last one may continue beyond `to`, so that errors don't
-// depend on where the text was cut. Throws Error(input).
-Piece parse_piece(const Text& text, const char* from, const char* to);
+// Parses the entities that start before `to`, which is where another one starts, or the text's end. The text
+// goes on beyond that entity's first word, so that errors don't depend on where it was cut. Throws
+// Error(input).
+Piece parse_piece(const Text& text, const char* to);
 
 } // namespace masu::nff

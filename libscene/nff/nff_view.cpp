@@ -1,6 +1,7 @@
 #include "libscene/nff/nff_view.h"
 
 #include "libscene/automatic_camera.h"
+#include "libscene/error.h"
 
 namespace masu::nff {
 namespace {
@@ -10,17 +11,18 @@ constexpr double default_angle = 45;
 constexpr Vec3i default_resolution{512, 512, 0};
 
 // The view's up if given, else +z, or +y when the view is along z.
-Vec3d complete_up(const View& view, const Vec3d& forward, const Text& text) {
+Vec3d complete_up(const View& view, const Vec3d& forward) {
   constexpr double nearly_parallel = 1e-12;
   const Vec3d up = view.up.value_or(Vec3d{0, 0, 1});
   if (largest_magnitude(cross(direction(up), forward)) > nearly_parallel) return up;
-  if (view.up) fail(text, view.position, "the view's up is parallel to its line of sight: turn it");
+  if (view.up)
+    throw Error(ErrorCode::input, view.place, "the view's up is parallel to its line of sight: turn it");
   return {0, 1, 0};
 }
 
 } // namespace
 
-Camera complete_view(const View& view, const Scene& scene, const Text& text) {
+Camera complete_view(const View& view, const Scene& scene) {
   Camera camera{};
   camera.angle = view.angle.value_or(default_angle);
   camera.hither = view.hither.value_or(0.01);
@@ -38,7 +40,7 @@ Camera complete_view(const View& view, const Scene& scene, const Text& text) {
     camera.from = view.from.value_or(camera.at + back);
     if (camera.from == camera.at) camera.at = camera.from - back;
   }
-  camera.up = complete_up(view, direction(camera.at - camera.from), text);
+  camera.up = complete_up(view, direction(camera.at - camera.from));
   return camera;
 }
 

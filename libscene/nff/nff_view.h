@@ -7,6 +7,6 @@ namespace masu::nff {
 
 // Replaces missing parts of `view` by defaults that show the whole scene. Throws Error(input) when its up is
 // parallel to the view direction.
-Camera complete_view(const View& view, const Scene& scene, const Text& text);
+Camera complete_view(const View& view, const Scene& scene);
 
 } // namespace masu::nff
