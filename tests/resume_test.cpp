@@ -117,8 +117,8 @@ std::vector<pid_t> children_of(pid_t parent) {
   return found;
 }
 
-// Waits for a process's end. mpirun, whose rank is killed while it is started, may wait for it forever: so it
-// is killed after a while, and counted.
+// Waits for a process's end. Open MPI's mpirun (4.1), of which a rank is killed while ranks start, may wait
+// for a lock of its own forever, whatever the program: so it is killed after a while, and counted.
 int status_of(pid_t process, int& hung) {
   int status = 0;
   for (int i = 0; i < 1000; ++i) {
