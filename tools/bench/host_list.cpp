@@ -40,9 +40,9 @@ HostList::HostList(const SceneFile& scene, std::size_t count, std::uint64_t seed
 double HostList::plain_copy_seconds(std::size_t first, std::size_t count, int gpu) const {
   const auto* const rays = static_cast<const Ray<float>*>(memory_.get());
   auto* const results = static_cast<std::uint8_t*>(results_memory_.get());
-  return round_trip_seconds_cuda(
-      rays + first, count * sizeof(Ray<float>), results + first * result_bytes, count * result_bytes,
-      static_cast<int>((count + rays_a_piece - 1) / rays_a_piece), page_locked_, gpu);
+  const auto pieces = static_cast<int>(count / rays_a_piece + 1);
+  return round_trip_seconds_cuda(rays + first, count * sizeof(Ray<float>), results + first * result_bytes,
+                                 count * result_bytes, pieces, page_locked_, gpu);
 }
 
 } // namespace masu
