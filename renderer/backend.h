@@ -13,7 +13,8 @@ inline RayCosts costs_of(Frame& frame) {
 }
 
 // The grid is null for brute force. Files are checked, and the precision is resolved.
-Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request);
+// Pictures: into a frame of sized_frame(), of which every array is written whole.
+void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request, Frame& frame);
 QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
                            const RayResults& results, const RaysRequest& request);
 
@@ -27,8 +28,8 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
 // Copies rays to the device, and makes room there for t, primitive and occluded.
 ResidentRays upload_rays_cuda(const RayList& rays, int device);
 
-Frame render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
-                  const FrameRequest& request);
+void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                 const FrameRequest& request, Frame& frame);
 
 // Rays on a device at a time, for each of the stages: one piece is uploaded while another is traced and the
 // results of a third come back.

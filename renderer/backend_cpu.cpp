@@ -104,13 +104,11 @@ void with_everything(const SceneFile& scene, const GridFile* grid, const Tracing
 
 } // namespace
 
-Frame render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request) {
-  Frame frame = empty_frame(request);
+void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request, Frame& frame) {
   with_everything(
       scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
         frame.seconds.trace = seconds_of([&] { render<M>(view, accelerator, request, frame, counts); });
       });
-  return frame;
 }
 
 QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,

@@ -30,17 +30,15 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
   return files;
 }
 
-Frame render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
-                  const FrameRequest& request) {
+void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                 const FrameRequest& request, Frame& frame) {
   const DeviceScope device(files.device);
-  Frame frame = empty_frame(request);
   const auto buffers = files.frames.borrow();
   with_store_and_arithmetic(
       scene, request.tracing.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
         render_on_device<TestRay>(files.of<Stored>(), view, grid, request, *buffers, frame);
       });
-  return frame;
 }
 
 namespace {

@@ -24,7 +24,7 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const Gri
 ResidentRays upload_rays_cuda(const RayList&, int) {
   refuse();
 }
-Frame render_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const FrameRequest&) {
+void render_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const FrameRequest&, Frame&) {
   refuse();
 }
 QueryReport trace_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,

@@ -1,5 +1,8 @@
 #include "renderer/channels.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 namespace masu {
@@ -8,7 +11,7 @@ namespace {
 constexpr std::int64_t rays_a_band = 1 << 22;
 
 template <class T>
-T* part_of(std::vector<T>& values, std::size_t first) {
+T* part_of(HostArray<T>& values, std::size_t first) {
   return values.empty() ? nullptr : values.data() + first;
 }
 
@@ -19,17 +22,20 @@ void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool cou
   const auto columns = static_cast<std::size_t>(rays.columns);
   const auto band_rows =
       static_cast<std::int32_t>(std::clamp<std::int64_t>(rays_a_band / rays.columns, 1, rays.rows));
-  std::vector<Ray<Real>> band;
+  HostArray<Ray<Real>> band;
   RaysRequest request;
   request.tracing = frame.tracing;
   request.tracing.count = count;
   request.loop = RayLoop::thread_per_ray;
   for (std::int32_t first_row = 0; first_row < rays.rows; first_row += band_rows) {
     const std::int32_t end_row = std::min(first_row + band_rows, rays.rows);
-    band.clear();
-    for (std::int32_t row = first_row; row < end_row; ++row)
-      for (std::int32_t column = 0; column < rays.columns; ++column)
-        band.push_back(camera_ray(rays, column, row));
+    band.resize(static_cast<std::size_t>(end_row - first_row) * columns);
+    tbb::parallel_for(tbb::blocked_range<std::int32_t>(first_row, end_row), [&](const auto& range) {
+      auto ray = band.begin() + static_cast<std::ptrdiff_t>(range.begin() - first_row) * rays.columns;
+      for (std::int32_t row = range.begin(); row != range.end(); ++row)
+        for (std::int32_t column = 0; column < rays.columns; ++column)
+          *ray++ = camera_ray(rays, column, row);
+    });
     const std::size_t first = static_cast<std::size_t>(first_row) * columns;
     RayResults results;
     results.t = part_of(channels.depth, first);
@@ -38,7 +44,7 @@ void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool cou
     static_assert(sizeof(Vec3f) == sizeof(float[3]));
     results.normal = reinterpret_cast<float(*)[3]>(part_of(channels.normal, first));
     if (count) results.costs = {part_of(channels.cells, first), part_of(channels.tests, first)};
-    const QueryReport report = tracer.trace(RayList(band), results, request);
+    const QueryReport report = tracer.trace(RayList(std::span<const Ray<Real>>(band)), results, request);
     if (count) channels.counts += report.counts;
     if (frame.progress) frame.progress(static_cast<double>(end_row) / rays.rows);
   }

@@ -2,6 +2,7 @@
 // cells visited and the primitives tested.
 #pragma once
 
+#include "libscene/host_array.h"
 #include "renderer/tracer.h"
 
 #include <string>
@@ -27,11 +28,11 @@ struct ChannelsRequest {
 // One value a camera ray, row by row from the top, of the window; empty where it wasn't requested.
 struct Channels {
   std::int32_t columns = 0, rows = 0;
-  std::vector<float> depth;         // t, which is a distance since directions have length 1; infinity: a miss
-  std::vector<Vec3f> normal;        // geometric, of length 1, on the primitive's front; zeros for a miss
-  std::vector<std::int32_t> object; // index in the NFF text; -1 for a miss
-  std::vector<std::int32_t> primitive; // index in the scene file; -1 for a miss
-  std::vector<std::uint32_t> cells, tests;
+  HostArray<float> depth;         // t, which is a distance since directions have length 1; infinity: a miss
+  HostArray<Vec3f> normal;        // geometric, of length 1, on the primitive's front; zeros for a miss
+  HostArray<std::int32_t> object; // index in the NFF text; -1 for a miss
+  HostArray<std::int32_t> primitive; // index in the scene file; -1 for a miss
+  HostArray<std::uint32_t> cells, tests;
   Counts counts; // where cells or tests were requested: of the rays that they count
 };
 

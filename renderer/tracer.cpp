@@ -70,18 +70,20 @@ RayWindow window_of(const FrameRequest& request) {
   return request.window.columns > 0 ? request.window : all_rays(request.camera, request.sampling);
 }
 
-Frame empty_frame(const FrameRequest& request) {
+Frame sized_frame(const FrameRequest& request, Frame memory) {
   Frame frame;
+  frame.radiance = std::move(memory.radiance);
+  frame.hits = std::move(memory.hits);
+  frame.cells = std::move(memory.cells);
+  frame.tests = std::move(memory.tests);
   const RayWindow window = window_of(request);
   frame.columns = window.columns;
   frame.rows = window.rows;
   const std::size_t rays = static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
   frame.radiance.resize(rays);
-  if (request.hits) frame.hits.resize(rays);
-  if (request.costs) {
-    frame.cells.resize(rays);
-    frame.tests.resize(rays);
-  }
+  frame.hits.resize(request.hits ? rays : 0);
+  frame.cells.resize(request.costs ? rays : 0);
+  frame.tests.resize(request.costs ? rays : 0);
   return frame;
 }
 
@@ -116,33 +118,35 @@ TracingRules Tracer::resolved(TracingRules rules) const {
   return rules;
 }
 
-Frame Tracer::render(const FrameRequest& request, std::size_t index) const {
+Frame Tracer::render(const FrameRequest& request, std::size_t index, Frame memory) const {
   check_request(request);
   FrameRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   if (request.costs) resolved_request.tracing.count = true;
-  return device_ == Device::cuda ? render_cuda(*files_.at(index), scene_, grid_, resolved_request)
-                                 : render_cpu(scene_, grid_, resolved_request);
+  Frame frame = sized_frame(request, std::move(memory));
+  device_ == Device::cuda ? render_cuda(*files_.at(index), scene_, grid_, resolved_request, frame)
+                          : render_cpu(scene_, grid_, resolved_request, frame);
+  return frame;
 }
 
 Frame Tracer::render(const FrameRequest& request) const {
   constexpr std::int64_t rays_a_band = std::int64_t{1} << 20;
-  const RayWindow window =
-      request.window.columns > 0 ? request.window : all_rays(request.camera, request.sampling);
+  const RayWindow window = window_of(request);
   const auto band_rows =
       static_cast<std::int32_t>(std::max<std::int64_t>(rays_a_band / std::max(window.columns, 1), 8));
   if (device_count() == 1 || window.rows <= band_rows) return render(request, next_device());
   check_window(window, all_rays(request.camera, request.sampling)); // before there is room for it
-  Frame whole = empty_frame(request);
+  Frame whole = sized_frame(request);
   std::mutex mutex;
   std::atomic<std::int32_t> next_row = 0;
   on_threads(device_count() * queries_a_gpu, [&](std::size_t worker) {
+    Frame band;
     for (std::int32_t row; (row = next_row.fetch_add(band_rows)) < window.rows;) {
       FrameRequest part = request;
       part.window = {window.first_column, window.first_row + row, window.columns,
                      std::min(band_rows, window.rows - row)};
       part.count_last_row = request.count_last_row || row + part.window.rows < window.rows;
-      const Frame band = render(part, worker % device_count());
+      band = render(part, worker % device_count(), std::move(band));
       const auto first = static_cast<std::ptrdiff_t>(row) * window.columns;
       std::ranges::copy(band.radiance, whole.radiance.begin() + first);
       std::ranges::copy(band.hits, whole.hits.begin() + (request.hits ? first : 0));
@@ -178,12 +182,18 @@ void check_results(const RayList& rays, const RayResults& results, Query query) 
 
 } // namespace
 
-QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
-                          std::size_t index) const {
+RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
+                             const RayResults& results) const {
   check_results(rays, results, request.query);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   if (results.costs.wanted()) resolved_request.tracing.count = true;
+  return resolved_request;
+}
+
+QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
+                          std::size_t index) const {
+  const RaysRequest resolved_request = resolved(request, rays, results);
   if (device_ == Device::cpu) return trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
   std::atomic<std::size_t> next_piece = 0;
   return trace_rays_cuda(*files_.at(index), scene_, grid_, rays, results, resolved_request, next_piece);
@@ -191,10 +201,7 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
 
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
   if (device_count() == 1 || rays.count <= rays_a_piece) return trace(rays, results, request, next_device());
-  check_results(rays, results, request.query);
-  RaysRequest resolved_request = request;
-  resolved_request.tracing = resolved(request.tracing);
-  if (results.costs.wanted()) resolved_request.tracing.count = true;
+  const RaysRequest resolved_request = resolved(request, rays, results);
   std::atomic<std::size_t> next_piece = 0;
   std::mutex mutex;
   QueryReport all;
@@ -214,11 +221,9 @@ QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& resul
   if (device_ == Device::cpu) return trace(rays, results, request);
   const auto index = static_cast<std::size_t>(std::ranges::find(gpus_, gpu) - gpus_.begin());
   if (index == gpus_.size()) throw Error(ErrorCode::usage, "rays", "aren't in memory of the tracer's GPUs");
-  check_results(rays, results, request.query);
-  if (request.tracing.count || results.costs.wanted())
+  const RaysRequest resolved_request = resolved(request, rays, results);
+  if (resolved_request.tracing.count)
     throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
-  RaysRequest resolved_request = request;
-  resolved_request.tracing = resolved(request.tracing);
   return queue_rays_cuda(*files_[index], scene_, grid_, rays, results, resolved_request, stream);
 }
 
@@ -245,9 +250,7 @@ ResidentRays Tracer::upload(std::span<const Ray<double>> rays, Precision precisi
 
 QueryReport Tracer::trace(const ResidentRays& rays, const RaysRequest& request) const {
   if (device_ == Device::cpu) return trace(rays.list, rays.results, request);
-  RaysRequest resolved_request = request;
-  resolved_request.tracing = resolved(request.tracing);
-  return time_rays_cuda(*files_.front(), scene_, grid_, rays, resolved_request);
+  return time_rays_cuda(*files_.front(), scene_, grid_, rays, resolved(request, rays.list, rays.results));
 }
 
 } // namespace masu

@@ -5,6 +5,7 @@
 #include "libgrid/trace/trace.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/file/scene_file.h"
+#include "libscene/host_array.h"
 #include "renderer/camera.h"
 #include "renderer/counts.h"
 #include "renderer/precision.h"
@@ -68,9 +69,9 @@ struct FrameRequest {
 // The camera rays' radiance and hits, row by row from the top: of the window.
 struct Frame {
   std::int32_t columns = 0, rows = 0;
-  std::vector<Vec3f> radiance;
-  std::vector<HitRecord> hits;             // when requested
-  std::vector<std::uint32_t> cells, tests; // as RayCosts has them, when requested
+  HostArray<Vec3f> radiance;
+  HostArray<HitRecord> hits;             // when requested
+  HostArray<std::uint32_t> cells, tests; // as RayCosts has them, when requested
   Counts counts;
   TraceSeconds seconds;
   KernelSize kernel{};
@@ -85,8 +86,9 @@ void check_request(const FrameRequest& request);
 // The camera rays that are traced.
 RayWindow window_of(const FrameRequest& request);
 
-// Of the right size, black.
-Frame empty_frame(const FrameRequest& request);
+// Of the right size, for a backend that writes every ray's values: what they are before isn't defined. Takes
+// the memory of a frame that isn't needed any more.
+Frame sized_frame(const FrameRequest& request, Frame memory = {});
 
 // --- Lists of rays ----------------------------------------------------------------------------------------
 
@@ -180,9 +182,10 @@ public:
   // doesn't have; Error(device).
   //
   // Several GPUs share a picture of more than a million rays, in bands of rows. Or `index` names the device
-  // that renders it all, from 0 to below device_count().
+  // that renders it all, from 0 to below device_count(), into the memory of a frame that isn't needed any
+  // more: fresh memory for a large one may take longer than tracing.
   Frame render(const FrameRequest& request) const;
-  Frame render(const FrameRequest& request, std::size_t index) const;
+  Frame render(const FrameRequest& request, std::size_t index, Frame memory = {}) const;
 
   // Rays and results in host memory, counted where costs are wanted; on a GPU they are copied there in pieces
   // of a million while others are traced. No more than about 300 MB of device memory is used, however long
@@ -214,6 +217,8 @@ private:
   unsigned kinds_ = with_all_kinds;
 
   TracingRules resolved(TracingRules rules) const;
+  // Of a list: checked, its rules resolved, and counted where costs are wanted.
+  RaysRequest resolved(const RaysRequest& request, const RayList& rays, const RayResults& results) const;
   std::size_t next_device() const;
 };
 

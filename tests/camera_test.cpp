@@ -89,6 +89,40 @@ TEST(Camera, RaysPassThroughPixelCornersOrCentres) {
   }
 }
 
+// Every value is written: of rays that miss the scene, too.
+TEST(Camera, APictureInUsedMemoryIsTheSame) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+  scene.camera.width = 70;
+  scene.camera.height = 41;
+  for (int i = 0; i < 3; ++i)
+    add_sphere(scene, chance.direction(), chance.between(0.1, 0.5), matte(chance.color()));
+  const Rendering rendering(scene, Store::float32);
+  for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
+    const Tracer tracer(rendering.scene(), grid, Device::cpu);
+    Frame memory;
+    for (int i = 0; i < 40; ++i) {
+      FrameRequest request = rendering.request();
+      request.hits = chance.between(0, 2) < 1;
+      request.costs = chance.between(0, 2) < 1;
+      request.tracing.count = request.costs;
+      request.window.first_column = static_cast<std::int32_t>(chance.between(0, 35));
+      request.window.columns = 1 + static_cast<std::int32_t>(chance.between(0, 35));
+      request.window.first_row = static_cast<std::int32_t>(chance.between(0, 20));
+      request.window.rows = 1 + static_cast<std::int32_t>(chance.between(0, 20));
+      const Frame fresh = tracer.render(request, 0);
+      if (i % 2 == 0) memory = used_memory(static_cast<std::size_t>(chance.between(0, 3000)));
+      memory = tracer.render(request, 0, std::move(memory));
+      ASSERT_EQ(memory.columns, request.window.columns);
+      ASSERT_EQ(memory.rows, request.window.rows);
+      expect_same_frames(fresh, memory);
+      EXPECT_EQ(fresh.counts.cells_visited, memory.counts.cells_visited);
+    }
+  }
+}
+
 TEST(Camera, AWindowHasTheSameBitsAsTheWhole) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());

@@ -54,7 +54,7 @@ constexpr Case all_cases[] = {{Store::float32, Precision::fast},
 std::uint64_t tests_of(const Counts& counts) {
   return counts.triangle_tests + counts.sphere_tests + counts.cone_tests;
 }
-std::uint64_t sum(const std::vector<std::uint32_t>& values) {
+std::uint64_t sum(std::span<const std::uint32_t> values) {
   return std::accumulate(values.begin(), values.end(), std::uint64_t{0});
 }
 std::size_t size_of(const Channels& channels) {

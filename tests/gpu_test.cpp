@@ -7,7 +7,7 @@
 #include "renderer/channels.h"
 #include "renderer/tracer.h"
 #include "renderer/walk_report.h"
-#include "tests/temporary_folder.h"
+#include "tests/rendering.h"
 #include "tests/unchecked_grid.h"
 #include "tools/bench/ray_sets.h"
 #include "tools/bench/screen_division.h"
@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <span>
 
 namespace masu {
 namespace {
@@ -78,7 +79,7 @@ protected:
   TemporaryFolder folder_;
 };
 
-void expect_same_hits(const std::vector<HitRecord>& cpu, const std::vector<HitRecord>& gpu) {
+void expect_same_hits(std::span<const HitRecord> cpu, std::span<const HitRecord> gpu) {
   ASSERT_EQ(cpu.size(), gpu.size());
   std::size_t different = 0;
   for (std::size_t i = 0; i < cpu.size(); ++i) {
@@ -401,8 +402,11 @@ TEST_P(CpuAndGpu, RenderAndTraceTheSameOnSeveralGpus) {
     EXPECT_EQ(frame.radiance, expected.radiance);
     expect_same_hits(expected.hits, frame.hits);
     expect_same_counts(expected.counts, frame.counts);
-    for (std::size_t index = 0; index < gpus.size(); ++index)
-      expect_same_counts(cpu.render(band).counts, several.render(band, index).counts);
+    for (std::size_t index = 0; index < gpus.size(); ++index) {
+      const Frame in_used_memory = several.render(band, index, used_memory(1000));
+      expect_same_counts(cpu.render(band).counts, in_used_memory.counts);
+      expect_same_frames(one.render(band, 0), in_used_memory);
+    }
     RaysRequest counted;
     counted.tracing.count = true;
     const auto counts = [&](const Tracer& tracer) { // of rays in the memory of its first GPU

@@ -7,6 +7,7 @@
 #include "renderer/tracer.h"
 #include "tests/temporary_folder.h"
 
+#include <cstring>
 #include <memory>
 
 namespace masu {
@@ -55,5 +56,27 @@ private:
   std::unique_ptr<SceneFile> scene_;
   std::unique_ptr<GridFile> grid_;
 };
+
+// A frame's memory that was used for something else.
+inline Frame used_memory(std::size_t rays) {
+  constexpr float garbage = 1e30F;
+  Frame frame;
+  frame.radiance.assign(rays, {garbage, garbage, garbage});
+  frame.hits.assign(rays, {garbage, 12345});
+  frame.cells.assign(rays, 12345);
+  frame.tests.assign(rays, 12345);
+  return frame;
+}
+
+template <class Values>
+bool same_values(const Values& a, const Values& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+inline void expect_same_frames(const Frame& a, const Frame& b) {
+  EXPECT_TRUE(same_values(a.radiance, b.radiance));
+  EXPECT_TRUE(same_values(a.hits, b.hits));
+  EXPECT_TRUE(same_values(a.cells, b.cells));
+  EXPECT_TRUE(same_values(a.tests, b.tests));
+}
 
 } // namespace masu

@@ -72,7 +72,7 @@ void write_pfm(const Channels& channels, Channel channel, const std::string& pat
 
 Picture picture_of(const Channels& channels, Channel channel, bool all_rays) {
   const std::string cost = all_rays ? "the camera ray and all rays that it spawns" : "the camera ray";
-  const auto map = [&]<class T>(const std::vector<T>& values) {
+  const auto map = [&]<class T, class Memory>(const std::vector<T, Memory>& values) {
     return ValueMap<T>{channels.columns, channels.rows, values};
   };
   const auto value_map = [&](const auto& values, const Caption& caption) {

@@ -1,14 +1,15 @@
-// The ranks of an MPI run. Counters are words of a window of rank 0's memory.
+// The ranks of an MPI run. Counters are words of rank 0's memory. Ranks of one machine share it. Where there
+// are several machines, a thread of rank 0 counts for the others, which send it messages: one-sided
+// communication would do so without that thread, but not on every network.
 //
-// One thread at a time calls MPI, and no call waits for another rank but those on the window. So that such
-// calls proceed on networks whose remote memory access needs its target's help, a thread of rank 0 calls MPI
-// continually.
+// One thread at a time calls MPI, and no call waits for another rank.
 #include "tools/ranks.h"
 
 #include "libscene/error.h"
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -20,26 +21,47 @@
 namespace masu {
 namespace {
 
-enum Word : MPI_Aint { next_task, finished_tasks, failures, words };
+enum Word : std::size_t { next_task, finished_tasks, failures, words };
+using Memory = std::array<std::uint64_t, words>;
 
-constexpr auto pause = std::chrono::microseconds(200); // between two looks at what others do
-constexpr auto patience = std::chrono::seconds(20);    // for the rank that reports an error to end all
+// What rank 0 is asked for; it replies with the word as it was.
+struct Addition {
+  std::uint64_t word = 0, amount = 0;
+};
+enum Tag : int { addition_tag = 1, reply_tag = 2 };
+
+// Between two looks at what others do; longer and longer for who waits.
+constexpr auto pause = std::chrono::microseconds(200), longest_pause = std::chrono::microseconds(5000);
+constexpr auto between_idle_calls = std::chrono::milliseconds(200);
+constexpr auto patience = std::chrono::seconds(20); // for the rank that reports an error to end all
 
 } // namespace
 
 struct Ranks::State {
   std::mutex mpi;
   int rank = 0, count = 1, local_rank = 0, local_count = 1;
-  std::array<std::uint64_t, words>* memory = nullptr; // rank 0's
-  MPI_Win window = MPI_WIN_NULL;
+  MPI_Win window = MPI_WIN_NULL; // where all ranks are on one machine: memory that they share
+  Memory own{};                  // else rank 0's
+  Memory* memory = &own;
   std::atomic<bool> ended = false, reports = false; // reports: this rank was the first to fail
   std::thread helper;
 
+  bool has_memory() const { return window != MPI_WIN_NULL || rank == 0; }
+
+  std::uint64_t add(std::uint64_t word, std::uint64_t amount) {
+    return std::atomic_ref((*memory)[word]).fetch_add(amount);
+  }
+
   std::uint64_t fetch_and_add(Word word, std::uint64_t amount) {
-    const std::lock_guard lock(mpi);
+    if (has_memory()) return add(word, amount);
+    const Addition addition{word, amount};
     std::uint64_t before = 0;
-    MPI_Fetch_and_op(&amount, &before, MPI_UINT64_T, 0, word, MPI_SUM, window);
-    MPI_Win_flush(0, window);
+    MPI_Request sent = MPI_REQUEST_NULL;
+    complete([&](MPI_Request* reply) { // together: replies come in the order of what was sent
+      MPI_Irecv(&before, 1, MPI_UINT64_T, 0, reply_tag, MPI_COMM_WORLD, reply);
+      MPI_Isend(&addition, sizeof addition, MPI_BYTE, 0, addition_tag, MPI_COMM_WORLD, &sent);
+    });
+    complete([&](MPI_Request* request) { *request = sent; });
     return before;
   }
 
@@ -51,26 +73,51 @@ struct Ranks::State {
       const std::lock_guard lock(mpi);
       start(&request);
     }
-    for (int turn = 1;; ++turn) {
+    auto length = pause;
+    for (auto last_idle = std::chrono::steady_clock::now();;) {
       int done = 0;
       {
         const std::lock_guard lock(mpi);
         MPI_Test(&request, &done, MPI_STATUS_IGNORE);
       }
       if (done != 0) return;
-      if (idle && turn % 1000 == 0) idle();
-      std::this_thread::sleep_for(pause);
+      if (const auto now = std::chrono::steady_clock::now(); idle && now - last_idle > between_idle_calls) {
+        idle();
+        last_idle = now;
+      }
+      std::this_thread::sleep_for(length);
+      length = std::min(2 * length, longest_pause);
     }
   }
 
-  void help() {
+  void share_memory() {
+    const MPI_Aint bytes = rank == 0 ? sizeof *memory : 0;
+    MPI_Win_allocate_shared(bytes, 1, MPI_INFO_NULL, MPI_COMM_WORLD, &memory, &window);
+    MPI_Aint size = 0;
+    int unit = 0;
+    MPI_Win_shared_query(window, 0, &size, &unit, &memory);
+    MPI_Win_lock_all(MPI_MODE_NOCHECK, window);
+    if (rank == 0) memory->fill(0);
+    MPI_Win_sync(window);
+  }
+
+  // Replies to one rank, if one has asked. Small messages don't wait for who receives them.
+  bool reply() {
+    const std::lock_guard lock(mpi);
+    int found = 0;
+    MPI_Status asked;
+    MPI_Iprobe(MPI_ANY_SOURCE, addition_tag, MPI_COMM_WORLD, &found, &asked);
+    if (found == 0) return false;
+    Addition addition;
+    MPI_Recv(&addition, sizeof addition, MPI_BYTE, asked.MPI_SOURCE, addition_tag, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
+    const std::uint64_t before = add(addition.word, addition.amount);
+    MPI_Send(&before, 1, MPI_UINT64_T, asked.MPI_SOURCE, reply_tag, MPI_COMM_WORLD);
+    return true;
+  }
+  void reply_until_ended() {
     while (!ended) {
-      {
-        const std::lock_guard lock(mpi);
-        int found = 0;
-        MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, MPI_STATUS_IGNORE);
-      }
-      std::this_thread::sleep_for(pause);
+      if (!reply()) std::this_thread::sleep_for(pause);
     }
   }
 };
@@ -91,23 +138,23 @@ Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
   MPI_Comm_rank(local, &state.local_rank);
   MPI_Comm_size(local, &state.local_count);
   MPI_Comm_free(&local);
-  const MPI_Aint bytes = state.rank == 0 ? sizeof *state.memory : 0;
-  MPI_Win_allocate(bytes, sizeof(std::uint64_t), MPI_INFO_NULL, MPI_COMM_WORLD, &state.memory, &state.window);
-  MPI_Win_lock_all(MPI_MODE_NOCHECK, state.window);
-  if (state.rank == 0) {
-    state.memory->fill(0);
+  if (state.local_count == state.count) {
+    state.share_memory();
+    wait_for_all(); // the counters are zero
     MPI_Win_sync(state.window);
-    if (state.count > 1) state.helper = std::thread([&state] { state.help(); });
+  } else if (state.rank == 0) {
+    state.helper = std::thread([&state] { state.reply_until_ended(); });
   }
-  wait_for_all(); // the counters are zero
 }
 
 Ranks::~Ranks() {
   wait_for_all();
   state_->ended = true;
   if (state_->helper.joinable()) state_->helper.join();
-  MPI_Win_unlock_all(state_->window);
-  MPI_Win_free(&state_->window);
+  if (state_->window != MPI_WIN_NULL) {
+    MPI_Win_unlock_all(state_->window);
+    MPI_Win_free(&state_->window);
+  }
   MPI_Finalize();
 }
 

@@ -38,9 +38,9 @@ struct Layout {
 
   explicit Layout(const ViewsRequest& request) {
     for (const View& view : request.views) {
-      bands.emplace_back(request.frame.window.columns > 0 ? request.frame.window
-                                                          : all_rays(view.camera, request.frame.sampling),
-                         request.frame.sampling);
+      FrameRequest frame = request.frame;
+      frame.camera = view.camera;
+      bands.emplace_back(window_of(frame), frame.sampling);
       first_tasks.push_back(tasks);
       tasks += bands.back().count();
     }
@@ -99,11 +99,13 @@ public:
       frame.progress = [&](double share) {
         progress_((static_cast<double>(*task) + share) / static_cast<double>(layout_.tasks));
       };
-    return std::make_shared<RenderedTask>(RenderedTask{
-        *task, view, band, repeated(0, request_.repeat, [&] { return tracer_.render(frame, device); })});
+    return std::make_shared<RenderedTask>(RenderedTask{*task, view, band, repeated(0, request_.repeat, [&] {
+                                                         return tracer_.render(frame, device, spare_frame());
+                                                       })});
   }
 
-  void write(const RenderedTask& rendered) {
+  // Its frame's memory then serves another task.
+  void write(RenderedTask& rendered) {
     const auto& [task, view, band, frame] = rendered;
     const PictureBands& bands = layout_.bands[view];
     const ViewFiles& files = request_.files[view];
@@ -127,6 +129,7 @@ public:
     report_.seconds += frame.seconds;
     report_.write_seconds += watch.seconds();
     if (sharing_.in_parts() || tracer_.device() == Device::cuda) progress_(share);
+    spare_frames_.push_back(std::move(rendered.frame));
   }
 
   // Collective: when all tasks are done, makes files of what was written in parts.
@@ -164,6 +167,15 @@ private:
     ImageOptions image = request_.image;
     image.texts.emplace_back("View", description(request_.views[view].camera, request_.frame));
     return image;
+  }
+
+  // A frame that was written, or an empty one.
+  Frame spare_frame() {
+    const std::lock_guard lock(mutex_);
+    if (spare_frames_.empty()) return {};
+    Frame frame = std::move(spare_frames_.back());
+    spare_frames_.pop_back();
+    return frame;
   }
 
   // Opened by the view's first band, and let go by the last.
@@ -206,6 +218,7 @@ private:
   TaskList tasks_;
   std::mutex mutex_; // of what follows
   std::vector<Output> outputs_;
+  std::vector<Frame> spare_frames_; // together with those under way as many as tasks may be
   TracingReport report_;
 };
 
@@ -219,7 +232,7 @@ TracingReport render_views(const Tracer& tracer, const ViewsRequest& request, co
   run_tasks(
       tracer, tasks_under_way(tracer, layout.largest_task()),
       [&](std::size_t device) { return renderer.trace(device); },
-      [&](const RenderedTask& rendered) { renderer.write(rendered); });
+      [&](RenderedTask& rendered) { renderer.write(rendered); });
   if (sharing.in_parts()) renderer.finish();
   TracingReport report = renderer.report();
   report.elapsed_seconds = watch.seconds();

@@ -41,7 +41,7 @@ struct Settings {
 };
 
 Json measure(const Settings& settings, const Tracer& tracer, const std::string& name,
-             std::optional<ScreenDivision> division, std::vector<Vec3f>& picture) {
+             std::optional<ScreenDivision> division, HostArray<Vec3f>& picture) {
   const SceneFile& scene = tracer.scene();
   const GridFile& grid = *tracer.grid();
   const bool cuda = tracer.device() == Device::cuda;
@@ -108,7 +108,7 @@ void bench_frame(const Settings& settings) {
     fmt::print("{}, median of {} after {}\n\n{:<24} {:<10} {:>8} {:>10}\n", cuda ? "cuda" : "cpu",
                settings.repeat, settings.warm_up, "grid", "schedule", "workers", "ms");
   }
-  std::vector<Vec3f> picture;
+  HostArray<Vec3f> picture;
   for (const std::string& path : settings.grids) {
     const GridFile grid(path);
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);

@@ -2,8 +2,7 @@
 #include "libscene/stopwatch.h"
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
-#include "tools/bench/plain_copy.h"
-#include "tools/bench/ray_sets.h"
+#include "tools/bench/host_list.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/repeated.h"
@@ -28,32 +27,16 @@ struct Settings {
   Threads threads;
 };
 
-constexpr std::size_t different_rays = std::size_t{1} << 22;                // repeated to fill a list
-constexpr std::size_t rays_a_piece = std::size_t{1} << 19;                  // of the plain copy
-constexpr std::size_t result_bytes = sizeof(float) + sizeof(std::uint32_t); // t and primitive
-
 Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
   const std::size_t count = settings.count;
-  const auto memory = host_memory_cuda(count * sizeof(Ray<float>), page_locked),
-             hits = host_memory_cuda(count * result_bytes, page_locked);
-  auto* const rays = static_cast<Ray<float>*>(memory.get());
-  const std::vector<Ray<double>> made =
-      random_rays(tracer.scene(), std::min(count, different_rays), settings.seed);
-  for (std::size_t i = 0; i < count; ++i)
-    rays[i] = loaded<float>(made.data(), own_format<double>, i % made.size());
-  RayResults results;
-  results.t = static_cast<float*>(hits.get());
-  results.primitive = reinterpret_cast<std::uint32_t*>(results.t + count);
-  const RayList list(rays, count, own_format<float>);
-  const int pieces = static_cast<int>((count + rays_a_piece - 1) / rays_a_piece);
+  const HostList list(tracer.scene(), count, settings.seed, page_locked);
   std::vector<double> seconds, copies;
   QueryReport report;
   for (int i = 0; i <= settings.repeat; ++i) {
     const Stopwatch watch;
-    report = tracer.trace(list, results, {});
+    report = tracer.trace(list.rays(count), list.results(), {});
     const double traced = watch.seconds();
-    const double copied = round_trip_seconds_cuda(rays, count * sizeof(Ray<float>), hits.get(),
-                                                  count * result_bytes, pieces, page_locked);
+    const double copied = list.plain_copy_seconds(0, count, 0);
     if (i == 0) continue; // warms up
     seconds.push_back(traced);
     copies.push_back(copied);

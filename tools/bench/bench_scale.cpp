@@ -1,25 +1,27 @@
 // How views, one large view and a list of rays speed up with more GPUs, or with more threads of the CPU; and
 // what bounds them.
 #include "libscene/file/output_file.h"
+#include "libscene/on_threads.h"
 #include "libscene/stopwatch.h"
 #include "scale_script.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/gnuplot.h"
-#include "tools/bench/plain_copy.h"
-#include "tools/bench/ray_sets.h"
+#include "tools/bench/host_list.h"
 #include "tools/device_choice.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/render_views.h"
-#include "tools/repeated.h"
+#include "tools/run_tasks.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
-#include <thread>
+#include <utility>
 #include <vector>
 
 namespace masu {
@@ -50,21 +52,18 @@ struct Run {
   double plain_copy = 0;                    // by the clock: of the same bytes up and down, and nothing else
 };
 
-std::size_t cores() {
-  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-}
-
-// Of the stages' shares of the time, the largest: 1 means that nothing else could be faster by more of the
-// others.
+// The stage that is busy for the largest share of the time: where that is near 1, only a faster stage or more
+// of what it runs on would make the work faster.
 struct Bound {
   const char* name;
   double share;
 };
 Bound bound_of(const Run& run, const Workers& workers) {
-  const auto count = static_cast<double>(workers.count);
-  const Bound bounds[] = {{"tracing", run.trace / count / run.seconds},
-                          {"copies", std::max(run.copies / count, run.plain_copy) / run.seconds},
-                          {"encoding", run.encode / static_cast<double>(cores()) / run.seconds}};
+  // The CPU's threads trace each task together, by the clock.
+  const auto devices = static_cast<double>(std::max<std::size_t>(workers.gpus.size(), 1));
+  const Bound bounds[] = {{"tracing", run.trace / devices / run.seconds},
+                          {"copies", std::max(run.copies / devices, run.plain_copy) / run.seconds},
+                          {"encoding", run.encode / static_cast<double>(allowed_threads()) / run.seconds}};
   return *std::ranges::max_element(bounds, {}, &Bound::share);
 }
 
@@ -122,71 +121,32 @@ Run rendered(const Settings& settings, const Tracer& tracer, const Camera& camer
   });
 }
 
-// Lists of rays in memory, page-locked for GPUs.
-class List {
-public:
-  List(const SceneFile& scene, std::size_t count, std::uint64_t seed, bool cuda)
-      : count_(count), memory_(room(count * sizeof(Ray<float>), cuda)),
-        results_memory_(room(count * result_bytes, cuda)) {
-    const std::vector<Ray<double>> made = random_rays(scene, std::min(count, different_rays), seed);
-    auto* const rays = static_cast<Ray<float>*>(memory_.get());
-    for (std::size_t i = 0; i < count; ++i)
-      rays[i] = loaded<float>(made.data(), own_format<double>, i % made.size());
-    results_.t = static_cast<float*>(results_memory_.get());
-    results_.primitive = reinterpret_cast<std::uint32_t*>(results_.t + count);
-  }
+// All GPUs at the same time, each a part.
+double copied(const HostList& list, const Workers& workers, std::size_t count) {
+  const std::size_t part = count / workers.count;
+  std::vector<double> seconds(workers.count);
+  on_threads(workers.count,
+             [&](std::size_t i) { seconds[i] = list.plain_copy_seconds(i * part, part, workers.gpus[i]); });
+  return *std::ranges::max_element(seconds);
+}
 
-  Run traced(const Settings& settings, const Tracer& tracer, const Workers& workers,
-             std::size_t count) const {
-    return median_run(settings.repeat, [&] {
-      Run run;
-      run.rays = static_cast<double>(count);
-      const Stopwatch watch;
-      const QueryReport report = tracer.trace(RayList(memory_.get(), count, own_format<float>), results_, {});
-      run.seconds = watch.seconds();
-      run.trace = report.seconds.trace;
-      run.plain_copy = workers.gpus.empty() ? 0 : copied(workers, count);
-      return run;
-    });
-  }
-  std::size_t size() const { return count_; }
-
-private:
-  static constexpr std::size_t different_rays = std::size_t{1} << 22; // repeated to fill a list
-  static constexpr std::size_t rays_a_piece = std::size_t{1} << 19;   // of the plain copy
-  static constexpr std::size_t result_bytes = sizeof(float) + sizeof(std::uint32_t); // t and primitive
-
-  static std::shared_ptr<void> room(std::size_t bytes, bool cuda) {
-    if (cuda) return host_memory_cuda(bytes, true);
-    return {::operator new(bytes), [](void* memory) { ::operator delete(memory); }};
-  }
-
-  // All GPUs at the same time, each a part.
-  double copied(const Workers& workers, std::size_t count) const {
-    const std::size_t part = count / workers.count;
-    const auto* const rays = static_cast<const Ray<float>*>(memory_.get());
-    auto* const results = static_cast<std::uint8_t*>(results_memory_.get());
-    std::vector<double> seconds(workers.count);
-    {
-      std::vector<std::jthread> threads;
-      for (std::size_t i = 0; i < workers.count; ++i) {
-        threads.emplace_back([&, i] {
-          seconds[i] = round_trip_seconds_cuda(
-              rays + i * part, part * sizeof(Ray<float>), results + i * part * result_bytes,
-              part * result_bytes, static_cast<int>(part / rays_a_piece + 1), true, workers.gpus[i]);
-        });
-      }
-    }
-    return *std::ranges::max_element(seconds);
-  }
-
-  std::size_t count_;
-  std::shared_ptr<void> memory_, results_memory_;
-  RayResults results_;
-};
+// The first rays of a list.
+Run traced(const Settings& settings, const Tracer& tracer, const HostList& list, const Workers& workers,
+           std::size_t count) {
+  return median_run(settings.repeat, [&] {
+    Run run;
+    run.rays = static_cast<double>(count);
+    const Stopwatch watch;
+    const QueryReport report = tracer.trace(list.rays(count), list.results(), {});
+    run.seconds = watch.seconds();
+    run.trace = report.seconds.trace;
+    run.plain_copy = workers.gpus.empty() ? 0 : copied(list, workers, count);
+    return run;
+  });
+}
 
 Json row_of(const char* work, const char* scaling, const Workers& workers, const Run& run, double one_rate) {
-  const double rate = run.rays / run.seconds, speedup = one_rate > 0 ? rate / one_rate : 1;
+  const double rate = run.rays / run.seconds, speedup = rate / one_rate;
   const Bound bound = bound_of(run, workers);
   return {{"work", work},
           {"scaling", scaling},
@@ -231,7 +191,7 @@ void draw(const Settings& settings, const Json& rows) {
 
 // 1, 2, 4, … and all of them.
 std::vector<Workers> steps(const std::vector<int>& gpus) {
-  const std::size_t all = gpus.empty() ? cores() : gpus.size();
+  const std::size_t all = gpus.empty() ? allowed_threads() : gpus.size();
   std::vector<Workers> found;
   for (std::size_t count = 1; count < all; count *= 2)
     found.push_back({{}, count});
@@ -240,6 +200,10 @@ std::vector<Workers> steps(const std::vector<int>& gpus) {
     workers.gpus.assign(
         gpus.begin(), gpus.empty() ? gpus.end() : gpus.begin() + static_cast<std::ptrdiff_t>(workers.count));
   return found;
+}
+
+int rounded(double value) {
+  return static_cast<int>(std::lround(value));
 }
 
 void bench_scale(const Settings& settings) {
@@ -251,10 +215,9 @@ void bench_scale(const Settings& settings) {
   const bool cuda = !gpus.empty();
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
-  const Camera view = resized(scene.camera(), settings.size),
-               large = resized(scene.camera(), fmt::format("{0}x{0}", settings.large));
+  const Camera view = resized(scene.camera(), settings.size);
   const std::vector<Workers> all = steps(gpus);
-  std::optional<List> list;
+  std::optional<HostList> list;
   if (settings.rays > 0) list.emplace(scene, settings.rays, settings.seed, cuda);
   if (!settings.json)
     fmt::print(
@@ -264,27 +227,37 @@ void bench_scale(const Settings& settings) {
         devices_name(gpus), "work", "scaling", cuda ? "GPUs" : "threads", "s", "Mray/s", "speed-up",
         "of ideal", "bound by");
   Json rows = Json::array();
-  double one_views = 0, one_large = 0, one_list = 0, one_weak = 0;
-  const auto add = [&](const char* work, const char* scaling, const Workers& workers, const Run& run,
-                       double& one) {
-    rows.push_back(row_of(work, scaling, workers, run, one));
-    if (one == 0) one = run.rays / run.seconds;
-    if (!settings.json) print_row(rows.back());
+  std::map<std::pair<std::string, std::string>, double> one; // the rate of one worker
+  // Strong: the same work for any number of workers. Weak: a share for each; all workers' is the same work
+  // again. measure(share of the whole work).
+  const auto add = [&](const char* work, const Workers& workers, const auto& measure) {
+    const double part = static_cast<double>(workers.count) / static_cast<double>(all.back().count);
+    for (const auto& [scaling, share] : {std::pair("strong", 1.0), std::pair("weak", part)}) {
+      const Run run = measure(share);
+      const double one_rate = one.try_emplace({work, scaling}, run.rays / run.seconds).first->second;
+      rows.push_back(row_of(work, scaling, workers, run, one_rate));
+      if (!settings.json) print_row(rows.back());
+    }
   };
   for (const Workers& workers : all) {
     // On the CPU a worker is a thread.
     std::optional<tbb::global_control> fewer;
     if (!cuda) fewer.emplace(tbb::global_control::max_allowed_parallelism, workers.count);
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu, workers.gpus);
-    if (settings.views > 0) {
-      add("views", "strong", workers, rendered(settings, tracer, view, settings.views), one_views);
-      const int share = std::max(1, settings.views / static_cast<int>(all.back().count));
-      add("views", "weak", workers, rendered(settings, tracer, view, share * static_cast<int>(workers.count)),
-          one_weak);
-    }
+    if (settings.views > 0)
+      add("views", workers, [&](double share) {
+        return rendered(settings, tracer, view, std::max(1, rounded(settings.views * share)));
+      });
     if (settings.large > 0)
-      add("large view", "strong", workers, rendered(settings, tracer, large, 1), one_large);
-    if (list) add("list", "strong", workers, list->traced(settings, tracer, workers, list->size()), one_list);
+      add("large view", workers, [&](double share) {
+        const int side = std::max(1, rounded(settings.large * std::sqrt(share)));
+        return rendered(settings, tracer, resized(scene.camera(), fmt::format("{0}x{0}", side)), 1);
+      });
+    if (list)
+      add("list", workers, [&](double share) {
+        const auto count = static_cast<std::size_t>(std::llround(static_cast<double>(list->size()) * share));
+        return traced(settings, tracer, *list, workers, std::max<std::size_t>(count, 1));
+      });
   }
   if (!settings.charts.empty()) draw(settings, rows);
   if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, devices_name(gpus))));

@@ -18,8 +18,8 @@ double copy_seconds_cpu(const std::string& path, CopyFrom from);
 // allocated before the time starts. Throws Error(input) and Error(device).
 double copy_seconds_cuda(const std::string& path, CopyFrom from);
 
-// Host memory for a CUDA device, page-locked or as malloc() gives it. Throws Error(device), std::bad_alloc.
-std::shared_ptr<void> host_memory_cuda(std::size_t bytes, bool page_locked);
+// Page-locked host memory for CUDA devices. Throws Error(device).
+std::shared_ptr<void> host_memory_cuda(std::size_t bytes);
 
 // Seconds of copying `up_bytes` to a CUDA device while `down_bytes` come back, both in as many
 // pieces, at the same time: what comes up and what goes down are independent of each other. Memory that isn't

@@ -45,15 +45,10 @@ double copy_seconds_cuda(const std::string& path, CopyFrom from) {
   return from == CopyFrom::mapping ? copy_mapped(path) : copy_read(path);
 }
 
-std::shared_ptr<void> host_memory_cuda(std::size_t bytes, bool page_locked) {
+std::shared_ptr<void> host_memory_cuda(std::size_t bytes) {
   void* memory = nullptr;
-  if (page_locked) {
-    check(cudaMallocHost(&memory, bytes));
-    return {memory, [](void* m) { static_cast<void>(cudaFreeHost(m)); }};
-  }
-  memory = std::malloc(bytes);
-  if (memory == nullptr) throw std::bad_alloc();
-  return {memory, [](void* m) { std::free(m); }};
+  check(cudaMallocHost(&memory, bytes));
+  return {memory, [](void* m) { static_cast<void>(cudaFreeHost(m)); }};
 }
 
 double round_trip_seconds_cuda(const void* up, std::size_t up_bytes, void* down, std::size_t down_bytes,

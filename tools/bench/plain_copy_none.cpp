@@ -9,7 +9,7 @@ double copy_seconds_cuda(const std::string&, CopyFrom) {
   throw Error(ErrorCode::device, "cuda", "this program was built without it: use --backend cpu");
 }
 
-std::shared_ptr<void> host_memory_cuda(std::size_t, bool) {
+std::shared_ptr<void> host_memory_cuda(std::size_t) {
   throw Error(ErrorCode::device, "cuda", "this program was built without it");
 }
 

@@ -21,8 +21,10 @@ do for [kind in 'svg png'] {
   set key top left reverse Left
   plot x with lines lc rgb '#999999' dt 2 title 'ideal', \
     of('views', 'strong') using 3:6 with linespoints lw 2 pt 7 lc rgb '#0072b2' title 'views', \
-    of('views', 'weak') using 3:6 with linespoints lw 2 pt 6 lc rgb '#56b4e9' title 'views, so many a worker', \
+    of('views', 'weak') using 3:6 with linespoints lw 2 dt 3 pt 6 lc rgb '#0072b2' title 'views, weak', \
     of('large view', 'strong') using 3:6 with linespoints lw 2 pt 5 lc rgb '#d55e00' title 'one large view', \
-    of('list', 'strong') using 3:6 with linespoints lw 2 pt 9 lc rgb '#009e73' title 'list of rays'
+    of('large view', 'weak') using 3:6 with linespoints lw 2 dt 3 pt 4 lc rgb '#d55e00' title 'one large view, weak', \
+    of('list', 'strong') using 3:6 with linespoints lw 2 pt 9 lc rgb '#009e73' title 'list of rays', \
+    of('list', 'weak') using 3:6 with linespoints lw 2 dt 3 pt 8 lc rgb '#009e73' title 'list of rays, weak'
   unset output
 }

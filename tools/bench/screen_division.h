@@ -42,13 +42,17 @@ MASU_HD inline TileRun run_of(ScreenDivision division, std::uint32_t worker, std
   return {begin(worker), begin(std::uint64_t{worker} + 1), 1};
 }
 
-// Renders as Tracer::render does, by `robust` arithmetic through the code for every kind of primitive. The
-// request counts nothing. workers_each: workers a multiprocessor or thread; 0: as many as run at once. Throws
-// Error(usage) for a float64 scene, Error(device).
+// Renders as Tracer::render does, by `robust` arithmetic through the code for every kind of primitive: the
+// picture alone, without hits, counts and costs. workers_each: workers a multiprocessor or thread; 0: as many
+// as run at once. Throws Error(usage) for a float64 scene, Error(device).
 struct DividedFrame {
   Frame frame;
   std::uint32_t workers = 0;
 };
+inline Frame picture_frame(FrameRequest request) {
+  request.hits = request.costs = false;
+  return sized_frame(request);
+}
 DividedFrame render_divided_cpu(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
                                 ScreenDivision division, int workers_each);
 DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,

@@ -45,7 +45,7 @@ DividedFrame render_divided_cpu(const SceneFile& scene, const GridFile& grid, co
   if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
   const std::size_t threads = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   DividedFrame divided{
-      empty_frame(request),
+      picture_frame(request),
       static_cast<std::uint32_t>(threads * static_cast<std::size_t>(std::max(workers_each, 1)))};
   const auto rays = camera_rays<float>(request.camera, request.sampling, request.hither);
   const auto view = scene.view<float>();

@@ -45,7 +45,7 @@ __global__ void __launch_bounds__(division_tile_side* division_tile_side,
 DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, const FrameRequest& request,
                                  ScreenDivision division, int workers_each) {
   if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
-  DividedFrame divided{empty_frame(request), 0};
+  DividedFrame divided{picture_frame(request), 0};
   Frame& frame = divided.frame;
   Transfer upload;
   const DeviceFilesOf<float> files(scene.view<float>(), &grid, upload);

@@ -89,7 +89,7 @@ void compare_hits(const TradeoffTask::Reference& reference, const std::vector<Hi
   accuracy.median_t = median(std::move(errors));
 }
 
-void compare_pictures(const std::vector<Vec3f>& should, const std::vector<Vec3f>& is, Accuracy& accuracy) {
+void compare_pictures(const HostArray<Vec3f>& should, const HostArray<Vec3f>& is, Accuracy& accuracy) {
   double squares = 0;
   for (std::size_t i = 0; i < should.size(); ++i) {
     for (int channel = 0; channel < 3; ++channel) {

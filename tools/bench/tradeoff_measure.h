@@ -21,7 +21,7 @@ struct TradeoffTask {
   struct Reference {
     std::vector<Ray<double>> rays; // evenly spaced in both sets
     std::vector<HitRecord> hits;   // by primitive
-    std::vector<Vec3f> radiance;
+    HostArray<Vec3f> radiance;
   };
   const Reference& reference();
 

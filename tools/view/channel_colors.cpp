@@ -48,7 +48,7 @@ std::vector<std::uint8_t> colored(std::size_t pixels, const ColorOf& color_of) {
   return bytes;
 }
 
-const std::vector<std::uint32_t>& counts_of(const Channels& channels, Channel channel) {
+const HostArray<std::uint32_t>& counts_of(const Channels& channels, Channel channel) {
   return channel == Channel::cells ? channels.cells : channels.tests;
 }
 
@@ -82,7 +82,7 @@ std::optional<ValueRange> value_range(const Channels& channels, Channel channel)
     }
     if (range[0] <= range[1]) return range;
   } else if (counts(channel)) {
-    std::vector<std::uint32_t> values = counts_of(channels, channel);
+    HostArray<std::uint32_t> values = counts_of(channels, channel);
     if (values.empty()) return {};
     const auto most = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 999 / 1000);
     std::nth_element(values.begin(), most, values.end());
