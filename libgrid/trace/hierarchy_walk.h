@@ -13,7 +13,7 @@
 
 #if !defined(__CUDACC__) && defined(__AVX2__) && defined(__FMA__)
 #define MASU_EIGHT_BOXES_AT_ONCE
-#include <immintrin.h>
+#include "libgrid/trace/hierarchy_walk_avx2.h"
 #endif
 
 namespace masu {
@@ -230,6 +230,10 @@ struct HierarchyWalk {
 template <class Real, class Visitor>
 MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay<Real>& near, std::uint32_t,
                           Visitor& visitor) {
+#if defined(MASU_EIGHT_BOXES_AT_ONCE) && !defined(OLD)
+  if constexpr (sizeof(Real) == sizeof(float) && !std::decay_t<decltype(visitor.counts)>::is_counted)
+    return visit_nearest_first(hierarchy, bounded_inverse(near), visitor);
+#endif
   HierarchyWalk<Real> walk;
   walk.begin(near);
   while (walk.advance(hierarchy, visitor)) {

@@ -58,6 +58,22 @@ MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay
   return met;
 }
 
+#ifdef MASU_EIGHT_BOXES_AT_ONCE
+// Shows the visitor references[i] where bit i is set: triangles, where there are no other kinds, several at a
+// time; a visitor's hit() gets those that are hit.
+template <class M, class Visitor>
+inline void test_references(Visitor& visitor, const PrimitiveIndex* references, std::uint32_t bits) {
+  if constexpr (M::kinds == with_triangles && std::is_same_v<typename M::TestRay, WatertightRay<float>> &&
+                std::is_same_v<std::decay_t<decltype(*visitor.scene.triangles)>, Triangle<float>>) {
+    meet_triangles(visitor.scene.triangles, visitor.ray, references, bits,
+                   [&](PrimitiveIndex number, float t) { visitor.hit_at(t, number); });
+  } else {
+    for (; bits != 0; bits &= bits - 1)
+      visitor.primitive(references[std::countr_zero(bits)]);
+  }
+}
+#endif
+
 // Keeps the nearest hit.
 template <class M, class Stored, class Counts>
 struct NearestHit {
@@ -75,12 +91,24 @@ struct NearestHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
+#ifdef MASU_EIGHT_BOXES_AT_ONCE
+  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
+    test_references<M>(*this, references, bits);
+  }
+  void hit_at(Real t, PrimitiveIndex number) {
+    if (is_nearer(t, number, hit)) hit = {t, number};
+  }
+#endif
   MASU_HD bool done(Real exit) const {
     return can_terminate<Query::nearest_hit, M::stop>(hit.t, t_max, exit);
   }
   // What lies beyond can't be the nearest hit; nor what is still to come, whatever it is.
-  MASU_HD Real farthest() const { return hit.t; }
-  MASU_HD bool ends() const { return false; }
+  MASU_HD Real farthest() const {
+    return hit.t;
+  }
+  MASU_HD bool ends() const {
+    return false;
+  }
 };
 
 // Ends with the first hit nearer than t_max, whichever it is.
@@ -100,10 +128,26 @@ struct AnyHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
-  MASU_HD bool found() const { return hit < t_max; }
-  MASU_HD bool done(Real exit) const { return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit); }
-  MASU_HD Real farthest() const { return t_max; }
-  MASU_HD bool ends() const { return found(); }
+#ifdef MASU_EIGHT_BOXES_AT_ONCE
+  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
+    test_references<M>(*this, references, bits);
+  }
+  void hit_at(Real t, PrimitiveIndex) {
+    if (t < t_max) hit = t;
+  }
+#endif
+  MASU_HD bool found() const {
+    return hit < t_max;
+  }
+  MASU_HD bool done(Real exit) const {
+    return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit);
+  }
+  MASU_HD Real farthest() const {
+    return t_max;
+  }
+  MASU_HD bool ends() const {
+    return found();
+  }
 };
 
 // Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the
