@@ -155,13 +155,16 @@ using NodeAhead = std::uint64_t;
 inline NodeAhead node_ahead(float enter, std::uint32_t index) {
   return static_cast<NodeAhead>(bits_of(enter)) << 32 | index;
 }
+inline constexpr NodeAhead nothing_ahead = ~NodeAhead{0}; // entered at NaN
 inline float enters_at(NodeAhead node) {
   return float_of(static_cast<std::uint32_t>(node >> 32));
 }
 
-inline void prefetch(const HierarchyNode* node) {
-  __builtin_prefetch(node);
-  __builtin_prefetch(reinterpret_cast<const char*>(node) + sizeof(HierarchyNode) - 1);
+// Records of which none has more than two cache lines.
+template <class Record>
+inline void prefetch(const Record* record) {
+  __builtin_prefetch(record);
+  __builtin_prefetch(reinterpret_cast<const char*>(record + 1) - 1);
 }
 
 // Calls found(primitive, t) for each of references[i], bit i of `bits` set, that the ray meets at a t > 0 no
@@ -191,58 +194,80 @@ inline void meet_triangles(const Triangle<float>* triangles, const WatertightRay
   }
 }
 
-template <class Visitor>
-inline void visit_nearest_first(const HierarchyView<float>& hierarchy, const Vec3<float>& inverse,
-                                Visitor& visitor) {
-  const BoxRay ray(visitor.ray.origin, inverse);
-  NodeAhead stack[(boxes_a_node - 1) * max_hierarchy_depth + boxes_a_node];
-  NodeAhead* top = stack;
-  std::uint32_t next = 0; // the root
-  while (true) {
-    const HierarchyNode& node = hierarchy.nodes[next];
-    const BoxesMet met = boxes_met(node, ray, visitor.farthest());
-    bool goes_on = false;
-    const std::uint32_t siblings = node_slots(node);
-    if (std::uint32_t nodes = met.slots & siblings; nodes != 0) {
-      alignas(32) float enter[boxes_a_node];
-      _mm256_store_ps(enter, met.enter);
-      const auto take = [&] {
-        const int slot = std::countr_zero(nodes);
-        nodes &= nodes - 1;
-        const auto before = static_cast<std::uint32_t>(std::popcount(siblings & ((1U << slot) - 1)));
-        return node_ahead(enter[slot], node.first_node + before);
-      };
-      NodeAhead nearest = take();
-      if (nodes != 0) {
-        // The others are sorted on the stack, the nearest last.
-        const NodeAhead* const begin = top;
-        do {
-          const NodeAhead other = take();
-          const NodeAhead farther = std::max(nearest, other);
-          nearest = std::min(nearest, other);
-          NodeAhead* at = top++;
-          for (; at != begin && at[-1] < farther; --at)
-            *at = at[-1];
-          *at = farther;
-        } while (nodes != 0);
-      }
-      next = static_cast<std::uint32_t>(nearest);
-#ifdef PREFETCH
-      prefetch(hierarchy.nodes + next);
-#endif
-      goes_on = true;
+// Room for what a walk has ahead. Apart from it, since where many are made it isn't to be cleared.
+using NodesAhead = NodeAhead[(boxes_a_node - 1) * max_hierarchy_depth];
+
+// A walk under way. The tests of a node's references come with the next step, and what either needs is
+// prefetched: so that steps of other rays can come between.
+class NearestFirstWalk {
+public:
+  // A ray's origin, and its direction's inverse, bounded.
+  NearestFirstWalk(const Vec3<float>& origin, const Vec3<float>& inverse, NodesAhead& ahead)
+      : ray_(origin, inverse), begin_(ahead), end_(ahead) {}
+
+  // Tests the references that were met last, and visits the next node; false at the end. The visitor is
+  // always the same.
+  template <class Visitor>
+  bool advance(const HierarchyView<float>& hierarchy, Visitor& visitor) {
+    if (met_ != 0) {
+      visitor.primitives(references_, met_);
+      met_ = 0;
+      if (visitor.ends()) return false;
     }
-    if ((met.slots & ~siblings) != 0) {
-      visitor.primitives(hierarchy.references + node.first_reference, references_met(node, met.lanes));
-      if (visitor.ends()) return;
+    const float farthest = visitor.farthest();
+    while (!(enters_at(next_) <= farthest)) {
+      if (end_ == begin_) return false;
+      next_ = *--end_;
     }
-    if (goes_on) continue;
-    do {
-      if (top == stack) return;
-      --top;
-    } while (enters_at(*top) > visitor.farthest());
-    next = static_cast<std::uint32_t>(*top);
+    const HierarchyNode& node = hierarchy.nodes[static_cast<std::uint32_t>(next_)];
+    const BoxesMet met = boxes_met(node, ray_, farthest);
+    const std::uint32_t nodes = met.slots & node_slots(node);
+    if (met.slots != nodes) {
+      references_ = hierarchy.references + node.first_reference;
+      met_ = references_met(node, met.lanes);
+      visitor.prefetch(references_, met_);
+    }
+    if (nodes != 0) {
+      next_ = nearest_of(node, nodes, met.enter);
+    } else if (end_ != begin_) {
+      next_ = *--end_;
+    } else {
+      next_ = nothing_ahead;
+      return met_ != 0;
+    }
+    prefetch(hierarchy.nodes + static_cast<std::uint32_t>(next_));
+    return true;
   }
-}
+
+private:
+  // Of a node's nodes in these slots; the others go to those ahead, the nearest last.
+  NodeAhead nearest_of(const HierarchyNode& node, std::uint32_t slots, __m256 enters) {
+    alignas(32) float enter[boxes_a_node];
+    _mm256_store_ps(enter, enters);
+    const std::uint32_t siblings = node_slots(node);
+    const auto take = [&] {
+      const int slot = std::countr_zero(slots);
+      slots &= slots - 1;
+      const auto before = static_cast<std::uint32_t>(std::popcount(siblings & ((1U << slot) - 1)));
+      return node_ahead(enter[slot], node.first_node + before);
+    };
+    NodeAhead nearest = take();
+    for (NodeAhead* const begin = end_; slots != 0;) {
+      const NodeAhead other = take(), farther = std::max(nearest, other);
+      nearest = std::min(nearest, other);
+      NodeAhead* at = end_++;
+      for (; at != begin && at[-1] < farther; --at)
+        *at = at[-1];
+      *at = farther;
+    }
+    return nearest;
+  }
+
+  BoxRay ray_;
+  NodeAhead next_ = 0; // the root
+  const PrimitiveIndex* references_ = nullptr;
+  std::uint32_t met_ = 0;   // of the references, a bit each
+  NodeAhead *begin_, *end_; // of the nodes ahead: the nearest of a node's last
+};
 
 } // namespace masu

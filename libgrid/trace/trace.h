@@ -58,18 +58,31 @@ MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay
   return met;
 }
 
-#ifdef MASU_EIGHT_BOXES_AT_ONCE
-// Shows the visitor references[i] where bit i is set: triangles, where there are no other kinds, several at a
-// time; a visitor's hit() gets those that are hit.
-template <class M, class Visitor>
-inline void test_references(Visitor& visitor, const PrimitiveIndex* references, std::uint32_t bits) {
-  if constexpr (M::kinds == with_triangles && std::is_same_v<typename M::TestRay, WatertightRay<float>> &&
-                std::is_same_v<std::decay_t<decltype(*visitor.scene.triangles)>, Triangle<float>>) {
-    meet_triangles(visitor.scene.triangles, visitor.ray, references, bits,
-                   [&](PrimitiveIndex number, float t) { visitor.hit_at(t, number); });
+#ifdef MASU_HOST_AVX2
+// Whether a scene's primitives can be tested several at a time: triangles, without any other kind.
+template <class M, class Stored>
+inline constexpr bool tests_four_triangles =
+    M::kinds == with_triangles&& std::is_same_v<typename M::TestRay, WatertightRay<float>>&&
+                    std::is_same_v<Stored, float>;
+
+// Shows a visitor references[i] where bit i is set; of triangles only those that the ray meets.
+template <class M, class Stored, class Visitor>
+inline void test_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
+                            std::uint32_t bits, Visitor& visitor) {
+  if constexpr (tests_four_triangles<M, Stored>) {
+    meet_triangles(scene.triangles, visitor.ray, references, bits,
+                   [&](PrimitiveIndex number, float t) { visitor.met(t, number); });
   } else {
     for (; bits != 0; bits &= bits - 1)
       visitor.primitive(references[std::countr_zero(bits)]);
+  }
+}
+template <class M, class Stored>
+inline void prefetch_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
+                                std::uint32_t bits) {
+  if constexpr (tests_four_triangles<M, Stored>) {
+    for (; bits != 0; bits &= bits - 1)
+      prefetch(scene.triangles + references[std::countr_zero(bits)]);
   }
 }
 #endif
@@ -91,11 +104,14 @@ struct NearestHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
-#ifdef MASU_EIGHT_BOXES_AT_ONCE
+#ifdef MASU_HOST_AVX2
   void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
-    test_references<M>(*this, references, bits);
+    test_references<M>(scene, references, bits, *this);
   }
-  void hit_at(Real t, PrimitiveIndex number) {
+  void prefetch(const PrimitiveIndex* references, std::uint32_t bits) const {
+    prefetch_references<M>(scene, references, bits);
+  }
+  void met(Real t, PrimitiveIndex number) {
     if (is_nearer(t, number, hit)) hit = {t, number};
   }
 #endif
@@ -128,11 +144,14 @@ struct AnyHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
-#ifdef MASU_EIGHT_BOXES_AT_ONCE
+#ifdef MASU_HOST_AVX2
   void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
-    test_references<M>(*this, references, bits);
+    test_references<M>(scene, references, bits, *this);
   }
-  void hit_at(Real t, PrimitiveIndex) {
+  void prefetch(const PrimitiveIndex* references, std::uint32_t bits) const {
+    prefetch_references<M>(scene, references, bits);
+  }
+  void met(Real t, PrimitiveIndex) {
     if (t < t_max) hit = t;
   }
 #endif

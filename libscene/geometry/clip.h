@@ -67,7 +67,3 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
 }
 
 } // namespace masu
-
-#if !defined(__CUDACC__) && defined(__AVX2__) && defined(__FMA__)
-#include "libscene/geometry/clip_fma.h"
-#endif
