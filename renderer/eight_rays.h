@@ -106,10 +106,10 @@ struct EightRays {
     if (meet_bounds != 0) prepare_tests(d);
   }
 
-  ClippedRay<float> clipped(std::size_t i) const {
+  MASU_ALWAYS_INLINE ClippedRay<float> clipped(std::size_t i) const {
     return {{origin.of(i), 0, direction.of(i), t_max.of[i]}, inverse.of(i), skipped.of[i]};
   }
-  WatertightRay<float> test_ray(std::size_t i) const {
+  MASU_ALWAYS_INLINE WatertightRay<float> test_ray(std::size_t i) const {
     return {{origin.of(i), flushed.of(i), inverse_square.of[i]}, across1.of(i), across2.of(i)};
   }
 
@@ -140,8 +140,8 @@ struct RayInFlight {
   NearestFirstWalk walk;
 
   template <class Stored, class Nothing>
-  RayInFlight(const SceneView<Stored>& scene, const EightRays& rays, std::size_t i, const Nothing& nothing,
-              NodesAhead& ahead)
+  MASU_ALWAYS_INLINE RayInFlight(const SceneView<Stored>& scene, const EightRays& rays, std::size_t i,
+                                 const Nothing& nothing, NodesAhead& ahead)
       : ray(rays.test_ray(i)), visitor{scene, ray, counts, rays.t_max.of[i], nothing},
         walk(ray.origin, bounded_inverse(rays.clipped(i)), ahead) {}
   RayInFlight(const RayInFlight&) = delete;

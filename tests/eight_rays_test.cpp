@@ -1,6 +1,10 @@
 // Rays made ready eight at a time, and triangles tested several at a time, give the bits that one ray gives
 // that tries one primitive after the other.
+#include "libscene/portable.h"
+
+#ifdef MASU_HOST_AVX2
 #include "renderer/eight_rays.h"
+#endif
 
 #include "libgrid/build/hierarchy.h"
 #include "tests/random_grid.h"

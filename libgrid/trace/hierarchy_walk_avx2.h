@@ -21,7 +21,7 @@ struct BoxRay {
   // Where in a node the planes begin that the ray meets first and last along each axis, in bytes.
   unsigned near_x, near_y, near_z, far_x, far_y, far_z;
 
-  explicit BoxRay(const Vec3<float>& from, const Vec3<float>& bounded_inverse)
+  MASU_ALWAYS_INLINE explicit BoxRay(const Vec3<float>& from, const Vec3<float>& bounded_inverse)
       : origin(_mm_setr_ps(from.x, from.y, from.z, 0)),
         inverse(_mm_setr_ps(bounded_inverse.x, bounded_inverse.y, bounded_inverse.z, 0)) {
     constexpr unsigned low = offsetof(HierarchyNode, low), to_high = offsetof(HierarchyNode, high) - low;
@@ -43,11 +43,11 @@ struct BoxesMet {
   std::uint32_t slots;
 };
 
-inline __m256i eight_bytes(const void* at) {
+MASU_ALWAYS_INLINE __m256i eight_bytes(const void* at) {
   return _mm256_cvtepu8_epi32(_mm_loadl_epi64(static_cast<const __m128i*>(at)));
 }
 
-inline BoxesMet boxes_met(const HierarchyNode& node, const BoxRay& ray, float farthest) {
+MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const BoxRay& ray, float farthest) {
   const __m128 origin = _mm_blend_ps(_mm_load_ps(node.origin), _mm_setzero_ps(), 8);
   const __m128i exponents = _mm_cvtepu8_epi32(_mm_cvtsi32_si128(static_cast<int>(node.exponents)));
   // Plane q is met at q · scale + start: with a smaller error than as NodeAxis has it.
@@ -75,7 +75,7 @@ inline BoxesMet boxes_met(const HierarchyNode& node, const BoxRay& ray, float fa
 
 // Which of a node's references are in boxes that the ray meets, a bit each. A slot's byte is what it adds,
 // shifted (hierarchy_view.h): an empty one adds nothing, one of a node bits above 23.
-inline std::uint32_t references_met(const HierarchyNode& node, __m256 lanes) {
+MASU_ALWAYS_INLINE std::uint32_t references_met(const HierarchyNode& node, __m256 lanes) {
   const __m256i slots = eight_bytes(node.slots);
   const __m256i added =
       _mm256_sllv_epi32(_mm256_srli_epi32(slots, 5), _mm256_and_si256(slots, _mm256_set1_epi32(0x1f)));
@@ -94,16 +94,16 @@ struct FourTriangles {
   struct Vec {
     __m128 x, y, z;
   };
-  static __m128 all(float v) { return _mm_set1_ps(v); }
-  static __m128 dot(const Vec3<float>& a, const Vec& b) {
+  MASU_ALWAYS_INLINE static __m128 all(float v) { return _mm_set1_ps(v); }
+  MASU_ALWAYS_INLINE static __m128 dot(const Vec3<float>& a, const Vec& b) {
     return _mm_fmadd_ps(all(a.x), b.x, _mm_fmadd_ps(all(a.y), b.y, _mm_mul_ps(all(a.z), b.z)));
   }
-  static __m128 difference_of_products(__m128 a, __m128 b, __m128 c, __m128 d) {
+  MASU_ALWAYS_INLINE static __m128 difference_of_products(__m128 a, __m128 b, __m128 c, __m128 d) {
     const __m128 cd = _mm_mul_ps(c, d);
     const __m128 error = _mm_fnmadd_ps(c, d, cd);
     return _mm_add_ps(_mm_fmsub_ps(a, b, cd), error);
   }
-  static __m128 divide(__m128 a, __m128 b) { // fast_divide()
+  MASU_ALWAYS_INLINE static __m128 divide(__m128 a, __m128 b) { // fast_divide()
     const __m128 one = all(1);
     const __m128 guess = _mm_castsi128_ps(_mm_sub_epi32(_mm_set1_epi32(0x7ef311c7), _mm_castps_si128(b)));
     const __m128 error = _mm_fnmadd_ps(b, guess, one);
@@ -113,7 +113,7 @@ struct FourTriangles {
     return _mm_fmadd_ps(_mm_fnmadd_ps(b, rough, a), inverse, rough);
   }
   // A corner of the four, relative to the ray's origin.
-  Vec corner(const float* t0, const float* t1, const float* t2, const float* t3) const {
+  MASU_ALWAYS_INLINE Vec corner(const float* t0, const float* t1, const float* t2, const float* t3) const {
     const __m128 c0 = _mm_load_ps(t0), c1 = _mm_load_ps(t1), c2 = _mm_load_ps(t2), c3 = _mm_load_ps(t3);
     const __m128 xy01 = _mm_unpacklo_ps(c0, c1), xy23 = _mm_unpacklo_ps(c2, c3),
                  z01 = _mm_unpackhi_ps(c0, c1), z23 = _mm_unpackhi_ps(c2, c3);
@@ -122,8 +122,9 @@ struct FourTriangles {
             _mm_sub_ps(_mm_movelh_ps(z01, z23), all(ray.origin.z))};
   }
 
-  unsigned intersect(const Triangle<float>& t0, const Triangle<float>& t1, const Triangle<float>& t2,
-                     const Triangle<float>& t3, float (&t)[4]) const {
+  MASU_ALWAYS_INLINE unsigned intersect(const Triangle<float>& t0, const Triangle<float>& t1,
+                                        const Triangle<float>& t2, const Triangle<float>& t3,
+                                        float (&t)[4]) const {
     const Vec a = corner(&t0.a.x, &t1.a.x, &t2.a.x, &t3.a.x), b = corner(&t0.b.x, &t1.b.x, &t2.b.x, &t3.b.x),
               c = corner(&t0.c.x, &t1.c.x, &t2.c.x, &t3.c.x);
     const __m128 ax = dot(ray.across1, a), ay = dot(ray.across2, a), bx = dot(ray.across1, b),
@@ -170,8 +171,9 @@ inline void prefetch(const Record* record) {
 // Calls found(primitive, t) for each of references[i], bit i of `bits` set, that the ray meets at a t > 0 no
 // larger than `farthest`: not in the order of the references.
 template <class Found>
-inline void meet_triangles(const Triangle<float>* triangles, const WatertightRay<float>& ray,
-                           const PrimitiveIndex* references, std::uint32_t bits, const Found& found) {
+MASU_ALWAYS_INLINE void meet_triangles(const Triangle<float>* triangles, const WatertightRay<float>& ray,
+                                       const PrimitiveIndex* references, std::uint32_t bits,
+                                       const Found& found) {
   while (bits != 0) {
     const auto next = [&] { // the last one again where there are no more
       const PrimitiveIndex primitive = references[std::countr_zero(bits)];
@@ -202,13 +204,14 @@ using NodesAhead = NodeAhead[(boxes_a_node - 1) * max_hierarchy_depth];
 class NearestFirstWalk {
 public:
   // A ray's origin, and its direction's inverse, bounded.
-  NearestFirstWalk(const Vec3<float>& origin, const Vec3<float>& inverse, NodesAhead& ahead)
+  MASU_ALWAYS_INLINE NearestFirstWalk(const Vec3<float>& origin, const Vec3<float>& inverse,
+                                      NodesAhead& ahead)
       : ray_(origin, inverse), begin_(ahead), end_(ahead) {}
 
   // Tests the references that were met last, and visits the next node; false at the end. The visitor is
   // always the same.
   template <class Visitor>
-  bool advance(const HierarchyView<float>& hierarchy, Visitor& visitor) {
+  MASU_ALWAYS_INLINE bool advance(const HierarchyView<float>& hierarchy, Visitor& visitor) {
     if (met_ != 0) {
       visitor.primitives(references_, met_);
       met_ = 0;
@@ -241,7 +244,7 @@ public:
 
 private:
   // Of a node's nodes in these slots; the others go to those ahead, the nearest last.
-  NodeAhead nearest_of(const HierarchyNode& node, std::uint32_t slots, __m256 enters) {
+  MASU_ALWAYS_INLINE NodeAhead nearest_of(const HierarchyNode& node, std::uint32_t slots, __m256 enters) {
     alignas(32) float enter[boxes_a_node];
     _mm256_store_ps(enter, enters);
     const std::uint32_t siblings = node_slots(node);
