@@ -245,10 +245,13 @@ public:
 private:
   // Of a node's nodes in these slots; the others go to those ahead, the nearest last.
   MASU_ALWAYS_INLINE NodeAhead nearest_of(const HierarchyNode& node, std::uint32_t slots, __m256 enters) {
+    const std::uint32_t siblings = node_slots(node), others = slots & (slots - 1);
+    if (others == 0) // its bit is the only one: no need to know where the ray enters it
+      return node_ahead(0,
+                        node.first_node + static_cast<std::uint32_t>(std::popcount(siblings & (slots - 1))));
     alignas(32) float enter[boxes_a_node];
     _mm256_store_ps(enter, enters);
-    const std::uint32_t siblings = node_slots(node);
-    const auto take = [&] {
+    const auto take = [&]() __attribute__((always_inline)) {
       const int slot = std::countr_zero(slots);
       slots &= slots - 1;
       const auto before = static_cast<std::uint32_t>(std::popcount(siblings & ((1U << slot) - 1)));

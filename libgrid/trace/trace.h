@@ -67,8 +67,8 @@ inline constexpr bool tests_four_triangles =
 
 // Shows a visitor references[i] where bit i is set; of triangles only those that the ray meets.
 template <class M, class Stored, class Visitor>
-inline void test_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
-                            std::uint32_t bits, Visitor& visitor) {
+MASU_ALWAYS_INLINE void test_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
+                                        std::uint32_t bits, Visitor& visitor) {
   if constexpr (tests_four_triangles<M, Stored>) {
     meet_triangles(scene.triangles, visitor.ray, references, bits,
                    [&](PrimitiveIndex number, float t) { visitor.met(t, number); });
@@ -78,8 +78,8 @@ inline void test_references(const SceneView<Stored>& scene, const PrimitiveIndex
   }
 }
 template <class M, class Stored>
-inline void prefetch_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
-                                std::uint32_t bits) {
+MASU_ALWAYS_INLINE void prefetch_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
+                                            std::uint32_t bits) {
   if constexpr (tests_four_triangles<M, Stored>) {
     for (; bits != 0; bits &= bits - 1)
       prefetch(scene.triangles + references[std::countr_zero(bits)]);
