@@ -13,3 +13,8 @@
 // call returns three floats packed into two registers: CPU renders then take 10 to 30 % longer, a sphere test
 // six times as long.
 #define MASU_ALWAYS_INLINE MASU_HD __attribute__((always_inline)) inline
+
+// Host code may use intrinsics of AVX2 and FMA.
+#if !defined(__CUDACC__) && defined(__AVX2__) && defined(__FMA__)
+#define MASU_HOST_AVX2
+#endif

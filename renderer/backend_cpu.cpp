@@ -1,6 +1,9 @@
 #include "libscene/stopwatch.h"
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
+#ifdef MASU_HOST_AVX2
+#include "renderer/eight_rays.h"
+#endif
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/combinable.h>
@@ -61,6 +64,27 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
   totals.combine_each([&](const Counts& part) { frame.counts += part; });
 }
 
+// Traces as many rays from `first` on as can be eight at a time; returns the first one left.
+template <Query query, class M, class Stored, class Grid, class C>
+std::size_t trace_eights(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays,
+                         const RayResults& results, std::size_t first, std::size_t end) {
+#ifdef MASU_HOST_AVX2
+  if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted) {
+    EightRays eight;
+    for (; first + EightRays::count <= end; first += EightRays::count) {
+      eight.load(rays.rays, rays.format, first);
+      eight.prepare(scene.clip);
+      trace_eight<query, M>(scene, grid, eight, [&](std::size_t i, const Hit<float>& hit) {
+        write_hit<query>(results, first + i, hit);
+        if (query == Query::nearest_hit && results.has_attributes())
+          write_attributes(scene, loaded<float>(rays.rays, rays.format, first + i), hit, results, first + i);
+      });
+    }
+  }
+#endif
+  return first;
+}
+
 template <Query query, class M, class Stored, class Grid, class C>
 void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays, const RayResults& results,
            QueryReport& report, const C&) {
@@ -68,7 +92,9 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
   tbb::combinable<Counts> totals;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task), [&](const auto& range) {
     C counts;
-    for (std::size_t i = range.begin(); i != range.end(); ++i) {
+    for (std::size_t i =
+             trace_eights<query, M, Stored, Grid, C>(scene, grid, rays, results, range.begin(), range.end());
+         i != range.end(); ++i) {
       const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
       C ray_counts;
       const Hit<float> hit = trace_listed<query, M>(scene, grid, ray, ray_counts);

@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/setup.sh
 export MASU_STRICT=ON
-require "${basics[@]}" libgtest-dev clang-format -- "${extras[@]}"
+require "${basics[@]}" libgtest-dev clang-format -- "${extras[@]}" "${benchmarks[@]}"
 find_cuda
 cores=$(nproc)
 step() { echo; echo "== $*"; }

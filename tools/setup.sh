@@ -12,6 +12,8 @@ has() { # package
     openmpi-bin) command -v mpirun >/dev/null ;;
     ninja-build) command -v ninja >/dev/null ;;
     libassimp-dev) header assimp/scene.h ;;
+    libbenchmark-dev) header benchmark/benchmark.h ;;
+    libembree-dev) header embree4/rtcore.h || header embree3/rtcore.h ;;
     libcpp-httplib-dev) header httplib.h ;;
     libturbojpeg0-dev) header turbojpeg.h ;;
     libcli11-dev) header CLI/CLI.hpp ;;
@@ -64,6 +66,7 @@ require() {
 
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
   libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
+benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays
 # libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,
 # openmpi-bin: for gridrender-mpi
 extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)

@@ -11,9 +11,8 @@
 #include "libgrid/trace/hierarchy_view.h"
 #include "libscene/geometry/clip.h"
 
-#if !defined(__CUDACC__) && defined(__AVX2__) && defined(__FMA__)
-#define MASU_EIGHT_BOXES_AT_ONCE
-#include <immintrin.h>
+#ifdef MASU_HOST_AVX2
+#include "libgrid/trace/hierarchy_walk_avx2.h"
 #endif
 
 namespace masu {
@@ -114,7 +113,7 @@ MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Rea
   const auto& near_z = up_z ? node.low[2] : node.high[2];
   const auto& far_z = up_z ? node.high[2] : node.low[2];
   std::uint32_t met = 0;
-#ifdef MASU_EIGHT_BOXES_AT_ONCE
+#ifdef MASU_HOST_AVX2
   if constexpr (sizeof(Real) == sizeof(float)) {
     const auto t = [](const std::uint32_t(&planes)[2], const NodeAxis<float>& axis) {
       const __m256i bytes = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(planes)));
@@ -234,6 +233,15 @@ struct HierarchyWalk {
 template <class Real, class Visitor>
 MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay<Real>& near, std::uint32_t,
                           Visitor& visitor) {
+#ifdef MASU_HOST_AVX2
+  if constexpr (sizeof(Real) == sizeof(float) && !std::decay_t<decltype(visitor.counts)>::is_counted) {
+    NodesAhead ahead;
+    NearestFirstWalk walk(visitor.ray.origin, bounded_inverse(near), ahead);
+    while (walk.advance(hierarchy, visitor)) {
+    }
+    return;
+  }
+#endif
   HierarchyStack stack;
   HierarchyWalk<Real> walk;
   walk.begin(near);

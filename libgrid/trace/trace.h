@@ -58,6 +58,35 @@ MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay
   return met;
 }
 
+#ifdef MASU_HOST_AVX2
+// Whether a scene's primitives can be tested several at a time: triangles, without any other kind.
+template <class M, class Stored>
+inline constexpr bool tests_four_triangles =
+    M::kinds == with_triangles&& std::is_same_v<typename M::TestRay, WatertightRay<float>>&&
+                    std::is_same_v<Stored, float>;
+
+// Shows a visitor references[i] where bit i is set; of triangles only those that the ray meets.
+template <class M, class Stored, class Visitor>
+MASU_ALWAYS_INLINE void test_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
+                                        std::uint32_t bits, Visitor& visitor) {
+  if constexpr (tests_four_triangles<M, Stored>) {
+    meet_triangles(scene.triangles, visitor.ray, references, bits,
+                   [&](PrimitiveIndex number, float t) { visitor.met(t, number); });
+  } else {
+    for (; bits != 0; bits &= bits - 1)
+      visitor.primitive(references[std::countr_zero(bits)]);
+  }
+}
+template <class M, class Stored>
+MASU_ALWAYS_INLINE void prefetch_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
+                                            std::uint32_t bits) {
+  if constexpr (tests_four_triangles<M, Stored>) {
+    for (; bits != 0; bits &= bits - 1)
+      prefetch(scene.triangles + references[std::countr_zero(bits)]);
+  }
+}
+#endif
+
 // Keeps the nearest hit.
 template <class M, class Stored, class Counts>
 struct NearestHit {
@@ -75,12 +104,27 @@ struct NearestHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
+#ifdef MASU_HOST_AVX2
+  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
+    test_references<M>(scene, references, bits, *this);
+  }
+  void prefetch(const PrimitiveIndex* references, std::uint32_t bits) const {
+    prefetch_references<M>(scene, references, bits);
+  }
+  void met(Real t, PrimitiveIndex number) {
+    if (is_nearer(t, number, hit)) hit = {t, number};
+  }
+#endif
   MASU_HD bool done(Real exit) const {
     return can_terminate<Query::nearest_hit, M::stop>(hit.t, t_max, exit);
   }
   // What lies beyond can't be the nearest hit; nor what is still to come, whatever it is.
-  MASU_HD Real farthest() const { return hit.t; }
-  MASU_HD bool ends() const { return false; }
+  MASU_HD Real farthest() const {
+    return hit.t;
+  }
+  MASU_HD bool ends() const {
+    return false;
+  }
 };
 
 // Ends with the first hit nearer than t_max, whichever it is.
@@ -100,10 +144,29 @@ struct AnyHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
-  MASU_HD bool found() const { return hit < t_max; }
-  MASU_HD bool done(Real exit) const { return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit); }
-  MASU_HD Real farthest() const { return t_max; }
-  MASU_HD bool ends() const { return found(); }
+#ifdef MASU_HOST_AVX2
+  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
+    test_references<M>(scene, references, bits, *this);
+  }
+  void prefetch(const PrimitiveIndex* references, std::uint32_t bits) const {
+    prefetch_references<M>(scene, references, bits);
+  }
+  void met(Real t, PrimitiveIndex) {
+    if (t < t_max) hit = t;
+  }
+#endif
+  MASU_HD bool found() const {
+    return hit < t_max;
+  }
+  MASU_HD bool done(Real exit) const {
+    return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit);
+  }
+  MASU_HD Real farthest() const {
+    return t_max;
+  }
+  MASU_HD bool ends() const {
+    return found();
+  }
 };
 
 // Shows the visitor what is listed for the cell that the ray is in, and goes on to the next; false at the

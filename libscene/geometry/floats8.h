@@ -1,0 +1,101 @@
+// Eight floats side by side, on processors with AVX2 and FMA: a Vec3 of them is eight vectors. Operations are
+// those of real.h, lane by lane, with the same bits. Host only.
+#pragma once
+
+#include "libscene/geometry/vector.h"
+
+#include <immintrin.h>
+
+namespace masu {
+
+struct Floats8 {
+  __m256 v;
+
+  Floats8() = default;
+  MASU_ALWAYS_INLINE Floats8(__m256 lanes) : v(lanes) {}
+  MASU_ALWAYS_INLINE Floats8(float all) : v(_mm256_set1_ps(all)) {}
+  MASU_ALWAYS_INLINE static Floats8 load(const float* eight) { return _mm256_load_ps(eight); } // aligned
+  MASU_ALWAYS_INLINE void store(float* eight) const { _mm256_store_ps(eight, v); }
+
+  MASU_ALWAYS_INLINE friend Floats8 operator+(Floats8 a, Floats8 b) { return _mm256_add_ps(a.v, b.v); }
+  MASU_ALWAYS_INLINE friend Floats8 operator-(Floats8 a, Floats8 b) { return _mm256_sub_ps(a.v, b.v); }
+  MASU_ALWAYS_INLINE friend Floats8 operator*(Floats8 a, Floats8 b) { return _mm256_mul_ps(a.v, b.v); }
+  MASU_ALWAYS_INLINE friend Floats8 operator/(Floats8 a, Floats8 b) { return _mm256_div_ps(a.v, b.v); }
+  MASU_ALWAYS_INLINE friend Floats8 operator-(Floats8 a) { return _mm256_xor_ps(a.v, _mm256_set1_ps(-0.0F)); }
+};
+
+// Of a comparison: all bits of a lane, or none.
+struct Mask8 {
+  __m256 v;
+
+  MASU_ALWAYS_INLINE friend Mask8 operator&(Mask8 a, Mask8 b) { return {_mm256_and_ps(a.v, b.v)}; }
+  MASU_ALWAYS_INLINE friend Mask8 operator|(Mask8 a, Mask8 b) { return {_mm256_or_ps(a.v, b.v)}; }
+  // a & ~b
+  MASU_ALWAYS_INLINE friend Mask8 without(Mask8 a, Mask8 b) { return {_mm256_andnot_ps(b.v, a.v)}; }
+  MASU_ALWAYS_INLINE unsigned bits() const { return static_cast<unsigned>(_mm256_movemask_ps(v)); }
+};
+MASU_ALWAYS_INLINE Mask8 operator<(Floats8 a, Floats8 b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)};
+}
+MASU_ALWAYS_INLINE Mask8 operator<=(Floats8 a, Floats8 b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)};
+}
+MASU_ALWAYS_INLINE Mask8 operator==(Floats8 a, Floats8 b) {
+  return {_mm256_cmp_ps(a.v, b.v, _CMP_EQ_OQ)};
+}
+MASU_ALWAYS_INLINE Floats8 select(Mask8 where, Floats8 a, Floats8 b) {
+  return _mm256_blendv_ps(b.v, a.v, where.v);
+}
+MASU_ALWAYS_INLINE Vec3<Floats8> select(Mask8 where, const Vec3<Floats8>& a, const Vec3<Floats8>& b) {
+  return {select(where, a.x, b.x), select(where, a.y, b.y), select(where, a.z, b.z)};
+}
+
+MASU_ALWAYS_INLINE Floats8 fma(Floats8 a, Floats8 b, Floats8 c) {
+  return _mm256_fmadd_ps(a.v, b.v, c.v);
+}
+MASU_ALWAYS_INLINE Floats8 magnitude(Floats8 a) {
+  return _mm256_andnot_ps(_mm256_set1_ps(-0.0F), a.v);
+}
+// `b` where `a` is NaN: that is how these instructions are.
+MASU_ALWAYS_INLINE Floats8 min(Floats8 a, Floats8 b) {
+  return _mm256_min_ps(a.v, b.v);
+}
+MASU_ALWAYS_INLINE Floats8 max(Floats8 a, Floats8 b) {
+  return _mm256_max_ps(a.v, b.v);
+}
+MASU_ALWAYS_INLINE Floats8 smallest(const Vec3<Floats8>& a) {
+  return min(a.x, min(a.y, a.z));
+}
+MASU_ALWAYS_INLINE Vec3<Floats8> magnitudes(const Vec3<Floats8>& a) {
+  return {magnitude(a.x), magnitude(a.y), magnitude(a.z)};
+}
+MASU_ALWAYS_INLINE Floats8 largest_magnitude(const Vec3<Floats8>& a) {
+  const Vec3<Floats8> m = magnitudes(a);
+  return max(m.x, max(m.y, m.z));
+}
+MASU_ALWAYS_INLINE Vec3<Floats8> all_of(const Vec3<float>& a) {
+  return {a.x, a.y, a.z};
+}
+
+MASU_ALWAYS_INLINE Floats8 fast_divide(Floats8 a, Floats8 b) {
+  const Floats8 one = 1;
+  const Floats8 guess =
+      _mm256_castsi256_ps(_mm256_sub_epi32(_mm256_set1_epi32(0x7ef311c7), _mm256_castps_si256(b.v)));
+  const Floats8 error = fma(-b, guess, one);
+  const Floats8 better = fma(fma(error, error, error), guess, guess);
+  const Floats8 inverse = fma(fma(-b, better, one), better, better);
+  const Floats8 rough = a * inverse;
+  return fma(fma(-b, rough, a), inverse, rough);
+}
+MASU_ALWAYS_INLINE Floats8 finite_inverse(Floats8 v) {
+  constexpr float largest = RealTraits<float>::largest;
+  return min(max(fast_divide(1, v), -largest), largest);
+}
+MASU_ALWAYS_INLINE Floats8 inverse_power_of_two(Floats8 magnitude) {
+  const __m256i one = _mm256_set1_epi32(1 << 23), most = _mm256_set1_epi32(253 << 23);
+  const __m256i power = _mm256_and_si256(_mm256_castps_si256(magnitude.v), _mm256_set1_epi32(0x7f800000));
+  const __m256i clamped = _mm256_min_epi32(_mm256_max_epi32(power, one), most);
+  return _mm256_castsi256_ps(_mm256_sub_epi32(_mm256_set1_epi32(254 << 23), clamped));
+}
+
+} // namespace masu

@@ -1,0 +1,212 @@
+// Rays of a list made ready for tracing eight at a time: what scale_direction() (ray_query.h), clip() and
+// prepare() (libscene/geometry) do to one, with the same bits. Where most rays are short or miss, that is
+// most of their time. Host only, with AVX2 and FMA.
+#pragma once
+
+#include "libscene/geometry/floats8.h"
+#include "renderer/ray_query.h"
+
+#include <algorithm>
+#include <optional>
+#include <type_traits>
+
+namespace masu {
+
+struct EightRays {
+  static constexpr std::size_t count = 8;
+
+  // One number of each ray. The first eight are filled in by load(), the others by prepare().
+  struct alignas(32) Numbers {
+    float of[count];
+    MASU_ALWAYS_INLINE Floats8 all() const { return Floats8::load(of); }
+    MASU_ALWAYS_INLINE void set(Floats8 value) { value.store(of); }
+  };
+  struct Vectors {
+    Numbers x, y, z;
+    MASU_ALWAYS_INLINE Vec3<float> of(std::size_t i) const { return {x.of[i], y.of[i], z.of[i]}; }
+    MASU_ALWAYS_INLINE Vec3<Floats8> all() const { return {x.all(), y.all(), z.all()}; }
+    MASU_ALWAYS_INLINE void set(const Vec3<Floats8>& value) {
+      x.set(value.x);
+      y.set(value.y);
+      z.set(value.z);
+    }
+  };
+  Vectors origin, direction;
+  Numbers t_min, t_max;
+
+  Vectors inverse, across1, across2, flushed;
+  Numbers skipped, scale, inverse_square;
+  unsigned meet_bounds = 0; // a bit for each ray that meets the scene's bounds
+
+  void load(const void* rays, const RayFormat& format, std::size_t first) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Ray<float> ray = loaded<float>(rays, format, first + i);
+      origin.x.of[i] = ray.origin.x;
+      origin.y.of[i] = ray.origin.y;
+      origin.z.of[i] = ray.origin.z;
+      direction.x.of[i] = ray.direction.x;
+      direction.y.of[i] = ray.direction.y;
+      direction.z.of[i] = ray.direction.z;
+      t_min.of[i] = ray.t_min;
+      t_max.of[i] = ray.t_max;
+    }
+  }
+
+  // `box`: the scene's padded bounds.
+  void prepare(const Box<float>& box) {
+    constexpr float unit = RealTraits<float>::unit_roundoff;
+    Vec3<Floats8> o = origin.all(), d = direction.all();
+    Floats8 from = t_min.all(), to = t_max.all();
+
+    // scale_direction(): of rays that aren't valid nothing is used.
+    const Floats8 sum = o.x + o.y + o.z + d.x + d.y + d.z, size = largest_magnitude(d);
+    Mask8 alive = (sum * 0.0F == 0.0F) &
+                  (largest_magnitude(o) <= max_ray_origin<float>)&(size <= max_ray_direction) &
+                  (Floats8(min_ray_direction) <= size) & (from < to);
+    const Floats8 scaled = inverse_power_of_two(size), unscaled = Floats8(1) / scaled;
+    d = d * scaled;
+    from = max(from * unscaled, 0.0F);
+    to = min(to * unscaled, RealTraits<float>::largest);
+
+    // clip(), with departs() and crosses()
+    const Vec3<Floats8> low = all_of(box.min), high = all_of(box.max);
+    const float largest = largest_magnitude(box);
+    constexpr float padding = (2 * margin_roundings - 16) * unit, slack = 8 * unit;
+    const Vec3<Floats8> above = o - low, below = high - o;
+    const Vec3<Floats8> left{select(Floats8(0) < d.x, below.x, above.x),
+                             select(Floats8(0) < d.y, below.y, above.y),
+                             select(Floats8(0) < d.z, below.z, above.z)};
+    alive = without(alive, smallest(left) < padding * largest);
+    const Vec3<Floats8> inverted{finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)};
+    Floats8 passed = 0;
+    Mask8 clips = alive;
+    do {
+      const Vec3<Floats8> t0 = (low - o) * inverted, t1 = (high - o) * inverted;
+      const Floats8 near = max(max(0.0F, min(t0.x, t1.x)), max(min(t0.y, t1.y), min(t0.z, t1.z))),
+                    leave = min(max(t0.x, t1.x), min(max(t0.y, t1.y), max(t0.z, t1.z)));
+      const Floats8 enter = max(from, near * (1 - slack));
+      const Mask8 crosses = (enter <= leave * (1 + slack)) & (enter <= to);
+      alive = without(alive, without(clips, crosses));
+      clips = clips & crosses;
+      o = select(clips, fma(d, enter, o), o);
+      const Mask8 again = clips & (passed == 0.0F) & (Floats8(256 * largest) < enter * largest_magnitude(d));
+      passed = select(clips, passed + enter, passed);
+      to = select(clips, to - enter, to);
+      from = 0.0F;
+      clips = again;
+    } while (clips.bits() != 0);
+
+    origin.set(o);
+    direction.set(d);
+    t_max.set(to);
+    inverse.set(inverted);
+    skipped.set(passed);
+    scale.set(scaled);
+    meet_bounds = alive.bits();
+    if (meet_bounds != 0) prepare_tests(d);
+  }
+
+  MASU_ALWAYS_INLINE ClippedRay<float> clipped(std::size_t i) const {
+    return {{origin.of(i), 0, direction.of(i), t_max.of[i]}, inverse.of(i), skipped.of[i]};
+  }
+  MASU_ALWAYS_INLINE WatertightRay<float> test_ray(std::size_t i) const {
+    return {{origin.of(i), flushed.of(i), inverse_square.of[i]}, across1.of(i), across2.of(i)};
+  }
+
+private:
+  // prepare(WatertightRay): flush_tiny_components() and prepare_watertight().
+  void prepare_tests(const Vec3<Floats8>& along) {
+    const Floats8 limit = largest_magnitude(along) * (RealTraits<float>::unit_roundoff / 256), zero = 0;
+    const auto flush = [&](Floats8 v) { return select(magnitude(v) < limit, zero, v); };
+    const Vec3<Floats8> d{flush(along.x), flush(along.y), flush(along.z)};
+    const Vec3<Floats8> m = magnitudes(d);
+    const Mask8 no_x = (m.x <= m.y) & (m.x <= m.z), no_y = without(m.y <= m.z, no_x);
+    const Vec3<Floats8> across{select(no_x, zero, select(no_y, -d.z, d.y)),
+                               select(no_x, d.z, select(no_y, zero, -d.x)),
+                               select(no_x, -d.y, select(no_y, d.x, zero))};
+    flushed.set(d);
+    across1.set(across);
+    across2.set(cross(d, across));
+    inverse_square.set(fast_divide(Floats8(1), dot(d, d)));
+  }
+};
+
+// One of eight rays on its way through a hierarchy.
+template <class Visitor>
+struct RayInFlight {
+  WatertightRay<float> ray;
+  NoCounts counts{};
+  Visitor visitor; // refers to both
+  NearestFirstWalk walk;
+
+  template <class Stored, class Nothing>
+  MASU_ALWAYS_INLINE RayInFlight(const SceneView<Stored>& scene, const EightRays& rays, std::size_t i,
+                                 const Nothing& nothing, NodesAhead& ahead)
+      : ray(rays.test_ray(i)), visitor{scene, ray, counts, rays.t_max.of[i], nothing},
+        walk(ray.origin, bounded_inverse(rays.clipped(i)), ahead) {}
+  RayInFlight(const RayInFlight&) = delete;
+  RayInFlight& operator=(const RayInFlight&) = delete;
+};
+
+// Shows a visitor of each ray that meets the bounds what it may hit: done(i, visitor) at its end. Rays walk
+// through a hierarchy in turns, a node each: while one waits for memory others go on. `nothing` makes of
+// t_max what a visitor begins with.
+template <class Visitor, class Stored, class Grid, class Nothing, class Done>
+inline void visit_eight(const SceneView<Stored>& scene, const Grid& grid, const EightRays& rays,
+                        const Nothing& nothing, const Done& done) {
+  const auto each = [](unsigned bits, const auto& act) {
+    for (; bits != 0; bits &= bits - 1)
+      act(static_cast<std::size_t>(std::countr_zero(bits)));
+  };
+  if constexpr (std::is_same_v<Grid, HierarchyView<float>>) {
+    NodesAhead ahead[EightRays::count];
+    std::optional<RayInFlight<Visitor>> flights[EightRays::count];
+    each(rays.meet_bounds,
+         [&](std::size_t i) { flights[i].emplace(scene, rays, i, nothing(rays.t_max.of[i]), ahead[i]); });
+    for (unsigned going = rays.meet_bounds; going != 0;) {
+      each(going, [&](std::size_t i) {
+        if (!flights[i]->walk.advance(grid, flights[i]->visitor)) going &= ~(1U << i);
+      });
+    }
+    each(rays.meet_bounds, [&](std::size_t i) { done(i, flights[i]->visitor); });
+  } else {
+    each(rays.meet_bounds, [&](std::size_t i) {
+      const WatertightRay<float> ray = rays.test_ray(i);
+      const float t_max = rays.t_max.of[i];
+      NoCounts counts;
+      Visitor visitor{scene, ray, counts, t_max, nothing(t_max)};
+      visit(grid, rays.clipped(i), scene.primitive_count(), visitor);
+      done(i, visitor);
+    });
+  }
+}
+
+// Calls found(i, hit) for each of the rays, with what trace_listed() has it hit.
+template <Query query, class M, class Stored, class Grid, class Found>
+inline void trace_eight(const SceneView<Stored>& scene, const Grid& grid, const EightRays& rays,
+                        const Found& found) {
+  Hit<float> hits[EightRays::count];
+  std::fill_n(hits, EightRays::count, Hit<float>{static_cast<float>(INFINITY), no_primitive});
+  if constexpr (query == Query::occlusion) {
+    visit_eight<AnyHit<M, Stored, NoCounts>>(
+        scene, grid, rays, [](float t_max) { return t_max; },
+        [&](std::size_t i, const auto& visitor) {
+          if (visitor.found()) hits[i] = {0, 0};
+        });
+  } else {
+    visit_eight<NearestHit<M, Stored, NoCounts>>(
+        scene, grid, rays,
+        [](float t_max) {
+          return Hit<float>{t_max, 0};
+        },
+        [&](std::size_t i, const auto& visitor) {
+          const Hit<float>& hit = visitor.hit;
+          if (hit.t < visitor.t_max)
+            hits[i] = {(hit.t + rays.skipped.of[i]) * rays.scale.of[i], hit.primitive};
+        });
+  }
+  for (std::size_t i = 0; i < EightRays::count; ++i)
+    found(i, hits[i]);
+}
+
+} // namespace masu

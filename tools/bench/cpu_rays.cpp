@@ -1,0 +1,263 @@
+// masu_cpu_rays: closest hits on the CPU, Masu beside Embree, by the same rays in one run.
+//
+// On one thread the rate is by CPU time, on all cores by wall-clock time. Repetitions of all measurements are
+// interleaved at random, so that what disturbs the machine for a while disturbs all alike.
+#include "libscene/error.h"
+#include "tools/bench/embree_scene.h"
+#include "tools/bench/ray_sets.h"
+#include "tools/cli.h"
+#include "tools/printable.h"
+#include "tools/repeated.h"
+
+#include <benchmark/benchmark.h>
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <deque>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace masu {
+namespace {
+
+struct Settings {
+  std::string scene, size = "1024x1024";
+  std::vector<std::string> grids, sets{"primary", "diffuse", "random"};
+  std::size_t random = std::size_t{1} << 20;
+  std::uint64_t seed = 1;
+  std::vector<int> threads{1, 0};
+  int repeat = 9;
+};
+
+// What a tracer found for a list of rays.
+struct Hits {
+  std::vector<float> t; // infinity for a miss
+  std::vector<std::uint32_t> primitive;
+
+  explicit Hits(std::size_t count) : t(count), primitive(count) {}
+};
+
+// Masu with a grid, or Embree.
+struct Contestant {
+  std::string name;
+  std::function<void(std::span<const Ray<float>>, Hits&)> trace;
+};
+
+// One measurement: its repetitions' rates in rays a second, as they come.
+struct Measurement {
+  std::string set, contestant;
+  int threads; // 0: all cores
+  std::vector<double> rates;
+};
+
+std::vector<Ray<float>> rounded(std::span<const Ray<double>> rays) {
+  std::vector<Ray<float>> all(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    all[i] = loaded<float>(rays.data(), own_format<double>, i);
+  return all;
+}
+
+std::map<std::string, std::vector<Ray<float>>> ray_sets(const Settings& settings, const SceneFile& scene,
+                                                        const GridFile& grid) {
+  const std::vector<Ray<double>> primary =
+      primary_rays(scene, resized(scene.camera(), settings.size), RayOrder::tiles);
+  std::map<std::string, std::vector<Ray<float>>> sets;
+  for (const std::string& name : settings.sets) {
+    sets[name] = rounded(name == "primary"   ? primary
+                         : name == "diffuse" ? diffuse_rays(scene, grid, primary, settings.seed)
+                                             : random_rays(scene, settings.random, settings.seed));
+  }
+  return sets;
+}
+
+Contestant masu_with(const SceneFile& scene, const GridFile& grid) {
+  const auto tracer = std::make_shared<Tracer>(scene, &grid, Device::cpu);
+  return {grid.path(), [tracer](std::span<const Ray<float>> rays, Hits& hits) {
+            RayResults results;
+            results.t = hits.t.data();
+            results.primitive = hits.primitive.data();
+            RaysRequest request;
+            request.tracing.precision = Precision::robust;
+            tracer->trace(RayList(rays), results, request);
+          }};
+}
+
+Contestant embree_with(const SceneFile& scene) {
+  const auto embree = std::make_shared<EmbreeScene>(scene.view<float>());
+  return {embree_name(), [embree](std::span<const Ray<float>> rays, Hits& hits) {
+            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 4096), [&](const auto& range) {
+              embree->trace(rays.subspan(range.begin(), range.size()), hits.t.data() + range.begin(),
+                            hits.primitive.data() + range.begin());
+            });
+          }};
+}
+
+// How many hits differ: one tracer hits and the other doesn't, or distances by more than a ten-thousandth.
+std::size_t differing(const Hits& a, const Hits& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.t.size(); ++i) {
+    const bool a_hits = a.primitive[i] != no_primitive, b_hits = b.primitive[i] != no_primitive;
+    count += a_hits != b_hits || (a_hits && !(std::abs(a.t[i] - b.t[i]) <= 1e-4F * std::abs(b.t[i])));
+  }
+  return count;
+}
+std::size_t hit_count(const Hits& hits) {
+  return hits.primitive.size() - static_cast<std::size_t>(std::ranges::count(hits.primitive, no_primitive));
+}
+
+// Throws Error(input) where two grids of one scene give different bits: results are independent of the grid.
+void print_agreement(const std::map<std::string, std::vector<Ray<float>>>& sets,
+                     const std::vector<Contestant>& contestants, std::size_t grids) {
+  fmt::print("{:<8} {:>9} {:>9}  hits that differ from Masu's\n", "rays", "count", "hits");
+  for (const auto& [name, rays] : sets) {
+    Hits first(rays.size());
+    contestants.front().trace(rays, first);
+    fmt::print("{:<8} {:>9} {:>9}", name, rays.size(), hit_count(first));
+    for (std::size_t i = 1; i < contestants.size(); ++i) {
+      Hits other(rays.size());
+      contestants[i].trace(rays, other);
+      if (i >= grids) {
+        fmt::print("  {}: {}", contestants[i].name, differing(first, other));
+      } else if (other.t != first.t || other.primitive != first.primitive) {
+        throw Error(ErrorCode::input, contestants[i].name,
+                    "hits differ from those through " + contestants.front().name);
+      }
+    }
+    fmt::print("\n");
+  }
+  fmt::print("\n");
+  flush_standard_output();
+}
+
+void measure(benchmark::State& state, const Contestant& contestant, std::span<const Ray<float>> rays,
+             int threads) {
+  const auto cores = static_cast<std::size_t>(std::max(1U, std::thread::hardware_concurrency()));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  threads > 0 ? static_cast<std::size_t>(threads) : cores);
+  Hits hits(rays.size());
+  for (auto _ : state)
+    contestant.trace(rays, hits);
+  state.counters["rays"] =
+      benchmark::Counter(static_cast<double>(rays.size()), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+// Keeps the rates beside what Google Benchmark's own table shows of them.
+class Reporter : public benchmark::BenchmarkReporter {
+public:
+  explicit Reporter(std::vector<Measurement>& measurements) : measurements_(measurements) {}
+
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration) continue;
+      measurements_.at(static_cast<std::size_t>(run.family_index)).rates.push_back(run.counters.at("rays"));
+    }
+  }
+
+private:
+  std::vector<Measurement>& measurements_;
+};
+
+void print_table(const std::vector<Measurement>& measurements, const std::string& embree) {
+  fmt::print("{:<8} {:>7}  {:<32} {:>8} {:>8}\n", "rays", "threads", "", "Mray/s", "/ Embree");
+  double reference = 0;
+  for (const Measurement& measurement : measurements) {
+    if (measurement.rates.empty()) continue; // not among those chosen by --benchmark_filter
+    const double rate = median(measurement.rates);
+    if (measurement.contestant == embree) reference = rate;
+    fmt::print("{:<8} {:>7}  {:<32} {:>8.2f} {:>8}\n", measurement.set,
+               measurement.threads == 0 ? "all" : std::to_string(measurement.threads),
+               printable(measurement.contestant), rate * 1e-6,
+               reference > 0 ? fmt::format("{:.2f}", rate / reference) : "-");
+  }
+  flush_standard_output();
+}
+
+void bench_cpu_rays(const Settings& settings) {
+  const SceneFile scene(settings.scene);
+  if (scene.is_float64())
+    throw Error(ErrorCode::input, settings.scene,
+                "holds float64 coordinates, which Embree doesn't: make it with nff2bin --store float32");
+  std::deque<GridFile> grids;
+  std::vector<Contestant> contestants;
+  for (const std::string& path : settings.grids)
+    contestants.push_back(masu_with(scene, grids.emplace_back(path)));
+  if (!embree_available) {
+    fmt::print(stderr, "masu_cpu_rays: built without Embree (libembree-dev): Masu alone is measured\n");
+  } else if (scene.view<float>().triangle_count != scene.primitive_count()) {
+    throw Error(ErrorCode::input, settings.scene,
+                "holds spheres or cones, which Embree would trace as its user's own: make it with nff2bin "
+                "--tessellate 12");
+  } else {
+    contestants.push_back(embree_with(scene));
+  }
+  const auto sets = ray_sets(settings, scene, grids.front());
+  print_agreement(sets, contestants, grids.size());
+
+  std::vector<Measurement> measurements;
+  for (const int threads : settings.threads) {
+    for (const std::string& set : settings.sets) {
+      for (std::size_t i = contestants.size(); i-- > 0;) { // Embree first
+        const Contestant& contestant = contestants[i];
+        const std::span<const Ray<float>> rays = sets.at(set);
+        auto* registered =
+            benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", contestant.name, set, threads).c_str(),
+                                         [&contestant, rays, threads](benchmark::State& state) {
+                                           measure(state, contestant, rays, threads);
+                                         });
+        registered->Iterations(1)->Repetitions(settings.repeat);
+        if (threads != 1) registered->UseRealTime();
+        measurements.push_back({set, contestant.name, threads, {}});
+      }
+    }
+  }
+  Reporter reporter(measurements);
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  print_table(measurements, embree_available ? embree_name() : "");
+}
+
+// Before all other arguments, so that these may say otherwise.
+std::vector<char*> with_interleaving(int argc, char** argv) {
+  static std::string option = "--benchmark_enable_random_interleaving=true";
+  std::vector<char*> all(argv, argv + argc);
+  all.insert(all.begin() + 1, option.data());
+  return all;
+}
+
+} // namespace
+} // namespace masu
+
+int main(int argc, char** argv) {
+  using namespace masu;
+  std::vector<char*> arguments = with_interleaving(argc, argv);
+  int count = argc + 1;
+  benchmark::Initialize(&count, arguments.data()); // removes its own
+  return run_tool(
+      "masu_cpu_rays", "Closest hits on the CPU: Masu beside Embree, by the same rays.", count,
+      arguments.data(), [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        app.add_option("SCENE", settings.scene, "scene file of triangles, from nff2bin")->required();
+        app.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
+        app.add_option("--sets", settings.sets, "sets of rays: primary, diffuse, random")
+            ->delimiter(',')
+            ->check(CLI::IsMember(std::set<std::string>{"primary", "diffuse", "random"}));
+        app.add_option("--size", settings.size, "number of primary rays, WxH")->capture_default_str();
+        app.add_option("--random", settings.random, "number of random rays")
+            ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
+            ->capture_default_str();
+        app.add_option("--seed", settings.seed, "seed of diffuse and random rays")->capture_default_str();
+        app.add_option("--threads", settings.threads, "numbers of threads; 0: all cores")
+            ->delimiter(',')
+            ->check(CLI::Range(0, 4096));
+        app.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
+            ->check(CLI::Range(1, 1000))
+            ->capture_default_str();
+        app.footer("--benchmark_… options are Google Benchmark's.");
+        parse();
+        bench_cpu_rays(settings);
+      });
+}
