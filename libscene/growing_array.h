@@ -2,12 +2,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <initializer_list>
 #include <limits>
 #include <memory>
 #include <new>
 #include <span>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -49,6 +51,10 @@ public:
   const T* end() const { return data_ + size_; }
   T& operator[](std::size_t i) { return data_[i]; }
   const T& operator[](std::size_t i) const { return data_[i]; }
+  const T& at(std::size_t i) const {
+    if (i >= size_) throw std::out_of_range("GrowingArray::at");
+    return data_[i];
+  }
   T& front() { return data_[0]; }
   const T& front() const { return data_[0]; }
   T& back() { return data_[size_ - 1]; }
@@ -80,6 +86,12 @@ public:
     if (values.size() > capacity_ - size_) grow(values.size());
     std::uninitialized_copy(values.begin(), values.end(), data_ + size_);
     size_ += values.size();
+  }
+  void assign(std::size_t count, const T& value) {
+    const T copy = value; // which may be one of these
+    reserve(count);
+    std::uninitialized_fill_n(data_, count, copy);
+    size_ = count;
   }
   void clear() { size_ = 0; }
 

@@ -65,7 +65,8 @@ TEST_F(LargeFiles, GridsAreReadBackAsWritten) {
     return primitive == each - 1 ? primitive | last_bit : primitive;
   };
   {
-    Grid grid{{{{0, 0, 0}, {1000, 1000, 1}}, {1000, 1000, 1}, 0}};
+    Grid grid;
+    grid.layout = {{{0, 0, 0}, {1000, 1000, 1}}, {1000, 1000, 1}, 0};
     grid.voxel_map.resize(voxels);
     for (std::uint32_t i = 0; i < voxels; ++i)
       grid.voxel_map[i] = occupied_bit | i * each;
