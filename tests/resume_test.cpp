@@ -322,9 +322,11 @@ TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], shared = all("b")[i];
     EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
-    EXPECT_TRUE(succeeded(
+    // Its daemons, who share a machine after all, may warn of each other.
+    const ToolResult result =
         run(MASU_MPIRUN, joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:2,machine2:1"},
-                                by(3, joined(shared.arguments, {"--stats", file("b.json")}))))));
+                                by(3, shared.arguments)));
+    EXPECT_EQ(result.code, 0) << result.err;
     expect_same(shared, expected);
     expect_nothing_left(shared);
   }
