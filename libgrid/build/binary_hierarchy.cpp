@@ -40,9 +40,9 @@ float rounded_up(double value) {
   return -rounded_down(-value);
 }
 
-Fragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex primitive) {
+HierarchyFragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex primitive) {
   const Boxd box = grown(bounds, margin);
-  Fragment fragment;
+  HierarchyFragment fragment;
   fragment.box.low =
       Lanes{rounded_down(box.min.x), rounded_down(box.min.y), rounded_down(box.min.z), float_of(primitive)};
   fragment.box.high = Lanes{rounded_up(box.max.x), rounded_up(box.max.y), rounded_up(box.max.z), 0};
@@ -51,8 +51,8 @@ Fragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex primitive
 
 // With room for more.
 template <class Stored>
-HostArray<Fragment> fragments_of(const SceneView<Stored>& scene, double margin, std::size_t room) {
-  HostArray<Fragment> fragments(scene.primitive_count() + room);
+HostArray<HierarchyFragment> fragments_of(const SceneView<Stored>& scene, double margin, std::size_t room) {
+  HostArray<HierarchyFragment> fragments(scene.primitive_count() + room);
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.primitive_count(), 4096),
                     [&](const auto& range) {
                       for (PrimitiveIndex i = range.begin(); i != range.end(); ++i) {
@@ -205,7 +205,7 @@ private:
   Extent extent_of(const FragmentRange& range) const {
     return summed<Extent>(
         range,
-        [](Extent& extent, const Fragment& fragment) {
+        [](Extent& extent, const HierarchyFragment& fragment) {
           extent.box.join(fragment.box);
           const Lanes centre = fragment.centre();
           extent.centres.join({centre, centre});
@@ -219,7 +219,7 @@ private:
   Bins binned_by_centre(const FragmentRange& range, const Binning& binning) const {
     return summed<Bins>(
         range,
-        [&](Bins& bins, const Fragment& fragment) {
+        [&](Bins& bins, const HierarchyFragment& fragment) {
           const Lanes centre = fragment.centre();
           for (int axis = 0; axis < 3; ++axis) {
             Bin& bin = bins.at(axis, binning.bin(centre, axis));
@@ -235,7 +235,7 @@ private:
   struct Sides {
     LaneBox below, above;
   };
-  Sides sides_of_fragment(const Fragment& fragment, int axis, float plane) const {
+  Sides sides_of_fragment(const HierarchyFragment& fragment, int axis, float plane) const {
     Sides sides;
     with_primitive(scene_, fragment.primitive(), [&](const auto& primitive) {
       const ClippedBounds parts = sides_of(primitive, axis, plane, plane);
@@ -252,13 +252,13 @@ private:
   Bins binned_by_space(const FragmentRange& range, const Binning& binning) const {
     return summed<Bins>(
         range,
-        [&](Bins& bins, const Fragment& fragment) {
+        [&](Bins& bins, const HierarchyFragment& fragment) {
           for (int axis = 0; axis < 3; ++axis) {
             const int first = binning.bin(fragment.box.low, axis),
                       last = binning.bin(fragment.box.high, axis);
             ++bins.at(axis, first).begin;
             ++bins.at(axis, last).end;
-            Fragment rest = fragment;
+            HierarchyFragment rest = fragment;
             for (int i = first; i != last; ++i) {
               const Sides sides = sides_of_fragment(rest, axis, binning.plane(axis, i));
               if (holds_something(sides.below)) bins.at(axis, i).box.join(sides.below);
@@ -297,13 +297,13 @@ private:
     const float plane = binning.plane(best.axis, best.bin);
     const std::uint32_t count = range.count;
     for (std::uint32_t i = range.first; i != range.first + count && range.room > 0; ++i) {
-      Fragment& fragment = fragments_[i];
+      HierarchyFragment& fragment = fragments_[i];
       if (binning.bin(fragment.box.low, best.axis) > best.bin ||
           binning.bin(fragment.box.high, best.axis) <= best.bin)
         continue;
       const Sides sides = sides_of_fragment(fragment, best.axis, plane);
       if (!holds_something(sides.below) || !holds_something(sides.above)) continue;
-      Fragment above = fragment;
+      HierarchyFragment above = fragment;
       const float primitive = fragment.box.low[3];
       fragment.box = sides.below;
       above.box = sides.above;
@@ -312,7 +312,7 @@ private:
       --range.room;
     }
     const std::uint32_t left_count = partitioned(
-        range, [&](const Fragment& fragment) { return fragment.centre()[best.axis] < 2 * plane; });
+        range, [&](const HierarchyFragment& fragment) { return fragment.centre()[best.axis] < 2 * plane; });
     // Parts within the margin of an older plane may all come to lie on one side.
     const bool one_sided = left_count == 0 || left_count == range.count;
     return with_room(range, one_sided ? range.count / 2 : left_count);
@@ -334,7 +334,7 @@ private:
       if (space.cost < objects.cost) return split_by_space(range, by_space, space);
     }
     if (objects.axis < 0) return with_room(range, range.count / 2);
-    return with_room(range, partitioned(range, [&](const Fragment& fragment) {
+    return with_room(range, partitioned(range, [&](const HierarchyFragment& fragment) {
                        return by_centre.bin(fragment.centre(), objects.axis) <= objects.bin;
                      }));
   }
@@ -363,7 +363,7 @@ private:
   double margin_;
   const std::function<void(double)>& progress_;
   std::size_t spare_;
-  HostArray<Fragment> fragments_;
+  HostArray<HierarchyFragment> fragments_;
   HostArray<BinaryNode> nodes_;
   float root_area_ = 0;
   std::atomic<std::uint32_t> used_ = 1;

@@ -36,7 +36,7 @@ struct LaneBox {
 
 // The bounds of a primitive, or of a part of it, the margin included; its index is in a lane that boxes
 // ignore.
-struct Fragment {
+struct HierarchyFragment {
   LaneBox box;
 
   PrimitiveIndex primitive() const { return bits_of(box.low[3]); }
@@ -54,7 +54,7 @@ struct BinaryNode {
 };
 
 struct BinaryHierarchy {
-  HostArray<Fragment> fragments;
+  HostArray<HierarchyFragment> fragments;
   HostArray<BinaryNode> nodes; // the root first; none for no primitives
 };
 

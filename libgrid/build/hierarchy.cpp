@@ -207,7 +207,7 @@ private:
       write(hierarchy, node.first_node + static_cast<unsigned>(i), inner.nodes[static_cast<unsigned>(i)]);
   }
 
-  const HostArray<Fragment>& fragments_;
+  const HostArray<HierarchyFragment>& fragments_;
   const HostArray<BinaryNode>& nodes_;
   HostArray<Collapse> best_;
 };

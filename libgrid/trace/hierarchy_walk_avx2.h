@@ -12,6 +12,8 @@
 #include <immintrin.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstddef>
 
 namespace masu {
 
@@ -258,7 +260,8 @@ private:
       return node_ahead(enter[slot], node.first_node + before);
     };
     NodeAhead nearest = take();
-    for (NodeAhead* const begin = end_; slots != 0;) {
+    NodeAhead* const begin = end_;
+    while (slots != 0) {
       const NodeAhead other = take(), farther = std::max(nearest, other);
       nearest = std::min(nearest, other);
       NodeAhead* at = end_++;

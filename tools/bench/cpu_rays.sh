@@ -12,7 +12,7 @@ export PATH=$bin:$PATH
 
 # A line for each scene: its name, the options of nffgen, those of nff2bin.
 scenes='teapot-60:teapot --size 60:
-mount-10:mount --size 10:
+mount-10:mount --size 10:--tessellate 12
 tetra-9:tetra --size 9:
 tetra-10:tetra --size 10:
 balls:balls:--tessellate 12
