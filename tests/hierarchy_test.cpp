@@ -1,7 +1,6 @@
 // Results are independent of the hierarchy: through it a ray finds the same bits as by trying every
 // primitive. And what is behind that: boxes contain what they hold, on every way of computing them, and walks
 // end.
-#include "libgrid/build/binary_hierarchy.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/hierarchy_statistics.h"
 #include "libgrid/trace/trace.h"

@@ -1,6 +1,7 @@
 #include "libgrid/build/binary_hierarchy.h"
 
 #include "libgrid/build/clipped_bounds.h"
+#include "libgrid/build/hierarchy.h"
 #include "libgrid/trace/hierarchy_view.h"
 #include "libscene/error.h"
 

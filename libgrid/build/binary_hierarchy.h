@@ -67,14 +67,6 @@ template <class Stored>
 BinaryHierarchy binary_hierarchy(const SceneView<Stored>& scene, double margin,
                                  const std::function<void(double)>& progress);
 
-// The most primitives of a hierarchy: with what is divided, fragments and nodes can still be numbered.
-inline constexpr double spare_fragments = 0.3; // a primitive, for what is divided
-inline constexpr auto max_hierarchy_primitives =
-    static_cast<std::uint64_t>(static_cast<double>(0x7fffffff) / (1 + spare_fragments));
-
-// Throws Error(usage, "merge", …) for more, and where so many take more than `available` bytes of memory.
-void check_hierarchy(std::uint64_t primitives, double available);
-
 // About how many bytes a primitive the binary hierarchy takes, and what it is made into.
 inline constexpr double hierarchy_bytes_a_primitive = 300;
 

@@ -13,6 +13,14 @@ struct Hierarchy {
   HostArray<PrimitiveIndex> references;
 };
 
+// The most primitives of a hierarchy: with what is divided, fragments and nodes can still be numbered.
+inline constexpr double spare_fragments = 0.3; // a primitive, for what is divided
+inline constexpr auto max_hierarchy_primitives =
+    static_cast<std::uint64_t>(static_cast<double>(0x7fffffff) / (1 + spare_fragments));
+
+// Throws Error(usage, "merge", …) for more, and where so many take more than `available` bytes of memory.
+void check_hierarchy(std::uint64_t primitives, double available);
+
 // First a binary hierarchy from the top down, by the surface area heuristic over bins (Wald, "On Fast
 // Construction of SAH-based Bounding Volume Hierarchies", RT 2007); then the cheapest nodes of eight boxes
 // that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017). The same for any
