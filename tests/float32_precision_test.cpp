@@ -143,8 +143,8 @@ TEST(Float32Precision, DependsOnRangeAndDistance) {
 }
 
 // Parts by definition: grown from each triangle until nothing more shares a corner.
-std::uint64_t parts_by_definition(const std::vector<Triangle<double>>& triangles, double limit) {
-  const auto shares = [](const Triangle<double>& s, const Triangle<double>& t) {
+std::uint64_t parts_by_definition(const GrowingArray<SceneTriangle>& triangles, double limit) {
+  const auto shares = [](const SceneTriangle& s, const SceneTriangle& t) {
     for (const Vec3d& a : {s.a, s.b, s.c})
       for (const Vec3d& b : {t.a, t.b, t.c})
         if (cast<float>(a) == cast<float>(b)) return true;

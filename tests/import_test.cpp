@@ -320,7 +320,7 @@ TEST(Import, GeneratedNormalsOfASphereAreRadial) {
   const Scene scene = parse(sphere_obj(32), "obj", {.smooth = true}).scene;
   ASSERT_EQ(scene.normals.size(), scene.triangles.size());
   std::map<std::array<double, 3>, Vec3d> at; // one normal for each position
-  for (const Triangle<double>& t : scene.triangles) {
+  for (const SceneTriangle& t : scene.triangles) {
     const CornerNormals<double>& n = scene.normals[t.normals];
     for (const auto& [p, normal] : {std::pair{t.a, n.a}, {t.b, n.b}, {t.c, n.c}}) {
       EXPECT_GT(dot(normal, p) / 2, 0.998);
@@ -378,7 +378,7 @@ bool is_framed(const Scene& scene) {
               up = cross(right, forward);
   const double top = std::tan(camera.angle / 2 * std::numbers::pi / 180);
   const double side = top * camera.width / camera.height;
-  for (const Triangle<double>& t : scene.triangles)
+  for (const SceneTriangle& t : scene.triangles)
     for (const Vec3d& p : {t.a, t.b, t.c}) {
       const Vec3d v = p - camera.from;
       const double depth = dot(v, forward);

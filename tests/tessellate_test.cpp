@@ -73,7 +73,7 @@ using Place = std::tuple<double, double, double>;
 std::map<std::pair<Place, Place>, int> edges(const Scene& scene) {
   const auto place = [](const Vec3d& v) { return Place{v.x, v.y, v.z}; };
   std::map<std::pair<Place, Place>, int> walked;
-  for (const Triangle<double>& t : scene.triangles) {
+  for (const SceneTriangle& t : scene.triangles) {
     const auto corner = corners(t);
     for (std::size_t i = 0; i < 3; ++i)
       ++walked[{place(corner[i]), place(corner[(i + 1) % 3])}];
@@ -125,8 +125,9 @@ TEST(Tessellation, KeepsTriangles) {
 TEST(Tessellation, TooManyTrianglesAreRefused) {
   Scene scene = nothing();
   // 12 (1024/4)² triangles each: 5462 of them are over 2^32.
-  scene.spheres.resize(5462, {{0, 0, 0}, 1});
-  scene.sphere_surfaces.resize(5462, {0, 0});
+  for (int i = 0; i < 5462; ++i)
+    scene.spheres.push_back({{0, 0, 0}, 1});
+  scene.sphere_surfaces.resize(5462);
   try {
     tessellated(std::move(scene), 1024);
     FAIL() << "it was taken for good";
@@ -142,7 +143,7 @@ TEST(Tessellation, CornersLieOnTheSphere) {
   for_random_cases([](SceneChance& chance, double sign, int facets) {
     const Sphere<double> sphere = random_sphere(chance, sign);
     const double size = largest_magnitude(sphere.center) + std::abs(sphere.radius);
-    for (const Triangle<double>& t : one_sphere(sphere, facets).triangles)
+    for (const SceneTriangle& t : one_sphere(sphere, facets).triangles)
       for (const Vec3d& p : corners(t))
         ASSERT_NEAR(length(p - sphere.center), std::abs(sphere.radius), 1e-15 * size);
   });
@@ -153,7 +154,7 @@ TEST(Tessellation, CornersLieOnTheConesEnds) {
     const Cone<double> cone = random_cone(chance, sign);
     const double reach = length(cone.apex - cone.base);
     const double size = largest_magnitude(bounds(cone));
-    for (const Triangle<double>& t : one_cone(cone, facets).triangles)
+    for (const SceneTriangle& t : one_cone(cone, facets).triangles)
       for (const Vec3d& p : corners(t)) {
         const double along = dot(p - cone.base, normalized(cone.apex - cone.base));
         const bool at_base = along < reach / 2;
@@ -191,11 +192,11 @@ TEST(Tessellation, ConesAreOpenAtTheirWideEndsOnly) {
 TEST(Tessellation, FrontsFaceOutwardsOrInwardsForNegativeRadii) {
   for_random_cases([](SceneChance& chance, double sign, int facets) {
     const Sphere<double> sphere = random_sphere(chance, sign);
-    for (const Triangle<double>& t : one_sphere(sphere, facets).triangles)
+    for (const SceneTriangle& t : one_sphere(sphere, facets).triangles)
       ASSERT_GT(dot(cross(t.b - t.a, t.c - t.a), t.a - sphere.center) * sign, 0);
     const Cone<double> cone = random_cone(chance, sign);
     const Vec3d along = normalized(cone.apex - cone.base);
-    for (const Triangle<double>& t : one_cone(cone, facets).triangles) {
+    for (const SceneTriangle& t : one_cone(cone, facets).triangles) {
       const Vec3d middle = (t.a + t.b + t.c) * (1.0 / 3) - cone.base;
       ASSERT_GT(dot(cross(t.b - t.a, t.c - t.a), middle - along * dot(middle, along)) * sign, 0);
     }
@@ -206,7 +207,7 @@ TEST(Tessellation, CornerNormalsAreTheSurfaces) {
   for_random_cases([](SceneChance& chance, double sign, int facets) {
     const Sphere<double> sphere = random_sphere(chance, sign);
     Scene scene = one_sphere(sphere, facets);
-    for (const Triangle<double>& t : scene.triangles)
+    for (const SceneTriangle& t : scene.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3d outwards = normalized(corners(t)[i] - sphere.center);
         ASSERT_LT(length(normals(scene, t)[i] - outwards * sign), 1e-13);
@@ -214,7 +215,7 @@ TEST(Tessellation, CornerNormalsAreTheSurfaces) {
     const Cone<double> cone = random_cone(chance, sign);
     const Vec3d axis = cone.apex - cone.base;
     scene = one_cone(cone, facets);
-    for (const Triangle<double>& t : scene.triangles)
+    for (const SceneTriangle& t : scene.triangles)
       for (std::size_t i = 0; i < 3; ++i) {
         const Vec3d n = normals(scene, t)[i], p = corners(t)[i] - cone.base;
         const Vec3d off_axis = p - axis * (dot(p, axis) / dot(axis, axis));
@@ -229,7 +230,7 @@ TEST(Tessellation, CornerNormalsAreTheSurfaces) {
 TEST(Tessellation, NormalsOfATipAreOnItsSidesFront) {
   for (const double sign : {1.0, -1.0}) {
     const Scene scene = one_cone({{0, 0, 0}, sign, {0, 0, 3}, 0}, 12);
-    for (const Triangle<double>& t : scene.triangles) {
+    for (const SceneTriangle& t : scene.triangles) {
       const Vec3d front = normalized(cross(t.b - t.a, t.c - t.a));
       for (const Vec3d& n : normals(scene, t))
         EXPECT_GT(dot(normalized(n), front), 0.9);
@@ -250,7 +251,7 @@ TEST(Tessellation, ConesOfExtremeShapeHaveFiniteNormals) {
   for (const double far : {1e-300, 1e-150, 1.0, 1e99})
     for (const double radius : {1e-300, 1.0, 1e99}) {
       const Scene scene = one_cone({{0, 0, 0}, radius, {far, far, -far}, 0}, 12);
-      for (const Triangle<double>& t : scene.triangles)
+      for (const SceneTriangle& t : scene.triangles)
         for (const Vec3d& n : normals(scene, t)) {
           EXPECT_GT(length(n), 0.5);
           EXPECT_LT(length(n), 2.5);
