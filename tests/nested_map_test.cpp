@@ -78,8 +78,8 @@ HostArray<std::uint32_t> map_of(const std::vector<VoxelBox>& cells, const Vec3i&
     grid.cells.push_back(packed(cell, empty_list));
   const LeafCounts starts{0, 0}, leaves{static_cast<std::uint32_t>(cells.size()), 0};
   const HostArray<std::uint32_t> indices{static_cast<std::uint32_t>(linear_index(cube, {4, 4, 4}))};
-  write_nested_maps(executor, {4, 4, 4}, {0, 64, nullptr, nullptr, 0}, indices, &starts, &leaves, GridOptions{}.max_map_words,
-                    grid);
+  write_nested_maps(executor, {4, 4, 4}, {0, 64, nullptr, nullptr, 0}, indices, &starts, &leaves,
+                    GridOptions{}.max_map_words, grid);
   EXPECT_EQ(grid.exceeded, nullptr);
   return std::move(grid.voxel_map);
 }
