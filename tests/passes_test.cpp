@@ -71,9 +71,9 @@ TYPED_TEST(Executor, BuildTheSameMergedGridOfManyParts) {
     while (scene.view().primitive_count() < 100000)
       scene.triangles.insert(scene.triangles.end(), scene.triangles.begin(), scene.triangles.end());
     GridOptions options = random_grid_options(chance);
-    options.nested_log2 = std::min(options.nested_log2, 3);
+    options.nested_log2 = std::min(options.nested_log2, 2);
     GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
-    layout.division = {chance.whole(1, 120), chance.whole(1, 60), chance.whole(1, 60)};
+    layout.division = {chance.whole(1, 60), chance.whole(1, 30), chance.whole(1, 30)};
     if (s == 1) layout.division = {1, 1, 1};
     const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
     expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, Overlap::box, options)).grid);
