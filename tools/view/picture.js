@@ -2,7 +2,7 @@
 // newest view; the sharp picture is made in bands, and given up as soon as the view moves.
 'use strict';
 
-const STILL_MS = 60;         // without a move, before the picture is made sharp
+const STILL_MS = 25;         // without a move, before the picture is made sharp
 const MOVING_BUDGET_MS = 28; // for a picture while the view moves
 const BAND_MS = 100;         // for a band of the sharp picture
 
