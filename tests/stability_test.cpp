@@ -1,7 +1,9 @@
 // Robust and double precision fail nowhere, and within the envelopes of docs/accuracy.md most rays are sure.
 #include "libscene/float32_precision.h"
 #include "tools/bench/stability/backends.h"
+#include "tools/bench/stability/oracle.h"
 #include "tools/bench/stability/run.h"
+#include "tools/bench/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -29,6 +31,19 @@ TEST_P(Stability, RobustAndDoubleFailNowhere) {
   // Otherwise the check above would say little.
   EXPECT_GT(rays, 0U);
   EXPECT_LE(2 * unsure, rays);
+}
+
+TEST(Oracle, MissesTrianglesThatAreALineThroughTheOrigin) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (int i = 0; i < 1000; ++i) {
+    // Far from the origin, rounding to float32 makes such triangles and such rays.
+    const auto above = [&](double z) { return Vec3d{8346999, -1e7, z + chance.whole(0, 4)}; };
+    const Triangle<double> line = triangle_of<double>(above(100), above(100), above(100));
+    const Vec3d slanted{chance.uniform(0.5, 1), chance.uniform(-1, 1), chance.uniform(-1, 1)};
+    EXPECT_EQ(oracle::expect(oracle::line(above(0), slanted), line, 1e-8).result, oracle::Result::miss);
+  }
 }
 
 template <class Stored>

@@ -150,7 +150,7 @@ struct Expected {
 // `slack`: the bound on the tracer's error, as a displacement of the primitive.
 template <class T>
 Expected expect(const Line& ray, const Triangle<T>& triangle, Wide slack) {
-  const Wide square = inner(ray.direction, ray.direction);
+  const Wide square = inner(ray.direction, ray.direction), length = root(square);
   const std::array corners{point(triangle.a) - ray.origin, point(triangle.b) - ray.origin,
                            point(triangle.c) - ray.origin};
   // Projected along the ray, which becomes the point 0.
@@ -162,8 +162,11 @@ Expected expect(const Line& ray, const Triangle<T>& triangle, Wide slack) {
     const Point &a = seen[i], &b = seen[(i + 1) % 3];
     if (distance_to_segment({0, 0, 0}, a, b) <= slack) return {Result::unsure, 0, 0};
     const Wide side = inner(ray.direction, outer(a, b));
-    left = left && side > 0;
-    right = right && side < 0;
+    // A ray inside the triangle is farther than the slack from the edges' lines, too. Without that, roundings
+    // decide where the ray lies in the triangle's plane: all three sides are 0 then.
+    const Wide least = slack * norm(b - a) * length / 2;
+    left = left && side > least;
+    right = right && side < -least;
   }
   if (!left && !right) return {Result::miss, 0, 0};
   const Point normal = outer(corners[1] - corners[0], corners[2] - corners[0]);
