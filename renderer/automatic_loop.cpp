@@ -1,6 +1,7 @@
 #include "renderer/automatic_loop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numbers>
 #include <random>
@@ -8,24 +9,29 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t rays_a_warp = 32, warps_sampled = 32;
+constexpr std::size_t rays_a_warp = 32, warps_sampled = 64;
 
-// Warps' worth of neighbours, evenly over the list.
+// Warps' worth of neighbours, all over the list: at places i · φ modulo 1, which are as far from each other
+// as can be, and aren't in step with a picture's rows.
 std::vector<std::uint8_t> sample_of(const RayList& rays) {
   const std::size_t size = rays.format.bytes_a_ray(), warps = rays.count / rays_a_warp;
   const std::size_t taken = std::min(warps, warps_sampled);
   std::vector<std::uint8_t> sample(taken * rays_a_warp * size);
   for (std::size_t i = 0; i < taken; ++i) {
-    const std::size_t warp = (2 * i + 1) * warps / (2 * taken);
+    const auto place =
+        warps <= warps_sampled
+            ? i
+            : static_cast<std::size_t>(std::fmod(static_cast<double>(i) * std::numbers::phi, 1) *
+                                       static_cast<double>(warps));
     std::memcpy(sample.data() + i * rays_a_warp * size,
-                static_cast<const std::uint8_t*>(rays.rays) + warp * rays_a_warp * size, rays_a_warp * size);
+                static_cast<const std::uint8_t*>(rays.rays) + place * rays_a_warp * size, rays_a_warp * size);
   }
   return sample;
 }
 
 // In tiles of 8 × 4, a warp each, evenly over the picture.
 std::vector<Ray<double>> camera_sample(const SceneFile& scene) {
-  constexpr std::int32_t tiles_across = 8, tiles_down = 4, tile_width = 8, tile_height = 4;
+  constexpr std::int32_t tiles_across = 8, tiles_down = 8, tile_width = 8, tile_height = 4;
   const Camera& camera = scene.camera();
   const auto rays = camera_rays<double>(camera, Sampling::centers, false);
   std::vector<Ray<double>> sample;
@@ -97,7 +103,9 @@ WarpCosts sampled_costs(const SceneFile& scene, const GridFile& grid, const RayL
 // A warp's threads wait for its longest ray. Where that costs less than fetching rays does, which was
 // measured to take about as long as 2.25 steps and tests, a thread traces a ray to its end. Where rays are so
 // alike that few of them wait, nothing need be fetched; but their tests are shared if most threads would wait
-// for those of a few: measured on an H200 over grids and hierarchies of 19 scenes.
+// for those of a few. On an H200 that gives 0.997 of the best loop's rate, and no less than 0.93, over
+// closest hits of primary, diffuse and random rays through 39 grids and hierarchies of 18 scenes; of shadow
+// rays 0.97.
 RayLoop automatic_loop(const WarpCosts& costs, bool is_hierarchy) {
   constexpr double fetching = 2.25, alike = 2.2, shared = 1.7;
   if (costs.most_work - costs.work < fetching) return RayLoop::thread_per_ray;

@@ -14,7 +14,7 @@ struct WarpCosts {
   double most_work = 0, most_tests = 0; // of the warp's longest rays
 };
 
-// Of 1024 rays of a list in host memory; takes a core about a millisecond. Throws Error(usage) for rays that
+// Of 2048 rays of a list in host memory; takes a core some milliseconds. Throws Error(usage) for rays that
 // aren't there and a precision that doesn't hold the scene.
 WarpCosts sampled_costs(const SceneFile& scene, const GridFile& grid, const RayList& rays, Query query,
                         Precision precision);
