@@ -50,7 +50,7 @@ bad=0
 for target in "${targets[@]}"; do
   executions=$(cat logs/"$target"-*.log | awk '/^stat::number_of_executed_units/ { n += $2 } END { printf "%.0f", n }')
   edges=$(grep -oh 'cov: [0-9]*' logs/"$target"-*.log | awk '$2 > n { n = $2 } END { print n + 0 }')
-  if [ "$executions" = 0 ] || { [ $target != mesh ] && [ "$(number_of "$target-[colt]*")" != 0 ]; }; then bad=1; fi
+  if [ "$executions" = 0 ] || { [ "$target" != mesh ] && [ "$(number_of "$target-[colt]*")" != 0 ]; }; then bad=1; fi
   echo "| \`$target\` | $executions | $((executions / seconds)) | $edges | $(number_of "$target-crash-*") |" \
     "$(number_of "$target-timeout-*") | $(number_of "$target-oom-*") | $(number_of "$target-leak-*") |"
 done
