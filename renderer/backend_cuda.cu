@@ -71,6 +71,7 @@ struct ConvertedRays {
         static_cast<unsigned>((list.count + rays_a_converting_block - 1) / rays_a_converting_block);
     convert_kernel<<<blocks, rays_a_converting_block, 0, stream>>>(list.rays, list.format, list.count,
                                                                    copy.data());
+    check(cudaGetLastError());
   }
 };
 

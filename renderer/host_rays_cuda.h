@@ -11,18 +11,6 @@ namespace masu {
 
 inline constexpr int pieces_in_flight = 3; // of rays_a_piece (backend.h)
 
-class Event {
-public:
-  Event() { check(cudaEventCreate(&event_)); }
-  ~Event() { static_cast<void>(cudaEventDestroy(event_)); }
-  Event(const Event&) = delete;
-  Event& operator=(const Event&) = delete;
-  operator cudaEvent_t() const { return event_; }
-
-private:
-  cudaEvent_t event_ = nullptr;
-};
-
 // Page-locked memory near the current device, that grows to what was needed most.
 class PinnedRoom {
 public:

@@ -30,7 +30,10 @@ public:
 private:
   std::unique_ptr<T> take() {
     const std::lock_guard lock(mutex_);
-    if (free_.empty()) return std::make_unique<T>();
+    if (free_.empty()) {
+      free_.reserve(++made_); // so that giving back can't fail
+      return std::make_unique<T>();
+    }
     std::unique_ptr<T> taken = std::move(free_.back());
     free_.pop_back();
     return taken;
@@ -42,6 +45,7 @@ private:
 
   std::mutex mutex_;
   std::vector<std::unique_ptr<T>> free_;
+  std::size_t made_ = 0;
 };
 
 // A scene and its grid, of either store: one of them.

@@ -151,6 +151,7 @@ void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const
   kernel<<<files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block, 0,
            batch.stream>>>(files.scene.view, batch.rays, culled.queue.count, batch.results,
                            culled.chosen.data(), progress);
+  check(cudaGetLastError()); // the next kernel reads what this one writes
 }
 
 // Traces by warp or warp_refill (RayLoop).
@@ -175,6 +176,7 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   cull<query>(files, batch, culled, left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
   trace<<<blocks, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
+  check(cudaGetLastError());
   finish<<<finishing, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
   return known.size;
 }

@@ -442,6 +442,32 @@ TEST(Import, InvalidFilesAreRefusedInOneLine) {
   EXPECT_TRUE(is_refused([](const std::string& path) { read_mesh(path); }, "/nonexistent/a.ply", "opened"));
 }
 
+TEST(Import, MoreTrianglesThanAreAllowedAreRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  const std::vector<Polygon> polygons = random_polygons(random, 8);
+  std::uint64_t all = 0;
+  for (const Polygon& polygon : polygons)
+    all += polygon.size() - 2;
+  const auto refused = [](const std::string& text, const std::string& extension, std::uint64_t most) {
+    ImportOptions options;
+    options.max_primitives = most;
+    return is_refused([&](const std::string&) { parse(text, extension, options); }, "t",
+                      fmt::format("has more than {} triangles: split the file", most));
+  };
+  for (const auto& [extension, text] :
+       {std::pair{"ply", binary_ply_of(polygons)}, {"obj", obj_of(polygons)}}) {
+    EXPECT_TRUE(refused(text, extension, all - 1)) << extension;
+    EXPECT_FALSE(refused(text, extension, all)) << extension;
+  }
+  // Each instance has its own.
+  const std::string twice = glb_of(one_triangle, R"({"children":[1,2]},{"mesh":0},{"mesh":0})");
+  EXPECT_TRUE(refused(twice, "glb", 1));
+  EXPECT_FALSE(refused(twice, "glb", 2));
+  EXPECT_EQ(ImportOptions{}.max_primitives, 0x7fffffffU);
+}
+
 TEST(Import, TruncatedFilesAreReadOrRefused) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());

@@ -158,8 +158,12 @@ RayWindow window_of(const Crop& crop, const Camera& camera, Sampling sampling, c
 }
 
 std::vector<View> read_views(const std::string& path, const Camera& base, double reach) {
-  std::istringstream in(read_text_input(path));
-  const std::string name = path == "-" ? "stdin" : path;
+  return parse_views(read_text_input(path), path == "-" ? "stdin" : path, base, reach);
+}
+
+std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
+                              double reach) {
+  std::istringstream in(text);
   std::vector<View> views;
   std::vector<std::string> places;
   std::string content;

@@ -50,6 +50,9 @@ struct View {
 // Error(input, "path:line", …) for whatever isn't such an object, for a camera with a fault, and for a name
 // that isn't safe in a file name or that another view has.
 std::vector<View> read_views(const std::string& path, const Camera& base, double reach);
+// The same from a text; `name` is its path in errors.
+std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
+                              double reach);
 
 // `count` views from a circle around the axis through `at` along `up`, the first one from where the camera
 // is, counterclockwise as seen from above. Names are indices.

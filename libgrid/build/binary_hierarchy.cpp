@@ -322,7 +322,7 @@ private:
   Halves halves_of(const FragmentRange& range, const Extent& extent, int depth) {
     // Halves are taken where else the hierarchy would become too deep for the walk's stack. A spatial split
     // may leave twice as many fragments on one side.
-    if (depth + std::bit_width(range.count) + 1 >= max_hierarchy_depth)
+    if (depth + static_cast<int>(std::bit_width(range.count)) + 1 >= max_hierarchy_depth)
       return with_room(range, range.count / 2);
     const int bins = range.count > 64 ? most_bins : most_bins / 2;
     const Binning by_centre(extent.centres, bins);

@@ -16,6 +16,7 @@ namespace masu {
 // Throws Error(device) with the source location of the call.
 inline void check(cudaError_t error, const std::source_location& where = std::source_location::current()) {
   if (error == cudaSuccess) return;
+  static_cast<void>(cudaGetLastError()); // or the next check of a launch would find it again
   const char* const advice =
       error == cudaErrorMemoryAllocation ? ": choose a coarser grid, or use the CPU" : ": try the CPU";
   throw Error(ErrorCode::device, "cuda",
@@ -23,10 +24,12 @@ inline void check(cudaError_t error, const std::source_location& where = std::so
                   std::to_string(where.line()) + ")" + advice);
 }
 
-// Makes a device the thread's current one, and restores the one before.
+// Makes a device the thread's current one, and restores the one before. Forgets the error of an earlier call
+// that wasn't checked.
 class DeviceScope {
 public:
   explicit DeviceScope(int device) {
+    static_cast<void>(cudaGetLastError());
     check(cudaGetDevice(&before_));
     if (before_ != device) check(cudaSetDevice(device));
   }
@@ -113,20 +116,24 @@ private:
   std::size_t size_ = 0;
 };
 
+class Event {
+public:
+  Event() { check(cudaEventCreate(&event_)); }
+  ~Event() { static_cast<void>(cudaEventDestroy(event_)); }
+  Event(const Event&) = delete;
+  Event& operator=(const Event&) = delete;
+  operator cudaEvent_t() const { return event_; }
+
+private:
+  cudaEvent_t event_ = nullptr;
+};
+
 // Time on a stream since construction.
 class DeviceTimer {
 public:
   explicit DeviceTimer(cudaStream_t stream = nullptr) : stream_(stream) {
-    check(cudaEventCreate(&start_));
-    check(cudaEventCreate(&stop_));
     check(cudaEventRecord(start_, stream_));
   }
-  ~DeviceTimer() {
-    static_cast<void>(cudaEventDestroy(start_));
-    static_cast<void>(cudaEventDestroy(stop_));
-  }
-  DeviceTimer(const DeviceTimer&) = delete;
-  DeviceTimer& operator=(const DeviceTimer&) = delete;
 
   // To be recorded again, where the time is to begin later.
   cudaEvent_t start() const { return start_; }
@@ -141,7 +148,7 @@ public:
 
 private:
   cudaStream_t stream_;
-  cudaEvent_t start_ = nullptr, stop_ = nullptr;
+  Event start_, stop_;
 };
 
 } // namespace masu

@@ -39,6 +39,8 @@ private:
   struct Staging {
     PinnedBuffer buffer{piece_bytes};
     Stream stream;
+    // After an error the arrays are given back next: nothing may still be copied to them.
+    ~Staging() { static_cast<void>(cudaStreamSynchronize(stream)); }
   };
   Staging stagings_[2];
   int next_ = 0;

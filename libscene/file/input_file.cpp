@@ -163,8 +163,8 @@ private:
 } // namespace
 
 TextSource TextSource::of(std::string_view text) {
-  const auto read = [text](char* to, std::size_t bytes) mutable {
-    const std::string_view part = text.substr(0, bytes);
+  const auto read = [text](char* to, std::size_t wanted) mutable {
+    const std::string_view part = text.substr(0, wanted);
     std::copy(part.begin(), part.end(), to);
     text.remove_prefix(part.size());
     return part.size();
@@ -173,8 +173,8 @@ TextSource TextSource::of(std::string_view text) {
 }
 
 TextSource TextSource::of(const InputFile& file) {
-  const auto read = [&file, offset = std::uint64_t{0}](char* to, std::size_t bytes) mutable {
-    const std::uint64_t part = std::min<std::uint64_t>(bytes, file.size() - offset);
+  const auto read = [&file, offset = std::uint64_t{0}](char* to, std::size_t wanted) mutable {
+    const std::uint64_t part = std::min<std::uint64_t>(wanted, file.size() - offset);
     file.read(offset, {reinterpret_cast<std::uint8_t*>(to), part});
     offset += part;
     return static_cast<std::size_t>(part);

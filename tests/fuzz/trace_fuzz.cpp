@@ -24,11 +24,11 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const TinyScene scene;
+  static const masu::ReusedFile memory;
   const masu::Geometry geometry{scene.geometry, masu::tiny_scene_primitives};
   try {
-    const masu::MemoryFile memory;
-    masu::fill(memory, masu::repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind, &geometry));
-    const masu::GridFile grid(memory.path());
+    const masu::GridFile grid(
+        memory.with(masu::repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind, &geometry)));
     if (grid.references().size() < 1 << 16) masu::trace_a_little(scene.file, &grid); // or it takes seconds
   } catch (const masu::Error&) {
   }
