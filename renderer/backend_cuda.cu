@@ -27,6 +27,8 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
   else
     files->float32.emplace(scene.view<float>(), grid, upload);
   upload.run(meanwhile);
+  if (files->float32) files->float32->make_leaves(grid);
+  if (files->float64) files->float64->make_leaves(grid);
   return files;
 }
 

@@ -75,15 +75,52 @@ struct DeviceGrid {
   NoGrid moved(NoGrid) const { return {}; }
 };
 
+inline constexpr int leaves_a_block = 128;
+
+template <class Stored>
+__global__ void __launch_bounds__(leaves_a_block)
+    copy_leaves(const Triangle<Stored>* const triangles, const PrimitiveIndex* const references,
+                const std::size_t count, Triangle<Stored>* const leaves) {
+  const std::size_t i = std::size_t{blockIdx.x} * leaves_a_block + threadIdx.x;
+  if (i >= count) return;
+  Triangle<Stored> leaf = triangles[references[i]];
+  leaf.object = references[i];
+  leaves[i] = leaf;
+}
+
 // A scene and its grid on the device.
 template <class Stored>
 struct DeviceFilesOf {
   DeviceScene<Stored> scene;
   DeviceGrid grid;
+  DeviceArray<Triangle<Stored>> leaves; // of a hierarchy of triangles alone: LeafHierarchyView
   mutable KnownKernels kernels;
 
   DeviceFilesOf(const SceneView<Stored>& host_scene, const GridFile* host_grid, Transfer& upload)
       : scene(host_scene, upload), grid(host_grid, upload) {}
+
+  // When the files are there and checked.
+  void make_leaves(const GridFile* host_grid) {
+    const bool has_others = scene.view.sphere_count > 0 || scene.view.cone_count > 0;
+    if (host_grid == nullptr || !host_grid->is_hierarchy() || has_others) return;
+    const std::size_t count = host_grid->references().size();
+    if (count == 0) return;
+    leaves = DeviceArray<Triangle<Stored>>(count);
+    const auto blocks = static_cast<unsigned>((count + leaves_a_block - 1) / leaves_a_block);
+    copy_leaves<<<blocks, leaves_a_block>>>(scene.view.triangles, grid.references.data(), count,
+                                            leaves.data());
+    check(cudaGetLastError());
+    check(cudaStreamSynchronize(nullptr));
+  }
+
+  // The accelerator as kernels of a method have it.
+  template <class M, class View>
+  auto moved(const View& view) const {
+    if constexpr (is_hierarchy<View> && M::kinds == with_triangles)
+      return LeafHierarchyView<typename M::Real, Stored>{grid.nodes.data(), leaves.data()};
+    else
+      return grid.moved(view);
+  }
 };
 
 } // namespace masu

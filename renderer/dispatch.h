@@ -45,6 +45,8 @@ template <class View>
 inline constexpr bool is_hierarchy = false;
 template <class Real>
 inline constexpr bool is_hierarchy<HierarchyView<Real>> = true;
+template <class Real, class Stored>
+inline constexpr bool is_hierarchy<LeafHierarchyView<Real, Stored>> = true;
 
 // Calls act(GridView, MergedGridView, HierarchyView or NoGrid, Method, Counts or NoCounts) for rays of one
 // arithmetic: what a job needs, and no more. Counting, brute force and StopRule::first_cell run the code for

@@ -15,9 +15,9 @@ inline constexpr int hierarchy_threads = 64; // a block: small ones end soon aft
 // Lanes fetch rays once so much has been lost: the idle ones beyond so many, summed over steps.
 inline constexpr int lost_steps = 8, lanes_lost_freely = 4;
 
-template <Query query, class M, class Stored>
+template <Query query, class M, class Stored, class Hierarchy>
 __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> / hierarchy_threads)
-    refill_kernel(const SceneView<Stored> scene, const HierarchyView<typename M::Real> hierarchy,
+    refill_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
                   const RayQueue<typename M::Real> queue, const RayResults results,
                   WarpProgress* const progress) {
   using Real = typename M::Real;

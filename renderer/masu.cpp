@@ -5,6 +5,7 @@
 #include "libscene/file/same_file.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "libscene/processor.h"
+#include "renderer/automatic_loop.h"
 #include "renderer/tracer.h"
 
 #include <fmt/format.h>
@@ -22,6 +23,7 @@ struct masu_tracer {
   masu::SceneFile scene;
   std::optional<masu::GridFile> grid;
   masu::Tracer tracer;
+  mutable masu::UsualLoops loops; // found out by the first query
 
   // gpus: none for the CPU.
   masu_tracer(const char* scene_path, const char* grid_path, const std::vector<int>& gpus,
@@ -99,6 +101,9 @@ static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
 
 // --- Queries
 
+// Fewer are traced in less time than it takes to find out how.
+constexpr std::size_t rays_worth_a_sample = std::size_t{1} << 22;
+
 // Traces rays where they lie: all of `pointers`, the results', must be there too.
 void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const masu_query* options,
            Query query, const RayResults& results) {
@@ -108,7 +113,6 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   RaysRequest request;
   request.query = query;
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
-  if (tracer.grid) request.loop = automatic_loop(wanted.coherent != 0, tracer.scene, *tracer.grid);
   const RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
   const int place = device_of(rays);
   for (const void* const pointer :
@@ -120,6 +124,11 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
     if (pointer != results.occluded && reinterpret_cast<std::uintptr_t>(pointer) % sizeof(float) != 0)
       fail("results", "aren't aligned as their numbers must be");
   }
+  if (tracer.grid && tracer.tracer.device() == Device::cuda)
+    request.loop =
+        place == host_memory && count >= rays_worth_a_sample
+            ? automatic_loop(tracer.scene, *tracer.grid, list, request.query, request.tracing.precision)
+            : tracer.loops.of(tracer.scene, *tracer.grid, wanted.coherent != 0);
   if (place == host_memory) {
     tracer.tracer.trace(list, results, request);
     return;

@@ -128,7 +128,8 @@ typedef enum masu_precision {
 typedef struct masu_query {
   masu_ray_format format;
   masu_precision precision;
-  int coherent; /* not 0: neighbours in the list have similar origins and directions; results are the same */
+  int coherent; /* not 0: neighbours have similar origins and directions: how a GPU schedules fewer than four
+                   million rays, or any in its memory; results are the same */
   void* stream; /* cudaStream_t of rays in device memory; NULL: the default stream */
 } masu_query;
 

@@ -113,16 +113,6 @@ struct RayList {
 // those are sorted out first (renderer/culling_cuda.h). Hits are the same.
 enum class RayLoop { thread_per_ray, warp, warp_refill };
 
-// The loop that is mostly the fastest. coherent: neighbours in the list have similar origins and directions.
-// What fits a GPU's nearest caches is traced faster without sharing: measured on an H200, up to about 10 MB
-// of scene and irregular grid, or 32 MB of other grids, most of whose steps find nothing to share.
-inline RayLoop automatic_loop(bool coherent, const SceneFile& scene, const GridFile& grid) {
-  if (!coherent) return RayLoop::warp_refill;
-  if (grid.is_hierarchy()) return RayLoop::thread_per_ray;
-  const std::uint64_t near = grid.table().merge() == fb::Merge::irregular ? 10 : 32;
-  return scene.bytes() + grid.bytes() <= near << 20 ? RayLoop::thread_per_ray : RayLoop::warp;
-}
-
 struct RaysRequest {
   TracingRules tracing{};
   Query query = Query::nearest_hit;

@@ -89,7 +89,7 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
   const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
                                   stream);
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-    const auto grid = files.grid.moved(view);
+    const auto grid = files.template moved<M>(view);
     const auto rays =
         camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
     const auto tiles = [](std::int32_t side) {
@@ -182,12 +182,11 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
 }
 
 // The same through a hierarchy, which has a loop that refills alone.
-template <Query query, class M, class Stored>
-KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files,
-                             const HierarchyView<typename M::Real>& hierarchy,
+template <Query query, class M, class Stored, class Hierarchy>
+KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
                              const RayBatch<typename M::Real>& batch) {
   const SceneView<Stored>& scene = files.scene.view;
-  auto* const trace = refill_kernel<query, OnDevice<M>, Stored>;
+  auto* const trace = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
   const auto known = files.kernels.of(trace, hierarchy_threads);
   const auto count = static_cast<std::uint32_t>(batch.count);
   const DeviceArray<WarpProgress> progress(1, batch.stream);
@@ -208,7 +207,7 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
   KernelSize size{};
   const auto& scene = files.scene.view;
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-    const auto grid = files.grid.moved(view);
+    const auto grid = files.template moved<M>(view);
     using Accelerator = std::decay_t<decltype(grid)>;
     with_query(request.query, [&]<Query query>(QueryTag<query>) {
       // Any hit is as good as another: the rule by which a search for the nearest one ends doesn't matter.

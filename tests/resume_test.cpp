@@ -317,7 +317,11 @@ TEST_F(MpiRuns, AnyNumberOfRanksWritesTheSameBytes) {
 // Open MPI takes ranks for those of another machine where its remote shell started them, whatever that is.
 TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
   const std::string shell = file("shell");
-  write_text(shell, "#!/bin/sh\nwhile [ \"${1#-}\" != \"$1\" ]; do shift; done\nshift\nexec sh -c \"$*\"\n");
+  // Daemons on what is one machine after all would race for the folder of their session: each has its own.
+  write_text(shell, "#!/bin/sh\nwhile [ \"${1#-}\" != \"$1\" ]; do shift; done\n"
+                    "export OMPI_MCA_orte_tmpdir_base=" +
+                        file("sessions") +
+                        "-$1\nmkdir -p \"$OMPI_MCA_orte_tmpdir_base\"\nshift\nexec sh -c \"$*\"\n");
   std::filesystem::permissions(shell, std::filesystem::perms::owner_all);
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], shared = all("b")[i];

@@ -35,8 +35,7 @@ struct Settings {
   HitName hit_name = HitName::object;
   Store ray_store = Store::float32;
   int depth = 5, repeat = 1, ray_numbers = 6;
-  bool any_hit = false, coherent = false, spd_rules = false, hither = false, srgb = false,
-       brute_force = false, quiet = false;
+  bool any_hit = false, spd_rules = false, hither = false, srgb = false, brute_force = false, quiet = false;
   Inspection inspection;
   Threads threads;
   bool resume = false;
@@ -90,11 +89,8 @@ void check(const Settings& settings, const Sharing& sharing) {
     fail("--rays", "has many rays: give one to --walk-ray");
   if (settings.inspection.has_walk() && (!settings.views.empty() || settings.turntable > 0))
     fail("--walk", "is of one view: leave out --views and --turntable");
-  if (settings.rays.empty() && (!settings.write.empty() || settings.any_hit || settings.coherent))
-    fail(!settings.write.empty() ? "--write"
-         : settings.any_hit      ? "--any-hit"
-                                 : "--coherent",
-         "is for a list of rays: give --rays");
+  if (settings.rays.empty() && (!settings.write.empty() || settings.any_hit))
+    fail(settings.write.empty() ? "--any-hit" : "--write", "is for a list of rays: give --rays");
   if (settings.any_hit && !settings.write.empty() && settings.write != "occluded")
     fail("--write", "can only be occluded with --any-hit");
   if (!settings.any_hit && settings.write == "occluded") fail("--write", "occluded needs --any-hit");
@@ -222,8 +218,6 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
   job.fields = hit_fields(settings.write.empty() ? usual : settings.write);
   job.request.tracing = tracing;
   job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
-  if (tracer.grid() != nullptr)
-    job.request.loop = automatic_loop(settings.coherent, tracer.scene(), *tracer.grid());
   job.repeat = settings.repeat;
   job.description = run_description(tracer, settings, tracing);
   Progress progress("tracing", quiet);
@@ -402,9 +396,6 @@ int main(int argc, char** argv) {
                    "number type in the file of --rays");
         app.add_flag("--any-hit", settings.any_hit,
                      "find out for each ray of --rays whether anything is hit at tmin < t < tmax");
-        app.add_flag("--coherent", settings.coherent,
-                     "neighbours in the list of --rays have similar origins and directions: a GPU then "
-                     "schedules them accordingly");
         app.add_option("--write", settings.write,
                        "what --hits gets for each ray of --rays: a list of t, object, primitive, uv, normal "
                        "(default t,object), or occluded, with --any-hit");

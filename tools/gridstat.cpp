@@ -10,6 +10,7 @@
 #include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/slice_picture.h"
+#include "tools/slice_place.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,6 +4,7 @@
 #include "libscene/file/container.h"
 #include "libscene/file/input_file.h"
 #include "libscene/stopwatch.h"
+#include "renderer/automatic_loop.h"
 #include "tools/npy.h"
 #include "tools/placed_file.h"
 #include "tools/repeated.h"
@@ -371,8 +372,10 @@ public:
     if (!chunk) return {};
     const RayList rays(chunk->rays.data(), chunk->count, reader_.format());
     const RayResults results = chunk->results(job_.fields);
+    RaysRequest request = job_.request;
+    request.loop = loop_for(rays);
     const QueryReport report =
-        repeated(0, job_.repeat, [&] { return tracer_.trace(rays, results, job_.request, device); });
+        repeated(0, job_.repeat, [&] { return tracer_.trace(rays, results, request, device); });
     chunk->totals = {chunk->count, in_double_ ? invalid_rays<double>(rays) : invalid_rays<float>(rays),
                      report.counts};
     const std::lock_guard lock(mutex_);
@@ -413,6 +416,16 @@ public:
   }
 
 private:
+  // Found out by the first chunk that is traced.
+  RayLoop loop_for(const RayList& rays) {
+    std::call_once(loop_found_, [&] {
+      if (tracer_.device() == Device::cuda && tracer_.grid() != nullptr)
+        loop_ = automatic_loop(tracer_.scene(), *tracer_.grid(), rays, job_.request.query,
+                               job_.request.tracing.precision);
+    });
+    return loop_;
+  }
+
   // The first part begins with the head, for the number of rays is known.
   FilePart with_head(FilePart part) const {
     if (part.offset > head_bytes_) return part;
@@ -446,6 +459,8 @@ private:
   ChunkReader chunks_;
   std::uint64_t head_bytes_;
   std::optional<PlacedFile> hits_;
+  std::once_flag loop_found_;
+  RayLoop loop_ = RayLoop::warp_refill;
   std::mutex mutex_; // of what follows
   TracingReport report_;
 };

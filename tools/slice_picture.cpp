@@ -6,13 +6,12 @@
 #include "tools/canvas.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
+#include "tools/slice_json.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -24,8 +23,7 @@ namespace {
 constexpr Rgb black{0, 0, 0}, white{255, 255, 255}, outline_color{214, 40, 20};
 constexpr std::size_t most_svg_cells = std::size_t{1} << 18, most_json_cells = std::size_t{1} << 22;
 
-// --- Values and their colours
-// --------------------------------------------------------------------------------
+// --- Values and their colours ----------------------------------------------------------------------------
 
 // A cell's value; none for empty cells coloured by references. Volumes are in voxels of the division.
 std::optional<double> value_of(const SliceCell& cell, SliceColor color, std::int32_t nested_log2) {
@@ -97,8 +95,7 @@ bool is_light(Rgb color) {
   return 2 * color[0] + 5 * color[1] + color[2] > 8 * 110;
 }
 
-// --- Where things are
-// ----------------------------------------------------------------------------------------
+// --- Where things are ------------------------------------------------------------------------------------
 
 // Scene units to pixels. Both axes have the same scale unless the plot would be too flat for its labels.
 struct Plot {
@@ -154,8 +151,7 @@ CanvasBox box_of(const Plot& plot, const GridLayout& finest, int axis, const Sli
           clamped(plot.y(box.min[axes[1]]), in.top, in.bottom)};
 }
 
-// --- Cells
-// ---------------------------------------------------------------------------------------------------
+// --- Cells -----------------------------------------------------------------------------------------------
 
 // Lines on the left and lower side, which neighbours share; none where they would leave hardly anything.
 constexpr double room_for_lines = 4;
@@ -227,8 +223,7 @@ struct Chart {
   std::span<const SectionSegment> outline;
 };
 
-// --- Axes, legend and outline
-// --------------------------------------------------------------------------------
+// --- Axes, legend and outline ----------------------------------------------------------------------------
 
 // Text that fits so many pixels.
 std::string cut_to(const std::string& text, double pixels, std::int32_t scale) {
@@ -406,64 +401,6 @@ void write_text(const std::string& text, const std::string& path) {
 
 } // namespace
 
-SlicePlane parse_slice(const std::string& text, const GridLayout& finest) {
-  constexpr const char* place = "--slice";
-  const auto fail = [&]() -> SlicePlane {
-    throw Error(ErrorCode::usage, place,
-                fmt::format("'{}' isn't AXIS=K, AXIS=P% or AXIS@X with axis x, y or z", text));
-  };
-  if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || (text[1] != '=' && text[1] != '@')) return fail();
-  const int axis = text[0] - 'x';
-  const char *const number = text.c_str() + 2, *const last = text.c_str() + text.size();
-  if (std::string_view(number).find_first_not_of("0123456789+-.eE%") != std::string_view::npos) return fail();
-  char* end = nullptr;
-  if (text[1] == '=' && text.back() != '%') {
-    errno = 0;
-    const long long layer = std::strtoll(number, &end, 10);
-    return end == last && errno == 0 ? plane_of_layer(finest, axis, layer, place) : fail();
-  }
-  const double value = std::strtod(number, &end);
-  if (text[1] == '@')
-    return end == last && std::isfinite(value) ? plane_at(finest, axis, value, place) : fail();
-  if (end == number || end + 1 != last || !std::isfinite(value)) return fail();
-  if (!(value >= 0 && value <= 100))
-    throw Error(ErrorCode::usage, place, fmt::format("'{}' lies outside: give 0% to 100%", text));
-  const double low = finest.space.min[axis], high = finest.space.max[axis];
-  return plane_at(finest, axis, value == 100 ? high : low + value / 100 * (high - low), place);
-}
-
-SliceWindow parse_window(const std::string& text, const GridLayout& finest, int axis) {
-  const SliceWindow whole = window_of(finest, axis);
-  if (text.empty()) return whole;
-  const auto fail = [&](const std::string& why) {
-    throw Error(ErrorCode::usage, "--window", fmt::format("'{}' {}", text, why));
-  };
-  std::array<double, 4> numbers{};
-  const char* at = text.c_str();
-  for (std::size_t i = 0; i < 4; ++i) {
-    char* end = nullptr;
-    numbers[i] = std::strtod(at, &end);
-    if (end == at || !std::isfinite(numbers[i]) || *end != (i < 3 ? ',' : '\0'))
-      fail("isn't LEFT,BOTTOM,RIGHT,TOP in scene units");
-    at = end + 1;
-  }
-  SliceWindow window{};
-  const std::array<int, 2> axes = slice_axes(axis);
-  for (std::size_t i = 0; i < 2; ++i) {
-    window.min[i] = std::max(numbers[i], whole.min[i]);
-    window.max[i] = std::min(numbers[i + 2], whole.max[i]);
-    if (!(window.min[i] < window.max[i]))
-      fail(fmt::format("has nothing of the grid's space: along {} that is from {} to {}", "xyz"[axes[i]],
-                       whole.min[i], whole.max[i]));
-  }
-  // A plot needs coordinates that differ.
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (window.max[i] - window.min[i] < 1e-12 * std::max(std::abs(window.min[i]), std::abs(window.max[i])))
-      fail("is too small");
-  }
-  return window;
-}
-
 void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
                  std::span<const SectionSegment> outline, const SliceStyle& style, const std::string& path) {
   const bool is_svg = path.ends_with(".svg");
@@ -533,30 +470,6 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
   const Picture& picture = canvas.picture;
   write_png(picture.rgb, picture.width, picture.height, path,
             {{"Software", fmt::format("Masu {} {}", version, commit)}});
-}
-
-nlohmann::ordered_json slice_json(const Slice& slice, const SliceWindow& window,
-                                  std::span<const SectionSegment> outline) {
-  const std::array<int, 2> axes = slice_axes(slice.plane.axis);
-  const Boxd& space = slice.finest.space;
-  auto cells = nlohmann::ordered_json::array(), segments = nlohmann::ordered_json::array();
-  for (const SliceCell& cell : slice.cells)
-    cells.push_back({cell.first[0], cell.first[1], cell.end[0], cell.end[1], cell.references, cell.depth,
-                     cell.voxels, cell.number});
-  for (const SectionSegment& segment : outline)
-    segments.push_back({segment.from[0], segment.from[1], segment.to[0], segment.to[1], segment.primitive});
-  return {{"axis", std::string(1, "xyz"[slice.plane.axis])},
-          {"axes", {std::string(1, "xyz"[axes[0]]), std::string(1, "xyz"[axes[1]])}},
-          {"layer", slice.plane.layer},
-          {"position", slice.plane.position},
-          {"space",
-           {{"min", {space.min[axes[0]], space.min[axes[1]]}},
-            {"max", {space.max[axes[0]], space.max[axes[1]]}}}},
-          {"voxels", {slice.finest.division[axes[0]], slice.finest.division[axes[1]]}},
-          {"nested_log2", slice.nested_log2},
-          {"window", {{"min", window.min}, {"max", window.max}}},
-          {"cells", std::move(cells)},
-          {"outline", std::move(segments)}};
 }
 
 } // namespace masu

@@ -59,4 +59,12 @@ struct HierarchyView {
   const PrimitiveIndex* references;
 };
 
+// The same of a scene of triangles alone, on a GPU: in the references' place copies of their triangles, each
+// with its index as its object. A box's triangles lie side by side, and nothing is read to find them.
+template <class Real, class Stored>
+struct LeafHierarchyView {
+  const HierarchyNode* nodes;
+  const Triangle<Stored>* triangles;
+};
+
 } // namespace masu

@@ -168,6 +168,16 @@ MASU_HD inline int highest_bit(std::uint32_t bits) { // of a number other than 0
 // whole, where registers should hold the rest.
 using HierarchyStack = HierarchyGroup[2 * max_hierarchy_depth];
 
+template <class Real, class Visitor>
+MASU_HD inline void show(const HierarchyView<Real>& hierarchy, std::uint32_t reference, Visitor& visitor) {
+  visitor.primitive(hierarchy.references[reference]);
+}
+template <class Real, class Stored, class Visitor>
+MASU_HD inline void show(const LeafHierarchyView<Real, Stored>& hierarchy, std::uint32_t reference,
+                         Visitor& visitor) {
+  visitor.triangle(hierarchy.triangles + reference);
+}
+
 // A walk under way.
 template <class Real>
 struct HierarchyWalk {
@@ -185,8 +195,8 @@ struct HierarchyWalk {
   // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray
   // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
   // Laine), unless the visitor counts: what is visited would depend on that.
-  template <class Visitor>
-  MASU_HD bool advance(const HierarchyView<Real>& hierarchy, HierarchyStack& stack, Visitor& visitor) {
+  template <class Hierarchy, class Visitor>
+  MASU_HD bool advance(const Hierarchy& hierarchy, HierarchyStack& stack, Visitor& visitor) {
     if (nodes.has_nodes()) {
       const int next = highest_bit(nodes.bits);
       const std::uint32_t first = nodes.first, siblings = nodes.bits & 0xff;
@@ -219,7 +229,7 @@ struct HierarchyWalk {
 #endif
       const int next = highest_bit(references.bits);
       references.bits &= ~(1U << next);
-      visitor.primitive(hierarchy.references[references.first + static_cast<std::uint32_t>(next)]);
+      show(hierarchy, references.first + static_cast<std::uint32_t>(next), visitor);
     }
     if (visitor.ends()) return false;
     if (!nodes.has_nodes()) {
@@ -242,6 +252,15 @@ MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay
     return;
   }
 #endif
+  HierarchyStack stack;
+  HierarchyWalk<Real> walk;
+  walk.begin(near);
+  while (walk.advance(hierarchy, stack, visitor)) {
+  }
+}
+template <class Real, class Stored, class Visitor>
+MASU_HD inline void visit(const LeafHierarchyView<Real, Stored>& hierarchy, const ClippedRay<Real>& near,
+                          std::uint32_t, Visitor& visitor) {
   HierarchyStack stack;
   HierarchyWalk<Real> walk;
   walk.begin(near);

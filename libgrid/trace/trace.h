@@ -104,6 +104,13 @@ struct NearestHit {
       if constexpr (records_walk<Counts>) counts.kept();
     }
   }
+  // Of LeafHierarchyView.
+  MASU_HD void triangle(const Triangle<Stored>* leaf) {
+    const Triangle<Stored> triangle = fetched(leaf);
+    const auto number = static_cast<PrimitiveIndex>(triangle.object);
+    Real t;
+    if (intersect_triangle(ray, triangle, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
+  }
 #ifdef MASU_HOST_AVX2
   void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
     test_references<M>(scene, references, bits, *this);
@@ -143,6 +150,10 @@ struct AnyHit {
       hit = t;
       if constexpr (records_walk<Counts>) counts.kept();
     }
+  }
+  MASU_HD void triangle(const Triangle<Stored>* leaf) {
+    Real t;
+    if (!found() && intersect_triangle(ray, fetched(leaf), t, counts) && t < t_max) hit = t;
   }
 #ifdef MASU_HOST_AVX2
   void primitives(const PrimitiveIndex* references, std::uint32_t bits) {

@@ -15,6 +15,14 @@ namespace masu {
 inline constexpr unsigned with_triangles = 1, with_spheres = 2, with_cones = 4, with_tapers = 8,
                           with_all_kinds = 15;
 
+// Whether the ray meets the triangle at a t > 0; then `t` is that.
+template <class TestRay, class Stored, class Counts>
+MASU_HD inline bool intersect_triangle(const TestRay& ray, const Triangle<Stored>& triangle,
+                                       typename TestRay::Real& t, Counts& counts) {
+  counts.triangle_test();
+  return intersect(ray, triangle, t) && t > 0;
+}
+
 // Whether the ray meets the primitive at a t > 0; then `t` is the nearest. Calls the member of `counts` for
 // the test that was run. The type of ray selects the formulas: PreparedRay and WatertightRay the robust ones,
 // TextbookRay those of textbook.h.
@@ -22,10 +30,8 @@ template <unsigned kinds, class TestRay, class Stored, class Counts>
 MASU_HD inline bool intersect(const SceneView<Stored>& scene, const TestRay& ray, PrimitiveIndex primitive,
                               typename TestRay::Real& t, Counts& counts) {
   if constexpr ((kinds & with_triangles) != 0) {
-    if (kinds == with_triangles || primitive < scene.triangle_count) {
-      counts.triangle_test();
-      return intersect(ray, fetched(scene.triangles + primitive), t) && t > 0;
-    }
+    if (kinds == with_triangles || primitive < scene.triangle_count)
+      return intersect_triangle(ray, fetched(scene.triangles + primitive), t, counts);
   }
   const std::uint32_t sphere = primitive - scene.triangle_count;
   if constexpr ((kinds & with_spheres) != 0) {

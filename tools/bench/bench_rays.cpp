@@ -1,6 +1,7 @@
 // Throughput of sets of rays (closest hit and any hit), and the tests and cells per ray.
 #include "tools/bench/bench.h"
 
+#include "renderer/automatic_loop.h"
 #include "tools/backend_choice.h"
 #include "tools/bench/ray_sets.h"
 #include "tools/printable.h"
@@ -38,7 +39,6 @@ struct Settings {
 struct RaySet {
   std::string name;
   Query query;
-  bool coherent; // neighbouring rays have similar directions
   std::vector<Ray<double>> rays;
 };
 
@@ -57,7 +57,7 @@ std::set<std::string> loop_names() {
 std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
                      const GridFile& grid) {
   if (wanted != "auto") return wanted;
-  const RayLoop usual = automatic_loop(set.coherent, scene, grid);
+  const RayLoop usual = automatic_loop(scene, grid, set.rays, set.query, Precision::automatic);
   return std::find_if(all_loops.begin(), all_loops.end(),
                       [&](const auto& loop) { return loop.second == usual; })
       ->first;
@@ -70,12 +70,12 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
       primary_rays(scene, resized(scene.camera(), settings.size), settings.order);
   std::vector<RaySet> sets;
   for (const std::string& name : settings.sets) {
-    if (name == "primary") sets.push_back({name, Query::nearest_hit, true, primary});
+    if (name == "primary") sets.push_back({name, Query::nearest_hit, primary});
     if (name == "diffuse")
-      sets.push_back({name, Query::nearest_hit, false, diffuse_rays(scene, grid, primary, settings.seed)});
+      sets.push_back({name, Query::nearest_hit, diffuse_rays(scene, grid, primary, settings.seed)});
     if (name == "random")
-      sets.push_back({name, Query::nearest_hit, false, random_rays(scene, settings.random, settings.seed)});
-    if (name == "shadow") sets.push_back({name, Query::occlusion, true, shadow_rays(scene, grid, primary)});
+      sets.push_back({name, Query::nearest_hit, random_rays(scene, settings.random, settings.seed)});
+    if (name == "shadow") sets.push_back({name, Query::occlusion, shadow_rays(scene, grid, primary)});
   }
   return sets;
 }
@@ -176,8 +176,8 @@ void add_rays(CLI::App& app) {
   rays.add_option(
           "--loop", settings.loops,
           "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
-          "tests), warp_refill (warp, and idle threads fetch the next ray), or auto (warp_refill for diffuse "
-          "and random; else warp, or thread_per_ray for small files)")
+          "tests), warp_refill (warp, and idle threads fetch the next ray), or auto (by what a sample of the "
+          "rays costs)")
       ->delimiter(',')
       ->check(CLI::IsMember(loop_names()));
   rays.add_option("--precision", settings.precisions, "auto, fast, robust, double (see gridrender --help)")

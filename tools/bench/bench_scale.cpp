@@ -8,6 +8,7 @@
 #include "tools/bench/gnuplot.h"
 #include "tools/bench/host_list.h"
 #include "tools/device_choice.h"
+#include "tools/picture_bands.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/render_views.h"
@@ -16,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -49,7 +51,8 @@ struct Workers {
 struct Run {
   double rays = 0, seconds = 0;
   double trace = 0, copies = 0, encode = 0; // encode: of all threads
-  double plain_copy = 0;                    // by the clock: of the same bytes up and down, and nothing else
+  // By the clock, of nothing else: copying the same bytes up and down, encoding as many bands by all threads.
+  double plain_copy = 0, plain_encode = 0;
 };
 
 // The stage that is busy for the largest share of the time: where that is near 1, only a faster stage or more
@@ -63,7 +66,7 @@ Bound bound_of(const Run& run, const Workers& workers) {
   const auto devices = static_cast<double>(std::max<std::size_t>(workers.gpus.size(), 1));
   const Bound bounds[] = {{"tracing", run.trace / devices / run.seconds},
                           {"copies", std::max(run.copies / devices, run.plain_copy) / run.seconds},
-                          {"encoding", run.encode / static_cast<double>(allowed_threads()) / run.seconds}};
+                          {"encoding", run.plain_encode / run.seconds}};
   return *std::ranges::max_element(bounds, {}, &Bound::share);
 }
 
@@ -99,6 +102,24 @@ Run median_run(int repeat, const Measure& measure) {
   return runs[runs.size() / 2];
 }
 
+// Seconds in which all threads encode as many bands as the views have: one from the middle of them, again and
+// again.
+double encoded(const Tracer& tracer, const ViewsRequest& request) {
+  FrameRequest middle = request.frame;
+  middle.camera = request.views[request.views.size() / 2].camera;
+  const PictureBands bands(window_of(middle), middle.sampling);
+  const std::size_t band = bands.count() / 2, all = bands.count() * request.views.size();
+  middle.window = bands.rays(band);
+  const Frame frame = tracer.render(middle);
+  std::atomic<std::size_t> begun = 0;
+  const Stopwatch watch;
+  on_threads(allowed_threads(), [&](std::size_t) {
+    while (begun.fetch_add(1) < all)
+      static_cast<void>(bands.picture(band, frame, request.image));
+  });
+  return watch.seconds();
+}
+
 // Views, written as PNG.
 Run rendered(const Settings& settings, const Tracer& tracer, const Camera& camera, int views) {
   return median_run(settings.repeat, [&] {
@@ -117,6 +138,7 @@ Run rendered(const Settings& settings, const Tracer& tracer, const Camera& camer
     run.trace = report.seconds.trace;
     run.copies = report.seconds.upload + report.seconds.download;
     run.encode = report.write_seconds;
+    run.plain_encode = encoded(tracer, request);
     return run;
   });
 }
@@ -161,7 +183,8 @@ Json row_of(const char* work, const char* scaling, const Workers& workers, const
           {"trace_seconds", run.trace},
           {"copy_seconds", run.copies},
           {"encode_seconds", run.encode},
-          {"plain_copy_seconds", run.plain_copy}};
+          {"plain_copy_seconds", run.plain_copy},
+          {"plain_encode_seconds", run.plain_encode}};
 }
 
 void print_row(const Json& row) {

@@ -1,6 +1,7 @@
 #include "tools/bench/tradeoff_measure.h"
 
 #include "libscene/geometry/margin.h"
+#include "renderer/automatic_loop.h"
 #include "tools/bench/ray_sets.h"
 #include "tools/cli.h"
 #include "tools/repeated.h"
@@ -131,10 +132,12 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;
   // On a GPU each set by its automatic loop.
-  const auto loop = [&](bool coherent) { return automatic_loop(coherent, task.scene, grid); };
+  const auto loop = [&](const std::vector<Ray<double>>& rays) {
+    return automatic_loop(task.scene, grid, rays, Query::nearest_hit, configuration.precision);
+  };
   const Tracer tracer = tracer_of(task, &grid);
-  const RayHits primary = trace(tracer, rules, task.primary, loop(true), repeat);
-  const RayHits random = trace(tracer, rules, task.random, loop(false), repeat);
+  const RayHits primary = trace(tracer, rules, task.primary, loop(task.primary), repeat);
+  const RayHits random = trace(tracer, rules, task.random, loop(task.random), repeat);
   const Frame frame = render(task, tracer, rules, repeat);
 
   Measurement measured;

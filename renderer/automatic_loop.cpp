@@ -1,0 +1,125 @@
+#include "renderer/automatic_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <random>
+
+namespace masu {
+namespace {
+
+constexpr std::size_t rays_a_warp = 32, warps_sampled = 64;
+
+// Warps' worth of neighbours, all over the list: at places i · φ modulo 1, which are as far from each other
+// as can be, and aren't in step with a picture's rows.
+std::vector<std::uint8_t> sample_of(const RayList& rays) {
+  const std::size_t size = rays.format.bytes_a_ray(), warps = rays.count / rays_a_warp;
+  const std::size_t taken = std::min(warps, warps_sampled);
+  std::vector<std::uint8_t> sample(taken * rays_a_warp * size);
+  for (std::size_t i = 0; i < taken; ++i) {
+    const auto place =
+        warps <= warps_sampled
+            ? i
+            : static_cast<std::size_t>(std::fmod(static_cast<double>(i) * std::numbers::phi, 1) *
+                                       static_cast<double>(warps));
+    std::memcpy(sample.data() + i * rays_a_warp * size,
+                static_cast<const std::uint8_t*>(rays.rays) + place * rays_a_warp * size, rays_a_warp * size);
+  }
+  return sample;
+}
+
+// In tiles of 8 × 4, a warp each, evenly over the picture.
+std::vector<Ray<double>> camera_sample(const SceneFile& scene) {
+  constexpr std::int32_t tiles_across = 8, tiles_down = 8, tile_width = 8, tile_height = 4;
+  const Camera& camera = scene.camera();
+  const auto rays = camera_rays<double>(camera, Sampling::centers, false);
+  std::vector<Ray<double>> sample;
+  for (std::int32_t tile = 0; tile < tiles_across * tiles_down; ++tile) {
+    const std::int32_t column = (2 * (tile % tiles_across) + 1) * camera.width / (2 * tiles_across);
+    const std::int32_t row = (2 * (tile / tiles_across) + 1) * camera.height / (2 * tiles_down);
+    for (std::int32_t i = 0; i < tile_width * tile_height; ++i)
+      sample.push_back(camera_ray(rays, column + i % tile_width, row + i / tile_width));
+  }
+  return sample;
+}
+
+// Between points of the sphere around the scene's bounds.
+std::vector<Ray<double>> random_sample(const SceneFile& scene) {
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  const Boxd box = is_empty(scene.bounds()) ? Boxd{{-1, -1, -1}, {1, 1, 1}} : scene.bounds();
+  const Vec3d center = (box.min + box.max) * 0.5;
+  const double radius = length(box.max - center);
+  const auto point = [&] {
+    for (;;) {
+      const Vec3d v{normal(engine), normal(engine), normal(engine)};
+      if (dot(v, v) > 1e-6) return fma(normalized(v), radius, center);
+    }
+  };
+  std::vector<Ray<double>> sample;
+  for (std::size_t i = 0; i < warps_sampled * rays_a_warp; ++i) {
+    const Vec3d from = point();
+    sample.push_back(unbounded_ray(from, point() - from));
+  }
+  return sample;
+}
+
+} // namespace
+
+WarpCosts sampled_costs(const SceneFile& scene, const GridFile& grid, const RayList& rays, Query query,
+                        Precision precision) {
+  const std::vector<std::uint8_t> bytes = sample_of(rays);
+  const std::size_t count = bytes.size() / rays.format.bytes_a_ray(), warps = count / rays_a_warp;
+  if (count == 0) return {};
+  std::vector<std::uint32_t> cells(count), tests(count);
+  std::vector<std::uint8_t> occluded(query == Query::occlusion ? count : 0);
+  RayResults results;
+  results.occluded = occluded.data();
+  results.costs = {cells.data(), tests.data()};
+  RaysRequest request;
+  request.tracing.precision = precision;
+  request.query = query;
+  Tracer(scene, &grid, Device::cpu).trace(RayList(bytes.data(), count, rays.format), results, request);
+  WarpCosts costs;
+  for (std::size_t warp = 0; warp < warps; ++warp) {
+    std::uint32_t most_work = 0, most_tests = 0;
+    for (std::size_t i = warp * rays_a_warp; i < (warp + 1) * rays_a_warp; ++i) {
+      costs.work += cells[i] + tests[i];
+      costs.tests += tests[i];
+      most_work = std::max(most_work, cells[i] + tests[i]);
+      most_tests = std::max(most_tests, tests[i]);
+    }
+    costs.most_work += most_work;
+    costs.most_tests += most_tests;
+  }
+  costs.work /= static_cast<double>(count);
+  costs.tests /= static_cast<double>(count);
+  costs.most_work /= static_cast<double>(warps);
+  costs.most_tests /= static_cast<double>(warps);
+  return costs;
+}
+
+// A warp's threads wait for its longest ray. Where that costs less than fetching rays does, which was
+// measured to take about as long as 2.25 steps and tests, a thread traces a ray to its end. Where rays are so
+// alike that few of them wait, nothing need be fetched; but their tests are shared if most threads would wait
+// for those of a few. On an H200 that gives 0.997 of the best loop's rate, and no less than 0.93, over
+// closest hits of primary, diffuse and random rays through 39 grids and hierarchies of 18 scenes; of shadow
+// rays 0.97.
+RayLoop automatic_loop(const WarpCosts& costs, bool is_hierarchy) {
+  constexpr double fetching = 2.25, alike = 2.2, shared = 1.7;
+  if (costs.most_work - costs.work < fetching) return RayLoop::thread_per_ray;
+  if (costs.most_work > alike * costs.work) return RayLoop::warp_refill;
+  return is_hierarchy || costs.most_tests < shared * costs.tests ? RayLoop::thread_per_ray : RayLoop::warp;
+}
+
+RayLoop UsualLoops::of(const SceneFile& scene, const GridFile& grid, bool coherent) {
+  Usual& usual = coherent ? coherent_ : incoherent_;
+  std::call_once(usual.once, [&] {
+    const std::vector<Ray<double>> rays = coherent ? camera_sample(scene) : random_sample(scene);
+    usual.loop = automatic_loop(scene, grid, rays, Query::nearest_hit, Precision::automatic);
+  });
+  return usual.loop;
+}
+
+} // namespace masu
