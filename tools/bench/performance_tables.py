@@ -5,12 +5,15 @@ performance_tables.py RESULTS.json                  prints them as markdown
 performance_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
                                                     <!-- table NAME --> … <!-- end -->
 performance_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of performance.sh's working folder first
+performance_tables.py RESULTS.json --chart NAME     draws NAME.svg and NAME.png, rates over those of peers.tsv (gnuplot)
 """
 import argparse
 import json
 import pathlib
 import re
 import statistics
+import subprocess
+import tempfile
 
 STANDARD = "balls gears mount rings teapot tetra tree".split()
 LARGE = "teapot-60 mount-10 tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
@@ -41,6 +44,40 @@ def figure(make, form=None):
         return form.format(make()) if form else f"{float(f'{make():.3g}'):.15g}"
     except (LookupError, ValueError, TypeError, ZeroDivisionError):
         return "-"
+
+
+def peer_rates():
+    lines = (pathlib.Path(__file__).parent / "peers.tsv").read_text().splitlines()
+    head, *rows = [line.split("\t") for line in lines if not line.startswith("#")]
+    return {scene: {name: [float(n) for n in cell.split()] for name, cell in zip(head[1:], cells)}
+            for scene, *cells in rows}
+
+
+PEERS = peer_rates()
+
+
+def best_rates(results, scene):
+    """Mray/s of primary, diffuse and random rays by the loop that `auto` takes, through the faster of grid and hierarchy."""
+    rows = results["runs"]["rays"][scene]["output"]
+    found = []
+    for kind in ("primary", "diffuse", "random"):
+        rates = []
+        for grid in (f"{scene}.grid", f"{scene}-bvh.grid"):
+            auto, *loops = [row for row in rows if row["rays"] == kind and row["grid"] == grid]
+            rates += [row["mrays_per_second"] for row in loops if row["loop"] == auto["loop"]]
+        found.append(max(rates))
+    return found
+
+
+def draw(results, name):
+    with tempfile.NamedTemporaryFile("w", suffix=".dat") as data:
+        for scene, peer in PEERS.items():
+            for i, (kind, ours) in enumerate(zip(("primary", "diffuse", "random"), best_rates(results, scene))):
+                ratios = (ours / peer[other][i] for other in ("cwbvh", "optix", "hagrid_best"))
+                print(f"{scene} {kind}", *ratios, sep="\t", file=data)
+        data.flush()
+        script = pathlib.Path(__file__).parent / "peers.gp"
+        subprocess.run(["gnuplot", "-e", f"data='{data.name}'; out='{name}'", script], check=True)
 
 
 def table(head, rows):
@@ -155,6 +192,18 @@ def tables(results):
                 for s in ("balls", "rings", "tree", "gears")]
         return table(["scene", "grid, MB", *kinds], rows)
 
+    def peers():
+        rows = []
+        for s, peer in PEERS.items():
+            best = best_rates(results, s)
+            ratio = lambda name: ", ".join(f"{ours / theirs:.2f}" for ours, theirs in zip(best, peer[name]))
+            most = (size[f"{s}-bvh.grid"] + 48 * primitives(s)) * 1e-6
+            rows.append([s, ", ".join(f"{rate:.0f}" for rate in best), ", ".join(f"{rate:.0f}" for rate in peer["cwbvh"]),
+                         ratio("cwbvh"), ratio("optix"), ratio("hagrid"), ratio("hagrid_best"),
+                         f"{most:.0f}, {peer['cwbvh_mb'][0]:.0f}"])
+        return table(["scene", "Masu, the better structure", "CWBVH", "Masu / CWBVH", "/ OptiX", "/ hagrid", "/ hagrid's best",
+                      "MB: hierarchy, CWBVH"], rows)
+
     def cells():
         def cost(s, grid):
             stats = output("cells", f"{s}.{grid}")
@@ -222,7 +271,7 @@ def tables(results):
                       "copies / list"], rows)
 
     made = {}
-    for make in (head, readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, hierarchies, schedules,
+    for make in (head, readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, hierarchies, peers, schedules,
                  kernels, load, builds, lists):
         if make in (kernels, lists) and not cuda:
             made[make.__name__] = "Needs CUDA: left out."
@@ -238,11 +287,15 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("results", type=pathlib.Path)
     options.add_argument("--gather", type=pathlib.Path)
+    options.add_argument("--chart")
     options.add_argument("--into", type=pathlib.Path, nargs="+", default=[])
     given = options.parse_args()
     if given.gather:
         given.results.write_text(json.dumps(gather(given.gather), indent=1) + "\n")
-    made = tables(json.loads(given.results.read_text()))
+    results = json.loads(given.results.read_text())
+    if given.chart:
+        return draw(results, given.chart)
+    made = tables(results)
     mark = re.compile(r"(<!-- table (\w+) -->\n).*?(\n<!-- end -->)", re.DOTALL)
     for document in given.into:
         document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + found[3], document.read_text()))
