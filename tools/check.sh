@@ -35,12 +35,13 @@ if [ "${1:-}" = --full ]; then
   require_llvm clang++ clang-tidy
 
   step "unit tests under the sanitizers"
-  build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- --target masu_unit_tests
+  build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- \
+    --target masu_unit_tests masu_library_tests
   ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
 
   step "unit tests under ThreadSanitizer"
   build build/tsan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=thread -DMASU_CUDA=OFF -- \
-    --target masu_unit_tests
+    --target masu_unit_tests masu_library_tests
   TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp ignore_noninstrumented_modules=1 halt_on_error=1" \
     ctest --test-dir build/tsan --output-on-failure --parallel "$cores" -L unit
 
@@ -49,7 +50,8 @@ if [ "${1:-}" = --full ]; then
     xargs -P "$cores" -n 1 clang-tidy -p build --quiet
 
   step "fuzz targets, 20 s each"
-  build build/fuzz -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ -DMASU_FUZZ=ON -DMASU_CUDA=OFF
+  build build/fuzz -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ -DMASU_FUZZ=ON -DMASU_CUDA=OFF -- \
+    --target fuzz
   rm -rf build/fuzz/seeds
   tests/fuzz/seeds.sh build/bin build/fuzz/seeds
   # Without mesh_fuzz: the first that it finds are Assimp's own faults.

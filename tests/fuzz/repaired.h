@@ -73,20 +73,27 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
   std::uint8_t* const table = bytes.data() + sizeof head;
   std::memset(table + head.table_bytes, 0, head.body_offset - sizeof head - head.table_bytes);
 
-  flatbuffers::Verifier verifier(table, head.table_bytes);
-  if (verifier.VerifyBuffer<Table>(nullptr)) {
-    if constexpr (std::is_same_v<Table, fb::Grid>) {
+  const auto is_valid = [&] {
+    return flatbuffers::Verifier(table, head.table_bytes).VerifyBuffer<Table>(nullptr);
+  };
+  if constexpr (std::is_same_v<Table, fb::Grid>) {
+    if (geometry != nullptr && is_valid()) {
       auto* const root = flatbuffers::GetMutableRoot<Table>(table);
-      if (geometry != nullptr && root->geometry_hash() != nullptr) {
+      if (root->geometry_hash() != nullptr) {
         const fb::Hash hash(geometry->hash.low, geometry->hash.high);
         std::memcpy(const_cast<fb::Hash*>(root->geometry_hash()), &hash, sizeof hash);
-        reinterpret_cast<flatbuffers::Table*>(root)->SetField<std::uint64_t>(fb::Grid::VT_PRIMITIVES,
-                                                                             geometry->primitives, 0);
       }
     }
+    // Fields of a hostile table may overlap each other and what says where they are.
+    if (geometry != nullptr && is_valid())
+      reinterpret_cast<flatbuffers::Table*>(flatbuffers::GetMutableRoot<Table>(table))
+          ->template SetField<std::uint64_t>(fb::Grid::VT_PRIMITIVES, geometry->primitives, 0);
+  }
+  if (is_valid()) {
     const auto* const sections = flatbuffers::GetRoot<Table>(table)->sections();
     const auto list = static_cast<std::size_t>(sections->Data() - table);
-    for (std::size_t i = 0; i < sections->size(); ++i) {
+    const std::size_t count = sections->size();
+    for (std::size_t i = 0; i < count; ++i) {
       fb::Section section; // the list may be misaligned
       std::memcpy(&section, table + list + i * sizeof section, sizeof section);
       const std::uint64_t size = section.record_bytes() * section.count();

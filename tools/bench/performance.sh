@@ -162,10 +162,19 @@ kernels() {
 }
 rays() {
   local loops
-  loops=$(if [ "$backend" = cuda ]; then echo thread_per_ray,warp,warp_refill; else echo thread_per_ray; fi)
+  loops=$(if [ "$backend" = cuda ]; then echo auto,thread_per_ray,warp,warp_refill; else echo auto,thread_per_ray; fi)
   for name in "${large[@]}" balls gears rings tree; do
-    record rays "$name" gridbench rays "$name.scene" "$name.grid" --loop "$loops" --backend "$backend" --json \
-      --size "$size" --random "$(full 4194304 1000)" --warm-up $warm_up --repeat $repeat
+    gridbuild "$name.scene" -o "$name-bvh.grid" --merge bvh -q
+    record rays "$name" gridbench rays "$name.scene" "$name.grid" "$name-bvh.grid" --loop "$loops" \
+      --backend "$backend" --json --size "$size" --random "$(full 4194304 1000)" --warm-up $warm_up --repeat $repeat
+  done
+}
+hierarchies() {
+  local name grid
+  for name in "${large[@]}"; do
+    for grid in "$name" "$name-bvh"; do
+      picture hierarchies "$grid" "$name" "$grid" p.pfm --backend "$backend" --repeat $repeat
+    done
   done
 }
 cells() {
@@ -193,7 +202,7 @@ lists() {
 }
 
 machine
-for section in prepare builds pictures one_core png views chosen cells merge load rays schedules \
+for section in prepare builds pictures one_core png views chosen cells merge load rays hierarchies schedules \
   $(if [ "$backend" = cuda ]; then echo kernels lists; fi); do
   echo "[$SECONDS s] $section" >&2
   $section

@@ -120,14 +120,27 @@ def tables(results):
         return table(["voxels an axis", *STANDARD], [[f"{n}, ms", *(ms(lambda: time(s, n)) for s in STANDARD)]
                                                      for n in (16, 32, 64, 128, 256, "auto")])
 
+    def measured(name, grid, kind):
+        """By one set of rays: the loop that `auto` takes, and Mray/s of each loop."""
+        auto, *rows = [row for row in output("rays", name) if row["rays"] == kind and row["grid"] == f"{grid}.grid"]
+        return auto["loop"], {row["loop"]: row["mrays_per_second"] for row in rows}
+
     def throughput(name, kind):
-        """Mray/s of each loop, by one set of rays."""
-        speeds = [f"{row['mrays_per_second']:.0f}" for row in output("rays", name) if row["rays"] == kind]
-        return ", ".join(speeds)
+        taken, speeds = measured(name, name, kind)
+        return ", ".join(f"**{speed:.0f}**" if loop == taken else f"{speed:.0f}" for loop, speed in speeds.items())
+
+    def hierarchies():
+        def speeds(s, grid):
+            found = [measured(s, grid, kind) for kind in ("primary", "diffuse", "random")]
+            return ", ".join(f"{each[taken]:.0f}" for taken, each in found)
+        rows = [[s, *(cell for grid in (s, f"{s}-bvh") for cell in (
+                    figure(lambda: speeds(s, grid), "{}"), megabytes(f"{grid}.grid"),
+                    ms(lambda: seconds("hierarchies", grid))))] for s in LARGE]
+        return table(["scene", "irregular: Mray/s", "MB", "picture, ms", "`--merge bvh`: Mray/s", "MB", "picture, ms"], rows)
 
     def triangles():
         def cost(name):
-            rows = {row["rays"]: row for row in output("rays", name)}
+            rows = {row["rays"]: row for row in output("rays", name) if row["grid"] == f"{name}.grid"}
             return "; ".join(f"{rows[kind]['tests_a_ray']:.2f} + {rows[kind]['cells_a_ray']:.2f}"
                              for kind in ("primary", "diffuse", "random"))
         rows = [[f"{s} ({figure(lambda: primitives(s), '{:,}')})", megabytes(f"{s}.grid"),
@@ -209,7 +222,7 @@ def tables(results):
                       "copies / list"], rows)
 
     made = {}
-    for make in (head, readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, schedules,
+    for make in (head, readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, hierarchies, schedules,
                  kernels, load, builds, lists):
         if make in (kernels, lists) and not cuda:
             made[make.__name__] = "Needs CUDA: left out."
