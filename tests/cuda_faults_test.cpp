@@ -140,7 +140,6 @@ protected:
     mesh.indices = indices.data();
     mesh.triangle_count = indices.size() / 3;
     ASSERT_EQ(masu_write_scene(scene_.c_str(), &mesh, 1, MASU_STORE_AUTO), MASU_OK) << masu_error();
-    ASSERT_EQ(masu_build_grid(scene_.c_str(), grid_.c_str(), nullptr), MASU_OK) << masu_error();
     rays_.resize(1000);
     for (masu_ray& ray : rays_) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -221,15 +220,22 @@ protected:
 };
 
 TEST_F(CudaFaultsOfLibrary, Queries) {
-  const auto [good, right] = traced();
-  ASSERT_EQ(good, MASU_OK) << masu_error();
-  with_each_failing([&, &right = right](std::uint64_t failing) {
-    const auto [status, found] = traced();
-    EXPECT_TRUE(!found || found == right);
-    if (status == MASU_OK) return;
-    if (failing == 0) FAIL() << masu_error();
-    expect_a_line(status);
-  });
+  for (const masu_grid_kind kind : {MASU_GRID_UNIFORM, MASU_GRID_IRREGULAR, MASU_GRID_BVH}) {
+    SCOPED_TRACE("kind " + std::to_string(kind));
+    masu_grid_options options;
+    masu_default_grid_options(&options);
+    options.kind = kind;
+    ASSERT_EQ(masu_build_grid(scene_.c_str(), grid_.c_str(), &options), MASU_OK) << masu_error();
+    const auto [good, right] = traced();
+    ASSERT_EQ(good, MASU_OK) << masu_error();
+    with_each_failing([&, &right = right](std::uint64_t failing) {
+      const auto [status, found] = traced();
+      EXPECT_TRUE(!found || found == right);
+      if (status == MASU_OK) return;
+      if (failing == 0) FAIL() << masu_error();
+      expect_a_line(status);
+    });
+  }
 }
 
 TEST_F(CudaFaultsOfLibrary, Builds) {

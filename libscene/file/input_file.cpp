@@ -119,7 +119,9 @@ public:
     if (is_ours_ && file_ >= 0) close(file_);
   }
   Stream(const Stream&) = delete;
+  Stream(Stream&&) = delete;
   Stream& operator=(const Stream&) = delete;
+  Stream& operator=(Stream&&) = delete;
 
   [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorCode::input, name_, what); }
 
