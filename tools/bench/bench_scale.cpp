@@ -64,9 +64,10 @@ struct Bound {
 Bound bound_of(const Run& run, const Workers& workers) {
   // The CPU's threads trace each task together, by the clock. A GPU's queries copy at the same time.
   const auto devices = static_cast<double>(std::max<std::size_t>(workers.gpus.size(), 1));
-  const Bound bounds[] = {{"tracing", run.trace / devices / run.seconds},
-                          {"copies", std::max(run.copies / devices / queries_a_gpu, run.plain_copy) / run.seconds},
-                          {"encoding", run.plain_encode / run.seconds}};
+  const Bound bounds[] = {
+      {"tracing", run.trace / devices / run.seconds},
+      {"copies", std::max(run.copies / devices / queries_a_gpu, run.plain_copy) / run.seconds},
+      {"encoding", run.plain_encode / run.seconds}};
   return *std::ranges::max_element(bounds, {}, &Bound::share);
 }
 
