@@ -49,8 +49,8 @@ float rounded_down(double value);
 // A leaf has one fragment; of others, so many are in it.
 struct BinaryNode {
   LaneBox box;
-  std::uint32_t first, count; // `first`: a leaf's fragment
-  std::uint32_t left;         // the right one comes after it; 0 for a leaf
+  std::uint32_t first = 0, count = 0; // `first`: a leaf's fragment
+  std::uint32_t left = 0;             // the right one comes after it; 0 for a leaf
 };
 
 struct BinaryHierarchy {
