@@ -42,7 +42,7 @@ public:
 
 private:
   struct Boxes {
-    std::array<std::uint32_t, boxes_a_node> nodes;
+    std::array<std::uint32_t, boxes_a_node> nodes{};
     int count = 0;
     void add(std::uint32_t node) { nodes[static_cast<unsigned>(count++)] = node; }
   };
