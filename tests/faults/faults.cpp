@@ -75,9 +75,10 @@ std::uint64_t failing = 0; // the call that fails, from 1; 0: none
 bool all_after = false;
 std::atomic<bool> counting{false};
 std::atomic<std::uint64_t> calls{0};
+__attribute__((tls_model("initial-exec"))) thread_local int spared = 0; // calls of TBB under way
 
 bool fails_now() {
-  if (!counting) return false;
+  if (!counting || spared > 0) return false;
   const std::uint64_t call = ++calls;
   return failing > 0 && (call == failing || (all_after && call > failing));
 }
@@ -179,17 +180,39 @@ __attribute__((destructor)) void write_count() {
   close(file);
 }
 
-// TBB waits for ever where one of its own small allocations fails while it starts: they don't, here.
+// TBB waits for ever where one of its own small allocations or mappings fails while it starts: they don't,
+// here.
 bool is_tbb(const void* caller) {
   Dl_info info{};
   return dladdr(caller, &info) != 0 && info.dli_fname != nullptr &&
          std::strstr(info.dli_fname, "libtbb") != nullptr;
 }
 
-bool allocation_fails(const void* caller) {
-  if (fault == nullptr || fault->calls[0] >= 0 || !counting || is_tbb(caller) || !fails_now()) return false;
-  errno = ENOMEM;
-  return true;
+// While it lives no call fails, if it is TBB that calls.
+class SparesTbb {
+public:
+  explicit SparesTbb(const void* caller) : is_tbb_(counting && is_tbb(caller)) { spared += is_tbb_ ? 1 : 0; }
+  ~SparesTbb() { spared -= is_tbb_ ? 1 : 0; }
+  SparesTbb(const SparesTbb&) = delete;
+  SparesTbb& operator=(const SparesTbb&) = delete;
+
+private:
+  bool is_tbb_;
+};
+
+bool is_fault_of_allocations() {
+  return fault != nullptr && fault->calls[0] < 0;
+}
+
+// The memory of allocate(), or none.
+template <class Allocate>
+void* allocated(const void* caller, const Allocate& allocate) {
+  const SparesTbb spares(caller);
+  if (is_fault_of_allocations() && fails_now()) {
+    errno = ENOMEM;
+    return nullptr;
+  }
+  return allocate();
 }
 
 } // namespace
@@ -202,22 +225,33 @@ void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 
 __attribute__((visibility("default"))) void* malloc(std::size_t size) {
-  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+  return allocated(__builtin_return_address(0), [&] { return __libc_malloc(size); });
 }
 __attribute__((visibility("default"))) void* calloc(std::size_t count, std::size_t size) {
-  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_calloc(count, size);
+  return allocated(__builtin_return_address(0), [&] { return __libc_calloc(count, size); });
 }
 __attribute__((visibility("default"))) void* realloc(void* memory, std::size_t size) {
-  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_realloc(memory, size);
+  return allocated(__builtin_return_address(0), [&] { return __libc_realloc(memory, size); });
 }
 __attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  return allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
+  return allocated(__builtin_return_address(0), [&] { return __libc_memalign(alignment, size); });
 }
 __attribute__((visibility("default"))) int posix_memalign(void** memory, std::size_t alignment,
                                                           std::size_t size) {
-  if (allocation_fails(__builtin_return_address(0))) return ENOMEM;
-  *memory = __libc_memalign(alignment, size);
+  *memory = allocated(__builtin_return_address(0), [&] { return __libc_memalign(alignment, size); });
   return *memory != nullptr ? 0 : ENOMEM;
+}
+
+// To know who calls it.
+__attribute__((visibility("default"))) void* mmap(void* address, std::size_t size, int protection, int flags,
+                                                  int file, off_t offset) {
+  const SparesTbb spares(__builtin_return_address(0));
+  return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
+}
+__attribute__((visibility("default"))) void* mmap64(void* address, std::size_t size, int protection,
+                                                    int flags, int file, off_t offset) {
+  const SparesTbb spares(__builtin_return_address(0));
+  return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
 }
 
 __attribute__((visibility("default"))) int __libc_start_main(Main main, int argc, char** argv, void (*init)(),
@@ -233,12 +267,12 @@ __attribute__((visibility("default"))) int __libc_start_main(Main main, int argc
 
 // Of their own, to know who calls them.
 __attribute__((visibility("default"))) void* operator new(std::size_t size) {
-  void* const memory = allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+  void* const memory = allocated(__builtin_return_address(0), [&] { return __libc_malloc(size); });
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
 __attribute__((visibility("default"))) void* operator new[](std::size_t size) {
-  void* const memory = allocation_fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+  void* const memory = allocated(__builtin_return_address(0), [&] { return __libc_malloc(size); });
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
