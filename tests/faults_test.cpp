@@ -95,7 +95,8 @@ protected:
           for (const std::string& output : outputs) {
             const Bytes bytes = read_bytes(output);
             const bool is_new = bytes == complete.at(output);
-            EXPECT_TRUE(is_new || (result.code != 0 && bytes == Bytes{'o', 'l', 'd'})) << output;
+            EXPECT_TRUE(is_new || (result.code != 0 && bytes == Bytes{'o', 'l', 'd'}))
+                << output << " has " << bytes.size() << " bytes, of " << complete.at(output).size();
           }
         }
       }

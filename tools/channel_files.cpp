@@ -105,6 +105,7 @@ Picture picture_of(const Channels& channels, Channel channel, bool all_rays) {
 std::vector<Channel> parse_channels(const std::string& names) {
   std::vector<Channel> channels;
   std::istringstream list(names);
+  list.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
   const auto fail = [](const std::string& why) { throw Error(ErrorCode::usage, "--channels", why); };
   for (std::string name; std::getline(list, name, ',');) {
     const auto* const found =

@@ -132,6 +132,7 @@ void TaskList::take_over(const TaskListOf& tasks) {
   ranks.broadcast(text);
   std::vector<Finished> finished;
   std::istringstream lines(text);
+  lines.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
   for (std::string line; std::getline(lines, line);) {
     if (auto known = parsed(line); known && known->task < count_) finished.push_back(std::move(*known));
   }

@@ -164,6 +164,7 @@ std::vector<View> read_views(const std::string& path, const Camera& base, double
 std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
                               double reach) {
   std::istringstream in(text);
+  in.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
   std::vector<View> views;
   std::vector<std::string> places;
   std::string content;
