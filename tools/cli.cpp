@@ -60,6 +60,10 @@ void end_without_memory() {
 
 } // namespace
 
+void catch_no_memory() {
+  std::set_terminate(end_without_memory);
+}
+
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
              const Printing& prints) {
   // Where no memory is left for the line, it says that.
@@ -79,7 +83,7 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   remove_temporary_names_on_signals();
-  std::set_terminate(end_without_memory);
+  catch_no_memory();
   try {
     check_processor();
     CLI::App app(description, name);

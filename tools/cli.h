@@ -26,6 +26,10 @@ void flush_standard_output();
 // Empty names are ignored; - is standard input or output. Throws Error(usage, output, …).
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
+// From now on a process whose memory doesn't suffice ends with one line and the exit code for that, wherever
+// it is noticed. run_tool() calls it.
+void catch_no_memory();
+
 // A tool's main: body(app, parse) adds options to the app, calls parse(), and runs the tool. Returns the exit
 // code of libscene/error.h; 0 for --help.
 using ToolBody = std::function<void(CLI::App& app, const std::function<void()>& parse)>;

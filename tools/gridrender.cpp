@@ -334,6 +334,7 @@ void render(const Settings& settings, Ranks& ranks) {
 
 int main(int argc, char** argv) {
   using namespace masu;
+  catch_no_memory();
   Ranks ranks(&argc, &argv);
   const int code = run_tool(
       "gridrender", "Renders a scene through its grid, or traces a list of rays.", argc, argv,
