@@ -45,7 +45,7 @@ inline Rgb color_of(double lightness, double chroma, double hue) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double v = std::fmin(std::fmax(linear[i], 0), 1);
     rgb[i] = static_cast<std::uint8_t>(
-        255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055) + 0.5);
+        std::lround(255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055)));
   }
   return rgb;
 }
@@ -64,12 +64,12 @@ public:
   }
   // t from 0 to 1; others as the nearer end.
   const Rgb& operator()(double t) const {
-    return colors_[static_cast<std::size_t>(std::fmin(std::fmax(t, 0), 1) * (size - 1) + 0.5)];
+    return colors_[static_cast<std::size_t>(std::lround(std::fmin(std::fmax(t, 0), 1) * (size - 1)))];
   }
 
 private:
   static constexpr std::size_t size = 1024;
-  std::array<Rgb, size> colors_;
+  std::array<Rgb, size> colors_{};
 };
 
 // Category k of any number: the first dozen are easily told apart, also by lightness.

@@ -43,24 +43,37 @@ public:
   // act(device's index), when one is free.
   template <class Act>
   auto with(const Act& act) {
-    count_.acquire();
-    std::unique_lock lock(mutex_);
-    const std::size_t device = free_.back();
-    free_.pop_back();
-    lock.unlock();
-    struct Return {
-      FreeDevices& devices;
-      std::size_t device;
-      ~Return() {
-        const std::lock_guard guard(devices.mutex_);
-        devices.free_.insert(devices.free_.begin(), device);
-        devices.count_.release();
-      }
-    } const returned{*this, device};
-    return act(device);
+    const Taken taken(*this);
+    return act(taken.device);
   }
 
 private:
+  class Taken {
+  public:
+    explicit Taken(FreeDevices& devices) : device(devices.take()), devices_(devices) {}
+    ~Taken() { devices_.give_back(device); }
+    Taken(const Taken&) = delete;
+    Taken(Taken&&) = delete;
+    Taken& operator=(const Taken&) = delete;
+    Taken& operator=(Taken&&) = delete;
+    const std::size_t device;
+
+  private:
+    FreeDevices& devices_;
+  };
+  std::size_t take() {
+    count_.acquire();
+    const std::lock_guard lock(mutex_);
+    const std::size_t device = free_.back();
+    free_.pop_back();
+    return device;
+  }
+  void give_back(std::size_t device) {
+    const std::lock_guard lock(mutex_);
+    free_.insert(free_.begin(), device);
+    count_.release();
+  }
+
   std::counting_semaphore<> count_{0};
   std::mutex mutex_;
   std::vector<std::size_t> free_;
