@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <optional>
 #include <semaphore>
@@ -87,16 +88,34 @@ template <class Trace, class Write>
 void run_tasks(const Tracer& tracer, std::size_t under_way, const Trace& trace, const Write& write) {
   using Traced = decltype(trace(std::size_t{0}));
   if (tracer.device() == Device::cpu) {
+    // TBB mustn't see what is thrown: it would end every loop under way within the pipeline early, and a
+    // picture that another thread is writing meanwhile would be cut short.
+    std::exception_ptr error;
+    std::mutex mutex;
+    std::atomic<bool> ended = false;
+    const auto kept = [&](const auto& act) {
+      try {
+        act();
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!error) error = std::current_exception();
+        ended = true;
+      }
+    };
     const auto traced = [&](tbb::flow_control& control) {
+      Traced result{};
       // A thread that waits for the task's last rays doesn't begin another task meanwhile.
-      Traced result = tbb::this_task_arena::isolate([&] { return trace(std::size_t{0}); });
+      if (!ended) kept([&] { tbb::this_task_arena::isolate([&] { result = trace(std::size_t{0}); }); });
       if (!result) control.stop();
       return result;
     };
+    const auto written = [&](const Traced& result) {
+      if (!ended) kept([&] { write(*result); });
+    };
     tbb::parallel_pipeline(under_way,
                            tbb::make_filter<void, Traced>(tbb::filter_mode::serial_in_order, traced) &
-                               tbb::make_filter<Traced, void>(tbb::filter_mode::parallel,
-                                                              [&](const Traced& result) { write(*result); }));
+                               tbb::make_filter<Traced, void>(tbb::filter_mode::parallel, written));
+    if (error) std::rethrow_exception(error);
     return;
   }
   FreeDevices devices(tracer.device_count());
