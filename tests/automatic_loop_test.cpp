@@ -98,18 +98,5 @@ TEST(AutomaticLoop, RefillsWhereAFewRaysAreLong) {
   EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 15, 9}, false), RayLoop::warp);
 }
 
-TEST(AutomaticLoop, RaysOfADeviceAreJudgedByTheScenes) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
-  for (int i = 0; i < 4; ++i) {
-    const Rendering rendering(random_scene(chance), i % 2 == 0 ? Store::float32 : Store::float64);
-    UsualLoops loops;
-    for (const bool coherent : {false, true})
-      EXPECT_EQ(loops.of(rendering.scene(), rendering.grid(), coherent),
-                loops.of(rendering.scene(), rendering.grid(), coherent));
-  }
-}
-
 } // namespace
 } // namespace masu

@@ -5,7 +5,7 @@ performance_tables.py RESULTS.json                  prints them as markdown
 performance_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
                                                     <!-- table NAME --> … <!-- end -->
 performance_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of performance.sh's working folder first
-performance_tables.py RESULTS.json --chart NAME     draws NAME.svg and NAME.png, rates over those of peers.tsv (gnuplot)
+performance_tables.py RESULTS.json --chart NAME     draws NAME.png, rates over those of peers.tsv (gnuplot)
 """
 import argparse
 import json
