@@ -1,10 +1,11 @@
 #include "renderer/automatic_loop.h"
 
+#include "libscene/geometry/random_rays.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <numbers>
-#include <random>
 
 namespace masu {
 namespace {
@@ -44,23 +45,12 @@ std::vector<Ray<double>> camera_sample(const SceneFile& scene) {
   return sample;
 }
 
-// Between points of the sphere around the scene's bounds.
 std::vector<Ray<double>> random_sample(const SceneFile& scene) {
-  std::mt19937_64 engine(1);
-  std::normal_distribution<double> normal;
-  const Boxd box = is_empty(scene.bounds()) ? Boxd{{-1, -1, -1}, {1, 1, 1}} : scene.bounds();
-  const Vec3d center = (box.min + box.max) * 0.5;
-  const double radius = length(box.max - center);
-  const auto point = [&] {
-    for (;;) {
-      const Vec3d v{normal(engine), normal(engine), normal(engine)};
-      if (dot(v, v) > 1e-6) return fma(normalized(v), radius, center);
-    }
-  };
+  const BoundingSphere sphere = sphere_around(scene.bounds());
   std::vector<Ray<double>> sample;
   for (std::size_t i = 0; i < warps_sampled * rays_a_warp; ++i) {
-    const Vec3d from = point();
-    sample.push_back(unbounded_ray(from, point() - from));
+    RandomSequence random(1, i);
+    sample.push_back(random_ray<double>(sphere, random));
   }
   return sample;
 }

@@ -144,8 +144,8 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
 
 BuildOptions build_options(const masu_grid_options& from) {
   BuildOptions options;
-  constexpr GridKind kinds[] = {GridKind::automatic, GridKind::uniform,   GridKind::x,
-                                GridKind::balance,   GridKind::irregular, GridKind::hierarchy};
+  constexpr GridKind kinds[] = {GridKind::automatic, GridKind::uniform,   GridKind::x,      GridKind::balance,
+                                GridKind::irregular, GridKind::hierarchy, GridKind::fastest};
   const auto in_range = [](double value, double low, double high, const char* place) {
     if (!(value >= low && value <= high))
       fail(place, fmt::format("{} isn't from {} to {}", value, low, high));
@@ -157,7 +157,7 @@ BuildOptions build_options(const masu_grid_options& from) {
   in_range(from.nested, 0, 15, "nested");
   in_range(from.expansions, 0, 64, "expansions");
   in_range(from.threads, 0, 4096, "threads");
-  options.grid = {kinds[choice<int>(from.kind, 6, "kind")],
+  options.grid = {kinds[choice<int>(from.kind, 7, "kind")],
                   from.target,
                   from.alpha,
                   from.step_cost,

@@ -185,7 +185,8 @@ typedef enum masu_grid_kind {
   MASU_GRID_X = 2,
   MASU_GRID_BALANCE = 3,
   MASU_GRID_IRREGULAR = 4,
-  MASU_GRID_BVH = 5 /* a bounding volume hierarchy: no voxels */
+  MASU_GRID_BVH = 5,    /* a bounding volume hierarchy: no voxels */
+  MASU_GRID_FASTEST = 6 /* irregular or bvh: what some rays, traced through both, take less time with */
 } masu_grid_kind;
 
 /* As gridbuild's options. masu_default_grid_options() fills in the defaults; NULL in its place means them. */

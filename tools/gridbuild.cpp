@@ -138,12 +138,13 @@ int main(int argc, char** argv) {
                     {"x", GridKind::x},
                     {"balance", GridKind::balance},
                     {"irregular", GridKind::irregular},
-                    {"bvh", GridKind::hierarchy}},
+                    {"bvh", GridKind::hierarchy},
+                    {"fastest", GridKind::fastest}},
                    "which voxels share a cell: auto (none where a division is given; else none or irregular, "
                    "as a cost model says), none, x (empty ones in a run along x), balance (as many as list "
                    "--target primitives), irregular (voxels are divided further, by expected cost), bvh (no "
-                   "voxels: a "
-                   "bounding volume hierarchy of eight boxes a node)");
+                   "voxels: a bounding volume hierarchy of eight boxes a node), fastest (irregular or bvh, "
+                   "whichever some rays traced through both take less time with)");
         app.add_option("--target", settings.options.grid.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();

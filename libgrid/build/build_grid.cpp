@@ -1,5 +1,7 @@
 #include "libgrid/build/build_grid.h"
 
+#include "libgrid/build/hierarchy.h"
+#include "libgrid/build/sampled_costs.h"
 #include "libgrid/map_statistics.h"
 #include "libscene/available_memory.h"
 #include "libscene/error.h"
@@ -35,6 +37,7 @@ std::string merge_text(const Grid& grid, const GridOptions& options) {
     return "bvh";
   case GridKind::uniform:
   case GridKind::automatic:
+  case GridKind::fastest:
     break;
   }
   return "";
@@ -76,6 +79,21 @@ Grid build_automatic(GridBuilder<Stored>& builder, const GridLayout& uniform_lay
   return take_uniform ? std::move(uniform) : std::move(irregular.grid);
 }
 
+template <class Stored>
+Grid build_fastest(GridBuilder<Stored>& builder, const GridLayout& nested, const GridLayout& one_voxel,
+                   Overlap overlap, const GridOptions& options) {
+  const SceneView<Stored>& scene = builder.scene();
+  BuildResult irregular = builder.try_build(nested, overlap, of_kind(GridKind::irregular, options));
+  const bool has_grid = irregular.exceeded == nullptr;
+  // By the geometry alone, not by the memory that is free: the same scene gives the same bytes.
+  const bool fits = fits_hierarchy(one_voxel.space) && scene.primitive_count() <= max_hierarchy_primitives;
+  if (has_grid && (scene.primitive_count() == 0 || !fits)) return std::move(irregular.grid);
+  Grid hierarchy = builder.build(one_voxel, overlap, of_kind(GridKind::hierarchy, options));
+  if (!has_grid) return hierarchy;
+  const double ratio = expected_ratio(sampled_costs(scene, irregular.grid), sampled_costs(scene, hierarchy));
+  return ratio > 1 ? std::move(hierarchy) : std::move(irregular.grid);
+}
+
 } // namespace
 
 template <class Stored>
@@ -101,6 +119,9 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
     if (automatic && automatic_division)
       return build_automatic(builder, layout_for(GridKind::uniform), layout_for(GridKind::irregular),
                              options.overlap, options.grid);
+    if (options.grid.kind == GridKind::fastest)
+      return build_fastest(builder, layout_for(GridKind::irregular), layout_for(GridKind::hierarchy),
+                           options.overlap, options.grid);
     const GridKind kind = automatic ? GridKind::uniform : options.grid.kind;
     return builder.build(layout_for(kind), options.overlap, of_kind(kind, options.grid));
   };

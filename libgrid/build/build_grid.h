@@ -19,6 +19,9 @@ struct DescribedGrid {
 // than a tenth's difference. A scene whose irregular grid would be too large even with least
 // detail (merge.h) gets the uniform one.
 //
+// Kind fastest: an irregular grid and a hierarchy are built, and the one is taken that rays are expected to
+// cross in less time (sampled_costs.h); where the geometry allows only one of them, that one.
+//
 // Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
 // as the builder does.
 template <class Stored>

@@ -13,9 +13,10 @@ namespace masu {
 //   irregular  each voxel of a coarse division is divided further, as deep as its primitives demand, by
 //              expected cost (splitter.h); cells are then expanded over neighbours (expand_passes.h)
 //   hierarchy  no voxels: a bounding volume hierarchy (hierarchy.h)
-//   automatic  uniform or irregular, by expected cost (build_grid.h); a built grid is never of this kind
-// But for the last, they are numbered as schemas/grid.fbs numbers them.
-enum class GridKind { uniform, x, balance, irregular, hierarchy, automatic };
+//   automatic  uniform or irregular, by expected cost (build_grid.h)
+//   fastest    irregular or hierarchy, by tracing some rays through both (build_grid.h)
+// A built grid is of none of the last two; the others are numbered as schemas/grid.fbs numbers them.
+enum class GridKind { uniform, x, balance, irregular, hierarchy, automatic, fastest };
 
 // A kind and its options; those of other kinds don't matter.
 struct GridOptions {

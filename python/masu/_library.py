@@ -68,7 +68,7 @@ class GridOptionsRecord(ctypes.Structure):
 
 PRECISIONS = {"auto": 0, "fast": 1, "robust": 2, "double": 3}
 STORES = {"auto": 0, "float32": 1, "float64": 2}
-GRID_KINDS = {"auto": 0, "uniform": 1, "x": 2, "balance": 3, "irregular": 4, "bvh": 5}
+GRID_KINDS = {"auto": 0, "uniform": 1, "x": 2, "balance": 3, "irregular": 4, "bvh": 5, "fastest": 6}
 KINDS = ("triangle", "sphere", "cone")
 CPU = -1
 

@@ -86,6 +86,7 @@ prepare() {
   done | at_once
   for name in "${standard[@]}"; do
     echo "gridbuild $name.scene -o $name.grid -q --threads 1"
+    echo "gridbuild $name.scene -o $name-bvh.grid -q --threads 1 --merge bvh"
     grids | while IFS=: read -r grid options; do
       echo "gridbuild $name.scene -o $name.$grid.grid -q --threads 1 $options"
     done
@@ -164,14 +165,19 @@ rays() {
   local loops
   loops=$(if [ "$backend" = cuda ]; then echo auto,thread_per_ray,warp,warp_refill; else echo auto,thread_per_ray; fi)
   for name in "${large[@]}" balls gears rings tree; do
-    gridbuild "$name.scene" -o "$name-bvh.grid" --merge bvh -q
+    [ -e "$name-bvh.grid" ] || gridbuild "$name.scene" -o "$name-bvh.grid" --merge bvh -q
     record rays "$name" gridbench rays "$name.scene" "$name.grid" "$name-bvh.grid" --loop "$loops" \
       --backend "$backend" --json --size "$size" --random "$(full 4194304 1000)" --warm-up $warm_up --repeat $repeat
   done
 }
+fastest() {
+  for name in "${standard[@]}" "${large[@]}"; do
+    record fastest "$name" gridbuild "$name.scene" -o fastest.built --merge fastest --json -q
+  done
+}
 hierarchies() {
   local name grid
-  for name in "${large[@]}"; do
+  for name in "${standard[@]}" "${large[@]}"; do
     for grid in "$name" "$name-bvh"; do
       picture hierarchies "$grid" "$name" "$grid" p.pfm --backend "$backend" --repeat $repeat
     done
@@ -179,9 +185,9 @@ hierarchies() {
 }
 cells() {
   for name in "${standard[@]}"; do
-    for grid in none-{16,32,64,128,auto} x-128 balance-128 irregular; do
-      [ -e "$name.$grid.grid" ] || continue
-      record cells "$name.$grid" gridrender "$name.scene" "$name.$grid.grid" --backend cpu \
+    for grid in .none-{16,32,64,128,auto} .x-128 .balance-128 .irregular -bvh; do
+      [ -e "$name$grid.grid" ] || continue
+      record cells "$name$grid" gridrender "$name.scene" "$name$grid.grid" --backend cpu \
         --size "$(full 256x256 32x32)" --spd-rules --stats - -q
     done
   done
@@ -202,7 +208,7 @@ lists() {
 }
 
 machine
-for section in prepare builds pictures one_core png views chosen cells merge load rays hierarchies schedules \
+for section in prepare builds pictures one_core png views chosen cells merge load rays fastest hierarchies schedules \
   $(if [ "$backend" = cuda ]; then echo kernels lists; fi); do
   echo "[$SECONDS s] $section" >&2
   $section

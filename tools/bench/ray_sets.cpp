@@ -1,60 +1,11 @@
 #include "tools/bench/ray_sets.h"
 
-#include <tbb/parallel_for.h>
+#include "libscene/geometry/random_rays.h"
 
-#include <cmath>
-#include <numbers>
+#include <tbb/parallel_for.h>
 
 namespace masu {
 namespace {
-
-// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): a random sequence for each ray, so that rays can be
-// generated in parallel.
-class Random {
-public:
-  Random(std::uint64_t seed, std::uint64_t number)
-      : state_(mixed(seed) ^ mixed(number + 0x632be59bd9b4e019U)) {}
-
-  // In [0, 1).
-  double uniform() {
-    state_ += 0x9e3779b97f4a7c15U;
-    return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
-  }
-
-private:
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
-  std::uint64_t state_;
-};
-
-// Uniform over the unit sphere.
-Vec3d direction_of(Random& random) {
-  const double z = 2 * random.uniform() - 1, turn = 2 * std::numbers::pi * random.uniform();
-  const double across = std::sqrt(std::max(0.0, 1 - z * z));
-  return {across * std::cos(turn), across * std::sin(turn), z};
-}
-
-struct BoundingSphere {
-  Vec3d center;
-  double radius;
-};
-
-BoundingSphere sphere_around(const SceneFile& scene) {
-  const Boxd box = is_empty(scene.bounds()) ? Boxd{{-1, -1, -1}, {1, 1, 1}} : scene.bounds();
-  const Vec3d center = (box.min + box.max) * 0.5;
-  return {center, length(box.max - center)};
-}
-
-// Coordinates are rounded to the scene's store: every precision traces the same ray.
-template <class Stored>
-Ray<double> random_ray(const BoundingSphere& sphere, Random& random) {
-  const Vec3d from = fma(direction_of(random), sphere.radius, sphere.center);
-  const Vec3d to = fma(direction_of(random), sphere.radius, sphere.center);
-  return unbounded_ray(cast<double>(cast<Stored>(from)), cast<double>(cast<Stored>(to - from)));
-}
 
 // Calls act(ray's index, surface point hit, ray's direction) for each ray, in parallel; the point is null for
 // a miss.
@@ -77,20 +28,17 @@ void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const R
 template <class Stored>
 std::vector<Ray<double>> diffuse(const SceneFile& file, const GridFile& grid,
                                  std::span<const Ray<double>> rays, std::uint64_t seed) {
-  const BoundingSphere sphere = sphere_around(file);
+  const BoundingSphere sphere = sphere_around(file.bounds());
   std::vector<Ray<double>> scattered(rays.size());
   for_each_hit<Stored>(
       file, grid, rays, [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
-        Random random(seed, i);
+        RandomSequence random(seed, i);
         if (point == nullptr) {
           scattered[i] = random_ray<Stored>(sphere, random);
           return;
         }
-        // Cosine distribution: towards a random point of the unit sphere tangent to the
-        // surface.
         const Vec3d normal = cast<double>(facing(*point, incoming).normal);
-        const Vec3d towards = normal + direction_of(random) * (1 - 1e-6);
-        const Vec3<Stored> direction = cast<Stored>(normalized(towards));
+        const Vec3<Stored> direction = cast<Stored>(random_diffuse_direction(normal, random));
         scattered[i] = unbounded_ray(cast<double>(leaving(*point, direction)), cast<double>(direction));
       });
   return scattered;
@@ -154,10 +102,10 @@ std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const GridFile& gr
 }
 
 std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
-  const BoundingSphere sphere = sphere_around(scene);
+  const BoundingSphere sphere = sphere_around(scene.bounds());
   std::vector<Ray<double>> rays(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-    Random random(seed, i);
+    RandomSequence random(seed, i);
     rays[i] = scene.is_float64() ? random_ray<double>(sphere, random) : random_ray<float>(sphere, random);
   });
   return rays;

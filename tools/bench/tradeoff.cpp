@@ -40,6 +40,8 @@ const char* name_of(GridKind merge) {
     return "irregular";
   case GridKind::hierarchy:
     return "bvh";
+  case GridKind::fastest:
+    return "fastest";
   }
   return "";
 }

@@ -1,0 +1,28 @@
+// What a scene's rays cost through a grid or a hierarchy, found out by tracing some of them.
+#pragma once
+
+#include "libgrid/build/build.h"
+
+namespace masu {
+
+// Of the mean ray: cells or nodes visited, and primitives tested.
+struct RayCost {
+  double steps = 0, tests = 0;
+};
+
+// Of nearest hits: of rays between random points of the sphere around the scene; of rays from random points
+// within its bounds to random primitives, as from cameras and antennas, which are turned to where there is
+// something; of rays scattered diffusely from what those hit. All are zeros for a scene without primitives.
+// They depend on the scene's geometry alone.
+struct SampledCosts {
+  RayCost across, aimed, scattered;
+};
+
+// The grid is of the scene, of any kind, and its space no farther than a hierarchy's may be.
+template <class Stored>
+SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid);
+
+// How many times as long rays take through a grid of voxels as through a hierarchy, about.
+double expected_ratio(const SampledCosts& grid, const SampledCosts& hierarchy);
+
+} // namespace masu

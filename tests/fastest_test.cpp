@@ -1,0 +1,116 @@
+// The choice between an irregular grid and a hierarchy by tracing some rays through both.
+#include "libgrid/build/build_grid.h"
+#include "libgrid/build/sampled_costs.h"
+#include "tests/random_scene.h"
+#include "tests/same_grid.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+namespace masu {
+namespace {
+
+template <class Stored>
+Grid built(TestScene<Stored>& scene, GridKind kind) {
+  BuildOptions options;
+  options.grid.kind = kind;
+  return build_grid(*cpu_builder(scene.view()), scene.bounds(), Hash{1, 2}, options).grid;
+}
+
+template <class Stored>
+double ratio_of(TestScene<Stored>& scene) {
+  return expected_ratio(sampled_costs(scene.view(), built(scene, GridKind::irregular)),
+                        sampled_costs(scene.view(), built(scene, GridKind::hierarchy)));
+}
+
+template <class Stored_>
+class Fastest : public testing::Test {
+protected:
+  using Stored = Stored_;
+  RandomSeed seed_;
+};
+using StoredTypes = testing::Types<float, double>;
+TYPED_TEST_SUITE(Fastest, StoredTypes);
+
+// Long and thin, in all directions through each other: no boxes part them.
+template <class Stored>
+TestScene<Stored> needles(Chance& chance) {
+  TestScene<Stored> scene;
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3d at = chance.in_cube(1), along = chance.direction() * 0.5;
+    const auto near = [&](const Vec3d& point) { return cast<Stored>(point + chance.in_cube(0.004)); };
+    scene.triangles.push_back(triangle_of(near(at - along), near(at + along), near(at + along)));
+  }
+  return scene;
+}
+
+// Small and far apart, in clusters of all sizes.
+template <class Stored>
+TestScene<Stored> clusters(Chance& chance) {
+  TestScene<Stored> scene;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3d center = chance.in_cube(1);
+    const double size = chance.power_of_two(-12, -6);
+    for (int j = 0; j < 200; ++j) {
+      const Vec3d at = center + chance.in_cube(size);
+      const auto near = [&] { return cast<Stored>(at + chance.in_cube(size * 0.1)); };
+      scene.triangles.push_back(triangle_of(near(), near(), near()));
+    }
+  }
+  return scene;
+}
+
+TYPED_TEST(Fastest, IsByteForByteTheIrregularGridOrTheHierarchy) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t i = cases(200); i > 0; --i) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const Grid fastest = built(scene, GridKind::fastest);
+    ASSERT_TRUE(fastest.kind == GridKind::irregular || fastest.kind == GridKind::hierarchy);
+    expect_same(fastest, built(scene, fastest.kind));
+  }
+}
+
+TYPED_TEST(Fastest, IsAGridWhereBoxesOverlapAndAHierarchyWhereSpaceIsEmpty) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> overlapping = needles<TypeParam>(chance), sparse = clusters<TypeParam>(chance);
+  EXPECT_EQ(built(overlapping, GridKind::fastest).kind, GridKind::irregular) << ratio_of(overlapping);
+  EXPECT_EQ(built(sparse, GridKind::fastest).kind, GridKind::hierarchy) << ratio_of(sparse);
+}
+
+TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene = clusters<TypeParam>(chance);
+  for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
+    const Grid grid = built(scene, kind);
+    const auto costs = [&](std::size_t threads) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      return sampled_costs(scene.view(), grid);
+    };
+    const SampledCosts one = costs(1), many = costs(16);
+    for (const auto set : {&SampledCosts::across, &SampledCosts::aimed, &SampledCosts::scattered}) {
+      EXPECT_EQ((one.*set).steps, (many.*set).steps);
+      EXPECT_EQ((one.*set).tests, (many.*set).tests);
+      EXPECT_GT((one.*set).steps, 0);
+    }
+    EXPECT_GT(one.aimed.tests, 0);
+    EXPECT_GT(one.scattered.tests, 0);
+  }
+}
+
+TYPED_TEST(Fastest, IsAGridForASceneWithoutPrimitives) {
+  TestScene<TypeParam> scene;
+  EXPECT_EQ(built(scene, GridKind::fastest).kind, GridKind::irregular);
+}
+
+TEST(FastestAnywhere, IsAGridWhereNoHierarchyReaches) {
+  TestScene<double> scene;
+  for (const double at : {-1e20, 1e20})
+    scene.spheres.push_back(sphere_of<double>({at, at, at}, 1e18));
+  EXPECT_EQ(built(scene, GridKind::fastest).kind, GridKind::irregular);
+}
+
+} // namespace
+} // namespace masu
