@@ -1,6 +1,7 @@
 // Results are independent of the hierarchy: through it a ray finds the same bits as by trying every
 // primitive. And what is behind that: boxes contain what they hold, on every way of computing them, and walks
 // end.
+#include "libgrid/build/binary_hierarchy.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/hierarchy_statistics.h"
 #include "libgrid/trace/trace.h"
@@ -484,9 +485,10 @@ TEST(Hierarchy, OfASceneThatReachesBeyondFloat32IsRefused) {
 
 // Plane by plane, without vectors.
 template <class Real>
-std::uint32_t boxes_met_one_by_one(const HierarchyNode& node, const Vec3<Real>& origin,
-                                   const Vec3<Real>& inverse, std::uint32_t octant, Real t_max) {
-  std::uint32_t met = 0;
+MetBoxes boxes_met_one_by_one(const HierarchyNode& node, const Vec3<Real>& origin, const Vec3<Real>& inverse,
+                              Real t_max) {
+  MetBoxes met;
+  std::vector<std::uint32_t> entries; // into nodes
   for (int slot = 0; slot < boxes_a_node; ++slot) {
     Real enter = 0, leave = t_max;
     for (int axis = 0; axis < 3; ++axis) {
@@ -498,16 +500,22 @@ std::uint32_t boxes_met_one_by_one(const HierarchyNode& node, const Vec3<Real>& 
       const auto t = [&](std::uint32_t plane) {
         return std::fma(static_cast<Real>(32768 + plane), scale, start);
       };
-      const bool up = (octant >> axis & 1) != 0;
       const std::uint32_t low = slot_byte(node.low[axis], slot), high = slot_byte(node.high[axis], slot);
-      enter = std::max(enter, t(up ? low : high));
-      leave = std::min(leave, t(up ? high : low));
+      enter = std::max(enter, t(inverse[axis] >= 0 ? low : high));
+      leave = std::min(leave, t(inverse[axis] >= 0 ? high : low));
     }
     if (!(enter <= leave)) continue;
-    const std::uint32_t held = slot_byte(node.slots, slot);
-    met |= (held & 0x18) == 0x18 ? 1U << (24 + (static_cast<std::uint32_t>(slot) ^ octant))
-                                 : held >> 5 << references_begin(held);
+    const std::uint32_t held = slot_byte(node.slots, slot), number = static_cast<std::uint32_t>(slot);
+    if ((held & 0x18) == 0x18) {
+      met.bits |= 1U << (24 + number);
+      entries.push_back((bits_of(rounded_down(static_cast<double>(enter)) + 0.0F) & ~7U) | number);
+    } else {
+      met.bits |= held >> 5 << references_begin(held);
+    }
   }
+  std::ranges::sort(entries);
+  if (!entries.empty()) met.nearest = entries[0];
+  if (entries.size() > 1) met.second = entries[1];
   return met;
 }
 
@@ -527,13 +535,14 @@ TYPED_TEST(BuiltHierarchy, BoxesMetAreTheSameOneByOne) {
       ClippedRay<Real> near{};
       if (!clip(rays.ray(), view.clip, near)) continue;
       const Vec3<Real> inverse = bounded_inverse(near);
-      const std::uint32_t octant = octant_of(inverse);
       for (const HierarchyNode& node : grid.nodes) {
-        const std::uint32_t found = boxes_met(node, near.ray.origin, inverse, octant, near.ray.t_max);
-        ASSERT_EQ(found, boxes_met_one_by_one(node, near.ray.origin, inverse, octant, near.ray.t_max))
+        const MetBoxes found = boxes_met(node, near.ray.origin, inverse, near.ray.t_max),
+                       expected = boxes_met_one_by_one(node, near.ray.origin, inverse, near.ray.t_max);
+        ASSERT_TRUE(found.bits == expected.bits && found.nearest == expected.nearest &&
+                    found.second == expected.second)
             << described(near.ray.origin, near.ray.direction) << '\n'
             << described(scene);
-        (found != 0 ? met : missed) += 1;
+        (found.bits != 0 ? met : missed) += 1;
       }
     }
   }

@@ -103,40 +103,6 @@ private:
     place(node.left + 1, boxes - to_left);
   }
 
-  // The slot of each box, by the octant about the centre that it lies in most: those that gain most come
-  // first.
-  std::array<int, boxes_a_node> slots_of(const Boxes& boxes, const LaneBox& around) const {
-    std::array<int, boxes_a_node> slots{};
-    const Lanes centre = around.low + around.high;
-    unsigned placed = 0, taken = 0;
-    for (int round = 0; round < boxes.count; ++round) {
-      int best_box = 0, best_slot = 0;
-      float most = -INFINITY;
-      for (int box = 0; box < boxes.count; ++box) {
-        if ((placed >> box & 1) != 0) continue;
-        const LaneBox& own = nodes_[boxes.nodes[static_cast<unsigned>(box)]].box;
-        const Lanes off = own.low + own.high - centre;
-        for (int slot = 0; slot < boxes_a_node; ++slot) {
-          if ((taken >> slot & 1) != 0) continue;
-          const float gain = ((slot & 1) != 0 ? off[0] : -off[0]) + ((slot & 2) != 0 ? off[1] : -off[1]) +
-                             ((slot & 4) != 0 ? off[2] : -off[2]);
-          if (!(gain > most)) continue;
-          most = gain;
-          best_box = box;
-          best_slot = slot;
-        }
-      }
-      if (most == -INFINITY) { // where nothing can be compared
-        best_box = std::countr_one(placed);
-        best_slot = std::countr_one(taken);
-      }
-      placed |= 1U << best_box;
-      taken |= 1U << best_slot;
-      slots[static_cast<unsigned>(best_box)] = best_slot;
-    }
-    return slots;
-  }
-
   void list(Hierarchy& hierarchy, std::uint32_t number) const {
     const BinaryNode& node = nodes_[number];
     if (node.left == 0) return hierarchy.references.push_back(fragments_[node.first].primitive());
@@ -168,21 +134,12 @@ private:
       node.origin[axis] = rounded_down(static_cast<double>(around.low[axis]) - units_before * unit[axis]);
       node.exponents |= static_cast<std::uint32_t>(exponent + 127) << (8 * axis);
     }
-    const auto slots = slots_of(boxes, around);
-    std::array<std::uint32_t, boxes_a_node> in_slot{};
-    unsigned filled = 0;
-    for (int box = 0; box < boxes.count; ++box) {
-      in_slot[static_cast<unsigned>(slots[static_cast<unsigned>(box)])] =
-          boxes.nodes[static_cast<unsigned>(box)];
-      filled |= 1U << slots[static_cast<unsigned>(box)];
-    }
     node.first_node = static_cast<std::uint32_t>(hierarchy.nodes.size());
     node.first_reference = static_cast<std::uint32_t>(hierarchy.references.size());
     Boxes inner;
-    for (int slot = 0; slot < boxes_a_node; ++slot) {
+    for (int slot = 0; slot < boxes.count; ++slot) {
       const int shift = slot % 4 * 8;
-      if ((filled >> slot & 1) == 0) continue;
-      const std::uint32_t child = in_slot[static_cast<unsigned>(slot)];
+      const std::uint32_t child = boxes.nodes[static_cast<unsigned>(slot)];
       const BinaryNode& held = nodes_[child];
       for (int axis = 0; axis < 3; ++axis) {
         const double origin = node.origin[axis];

@@ -19,9 +19,6 @@ namespace masu {
 //   0x38 | slot         a node: `first_node` and so many after it as lower slots hold nodes
 //   unary << 5 | first  references: as many as `unary` (1, 3 or 7) has bits, from `first_reference + first`
 //                       on
-//
-// Which slot a box has says in which octant about the node's centre it lies, so far as that can be: rays
-// visit slots in the order of slot ^ octant, octant being that of their direction.
 struct alignas(16) HierarchyNode {
   float origin[3];
   std::uint32_t exponents; // 8 bits an axis, biased as a float's; then a bit for each slot that holds a node

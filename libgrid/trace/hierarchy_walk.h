@@ -26,12 +26,6 @@ MASU_HD inline Vec3<Real> bounded_inverse(const ClippedRay<Real>& near) {
   return {bounded(near.inverse.x), bounded(near.inverse.y), bounded(near.inverse.z)};
 }
 
-// A bit an axis: set where the ray runs upwards.
-template <class Real>
-MASU_HD inline std::uint32_t octant_of(const Vec3<Real>& inverse) {
-  return (inverse.x < 0 ? 0U : 1U) | (inverse.y < 0 ? 0U : 2U) | (inverse.z < 0 ? 0U : 4U);
-}
-
 // Along one axis: plane q of a node is met at t = (2^15 + q) · scale + start. A float whose bits are those of
 // 2^15 with q in its second byte is just that sum: no conversion is needed.
 template <class Real>
@@ -47,64 +41,117 @@ MASU_HD inline NodeAxis<Real> node_axis(float origin, std::uint32_t exponent, Re
   return {scale, fma(Real(-plane_offset), scale, (static_cast<Real>(origin) - from) * inverse)};
 }
 
-// What a ray meets of a node: bit 24 + (slot ^ octant) for a node, so that the highest is visited first, and
-// bit i for reference i of the node's.
+// Where a ray enters a box, t >= 0, as a whole number: in the same order, and rounded down.
+MASU_HD inline std::uint32_t entry_bits(float t) {
+  return bits_of(t) & 0x7fffffffU; // -0 is 0
+}
+MASU_HD inline std::uint32_t entry_bits(double t) {
+  const auto rounded = static_cast<float>(t);
+  return entry_bits(rounded) - (static_cast<double>(rounded) > t ? 1 : 0);
+}
+
+// What a ray meets of a node.
+struct MetBoxes {
+  static constexpr std::uint32_t none = ~0U, slot_bits = 7;
+
+  // Bit 24 + slot for a node, and bit i for reference i of the node's.
+  std::uint32_t bits = 0;
+  // Of its nodes the two that the ray enters first: entry_bits() with the slot in the last three.
+  std::uint32_t nearest = none, second = none;
+
+  MASU_HD void enter(std::uint32_t entry) {
+#ifdef __CUDA_ARCH__
+    second = ::min(second, ::max(nearest, entry));
+    nearest = ::min(nearest, entry);
+#else
+    second = std::min(second, std::max(nearest, entry));
+    nearest = std::min(nearest, entry);
+#endif
+  }
+};
+
 #ifdef __CUDA_ARCH__
 template <int byte>
 __device__ inline float plane_of(std::uint32_t planes) {
   return __uint_as_float(__byte_perm(planes, plane_offset_bits, 0x7604 | byte << 4));
 }
-template <class Real>
-__device__ inline std::uint32_t
-met_of_four(const NodeAxis<Real>& x, const NodeAxis<Real>& y, const NodeAxis<Real>& z, std::uint32_t near_x,
-            std::uint32_t far_x, std::uint32_t near_y, std::uint32_t far_y, std::uint32_t near_z,
-            std::uint32_t far_z, std::uint32_t slots, std::uint32_t octants, Real t_max) {
-  // Four slots at a time: those of nodes have bits 3 and 4 set; all bits of their bytes.
+
+// Whether a ray is within three pairs of planes at the same time, between 0 and t_max, and from where on. In
+// float32 whole numbers are compared, of which the processor takes three at once: negative floats are
+// negative numbers, in whatever order; -0 and NaN don't occur, since nothing overflows and sums of multiples
+// of the least float aren't rounded to 0.
+__device__ inline bool overlap(float x0, float x1, float y0, float y1, float z0, float z1, float t_max,
+                               std::uint32_t& entry) {
+  const int enter = __vimax3_s32_relu(__float_as_int(x0), __float_as_int(y0), __float_as_int(z0));
+  const int leave =
+      ::min(__vimin3_s32(__float_as_int(x1), __float_as_int(y1), __float_as_int(z1)), __float_as_int(t_max));
+  entry = static_cast<std::uint32_t>(enter);
+  return enter <= leave;
+}
+__device__ inline bool overlap(double x0, double x1, double y0, double y1, double z0, double z1, double t_max,
+                               std::uint32_t& entry) {
+  const double enter = fast_max(fast_max(x0, y0), fast_max(z0, 0.0));
+  entry = entry_bits(enter);
+  return enter <= fast_min(fast_min(x1, y1), fast_min(z1, t_max));
+}
+
+// Slots first to first + 3. Rays of a warp that are alike miss the same boxes: what follows a box that is met
+// is behind a branch.
+template <int first, class Real>
+__device__ inline void meet_four(MetBoxes& met, const NodeAxis<Real>& x, const NodeAxis<Real>& y,
+                                 const NodeAxis<Real>& z, std::uint32_t near_x, std::uint32_t far_x,
+                                 std::uint32_t near_y, std::uint32_t far_y, std::uint32_t near_z,
+                                 std::uint32_t far_z, std::uint32_t slots, Real t_max) {
+  // Four slots at a time: those of nodes have bits 3 and 4 set; all bits of the others' bytes.
   const std::uint32_t is_node = (slots & slots << 1) & 0x10101010;
-  std::uint32_t nodes;
-  asm("prmt.b32 %0, %1, 0, 0xba98;" : "=r"(nodes) : "r"(is_node << 3));
-  const std::uint32_t shifts = (slots ^ (octants & nodes)) & 0x1f1f1f1f, unary = slots >> 5 & 0x07070707;
-  std::uint32_t met = 0;
+  std::uint32_t others;
+  asm("prmt.b32 %0, %1, 0, 0xba98;" : "=r"(others) : "r"(~(is_node << 3)));
+  // A node's number, or what makes `none` of an entry.
+  std::uint32_t numbers = others | (0x03020100 + first * 0x01010101);
+  asm("" : "+r"(numbers)); // once, not for each box
   const auto test = [&]<int i>(std::integral_constant<int, i>) {
-    const Real enter = fast_max(fast_max(fma(Real(plane_of<i>(near_x)), x.scale, x.start),
-                                         fma(Real(plane_of<i>(near_y)), y.scale, y.start)),
-                                fast_max(fma(Real(plane_of<i>(near_z)), z.scale, z.start), Real(0)));
-    const Real leave = fast_min(fast_min(fma(Real(plane_of<i>(far_x)), x.scale, x.start),
-                                         fma(Real(plane_of<i>(far_y)), y.scale, y.start)),
-                                fast_min(fma(Real(plane_of<i>(far_z)), z.scale, z.start), t_max));
-    if (enter <= leave) met |= (unary >> (8 * i) & 0xff) << (shifts >> (8 * i) & 0xff);
+    std::uint32_t entry;
+    if (!overlap(
+            fma(Real(plane_of<i>(near_x)), x.scale, x.start), fma(Real(plane_of<i>(far_x)), x.scale, x.start),
+            fma(Real(plane_of<i>(near_y)), y.scale, y.start), fma(Real(plane_of<i>(far_y)), y.scale, y.start),
+            fma(Real(plane_of<i>(near_z)), z.scale, z.start), fma(Real(plane_of<i>(far_z)), z.scale, z.start),
+            t_max, entry))
+      return;
+    // Of a node `unary` is 1, and shifted by 24 + slot.
+    const std::uint32_t held = slots >> (8 * i);
+    met.bits |= __funnelshift_l(0, held >> 5 & 7, held);
+    met.enter((entry & ~MetBoxes::slot_bits) | __byte_perm(numbers, others, 0x4440 + i * 0x1111));
   };
   test(std::integral_constant<int, 0>{});
   test(std::integral_constant<int, 1>{});
   test(std::integral_constant<int, 2>{});
   test(std::integral_constant<int, 3>{});
-  return met;
 }
 #endif
 
-MASU_HD inline std::uint32_t met_bits(std::uint32_t slot, std::uint32_t octant) {
-  return (slot & 0x18) == 0x18 ? 1U << ((slot & 0x1f) ^ octant) : slot >> 5 << (slot & 0x1f);
+// What a slot holds, as MetBoxes has it.
+MASU_HD inline std::uint32_t met_bits(std::uint32_t slot) {
+  return slot >> 5 << (slot & 0x1f);
 }
 
 template <class Real>
-MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Real>& origin,
-                                       const Vec3<Real>& inverse, std::uint32_t octant, Real t_max) {
+MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& origin,
+                                  const Vec3<Real>& inverse, Real t_max) {
   const std::uint32_t e = node.exponents;
   const NodeAxis<Real> x = node_axis(node.origin[0], e & 0xff, origin.x, inverse.x),
                        y = node_axis(node.origin[1], e >> 8 & 0xff, origin.y, inverse.y),
                        z = node_axis(node.origin[2], e >> 16 & 0xff, origin.z, inverse.z);
-  const bool up_x = (octant & 1) != 0, up_y = (octant & 2) != 0, up_z = (octant & 4) != 0;
+  const bool up_x = inverse.x >= 0, up_y = inverse.y >= 0, up_z = inverse.z >= 0;
+  MetBoxes met;
 #ifdef __CUDA_ARCH__
-  const std::uint32_t octants = octant * 0x01010101U;
-  std::uint32_t met = 0;
-#pragma unroll
-  for (int half = 0; half < 2; ++half) {
-    const std::uint32_t lx = node.low[0][half], hx = node.high[0][half], ly = node.low[1][half],
-                        hy = node.high[1][half], lz = node.low[2][half], hz = node.high[2][half];
-    met |= met_of_four(x, y, z, up_x ? lx : hx, up_x ? hx : lx, up_y ? ly : hy, up_y ? hy : ly,
-                       up_z ? lz : hz, up_z ? hz : lz, node.slots[half], octants, t_max);
-  }
-  return met;
+  const auto half = [&]<int i>(std::integral_constant<int, i>) {
+    const std::uint32_t lx = node.low[0][i], hx = node.high[0][i], ly = node.low[1][i], hy = node.high[1][i],
+                        lz = node.low[2][i], hz = node.high[2][i];
+    meet_four<4 * i>(met, x, y, z, up_x ? lx : hx, up_x ? hx : lx, up_y ? ly : hy, up_y ? hy : ly,
+                     up_z ? lz : hz, up_z ? hz : lz, node.slots[i], t_max);
+  };
+  half(std::integral_constant<int, 0>{});
+  half(std::integral_constant<int, 1>{});
 #else
   const auto& near_x = up_x ? node.low[0] : node.high[0];
   const auto& far_x = up_x ? node.high[0] : node.low[0];
@@ -112,7 +159,11 @@ MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Rea
   const auto& far_y = up_y ? node.high[1] : node.low[1];
   const auto& near_z = up_z ? node.low[2] : node.high[2];
   const auto& far_z = up_z ? node.high[2] : node.low[2];
-  std::uint32_t met = 0;
+  const auto meet = [&](int slot, Real enter) {
+    met.bits |= met_bits(slot_byte(node.slots, slot));
+    if ((node_slots(node) >> slot & 1) != 0)
+      met.enter((entry_bits(enter) & ~MetBoxes::slot_bits) | static_cast<std::uint32_t>(slot));
+  };
 #ifdef MASU_HOST_AVX2
   if constexpr (sizeof(Real) == sizeof(float)) {
     const auto t = [](const std::uint32_t(&planes)[2], const NodeAxis<float>& axis) {
@@ -121,14 +172,16 @@ MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Rea
       return _mm256_fmadd_ps(_mm256_castsi256_ps(bits), _mm256_set1_ps(axis.scale),
                              _mm256_set1_ps(axis.start));
     };
-    const __m256 enter = _mm256_max_ps(_mm256_max_ps(t(near_x, x), t(near_y, y)),
-                                       _mm256_max_ps(t(near_z, z), _mm256_setzero_ps())),
-                 leave = _mm256_min_ps(_mm256_min_ps(t(far_x, x), t(far_y, y)),
-                                       _mm256_min_ps(t(far_z, z), _mm256_set1_ps(t_max)));
-    for (auto hit = static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(enter, leave, _CMP_LE_OQ)));
+    const __m256 enters = _mm256_max_ps(_mm256_max_ps(t(near_x, x), t(near_y, y)),
+                                        _mm256_max_ps(t(near_z, z), _mm256_setzero_ps())),
+                 leaves = _mm256_min_ps(_mm256_min_ps(t(far_x, x), t(far_y, y)),
+                                        _mm256_min_ps(t(far_z, z), _mm256_set1_ps(t_max)));
+    alignas(32) float enter[boxes_a_node];
+    _mm256_store_ps(enter, enters);
+    for (auto hit = static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(enters, leaves, _CMP_LE_OQ)));
          hit != 0; hit &= hit - 1) {
       const int slot = std::countr_zero(hit);
-      met |= met_bits(slot_byte(node.slots, slot), octant);
+      meet(slot, enter[slot]);
     }
     return met;
   }
@@ -142,24 +195,48 @@ MASU_HD inline std::uint32_t boxes_met(const HierarchyNode& node, const Vec3<Rea
                                 fast_max(t(near_z, slot, z), Real(0))),
                leave = fast_min(fast_min(t(far_x, slot, x), t(far_y, slot, y)),
                                 fast_min(t(far_z, slot, z), t_max));
-    if (enter <= leave) met |= met_bits(slot_byte(node.slots, slot), octant);
+    if (enter <= leave) meet(slot, enter);
   }
+#endif
   return met;
+}
+
+MASU_HD inline int lowest_bit(std::uint32_t bits) { // of a number other than 0
+#ifdef __CUDA_ARCH__
+  return __ffs(static_cast<int>(bits)) - 1;
+#else
+  return std::countr_zero(bits);
 #endif
 }
 
-// What is still to be visited: nodes from `first` on, by the bits above 23 (boxes_met) and the mask of slots
-// that hold nodes below; or references from `first` on, by the bits below 24, where no bit above is set.
+// What is still to be visited. Nodes: from `first` on, by their slots in the highest 8 bits and the slots of
+// all that there are in the lowest 8; between them 13 bits of where the ray enters the nearest of them and 3
+// of its slot. Or references: from `first` on, by the bits below 24, where no bit above is set.
 struct HierarchyGroup {
   std::uint32_t first, bits;
-  MASU_HD bool has_nodes() const { return bits > 0xffffff; }
-};
 
-MASU_HD inline int highest_bit(std::uint32_t bits) { // of a number other than 0
+  MASU_HD bool has_nodes() const { return bits > 0xffffff; }
+  // Rounded down.
+  MASU_HD float entry() const { return float_of((bits & 0xfff800) << 7); }
+  // The nearest as long as it is still to be visited, then the others by number.
+  MASU_HD std::uint32_t next_slot() const {
+    const std::uint32_t nearest = bits >> 8 & 7;
+    return (bits >> (24 + nearest) & 1) != 0 ? nearest : static_cast<std::uint32_t>(lowest_bit(bits >> 24));
+  }
+};
+MASU_HD inline HierarchyGroup nodes_group(const HierarchyNode& node, std::uint32_t slots,
+                                          std::uint32_t nearest) {
+  return {node.first_node,
+          slots << 24 | (nearest >> 7 & 0xfff800) | (nearest & MetBoxes::slot_bits) << 8 | node_slots(node)};
+}
+
+// Where to find the node of a slot among a node's.
+MASU_HD inline std::uint32_t node_in(std::uint32_t first, std::uint32_t held, std::uint32_t slot) {
+  const std::uint32_t before = held & ~(~0U << slot);
 #ifdef __CUDA_ARCH__
-  return 31 - __clz(static_cast<int>(bits));
+  return first + static_cast<std::uint32_t>(__popc(before));
 #else
-  return 31 - std::countl_zero(bits);
+  return first + static_cast<std::uint32_t>(std::popcount(before));
 #endif
 }
 
@@ -181,60 +258,72 @@ MASU_HD inline void show(const LeafHierarchyView<Real, Stored>& hierarchy, std::
 // A walk under way.
 template <class Real>
 struct HierarchyWalk {
+  static constexpr std::uint32_t no_node = ~0U;
+
   Vec3<Real> inverse; // bounded
-  HierarchyGroup nodes, references;
+  std::uint32_t next; // node to visit
+  HierarchyGroup references;
   int height; // of the stack
 
   MASU_HD void begin(const ClippedRay<Real>& near) {
     inverse = bounded_inverse(near);
-    nodes = {0, 0x80000000U}; // the root, in the first place for any ray
+    next = 0;
     references = {0, 0};
     height = 0;
   }
 
   // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray
-  // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
-  // Laine), unless the visitor counts: what is visited would depend on that.
+  // meets; false at the end. Of a node's nodes the two that the ray enters first come first, and none of the
+  // others after the first once all of them are entered beyond the nearest hit. Tests are put off where few
+  // of a warp's lanes have any (after Ylitie, Karras & Laine), unless the visitor counts: what is visited
+  // would depend on that.
   template <class Hierarchy, class Visitor>
   MASU_HD bool advance(const Hierarchy& hierarchy, HierarchyStack& stack, Visitor& visitor) {
-    if (nodes.has_nodes()) {
-      const int next = highest_bit(nodes.bits);
-      const std::uint32_t first = nodes.first, siblings = nodes.bits & 0xff;
-      nodes.bits &= ~(1U << next);
-      if (nodes.has_nodes()) stack[height++] = nodes;
-      const std::uint32_t octant = octant_of(inverse), slot = static_cast<std::uint32_t>(next - 24) ^ octant;
-      const std::uint32_t before = siblings & ~(~0U << slot);
+    if (next != no_node) {
 #ifdef __CUDA_ARCH__
-      const HierarchyNode node = fetched(hierarchy.nodes + first + __popc(before));
+      const HierarchyNode node = fetched(hierarchy.nodes + next);
 #else
-      const HierarchyNode& node = hierarchy.nodes[first + static_cast<std::uint32_t>(std::popcount(before))];
+      const HierarchyNode& node = hierarchy.nodes[next];
 #endif
-      const std::uint32_t met = boxes_met(node, visitor.ray.origin, inverse, octant, visitor.farthest());
-      visitor.counts.cell(met == 0);
-      nodes = {node.first_node, (met & 0xff000000U) | node_slots(node)};
-      references = {node.first_reference, met & 0xffffff};
-    } else {
-      references = nodes;
-      nodes.bits = 0;
+      const MetBoxes met = boxes_met(node, visitor.ray.origin, inverse, visitor.farthest());
+      visitor.counts.cell(met.bits == 0);
+      const std::uint32_t nodes = met.bits >> 24;
+      references = {node.first_reference, met.bits & 0xffffff};
+      next = no_node;
+      if (nodes != 0) {
+        const std::uint32_t slot = met.nearest & MetBoxes::slot_bits, others = nodes & ~(1U << slot);
+        next = node_in(node.first_node, node_slots(node), slot);
+        if (others != 0) stack[height++] = nodes_group(node, others, met.second);
+      }
     }
 #ifdef __CUDA_ARCH__
     const int testing = __popc(__activemask());
 #endif
     while (references.bits != 0) {
 #ifdef __CUDA_ARCH__
-      if (!visitor.counts.is_counted && __popc(__activemask()) * 5 < testing) {
+      if (!visitor.counts.is_counted && __popc(__activemask()) * 4 < testing) {
         stack[height++] = references;
         break;
       }
 #endif
-      const int next = highest_bit(references.bits);
-      references.bits &= ~(1U << next);
-      show(hierarchy, references.first + static_cast<std::uint32_t>(next), visitor);
+      const int reference = lowest_bit(references.bits);
+      references.bits &= references.bits - 1;
+      show(hierarchy, references.first + static_cast<std::uint32_t>(reference), visitor);
     }
     if (visitor.ends()) return false;
-    if (!nodes.has_nodes()) {
+    references.bits = 0;
+    while (next == no_node) {
       if (height == 0) return false;
-      nodes = stack[--height];
+      HierarchyGroup group = stack[--height];
+      if (!group.has_nodes()) {
+        references = group;
+        break;
+      }
+      if (!(group.entry() <= visitor.farthest())) continue;
+      const std::uint32_t slot = group.next_slot();
+      next = node_in(group.first, group.bits & 0xff, slot);
+      group.bits &= ~(0x1000000U << slot);
+      if (group.has_nodes()) stack[height++] = group;
     }
     return true;
   }
