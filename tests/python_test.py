@@ -106,7 +106,7 @@ class Queries(WithFolder):
         expected = self.tracer().nearest(rays, fields=masu.FIELDS)
         with masu.Tracer(self.file("random.scene")) as tracer:
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
-        for options in ({"kind": "uniform", "division": 7}, {"kind": "irregular"}, {"kind": "bvh"}, {"kind": "x", "division": "8x4x6"},
+        for options in ({"kind": "uniform", "division": 7}, {"kind": "irregular"}, {"kind": "bvh"}, {"kind": "fastest"}, {"kind": "x", "division": "8x4x6"},
                         {"box_overlap": True, "cube_space": True, "kind": "uniform", "threads": 1}):
             masu.build_grid(self.file("random.scene"), self.file("random.grid"), **options)
             same_bits(self, self.tracer().nearest(rays, fields=masu.FIELDS, coherent=True), expected)

@@ -695,7 +695,7 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
   };
   EXPECT_EQ(geometry(other), geometry(scene_));
   EXPECT_NE(geometry(scene("b.scene", nff("b.nff", other_nff))), geometry(scene_));
-  for (const char* const merge : {"none", "x", "balance", "irregular", "bvh"}) {
+  for (const char* const merge : {"none", "x", "balance", "irregular", "bvh", "fastest"}) {
     const std::string old = grid("old.grid", scene_, "6", {"--merge", merge});
     EXPECT_EQ(json_of("gridstat", {old, "--json"})["geometry_hash"], geometry(scene_));
     const auto hits = [&](const Arguments& through, const std::string& name) {
