@@ -313,9 +313,9 @@ def main():
     if given.chart:
         return draw(results, given.chart)
     made = tables(results)
-    mark = re.compile(r"(<!-- table (\w+) -->\n).*?(\n<!-- end -->)", re.DOTALL)
+    mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
     for document in given.into:
-        document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + found[3], document.read_text()))
+        document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + "\n" + found[3], document.read_text()))
     if not given.into:
         print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
 
