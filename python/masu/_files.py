@@ -84,10 +84,10 @@ def build_grid(scene: Path, grid: Path, *, kind: Optional[str] = None, division:
                threads: Optional[int] = None) -> None:
     """Writes the grid file of a scene file. The options are gridbuild's; None is the default.
 
-    kind: "auto", "uniform", "x", "balance", "irregular", "bvh" or "fastest"; division: "auto", 64, "64x64x32", "cleary:1", …;
-    box_overlap: a voxel lists the primitives whose bounding box meets it, not their surface; cube_space: the smallest
-    cube about the origin is divided, not the primitives' bounds; target, alpha, step_cost, detail, nested, expansions:
-    of merged and irregular grids; gpu: built on the first GPU; threads: 0 for all cores.
+    kind: "auto", "uniform", "x", "balance", "irregular", "bvh" or "fastest"; division: "auto", 64, "64x64x32",
+    "cleary:1", …; box_overlap: a voxel lists the primitives whose bounding box meets it, not their surface; cube_space:
+    the smallest cube about the origin is divided, not the primitives' bounds; target, alpha, step_cost, detail, nested,
+    expansions: of merged and irregular grids; gpu: built on the first GPU; threads: 0 for all cores.
 
     The file appears whole or not at all. Raises masu.Error."""
     options = GridOptionsRecord()
