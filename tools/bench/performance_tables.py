@@ -143,18 +143,18 @@ def tables(results):
         return {row["grid"]: row["median_seconds"] for row in output(section, key)}
 
     def chosen():
-        def fastest(s):
+        def best(s):
             times = frames("chosen", s)
             return min((time, grid) for grid, time in times.items() if grid != f"{s}.grid")
         own = lambda s: frames("chosen", s)[f"{s}.grid"]
         count = figure(lambda: max(len(run["output"]) for run in runs["chosen"].values()) - 1, "{}")
         rows = [["chosen, ms", *(ms(lambda: own(s)) for s in STANDARD)],
-                [f"fastest of {count}, ms", *(ms(lambda: fastest(s)[0]) for s in STANDARD)],
-                ["chosen / fastest, time", *(figure(lambda: own(s) / fastest(s)[0], "{:.2f}") for s in STANDARD)],
+                [f"fastest of {count}, ms", *(ms(lambda: best(s)[0]) for s in STANDARD)],
+                ["chosen / fastest, time", *(figure(lambda: own(s) / best(s)[0], "{:.2f}") for s in STANDARD)],
                 ["chosen / fastest, bytes",
-                 *(figure(lambda: size[f"{s}.grid"] / size[fastest(s)[1]], "{:.2f}") for s in STANDARD)],
+                 *(figure(lambda: size[f"{s}.grid"] / size[best(s)[1]], "{:.2f}") for s in STANDARD)],
                 ["the fastest one",
-                 *(figure(lambda: fastest(s)[1].removeprefix(f"{s}.").removesuffix(".grid"), "{}") for s in STANDARD)]]
+                 *(figure(lambda: best(s)[1].removeprefix(f"{s}.").removesuffix(".grid"), "{}") for s in STANDARD)]]
         return table(["", *STANDARD], rows)
 
     def division():
