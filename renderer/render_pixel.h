@@ -59,26 +59,6 @@ struct RayStack {
   MASU_HD PendingRay<Real> pop() { return rays[--size]; }
 };
 
-// The point's surroundings as shading needs them: everything turned to the viewer.
-template <class Real>
-struct Facing {
-  Vec3<Real> normal, shading;
-  bool front; // the ray meets the front
-};
-
-template <class Real>
-MASU_HD inline Facing<Real> facing(const SurfacePoint<Real>& point, const Vec3<Real>& direction) {
-  const bool front = dot(point.normal, direction) < 0;
-  return {front ? point.normal : -point.normal,
-          dot(point.shading, direction) < 0 ? point.shading : -point.shading, front};
-}
-
-// Off the surface, on the side that the direction points to.
-template <class Real>
-MASU_HD inline Vec3<Real> leaving(const SurfacePoint<Real>& point, const Vec3<Real>& direction) {
-  return fma(point.normal, dot(direction, point.normal) < 0 ? -point.error : point.error, point.position);
-}
-
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline Vec3f direct_light(const SceneView<Stored>& scene, const Grid& grid, const Material& material,
                                   const SurfacePoint<typename M::Real>& point,

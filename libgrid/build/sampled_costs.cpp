@@ -41,9 +41,8 @@ Traced trace(const SceneView<Stored>& scene, const View& view, const Ray<double>
       nearest_hit_near<Method<WatertightRay<double>, with_all_kinds>>(scene, view, ray, traced.counts);
   if (near.hit.primitive == no_primitive) return traced;
   const SurfacePoint<double> point = surface_at<with_all_kinds>(scene, near);
-  const double side = dot(point.normal, ray.direction) < 0 ? 1 : -1;
-  traced.scattered = unbounded_ray(fma(point.normal, side * point.error, point.position),
-                                   random_diffuse_direction(point.normal * side, random));
+  const Vec3d direction = random_diffuse_direction(facing(point, ray.direction).normal, random);
+  traced.scattered = unbounded_ray(leaving(point, direction), direction);
   return traced;
 }
 
