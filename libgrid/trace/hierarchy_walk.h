@@ -329,6 +329,16 @@ struct HierarchyWalk {
   }
 };
 
+template <class Real, class Hierarchy, class Visitor>
+MASU_HD inline void walk_hierarchy(const Hierarchy& hierarchy, const ClippedRay<Real>& near,
+                                   Visitor& visitor) {
+  HierarchyStack stack;
+  HierarchyWalk<Real> walk;
+  walk.begin(near);
+  while (walk.advance(hierarchy, stack, visitor)) {
+  }
+}
+
 template <class Real, class Visitor>
 MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay<Real>& near, std::uint32_t,
                           Visitor& visitor) {
@@ -341,20 +351,12 @@ MASU_HD inline void visit(const HierarchyView<Real>& hierarchy, const ClippedRay
     return;
   }
 #endif
-  HierarchyStack stack;
-  HierarchyWalk<Real> walk;
-  walk.begin(near);
-  while (walk.advance(hierarchy, stack, visitor)) {
-  }
+  walk_hierarchy(hierarchy, near, visitor);
 }
 template <class Real, class Stored, class Visitor>
 MASU_HD inline void visit(const LeafHierarchyView<Real, Stored>& hierarchy, const ClippedRay<Real>& near,
                           std::uint32_t, Visitor& visitor) {
-  HierarchyStack stack;
-  HierarchyWalk<Real> walk;
-  walk.begin(near);
-  while (walk.advance(hierarchy, stack, visitor)) {
-  }
+  walk_hierarchy(hierarchy, near, visitor);
 }
 
 } // namespace masu
