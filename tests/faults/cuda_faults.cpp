@@ -8,14 +8,13 @@
 // other function: so dlsym() is replaced, and what it finds leads through the functions below.
 #include "tests/faults/cuda_faults.h"
 
+#include "tests/faults/write_count.h"
+
 #include <dlfcn.h>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdio>
 #include <cstdlib>
 #include <mutex>
 #include <string_view>
@@ -138,14 +137,8 @@ __attribute__((constructor)) void read_fault() {
   fail_cuda_call(n, *end == '+');
 }
 
-__attribute__((destructor)) void write_count() {
-  const char* const path = std::getenv("MASU_CUDA_FAULT_COUNT");
-  if (path == nullptr) return;
-  std::array<char, 32> text{};
-  const int size = std::snprintf(text.data(), text.size(), "%llu\n", static_cast<unsigned long long>(calls));
-  const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  static_cast<void>(!write(file, text.data(), static_cast<std::size_t>(size)));
-  close(file);
+__attribute__((destructor)) void at_end() {
+  write_count("MASU_CUDA_FAULT_COUNT", calls);
 }
 
 } // namespace

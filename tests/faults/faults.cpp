@@ -9,6 +9,8 @@
 // System calls are trapped by seccomp wherever they are made, also within the C library, whose stdio doesn't
 // call the functions that a preloaded library can replace; allocations are replaced functions. Calls count
 // from main() on, in all threads.
+#include "tests/faults/write_count.h"
+
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <linux/audit.h>
@@ -168,16 +170,10 @@ int counted_main(int argc, char** argv, char** environment) {
   return real_main(argc, argv, environment);
 }
 
-__attribute__((destructor)) void write_count() {
+__attribute__((destructor)) void at_end() {
   counting = false;
   log_file = -1;
-  const char* const path = std::getenv("MASU_FAULT_COUNT");
-  if (path == nullptr) return;
-  std::array<char, 32> text{};
-  const int size = std::snprintf(text.data(), text.size(), "%llu\n", static_cast<unsigned long long>(calls));
-  const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  static_cast<void>(!write(file, text.data(), static_cast<std::size_t>(size)));
-  close(file);
+  masu::write_count("MASU_FAULT_COUNT", calls);
 }
 
 // TBB waits for ever where one of its own small allocations or mappings fails while it starts: they don't,
