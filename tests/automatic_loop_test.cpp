@@ -7,6 +7,8 @@
 #include "tools/bench/stability/test_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <thread>
 
 namespace masu {
 namespace {
@@ -96,6 +98,52 @@ TEST(AutomaticLoop, RefillsWhereAFewRaysAreLong) {
     EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 15, 8}, is_hierarchy), RayLoop::thread_per_ray); // alike
   }
   EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 15, 9}, false), RayLoop::warp);
+}
+
+// A rod of spheres in one voxel, which few random rays meet, and those at length.
+Scene rod(const Vec3d& from, const Vec3d& at) {
+  Scene scene = empty_scene(from, at);
+  constexpr int spheres = 400;
+  for (int i = 0; i < spheres; ++i)
+    add_sphere(scene, {(i + 0.5) / spheres, 0, 0}, 0.5 / spheres, matte({1, 1, 1}));
+  scene.camera.width = scene.camera.height = 64;
+  return scene;
+}
+
+TEST(UsualLoops, OfIncoherentRaysIsThatOfRandomRaysWhateverTheCameraSees) {
+  for (const Vec3d& away : {Vec3d{0.5, 2, 0}, Vec3d{0.5, 0, 0}}) {
+    const Rendering rendering(rod({0.5, 1, 0}, away), Store::float32, "1");
+    UsualLoops loops;
+    EXPECT_EQ(loops.of(rendering.scene(), rendering.grid(), false), RayLoop::warp_refill);
+  }
+}
+
+TEST(UsualLoops, OfCoherentRaysIsThatOfTheCamera) {
+  UsualLoops blind, near, far;
+  const Rendering nothing(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1"); // all rays miss
+  EXPECT_EQ(blind.of(nothing.scene(), nothing.grid(), true), RayLoop::thread_per_ray);
+  const Rendering within(rod({0.5, 0, 0}, {1, 0, 0}), Store::float32, "1"); // all rays meet all spheres
+  EXPECT_EQ(near.of(within.scene(), within.grid(), true), RayLoop::thread_per_ray);
+  Scene seen = rod({0.5, 0.5, 0}, {0.5, 0, 0});
+  seen.camera.angle = 8; // those of two columns of pixels do
+  const Rendering across(seen, Store::float32, "1");
+  EXPECT_EQ(far.of(across.scene(), across.grid(), true), RayLoop::warp_refill);
+}
+
+TEST(UsualLoops, AreTheSameForAllThreadsThatAskAtOnce) {
+  const Rendering rendering(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1");
+  UsualLoops loops;
+  std::vector<std::thread> threads;
+  std::array<std::array<RayLoop, 2>, 8> found{};
+  for (auto& pair : found)
+    threads.emplace_back([&] {
+      for (const bool coherent : {false, true})
+        pair[coherent ? 1 : 0] = loops.of(rendering.scene(), rendering.grid(), coherent);
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (const auto& pair : found)
+    EXPECT_EQ(pair, (std::array{RayLoop::warp_refill, RayLoop::thread_per_ray}));
 }
 
 } // namespace
