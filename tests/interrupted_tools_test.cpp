@@ -117,6 +117,15 @@ TEST_F(InterruptedTool, GridrenderLeavesOldOrNewFiles) {
                      });
 }
 
+TEST_F(InterruptedTool, GridrenderLeavesOldOrNewViews) {
+  const std::string in = scene("a.scene", spd("a.nff", "balls", 1)), divided = grid("a.grid", in);
+  // Small ones, so that most of the time goes to files: several threads write them.
+  expect_same_or_new("gridrender",
+                     {in, divided, "--turntable", "60", "--size", "4x4", "--backend", "cpu", "-o",
+                      file("{index}.pfm"), "--hits", file("{index}.hits")},
+                     [] {});
+}
+
 // tradeoff.csv grows row by row; charts and charts.csv are written by every run.
 TEST_F(InterruptedTool, TradeoffKeepsItsRowsAndChartsAreComplete) {
   const std::string in = scene("a.scene", nff("a.nff", small_nff));

@@ -3,6 +3,7 @@
 #include "libscene/file/same_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -48,7 +49,47 @@ void unregister_name(int folder, const std::string& name) {
   }
 }
 
+constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
+
+constinit std::atomic<bool> is_ending{false}; // by a signal
+constinit std::atomic<int> changes{0};        // of names, under way
+
+// A name that is made, renamed or removed, and what registered_names says of it: signals wait until both are
+// true. That also holds for those which another thread handles.
+class NameChange {
+public:
+  NameChange() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : ending_signals)
+      sigaddset(&held, signal);
+    pthread_sigmask(SIG_BLOCK, &held, &before_);
+    ++changes;
+    if (!is_ending) return;
+    --changes;
+    for (;;) // the names that there were are being removed: no new ones
+      pause();
+  }
+  ~NameChange() {
+    const int reason = errno;
+    --changes;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    errno = reason;
+  }
+  NameChange(const NameChange&) = delete;
+  NameChange(NameChange&&) = delete;
+  NameChange& operator=(const NameChange&) = delete;
+  NameChange& operator=(NameChange&&) = delete;
+
+private:
+  sigset_t before_{};
+};
+
 void remove_all_and_end(int signal) {
+  is_ending = true;
+  constexpr int longest_wait = 5000; // ms: a file system that doesn't answer
+  for (int waited = 0; changes > 0 && waited < longest_wait; ++waited)
+    poll(nullptr, 0, 1);
   remove_temporary_names();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -74,6 +115,7 @@ TemporaryName::TemporaryName(int folder, const std::string& name)
 
 TemporaryName::~TemporaryName() {
   if (name_.empty()) return;
+  const NameChange change;
   unlinkat(folder_, name_.c_str(), 0);
   unregister_name(folder_, name_);
 }
@@ -93,6 +135,7 @@ bool TemporaryName::remove_stale(const char* name) const {
 
 template <class Act>
 bool TemporaryName::take(const Act& act) {
+  const NameChange change;
   constexpr int max_names = 1000, max_attempts = 100;
   for (int number = 0; number < max_names; ++number) {
     std::string name = fmt::format(".masu-{:016x}-{}.tmp", hash_, number);
@@ -134,6 +177,7 @@ bool TemporaryName::link(int file) {
 }
 
 bool TemporaryName::rename_to(const std::string& name) {
+  const NameChange change;
   if (renameat(folder_, name_.c_str(), folder_, name.c_str()) != 0) return false;
   unregister_name(folder_, name_);
   name_.clear();
@@ -147,7 +191,7 @@ void remove_temporary_names() {
 }
 
 void remove_temporary_names_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : ending_signals) {
     if (std::signal(signal, remove_all_and_end) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
 }

@@ -37,11 +37,12 @@ private:
   std::string name_; // empty: none
 };
 
-// Removes all temporary names, as the process ends. Calls only async-signal-safe functions.
+// Removes all temporary names, as the process ends, but for one that another thread is making just then.
+// Calls only async-signal-safe functions.
 void remove_temporary_names();
 
-// For a program's main: SIGINT, SIGTERM and SIGHUP remove all temporary names, then end the process as by
-// default. Ignored signals stay ignored.
+// For a program's main: SIGINT, SIGTERM and SIGHUP remove all temporary names, also those that are just being
+// made, then end the process as by default. Ignored signals stay ignored.
 void remove_temporary_names_on_signals();
 
 } // namespace masu
