@@ -22,7 +22,7 @@ void continue_after(std::vector<std::uint8_t>& stream) {
   if (inflateInit2(&reader, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
   reader.next_in = stream.data();
   reader.avail_in = static_cast<uInt>(stream.size());
-  std::array<std::uint8_t, 1 << 16> discarded;
+  std::array<std::uint8_t, 1 << 16> discarded{};
   std::size_t header = 0, end = 0; // bits: of the block that is being read
   for (bool in_last = false; !in_last;) {
     reader.next_out = discarded.data();

@@ -12,7 +12,8 @@
 
 namespace masu {
 
-struct EightRays {
+// Not initialised: it is made for every eight rays.
+struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
   static constexpr std::size_t count = 8;
 
   // One number of each ray. The first eight are filled in by load(), the others by prepare().
@@ -144,8 +145,11 @@ struct RayInFlight {
                                  const Nothing& nothing, NodesAhead& ahead)
       : ray(rays.test_ray(i)), visitor{scene, ray, counts, rays.t_max.of[i], nothing},
         walk(ray.origin, bounded_inverse(rays.clipped(i)), ahead) {}
+  ~RayInFlight() = default;
   RayInFlight(const RayInFlight&) = delete;
+  RayInFlight(RayInFlight&&) = delete;
   RayInFlight& operator=(const RayInFlight&) = delete;
+  RayInFlight& operator=(RayInFlight&&) = delete;
 };
 
 // Shows a visitor of each ray that meets the bounds what it may hit: done(i, visitor) at its end. Rays walk

@@ -22,7 +22,8 @@ template <bool srgb>
 std::uint8_t byte_of(float value) {
   float v = value > 0 ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
   if constexpr (srgb) v = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
-  return static_cast<std::uint8_t>(static_cast<double>(v * 255) + 0.5); // std::lround, but vectorized
+  const double above = static_cast<double>(v * 255) + 0.5;
+  return static_cast<std::uint8_t>(above); // std::lround, but vectorized
 }
 
 template <bool srgb>

@@ -48,7 +48,7 @@ if [ "${1:-}" = --full ]; then
     ctest --test-dir build/tsan --output-on-failure --parallel "$cores" -L unit
 
   step "clang-tidy"
-  find libscene libgrid renderer tools -name '*.cpp' ! -name backend_none.cpp |
+  find libscene libgrid renderer tools -name '*.cpp' ! -name '*_none.cpp' |
     xargs -P "$cores" -n 1 clang-tidy -p build --quiet
 
   step "fuzz targets, 20 s each"

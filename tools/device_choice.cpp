@@ -42,7 +42,7 @@ void DeviceChoice::add_to(CLI::App& app) {
 }
 
 std::vector<int> DeviceChoice::gpus(const char* tool, Ranks& ranks, bool quiet) const {
-  const std::vector<int> all = gpus_of_machine(tool, ranks, quiet);
+  std::vector<int> all = gpus_of_machine(tool, ranks, quiet);
   if (all.empty() || ranks.count() == 1) return all;
   const auto rank = static_cast<std::size_t>(ranks.local_rank()),
              count = static_cast<std::size_t>(ranks.local_count());
@@ -62,7 +62,7 @@ std::vector<int> DeviceChoice::gpus_of_machine(const char* tool, Ranks& ranks, b
                                                                     : std::vector<int>{};
   }
   const bool on_cpu = devices == "cpu";
-  const std::vector<int> named = on_cpu || devices == "all" ? std::vector<int>{} : numbers_in(devices);
+  std::vector<int> named = on_cpu || devices == "all" ? std::vector<int>{} : numbers_in(devices);
   if (backend != Backend::automatic && on_cpu != (backend == Backend::cpu))
     throw Error(ErrorCode::usage, option, "contradicts --backend: leave one of them out");
   if (on_cpu) return {};

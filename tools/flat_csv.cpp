@@ -11,7 +11,7 @@ namespace masu {
 namespace {
 
 std::string quoted_where_needed(const std::string& text) {
-  const std::string line = printable(text);
+  std::string line = printable(text);
   if (line.find_first_of(",\"") == std::string::npos) return line;
   std::string quoted = "\"";
   for (const char c : line)

@@ -86,13 +86,13 @@ std::uint64_t PictureBands::pfm_bytes() const {
 }
 
 std::uint64_t png_part_bytes(std::span<const std::uint8_t> head) {
-  PngPartHead part;
+  PngPartHead part{};
   std::memcpy(&part, head.data(), sizeof part);
   return part.bytes;
 }
 
 PngRows png_rows(std::span<const std::uint8_t> part) {
-  PngPartHead head;
+  PngPartHead head{};
   std::memcpy(&head, part.data(), sizeof head);
   return {head.rows, head.adler, {part.begin() + sizeof head, part.end()}};
 }

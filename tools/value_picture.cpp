@@ -149,8 +149,9 @@ std::vector<double> labels_of(const Scale& scale, bool whole_numbers) {
   for (const double digit : {2.0, 5.0, 10.0})
     if (span / step > 6) step = digit * power;
   if (whole_numbers) step = std::max(1.0, std::round(step));
-  for (double label = std::ceil(scale.low / step) * step; label <= scale.high; label += step)
-    labels.push_back(label);
+  const double first_label = std::ceil(scale.low / step) * step;
+  for (int i = 0; first_label + i * step <= scale.high; ++i)
+    labels.push_back(first_label + i * step);
   return labels;
 }
 
@@ -198,6 +199,7 @@ std::unordered_map<std::int32_t, std::size_t> categories_of(const ValueMap<std::
   std::ranges::sort(touching);
   touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
   std::vector<std::int32_t> names;
+  names.reserve(categories.size());
   for (const auto& [name, category] : categories)
     names.push_back(name);
   std::ranges::sort(names);
@@ -219,7 +221,7 @@ std::unordered_map<std::int32_t, std::size_t> categories_of(const ValueMap<std::
   return categories;
 }
 
-std::string joined(std::string text, const std::string& without) {
+std::string joined(const std::string& text, const std::string& without) {
   return without.empty() ? text : text + "; white: " + without;
 }
 

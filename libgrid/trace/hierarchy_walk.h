@@ -333,7 +333,7 @@ template <class Real, class Hierarchy, class Visitor>
 MASU_HD inline void walk_hierarchy(const Hierarchy& hierarchy, const ClippedRay<Real>& near,
                                    Visitor& visitor) {
   HierarchyStack stack;
-  HierarchyWalk<Real> walk;
+  HierarchyWalk<Real> walk{};
   walk.begin(near);
   while (walk.advance(hierarchy, stack, visitor)) {
   }

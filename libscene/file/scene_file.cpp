@@ -206,8 +206,8 @@ Boxd bounds(const Scene& scene) {
 Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds) {
   using fb::SceneSection;
   struct Entry {
-    std::uint32_t kind, record_bytes;
-    std::uint64_t count;
+    std::uint32_t kind = 0, record_bytes = 0;
+    std::uint64_t count = 0;
     fb::Hash hash;
   };
   static_assert(sizeof(fb::Box) == 48 && sizeof(Entry) == 32); // without gaps

@@ -139,7 +139,7 @@ void measure(benchmark::State& state, const Contestant& contestant, std::span<co
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   threads > 0 ? static_cast<std::size_t>(threads) : cores);
   Hits hits(rays.size());
-  for (auto _ : state)
+  while (state.KeepRunning())
     contestant.trace(rays, hits);
   state.counters["rays"] =
       benchmark::Counter(static_cast<double>(rays.size()), benchmark::Counter::kIsIterationInvariantRate);

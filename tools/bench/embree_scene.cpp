@@ -25,7 +25,7 @@ EmbreeScene::EmbreeScene(const SceneView<float>& scene)
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
   rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
   if (scene.triangle_count > 0) {
-    const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* const geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     // A triangle's record is three vertices of 16 bytes.
     constexpr std::size_t vertex_bytes = sizeof(Triangle<float>) / 3;
     const std::size_t vertices = std::size_t{3} * scene.triangle_count;
@@ -60,12 +60,12 @@ void EmbreeScene::trace(std::span<const Ray<float>> rays, float* t, PrimitiveInd
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
 #if MASU_EMBREE_VERSION == 3
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
 #endif
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const Ray<float>& ray = rays[i];
-    RTCRayHit found;
+    RTCRayHit found{};
     found.ray = {ray.origin.x,
                  ray.origin.y,
                  ray.origin.z,

@@ -31,7 +31,7 @@ public:
   }
 
 private:
-  std::array<Rgb, 1021> colors_;
+  std::array<Rgb, 1021> colors_{};
 };
 
 template <class ColorOf>

@@ -74,7 +74,7 @@ std::optional<std::string> read_head(int socket, std::string& rest, seconds pati
       return head;
     }
     if (rest.size() >= largest_head || !wait_for(socket, POLLIN, end)) return {};
-    std::array<char, 2048> bytes;
+    std::array<char, 2048> bytes{};
     const ssize_t got = recv(socket, bytes.data(), std::min(bytes.size(), largest_head - rest.size()), 0);
     if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) return {};
     if (got <= 0) continue;
@@ -408,7 +408,7 @@ private:
       const HttpReply made = handler_(query);
       response.status = made.status;
       if (!made.timing.empty()) response.set_header("Server-Timing", made.timing);
-      if (!made.body.empty()) response.set_content(made.body, made.type.c_str());
+      if (!made.body.empty()) response.set_content(made.body, made.type);
     } catch (const Error& error) {
       fail(error.code() == ErrorCode::usage ? 400 : 500, error.what());
     } catch (const std::exception& error) {

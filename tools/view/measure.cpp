@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <map>
@@ -74,6 +75,7 @@ std::vector<Sample> fetch(int port, const std::vector<std::string>& queries, std
       samples[i].bytes = static_cast<double>(reply->body.size());
     }
   };
+  threads.reserve(static_cast<std::size_t>(clients));
   for (int i = 0; i < clients; ++i) {
     threads.emplace_back([&] {
       try {
@@ -112,9 +114,8 @@ Json measure(const Viewer& viewer, const MeasureSettings& settings) {
               fetch(server.port(), queries, static_cast<std::size_t>(settings.repeat), clients);
           const double seconds = watch.seconds();
           const auto median_of = [&](const auto& get) {
-            std::vector<double> values;
-            for (const Sample& sample : samples)
-              values.push_back(get(sample));
+            std::vector<double> values(samples.size());
+            std::ranges::transform(samples, values.begin(), get);
             return median(std::move(values));
           };
           Json stages;
