@@ -132,7 +132,7 @@ ExecutorGrid<Executor> uniform_grid(Executor& executor, const SceneView<Stored>&
     std::uint64_t word = index[i];
     if (block_bits > 0) {
       const std::uint32_t block = block_number[i + 1] - 1;
-      map[index[i] >> block_bits] = block | occupied_bit;
+      if (block == block_number[i]) map[index[i] >> block_bits] = block | occupied_bit; // its first pair
       const std::uint64_t in_block = index[i] & ((std::uint64_t{1} << block_bits) - 1);
       word = block_words + (static_cast<std::uint64_t>(block) << block_bits) + in_block;
     }
