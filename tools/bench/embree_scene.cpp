@@ -65,7 +65,7 @@ void EmbreeScene::trace(std::span<const Ray<float>> rays, float* t, PrimitiveInd
 #endif
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const Ray<float>& ray = rays[i];
-    RTCRayHit found{};
+    RTCRayHit found; // NOLINT(cppcoreguidelines-pro-type-member-init): what Embree reads is set
     found.ray = {ray.origin.x,
                  ray.origin.y,
                  ray.origin.z,
