@@ -9,6 +9,14 @@
 #define MASU_HD
 #endif
 
+// A lambda that is called for each of many items, by passes (libgrid/build/executor.h) and checks
+// (libscene/file/record_checker.h): compiled for the device where nvcc reads it.
+#ifdef __CUDACC__
+#define MASU_PASS __device__
+#else
+#define MASU_PASS
+#endif
+
 // For functions of a few instructions. Left to itself the compiler calls some of them in large loops, and a
 // call returns three floats packed into two registers: CPU renders then take 10 to 30 % longer, a sphere test
 // six times as long.

@@ -57,8 +57,7 @@ std::vector<Ray<double>> random_sample(const SceneFile& scene) {
 
 } // namespace
 
-WarpCosts sampled_costs(const SceneFile& scene, const GridFile& grid, const RayList& rays, Query query,
-                        Precision precision) {
+WarpCosts sampled_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
   const std::vector<std::uint8_t> bytes = sample_of(rays);
   const std::size_t count = bytes.size() / rays.format.bytes_a_ray(), warps = count / rays_a_warp;
   if (count == 0) return {};
@@ -70,7 +69,7 @@ WarpCosts sampled_costs(const SceneFile& scene, const GridFile& grid, const RayL
   RaysRequest request;
   request.tracing.precision = precision;
   request.query = query;
-  Tracer(scene, &grid, Device::cpu).trace(RayList(bytes.data(), count, rays.format), results, request);
+  tracer.trace(RayList(bytes.data(), count, rays.format), results, request);
   WarpCosts costs;
   for (std::size_t warp = 0; warp < warps; ++warp) {
     std::uint32_t most_work = 0, most_tests = 0;
@@ -103,13 +102,14 @@ RayLoop automatic_loop(const WarpCosts& costs, bool is_hierarchy) {
   return is_hierarchy || costs.most_tests < shared * costs.tests ? RayLoop::thread_per_ray : RayLoop::warp;
 }
 
-RayLoop UsualLoops::of(const SceneFile& scene, const GridFile& grid, bool coherent) {
-  Usual& usual = coherent ? coherent_ : incoherent_;
-  std::call_once(usual.once, [&] {
-    const std::vector<Ray<double>> rays = coherent ? camera_sample(scene) : random_sample(scene);
-    usual.loop = automatic_loop(scene, grid, rays, Query::nearest_hit, Precision::automatic);
-  });
-  return usual.loop;
+RayLoop UsualLoops::of(const Tracer& tracer, bool coherent) {
+  std::atomic<int>& usual = coherent ? coherent_ : incoherent_;
+  if (const int known = usual; known != unknown) return static_cast<RayLoop>(known);
+  const std::vector<Ray<double>> rays =
+      coherent ? camera_sample(tracer.scene()) : random_sample(tracer.scene());
+  const RayLoop loop = automatic_loop(tracer, rays, Query::nearest_hit, Precision::automatic);
+  usual = static_cast<int>(loop);
+  return loop;
 }
 
 } // namespace masu

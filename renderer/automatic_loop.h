@@ -1,9 +1,9 @@
-// The loop by which a GPU traces a list of rays fastest, found out by tracing a few of them on the CPU.
+// The loop by which a GPU traces a list of rays fastest, found out by tracing a few of them.
 #pragma once
 
 #include "renderer/tracer.h"
 
-#include <mutex>
+#include <atomic>
 
 namespace masu {
 
@@ -14,31 +14,29 @@ struct WarpCosts {
   double most_work = 0, most_tests = 0; // of the warp's longest rays
 };
 
-// Of 2048 rays of a list in host memory; takes a core some milliseconds. Throws Error(usage) for rays that
-// aren't there and a precision that doesn't hold the scene.
-WarpCosts sampled_costs(const SceneFile& scene, const GridFile& grid, const RayList& rays, Query query,
-                        Precision precision);
+// Of 2048 rays of a list in host memory, counted where the tracer traces: well below a millisecond on a GPU.
+// The tracer has a grid. Throws Error(usage) for rays that aren't there and a precision that doesn't hold the
+// scene, Error(device).
+WarpCosts sampled_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision);
 
 // The fastest loop for rays of such costs, or one within some per cent of it (docs/performance.md).
 RayLoop automatic_loop(const WarpCosts& costs, bool is_hierarchy);
 
-inline RayLoop automatic_loop(const SceneFile& scene, const GridFile& grid, const RayList& rays, Query query,
-                              Precision precision) {
-  return automatic_loop(sampled_costs(scene, grid, rays, query, precision), grid.is_hierarchy());
+inline RayLoop automatic_loop(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
+  return automatic_loop(sampled_costs(tracer, rays, query, precision), tracer.grid()->is_hierarchy());
 }
 
 // The loops for rays that can't be looked at, because they are in a GPU's memory: that of the scene's camera
 // rays where neighbours are said to be coherent, else that of random rays through the scene's bounds. Found
-// out when first asked for. For threads at the same time.
+// out when first asked for; by each of several threads that ask at once, rather than that one waits for
+// another, which may be a task that waits for it. They all find the same.
 class UsualLoops {
 public:
-  RayLoop of(const SceneFile& scene, const GridFile& grid, bool coherent);
+  RayLoop of(const Tracer& tracer, bool coherent);
 
 private:
-  struct Usual {
-    std::once_flag once;
-    RayLoop loop = RayLoop::warp_refill;
-  } coherent_, incoherent_;
+  static constexpr int unknown = -1;
+  std::atomic<int> coherent_ = unknown, incoherent_ = unknown;
 };
 
 } // namespace masu

@@ -21,10 +21,29 @@ QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const R
 // Sets a device up, so that what comes next isn't charged for it. Throws Error(device) where there is none.
 void set_up_cuda(int device);
 
-// Copies the files, and follows no index in them until meanwhile(), which checks them, has returned. Throws
-// Error(device), and what meanwhile() throws.
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid, int device,
-                                                     const std::function<void()>& meanwhile);
+// Copies the files. What the host hasn't checked, because it stays in the files, is checked on the device
+// before any index in it is followed. Throws Error(device), Error(input) for a damaged or changed file.
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
+                                                     int device);
+// The kinds of primitives in them (with_triangles, …).
+unsigned kinds_on(const DeviceFiles& files);
+// What a scene says of a primitive; copy_of(p) is the record that p points to.
+template <class Stored, class CopyOf>
+PrimitiveProperties properties_of(const SceneView<Stored>& scene, PrimitiveIndex index,
+                                  const CopyOf& copy_of) {
+  const PrimitiveIndex sphere = index - scene.triangle_count;
+  Surface surface{};
+  if (index < scene.triangle_count) {
+    const Triangle<Stored> triangle = copy_of(scene.triangles + index);
+    surface = {static_cast<std::uint32_t>(triangle.object), static_cast<std::uint32_t>(triangle.material)};
+  } else {
+    surface = copy_of(sphere < scene.sphere_count ? scene.sphere_surfaces + sphere
+                                                  : scene.cone_surfaces + (sphere - scene.sphere_count));
+  }
+  return {surface, copy_of(scene.materials + surface.material)};
+}
+PrimitiveProperties properties_cuda(const DeviceFiles& files, PrimitiveIndex index);
+
 // Copies rays to the device, and makes room there for t, primitive and occluded.
 ResidentRays upload_rays_cuda(const RayList& rays, int device);
 

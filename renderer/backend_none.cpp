@@ -17,8 +17,13 @@ namespace {
 void set_up_cuda(int) {
   refuse();
 }
-std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*, int,
-                                                     const std::function<void()>&) {
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*, int) {
+  refuse();
+}
+unsigned kinds_on(const DeviceFiles&) {
+  refuse();
+}
+PrimitiveProperties properties_cuda(const DeviceFiles&, PrimitiveIndex) {
   refuse();
 }
 ResidentRays upload_rays_cuda(const RayList&, int) {

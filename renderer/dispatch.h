@@ -19,10 +19,14 @@ struct Kinds {
 
 // The kinds of primitives that a scene holds.
 template <class Stored>
-unsigned kinds_in(const SceneView<Stored>& scene) {
-  const std::span cones(scene.cones, scene.cone_count);
+unsigned kinds_in(const SceneView<Stored>& scene, bool has_tapers) {
   return (scene.triangle_count > 0 ? with_triangles : 0) | (scene.sphere_count > 0 ? with_spheres : 0) |
-         (cones.empty() ? 0 : with_cones) | (std::ranges::any_of(cones, tapers<Stored>) ? with_tapers : 0);
+         (scene.cone_count > 0 ? with_cones : 0) | (has_tapers ? with_tapers : 0);
+}
+// Of one in the host's memory.
+template <class Stored>
+unsigned kinds_in(const SceneView<Stored>& scene) {
+  return kinds_in(scene, std::ranges::any_of(std::span(scene.cones, scene.cone_count), tapers<Stored>));
 }
 
 // Calls act(Kinds) with the narrowest set compiled that holds the scene's. What it saves on an H200 over the

@@ -88,7 +88,8 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
   const ResultArrays arrays = arrays_of(results);
   const bool rays_page_locked = is_page_locked(rays.rays);
   const std::size_t ray_bytes = rays.format.bytes_a_ray();
-  const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0);
+  const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
+                                   {nullptr, files.pool});
   check(cudaStreamSynchronize(nullptr));
   const auto borrowed = files.buffers.borrow();
   struct Drain { // after an error something may still be copied to them
@@ -114,7 +115,8 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     const std::size_t bytes = work.count * ray_bytes;
     const void* const from = rays_page_locked ? rays_of(work) : piece.rays.of(bytes);
     const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
-    const DeviceArray<std::uint8_t> device_rays(bytes, stream), device_results(result_bytes, stream);
+    const DeviceArray<std::uint8_t> device_rays(bytes, {stream, files.pool}),
+        device_results(result_bytes, {stream, files.pool});
     check(cudaEventRecord(piece.begun, stream));
     check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
     check(cudaEventRecord(piece.uploaded, stream));

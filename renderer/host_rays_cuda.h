@@ -11,11 +11,14 @@ namespace masu {
 
 inline constexpr int pieces_in_flight = 3; // of rays_a_piece (backend.h)
 
-// Page-locked memory near the current device, that grows to what was needed most.
+// Page-locked memory near the device that was the current one where it was made, that grows to what was
+// needed most. Any thread may ask for it.
 class PinnedRoom {
 public:
+  PinnedRoom() { check(cudaGetDevice(&device_)); }
   std::uint8_t* of(std::size_t bytes) {
     if (!buffer_ || buffer_->bytes().size() < bytes) {
+      const DeviceScope scope(device_); // or a worker thread would make a context on its own device
       buffer_.reset();
       const NearDevice near;
       buffer_.emplace(bytes);
@@ -24,6 +27,7 @@ public:
   }
 
 private:
+  int device_ = 0;
   std::optional<PinnedBuffer> buffer_;
 };
 

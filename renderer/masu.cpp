@@ -27,9 +27,9 @@ struct masu_tracer {
 
   // gpus: none for the CPU.
   masu_tracer(const char* scene_path, const char* grid_path, const std::vector<int>& gpus,
-              masu::Checks checks)
-      : scene(scene_path, checks),
-        tracer(scene, grid_path != nullptr ? &grid.emplace(grid_path, checks) : nullptr,
+              masu::Residence residence)
+      : scene(scene_path, residence),
+        tracer(scene, grid_path != nullptr ? &grid.emplace(grid_path, residence) : nullptr,
                gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus) {}
 };
 
@@ -101,7 +101,7 @@ static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
 
 // --- Queries
 
-// Fewer are traced in less time than it takes to find out how.
+// Fewer are traced in little more time than it takes to find out how.
 constexpr std::size_t rays_worth_a_sample = std::size_t{1} << 22;
 
 // Traces rays where they lie: all of `pointers`, the results', must be there too.
@@ -125,10 +125,9 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
       fail("results", "aren't aligned as their numbers must be");
   }
   if (tracer.grid && tracer.tracer.device() == Device::cuda)
-    request.loop =
-        place == host_memory && count >= rays_worth_a_sample
-            ? automatic_loop(tracer.scene, *tracer.grid, list, request.query, request.tracing.precision)
-            : tracer.loops.of(tracer.scene, *tracer.grid, wanted.coherent != 0);
+    request.loop = place == host_memory && count >= rays_worth_a_sample
+                       ? automatic_loop(tracer.tracer, list, request.query, request.tracing.precision)
+                       : tracer.loops.of(tracer.tracer, wanted.coherent != 0);
   if (place == host_memory) {
     tracer.tracer.trace(list, results, request);
     return;
@@ -216,10 +215,11 @@ masu_status masu_open_devices(const char* scene, const char* grid, const int* gp
       if (cuda_device_count() == 0) cuda_available(why);
       throw Error(ErrorCode::device, "device", why + ": use MASU_CPU");
     }
-    // On a GPU the tracer checks records while they are uploaded.
-    const Checks checks = numbers.empty() ? Checks::all : Checks::table;
-    *tracer = std::make_unique<masu_tracer>(scene, grid, std::vector(numbers.begin(), numbers.end()), checks)
-                  .release();
+    // A library has no signal handlers, so it maps nothing: a CPU's tracer has copies.
+    const Residence residence = numbers.empty() ? Residence::memory : Residence::file;
+    *tracer =
+        std::make_unique<masu_tracer>(scene, grid, std::vector(numbers.begin(), numbers.end()), residence)
+            .release();
   });
 }
 
@@ -256,12 +256,8 @@ masu_status masu_describe_primitive(const masu_tracer* tracer, uint32_t index, m
   return guarded([&] {
     require(tracer, "tracer");
     require(primitive, "primitive");
+    const auto [surface, m] = tracer->tracer.properties(index);
     const auto describe = [&](const auto& view) {
-      if (index >= view.primitive_count())
-        fail("index",
-             fmt::format("{} isn't below {}, the number of primitives", index, view.primitive_count()));
-      const Surface surface = surface_of(view, index);
-      const Material& m = view.materials[surface.material];
       *primitive = {index < view.triangle_count                       ? MASU_TRIANGLE
                     : index < view.triangle_count + view.sphere_count ? MASU_SPHERE
                                                                       : MASU_CONE,

@@ -50,13 +50,15 @@ private:
 
 // A scene and its grid, of either store: one of them.
 struct DeviceFiles {
-  int device = 0;
+  int device;
+  unsigned kinds = with_all_kinds; // of primitives in the scene
+  MemoryPool pool;                 // of all that is allocated there: destroyed last
   std::optional<DeviceFilesOf<float>> float32;
   std::optional<DeviceFilesOf<double>> float64;
   mutable Pool<HostRayBuffers> buffers;
   mutable Pool<FrameBuffers> frames;
 
-  DeviceFiles() = default;
+  explicit DeviceFiles(int current_device) : device(current_device) {}
   DeviceFiles(const DeviceFiles&) = delete;
   DeviceFiles& operator=(const DeviceFiles&) = delete;
   // Waits for queries that are still queued.
@@ -67,6 +69,7 @@ struct DeviceFiles {
     static_cast<void>(cudaDeviceSynchronize());
     float32.reset();
     float64.reset();
+    static_cast<void>(cudaDeviceSynchronize());
     static_cast<void>(cudaSetDevice(before));
   }
 
@@ -86,11 +89,11 @@ struct RayBatch {
   std::uint64_t count;
   RayResults results; // nearest_hit: t and primitive are there if there are attributes to find
   Counts* counts;     // null: not counted
-  cudaStream_t stream;
+  Queue queue;
   cudaEvent_t begun; // recorded before the first kernel; may be null
 
   void begin() const {
-    if (begun != nullptr) check(cudaEventRecord(begun, stream));
+    if (begun != nullptr) check(cudaEventRecord(begun, queue.stream));
   }
 };
 
@@ -108,9 +111,9 @@ template <class Real, class Stored>
 void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                       const RayResults& results);
 
-// Puts a query of rays in the memory of the current device on a stream. Counts are added to `counts` there,
-// where that isn't null. `begun`, where it isn't null, is recorded when memory is
-// there and the kernels come. Throws Error(device).
+// Puts a query of rays in the memory of the files' device, the current one, on a stream. Counts are added to
+// `counts` there, where that isn't null. `begun`, where it isn't null, is recorded when memory is there and
+// the kernels come. Throws Error(device).
 KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                       const RayList& rays, const RayResults& results, const RaysRequest& request,
                       Counts* counts, cudaStream_t stream, cudaEvent_t begun = nullptr);

@@ -42,8 +42,8 @@ struct StragglerQueue {
 template <class Real>
 class StragglerQueueMemory {
 public:
-  StragglerQueueMemory(std::uint32_t warps, cudaStream_t stream)
-      : progress_(1, stream), rays_(std::size_t{warps} * lanes_a_warp, stream) {
+  StragglerQueueMemory(std::uint32_t warps, const Queue& queue)
+      : progress_(1, queue), rays_(std::size_t{warps} * lanes_a_warp, queue) {
     progress_.clear();
   }
   StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <future>
 #include <mutex>
 
 namespace masu {
@@ -92,22 +91,34 @@ Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device, std:
       gpus_(device == Device::cuda ? std::move(gpus) : std::vector<int>()),
       turn_(std::make_shared<std::atomic<std::size_t>>(0)) {
   if (device == Device::cuda && gpus_.empty()) throw Error(ErrorCode::usage, "gpus", "none is named");
+  const auto stays_in_file = [](const auto& file) { return file.residence() == Residence::file; };
+  if (device == Device::cpu && (stays_in_file(scene) || (grid != nullptr && stays_in_file(*grid))))
+    throw Error(ErrorCode::usage, scene.path(), "isn't in memory: open it for a CPU");
   if (grid != nullptr) grid->check_geometry(scene.geometry_hash(), scene.primitive_count());
-  const auto check = [&] {
-    if (!scene.is_checked()) scene.check_records();
-    if (grid != nullptr && !grid->is_checked()) grid->check_records();
-  };
   on_threads(gpus_.size(), [&](std::size_t i) { set_up_cuda(gpus_[i]); });
   const Stopwatch watch;
-  // One of the uploads checks the files, the others wait for it.
-  const std::shared_future<void> checked = std::async(std::launch::deferred, check).share();
   files_.resize(gpus_.size());
-  on_threads(gpus_.size(), [&](std::size_t i) {
-    files_[i] = upload_files_cuda(scene, grid, gpus_[i], [mine = checked] { mine.get(); });
-  });
-  if (device == Device::cpu) check();
+  on_threads(gpus_.size(), [&](std::size_t i) { files_[i] = upload_files_cuda(scene, grid, gpus_[i]); });
   upload_seconds_ = watch.seconds();
-  kinds_ = scene.is_float64() ? kinds_in(scene.view<double>()) : kinds_in(scene.view<float>());
+  if (device == Device::cuda)
+    kinds_ = kinds_on(*files_.front());
+  else
+    kinds_ = scene.is_float64() ? kinds_in(scene.view<double>()) : kinds_in(scene.view<float>());
+}
+
+void Tracer::check_unchanged() const {
+  scene_.check_unchanged();
+  if (grid_ != nullptr) grid_->check_unchanged();
+}
+
+PrimitiveProperties Tracer::properties(PrimitiveIndex index) const {
+  if (index >= scene_.primitive_count())
+    throw Error(ErrorCode::usage, "index",
+                fmt::format("{} isn't below {}, the number of primitives", index, scene_.primitive_count()));
+  if (device_ == Device::cuda) return properties_cuda(*files_.front(), index);
+  const auto in_memory = [](const auto* record) { return *record; };
+  return scene_.is_float64() ? properties_of(scene_.view<double>(), index, in_memory)
+                             : properties_of(scene_.view<float>(), index, in_memory);
 }
 
 TracingRules Tracer::resolved(TracingRules rules) const {
@@ -126,6 +137,7 @@ Frame Tracer::render(const FrameRequest& request, std::size_t index, Frame memor
   Frame frame = sized_frame(request, std::move(memory));
   device_ == Device::cuda ? render_cuda(*files_.at(index), scene_, grid_, resolved_request, frame)
                           : render_cpu(scene_, grid_, resolved_request, frame);
+  check_unchanged();
   return frame;
 }
 
@@ -194,7 +206,11 @@ RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
                           std::size_t index) const {
   const RaysRequest resolved_request = resolved(request, rays, results);
-  if (device_ == Device::cpu) return trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
+  if (device_ == Device::cpu) {
+    const QueryReport report = trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
+    check_unchanged();
+    return report;
+  }
   std::atomic<std::size_t> next_piece = 0;
   return trace_rays_cuda(*files_.at(index), scene_, grid_, rays, results, resolved_request, next_piece);
 }

@@ -141,6 +141,11 @@ struct ResidentRays {
   std::shared_ptr<void> memory{}; // what they point to
 };
 
+struct PrimitiveProperties {
+  Surface surface;
+  Material material;
+};
+
 // --- The tracer -------------------------------------------------------------------------------------------
 
 struct DeviceFiles; // a scene and its grid in a GPU's memory
@@ -149,9 +154,11 @@ struct DeviceFiles; // a scene and its grid in a GPU's memory
 class Tracer {
 public:
   // `grid` is null for brute force, which tries every primitive for every ray. The files must live as long as
-  // the tracer. Whatever of them isn't checked yet is checked here, on a GPU while they are copied; nothing
-  // is traced before. Throws Error(input) for a damaged file or a grid of another geometry, Error(device)
-  // where there is no usable GPU.
+  // the tracer. A CPU traces them where they are, in memory or mapped; what is mapped must not change while a
+  // query is under way, and a query that ends after such a change throws Error(input). A GPU gets a copy: of
+  // records that stay in the file as they are there now, and checked on the device. Throws Error(input) for a
+  // damaged file or a grid of another geometry, Error(usage) where a CPU is to trace what stays in the file,
+  // Error(device) where there is no usable GPU.
   //
   // gpus: numbers of GPUs, at least one, for Device::cuda. Each gets the files at the same time; one that is
   // named twice gets them twice. What comes out is independent of how many they are.
@@ -189,6 +196,10 @@ public:
   QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
                               void* stream, int gpu) const;
 
+  // Of a primitive, from where the tracer has it. Throws Error(usage) for one that there isn't,
+  // Error(device).
+  PrimitiveProperties properties(PrimitiveIndex index) const;
+
   // Where vectors are what is wanted.
   RayHits hits(const RayList& rays, const RaysRequest& request, HitName name) const;
   // For measurements, on the first device.
@@ -206,6 +217,7 @@ private:
   double upload_seconds_ = 0;
   unsigned kinds_ = with_all_kinds;
 
+  void check_unchanged() const;
   TracingRules resolved(TracingRules rules) const;
   // Of a list: checked, its rules resolved, and counted where costs are wanted.
   RaysRequest resolved(const RaysRequest& request, const RayList& rays, const RayResults& results) const;

@@ -83,11 +83,12 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
                       const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
                       Frame& frame) {
   const cudaStream_t stream = buffers.stream;
-  const DeviceArray<Vec3f> colors(frame.radiance.size(), stream);
-  const DeviceArray<HitRecord> hits(frame.hits.size(), stream);
-  const DeviceArray<std::uint32_t> cells(frame.cells.size(), stream), tests(frame.tests.size(), stream);
+  const Queue queue{stream, files.queue.pool};
+  const DeviceArray<Vec3f> colors(frame.radiance.size(), queue);
+  const DeviceArray<HitRecord> hits(frame.hits.size(), queue);
+  const DeviceArray<std::uint32_t> cells(frame.cells.size(), queue), tests(frame.tests.size(), queue);
   const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
-                                  stream);
+                                  queue);
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = files.template moved<M>(view);
     const auto rays =
@@ -98,9 +99,9 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
     auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(grid)>, C>;
     frame.kernel = load(kernel);
     frame.seconds.trace = timed(stream, [&] {
-      kernel<<<dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), 0, stream>>>(
-          files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
-          RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
+      launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
+             files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
+             RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
     });
   });
   const Stopwatch watch;
@@ -138,7 +139,7 @@ struct CullingMemory {
   DeviceArray<std::uint32_t> chosen;
   RayQueue<Real> queue;
 
-  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, cudaStream_t stream)
+  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, const Queue& stream)
       : chosen(refills && count >= min_rays_culled ? count : 0, stream), queue{rays, count, chosen.data(),
                                                                                chosen.size() > 0} {}
 };
@@ -148,10 +149,9 @@ void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const
           WarpProgress* progress) {
   if (!culled.queue.may_cull) return;
   auto* const kernel = cull_kernel<query, Real, Stored>;
-  kernel<<<files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block, 0,
-           batch.stream>>>(files.scene.view, batch.rays, culled.queue.count, batch.results,
-                           culled.chosen.data(), progress);
-  check(cudaGetLastError()); // the next kernel reads what this one writes
+  launch(kernel, files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block,
+         batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, batch.results,
+         culled.chosen.data(), progress);
 }
 
 // Traces by warp or warp_refill (RayLoop).
@@ -161,7 +161,7 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   using Real = typename M::Real;
   const SceneView<Stored>& scene = files.scene.view;
   const auto count = static_cast<std::uint32_t>(batch.count);
-  const cudaStream_t stream = batch.stream;
+  const cudaStream_t stream = batch.queue.stream;
   const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
@@ -169,15 +169,14 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
              known_finish = files.kernels.of(finish, rays_a_block);
   const std::uint32_t blocks = std::min(blocks_of(rays_a_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
-  const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), stream);
-  const CullingMemory<Real> culled(batch.rays, count, refills, stream);
+  const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), batch.queue);
+  const CullingMemory<Real> culled(batch.rays, count, refills, batch.queue);
   const RayQueue<Real>& queue = culled.queue;
   batch.begin();
   cull<query>(files, batch, culled, left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
-  trace<<<blocks, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
-  check(cudaGetLastError());
-  finish<<<finishing, rays_a_block, 0, stream>>>(scene, grid, queue, fetching, batch.results, left.view());
+  launch(trace, blocks, rays_a_block, stream, scene, grid, queue, fetching, batch.results, left.view());
+  launch(finish, finishing, rays_a_block, stream, scene, grid, queue, fetching, batch.results, left.view());
   return known.size;
 }
 
@@ -189,13 +188,13 @@ KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files, const Hierarchy
   auto* const trace = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
   const auto known = files.kernels.of(trace, hierarchy_threads);
   const auto count = static_cast<std::uint32_t>(batch.count);
-  const DeviceArray<WarpProgress> progress(1, batch.stream);
+  const DeviceArray<WarpProgress> progress(1, batch.queue);
   progress.clear();
-  const CullingMemory<typename M::Real> culled(batch.rays, count, true, batch.stream);
+  const CullingMemory<typename M::Real> culled(batch.rays, count, true, batch.queue);
   batch.begin();
   cull<query>(files, batch, culled, progress.data());
-  trace<<<std::min(blocks_of(hierarchy_threads, count), known.blocks), hierarchy_threads, 0, batch.stream>>>(
-      scene, hierarchy, culled.queue, batch.results, progress.data());
+  launch(trace, std::min(blocks_of(hierarchy_threads, count), known.blocks), hierarchy_threads,
+         batch.queue.stream, scene, hierarchy, culled.queue, batch.results, progress.data());
   return known.size;
 }
 
@@ -230,20 +229,18 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
       constexpr int threads = threads_a_block<Accelerator>;
       size = files.kernels.of(kernel, threads).size;
       batch.begin();
-      kernel<<<blocks_of(threads, batch.count), threads, 0, batch.stream>>>(
-          scene, grid, batch.rays, batch.count, batch.results, batch.counts);
+      launch(kernel, blocks_of(threads, batch.count), threads, batch.queue.stream, scene, grid, batch.rays,
+             batch.count, batch.results, batch.counts);
     });
   });
-  check(cudaGetLastError());
   return size;
 }
 
 template <class Real, class Stored>
 void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                       const RayResults& results) {
-  attributes_kernel<Real, Stored><<<blocks_of(rays_a_block, batch.count), rays_a_block, 0, batch.stream>>>(
-      files.scene.view, batch.rays, batch.count, batch.results, results);
-  check(cudaGetLastError());
+  launch(attributes_kernel<Real, Stored>, blocks_of(rays_a_block, batch.count), rays_a_block,
+         batch.queue.stream, files.scene.view, batch.rays, batch.count, batch.results, results);
 }
 
 } // namespace masu

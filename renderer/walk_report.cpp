@@ -196,6 +196,8 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
           }
         });
       });
+  tracer.scene().check_unchanged();
+  if (grid != nullptr) grid->check_unchanged();
   return report;
 }
 

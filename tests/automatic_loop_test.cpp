@@ -6,6 +6,9 @@
 #include "tests/scene_builder.h"
 #include "tools/bench/stability/test_scene.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <thread>
@@ -65,8 +68,8 @@ TEST(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
         most_work += longest / static_cast<double>(warps);
         most_tests += most / static_cast<double>(warps);
       }
-      const WarpCosts costs =
-          sampled_costs(rendering.scene(), rendering.grid(), rays, query, Precision::automatic);
+      const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+      const WarpCosts costs = sampled_costs(tracer, rays, query, Precision::automatic);
       EXPECT_NEAR(costs.work, work, 1e-9 * work);
       EXPECT_NEAR(costs.tests, tests, 1e-9 * work);
       EXPECT_NEAR(costs.most_work, most_work, 1e-9 * most_work);
@@ -80,11 +83,11 @@ TEST(AutomaticLoop, SamplesNothingBeyondTheList) {
   SCOPED_TRACE(seed.trace());
   SceneChance chance(seed);
   const Rendering rendering(random_scene(chance), Store::float32);
+  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
   for (const std::size_t count : {0U, 1U, 31U, 32U, 2047U, 2048U, 2079U, 2080U, 5000U}) {
     // All rays are alike: whatever is sampled, means and extremes are one ray's.
     const std::vector<Ray<float>> rays(count, random_rays(chance, 1).front());
-    const WarpCosts costs =
-        sampled_costs(rendering.scene(), rendering.grid(), rays, Query::nearest_hit, Precision::automatic);
+    const WarpCosts costs = sampled_costs(tracer, rays, Query::nearest_hit, Precision::automatic);
     EXPECT_DOUBLE_EQ(costs.work, costs.most_work) << count;
     EXPECT_DOUBLE_EQ(costs.tests, costs.most_tests) << count;
     EXPECT_EQ(automatic_loop(costs, false), RayLoop::thread_per_ray);
@@ -110,24 +113,45 @@ Scene rod(const Vec3d& from, const Vec3d& at) {
   return scene;
 }
 
+RayLoop usual_loop(UsualLoops& loops, const Rendering& rendering, bool coherent) {
+  return loops.of(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), coherent);
+}
+
 TEST(UsualLoops, OfIncoherentRaysIsThatOfRandomRaysWhateverTheCameraSees) {
   for (const Vec3d& away : {Vec3d{0.5, 2, 0}, Vec3d{0.5, 0, 0}}) {
     const Rendering rendering(rod({0.5, 1, 0}, away), Store::float32, "1");
     UsualLoops loops;
-    EXPECT_EQ(loops.of(rendering.scene(), rendering.grid(), false), RayLoop::warp_refill);
+    EXPECT_EQ(usual_loop(loops, rendering, false), RayLoop::warp_refill);
   }
 }
 
 TEST(UsualLoops, OfCoherentRaysIsThatOfTheCamera) {
   UsualLoops blind, near, far;
   const Rendering nothing(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1"); // all rays miss
-  EXPECT_EQ(blind.of(nothing.scene(), nothing.grid(), true), RayLoop::thread_per_ray);
+  EXPECT_EQ(usual_loop(blind, nothing, true), RayLoop::thread_per_ray);
   const Rendering within(rod({0.5, 0, 0}, {1, 0, 0}), Store::float32, "1"); // all rays meet all spheres
-  EXPECT_EQ(near.of(within.scene(), within.grid(), true), RayLoop::thread_per_ray);
+  EXPECT_EQ(usual_loop(near, within, true), RayLoop::thread_per_ray);
   Scene seen = rod({0.5, 0.5, 0}, {0.5, 0, 0});
   seen.camera.angle = 8; // those of two columns of pixels do
   const Rendering across(seen, Store::float32, "1");
-  EXPECT_EQ(far.of(across.scene(), across.grid(), true), RayLoop::warp_refill);
+  EXPECT_EQ(usual_loop(far, across, true), RayLoop::warp_refill);
+}
+
+// A thread that waits inside a loop's task takes others, which must not wait for what it is doing.
+TEST(UsualLoops, MayBeAskedForByTasksWhileTheyAreFoundOut) {
+  const Rendering rendering(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1");
+  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  for (int round = 0; round < 20; ++round) {
+    UsualLoops loops;
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, 64, 1),
+        [&](const tbb::blocked_range<int>& range) {
+          for (int i = range.begin(); i != range.end(); ++i)
+            EXPECT_EQ(loops.of(tracer, i % 2 == 0),
+                      i % 2 == 0 ? RayLoop::thread_per_ray : RayLoop::warp_refill);
+        },
+        tbb::simple_partitioner());
+  }
 }
 
 TEST(UsualLoops, AreTheSameForAllThreadsThatAskAtOnce) {
@@ -138,7 +162,7 @@ TEST(UsualLoops, AreTheSameForAllThreadsThatAskAtOnce) {
   for (auto& pair : found)
     threads.emplace_back([&] {
       for (const bool coherent : {false, true})
-        pair[coherent ? 1 : 0] = loops.of(rendering.scene(), rendering.grid(), coherent);
+        pair[coherent ? 1 : 0] = usual_loop(loops, rendering, coherent);
     });
   for (std::thread& thread : threads)
     thread.join();

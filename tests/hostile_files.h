@@ -3,6 +3,7 @@
 
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
+#include "renderer/backend.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"
@@ -178,15 +179,26 @@ inline WrongGrid blocks(const char* name, std::uint32_t log2) {
   return {name, [log2](GridParts& p) { p.block_log2 = log2; }};
 }
 
-// Whether the file is refused both when it is opened with all checks, and when its records are checked later.
+// What a GPU's tracer does with files before it traces.
+inline void upload(const SceneFile& scene) {
+  upload_files_cuda(scene, nullptr, 0);
+}
+inline void upload(const GridFile& grid) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("good.scene");
+  write_scene(tiny_scene(), Store::float32, path);
+  upload_files_cuda(SceneFile(path, Residence::file), &grid, 0);
+}
+
+// Whether the file is refused: in memory, mapped, and by a GPU where there is one.
 template <class File>
 testing::AssertionResult is_refused_as(const std::string& path) {
-  const auto at_once = is_refused([](const std::string& name) { const File file(name); }, path);
-  const auto later = [](const std::string& name) {
-    const File file(name, Checks::table);
-    file.check_records();
-  };
-  return at_once ? is_refused(later, path) : at_once;
+  const auto in_memory = is_refused([](const std::string& name) { const File file(name); }, path);
+  const auto mapped = [](const std::string& name) { const File file(name, Residence::mapping); };
+  const auto uploaded = [](const std::string& name) { upload(File(name, Residence::file)); };
+  if (!in_memory) return in_memory;
+  const auto in_mapping = is_refused(mapped, path);
+  return in_mapping && cuda_device_count() > 0 ? is_refused(uploaded, path) : in_mapping;
 }
 
 // Expects the file at `path`, which is valid, to be refused when it is spoilt.

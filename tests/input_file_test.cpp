@@ -123,8 +123,6 @@ TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
     for (const char* name : {"scene", "grid"})
       std::filesystem::resize_file(file(name), 0);
     EXPECT_TRUE(std::ranges::equal(tracer.render(request).radiance, before.radiance));
-    scene.check_records();
-    opened.check_records();
   }
 }
 

@@ -7,10 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <cuda_runtime.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <random>
 #include <string>
@@ -258,6 +261,125 @@ TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
   }
   ASSERT_CUDA(cudaFreeHost(locked));
   ASSERT_CUDA(cudaFreeHost(t));
+}
+
+// Checked once, when it was opened: nothing looks at the files again.
+TEST_F(LibraryOnGpu, FollowsNoFileOnceItIsOpen) {
+  SCOPED_TRACE(seed_.trace());
+  const std::size_t count = (std::size_t{1} << 22) + 1; // that a loop is chosen for
+  const std::vector<masu_ray> few = rays(1 << 16);
+  std::vector<masu_ray> many;
+  while (many.size() < count)
+    many.insert(many.end(), few.begin(), few.end());
+  const Found expected = on_host(cpu_, few.data(), few.size());
+  masu_primitive before{}, after{};
+  ASSERT_DONE(masu_describe_primitive(cpu_, 0, &before));
+  for (const std::string& path : {scene_, grid_}) {
+    masu::Bytes noise(std::filesystem::file_size(path), 0x5a);
+    masu::write_bytes(path, noise); // in place
+    std::filesystem::remove(path);
+  }
+  std::vector<float> t(count);
+  masu_hits hits{};
+  hits.t = t.data();
+  for (const std::size_t rays_asked : {count - 2, count - 1, count}) {
+    std::fill(t.begin(), t.end(), -1.0F);
+    const auto begin = std::chrono::steady_clock::now();
+    ASSERT_DONE(masu_nearest(gpu_, many.data(), rays_asked, nullptr, &hits));
+    RecordProperty("microseconds_of_" + std::to_string(rays_asked),
+                   static_cast<int>(std::chrono::duration_cast<std::chrono::microseconds>(
+                                        std::chrono::steady_clock::now() - begin)
+                                        .count()));
+    for (std::size_t i = 0; i < rays_asked; ++i)
+      ASSERT_EQ(t[i], expected.t[i % few.size()]) << i;
+  }
+  ASSERT_DONE(masu_describe_primitive(gpu_, 0, &after));
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+}
+
+// --- A guest in the host program's process
+
+struct PoolState {
+  std::uint64_t threshold = 0, reserved = 0, used = 0;
+  friend bool operator==(const PoolState&, const PoolState&) = default;
+};
+PoolState default_pool() {
+  cudaMemPool_t pool = nullptr;
+  EXPECT_EQ(cudaDeviceGetDefaultMemPool(&pool, 0), cudaSuccess);
+  PoolState state;
+  EXPECT_EQ(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &state.threshold), cudaSuccess);
+  EXPECT_EQ(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrReservedMemCurrent, &state.reserved), cudaSuccess);
+  EXPECT_EQ(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrUsedMemCurrent, &state.used), cudaSuccess);
+  return state;
+}
+
+TEST_F(LibraryOnGpu, LeavesTheDefaultMemoryPoolAsTheHostProgramSetIt) {
+  cudaMemPool_t pool = nullptr;
+  ASSERT_CUDA(cudaDeviceGetDefaultMemPool(&pool, 0));
+  std::uint64_t threshold = 12'345'678;
+  ASSERT_CUDA(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &threshold));
+  const PoolState before = default_pool();
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+  const std::vector<masu_ray> list = rays(100'000);
+  on_host(tracer, list.data(), list.size());
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.gpu = 1;
+  ASSERT_DONE(masu_build_grid(scene_.c_str(), (grid_ + ".built").c_str(), &options));
+  EXPECT_EQ(default_pool(), before);
+  masu_close(tracer);
+  EXPECT_EQ(default_pool(), before);
+}
+
+TEST_F(LibraryOnGpu, LeavesTheHostProgramsErrorPending) {
+  const std::vector<masu_ray> list = rays(1000);
+  const Found expected = on_host(cpu_, list.data(), list.size());
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.gpu = 1;
+  EXPECT_NE(cudaSetDevice(-1), cudaSuccess);
+  const cudaError_t pending = cudaPeekAtLastError();
+  ASSERT_NE(pending, cudaSuccess);
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+  expect_same(expected, on_host(tracer, list.data(), list.size()));
+  ASSERT_DONE(masu_build_grid(scene_.c_str(), (grid_ + ".built").c_str(), &options));
+  masu_close(tracer);
+  EXPECT_EQ(cudaGetLastError(), pending);
+}
+
+// The first GPU is number 0, whatever the caller's is; contexts are only made where something is traced.
+TEST_F(LibraryOnGpu, UsesNoOtherGpuThanTheTracers) {
+  int count = 0;
+  ASSERT_DONE(masu_gpu_count(&count));
+  if (count < 2) GTEST_SKIP() << "one GPU: there is no other";
+  std::size_t before = 0, after = 0, all = 0;
+  ASSERT_CUDA(cudaSetDevice(0));
+  ASSERT_CUDA(cudaMemGetInfo(&before, &all));
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 1, &tracer));
+  const std::vector<masu_ray> list = rays(3'000'000);
+  on_host(tracer, list.data(), list.size());
+  ASSERT_CUDA(cudaMemGetInfo(&after, &all));
+  EXPECT_EQ(before, after);
+  int current = -1;
+  ASSERT_CUDA(cudaGetDevice(&current));
+  EXPECT_EQ(current, 0);
+  masu_close(tracer);
+}
+
+// Tasks of the host program that ask while a loop is found out by the same threads.
+TEST_F(LibraryOnGpu, IsAskedByTasksOfTheHostProgram) {
+  SCOPED_TRACE(seed_.trace());
+  const std::vector<masu_ray> list = rays(5000);
+  const Found expected = on_host(cpu_, list.data(), list.size());
+  for (int round = 0; round < 10; ++round) {
+    masu_tracer* tracer = nullptr;
+    ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+    tbb::parallel_for(0, 64, [&](int) { expect_same(expected, on_host(tracer, list.data(), list.size())); });
+    masu_close(tracer);
+  }
 }
 
 TEST_F(LibraryOnGpu, FindsTheSameOnSeveralGpus) {

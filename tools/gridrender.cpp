@@ -275,8 +275,12 @@ void render(const Settings& settings, Ranks& ranks) {
       only_walk ? std::vector<int>() : settings.devices.gpus("gridrender", ranks, quiet);
   const bool cuda = !gpus.empty();
   Seconds seconds;
-  const Checks checks = cuda ? Checks::table : Checks::all; // the tracer checks records during the upload
-  const SceneFile scene(settings.scene, checks);
+  // A walk is on the CPU, besides what a GPU traces.
+  const Residence residence = !cuda                            ? Residence::mapping
+                              : settings.inspection.has_walk() ? Residence::memory
+                                                               : Residence::file;
+  const MappingFaults faults("gridrender");
+  const SceneFile scene(settings.scene, residence);
   seconds.map += scene.load_seconds().map;
   seconds.validate += scene.load_seconds().validate;
   TracingRules tracing = settings.tracing;
@@ -284,7 +288,7 @@ void render(const Settings& settings, Ranks& ranks) {
   ViewsRequest views = settings.rays.empty() ? views_request(settings, tracing, scene) : ViewsRequest{};
   std::optional<GridFile> grid;
   if (!settings.brute_force) {
-    grid.emplace(settings.grid, checks);
+    grid.emplace(settings.grid, residence);
     seconds.map += grid->load_seconds().map;
     seconds.validate += grid->load_seconds().validate;
   }

@@ -420,8 +420,7 @@ private:
   RayLoop loop_for(const RayList& rays) {
     std::call_once(loop_found_, [&] {
       if (tracer_.device() == Device::cuda && tracer_.grid() != nullptr)
-        loop_ = automatic_loop(tracer_.scene(), *tracer_.grid(), rays, job_.request.query,
-                               job_.request.tracing.precision);
+        loop_ = automatic_loop(tracer_, rays, job_.request.query, job_.request.tracing.precision);
     });
     return loop_;
   }

@@ -7,6 +7,8 @@
 #include "libscene/cuda/transfer.h"
 #include "libscene/stopwatch.h"
 
+#include <future>
+
 namespace masu {
 namespace {
 
@@ -18,8 +20,8 @@ struct DevicePrimitives {
   DeviceArray<Cone<Stored>> cones;
   SceneView<Stored> view;
 
-  explicit DevicePrimitives(const SceneView<Stored>& host) : view(host) {
-    Transfer transfer;
+  DevicePrimitives(const SceneView<Stored>& host, cudaMemPool_t pool) : view(host) {
+    Transfer transfer(pool);
     triangles = transfer.array(std::span(host.triangles, host.triangle_count));
     spheres = transfer.array(std::span(host.spheres, host.sphere_count));
     cones = transfer.array(std::span(host.cones, host.cone_count));
@@ -30,38 +32,61 @@ struct DevicePrimitives {
   }
 };
 
+// Calls act() in a thread of its own, whose device is the first GPU whatever the caller's is, and which has
+// no errors of the caller's that CUB would take for its own.
+template <class Act>
+auto on_first_gpu(const Act& act) {
+  return std::async(std::launch::async, act).get();
+}
+
 template <class Stored>
 class CudaBuilder final : public GridBuilder<Stored> {
 public:
   explicit CudaBuilder(const SceneView<Stored>& scene) : host_(scene) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
-    const Stopwatch watch;
-    executor_ = std::make_unique<CudaExecutor>();
-    build_something();
-    seconds_.set_up = watch.seconds();
-    device_ = std::make_unique<DevicePrimitives<Stored>>(scene);
-    seconds_.upload = watch.seconds() - seconds_.set_up;
+    on_first_gpu([&] {
+      const Stopwatch watch;
+      pool_ = std::make_unique<MemoryPool>();
+      executor_ = std::make_unique<CudaExecutor>(*pool_);
+      warm_up();
+      seconds_.set_up = watch.seconds();
+      device_ = std::make_unique<DevicePrimitives<Stored>>(scene, *pool_);
+      seconds_.upload = watch.seconds() - seconds_.set_up;
+    });
   }
+  ~CudaBuilder() override {
+    on_first_gpu([&] {
+      device_.reset();
+      static_cast<void>(cudaDeviceSynchronize());
+      pool_.reset();
+    });
+  }
+  CudaBuilder(const CudaBuilder&) = delete;
+  CudaBuilder(CudaBuilder&&) = delete;
+  CudaBuilder& operator=(const CudaBuilder&) = delete;
+  CudaBuilder& operator=(CudaBuilder&&) = delete;
 
   BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy) return {hierarchy_grid(host_, layout)}; // by the CPU
-    if (options.kind == GridKind::uniform)
-      return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
-    return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
+    return on_first_gpu([&] {
+      if (options.kind == GridKind::uniform)
+        return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
+      return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
+    });
   }
 
   const SceneView<Stored>& scene() const override { return host_; }
   DeviceSeconds device_seconds() const override { return seconds_; }
 
 private:
-  // Code is brought to the device when it is first called: what comes next shall not be charged for it.
-  void build_something() {
+  // Code is brought to the device when it is first called: this isn't timed.
+  void warm_up() {
     const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
     SceneView<Stored> one{};
     one.triangles = &triangle;
     one.triangle_count = 1;
-    const DevicePrimitives<Stored> primitives(one);
+    const DevicePrimitives<Stored> primitives(one, *pool_);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, primitives.view, layout, Overlap::exact);
     merged_grid(*executor_, primitives.view, layout, Overlap::exact, {GridKind::irregular});
@@ -76,7 +101,7 @@ private:
     const Stopwatch watch;
     if (grid.exceeded != nullptr) return {{}, grid.exceeded};
     Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {}, {}, {}, grid.detail};
-    Transfer transfer;
+    Transfer transfer(*pool_);
     const auto fetch = [&](const auto& from, auto& to) {
       to.resize(from.size());
       transfer.to_host(to.data(), from.data(), from.size() * sizeof(to[0]));
@@ -90,6 +115,7 @@ private:
   }
 
   SceneView<Stored> host_;
+  std::unique_ptr<MemoryPool> pool_;
   std::unique_ptr<DevicePrimitives<Stored>> device_;
   std::unique_ptr<CudaExecutor> executor_;
   DeviceSeconds seconds_;

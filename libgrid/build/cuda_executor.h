@@ -144,38 +144,25 @@ public:
   template <class T>
   using Array = DeviceArray<T>;
 
-  // Memory that is given back stays with the pool, for what comes next.
-  CudaExecutor() {
-    int device = 0;
-    check(cudaGetDevice(&device));
-    check(cudaDeviceGetDefaultMemPool(&pool_, device));
-    std::uint64_t all = ~std::uint64_t{0};
-    check(cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all));
-  }
-  ~CudaExecutor() {
-    std::uint64_t none = 0;
-    static_cast<void>(cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &none));
-    static_cast<void>(cudaDeviceSynchronize());
-    static_cast<void>(cudaMemPoolTrimTo(pool_, 0));
-  }
+  // `pool`: of its arrays; it must outlive them.
+  explicit CudaExecutor(cudaMemPool_t pool) : queue_{nullptr, pool} {}
   CudaExecutor(const CudaExecutor&) = delete;
   CudaExecutor& operator=(const CudaExecutor&) = delete;
 
   template <class T>
   Array<T> array(std::uint64_t count) const {
-    return Array<T>(count);
+    return Array<T>(count, queue_);
   }
   template <class T>
   Array<T> zeros(std::uint64_t count) const {
-    Array<T> values(count);
-    if (count > 0) check(cudaMemsetAsync(values.data(), 0, count * sizeof(T), nullptr));
+    Array<T> values(count, queue_);
+    values.clear();
     return values;
   }
   template <class Act>
   void for_each(std::uint64_t count, const Act& act) const {
     if (count == 0) return;
-    kernels::each<<<kernels::blocks_for(count), kernels::threads>>>(count, act);
-    check(cudaGetLastError());
+    launch(kernels::each<Act>, kernels::blocks_for(count), kernels::threads, nullptr, count, act);
   }
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {
@@ -183,10 +170,8 @@ public:
     using namespace kernels;
     const auto large = array<std::uint32_t>(count + 1);
     check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
-    each_by_tile<<<blocks_for(count * tile_width), threads>>>(count, work, large.data());
-    check(cudaGetLastError());
-    each_by_block<<<blocks_for_large, threads>>>(work, large.data());
-    check(cudaGetLastError());
+    launch(each_by_tile<Work>, blocks_for(count * tile_width), threads, nullptr, count, work, large.data());
+    launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
   }
   template <class T>
   void scan(Array<T>& values) const {
@@ -253,8 +238,8 @@ private:
   template <class Value>
   void sort(Array<std::uint64_t>& keys, Array<Value>& values, int bits) const {
     if (keys.size() == 0) return;
-    Array<std::uint64_t> other_keys(keys.size());
-    Array<Value> other_values(values.size());
+    auto other_keys = array<std::uint64_t>(keys.size());
+    auto other_values = array<Value>(values.size());
     cub::DoubleBuffer<std::uint64_t> key_buffers(keys.data(), other_keys.data());
     cub::DoubleBuffer<Value> value_buffers(values.data(), other_values.data());
     with_memory([&](void* memory, std::size_t& bytes) {
@@ -266,14 +251,14 @@ private:
 
   // CUB's way: asked without memory, act says how many bytes it needs.
   template <class Act>
-  static void with_memory(const Act& act) {
+  void with_memory(const Act& act) const {
     std::size_t bytes = 0;
     check(act(nullptr, bytes));
-    const Array<std::uint8_t> memory(std::max(bytes, std::size_t{1}));
+    const auto memory = array<std::uint8_t>(std::max(bytes, std::size_t{1}));
     check(act(memory.data(), bytes));
   }
 
-  cudaMemPool_t pool_ = nullptr;
+  Queue queue_; // the default stream
 };
 
 } // namespace masu

@@ -22,13 +22,6 @@
 
 #include <cstdint>
 
-// What a pass does to a thing is a lambda marked so: compiled for the device where nvcc reads it.
-#ifdef __CUDACC__
-#define MASU_PASS __device__
-#else
-#define MASU_PASS
-#endif
-
 namespace masu {
 
 // The last i with begins[i] <= position, of `count` that rise from 0: whose range the position is in.

@@ -3,6 +3,7 @@
 
 #include "libgrid/build/build.h"
 #include "libgrid/build/division.h"
+#include "libgrid/file/grid_checks.h"
 #include "libscene/file/container.h"
 #include "libscene/stopwatch.h"
 #include "schemas/grid_generated.h"
@@ -28,19 +29,20 @@ struct GridOrigin {
 // Writes the grid to `path`, whole or not at all. Throws Error(output).
 void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path);
 
-// A grid file in memory, checked: every index in it can be followed.
+// A grid file, checked: every index in it can be followed. Of one whose records stay in the file, only the
+// table is; who copies them checks them (grid_checks.h).
 class GridFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
-  explicit GridFile(const std::string& path, Checks checks = Checks::all);
-  // What Checks::table leaves out. Throws Error(input, path, …).
-  void check_records() const;
-  bool is_checked() const { return is_checked_; }
+  explicit GridFile(const std::string& path, Residence residence = Residence::memory);
+  // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
+  void check_unchanged() const { container_.check_unchanged(); }
 
   const fb::Grid& table() const { return *table_; }
   const Hash& hash() const { return container_.hash(); }
   const std::string& path() const { return container_.path(); }
   std::uint64_t bytes() const { return container_.bytes(); }
+  Residence residence() const { return container_.residence(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
   GridLayout layout() const;
   bool is_hierarchy() const { return table_->merge() == fb::Merge::hierarchy; }
@@ -49,6 +51,13 @@ public:
   std::span<const MergedCell> cells() const;
   std::span<const PrimitiveIndex> references() const;
   std::span<const HierarchyNode> nodes() const;
+  // The same arrays, and how long they are also where the records stay in the file.
+  GridRecords records() const;
+  // Of records that stay in the file, which there must be.
+  template <class T>
+  SectionReader reader(fb::GridSection kind) const {
+    return container_.reader<T>(sections(), static_cast<std::uint32_t>(kind));
+  }
 
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
@@ -64,17 +73,14 @@ public:
   }
 
 private:
-  GridFile(const std::string& path, Checks checks, const Stopwatch& watch);
+  GridFile(const std::string& path, Residence residence, const Stopwatch& watch);
   void check(bool good, const char* what) const;
   void check_sizes() const;
-  void check_uniform() const;
-  void check_merged() const;
-  void check_hierarchy() const;
+  std::span<const fb::Section> sections() const;
 
   ContainerFile container_;
   const fb::Grid* table_;
   LoadSeconds seconds_;
-  bool is_checked_ = false; // by check_records when opened
 };
 
 // Of a grid in memory.

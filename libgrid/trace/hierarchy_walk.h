@@ -243,7 +243,16 @@ MASU_HD inline std::uint32_t node_in(std::uint32_t first, std::uint32_t held, st
 // What a walk comes back to. A node pushes at most what it holds besides the node visited next, and the tests
 // put off. It isn't part of the walk: a struct that holds an array which is indexed lies in memory as a
 // whole, where registers should hold the rest.
-using HierarchyStack = HierarchyGroup[2 * max_hierarchy_depth];
+inline constexpr int max_stack_height = 2 * max_hierarchy_depth;
+using HierarchyStack = HierarchyGroup[max_stack_height];
+
+MASU_HD inline void push(HierarchyStack& stack, int& height, const HierarchyGroup& group) {
+#ifndef __CUDA_ARCH__
+  // There is room, but while a mapped file changes: then results are thrown away.
+  if (height == max_stack_height) height = 0;
+#endif
+  stack[height++] = group;
+}
 
 template <class Real, class Visitor>
 MASU_HD inline void show(const HierarchyView<Real>& hierarchy, std::uint32_t reference, Visitor& visitor) {
@@ -293,7 +302,7 @@ struct HierarchyWalk {
       if (nodes != 0) {
         const std::uint32_t slot = met.nearest & MetBoxes::slot_bits, others = nodes & ~(1U << slot);
         next = node_in(node.first_node, node_slots(node), slot);
-        if (others != 0) stack[height++] = nodes_group(node, others, met.second);
+        if (others != 0) push(stack, height, nodes_group(node, others, met.second));
       }
     }
 #ifdef __CUDA_ARCH__
@@ -302,7 +311,7 @@ struct HierarchyWalk {
     while (references.bits != 0) {
 #ifdef __CUDA_ARCH__
       if (!visitor.counts.is_counted && __popc(__activemask()) * 4 < testing) {
-        stack[height++] = references;
+        push(stack, height, references);
         break;
       }
 #endif
@@ -323,7 +332,7 @@ struct HierarchyWalk {
       const std::uint32_t slot = group.next_slot();
       next = node_in(group.first, group.bits & 0xff, slot);
       group.bits &= ~(0x1000000U << slot);
-      if (group.has_nodes()) stack[height++] = group;
+      if (group.has_nodes()) push(stack, height, group);
     }
     return true;
   }

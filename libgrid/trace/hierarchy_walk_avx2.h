@@ -199,7 +199,8 @@ MASU_ALWAYS_INLINE void meet_triangles(const Triangle<float>* triangles, const W
 }
 
 // Room for what a walk has ahead. Apart from it, since where many are made it isn't to be cleared.
-using NodesAhead = NodeAhead[(boxes_a_node - 1) * max_hierarchy_depth];
+inline constexpr int max_nodes_ahead = (boxes_a_node - 1) * max_hierarchy_depth;
+using NodesAhead = NodeAhead[max_nodes_ahead];
 
 // A walk under way. The tests of a node's references come with the next step, and what either needs is
 // prefetched: so that steps of other rays can come between.
@@ -260,6 +261,9 @@ private:
       return node_ahead(enter[slot], node.first_node + before);
     };
     NodeAhead nearest = take();
+    // There is room, but while a mapped file changes: then results are thrown away.
+    if (end_ - begin_ > max_nodes_ahead - (boxes_a_node - 1)) [[unlikely]]
+      end_ = begin_;
     NodeAhead* const begin = end_;
     while (slots != 0) {
       const NodeAhead other = take(), farther = std::max(nearest, other);

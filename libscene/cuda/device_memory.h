@@ -24,12 +24,10 @@ inline void check(cudaError_t error, const std::source_location& where = std::so
                   std::to_string(where.line()) + ")" + advice);
 }
 
-// Makes a device the thread's current one, and restores the one before. Forgets the error of an earlier call
-// that wasn't checked.
+// Makes a device the thread's current one, and restores the one before.
 class DeviceScope {
 public:
   explicit DeviceScope(int device) {
-    static_cast<void>(cudaGetLastError());
     check(cudaGetDevice(&before_));
     if (before_ != device) check(cudaSetDevice(device));
   }
@@ -40,6 +38,50 @@ public:
 private:
   int before_ = 0;
 };
+
+// Memory of the current device that is given back to the pool, not to the device, until the pool is
+// destroyed: so it is there at once for what comes next. The device's default pool is the host program's.
+class MemoryPool {
+public:
+  MemoryPool() {
+    cudaMemPoolProps properties{};
+    properties.allocType = cudaMemAllocationTypePinned;
+    properties.location.type = cudaMemLocationTypeDevice;
+    check(cudaGetDevice(&properties.location.id));
+    check(cudaMemPoolCreate(&pool_, &properties));
+    std::uint64_t all = ~std::uint64_t{0};
+    if (const cudaError_t error = cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all);
+        error != cudaSuccess) {
+      static_cast<void>(cudaMemPoolDestroy(pool_));
+      check(error);
+    }
+  }
+  ~MemoryPool() { static_cast<void>(cudaMemPoolDestroy(pool_)); }
+  MemoryPool(const MemoryPool&) = delete;
+  MemoryPool& operator=(const MemoryPool&) = delete;
+  operator cudaMemPool_t() const { return pool_; }
+
+private:
+  cudaMemPool_t pool_ = nullptr;
+};
+
+// Where work is queued, and where its memory is from: null for the default stream and the device's own pool.
+struct Queue {
+  cudaStream_t stream = nullptr;
+  cudaMemPool_t pool = nullptr;
+};
+
+// Puts a kernel on a stream. Throws Error(device) for its own errors alone: what the host program has not yet
+// looked at (cudaGetLastError) stays as it is.
+template <class... Parameters, class... Arguments>
+void launch(void (*kernel)(Parameters...), dim3 blocks, dim3 threads, cudaStream_t stream,
+            Arguments&&... arguments) {
+  cudaLaunchConfig_t config{};
+  config.gridDim = blocks;
+  config.blockDim = threads;
+  config.stream = stream;
+  check(cudaLaunchKernelEx(&config, kernel, std::forward<Arguments>(arguments)...));
+}
 
 // A stream that doesn't wait for the default one.
 class Stream {
@@ -54,20 +96,23 @@ private:
   cudaStream_t stream_ = nullptr;
 };
 
-// Owns an array of records in device memory, from the stream-ordered memory pool: it is allocated and freed
-// in the order of a stream's work, without waiting, and freed memory is used again. Allocates nothing for
+// Owns an array of records in device memory, from a stream-ordered memory pool: it is allocated and freed in
+// the order of a stream's work, without waiting, and freed memory is used again. Allocates nothing for
 // count 0.
 template <class T>
 class DeviceArray {
 public:
   DeviceArray() = default;
-  explicit DeviceArray(std::size_t count, cudaStream_t stream = nullptr) : count_(count), stream_(stream) {
-    if (count > 0) check(cudaMallocAsync(reinterpret_cast<void**>(&data_), count * sizeof(T), stream));
+  explicit DeviceArray(std::size_t count, const Queue& queue = {}) : count_(count), stream_(queue.stream) {
+    if (count == 0) return;
+    void** const data = reinterpret_cast<void**>(&data_);
+    const std::size_t bytes = count * sizeof(T);
+    check(queue.pool != nullptr ? cudaMallocFromPoolAsync(data, bytes, queue.pool, queue.stream)
+                                : cudaMallocAsync(data, bytes, queue.stream));
   }
-  DeviceArray(const T* host, std::size_t count, cudaStream_t stream = nullptr) : DeviceArray(count, stream) {
-    if (count > 0) check(cudaMemcpyAsync(data_, host, count * sizeof(T), cudaMemcpyHostToDevice, stream));
+  DeviceArray(const T* host, std::size_t count, const Queue& queue = {}) : DeviceArray(count, queue) {
+    if (count > 0) check(cudaMemcpyAsync(data_, host, count * sizeof(T), cudaMemcpyHostToDevice, stream_));
   }
-  explicit DeviceArray(std::span<const T> host) : DeviceArray(host.data(), host.size()) {}
   DeviceArray(DeviceArray&& other) noexcept { *this = std::move(other); }
   DeviceArray& operator=(DeviceArray&& other) noexcept {
     std::swap(data_, other.data_);

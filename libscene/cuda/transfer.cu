@@ -3,7 +3,6 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -12,18 +11,20 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t piece_bytes = std::size_t{1} << 20;
-constexpr int copy_threads = 4;                           // about enough to saturate the bus
-constexpr std::size_t min_pinned_bytes = 8 * piece_bytes; // less isn't worth allocating page-locked memory
+constexpr std::size_t part_bytes = std::size_t{1} << 20; // of a staging buffer
+constexpr int copy_threads = 4;                          // about enough to saturate the bus
+constexpr std::size_t min_pinned_bytes = 8 * part_bytes; // less isn't worth allocating page-locked memory
+
+using Fill = SectionReader::Fill;
 
 // The staging buffers of one thread. Uploads alternate: one buffer is transferred while the other is filled.
 class StagingBuffers {
 public:
-  void upload(void* device, const void* host, std::size_t bytes) {
+  void upload(void* device, std::size_t bytes, const Fill& fill) {
     Staging& staging = stagings_[next_];
     next_ = 1 - next_;
     check(cudaStreamSynchronize(staging.stream));
-    std::memcpy(staging.buffer.bytes().data(), host, bytes);
+    fill(staging.buffer.bytes().first(bytes));
     check(cudaMemcpyAsync(device, staging.buffer.bytes().data(), bytes, cudaMemcpyHostToDevice,
                           staging.stream));
   }
@@ -37,7 +38,7 @@ public:
 
 private:
   struct Staging {
-    PinnedBuffer buffer{piece_bytes};
+    PinnedBuffer buffer{part_bytes};
     Stream stream;
     // After an error the arrays are given back next: nothing may still be copied to them.
     ~Staging() { static_cast<void>(cudaStreamSynchronize(stream)); }
@@ -46,31 +47,70 @@ private:
   int next_ = 0;
 };
 
+// Pageable memory, for little.
+class PlainBuffer {
+public:
+  void upload(void* device, std::size_t bytes, const Fill& fill) {
+    buffer_.resize(bytes);
+    fill(buffer_);
+    check(cudaMemcpy(device, buffer_.data(), bytes, cudaMemcpyHostToDevice));
+  }
+  void download(void* host, const void* device, std::size_t bytes) {
+    check(cudaMemcpy(host, device, bytes, cudaMemcpyDeviceToHost));
+  }
+
+private:
+  std::vector<std::uint8_t> buffer_;
+};
+
+std::uint8_t* moved_by(const void* pointer, std::size_t offset) {
+  return static_cast<std::uint8_t*>(const_cast<void*>(pointer)) + offset;
+}
+
 } // namespace
 
-Transfer::Transfer() {
+Transfer::Transfer(cudaMemPool_t pool) : pool_(pool) {
   check(cudaGetDevice(&device_));
 }
 
-void Transfer::run(const std::function<void()>& meanwhile) {
-  tbb::parallel_invoke([&] { copy_all(); }, meanwhile);
-}
-
-void Transfer::copy_all() {
-  const DeviceScope device(device_); // of a thread that may be another one
-  std::vector<Copy> pieces;
+void Transfer::run() {
+  struct Piece {
+    const Copy* copy;
+    std::uint64_t i;
+  };
+  std::vector<Piece> pieces;
   std::size_t total = 0;
   for (const Copy& copy : copies_) {
     total += copy.bytes;
-    for (std::size_t offset = 0; offset < copy.bytes; offset += piece_bytes)
-      pieces.push_back({static_cast<std::uint8_t*>(copy.to) + offset,
-                        static_cast<const std::uint8_t*>(copy.from) + offset,
-                        std::min(piece_bytes, copy.bytes - offset), copy.direction});
+    for (std::uint64_t i = 0; i * SectionReader::piece_bytes < copy.bytes; ++i)
+      pieces.push_back({&copy, i});
   }
+  const auto make = [](const Piece& piece, auto& buffers) {
+    const Copy& copy = *piece.copy;
+    if (copy.section != nullptr) {
+      copy.section->read_piece(piece.i, part_bytes,
+                               [&](std::uint64_t offset, std::size_t bytes, const Fill& fill) {
+                                 buffers.upload(moved_by(copy.to, offset), bytes, fill);
+                               });
+      return;
+    }
+    const std::uint64_t end = std::min<std::uint64_t>((piece.i + 1) * SectionReader::piece_bytes, copy.bytes);
+    for (std::uint64_t offset = piece.i * SectionReader::piece_bytes; offset < end; offset += part_bytes) {
+      const std::size_t bytes = std::min<std::uint64_t>(part_bytes, end - offset);
+      if (copy.direction == cudaMemcpyDeviceToHost)
+        buffers.download(moved_by(copy.to, offset), moved_by(copy.from, offset), bytes);
+      else
+        buffers.upload(moved_by(copy.to, offset), bytes, [&](std::span<std::uint8_t> to) {
+          std::memcpy(to.data(), moved_by(copy.from, offset), bytes);
+        });
+    }
+  };
+  const DeviceScope device(device_);
   check(cudaDeviceSynchronize());
   if (total < min_pinned_bytes) {
-    for (const Copy& copy : copies_)
-      check(cudaMemcpy(copy.to, copy.from, copy.bytes, copy.direction));
+    PlainBuffer buffer;
+    for (const Piece& piece : pieces)
+      make(piece, buffer);
   } else {
     tbb::enumerable_thread_specific<StagingBuffers> buffers;
     const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
@@ -78,14 +118,13 @@ void Transfer::copy_all() {
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         const DeviceScope of_thread(device_);
-        const Copy& piece = pieces[i];
-        piece.direction == cudaMemcpyHostToDevice
-            ? buffers.local().upload(piece.to, piece.from, piece.bytes)
-            : buffers.local().download(piece.to, piece.from, piece.bytes);
+        make(pieces[i], buffers.local());
       });
     });
     check(cudaDeviceSynchronize());
   }
+  for (const Copy& copy : copies_)
+    if (copy.section != nullptr) copy.section->check();
   copies_.clear();
 }
 

@@ -2,47 +2,61 @@
 #pragma once
 
 #include "libscene/cuda/device_memory.h"
+#include "libscene/file/container.h"
 
-#include <functional>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace masu {
 
 // A list of copies that are then made together. The driver copies pageable memory with one thread, far below
-// the bandwidth of the bus; a few threads that copy through page-locked memory saturate it.
+// the bandwidth of the bus; a few threads that copy through page-locked memory saturate it. So sections of
+// files go from the file to the device, and are nowhere else on the host.
 class Transfer {
 public:
-  // Of the current device.
-  Transfer();
+  // Of the current device. `pool`: of the arrays' memory; null for the device's own.
+  explicit Transfer(cudaMemPool_t pool = nullptr);
   void to_device(void* device, const void* host, std::size_t bytes) {
-    if (bytes > 0) copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice});
+    if (bytes > 0) copies_.push_back({device, host, bytes, cudaMemcpyHostToDevice, nullptr});
   }
   void to_host(void* host, const void* device, std::size_t bytes) {
-    if (bytes > 0) copies_.push_back({host, device, bytes, cudaMemcpyDeviceToHost});
+    if (bytes > 0) copies_.push_back({host, device, bytes, cudaMemcpyDeviceToHost, nullptr});
   }
-  // Allocates a device array and adds its upload; `room` more records follow it, all zero.
+  void to_device(void* device, SectionReader section) {
+    auto owned = std::make_shared<SectionReader>(std::move(section));
+    copies_.push_back({device, nullptr, owned->bytes(), cudaMemcpyHostToDevice, owned});
+  }
+  // A device array for so many records; `room` more follow them, all zero.
   template <class T>
-  DeviceArray<T> array(std::span<const T> host, std::size_t room = 0) {
-    DeviceArray<T> device(host.size() + room);
-    if (room > 0) check(cudaMemset(device.data() + host.size(), 0, room * sizeof(T)));
+  DeviceArray<T> room_for(std::size_t count, std::size_t room = 0) const {
+    DeviceArray<T> device(count + room, {nullptr, pool_});
+    if (room > 0) check(cudaMemsetAsync(device.data() + count, 0, room * sizeof(T), nullptr));
+    return device;
+  }
+  // Allocates a device array and adds its upload.
+  template <class T>
+  DeviceArray<T> array(std::span<const T> host) {
+    DeviceArray<T> device = room_for<T>(host.size());
     to_device(device.data(), host.data(), host.size_bytes());
     return device;
   }
-  // Makes the copies while it calls meanwhile(); returns when both are done. Throws Error(device) and what
-  // meanwhile() throws.
-  void run(const std::function<void()>& meanwhile = [] {});
+  // Makes the copies, and checks the hashes of sections. Throws Error(device), and Error(input) as
+  // SectionReader has it.
+  void run();
 
 private:
-  void copy_all();
-
   struct Copy {
     void* to;
-    const void* from;
+    const void* from; // null: of the section
     std::size_t bytes;
     cudaMemcpyKind direction;
+    std::shared_ptr<SectionReader> section;
   };
+
   std::vector<Copy> copies_;
   int device_ = 0;
+  cudaMemPool_t pool_ = nullptr;
 };
 
 } // namespace masu

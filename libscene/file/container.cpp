@@ -22,10 +22,16 @@ namespace {
 
 constexpr std::uint64_t body_alignment = 4096;
 constexpr std::uint64_t section_alignment = 256;
-constexpr std::uint64_t piece_bytes = std::uint64_t{4} << 20;
+constexpr std::uint64_t piece_bytes = SectionReader::piece_bytes;
 
 std::uint64_t rounded_up(std::uint64_t value, std::uint64_t to) {
   return (value + to - 1) / to * to;
+}
+
+constexpr const char* damaged_section = "its contents are damaged (a section's hash is wrong)";
+
+Hash hash_of_hashes(const std::vector<Hash>& hashes) {
+  return hash_of({reinterpret_cast<const std::uint8_t*>(hashes.data()), hashes.size() * sizeof(Hash)});
 }
 
 // The hash of `bytes` bytes. Pieces of them are hashed in parallel, each as piece(its offset, its size) has
@@ -38,7 +44,7 @@ Hash hash_of_pieces(std::uint64_t bytes, const Piece& piece) {
     const std::uint64_t begin = i * piece_bytes;
     hashes[i] = hash_of(piece(begin, std::min(piece_bytes, bytes - begin)));
   });
-  return hash_of({reinterpret_cast<const std::uint8_t*>(hashes.data()), hashes.size() * sizeof(Hash)});
+  return hash_of_hashes(hashes);
 }
 
 // Some of a section's bytes; converted into the buffer, where that has to be.
@@ -154,7 +160,8 @@ void throw_damaged(const std::string& path, const std::string& what) {
   throw Error(ErrorCode::input, path, what + ": make the file again");
 }
 
-ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : file_(path) {
+ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Residence residence)
+    : file_(path), residence_(residence) {
   const std::uint64_t size = file_.size();
   Prelude head;
   const std::span head_bytes(reinterpret_cast<std::uint8_t*>(&head),
@@ -174,9 +181,9 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : fi
   if (!fits)
     throw_damaged(path,
                   fmt::format("the {} file is truncated, too long, or its prelude is damaged", kind.name));
-  bytes_ = file_.memory();
-  std::copy(head_bytes.begin(), head_bytes.end(), bytes_.bytes().begin());
-  const auto rest = bytes_.bytes().subspan(sizeof head, head.body_offset - sizeof head);
+  head_ = file_.memory(head.body_offset);
+  std::copy(head_bytes.begin(), head_bytes.end(), head_.bytes().begin());
+  const auto rest = head_.bytes().subspan(sizeof head);
   file_.read(sizeof head, rest);
   if (content_hash(head, table()) != head.hash || !all_zero(rest.subspan(head.table_bytes))) {
     file_.check_unchanged();
@@ -184,9 +191,38 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind) : fi
   }
 }
 
+SectionReader::SectionReader(const InputFile& file, std::uint64_t offset, const fb::Section& section)
+    : file_(&file), offset_(offset + section.offset()),
+      bytes_(section_size(section)), expected_{section.hash().low(), section.hash().high()},
+      hashes_((bytes_ + piece_bytes - 1) / piece_bytes) {}
+
+void SectionReader::read_piece(std::uint64_t i, std::size_t part_bytes, const Part& part) {
+  XXH3_state_t state;
+  XXH3_128bits_reset(&state);
+  const std::uint64_t end = std::min((i + 1) * piece_bytes, bytes_);
+  for (std::uint64_t offset = i * piece_bytes; offset < end; offset += part_bytes) {
+    part(offset, std::min<std::uint64_t>(part_bytes, end - offset), [&](std::span<std::uint8_t> to) {
+      file_->read(offset_ + offset, to);
+      XXH3_128bits_update(&state, to.data(), to.size());
+    });
+  }
+  const XXH128_hash_t hash = XXH3_128bits_digest(&state);
+  hashes_[i] = {hash.low64, hash.high64};
+}
+
+void SectionReader::check() const {
+  if (hash_of_hashes(hashes_) == expected_) return;
+  file_->check_unchanged();
+  throw_damaged(file_->path(), damaged_section);
+}
+
 Hash ContainerFile::read_section(const fb::Section& section) {
+  if (residence_ == Residence::mapping)
+    return hash_of_pieces(section_size(section), [&](std::uint64_t begin, std::uint64_t bytes) {
+      return body_.subspan(section.offset() + begin, bytes);
+    });
   const std::uint64_t offset = prelude().body_offset + section.offset();
-  const auto to = bytes_.bytes().subspan(offset, section_size(section));
+  const auto to = memory_.bytes().subspan(section.offset(), section_size(section));
   return hash_of_pieces(to.size(), [&](std::uint64_t begin, std::uint64_t bytes) {
     const auto piece = to.subspan(begin, bytes);
     file_.read(offset + begin, piece);
@@ -198,40 +234,47 @@ void ContainerFile::read_sections(std::span<const fb::Section> sections) {
   const auto check = [&](bool good, const char* what) {
     if (!good) throw_damaged(path(), what);
   };
-  const auto body = bytes_.bytes().subspan(prelude().body_offset);
+  const std::uint64_t body_bytes = prelude().body_bytes;
+  std::array<std::uint8_t, section_alignment> gap{};
   std::uint64_t end = 0;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     const fb::Section& section = sections[i];
     check(i == 0 || section.kind() > sections[i - 1].kind(), "its sections are out of order");
     check(section.count() > 0 && section.record_bytes() > 0 &&
-              section.offset() == rounded_up(end, section_alignment) && section.offset() <= body.size() &&
-              section.count() <= (body.size() - section.offset()) / section.record_bytes(),
+              section.offset() == rounded_up(end, section_alignment) && section.offset() <= body_bytes &&
+              section.count() <= (body_bytes - section.offset()) / section.record_bytes(),
           "a section's size, offset or alignment is wrong");
-    const auto gap = body.subspan(end, section.offset() - end);
-    file_.read(prelude().body_offset + end, gap);
-    check(all_zero(gap), "there are bytes between its sections");
+    const std::span between(gap.data(), section.offset() - end);
+    file_.read(prelude().body_offset + end, between);
+    check(all_zero(between), "there are bytes between its sections");
     end = section.offset() + section_size(section);
   }
-  check(end == body.size(), "there are bytes after its last section");
+  check(end == body_bytes, "there are bytes after its last section");
+  if (residence_ == Residence::file) return;
+  if (residence_ == Residence::mapping) {
+    mapping_ = FileMapping(file_);
+    body_ = mapping_.bytes().subspan(prelude().body_offset);
+  } else {
+    memory_ = file_.memory(body_bytes);
+    body_ = memory_.bytes();
+  }
   std::vector<Hash> hashes;
   for (const fb::Section& section : sections)
     hashes.push_back(read_section(section));
   file_.check_unchanged();
   for (std::size_t i = 0; i < sections.size(); ++i)
-    check(hashes[i] == Hash{sections[i].hash().low(), sections[i].hash().high()},
-          "its contents are damaged (a section's hash is wrong)");
+    check(hashes[i] == Hash{sections[i].hash().low(), sections[i].hash().high()}, damaged_section);
 }
 
-std::span<const std::uint8_t> ContainerFile::section_bytes(std::span<const fb::Section> sections,
-                                                           std::uint32_t kind,
-                                                           std::size_t record_bytes) const {
+const fb::Section* ContainerFile::section_of(std::span<const fb::Section> sections, std::uint32_t kind,
+                                             std::size_t record_bytes) const {
   for (const fb::Section& section : sections) {
     if (section.kind() != kind) continue;
     if (section.record_bytes() != record_bytes)
       throw_damaged(path(), "a section's records have the wrong size");
-    return bytes_.bytes().subspan(prelude().body_offset + section.offset(), section_size(section));
+    return &section;
   }
-  return {};
+  return nullptr;
 }
 
 } // namespace masu

@@ -12,6 +12,7 @@
 // hash of the hashes of its 4 MiB pieces, which are computed in parallel.
 #pragma once
 
+#include "libscene/file/file_mapping.h"
 #include "libscene/file/input_file.h"
 #include "schemas/section_generated.h"
 
@@ -97,9 +98,12 @@ inline bool is_aligned(std::span<const fb::Section> sections) {
 // Throws Error(input, path, "<what>: make the file again").
 [[noreturn]] void throw_damaged(const std::string& path, const std::string& what);
 
-// What is checked when a file is opened: everything; or only its table and the sections' bounds and hashes,
-// so that sections can be copied, but check_records() must be called before any index in them is used.
-enum class Checks { all, table };
+// Where a file's sections are once it is open.
+//
+//   memory   copied into memory of this process, and checked: nothing follows the file any more
+//   mapping  in a mapping of the file (file_mapping.h), and checked there
+//   file     still in the file, for a GPU: what is uploaded is checked, by what uploads it
+enum class Residence { memory, mapping, file };
 
 // Seconds to open a file: opening it, reading and checking its prelude and table; reading its sections and
 // the other checks.
@@ -107,42 +111,88 @@ struct LoadSeconds {
   double map = 0, validate = 0;
 };
 
-// A container in memory of this process: what is checked is what is used, whatever happens to the file. Its
-// prelude and its table's hash have been checked. The caller must verify the table (FlatBuffers), then call
-// read_sections.
+// Reads a section that is still in its file for a copy elsewhere, and hashes what it reads.
+class SectionReader {
+public:
+  static constexpr std::uint64_t piece_bytes = std::uint64_t{4} << 20; // that a section's hash is made of
+
+  SectionReader(const InputFile& file, std::uint64_t offset, const fb::Section& section);
+
+  std::uint64_t bytes() const { return bytes_; }
+  std::uint64_t pieces() const { return hashes_.size(); }
+  // Reads piece i part by part: part(offset in the section, bytes, fill) has fill(to) write them where it
+  // wants them. For several threads at the same time. Throws Error(input, path, …).
+  using Fill = std::function<void(std::span<std::uint8_t>)>;
+  using Part = std::function<void(std::uint64_t, std::size_t, const Fill&)>;
+  void read_piece(std::uint64_t i, std::size_t part_bytes, const Part& part);
+  // When all are read. Throws Error(input, path, …) where the file was written meanwhile, or isn't what its
+  // hash says.
+  void check() const;
+
+private:
+  const InputFile* file_;
+  std::uint64_t offset_, bytes_;
+  Hash expected_;
+  std::vector<Hash> hashes_; // of the pieces
+};
+
+// A container whose prelude and table's hash have been checked. The caller must verify the table
+// (FlatBuffers), then call read_sections.
 class ContainerFile {
 public:
   // Reads the prelude and the table. Throws Error(input, path, …).
-  ContainerFile(const std::string& path, const FileKind& kind);
+  ContainerFile(const std::string& path, const FileKind& kind, Residence residence);
 
   std::span<const std::uint8_t> table() const {
-    return bytes_.bytes().subspan(sizeof(Prelude), prelude().table_bytes);
+    return head_.bytes().subspan(sizeof(Prelude), prelude().table_bytes);
   }
   const Hash& hash() const { return prelude().hash; }
   const std::string& path() const { return file_.path(); }
-  std::uint64_t bytes() const { return bytes_.bytes().size(); }
+  std::uint64_t bytes() const { return file_.size(); }
+  Residence residence() const { return residence_; }
 
-  // Checks the sections' order, bounds and alignment, reads them, and checks padding and hashes (in
-  // parallel, while they are read). Throws Error(input).
+  // Checks the sections' order, bounds and alignment and what is between them; then, unless they stay in the
+  // file, brings them where they are wanted and checks their hashes (in parallel, while they are read).
+  // Throws Error(input).
   void read_sections(std::span<const fb::Section> sections);
 
-  // The records of the section of this kind; empty when there is none. Call after read_sections.
-  // Throws Error(input) when its record size isn't T's.
+  // How many records the section of this kind has; 0 when there is none. Call after read_sections. Throws
+  // Error(input) when its record size isn't T's.
+  template <class T>
+  std::uint64_t count(std::span<const fb::Section> sections, std::uint32_t kind) const {
+    const fb::Section* const section = section_of(sections, kind, sizeof(T));
+    return section != nullptr ? section->count() : 0;
+  }
+  // The records themselves; empty where they stay in the file.
   template <class T>
   std::span<const T> records(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    const auto bytes = section_bytes(sections, kind, sizeof(T));
-    return {reinterpret_cast<const T*>(bytes.data()), bytes.size() / sizeof(T)};
+    const fb::Section* const section = section_of(sections, kind, sizeof(T));
+    if (section == nullptr || body_.empty()) return {};
+    return {reinterpret_cast<const T*>(body_.data() + section->offset()), section->count()};
+  }
+  // For a copy of the records that stay in the file, where there are any.
+  template <class T>
+  SectionReader reader(std::span<const fb::Section> sections, std::uint32_t kind) const {
+    return {file_, prelude().body_offset, *section_of(sections, kind, sizeof(T))};
+  }
+  // Throws Error(input, path, …) where the sections are mapped and the file was written since it was opened.
+  void check_unchanged() const {
+    if (residence_ == Residence::mapping) file_.check_unchanged();
   }
 
 private:
-  const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(bytes_.bytes().data()); }
-  // Reads a section; returns its hash.
+  const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(head_.bytes().data()); }
+  // Has a section where it is wanted; returns its hash.
   Hash read_section(const fb::Section& section);
-  std::span<const std::uint8_t> section_bytes(std::span<const fb::Section> sections, std::uint32_t kind,
-                                              std::size_t record_bytes) const;
+  const fb::Section* section_of(std::span<const fb::Section> sections, std::uint32_t kind,
+                                std::size_t record_bytes) const;
 
   InputFile file_;
-  PrivateMemory bytes_; // the whole file, as far as it is read
+  Residence residence_;
+  PrivateMemory head_;                 // prelude and table
+  PrivateMemory memory_;               // one of these has the sections,
+  FileMapping mapping_;                // or none
+  std::span<const std::uint8_t> body_; // of either
 };
 
 } // namespace masu

@@ -31,11 +31,13 @@ std::string gigabytes(double bytes) {
   return fmt::format("{:.2g} GB", bytes * 1e-9);
 }
 
-bool is_equal(const timespec& a, const timespec& b) {
-  return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
-}
-
 } // namespace
+
+bool has_changed(int file, const struct stat& opened) {
+  struct stat now {};
+  return fstat(file, &now) != 0 || now.st_size != opened.st_size ||
+         now.st_mtim.tv_sec != opened.st_mtim.tv_sec || now.st_mtim.tv_nsec != opened.st_mtim.tv_nsec;
+}
 
 // --- Regular files -----------------------------------------------------------------------------------------
 
@@ -64,14 +66,14 @@ void InputFile::fail(const std::string& what) const {
   throw Error(ErrorCode::input, path_, what);
 }
 
-PrivateMemory InputFile::memory() const {
-  const auto needed = static_cast<double>(size());
-  if (size() > small_bytes) {
+PrivateMemory InputFile::memory(std::uint64_t bytes) const {
+  const auto needed = static_cast<double>(bytes);
+  if (bytes > small_bytes) {
     if (const double available = available_memory(); needed > available)
       fail(fmt::format("needs {} of memory, {} are available: use a machine with more memory",
                        gigabytes(needed), gigabytes(available)));
   }
-  return PrivateMemory(size());
+  return PrivateMemory(bytes);
 }
 
 void InputFile::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
@@ -86,15 +88,12 @@ void InputFile::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
 }
 
 void InputFile::check_unchanged() const {
-  struct stat now {};
-  if (fstat(file_, &now) != 0) fail(std::string("can't be read: ") + std::strerror(errno));
-  if (now.st_size != opened_.st_size || !is_equal(now.st_mtim, opened_.st_mtim))
-    fail("was changed while it was read: run again when it is complete");
+  if (has_changed(file_, opened_)) fail("was changed while it was in use: run again when it is complete");
 }
 
 FileContents::FileContents(const std::string& path) {
   const InputFile file(path);
-  memory_ = file.memory();
+  memory_ = file.memory(file.size());
   const std::uint64_t pieces = (file.size() + piece_bytes - 1) / piece_bytes;
   tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t piece) {
     const std::uint64_t begin = piece * piece_bytes;

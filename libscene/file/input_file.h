@@ -1,6 +1,5 @@
-// Files that are read. Their bytes are copied into memory of this process before they are checked and used:
-// another process that truncates or overwrites a file while it is in use changes nothing, as it would in a
-// mapping, whose pages can change after the check, or end the process by SIGBUS.
+// Files that are read. Bytes that are copied into memory of this process before they are checked and used
+// don't change with the file; file_mapping.h has the other way.
 #pragma once
 
 #include "libscene/file/private_memory.h"
@@ -16,6 +15,10 @@
 
 namespace masu {
 
+// Whether an open file isn't as it was when it had the status `opened`: written or truncated since. Calls
+// only async-signal-safe functions.
+bool has_changed(int file, const struct stat& opened);
+
 // A regular file, read at any offset by any thread.
 class InputFile {
 public:
@@ -29,14 +32,16 @@ public:
 
   const std::string& path() const { return path_; }
   std::uint64_t size() const { return static_cast<std::uint64_t>(opened_.st_size); } // when it was opened
+  const struct stat& opened() const { return opened_; }
+  int descriptor() const { return file_; }
 
-  // Memory for its bytes, which are to be read. Throws Error(input, path, …) where they need more memory than
-  // is available.
-  PrivateMemory memory() const;
+  // Memory for so many of its bytes, which are to be read. Throws Error(input, path, …) where they need more
+  // than is available.
+  PrivateMemory memory(std::uint64_t bytes) const;
   // Fills `to`. Throws Error(input, path, …): also where the file has become shorter.
   void read(std::uint64_t offset, std::span<std::uint8_t> to) const;
-  // To be called after the last read: throws Error(input, path, …) where the file was written meanwhile, so
-  // that what was read may be neither its old nor its new contents.
+  // To be called after the last look at its bytes: throws Error(input, path, …) where the file was written
+  // since it was opened, so that what was seen may be neither its old nor its new contents.
   void check_unchanged() const;
 
 private:

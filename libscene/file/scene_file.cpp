@@ -1,6 +1,7 @@
 #include "libscene/file/scene_file.h"
 
 #include "libscene/error.h"
+#include "libscene/file/scene_checks.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/stopwatch.h"
@@ -89,24 +90,6 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
-template <class T>
-bool is_finite(const Vec3<T>& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-template <class T>
-bool is_finite(const CornerNormals<T>& n) {
-  return is_finite(n.a) && is_finite(n.b) && is_finite(n.c);
-}
-template <class T>
-bool is_finite(const Cone<T>& c) {
-  return is_finite(c.base) && is_finite(c.apex) && std::isfinite(c.base_radius) &&
-         std::isfinite(c.apex_radius);
-}
-template <class T>
-bool is_finite(const Light<T>& l) {
-  return is_finite(l.position) && is_finite(l.intensity);
-}
-
 // The range of the largest coordinate's magnitude for which products of three coordinates neither overflow
 // nor underflow.
 struct Reach {
@@ -192,11 +175,6 @@ bool has_direction(const fb::Camera& camera) {
   return largest_magnitude(cross(normalized(view), normalized(up))) > 1e-12;
 }
 
-std::span<const fb::Section> section_list(const fb::Scene& table) {
-  const auto* const sections = table.sections();
-  return {reinterpret_cast<const fb::Section*>(sections->Data()), sections->size()};
-}
-
 } // namespace
 
 Boxd bounds(const Scene& scene) {
@@ -239,58 +217,13 @@ bool are_possible(const Boxd& box) {
                        : reaches_within<Stored>(box);
 }
 
-// Every coordinate must lie within the file's bounds, which are within the store's range, and every index
-// must be valid.
-template <class Stored>
-void check_primitives(const SceneView<Stored>& view, const Boxd& bounds, std::uint64_t objects,
-                      const std::string& path) {
-  const auto all = [](std::uint32_t count, const auto& good) {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(0, count), true,
-        [&](const tbb::blocked_range<std::uint32_t>& range, bool so_far) {
-          for (std::uint32_t i = range.begin(); i != range.end(); ++i)
-            so_far = so_far && good(i);
-          return so_far;
-        },
-        std::logical_and<>());
-  };
-  const auto surface_good = [&](const Surface& s) {
-    return s.material < view.material_count && s.object < objects;
-  };
-  // The bounds were computed from the stored numbers: the cast is exact.
-  const Box<Stored> corners = cast<Stored>(bounds);
-  const auto within = [&](const auto& box) { return contains(bounds, box.min) && contains(bounds, box.max); };
-  const bool coordinates_good =
-      all(view.triangle_count,
-          [&](std::uint32_t i) {
-            const auto& t = view.triangles[i];
-            return contains(corners, t.a) && contains(corners, t.b) && contains(corners, t.c);
-          }) &&
-      all(view.normals_count, [&](std::uint32_t i) { return is_finite(view.normals[i]); }) &&
-      all(view.sphere_count,
-          [&](std::uint32_t i) { return within(cast<double>(masu::bounds(view.spheres[i]))); }) &&
-      all(view.cone_count,
-          [&](std::uint32_t i) { return is_finite(view.cones[i]) && within(masu::bounds(view.cones[i])); }) &&
-      all(view.light_count, [&](std::uint32_t i) { return is_finite(view.lights[i]); });
-  if (!coordinates_good) throw_damaged(path, "a coordinate isn't within the scene's bounds");
-  const bool indices_good =
-      all(view.triangle_count,
-          [&](std::uint32_t i) {
-            const auto& t = view.triangles[i];
-            return t.material < view.material_count && t.object < objects &&
-                   (t.normals == no_normals || t.normals < view.normals_count);
-          }) &&
-      all(view.sphere_count, [&](std::uint32_t i) { return surface_good(view.sphere_surfaces[i]); }) &&
-      all(view.cone_count, [&](std::uint32_t i) { return surface_good(view.cone_surfaces[i]); });
-  if (!indices_good) throw_damaged(path, "a primitive's material, object or normals don't exist");
-}
-
 } // namespace
 
-SceneFile::SceneFile(const std::string& path, Checks checks) : SceneFile(path, checks, Stopwatch()) {}
+SceneFile::SceneFile(const std::string& path, Residence residence)
+    : SceneFile(path, residence, Stopwatch()) {}
 
-SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& watch)
-    : container_(path, scene_file_kind) {
+SceneFile::SceneFile(const std::string& path, Residence residence, const Stopwatch& watch)
+    : container_(path, scene_file_kind, residence) {
   seconds_.map = watch.seconds();
   const auto check = [&](bool good, const char* what) {
     if (!good) throw_damaged(path, what);
@@ -308,25 +241,22 @@ SceneFile::SceneFile(const std::string& path, Checks checks, const Stopwatch& wa
         "its camera is invalid");
   check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
         "its bounds are invalid");
-  check(is_aligned(section_list(*table_)), "its table is damaged");
-  container_.read_sections(section_list(*table_));
-  geometry_hash_ = masu::geometry_hash(section_list(*table_), *table_->bounds());
+  check(is_aligned(sections()), "its table is damaged");
+  container_.read_sections(sections());
+  geometry_hash_ = masu::geometry_hash(sections(), *table_->bounds());
 
   const fb::ObjectCounts& counted = *table_->objects();
   const std::uint64_t limit = std::uint64_t{1} << 31;
   check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
             counted.cones() < limit,
         "its counts of objects are too large");
-  if (checks == Checks::all) {
-    check_records();
-    is_checked_ = true;
-  }
+  const auto check_records = [&](const auto& view) {
+    const char* const fault =
+        residence != Residence::file ? fault_of(HostChecker{}, view, bounds(), object_count()) : nullptr;
+    check(fault == nullptr, fault);
+  };
+  is_float64() ? check_records(view<double>()) : check_records(view<float>());
   seconds_.validate = watch.seconds() - seconds_.map;
-}
-
-void SceneFile::check_records() const {
-  is_float64() ? check_primitives(view<double>(), bounds(), object_count(), path())
-               : check_primitives(view<float>(), bounds(), object_count(), path());
 }
 
 std::uint64_t SceneFile::object_count() const {
@@ -348,44 +278,40 @@ std::uint64_t SceneFile::primitive_count() const {
   return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
 }
 
+std::span<const fb::Section> SceneFile::sections() const {
+  const auto* const list = table_->sections();
+  return {reinterpret_cast<const fb::Section*>(list->Data()), list->size()};
+}
+
 template <class Stored>
 SceneView<Stored> SceneFile::view() const {
   using fb::SceneSection;
-  const auto sections = section_list(*table_);
-  const auto records = [&]<class T>(SceneSection kind) {
-    return container_.records<T>(sections, number(kind));
+  SceneView<Stored> view{};
+  bool is_consistent = true;
+  const auto set = [&]<class T>(SceneSection kind, const T*& records, std::uint32_t& count) {
+    const std::uint64_t all = container_.count<T>(sections(), number(kind));
+    is_consistent = is_consistent && all < no_primitive;
+    records = container_.records<T>(sections(), number(kind)).data();
+    count = static_cast<std::uint32_t>(all);
   };
-  const auto triangles = records.template operator()<Triangle<Stored>>(SceneSection::triangles);
-  const auto normals = records.template operator()<CornerNormals<Stored>>(SceneSection::corner_normals);
-  const auto spheres = records.template operator()<Sphere<Stored>>(SceneSection::spheres);
-  const auto sphere_surfaces = records.template operator()<Surface>(SceneSection::sphere_surfaces);
-  const auto cones = records.template operator()<Cone<Stored>>(SceneSection::cones);
-  const auto cone_surfaces = records.template operator()<Surface>(SceneSection::cone_surfaces);
-  const auto materials = records.template operator()<Material>(SceneSection::materials);
-  const auto lights = records.template operator()<Light<Stored>>(SceneSection::lights);
-  if (spheres.size() != sphere_surfaces.size() || cones.size() != cone_surfaces.size() ||
-      triangles.size() + spheres.size() + cones.size() >= no_primitive || lights.size() >= no_primitive ||
-      materials.size() >= no_primitive || normals.size() >= no_primitive) {
+  std::uint32_t sphere_surface_count = 0, cone_surface_count = 0;
+  set(SceneSection::triangles, view.triangles, view.triangle_count);
+  set(SceneSection::corner_normals, view.normals, view.normals_count);
+  set(SceneSection::spheres, view.spheres, view.sphere_count);
+  set(SceneSection::sphere_surfaces, view.sphere_surfaces, sphere_surface_count);
+  set(SceneSection::cones, view.cones, view.cone_count);
+  set(SceneSection::cone_surfaces, view.cone_surfaces, cone_surface_count);
+  set(SceneSection::materials, view.materials, view.material_count);
+  set(SceneSection::lights, view.lights, view.light_count);
+  const std::uint64_t primitives = std::uint64_t{view.triangle_count} + view.sphere_count + view.cone_count;
+  if (!is_consistent || primitives >= no_primitive || view.sphere_count != sphere_surface_count ||
+      view.cone_count != cone_surface_count)
     throw_damaged(path(), "its sections have inconsistent sizes");
-  }
   const fb::Color& background = *table_->background();
-  return {triangles.data(),
-          normals.data(),
-          spheres.data(),
-          sphere_surfaces.data(),
-          cones.data(),
-          cone_surfaces.data(),
-          materials.data(),
-          lights.data(),
-          static_cast<std::uint32_t>(triangles.size()),
-          static_cast<std::uint32_t>(normals.size()),
-          static_cast<std::uint32_t>(spheres.size()),
-          static_cast<std::uint32_t>(cones.size()),
-          static_cast<std::uint32_t>(materials.size()),
-          static_cast<std::uint32_t>(lights.size()),
-          cast<Stored>(padded_bounds<Stored>(bounds())),
-          {background.r(), background.g(), background.b()},
-          table_->ambient()};
+  view.clip = cast<Stored>(padded_bounds<Stored>(bounds()));
+  view.background = {background.r(), background.g(), background.b()};
+  view.ambient = table_->ambient();
+  return view;
 }
 
 template SceneView<float> SceneFile::view<float>() const;

@@ -40,40 +40,47 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds)
 // float32, 1e-90 to 1e100 for float64), or a cone has no length once rounded.
 Hash write_scene(const Scene& scene, Store store, const std::string& path);
 
-// A scene file in memory, checked: every index and range in it is valid.
+// A scene file, checked: every index and range in it is valid. Of one whose records stay in the file, only
+// the table is; who copies them checks them (scene_checks.h).
 class SceneFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
-  explicit SceneFile(const std::string& path, Checks checks = Checks::all);
-  // The checks that Checks::table leaves out. Throws Error(input, path, …).
-  void check_records() const;
-  // Whether it was opened with Checks::all.
-  bool is_checked() const { return is_checked_; }
+  explicit SceneFile(const std::string& path, Residence residence = Residence::memory);
+  // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
+  void check_unchanged() const { container_.check_unchanged(); }
 
   const fb::Scene& table() const { return *table_; }
   const Hash& hash() const { return container_.hash(); }
   const Hash& geometry_hash() const { return geometry_hash_; }
   const std::string& path() const { return container_.path(); }
   std::uint64_t bytes() const { return container_.bytes(); }
+  Residence residence() const { return container_.residence(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
   std::uint64_t primitive_count() const;
   Camera camera() const;
   Boxd bounds() const; // of all primitives; empty where there is none
   bool is_float64() const { return table_->store() == fb::Store::float64; }
 
-  // Points into its memory; Stored must be the file's own (is_float64).
+  std::uint64_t object_count() const;
+
+  // Points into its memory, or nowhere where the records stay in the file; Stored must be the file's own
+  // (is_float64).
   template <class Stored>
   SceneView<Stored> view() const;
+  // Of records that stay in the file, which there must be.
+  template <class T>
+  SectionReader reader(fb::SceneSection kind) const {
+    return container_.reader<T>(sections(), static_cast<std::uint32_t>(kind));
+  }
 
 private:
-  SceneFile(const std::string& path, Checks checks, const Stopwatch& watch);
-  std::uint64_t object_count() const;
+  SceneFile(const std::string& path, Residence residence, const Stopwatch& watch);
+  std::span<const fb::Section> sections() const;
 
   ContainerFile container_;
   const fb::Scene* table_;
   Hash geometry_hash_;
   LoadSeconds seconds_;
-  bool is_checked_ = false; // by check_records when opened
 };
 
 } // namespace masu

@@ -24,8 +24,8 @@ struct Settings {
   Threads threads;
 };
 
-// Seconds of each step, for each run. With a GPU records are validated while they are uploaded: that counts
-// as uploading.
+// Seconds of each step, for each run. A GPU gets the records from the file and validates them: that counts as
+// uploading.
 struct Runs {
   std::vector<double> map, validate, upload, load; // load: sum of the three
   std::vector<double> copy_mapped, copy_read;
@@ -33,13 +33,13 @@ struct Runs {
 
 // As gridrender loads; returns the files' bytes.
 std::uint64_t load(const Settings& settings, bool cuda, Runs& runs) {
-  const Checks checks = cuda ? Checks::table : Checks::all;
-  const SceneFile scene(settings.scene, checks);
-  const GridFile grid(settings.grid, checks);
+  const Residence residence = cuda ? Residence::file : Residence::mapping;
+  const SceneFile scene(settings.scene, residence);
+  const GridFile grid(settings.grid, residence);
   runs.map.push_back(scene.load_seconds().map + grid.load_seconds().map);
   runs.validate.push_back(scene.load_seconds().validate + grid.load_seconds().validate);
   const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
-  runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU traces what was read
+  runs.upload.push_back(cuda ? tracer.upload_seconds() : 0); // the CPU traces what is mapped
   runs.load.push_back(runs.map.back() + runs.validate.back() + runs.upload.back());
   return scene.bytes() + grid.bytes();
 }

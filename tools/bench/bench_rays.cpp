@@ -54,10 +54,9 @@ std::set<std::string> loop_names() {
 }
 
 // The loop's name, with `auto` resolved.
-std::string loop_for(const std::string& wanted, const RaySet& set, const SceneFile& scene,
-                     const GridFile& grid) {
+std::string loop_for(const std::string& wanted, const RaySet& set, const Tracer& tracer) {
   if (wanted != "auto") return wanted;
-  const RayLoop usual = automatic_loop(scene, grid, set.rays, set.query, Precision::automatic);
+  const RayLoop usual = automatic_loop(tracer, set.rays, set.query, Precision::automatic);
   return std::find_if(all_loops.begin(), all_loops.end(),
                       [&](const auto& loop) { return loop.second == usual; })
       ->first;
@@ -148,7 +147,7 @@ void bench_rays(const Settings& settings) {
     for (const RaySet& set : sets) {
       for (const std::string& precision : settings.precisions) {
         for (const std::string& loop : settings.loops) {
-          rows.push_back(measure(settings, tracer, set, precision, loop_for(loop, set, scene, grid)));
+          rows.push_back(measure(settings, tracer, set, precision, loop_for(loop, set, tracer)));
           if (!settings.json) print_row(rows.back());
         }
       }

@@ -47,9 +47,10 @@ DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, c
   if (scene.is_float64()) throw Error(ErrorCode::usage, scene.path(), "is float64: divide a float32 scene");
   DividedFrame divided{picture_frame(request), 0};
   Frame& frame = divided.frame;
-  Transfer upload;
-  const DeviceFilesOf<float> files(scene.view<float>(), &grid, upload);
-  upload.run([] {}); // the files were opened with all checks
+  const MemoryPool pool;
+  Transfer upload(pool);
+  const DeviceFilesOf<float> files(scene, &grid, pool, upload); // which the host has checked
+  upload.run();
   const DeviceArray<Vec3f> colors(frame.radiance.size());
   const DeviceArray<std::uint32_t> next_tile(1);
   check(cudaMemset(next_tile.data(), 0, sizeof(std::uint32_t)));
@@ -62,9 +63,9 @@ DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, c
         std::min(tiles.count, resident_blocks(kernel, division_tile_side * division_tile_side, workers_each));
     frame.kernel = load(kernel);
     frame.seconds.trace = timed(nullptr, [&] {
-      kernel<<<divided.workers, dim3(division_tile_side, division_tile_side)>>>(
-          files.scene.view, accelerator, rays, request.rules, tiles, division,
-          division == ScreenDivision::persistent ? next_tile.data() : nullptr, colors.data());
+      launch(kernel, divided.workers, dim3(division_tile_side, division_tile_side), nullptr, files.scene.view,
+             accelerator, rays, request.rules, tiles, division,
+             division == ScreenDivision::persistent ? next_tile.data() : nullptr, colors.data());
     });
   };
   grid.is_merged() ? render(grid.merged_view<float>()) : render(grid.view<float>());

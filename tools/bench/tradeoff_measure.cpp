@@ -131,11 +131,11 @@ Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuratio
   const TradeoffTask::Reference& reference = task.reference();
   const TracingRules rules{configuration.precision, configuration.stop};
   const std::uint64_t repeat = task.setup.repeat;
+  const Tracer tracer = tracer_of(task, &grid);
   // On a GPU each set by its automatic loop.
   const auto loop = [&](const std::vector<Ray<double>>& rays) {
-    return automatic_loop(task.scene, grid, rays, Query::nearest_hit, configuration.precision);
+    return automatic_loop(tracer, rays, Query::nearest_hit, configuration.precision);
   };
-  const Tracer tracer = tracer_of(task, &grid);
   const RayHits primary = trace(tracer, rules, task.primary, loop(task.primary), repeat);
   const RayHits random = trace(tracer, rules, task.random, loop(task.random), repeat);
   const Frame frame = render(task, tracer, rules, repeat);

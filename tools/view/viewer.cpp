@@ -113,13 +113,9 @@ Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceW
 
 } // namespace
 
-Viewer::Viewer(const ViewerSettings& settings)
-    : scene_(settings.scene, settings.device == Device::cuda ? Checks::table : Checks::all),
-      precision_(settings.precision) {
-  // On a GPU the tracer checks records during the upload.
-  const Checks checks = settings.device == Device::cuda ? Checks::table : Checks::all;
+Viewer::Viewer(const ViewerSettings& settings) : scene_(settings.scene), precision_(settings.precision) {
   for (const std::string& path : settings.grids)
-    grids_.push_back(std::make_unique<ViewedGrid>(path, checks, scene_, settings.device));
+    grids_.push_back(std::make_unique<ViewedGrid>(path, scene_, settings.device));
   for (const auto& grid : grids_) {
     if (grid->file.is_hierarchy())
       throw Error(ErrorCode::usage, grid->file.path(), "is a hierarchy: gridview shows grids of cells");

@@ -25,8 +25,8 @@ struct ViewedGrid {
   Tracer tracer;
   nlohmann::ordered_json statistics{}; // null: not made yet
 
-  ViewedGrid(const std::string& path, Checks checks, const SceneFile& scene, Device device)
-      : file(path, checks), tracer(scene, &file, device) {}
+  ViewedGrid(const std::string& path, const SceneFile& scene, Device device)
+      : file(path), tracer(scene, &file, device) {}
 };
 
 struct ViewerSettings {
