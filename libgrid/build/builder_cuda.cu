@@ -33,9 +33,7 @@ struct DevicePrimitives {
 template <class Stored>
 class CudaBuilder final : public GridBuilder<Stored> {
 public:
-  explicit CudaBuilder(const SceneView<Stored>& scene) : host_(scene) {
-    std::string why;
-    if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
+  CudaBuilder(const SceneView<Stored>& scene, int device) : current_device_(usable(device)), host_(scene) {
     const Stopwatch watch;
     executor_ = std::make_unique<CudaExecutor>();
     build_something();
@@ -55,6 +53,12 @@ public:
   DeviceSeconds device_seconds() const override { return seconds_; }
 
 private:
+  static int usable(int device) {
+    std::string why;
+    if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
+    return device;
+  }
+
   // Code is brought to the device when it is first called: what comes next shall not be charged for it.
   void build_something() {
     const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
@@ -89,6 +93,7 @@ private:
     return {std::move(copy)};
   }
 
+  const DeviceScope current_device_; // ends when the arrays have been given back
   SceneView<Stored> host_;
   std::unique_ptr<DevicePrimitives<Stored>> device_;
   std::unique_ptr<CudaExecutor> executor_;
@@ -98,10 +103,10 @@ private:
 } // namespace
 
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene) {
-  return std::make_unique<CudaBuilder<Stored>>(scene);
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device) {
+  return std::make_unique<CudaBuilder<Stored>>(scene, device);
 }
-template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&);
-template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&);
+template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&, int);
+template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&, int);
 
 } // namespace masu
