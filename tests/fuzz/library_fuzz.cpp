@@ -147,9 +147,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       tracer = nullptr;
       const auto files = input.take<std::uint8_t>();
       const std::string scene = file("scene", files), grid = file("grid", files / 2U);
-      if (masu_open(scene.c_str(), files % 8 < 4 ? grid.c_str() : nullptr, MASU_CPU, &tracer) != MASU_OK) {
-        if (tracer != nullptr || std::strlen(masu_error()) == 0) std::abort();
-      }
+      const masu_status status =
+          files % 8 == 7
+              ? masu_open_brute_force(scene.c_str(), nullptr, 0, &tracer)
+              : masu_open(scene.c_str(), files % 8 < 4 ? grid.c_str() : nullptr, MASU_CPU, &tracer);
+      if (status != MASU_OK && (tracer != nullptr || std::strlen(masu_error()) == 0)) std::abort();
       break;
     }
     case 4:
