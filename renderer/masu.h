@@ -11,7 +11,8 @@
  *
  * Threads: a tracer may be used by several threads at the same time, except for masu_close(). Queries of rays
  * in host memory return when their results are there; they use all cores, or on a GPU streams of their own.
- * Queries of rays in device memory are queued on the stream that they are given, and are done when that is.
+ * Queries of rays in device memory are queued on the stream that they are given, and are done when that is;
+ * what fails after the call returned is the stream's error (at masu_nearest()).
  *
  * Results don't depend on the grid, on the device, nor on the number of threads: t, primitives and the rest
  * are the same bits on CPU and GPU, but with MASU_PRECISION_FAST. Of hits at the same t the primitive with
@@ -160,7 +161,15 @@ typedef struct masu_hits {
 /* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of
  * the tracer's, which is found out from the pointers (with a tracer on the CPU: in host memory). Rays need
  * the alignment of their numbers; rays on a GPU are traced where they lie if they are MASU_RAYS_FLOAT32
- * aligned to 16 bytes, else a copy is. */
+ * aligned to 16 bytes, else a copy is.
+ *
+ * Of rays in device memory the status says whether the query could be queued: arguments, memory for copies,
+ * launches. A kernel that fails afterwards (say because its memory was freed too early) is reported as CUDA
+ * reports it: by the next call that looks at the stream or waits for it (cudaStreamQuery(),
+ * cudaStreamSynchronize()), or as MASU_ERROR_DEVICE by a later query on that GPU. Results are valid once the
+ * stream was found done without an error. Arrays must stay until it is done, also where the query returned an
+ * error. After a late error the process can do nothing more on that GPU: close the tracer, and start another
+ * process. */
 MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t count,
                                   const masu_query* query, const masu_hits* hits);
 

@@ -111,9 +111,17 @@ class Tracer:
     Others' arrays on a GPU (those with __dlpack__ or __cuda_array_interface__) are taken over by whichever of both
     libraries is there, and so are their results. A copy is made of rays that aren't contiguous.
 
+    **Late errors.** For rays on a GPU a query's masu.Error says that it couldn't be queued. A kernel that fails later is
+    reported by what next waits for the GPU (torch.cuda.synchronize(), Tensor.cpu(), CuPy's Stream.synchronize()), in that
+    library's exception, or by a later query as a masu.Error of Status.DEVICE. The process can then do nothing more on
+    that GPU.
+
     Threads may use a tracer at the same time. close() waits for them."""
 
-    def __init__(self, scene: Path, grid: Optional[Path] = None, device: Union[str, int, Any] = "cpu") -> None:
+    def __init__(self, scene: Path, grid: Optional[Path] = None, device: Union[str, int, Any] = "cpu", *,
+                 brute_force: bool = False) -> None:
+        if brute_force and grid is not None:
+            raise TypeError("brute_force uses no grid: leave one of both out")
         self._gpus = _gpu_numbers(device)
         self._idle = threading.Condition()
         self._calls = 0  # that use the handle now
