@@ -296,7 +296,7 @@ class Scenes(WithFolder):
         self.assertRaises(TypeError, masu.write_scene, path, vertices, faces, store=1)
         with self.assertRaises(masu.Error) as raised:
             masu.write_scene(path, np.where(vertices == vertices[0, 0], np.nan, vertices), faces)
-        self.assertIn(raised.exception.status, (masu.Status.USAGE, masu.Status.INPUT))
+        self.assertEqual(raised.exception.status, masu.Status.USAGE)
         with self.assertRaises(masu.Error) as raised:
             masu.write_scene(self.file("nowhere/a.scene"), vertices, faces)
         self.assertEqual(raised.exception.status, masu.Status.OUTPUT)
@@ -406,7 +406,7 @@ class Tracers(WithFolder):
         for device in (beyond, "cuda:{}".format(beyond)):
             with self.assertRaises(masu.Error) as raised:
                 masu.Tracer(self.file("random.scene"), device=device)
-            self.assertIn(raised.exception.status, (masu.Status.USAGE, masu.Status.DEVICE))
+            self.assertEqual(raised.exception.status, masu.Status.DEVICE)
 
     def test_a_closed_tracer_is_refused(self):
         self.scene(10)

@@ -73,7 +73,7 @@ void write_scene(Input& input) {
 void build_grid(Input& input) {
   masu_grid_options options;
   masu_default_grid_options(&options);
-  set(options.kind, input.take<std::uint8_t>() % 6);
+  set(options.kind, input.take<std::uint8_t>() % 8);
   static constexpr std::array divisions{"auto", "1", "3", "2x5x1", "cleary:1", "woo:1", "x", ""};
   options.division = divisions[input.take<std::uint8_t>() % divisions.size()];
   options.box_overlap = input.take<std::uint8_t>() % 2;
