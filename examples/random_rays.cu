@@ -49,7 +49,7 @@ int main(int argc, char** argv) try {
   check(cudaMallocAsync(&hits, sizeof(unsigned), stream));
   check(cudaMemsetAsync(hits, 0, sizeof(unsigned), stream));
   make_rays<<<ray_count / 256, 256, 0, stream>>>(rays, tracer.describe());
-  tracer.occluded(rays, ray_count, occluded, {MASU_RAYS_FLOAT32, MASU_PRECISION_AUTO, 0, stream});
+  tracer.occluded(rays, ray_count, occluded, {.stream = stream});
   count_hits<<<ray_count / 256, 256, 0, stream>>>(occluded, hits);
   check(cudaMemcpyAsync(&hit_count, hits, sizeof(unsigned), cudaMemcpyDeviceToHost, stream));
   check(cudaStreamSynchronize(stream));

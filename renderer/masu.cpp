@@ -2,6 +2,7 @@
 #include "renderer/masu.h"
 
 #include "libgrid/build/build_grid.h"
+#include "libscene/file/memory_file.h"
 #include "libscene/file/same_file.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "libscene/processor.h"
@@ -21,16 +22,16 @@
 
 struct masu_tracer {
   masu::SceneFile scene;
-  std::optional<masu::GridFile> grid;
+  std::optional<masu::GridFile> grid; // none for brute force
   masu::Tracer tracer;
   mutable masu::UsualLoops loops; // found out by the first query
 
-  // gpus: none for the CPU.
-  masu_tracer(const char* scene_path, const char* grid_path, const std::vector<int>& gpus,
-              masu::Residence residence)
+  // gpus: none for the CPU. open_grid(scene, grid): a pointer to the grid that it opened, or null.
+  template <class OpenGrid>
+  masu_tracer(const char* scene_path, masu::Residence residence, const std::vector<int>& gpus,
+              const OpenGrid& open_grid)
       : scene(scene_path, residence),
-        tracer(scene, grid_path != nullptr ? &grid.emplace(grid_path, residence) : nullptr,
-               gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus) {}
+        tracer(scene, open_grid(scene, grid), gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus) {}
 };
 
 namespace {
@@ -170,11 +171,57 @@ BuildOptions build_options(const masu_grid_options& from) {
 }
 
 template <class Stored>
-void build(const SceneFile& file, const char* path, const BuildOptions& options, bool gpu) {
+void build(const SceneFile& file, const std::string& path, const BuildOptions& options, int device) {
   const SceneView<Stored> scene = file.view<Stored>();
-  const auto builder = gpu ? cuda_builder(scene) : cpu_builder(scene);
+  const auto builder = device == MASU_CPU ? cpu_builder(scene) : cuda_builder(scene, device);
   const auto [grid, origin] = build_grid(*builder, file.bounds(), file.geometry_hash(), options);
   write_grid(grid, origin, path);
+}
+
+// Writes the grid of a checked scene; `device` is MASU_CPU or a GPU's number.
+void build(const SceneFile& file, const std::string& path, const BuildOptions& options, int device) {
+  file.is_float64() ? build<double>(file, path, options, device) : build<float>(file, path, options, device);
+}
+
+// --- Tracers
+
+// A library has no signal handlers, so it maps nothing: a CPU's tracer has copies, a GPU gets the files' own.
+Residence residence_for(std::size_t gpu_count) {
+  return gpu_count == 0 ? Residence::memory : Residence::file;
+}
+
+// What masu_build_grid() writes for MASU_GRID_FASTEST, in a file in memory.
+const GridFile* build_in_memory(const SceneFile& scene, int device, std::optional<GridFile>& grid) {
+  masu_grid_options fastest;
+  masu_default_grid_options(&fastest);
+  fastest.kind = MASU_GRID_FASTEST;
+  const MemoryFile file;
+  // A builder takes scenes in memory alone.
+  if (scene.residence() == Residence::memory)
+    build(scene, file.path(), build_options(fastest), device);
+  else
+    build(SceneFile(scene.path()), file.path(), build_options(fastest), device);
+  return &grid.emplace(file.path(), scene.residence());
+}
+
+template <class OpenGrid>
+masu_status open_tracer(const char* scene, const int* gpus, std::size_t gpu_count, masu_tracer** tracer,
+                        const OpenGrid& open_grid) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    *tracer = nullptr;
+    require(scene, "scene");
+    if (gpu_count > 0) require(gpus, "gpus");
+    check_processor();
+    const std::vector<int> numbers(gpus, gpus + gpu_count);
+    for (const int gpu : numbers) {
+      if (gpu >= 0 && gpu < cuda_device_count()) continue;
+      std::string why = fmt::format("GPU {} isn't there: of {}", gpu, cuda_device_count());
+      if (cuda_device_count() == 0) cuda_available(why);
+      throw Error(ErrorCode::device, "device", why + ": use MASU_CPU");
+    }
+    *tracer = std::make_unique<masu_tracer>(scene, residence_for(gpu_count), numbers, open_grid).release();
+  });
 }
 
 } // namespace
@@ -202,25 +249,17 @@ masu_status masu_open(const char* scene, const char* grid, int device, masu_trac
 
 masu_status masu_open_devices(const char* scene, const char* grid, const int* gpus, size_t gpu_count,
                               masu_tracer** tracer) {
-  return guarded([&] {
-    require(tracer, "tracer");
-    *tracer = nullptr;
-    require(scene, "scene");
-    if (gpu_count > 0) require(gpus, "gpus");
-    check_processor();
-    const std::span<const int> numbers(gpus, gpu_count);
-    for (const int gpu : numbers) {
-      if (gpu >= 0 && gpu < cuda_device_count()) continue;
-      std::string why = fmt::format("GPU {} isn't there: of {}", gpu, cuda_device_count());
-      if (cuda_device_count() == 0) cuda_available(why);
-      throw Error(ErrorCode::device, "device", why + ": use MASU_CPU");
-    }
-    // A library has no signal handlers, so it maps nothing: a CPU's tracer has copies.
-    const Residence residence = numbers.empty() ? Residence::memory : Residence::file;
-    *tracer =
-        std::make_unique<masu_tracer>(scene, grid, std::vector(numbers.begin(), numbers.end()), residence)
-            .release();
-  });
+  return open_tracer(scene, gpus, gpu_count, tracer,
+                     [&](const SceneFile& file, std::optional<GridFile>& opened) -> const GridFile* {
+                       if (grid != nullptr) return &opened.emplace(grid, file.residence());
+                       return build_in_memory(file, gpu_count > 0 ? gpus[0] : MASU_CPU, opened);
+                     });
+}
+
+masu_status masu_open_brute_force(const char* scene, const int* gpus, size_t gpu_count,
+                                  masu_tracer** tracer) {
+  return open_tracer(scene, gpus, gpu_count, tracer,
+                     [](const SceneFile&, std::optional<GridFile>&) -> const GridFile* { return nullptr; });
 }
 
 void masu_close(masu_tracer* tracer) {
@@ -359,10 +398,7 @@ masu_status masu_build_grid(const char* scene, const char* grid, const masu_grid
     const BuildOptions build_as = build_options(wanted);
     const SceneFile file(scene);
     tbb::task_arena arena(wanted.threads > 0 ? wanted.threads : tbb::task_arena::automatic);
-    arena.execute([&] {
-      file.is_float64() ? build<double>(file, grid, build_as, wanted.gpu != 0)
-                        : build<float>(file, grid, build_as, wanted.gpu != 0);
-    });
+    arena.execute([&] { build(file, grid, build_as, wanted.gpu != 0 ? 0 : MASU_CPU); });
   });
 }
 }

@@ -11,7 +11,8 @@
  *
  * Threads: a tracer may be used by several threads at the same time, except for masu_close(). Queries of rays
  * in host memory return when their results are there; they use all cores, or on a GPU streams of their own.
- * Queries of rays in device memory are queued on the stream that they are given, and are done when that is.
+ * Queries of rays in device memory are queued on the stream that they are given, and are done when that is;
+ * what fails after the call returned is the stream's error (at masu_nearest()).
  *
  * Results don't depend on the grid, on the device, nor on the number of threads: t, primitives and the rest
  * are the same bits on CPU and GPU, but with MASU_PRECISION_FAST. Of hits at the same t the primitive with
@@ -60,10 +61,13 @@ typedef struct masu_tracer masu_tracer;
 
 #define MASU_CPU (-1)
 
-/* Reads, checks and, on a GPU, uploads a scene file and a grid file of the same geometry. `grid` may be NULL:
- * every ray is then tested against every primitive. `device` is MASU_CPU or a GPU's number, from 0. What
- * happens to the files afterwards changes nothing; a file that is written while it is read is an
- * error (MASU_ERROR_INPUT). */
+/* Reads, checks and, on a GPU, uploads a scene file and a grid file of the same geometry. `device` is
+ * MASU_CPU or a GPU's number, from 0. What happens to the files afterwards changes nothing; a file that is
+ * written while it is read is an error (MASU_ERROR_INPUT).
+ *
+ * `grid` may be NULL: then a grid is built as masu_build_grid() builds MASU_GRID_FASTEST, on the device, and
+ * kept in memory. That takes seconds for some million primitives, at every call; a grid file takes them once.
+ */
 MASU_API masu_status masu_open(const char* scene, const char* grid, int device, masu_tracer** tracer);
 
 /* The same on several GPUs, by their numbers; none: on the CPU. Each GPU gets the files. They share queries
@@ -72,6 +76,11 @@ MASU_API masu_status masu_open(const char* scene, const char* grid, int device, 
 MASU_API masu_status masu_open_devices(const char* scene, const char* grid, const int* gpus, size_t gpu_count,
                                        masu_tracer** tracer);
 
+/* Without a grid: every ray is tested against every primitive, which only comparisons want. On the CPU if
+ * there are no GPUs. */
+MASU_API masu_status masu_open_brute_force(const char* scene, const int* gpus, size_t gpu_count,
+                                           masu_tracer** tracer);
+
 /* Waits for what runs, and gives memory back. NULL is allowed. */
 MASU_API void masu_close(masu_tracer* tracer);
 
@@ -79,7 +88,7 @@ typedef struct masu_description {
   uint32_t triangles, spheres, cones; /* primitives are numbered in this order */
   uint32_t materials;
   double bounds_min[3], bounds_max[3]; /* of all primitives; min > max where there is none */
-  uint64_t scene_bytes, grid_bytes;    /* of the files; 0 for no grid */
+  uint64_t scene_bytes, grid_bytes;    /* of the files, or as a file for a grid in memory; 0 for no grid */
   int is_float64;                      /* whether coordinates are stored, and rays traced, in float64 */
   int device;                          /* the first one, or MASU_CPU */
 } masu_description;
@@ -110,11 +119,16 @@ typedef struct masu_ray {
   float direction[3], tmax; /* tmax may be INFINITY */
 } masu_ray;
 
+typedef struct masu_ray64 {
+  double origin[3], tmin;
+  double direction[3], tmax;
+} masu_ray64;
+
 typedef enum masu_ray_format {
   MASU_RAYS_FLOAT32 = 0,   /* masu_ray */
-  MASU_RAYS_FLOAT32_6 = 1, /* float: origin, direction; tmin is 0, tmax infinity */
-  MASU_RAYS_FLOAT64 = 2,   /* as masu_ray, but double */
-  MASU_RAYS_FLOAT64_6 = 3
+  MASU_RAYS_FLOAT32_6 = 1, /* 6 floats: origin, direction; tmin is 0, tmax infinity */
+  MASU_RAYS_FLOAT64 = 2,   /* masu_ray64 */
+  MASU_RAYS_FLOAT64_6 = 3  /* 6 doubles */
 } masu_ray_format;
 
 typedef enum masu_precision {
@@ -147,7 +161,15 @@ typedef struct masu_hits {
 /* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of
  * the tracer's, which is found out from the pointers (with a tracer on the CPU: in host memory). Rays need
  * the alignment of their numbers; rays on a GPU are traced where they lie if they are MASU_RAYS_FLOAT32
- * aligned to 16 bytes, else a copy is. */
+ * aligned to 16 bytes, else a copy is.
+ *
+ * Of rays in device memory the status says whether the query could be queued: arguments, memory for copies,
+ * launches. A kernel that fails afterwards (say because its memory was freed too early) is reported as CUDA
+ * reports it: by the next call that looks at the stream or waits for it (cudaStreamQuery(),
+ * cudaStreamSynchronize()), or as MASU_ERROR_DEVICE by a later query on that GPU. Results are valid once the
+ * stream was found done without an error. Arrays must stay until it is done, also where the query returned an
+ * error. After a late error the process can do nothing more on that GPU: close the tracer, and start another
+ * process. */
 MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t count,
                                   const masu_query* query, const masu_hits* hits);
 

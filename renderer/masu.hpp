@@ -3,9 +3,11 @@
 
 #include "masu.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -46,16 +48,51 @@ inline void build_grid(const std::string& scene, const std::string& grid,
   check(masu_build_grid(scene.c_str(), grid.c_str(), &options));
 }
 
+// The format of rays is that of their type. Those of six numbers are an origin and a direction.
+template <class T>
+constexpr masu_ray_format format_of() = delete;
+template <>
+constexpr masu_ray_format format_of<masu_ray>() {
+  return MASU_RAYS_FLOAT32;
+}
+template <>
+constexpr masu_ray_format format_of<masu_ray64>() {
+  return MASU_RAYS_FLOAT64;
+}
+template <>
+constexpr masu_ray_format format_of<std::array<float, 6>>() {
+  return MASU_RAYS_FLOAT32_6;
+}
+template <>
+constexpr masu_ray_format format_of<std::array<double, 6>>() {
+  return MASU_RAYS_FLOAT64_6;
+}
+template <class T>
+concept Ray = requires {
+  format_of<T>();
+};
+template <class T> // a vector, an array, a span
+concept RayRange = std::ranges::contiguous_range<T> && Ray<std::ranges::range_value_t<T>>;
+
+// As masu_query, but for the format.
+struct QueryOptions {
+  masu_precision precision = MASU_PRECISION_AUTO;
+  bool coherent = false;
+  void* stream = nullptr; // of rays in device memory
+};
+
 // The hits of rays in host memory.
 struct Hits {
   std::vector<float> t;
   std::vector<std::uint32_t> primitive;
 };
 
-// A scene and its grid on a device. Without a grid every ray is tested against every primitive.
+// A scene and its grid on a device.
 class Tracer {
 public:
-  Tracer(const std::string& scene, const std::optional<std::string>& grid, int device = MASU_CPU) {
+  // Without a grid file a grid is built and kept in memory, as masu_open() says.
+  explicit Tracer(const std::string& scene, const std::optional<std::string>& grid = std::nullopt,
+                  int device = MASU_CPU) {
     masu_tracer* opened = nullptr;
     check(masu_open(scene.c_str(), grid ? grid->c_str() : nullptr, device, &opened));
     tracer_.reset(opened);
@@ -66,6 +103,14 @@ public:
     check(
         masu_open_devices(scene.c_str(), grid ? grid->c_str() : nullptr, gpus.data(), gpus.size(), &opened));
     tracer_.reset(opened);
+  }
+  // Tests every ray against every primitive.
+  static Tracer brute_force(const std::string& scene, std::span<const int> gpus = {}) {
+    Tracer tracer;
+    masu_tracer* opened = nullptr;
+    check(masu_open_brute_force(scene.c_str(), gpus.data(), gpus.size(), &opened));
+    tracer.tracer_.reset(opened);
+    return tracer;
   }
 
   masu_description describe() const {
@@ -80,31 +125,46 @@ public:
   }
 
   // In host memory, or all in memory of one of the tracer's GPUs.
-  void nearest(const masu_ray* rays, std::size_t count, const masu_hits& hits,
-               const masu_query& query = {}) const {
+  template <Ray R>
+  void nearest(const R* rays, std::size_t count, const masu_hits& hits,
+               const QueryOptions& options = {}) const {
+    const masu_query query = query_of<R>(options);
     check(masu_nearest(tracer_.get(), rays, count, &query, &hits));
   }
-  void occluded(const masu_ray* rays, std::size_t count, std::uint8_t* occluded,
-                const masu_query& query = {}) const {
+  template <Ray R>
+  void occluded(const R* rays, std::size_t count, std::uint8_t* occluded,
+                const QueryOptions& options = {}) const {
+    const masu_query query = query_of<R>(options);
     check(masu_occluded(tracer_.get(), rays, count, &query, occluded));
   }
 
   // In host memory.
-  Hits nearest(std::span<const masu_ray> rays, const masu_query& query = {}) const {
-    Hits found{std::vector<float>(rays.size()), std::vector<std::uint32_t>(rays.size())};
-    nearest(rays.data(), rays.size(), {found.t.data(), found.primitive.data(), nullptr, nullptr, nullptr},
-            query);
+  template <RayRange Rays>
+  Hits nearest(const Rays& rays, const QueryOptions& options = {}) const {
+    const std::size_t count = std::ranges::size(rays);
+    Hits found{std::vector<float>(count), std::vector<std::uint32_t>(count)};
+    masu_hits hits{};
+    hits.t = found.t.data();
+    hits.primitive = found.primitive.data();
+    nearest(std::ranges::data(rays), count, hits, options);
     return found;
   }
-  std::vector<std::uint8_t> occluded(std::span<const masu_ray> rays, const masu_query& query = {}) const {
-    std::vector<std::uint8_t> found(rays.size());
-    occluded(rays.data(), rays.size(), found.data(), query);
+  template <RayRange Rays>
+  std::vector<std::uint8_t> occluded(const Rays& rays, const QueryOptions& options = {}) const {
+    std::vector<std::uint8_t> found(std::ranges::size(rays));
+    occluded(std::ranges::data(rays), found.size(), found.data(), options);
     return found;
   }
 
   masu_tracer* get() const { return tracer_.get(); }
 
 private:
+  Tracer() = default;
+  template <Ray R>
+  static masu_query query_of(const QueryOptions& options) {
+    return {format_of<R>(), options.precision, options.coherent ? 1 : 0, options.stream};
+  }
+
   struct Close {
     void operator()(masu_tracer* tracer) const { masu_close(tracer); }
   };

@@ -192,6 +192,35 @@ TEST_F(LibraryOnGpu, TakesEveryFormatAndAlignmentOfNumbers) {
               on_device(gpu_, device_floats.data(), count, query));
 }
 
+// On any GPU, and the caller's current one stays that.
+TEST_F(LibraryOnGpu, WithoutAGridBuildsTheCpus) {
+  SCOPED_TRACE(seed_.trace());
+  int count = 0, before = 0, after = 0;
+  ASSERT_DONE(masu_gpu_count(&count));
+  const int last = count - 1;
+  ASSERT_CUDA(cudaGetDevice(&before));
+  masu_tracer *cpu = nullptr, *gpu = nullptr, *brute_force = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), nullptr, MASU_CPU, &cpu));
+  ASSERT_DONE(masu_open(scene_.c_str(), nullptr, last, &gpu));
+  ASSERT_DONE(masu_open_brute_force(scene_.c_str(), &last, 1, &brute_force));
+  ASSERT_CUDA(cudaGetDevice(&after));
+  EXPECT_EQ(after, before);
+  masu_description of_cpu{}, of_gpu{}, of_brute_force{};
+  ASSERT_DONE(masu_describe(cpu, &of_cpu));
+  ASSERT_DONE(masu_describe(gpu, &of_gpu));
+  ASSERT_DONE(masu_describe(brute_force, &of_brute_force));
+  EXPECT_GT(of_cpu.grid_bytes, 0U);
+  EXPECT_EQ(of_gpu.grid_bytes, of_cpu.grid_bytes);
+  EXPECT_EQ(of_gpu.device, last);
+  EXPECT_EQ(of_brute_force.grid_bytes, 0U);
+  const std::vector<masu_ray> list = rays(10'000);
+  const Found expected = on_host(cpu_, list.data(), list.size());
+  for (masu_tracer* const tracer : {cpu, gpu, brute_force}) {
+    expect_same(expected, on_host(tracer, list.data(), list.size()));
+    masu_close(tracer);
+  }
+}
+
 TEST_F(LibraryOnGpu, AnswersThreadsTracersAndStreamsAtTheSameTime) {
   SCOPED_TRACE(seed_.trace());
   masu_tracer* other = nullptr;

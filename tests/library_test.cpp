@@ -1,16 +1,22 @@
-// The C interface: right answers on the CPU, and an error for whatever is wrong, never a fault.
+// The C interface, and that of C++ over it: right answers on the CPU, and an error for whatever is wrong,
+// never a fault.
 #include "tests/temporary_folder.h"
 #include "tools/bench/stability/random_seed.h"
 
-#include <masu/masu.h>
+#include <masu/masu.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <random>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -188,13 +194,16 @@ TEST_F(Library, FindsWhatBruteForceFinds) {
   masu_close(tracer);
 }
 
-TEST_F(Library, ResultsAreTheSameWithoutAGridAndByEveryFormat) {
+TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   SCOPED_TRACE(seed_.trace());
   std::mt19937_64 engine(seed_.value());
   prepare(random_mesh(engine, 300));
   masu_tracer *tracer = nullptr, *brute_force = nullptr;
   ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer));
-  ASSERT_DONE(masu_open(file("scene").c_str(), nullptr, MASU_CPU, &brute_force));
+  ASSERT_DONE(masu_open_brute_force(file("scene").c_str(), nullptr, 0, &brute_force));
+  masu_description description{};
+  ASSERT_DONE(masu_describe(brute_force, &description));
+  EXPECT_EQ(description.grid_bytes, 0U);
   std::vector<masu_ray> rays = random_rays(engine, 2000);
   EXPECT_TRUE(found_by(tracer, rays) == found_by(brute_force, rays));
   // Six numbers each, floats and doubles.
@@ -230,6 +239,88 @@ TEST_F(Library, ResultsAreTheSameWithoutAGridAndByEveryFormat) {
   EXPECT_EQ(some.normal, all.normal);
   masu_close(brute_force);
   masu_close(tracer);
+}
+
+// No file is left, nor written.
+TEST_F(Library, WithoutAGridOneIsBuiltInMemory) {
+  SCOPED_TRACE(seed_.trace());
+  std::mt19937_64 engine(seed_.value());
+  prepare(random_mesh(engine, 300));
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.kind = MASU_GRID_FASTEST;
+  ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), &options));
+  const auto files = [&] {
+    const std::filesystem::directory_iterator all(file("."));
+    return std::distance(begin(all), end(all));
+  };
+  const auto before = files();
+  masu_tracer *with_file = nullptr, *without = nullptr;
+  ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &with_file));
+  ASSERT_DONE(masu_open(file("scene").c_str(), nullptr, MASU_CPU, &without));
+  EXPECT_EQ(files(), before);
+  masu_description expected{}, description{};
+  ASSERT_DONE(masu_describe(with_file, &expected));
+  ASSERT_DONE(masu_describe(without, &description));
+  EXPECT_GT(description.grid_bytes, 0U);
+  EXPECT_EQ(description.grid_bytes, expected.grid_bytes);
+  const std::vector<masu_ray> rays = random_rays(engine, 2000);
+  EXPECT_TRUE(found_by(with_file, rays) == found_by(without, rays));
+  masu_close(without);
+  masu_close(with_file);
+}
+
+// A ray is what its type says, and nothing else is taken for one.
+TEST_F(Library, InCppTypesDecideTheFormat) {
+  SCOPED_TRACE(seed_.trace());
+  std::mt19937_64 engine(seed_.value());
+  prepare(random_mesh(engine, 300));
+  const masu::Tracer tracer(file("scene"), file("grid"));
+  const auto check = [&](const auto& rays, masu_ray_format format) {
+    masu_query query{};
+    query.format = format;
+    Found expected(rays.size());
+    const masu_hits hits = expected.hits();
+    ASSERT_DONE(masu_nearest(tracer.get(), rays.data(), rays.size(), &query, &hits));
+    ASSERT_DONE(masu_occluded(tracer.get(), rays.data(), rays.size(), &query, expected.occluded.data()));
+    EXPECT_EQ(tracer.nearest(rays).primitive, expected.primitive);
+    EXPECT_EQ(tracer.nearest(std::span(rays), {.coherent = true}).t, expected.t);
+    EXPECT_EQ(tracer.occluded(rays), expected.occluded);
+    Found found(rays.size());
+    tracer.nearest(rays.data(), rays.size(), found.hits());
+    tracer.occluded(rays.data(), rays.size(), found.occluded.data());
+    EXPECT_TRUE(found == expected);
+  };
+  const std::vector<masu_ray> rays = random_rays(engine, 1000);
+  std::vector<masu_ray64> doubles;
+  std::vector<std::array<float, 6>> six;
+  std::vector<std::array<double, 6>> six_doubles;
+  for (const masu_ray& ray : rays) {
+    const auto [x, y, z] = ray.origin;
+    const auto [dx, dy, dz] = ray.direction;
+    doubles.push_back({{x + 1e-9, y, z}, ray.tmin, {dx, dy, dz}, ray.tmax});
+    six.push_back({x, y, z, dx, dy, dz});
+    six_doubles.push_back({x, y, z, dx, dy, dz + 1e-9});
+  }
+  check(rays, MASU_RAYS_FLOAT32);
+  check(doubles, MASU_RAYS_FLOAT64);
+  check(six, MASU_RAYS_FLOAT32_6);
+  check(six_doubles, MASU_RAYS_FLOAT64_6);
+  EXPECT_GT(std::ranges::count_if(tracer.occluded(rays), [](int occluded) { return occluded != 0; }), 10);
+
+  struct Larger : masu_ray {
+    int more;
+  };
+  static_assert(!masu::Ray<Larger> && !masu::Ray<float> && !masu::RayRange<std::vector<double>>);
+  EXPECT_TRUE(tracer.nearest(std::vector<masu_ray>()).t.empty());
+  EXPECT_EQ(masu::Tracer::brute_force(file("scene")).nearest(rays).t, tracer.nearest(rays).t);
+  EXPECT_EQ(masu::Tracer(file("scene")).nearest(rays).t, tracer.nearest(rays).t);
+  try {
+    FAIL() << masu::Tracer(file("missing")).describe().triangles;
+  } catch (const masu::Exception& error) {
+    EXPECT_EQ(error.status, MASU_ERROR_INPUT);
+    EXPECT_NE(std::string(error.what()).find("missing"), std::string::npos);
+  }
 }
 
 TEST_F(Library, AnswersThreadsAtTheSameTime) {
@@ -351,6 +442,11 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   masu_tracer* tracer = nullptr;
   EXPECT_EQ(masu_open(nullptr, nullptr, MASU_CPU, &tracer), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_open(scene.c_str(), nullptr, MASU_CPU, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_open_brute_force(nullptr, nullptr, 0, &tracer), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_open_brute_force(scene.c_str(), nullptr, 0, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_open_brute_force(scene.c_str(), nullptr, 1, &tracer), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_open_brute_force(grid.c_str(), nullptr, 0, &tracer), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_open(grid.c_str(), nullptr, MASU_CPU, &tracer), MASU_ERROR_INPUT);
   EXPECT_EQ(masu_open(file("missing").c_str(), nullptr, MASU_CPU, &tracer), MASU_ERROR_INPUT);
   EXPECT_EQ(tracer, nullptr);
   EXPECT_NE(std::string(masu_error()).find("missing"), std::string::npos);

@@ -1,8 +1,14 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU.
+#include "libgrid/build/tbb_executor.h"
 #include "tests/device_like_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/same_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
 
 namespace masu {
 namespace {
@@ -91,6 +97,54 @@ TYPED_TEST(Executor, BuildTheSameOfNothing) {
     const GridOptions options{kind};
     expect_same(build_grid(scene.view(), layout, Overlap::exact, options),
                 on_host(merged_grid(executor, scene.view(), layout, Overlap::exact, options)).grid);
+  }
+}
+
+// Some keys twice, in any order; each one's value is its place in it.
+struct EmitKeys {
+  static constexpr std::uint64_t rows = 3; // an item
+  const std::vector<std::uint64_t>& keys;
+
+  std::uint64_t size(std::uint64_t) const { return rows; }
+  template <class Add>
+  void operator()(std::uint64_t i, std::uint64_t first_row, std::uint64_t end_row, const Add& add) const {
+    for (std::uint64_t k = rows * i + first_row; k < rows * i + std::min(end_row, rows); ++k)
+      add(keys[k], static_cast<std::uint32_t>(k));
+  }
+};
+
+// A division's keys have up to 49 bits: the voxels of 65535³, and the voxels that fill its last blocks.
+TEST(Executors, SortKeysOfAnyWidth) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  constexpr int widest = 49;
+  EXPECT_EQ(std::bit_width(StorageOrder({largest_division, largest_division, largest_division}, 3).size()),
+            widest);
+  for (int bits = 1; bits <= widest; ++bits) {
+    SCOPED_TRACE(bits);
+    const std::uint64_t end = std::uint64_t{1} << bits;
+    std::vector<std::uint64_t> keys{0, end - 1, end / 2};
+    while (keys.size() < 5000 * EmitKeys::rows)
+      keys.push_back(chance.one_in(4) ? keys[chance.index(keys.size())] : chance.engine()() % end);
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> expected;
+    for (std::uint32_t k = 0; k < keys.size(); ++k)
+      expected.emplace_back(keys[k], k);
+    std::sort(expected.begin(), expected.end());
+    const auto sort = [&](const auto& executor, std::uint64_t max_pairs) {
+      return executor.template emit_sorted<std::uint32_t>(keys.size() / EmitKeys::rows, bits, max_pairs,
+                                                          EmitKeys{keys});
+    };
+    const auto check = [&](const auto& executor) {
+      const auto sorted = sort(executor, keys.size());
+      ASSERT_TRUE(sorted.has_value());
+      ASSERT_EQ(sorted->keys.size(), keys.size());
+      for (std::size_t k = 0; k < keys.size(); ++k)
+        ASSERT_EQ(std::pair(sorted->keys[k], sorted->values[k]), expected[k]) << k;
+      EXPECT_FALSE(sort(executor, keys.size() - 1).has_value());
+    };
+    check(TbbExecutor());
+    check(DeviceLikeExecutor());
   }
 }
 

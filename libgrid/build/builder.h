@@ -41,9 +41,10 @@ template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cpu_builder(const SceneView<Stored>& scene,
                                                  std::function<void(double)> progress = {});
 
-// On the first CUDA device. Throws Error(device) where there is none, and when it fails.
+// On a CUDA device, which is the thread's current one until the builder is destroyed. Throws Error(device)
+// where there is none, and when it fails.
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene);
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device = 0);
 
 // On the CPU.
 template <class Stored>

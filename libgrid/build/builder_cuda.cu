@@ -32,20 +32,25 @@ struct DevicePrimitives {
   }
 };
 
-// Calls act() in a thread of its own, whose device is the first GPU whatever the caller's is, and which has
-// no errors of the caller's that CUB would take for its own.
+// Calls act() in a thread of its own, whose device is the GPU whatever the caller's is, and which has no
+// errors of the caller's that CUB would take for its own.
 template <class Act>
-auto on_first_gpu(const Act& act) {
-  return std::async(std::launch::async, act).get();
+auto on_gpu(int gpu, const Act& act) {
+  return std::async(std::launch::async,
+                    [&] {
+                      check(cudaSetDevice(gpu));
+                      return act();
+                    })
+      .get();
 }
 
 template <class Stored>
 class CudaBuilder final : public GridBuilder<Stored> {
 public:
-  explicit CudaBuilder(const SceneView<Stored>& scene) : host_(scene) {
+  CudaBuilder(const SceneView<Stored>& scene, int gpu) : host_(scene), gpu_(gpu) {
     std::string why;
     if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": build on the CPU");
-    on_first_gpu([&] {
+    on_gpu(gpu_, [&] {
       const Stopwatch watch;
       pool_ = std::make_unique<MemoryPool>();
       executor_ = std::make_unique<CudaExecutor>(*pool_);
@@ -56,7 +61,7 @@ public:
     });
   }
   ~CudaBuilder() override {
-    on_first_gpu([&] {
+    on_gpu(gpu_, [&] {
       device_.reset();
       static_cast<void>(cudaDeviceSynchronize());
       pool_.reset();
@@ -69,7 +74,7 @@ public:
 
   BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy) return {hierarchy_grid(host_, layout)}; // by the CPU
-    return on_first_gpu([&] {
+    return on_gpu(gpu_, [&] {
       if (options.kind == GridKind::uniform)
         return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
       return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
@@ -115,6 +120,7 @@ private:
   }
 
   SceneView<Stored> host_;
+  int gpu_;
   std::unique_ptr<MemoryPool> pool_;
   std::unique_ptr<DevicePrimitives<Stored>> device_;
   std::unique_ptr<CudaExecutor> executor_;
@@ -124,10 +130,10 @@ private:
 } // namespace
 
 template <class Stored>
-std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene) {
-  return std::make_unique<CudaBuilder<Stored>>(scene);
+std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device) {
+  return std::make_unique<CudaBuilder<Stored>>(scene, device);
 }
-template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&);
-template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&);
+template std::unique_ptr<GridBuilder<float>> cuda_builder(const SceneView<float>&, int);
+template std::unique_ptr<GridBuilder<double>> cuda_builder(const SceneView<double>&, int);
 
 } // namespace masu

@@ -11,8 +11,9 @@
 //   scan(values)                  values[i] becomes the sum of all before it
 //   value(values, i)              one value, for the host
 //   fetch_add(counter, by)        adds; returns what the counter was: all who add at once get different
-//   values has_warps                     whether its threads run in step, so that work is better sorted by
-//   its kind emit_sorted<Value>(count, bits, max_pairs, emit)
+//                                 values
+//   has_warps                     whether its threads run in step, so that work is better sorted by its kind
+//   emit_sorted<Value>(count, bits, max_pairs, emit)
 //                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),
 //                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1: sorted by key, of
 //                                 `bits` bits; equal keys as emitted. None for more than max_pairs.

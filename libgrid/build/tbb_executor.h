@@ -78,7 +78,8 @@ public:
   }
 
   // Pairs go into buckets by the key's highest bits while they are emitted, so that sorting a bucket stays in
-  // the cache; buckets and chunks of items don't depend on the number of threads.
+  // the cache; buckets and chunks of items don't depend on the number of threads. What a bucket leaves of a
+  // key fits in 32 bits: wider keys make more buckets.
   template <class Value, class Emit>
   std::optional<Sorted<TbbExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
                                                         std::uint64_t max_pairs, const Emit& emit) const {
@@ -92,7 +93,7 @@ public:
       std::vector<std::uint32_t> begin;
     };
     constexpr std::uint64_t items_a_chunk = 4096, all_rows = ~std::uint64_t{0};
-    const int bucket_bits = std::max(bits - 10, 12);
+    const int bucket_bits = std::clamp(bits - 10, 12, 32);
     const std::uint64_t buckets = (std::uint64_t{1} << std::max(bits - bucket_bits, 0)),
                         mask = (std::uint64_t{1} << bucket_bits) - 1;
     std::vector<Chunk> chunks((count + items_a_chunk - 1) / items_a_chunk);

@@ -40,7 +40,7 @@ class Description(NamedTuple):
     materials: int
     bounds_min: Vector  # of all primitives; min > max where there is none
     bounds_max: Vector
-    scene_bytes: int  # of the files; 0 for no grid
+    scene_bytes: int  # of the files, or as a file for a grid in memory; 0 for no grid
     grid_bytes: int
     is_float64: bool  # whether coordinates are stored, and rays traced, in float64
     device: str  # as Tracer.device
@@ -95,9 +95,11 @@ def _device_name(gpus: Iterable[int]) -> str:
 class Tracer:
     """A scene and its grid on a device, that answers queries until it is closed; also a context manager.
 
-    scene, grid: files; None for the grid tests every ray against every primitive. device: "cpu"; "cuda", the first GPU;
+    scene, grid: files. Without a grid one is built on the device, as build_grid(kind="fastest") does, and kept in memory:
+    that takes seconds for some million primitives, at every call, where a grid file takes them once. brute_force: instead
+    of that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
     "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory. The files
-    are checked and, on a GPU, uploaded here; they must not change until close(). Raises masu.Error.
+    are checked and, on a GPU, uploaded here. Raises masu.Error.
 
     **Rays** are an array (..., 6) of origin and direction, or (..., 8) of origin, tmin, direction, tmax: float32 or
     float64 (other real numbers are converted to float64). A ray's points are origin + t direction with tmin < t < tmax;
@@ -109,15 +111,27 @@ class Tracer:
     Others' arrays on a GPU (those with __dlpack__ or __cuda_array_interface__) are taken over by whichever of both
     libraries is there, and so are their results. A copy is made of rays that aren't contiguous.
 
+    **Late errors.** For rays on a GPU a query's masu.Error says that it couldn't be queued. A kernel that fails later is
+    reported by what next waits for the GPU (torch.cuda.synchronize(), Tensor.cpu(), CuPy's Stream.synchronize()), in that
+    library's exception, or by a later query as a masu.Error of Status.DEVICE. The process can then do nothing more on
+    that GPU.
+
     Threads may use a tracer at the same time. close() waits for them."""
 
-    def __init__(self, scene: Path, grid: Optional[Path] = None, device: Union[str, int, Any] = "cpu") -> None:
+    def __init__(self, scene: Path, grid: Optional[Path] = None, device: Union[str, int, Any] = "cpu", *,
+                 brute_force: bool = False) -> None:
+        if brute_force and grid is not None:
+            raise TypeError("brute_force uses no grid: leave one of both out")
         self._gpus = _gpu_numbers(device)
         self._idle = threading.Condition()
         self._calls = 0  # that use the handle now
         handle = c_void_p()
-        check(library.masu_open_devices(path_bytes(scene), None if grid is None else path_bytes(grid),
-                                        (c_int * len(self._gpus))(*self._gpus), len(self._gpus), byref(handle)))
+        gpus = (c_int * len(self._gpus))(*self._gpus), len(self._gpus)
+        if brute_force:
+            check(library.masu_open_brute_force(path_bytes(scene), *gpus, byref(handle)))
+        else:
+            check(library.masu_open_devices(path_bytes(scene), None if grid is None else path_bytes(grid), *gpus,
+                                            byref(handle)))
         self._handle: Optional[c_void_p] = handle
         self._finalizer = weakref.finalize(self, library.masu_close, handle)
         self._finalizer.atexit = False  # other threads may still be tracing; the process's end frees everything

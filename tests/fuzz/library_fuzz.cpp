@@ -73,7 +73,7 @@ void write_scene(Input& input) {
 void build_grid(Input& input) {
   masu_grid_options options;
   masu_default_grid_options(&options);
-  set(options.kind, input.take<std::uint8_t>() % 6);
+  set(options.kind, input.take<std::uint8_t>() % 8);
   static constexpr std::array divisions{"auto", "1", "3", "2x5x1", "cleary:1", "woo:1", "x", ""};
   options.division = divisions[input.take<std::uint8_t>() % divisions.size()];
   options.box_overlap = input.take<std::uint8_t>() % 2;
@@ -147,9 +147,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       tracer = nullptr;
       const auto files = input.take<std::uint8_t>();
       const std::string scene = file("scene", files), grid = file("grid", files / 2U);
-      if (masu_open(scene.c_str(), files % 8 < 4 ? grid.c_str() : nullptr, MASU_CPU, &tracer) != MASU_OK) {
-        if (tracer != nullptr || std::strlen(masu_error()) == 0) std::abort();
-      }
+      const masu_status status =
+          files % 8 == 7
+              ? masu_open_brute_force(scene.c_str(), nullptr, 0, &tracer)
+              : masu_open(scene.c_str(), files % 8 < 4 ? grid.c_str() : nullptr, MASU_CPU, &tracer);
+      if (status != MASU_OK && (tracer != nullptr || std::strlen(masu_error()) == 0)) std::abort();
       break;
     }
     case 4:
