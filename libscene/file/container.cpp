@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <memory>
+#include <new>
 
 static_assert(std::endian::native == std::endian::little,
               "the files' little-endian arrays are used in place");
@@ -197,16 +199,16 @@ SectionReader::SectionReader(const InputFile& file, std::uint64_t offset, const 
       hashes_((bytes_ + piece_bytes - 1) / piece_bytes) {}
 
 void SectionReader::read_piece(std::uint64_t i, std::size_t part_bytes, const Part& part) {
-  XXH3_state_t state;
-  XXH3_128bits_reset(&state);
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
+  if (state == nullptr || XXH3_128bits_reset(state.get()) != XXH_OK) throw std::bad_alloc();
   const std::uint64_t end = std::min((i + 1) * piece_bytes, bytes_);
   for (std::uint64_t offset = i * piece_bytes; offset < end; offset += part_bytes) {
     part(offset, std::min<std::uint64_t>(part_bytes, end - offset), [&](std::span<std::uint8_t> to) {
       file_->read(offset_ + offset, to);
-      XXH3_128bits_update(&state, to.data(), to.size());
+      XXH3_128bits_update(state.get(), to.data(), to.size());
     });
   }
-  const XXH128_hash_t hash = XXH3_128bits_digest(&state);
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
   hashes_[i] = {hash.low64, hash.high64};
 }
 
