@@ -81,7 +81,7 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
     const Vec3<Floats8> inverted{finite_inverse(d.x), finite_inverse(d.y), finite_inverse(d.z)};
     Floats8 passed = 0;
     Mask8 clips = alive;
-    do {
+    for (int i = 0; i < most_clips && clips.bits() != 0; ++i) {
       const Vec3<Floats8> t0 = (low - o) * inverted, t1 = (high - o) * inverted;
       const Floats8 near = max(max(0.0F, min(t0.x, t1.x)), max(min(t0.y, t1.y), min(t0.z, t1.z))),
                     leave = min(max(t0.x, t1.x), min(max(t0.y, t1.y), max(t0.z, t1.z)));
@@ -90,12 +90,12 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
       alive = without(alive, without(clips, crosses));
       clips = clips & crosses;
       o = select(clips, fma(d, enter, o), o);
-      const Mask8 again = clips & (passed == 0.0F) & (Floats8(256 * largest) < enter * largest_magnitude(d));
       passed = select(clips, passed + enter, passed);
       to = select(clips, to - enter, to);
       from = 0.0F;
-      clips = again;
-    } while (clips.bits() != 0);
+      clips = clips & (Floats8(256 * largest) < enter * largest_magnitude(d));
+    }
+    alive = without(alive, clips);
 
     origin.set(o);
     direction.set(d);

@@ -6,7 +6,6 @@
 #include "renderer/eight_rays.h"
 #endif
 
-#include "libgrid/build/hierarchy.h"
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
@@ -20,14 +19,6 @@ namespace masu {
 namespace {
 
 #ifdef MASU_HOST_AVX2
-
-Grid hierarchy_of(TestScene<float>& scene) {
-  const Boxd bounds = scene.bounds();
-  const GridLayout layout{space_of<float>(bounds, SpaceRule::tight),
-                          {1, 1, 1},
-                          is_empty(bounds) ? 0 : rounding_margin<float>(bounds)};
-  return hierarchy_grid(scene.view(), layout);
-}
 
 // As callers may store it: of any length, and sometimes not valid.
 Ray<float> any_ray(Chance& chance, Ray<float> ray) {

@@ -169,6 +169,13 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
     const std::vector<Ray<double>> eye =
         primary_rays(built.scene, request(built.scene, 64).camera, RayOrder::tiles);
     rays.insert(rays.end(), eye.begin(), eye.end());
+    for (std::size_t i = 0; i < 600; ++i) { // along the axes, from up to 1e15 away
+      const int axis = static_cast<int>(i % 3);
+      Vec3d from = fma(rays[i].direction, 0.5, rays[i].origin), along{};
+      from.set(axis, -std::pow(10.0, static_cast<double>(i) / 40));
+      along.set(axis, 1);
+      rays.push_back(unbounded_ray(from, along));
+    }
     for (const std::size_t count : {std::size_t{1}, std::size_t{33}, rays.size()}) {
       SCOPED_TRACE(count);
       for (const Query query : {Query::nearest_hit, Query::occlusion}) {

@@ -23,15 +23,6 @@
 namespace masu {
 namespace {
 
-template <class Stored>
-Grid hierarchy_of(TestScene<Stored>& scene) {
-  const Boxd bounds = scene.bounds();
-  const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight),
-                          {1, 1, 1},
-                          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
-  return hierarchy_grid(scene.view(), layout);
-}
-
 // A box in a node, as tracing sees it: exact, since a unit is no finer than the origin's last digit.
 Boxd box_of(const HierarchyNode& node, int slot) {
   Boxd box;

@@ -1,8 +1,9 @@
-// Random grids of every kind.
+// Random grids of every kind, and hierarchies.
 #pragma once
 
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
+#include "libgrid/build/hierarchy.h"
 #include "libgrid/file/grid_file.h"
 #include "tools/bench/stability/test_scene.h"
 
@@ -87,7 +88,16 @@ Grid random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bou
                           : random_merged_grid(chance, scene, bounds);
 }
 
-// Calls act(the grid's view).
+template <class Stored>
+Grid hierarchy_of(TestScene<Stored>& scene) {
+  const Boxd bounds = scene.bounds();
+  const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight),
+                          {1, 1, 1},
+                          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+  return hierarchy_grid(scene.view(), layout);
+}
+
+// Calls act(the grid's view); not of a hierarchy.
 template <class Real, class Act>
 void with_view(const Grid& grid, const Act& act) {
   grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));

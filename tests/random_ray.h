@@ -18,6 +18,7 @@ public:
       : chance_(chance), scene_(scene), bounds_(bounds), grid_(grid), finest_(finest_layout(grid)) {}
 
   Ray<Real> ray() {
+    if (chance_.one_in(16)) return very_far_ray();
     const Vec3<Real> target = point();
     Vec3<Real> origin = chance_.one_in(4) ? far_point(target) : point();
     // Perpendicular to one axis, or to two: share coordinates with the target.
@@ -35,6 +36,19 @@ public:
     return {origin, 0, direction,
             chance_.one_in(4) ? static_cast<Real>(size() * chance_.power_of_two(-6, 3))
                               : RealTraits<Real>::largest};
+  }
+
+  // From up to 1e30 (double: 1e90) times the scene's size away. Rounding moves such an origin by many sizes;
+  // along whole numbers the ray meets the scene nevertheless, where that is round zero, or the ray parallel
+  // to an axis.
+  Ray<Real> very_far_ray() {
+    const auto component = [&] { return static_cast<double>(chance_.whole(-2, 2)); };
+    Vec3d along{component(), component(), component()};
+    if (chance_.one_in(2)) along.set(chance_.whole(0, 2), 0);
+    if (largest_magnitude(along) == 0) along.set(chance_.whole(0, 2), chance_.sign());
+    const Vec3d from = cast<double>(point()) -
+                       along * (size() * chance_.power_of_two(0, sizeof(Real) == sizeof(float) ? 100 : 300));
+    return unbounded_ray(cast<Real>(from), scaled(cast<Real>(along)));
   }
 
 private:

@@ -42,10 +42,22 @@ MASU_HD inline bool departs(const Box<Real>& box, const Ray<Real>& ray, Real pad
                   fast_min(d.y > 0 ? below.y : above.y, d.z > 0 ? below.z : above.z)) < padding;
 }
 
+// Each clip leaves less than 2^-20 (float) or 2^-49 (double) of the way to the box. Origins and scenes differ
+// by at most 1e25 (1e195), for which 5 (14) are enough.
+inline constexpr int most_clips = 16;
+
 // `box`: a scene's padded bounds (margin.h). False when the ray misses the box or departs from the bounds.
-// Each coordinate of the new origin is rounded once: it is on the ray to an ulp of the box's coordinates.
-// Because `enter` is reduced by its rounding error, the origin may lie before the box. From very far away
-// that error is large, and a second clip from the first one's origin removes it.
+//
+// Because `enter` is reduced by its rounding error, the new origin may lie before the box. From far away that
+// error is large, and another clip from there removes it, until the way is at most 256 times the box's
+// largest coordinate. Were it longer, t would be too coarse to tell apart what the ray meets: hits would tie
+// that don't, and results depend on the grid. Each clip rounds each coordinate once. So the new origin is on
+// the ray to an ulp of the box's coordinates, as long as the first clip's error is no larger than the box: up
+// to 2^23 times (double: 2^52) its coordinates away. From farther away the ray is moved aside, unless it is
+// parallel to an axis.
+//
+// A ray that after all clips is still far away misses. It has a component so small that its inverse is
+// clamped.
 template <class Real>
 MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<Real>& clipped) {
   const Vec3<Real> d = ray.direction;
@@ -54,16 +66,16 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
   // The box's padding, less the rounding of the box itself.
   constexpr Real padding = (2 * margin_roundings - 16) * RealTraits<Real>::unit_roundoff;
   if (departs(box, ray, padding * largest)) return false;
-  for (bool again = true; again;) {
+  for (int clips = 0; clips < most_clips; ++clips) {
     Real enter;
     if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;
     clipped.ray.origin = fma(d, enter, clipped.ray.origin);
-    again = clipped.skipped == 0 && enter * largest_magnitude(d) > far;
     clipped.skipped += enter;
     clipped.ray.t_max -= enter;
     clipped.ray.t_min = 0;
+    if (!(enter * largest_magnitude(d) > far)) return true;
   }
-  return true;
+  return false;
 }
 
 } // namespace masu
