@@ -102,9 +102,10 @@ Json view_json(const Viewer& viewer, const ExportSettings& settings, const Camer
               {"up", vector_json(camera.up)},
               {"angle", camera.angle}}},
             {"channels", channels_json(viewer, request)}};
+  const Ray<double> ray = viewer.camera_ray(camera, settings.width / 2, settings.height / 2);
   for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
     json["counts"].push_back(viewer.counts(request, is_gone));
-    json["walks"].push_back(viewer.walk(request, settings.width / 2, settings.height / 2, false, is_gone));
+    json["walks"].push_back(viewer.walk({request.grid, ray.origin, ray.direction}, is_gone));
   }
   return json;
 }
