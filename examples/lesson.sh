@@ -55,7 +55,7 @@ columns() { # names, grid…
     gridstat "$grid" --csv | awk -F, -v grid="$grid" -v names="$names" '
       NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
       { n = split(names, name, " "); line = sprintf("%-16s", grid)
-        for (i = 1; i <= n; ++i) line = line sprintf(" %14.5g", $at[name[i]])
+        for (i = 1; i <= n; ++i) line = line sprintf(($at[name[i]] ~ /^[0-9]+$/ ? " %14d" : " %14.5g"), $at[name[i]])
         print line }'
   done
 }

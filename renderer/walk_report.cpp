@@ -46,6 +46,9 @@ Boxd box_of(const Grid& grid, const VoxelBox& voxels) {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
+// Thrown where no other ray is to be traced.
+struct EndedEarly {};
+
 // Counts that write down what they are shown (trace.h). The calls come in the order of
 // renderer/render_pixel.h: spawned rays wait in a stack, here as there.
 template <class Real>
@@ -54,11 +57,14 @@ public:
   static constexpr bool records_walk = true;
 
   // `scale`: what the traced t are to be multiplied by (scale_direction in ray_query.h).
-  RecordedWalk(WalkReport& report, Real scale) : report_(report), scale_(scale) {}
+  RecordedWalk(WalkReport& report, const WalkRequest& request, Real scale)
+      : report_(report), request_(request), scale_(scale) {}
 
   // --- Rays
 
   void begun(Query query, const Ray<Real>& ray, bool meets_bounds, const ClippedRay<Real>& near) {
+    show_progress();
+    if (counted_ > request_.limits.counted) throw EndedEarly();
     WalkRay next;
     if (query == Query::occlusion) {
       next.kind = RayKind::shadow;
@@ -85,7 +91,19 @@ public:
       all.exit = never;
       next.steps.push_back(std::move(all));
     }
-    report_.rays.push_back(std::move(next));
+    const bool is_recorded =
+        report_.rays.empty() ||
+        (report_.more_rays == 0 && report_.rays.size() < request_.limits.rays && takes_room(sizeof(WalkRay)));
+    if (is_recorded) {
+      ray_ = &report_.rays.emplace_back(std::move(next));
+      step_ = ray_->steps.empty() ? nullptr : &ray_->steps.back();
+    } else {
+      not_recorded_ = std::move(next);
+      ray_ = &not_recorded_;
+      step_ = nullptr;
+      ++report_.more_rays;
+      ++counted_;
+    }
   }
   void camera_ray(bool) {}
   void secondary_ray(bool) {}
@@ -95,41 +113,63 @@ public:
 
   // --- Cells
 
-  void cell(bool) { ++ray().cells; }
+  void cell(bool) { ++ray_->cells; }
   template <class Grid>
   void entered(const Grid& grid, const Walk<Real, Grid>& walk) {
+    show_progress();
+    step_ = nullptr;
+    // A step has all its tests, and no steps are left out before it.
+    const bool is_next = is_recorded() && ray_->steps.size() + 1 == ray_->cells;
+    const std::uint32_t references = is_next ? references_of(grid.references, walk.cell.list) : 0;
+    if (!is_next || !takes_room(sizeof(WalkStep) + references * sizeof(WalkTest))) {
+      ++counted_;
+      return;
+    }
     WalkStep step;
     step.voxels = cell_voxels(grid, walk.voxel());
     step.box = box_of(grid, step.voxels);
     step.enter = from_origin(exit_);
     step.exit = from_origin(walk.exit);
-    step.references = references_of(grid.references, walk.cell.list);
-    ray().steps.push_back(std::move(step));
+    step.references = references;
+    ray_->steps.push_back(std::move(step));
+    step_ = &ray_->steps.back();
   }
   template <class Grid>
   void left(const Walk<Real, Grid>& walk, bool done) {
     exit_ = walk.exit;
-    if (done) ray().end = ray().primitive != no_primitive ? WalkEnd::hit : WalkEnd::t_max;
+    if (done) ray_->end = ray_->primitive != no_primitive ? WalkEnd::hit : WalkEnd::t_max;
   }
   void skipped(std::int32_t) {}
 
   // --- Tests
 
-  void triangle_test() { ++ray().tests; }
-  void sphere_test() { ++ray().tests; }
-  void cone_test() { ++ray().tests; }
+  void triangle_test() { ++ray_->tests; }
+  void sphere_test() { ++ray_->tests; }
+  void cone_test() { ++ray_->tests; }
   void tested(PrimitiveIndex primitive, Real t) {
-    ray().steps.back().tests.push_back({primitive, from_origin(t), false});
+    show_progress();
+    test_ = {primitive, from_origin(t), false};
+    if (step_ != nullptr)
+      step_->tests.push_back(test_);
+    else
+      ++counted_;
   }
   void kept() {
-    WalkTest& test = ray().steps.back().tests.back();
-    test.kept = true;
-    ray().t = static_cast<float>(test.t);
-    ray().primitive = test.primitive;
+    if (step_ != nullptr) step_->tests.back().kept = true;
+    ray_->t = static_cast<float>(test_.t);
+    ray_->primitive = test_.primitive;
   }
 
 private:
-  WalkRay& ray() { return report_.rays.back(); }
+  bool is_recorded() const { return ray_ != &not_recorded_; }
+  bool takes_room(std::size_t bytes) {
+    if (bytes > request_.limits.bytes - bytes_) return false;
+    bytes_ += bytes;
+    return true;
+  }
+  void show_progress() {
+    if ((++events_ & 1023) == 0 && request_.progress) request_.progress();
+  }
   // As a query reports it.
   double from_origin(Real t) const {
     return t < RealTraits<Real>::largest ? static_cast<double>((t + skipped_t_) * scale_) : never;
@@ -140,28 +180,44 @@ private:
     std::int32_t parent;
   };
   WalkReport& report_;
+  const WalkRequest& request_;
   Real scale_;
   std::vector<Spawned> pending_{};
-  std::int32_t followed_ = -1;    // the last ray that isn't a shadow ray
-  Real skipped_t_ = 0, exit_ = 0; // of the ray that is traced now
+  std::int32_t followed_ = -1; // the last ray that isn't a shadow ray
+  // Of the ray that is traced now.
+  WalkRay* ray_ = nullptr;   // one of the report's, or not_recorded_
+  WalkStep* step_ = nullptr; // null where its tests are only counted
+  WalkTest test_{};
+  Real skipped_t_ = 0, exit_ = 0;
+  WalkRay not_recorded_{};
+  std::size_t bytes_ = 0;     // of WalkLimits
+  std::uint64_t counted_ = 0; // of WalkLimits
+  std::uint64_t events_ = 0;
 };
 
 template <class M, class Stored, class Grid>
 void record(const SceneView<Stored>& scene, const Grid& grid, const WalkRequest& request,
             WalkReport& report) {
   using Real = typename M::Real;
-  Ray<Real> ray = loaded<Real>(&request.ray, own_format<double>, 0);
+  Ray<double> given = request.ray;
+  if (request.all_rays && std::abs(length(given.direction) - 1) > 1e-6)
+    given.direction = normalized(given.direction);
+  Ray<Real> ray = loaded<Real>(&given, own_format<double>, 0);
   if (!is_valid(ray))
     throw Error(ErrorCode::usage, "walk",
                 "the ray isn't valid: its numbers aren't finite or too large, or its direction is too small");
   if (request.all_rays) {
     ray = unbounded_ray(ray.origin, ray.direction);
-    RecordedWalk<Real> walk(report, 1);
+    RecordedWalk<Real> walk(report, request, 1);
     HitRecord hit{};
-    report.radiance = radiance<M>(scene, grid, request.rules, ray, hit, walk);
+    try {
+      report.radiance = radiance<M>(scene, grid, request.rules, ray, hit, walk);
+    } catch (const EndedEarly&) {
+      report.ended_early = true;
+    }
   } else {
     Ray<Real> scaled = ray;
-    RecordedWalk<Real> walk(report, scale_direction(scaled));
+    RecordedWalk<Real> walk(report, request, scale_direction(scaled));
     static_cast<void>(trace_listed<Query::nearest_hit, M>(scene, grid, ray, walk));
     WalkRay& first = report.rays.front();
     first.origin = cast<double>(ray.origin);

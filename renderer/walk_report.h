@@ -7,6 +7,9 @@
 #include "renderer/tracer.h"
 
 #include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -45,8 +48,8 @@ struct WalkRay {
   RayKind kind = RayKind::camera;
   std::int32_t parent = -1; // the ray that spawned it: its index in WalkReport::rays
   Vec3d origin{}, direction{};
-  double t_min = 0, t_max = 0; // t_max may be infinity
-  std::vector<WalkStep> steps{};
+  double t_min = 0, t_max = 0;   // t_max may be infinity
+  std::vector<WalkStep> steps{}; // the first of `cells`; all, unless the limits leave no room
   WalkEnd end = WalkEnd::missed;
   // What is hit, the bits that a query reports; infinity and no_primitive for nothing. Of a shadow ray the
   // hit by which it is occluded.
@@ -61,16 +64,31 @@ struct WalkReport {
   Vec3i division{};            // in the grid's smallest voxels
   Boxd space{};                // that is divided; without a grid the scene's bounds
   std::vector<WalkRay> rays{}; // in the order in which they were traced, the camera's first
-  Vec3f radiance{};            // that comes back along the first ray, where all rays are recorded
+  Vec3f radiance{};            // that comes back along the first ray, where all rays are traced
+  // Rays that were traced but aren't in `rays`, for which WalkLimits leave no room.
+  std::uint64_t more_rays = 0;
+  bool ended_early = false; // there are still more, which weren't traced
+};
+
+// With all rays, a walk may double with each depth (nested glass). What the limits leave no room for is
+// traced and counted, but not recorded.
+struct WalkLimits {
+  std::size_t rays = std::numeric_limits<std::size_t>::max();
+  std::size_t bytes =
+      std::numeric_limits<std::size_t>::max(); // of rays, of steps through a grid and their tests
+  // Rays, cells and tests that are only counted. Beyond, the next ray isn't traced any more.
+  std::uint64_t counted = std::numeric_limits<std::uint64_t>::max();
 };
 
 struct WalkRequest {
   TracingRules tracing{};
   Ray<double> ray{};
-  // Also the shadow rays and the rays that are spawned, as a picture has them. The ray's direction then has
-  // length 1; its t_min and t_max are ignored.
+  // Also the shadow rays and the rays that are spawned, as a picture has them. The ray's direction is then
+  // brought to length 1, unless it has that but for rounding; its t_min and t_max are ignored.
   bool all_rays = false;
   RenderRules rules{5, false, HitName::primitive};
+  WalkLimits limits{};
+  std::function<void()> progress{}; // called now and then; what it throws ends the walk
 };
 
 // Throws Error(usage) as Tracer::render() does, and for a ray that isn't valid (ray_query.h).

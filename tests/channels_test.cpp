@@ -308,6 +308,113 @@ TEST(Walk, OfAGivenRayHasTheHitOfAList) {
   });
 }
 
+bool same(const WalkStep& a, const WalkStep& b) {
+  return a.voxels.first == b.voxels.first && a.enter == b.enter && a.exit == b.exit &&
+         std::ranges::equal(a.tests, b.tests, [](const WalkTest& one, const WalkTest& other) {
+           return one.primitive == other.primitive && one.t == other.t && one.kept == other.kept;
+         });
+}
+
+std::size_t recorded_bytes(const WalkReport& report) {
+  std::size_t bytes = report.rays.size() * sizeof(WalkRay);
+  for (const WalkRay& ray : report.rays) {
+    for (const WalkStep& step : ray.steps)
+      bytes += sizeof(WalkStep) + step.tests.size() * sizeof(WalkTest);
+  }
+  return bytes;
+}
+
+// A walk of all rays of a random pixel.
+WalkRequest random_walk(const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+  const RayWindow all = all_rays(request.camera, request.sampling);
+  const auto column = static_cast<std::int32_t>(chance.between(0, all.columns)),
+             row = static_cast<std::int32_t>(chance.between(0, all.rows));
+  return {request.tracing, camera_ray_of(tracer, request, column, row), true, request.rules};
+}
+
+TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
+  std::size_t more = 0, cut = 0, ended = 0;
+  for_random_pictures(40, [&](const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+    WalkRequest walk = random_walk(tracer, request, chance);
+    const WalkReport all = trace_walk(tracer, walk);
+    EXPECT_EQ(all.more_rays, 0U);
+    EXPECT_FALSE(all.ended_early);
+    for (int k = 0; k < 6; ++k) {
+      walk.limits = {};
+      if (k % 2 == 0) walk.limits.rays = static_cast<std::size_t>(chance.between(0, 8));
+      if (k % 3 == 0) walk.limits.bytes = static_cast<std::size_t>(chance.between(0, 8000));
+      if (k == 5) walk.limits = {1, 0, static_cast<std::uint64_t>(chance.between(0, 50))};
+      const WalkReport part = trace_walk(tracer, walk);
+      EXPECT_LE(part.rays.size(), std::max<std::size_t>(walk.limits.rays, 1));
+      if (part.has_grid) { // the first ray is there always
+        EXPECT_LE(recorded_bytes(part) - sizeof(WalkRay), walk.limits.bytes);
+      }
+      if (part.ended_early) {
+        EXPECT_LT(part.rays.size() + part.more_rays, all.rays.size());
+      } else {
+        EXPECT_EQ(part.rays.size() + part.more_rays, all.rays.size());
+        EXPECT_EQ(part.radiance, all.radiance);
+      }
+      for (std::size_t i = 0; i < part.rays.size(); ++i) {
+        const WalkRay &ray = part.rays[i], &whole = all.rays[i];
+        EXPECT_EQ(ray.kind, whole.kind);
+        EXPECT_EQ(ray.parent, whole.parent);
+        EXPECT_EQ(ray.cells, whole.cells);
+        EXPECT_EQ(ray.tests, whole.tests);
+        EXPECT_EQ(ray.t, whole.t);
+        EXPECT_EQ(ray.primitive, whole.primitive);
+        EXPECT_EQ(ray.end, whole.end);
+        ASSERT_LE(ray.steps.size(), whole.steps.size());
+        EXPECT_TRUE(std::equal(ray.steps.begin(), ray.steps.end(), whole.steps.begin(), same));
+        cut += ray.steps.size() < whole.steps.size();
+      }
+      more += part.more_rays > 0;
+      ended += part.ended_early;
+    }
+  });
+  EXPECT_GT(more, 20U);
+  EXPECT_GT(cut, 20U);
+  EXPECT_GT(ended, 3U);
+}
+
+TEST(Walk, EndsWhereItsProgressThrows) {
+  struct Stop {};
+  // Rays spawn two, in spheres of glass in each other, to depth 32.
+  Scene scene = empty_scene({0, -4, 0.3}, {0, 0, 0});
+  for (int i = 0; i < 10; ++i)
+    add_sphere(scene, {0, 0, 0}, 1 - 0.08 * i, glass(1.5F));
+  for (Material& material : scene.materials)
+    material.specular = 0.5F;
+  const Rendering rendering(scene, Store::float32);
+  int calls = 0;
+  WalkRequest walk;
+  walk.ray = unbounded_ray<double>({0, -4, 0.3}, {0, 1, -0.07});
+  walk.all_rays = true;
+  walk.rules.depth = largest_depth;
+  walk.limits.rays = 100;
+  walk.progress = [&] {
+    if (++calls == 5) throw Stop();
+  };
+  EXPECT_THROW(trace_walk(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), walk), Stop);
+  EXPECT_EQ(calls, 5);
+}
+
+TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
+  for_random_pictures(20, [](const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+    WalkRequest walk = random_walk(tracer, request, chance);
+    const WalkReport first = trace_walk(tracer, walk);
+    for (const double length : {1.0, std::exp2(chance.between(-30, 30))}) {
+      walk.ray = unbounded_ray(first.rays[0].origin, first.rays[0].direction * length);
+      const WalkReport again = trace_walk(tracer, walk);
+      EXPECT_NEAR(masu::length(again.rays[0].direction), 1, 1e-6);
+      if (length != 1) continue;
+      EXPECT_EQ(again.rays[0].direction, first.rays[0].direction);
+      EXPECT_EQ(again.rays.size(), first.rays.size());
+      EXPECT_EQ(again.radiance, first.radiance);
+    }
+  });
+}
+
 TEST(Walk, RefusesRaysThatAreNotThere) {
   for_random_pictures(1, [](const Tracer& tracer, const FrameRequest& request, SceneChance&) {
     const RayWindow all = all_rays(request.camera, request.sampling);

@@ -37,6 +37,16 @@ class Tools:
         self.run("gridbuild", f"{name}.scene", "-o", f"{name}_uniform.grid", "--merge", "none")
         return [f"{name}.scene", f"{name}.grid", f"{name}_uniform.grid"]
 
+    def make_nested_glass(self):
+        """[scene, grid] of 30 spheres of glass in each other: the rays of a pixel double with each depth or two."""
+        spheres = "\n".join(f"s 0 0 0 {1 - i * 0.03:.2f}" for i in range(30))
+        (self.folder / "glass.nff").write_text(
+            "v\nfrom 0 -4 0.3\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.01\nresolution 64 64\nb 0.2 0.3 0.4\n"
+            f"l 5 -5 5\nl -5 -5 5\nf 1 1 1 0.1 0.4 10 0.6 1.5\n{spheres}\n")
+        self.run("nff2bin", "glass.nff", "-o", "glass.scene")
+        self.run("gridbuild", "glass.scene", "-o", "glass.grid")
+        return ["glass.scene", "glass.grid"]
+
 
 class Gridview:
     """A gridview that is serving; ends with the block."""
@@ -73,8 +83,13 @@ class Gridview:
 
     def memory(self):
         """Resident bytes."""
-        text = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
-        return 1024 * int(re.search(r"VmRSS:\s+(\d+)", text)[1])
+        return self.kilobytes("VmRSS") * 1024
+
+    def peak_memory(self):
+        return self.kilobytes("VmHWM") * 1024
+
+    def kilobytes(self, name):
+        return int(re.search(rf"{name}:\s+(\d+)", pathlib.Path(f"/proc/{self.process.pid}/status").read_text())[1])
 
     def threads(self):
         return len(os.listdir(f"/proc/{self.process.pid}/task"))
@@ -85,6 +100,11 @@ class Gridview:
     def cpu_seconds(self):
         fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def is_idle(self):
+        spent = self.cpu_seconds()
+        time.sleep(0.5)
+        return self.cpu_seconds() - spent < 0.1
 
 
 def wait_until(condition, what, seconds=60):

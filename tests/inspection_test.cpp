@@ -235,6 +235,24 @@ TEST_F(Inspection, RaysThatAreNotThereAreRefused) {
   EXPECT_TRUE(refused(1, {"--walk", "1,1", "-o", "-"}, "-o", "standard output"));
 }
 
+// All of a walk is printed, or nothing.
+TEST_F(Inspection, AWalkOfTooManyRaysIsRefused) {
+  std::string text = "v\nfrom 0 -4 0.3\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.01\nresolution 64 64\n"
+                     "f 1 1 1 0 0.5 9 0.5 1.5\n";
+  for (int i = 0; i < 30; ++i)
+    text += fmt::format("s 0 0 0 {}\n", 1 - 0.03 * i);
+  const std::string glass = scene("glass", nff("glass.nff", text));
+  const auto walk = [&, glass_grid = grid("glass.grid", glass)](const char* depth) {
+    return run("gridrender",
+               {glass, glass_grid, "--walk", "32,32", "--all-rays", "--depth", depth, "--json"});
+  };
+  const ToolResult some = walk("8"), too_many = walk("32");
+  ASSERT_EQ(some.code, 0);
+  EXPECT_GT(nlohmann::json::parse(some.out)["rays"].size(), 20U);
+  EXPECT_TRUE(failed(too_many, 1, "gridrender", "--all-rays", "smaller --depth"));
+  EXPECT_EQ(too_many.out, "");
+}
+
 // --- Differences ------------------------------------------------------------------------------------------
 
 TEST_F(Inspection, DifferencesAreMeasuredAndDrawn) {

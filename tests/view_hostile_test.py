@@ -7,6 +7,7 @@ import json
 import os
 import pathlib
 import random
+import select
 import signal
 import socket
 import sys
@@ -179,9 +180,19 @@ class Hostile(unittest.TestCase):
         self.assertEqual(status_of(self.server, "/api/picture?" + query({**good, "width": "8192", "height": "8192"})), 400)
         self.assertEqual(status_of(self.server, "/api/picture?" + query(good) + "&grid=1"), 400, "given twice")
         for path in ["/api/slice?grid=0&axis=3&share=0.5", "/api/slice?grid=0&axis=0&share=1.5", "/api/slice?grid=0&axis=0&share=nan",
-                     "/api/statistics?grid=2", "/api/statistics", "/api/scene?x=1", "/?x=1", "/api/walk?" + query(good),
-                     "/api/walk?" + query(good) + "&x=16&y=0&all=0", "/api/walk?" + query(good) + "&x=0&y=0&all=2"]:
+                     "/api/statistics?grid=2", "/api/statistics", "/api/scene?x=1", "/?x=1"]:
             self.assertEqual(status_of(self.server, path), 400, path)
+        picked = {name: good[name] for name in ("from", "at", "up", "angle", "width", "height")} | dict(x="15", y="0")
+        ray = dict(grid="0", origin="2,1,1", direction="-2,-1,-1", depth="5", all="0")
+        for path, good, bad in [("/api/ray?", picked, dict(x=["16", "-1", "0.5", ""], y=["16"], width=["15"], up=["0,0,0"], grid=["0"])),
+                                ("/api/walk?", ray, dict(grid=["2"], origin=["0,0", "nan,0,0", "1e300,0,0"], depth=["0", "33"], all=["2", ""], x=["0"],
+                                                         direction=["0,0,0", "0,0,inf", "1e-300,0,0", "1e30,0,0"]))]:
+            self.assertEqual(status_of(self.server, path + query(good)), 200, path)
+            for name in good:
+                self.assertEqual(status_of(self.server, path + query({k: v for k, v in good.items() if k != name})), 400, name)
+            for name, values in bad.items():
+                for value in values:
+                    self.assertEqual(status_of(self.server, path + query({**good, name: value})), 400, (name, value))
 
     def test_slow_clients_give_way(self):
         before, threads, files = self.server.memory(), self.server.threads(), self.server.files()
@@ -250,14 +261,32 @@ class Hostile(unittest.TestCase):
             connection.sendall(request)
             connection.close()
         self.assert_serves()
-
-        def is_idle():
-            spent = self.server.cpu_seconds()
-            time.sleep(0.5)
-            return self.server.cpu_seconds() - spent < 0.1
-
-        wait_until(is_idle, "pictures that nobody wants are given up")
+        wait_until(lambda: self.server.is_idle(), "pictures that nobody wants are given up")
         self.assert_bounded(before, 600e6)
+
+    def test_walks_of_rays_that_double_are_bounded_and_hold_up_nothing_else(self):
+        walk = "/api/walk?grid=0&origin=0,-4,0.3&direction=0.01,0.99,-0.05&depth=32&all=1"
+        with Gridview(tools, *tools.make_nested_glass(), "-q") as server:
+            before = server.memory()
+            made = json.loads(server.get(walk))
+            self.assertEqual(len(made["rays"]), 1000)
+            self.assertGreater(made["more_rays"], 1000)
+            self.assertTrue(made["ended_early"])
+            few = json.loads(server.get(walk.replace("depth=32", "depth=8")))
+            self.assertEqual([few["more_rays"], few["ended_early"]], [0, False])
+            self.assertEqual(few["rays"][0]["hit"], made["rays"][0]["hit"])
+            # Pictures, slices and figures are answered while walks are made.
+            walkers = [connect(server) for _ in range(12)]
+            for walker in walkers:
+                walker.sendall(f"GET {walk} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
+            for path in [SMALL, "/api/slice?grid=0&axis=0&share=0.5", "/api/statistics?grid=0", "/", SMALL.replace("picture", "counts")]:
+                server.get(path)
+            self.assertLess(len(select.select(walkers, [], [], 0)[0]), len(walkers), "all walks came first")
+            for walker in walkers:
+                walker.close()
+            server.get(SMALL)
+            wait_until(lambda: server.is_idle(), "walks that nobody wants are given up")
+            self.assertLess(server.peak_memory() - before, 200e6)
 
     def test_clients_that_do_not_read_do_not_block(self):
         request = f"GET {PICTURE.format(700, 700)} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode()

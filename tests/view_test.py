@@ -39,7 +39,8 @@ def open_browser():
     options = Options()
     options.binary_location = CHROMIUM
     # Containers have little shared memory; Chromium's sandbox doesn't run as root.
-    for argument in ["--headless=new", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run"]:
+    for argument in ["--headless=new", "--disable-gpu", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run",
+                     "--disable-quic", "--disable-background-networking", "--disable-component-update", "--disable-sync"]:
         options.add_argument(argument)
     if os.geteuid() == 0:
         options.add_argument("--no-sandbox")
@@ -48,12 +49,12 @@ def open_browser():
 
 
 def read_pfm(path):
-    """Rows from the top of (r, g, b)."""
+    """Rows from the top of (r, g, b), or of numbers."""
     data = path.read_bytes()
-    match = re.match(rb"PF\n(\d+) (\d+)\n-1.0\n", data)
-    width, height = int(match[1]), int(match[2])
-    values = struct.unpack(f"<{3 * width * height}f", data[match.end():])
-    rows = [values[3 * width * y:3 * width * (y + 1)] for y in range(height)]
+    match = re.match(rb"P([Ff])\n(\d+) (\d+)\n-1.0\n", data)
+    width, height, numbers = int(match[2]), int(match[3]), 3 if match[1] == b"F" else 1
+    values = struct.unpack(f"<{numbers * width * height}f", data[match.end():])
+    rows = [values[numbers * width * y:numbers * width * (y + 1)] for y in range(height)]
     return width, height, rows[::-1]
 
 
@@ -177,6 +178,57 @@ class Page(unittest.TestCase):
         self.wait_sharp()
         wait_until(lambda: "from=" in self.js("return location.hash"), "the address holds the view")
 
+    # --- What walks' tests do ---
+
+    def pick(self, x, y, pane=0):
+        """A click so many pixels from the middle of a picture."""
+        stage = self.browser.find_elements(By.CSS_SELECTOR, ".stage")[pane]
+        self.js("walkPanel.clear()")
+        ActionChains(self.browser).move_to_element_with_offset(stage, x, y).click().perform()
+        self.wait_walk()
+
+    def wait_walk(self):
+        wait_until(lambda: self.js("return walkPanel.drawn === state.panes.map((pane) => pane.grid).join() && "
+                                   "panes.every((pane) => !pane.walkCounts.hidden)"), "the ray's walk through each grid")
+
+    def walk(self):
+        """What the page shows of the ray in each picture: [{grid, counts, table, boxes}]; boxes as they are drawn."""
+        return self.js("""
+          const drawn = new Map(), old = Overlay.prototype.boxes;
+          Overlay.prototype.boxes = function(boxes, ...rest) { drawn.set(this, [...drawn.get(this) || [], boxes]); old.call(this, boxes, ...rest); };
+          drawOverlays();
+          Overlay.prototype.boxes = old;
+          const rows = [...document.querySelectorAll('#walk > table tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent));
+          return panes.map((pane, i) => ({grid: state.scene.grids[pane.settings.grid].path, counts: pane.walkCounts.textContent,
+            table: rows.map((row) => row[i + 1]), boxes: (drawn.get(pane.overlay) || [])[0] || null}));""")
+
+    def listed(self):
+        """The rows of the walk that is listed: [[cell, voxels, t in, t out, tests]]."""
+        return self.js("return [...document.querySelectorAll('.walk-steps tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
+
+    def printed(self, grid, index=0, scene_path=None):
+        """The page's ray as gridrender walks it through a grid."""
+        ray = self.js("return walkPanel.ray")
+        numbers = ",".join(map(repr, ray["origin"] + ray["direction"]))
+        more = ["--all-rays", "--depth", ray["depth"]] if ray["all"] else []
+        return json.loads(tools.run("gridrender", scene_path or scene[0], grid, f"--walk-ray={numbers}", *more, "--json", "-q"))["rays"][index]
+
+    def assert_shows(self, printed, shown, cells_drawn):
+        """The counts of a picture, and the boxes of cells drawn in it, are those of a walk that gridrender printed."""
+        text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
+        self.assertEqual(shown["counts"], f"{text(printed['cells'], 'cell')}, {text(printed['tests'], 'test')}")
+        self.assertEqual(shown["table"], [str(printed["cells"]), str(printed["tests"])])
+        if cells_drawn:
+            self.assertEqual(shown["boxes"], [step["box"] for step in printed["steps"]])
+
+    def assert_lists(self, printed):
+        voxels = lambda box: " ".join(str(a) if a == b - 1 else f"{a}–{b - 1}" for a, b in zip(box["first"], box["end"]))
+        hit = lambda step: " hit" if any(test["kept"] for test in step["tests"]) else ""
+        self.assertEqual([[row[0], row[1], row[4]] for row in self.listed()],
+                         [[str(i), voxels(step["voxels"]), f"{len(step['tests'])}{hit(step)}"] for i, step in enumerate(printed["steps"])])
+
+    # --- Tests ---
+
     def test_an_address_opens_the_same_view(self):
         self.js("setCamera(Camera.orbited(state.camera, 0.5, 0.1)); panes[0].set({channel: 'depth', cells: 'slice'}); toggleCompare()")
         self.wait_sharp()
@@ -184,20 +236,15 @@ class Page(unittest.TestCase):
         self.show(fragment=fragment)
         self.assertEqual(self.camera(), camera)
         self.assertEqual(self.js("return state.panes"), [dict(grid=0, channel="depth", cells="slice"), dict(grid=1, channel="depth", cells="slice")])
-        for damaged in ["#from=1,2&at=x&angle=999&grid=none&channel=none&slice=q,7&pixel=9,9&depth=-1", "#from=0,0,0&at=0,0,0", "#" + "a" * 5000]:
+        for damaged in ["#from=1,2&at=x&angle=999&grid=none&channel=none&slice=q,7&ray=1,2,3,0,0,0&walk=9,-1&depth=-1", "#ray=1,2,3,4,5,nan", "#ray=,,,,,", "#from=0,0,0&at=0,0,0", "#" + "a" * 5000]:
             self.show(fragment=damaged)  # the scene's own camera, for what makes no sense
             self.assertEqual(self.camera()["angle"], 45)
 
     def test_a_picked_pixels_walk_is_that_of_gridrender(self):
-        stage = self.find(".stage")
         for dx, dy in [(0, 0), (-60, 40), (150, -120)]:
-            ActionChains(self.browser).move_to_element_with_offset(stage, dx, dy).click().perform()
-            wait_until(lambda: self.js("return walkPanel.walk && !walking.signal.aborted"), "a walk")
-            time.sleep(0.3)
+            self.pick(dx, dy)
             pixel, walk = self.js("return [walkPanel.pixel, walkPanel.walk]")
-            self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".walk-steps tbody tr")), len(walk["rays"][0]["steps"]))
-            if "--walk " not in tools.run("gridrender", "--help"):
-                continue
+            self.assertEqual(len(self.listed()), len(walk["rays"][0]["steps"]))
             command = [word for word in shlex.split(self.js("return command()")) if word not in ("-o", "picture.png")]
             printed = json.loads(tools.run(*command, "--sampling", "centers", "--walk", f"{pixel['x']},{pixel['y']}", "--json"))
             self.assertEqual(printed["rays"], walk["rays"])
@@ -206,6 +253,145 @@ class Page(unittest.TestCase):
         self.js("walkPanel.select(0)")
         self.find(".walk-steps tbody tr:last-child").click()
         self.assertEqual(self.js("return walkPanel.step"), steps - 1)
+
+    def test_the_same_ray_is_walked_through_each_grid_in_its_own_picture(self):
+        self.show(1280, 640)
+        self.js("toggleCompare(); for (const pane of panes) pane.set({cells: 'ray'})")
+        self.wait_sharp()
+        for pane, x, y in [(0, 0, 0), (1, -30, 60), (0, 60, -90)]:
+            self.pick(x, y, pane)
+            shown, printed = self.walk(), [self.printed(grid) for grid in scene[1:]]
+            self.assertNotEqual(printed[0]["cells"], printed[1]["cells"])
+            for i in range(2):
+                self.assertEqual(shown[i]["grid"], scene[1 + i])
+                self.assert_shows(printed[i], shown[i], True)
+            self.assert_lists(printed[pane])
+            self.js("const s = document.querySelector('.walk-pane'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", 1 - pane)
+            self.assert_lists(printed[1 - pane])
+        self.screenshot("compare-walk")
+        # The grids change places; the ray stays.
+        ray = self.js("return walkPanel.ray")
+        self.js("panes[0].set({grid: 1}); panes[1].set({grid: 0}); setCamera(Camera.orbited(state.camera, 0.4, 0.1))")
+        self.wait_sharp()
+        self.wait_walk()
+        self.assertEqual(self.js("return walkPanel.ray"), ray)
+        shown = self.walk()
+        for i in range(2):
+            self.assertEqual(shown[i]["grid"], scene[2 - i])
+            self.assert_shows(printed[1 - i], shown[i], True)
+        self.screenshot("compare-walk-orbited")
+        # And with the rays that it spawns.
+        self.find("#walk-all").click()
+        self.wait_walk()
+        rays = len(self.browser.find_elements(By.CSS_SELECTOR, ".walk-ray option"))
+        self.assertGreater(rays, 3)
+        for index in [0, 1, rays - 1]:
+            self.js("const s = document.querySelector('.walk-ray'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", index)
+            shown = self.walk()
+            for i in range(2):
+                self.assert_shows(self.printed(scene[2 - i], index), shown[i], True)
+        self.js("toggleCompare()")
+        self.wait_sharp()
+        self.wait_walk()
+        self.assert_shows(self.printed(scene[2], rays - 1), self.walk()[0], True)
+        self.assert_lists(self.printed(scene[2], rays - 1))
+        self.find("#walk-all").click()
+
+    def test_a_link_reopens_the_walk_of_the_same_ray_through_its_grid_at_its_step(self):
+        self.show(1280, 640)
+        self.js("toggleCompare(); for (const pane of panes) pane.set({cells: 'ray'})")
+        self.wait_sharp()
+        self.pick(0, 30, 1)
+        self.find("#walk-all").click()
+        self.wait_walk()
+        index = self.js("return walkPanel.walk.rays.findIndex((ray) => ray.kind === 'shadow' && ray.cells > 3)")
+        self.assertGreater(index, 0)
+        self.js("const s = document.querySelector('.walk-ray'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", index)
+        for _ in range(2):
+            self.find("#walk .controls button").click()
+        look = "return [walkPanel.ray, walkPanel.pane, walkPanel.index, walkPanel.step, walkPanel.current, document.querySelector('[aria-selected=true]').dataset.step]"
+        for camera in ["state.camera", "Camera.orbited(state.camera, 0.7, 0.2)"]:
+            self.js(f"setCamera({camera})")
+            self.wait_sharp()
+            before, shown, listed, fragment = self.js(look), self.walk(), self.listed(), self.js("return fragment()")
+            self.assertEqual([before[1], before[2], before[3]], [1, index, before[4]["cells"] - 3])
+            for width, height in [(860, 420), (1280, 800), (400, 700)]:
+                self.show(width, height, fragment=fragment)
+                self.wait_walk()
+                self.assertEqual(self.js(look), before)
+                self.assertEqual(self.walk(), shown)
+                self.assertEqual(self.listed(), listed)
+                self.assertEqual(self.js("return fragment()"), fragment)
+            for i in range(2):
+                self.assert_shows(self.printed(scene[1 + i], index), shown[i], True)
+            self.assert_lists(self.printed(scene[2], index))
+        # Pasted into the page that is open.
+        self.show()
+        self.js("location.hash = arguments[0]", fragment)
+        wait_until(lambda: len(self.js("return state.panes")) == 2, "two pictures")
+        self.wait_walk()
+        self.assertEqual(self.js(look), before)
+        self.find("#walk-all").click()
+
+    def test_a_link_tells_grids_of_one_name_apart(self):
+        grids = []
+        for folder, grid in zip(["a", "b", "c"], [scene[1], scene[2], scene[2]]):
+            (tools.folder / folder).mkdir(exist_ok=True)
+            grids.append(f"{folder}/{'one, two' if folder == 'c' else 'one'}.grid")
+            shutil.copy(tools.folder / grid, tools.folder / grids[-1])
+        with Gridview(tools, scene[0], *grids, "-q") as server:
+            self.show(server=server)
+            for first, second in [(1, 0), (2, 0)]:
+                self.js("state.panes = [{grid: arguments[0], channel: 'cells', cells: 'ray'}, {grid: arguments[1], channel: 'cells', cells: 'none'}]; update()", first, second)
+                self.wait_sharp()
+                self.show(fragment=self.js("return fragment()"), server=server)
+                shown = self.js("return state.panes.map((pane) => state.scene.grids[pane.grid].hash)")
+                self.assertEqual(shown, [self.js("return state.scene.grids[arguments[0]].hash", grid) for grid in (first, second)])
+            self.browser.get("about:blank")
+            self.logs()
+
+    def test_a_walk_of_too_many_rays_says_how_many_more(self):
+        glass = tools.make_nested_glass()
+        with Gridview(tools, *glass, "-q") as server:
+            self.show(server=server)
+            for depth, more in [(5, None), (12, False), (32, True)]:
+                self.js("state.depth = arguments[0]; document.getElementById('walk-all').checked = true; update()", depth)
+                self.pick(0, 0)
+                notes = [note.text for note in self.browser.find_elements(By.CSS_SELECTOR, ".walk-more")]
+                rays, count = self.js("return [walkPanel.walk.rays.length, walkPanel.walk.more_rays]")
+                if more is None:
+                    self.assertEqual(notes, [])
+                else:
+                    self.assertEqual(rays, 1000)
+                    number = f"{count:,}".replace(",", "\u2009")
+                    self.assertEqual(notes, [f"and {'more than ' if more else ''}{number} more rays, which aren’t listed"])
+                    self.screenshot(f"more-rays-{depth}")
+                if not more:
+                    ray = self.js("return [...walkPanel.ray.origin, ...walkPanel.ray.direction].join()")
+                    printed = json.loads(tools.run("gridrender", *glass, f"--walk-ray={ray}", "--all-rays", "--depth", depth, "--json", "-q"))
+                    self.assertEqual(len(printed["rays"]), rays + count)
+                    self.assertEqual(printed["rays"][:rays], self.js("return walkPanel.walk.rays"))
+            self.browser.get("about:blank")
+            self.logs()
+
+    def test_the_copied_command_of_a_channel_writes_its_values(self):
+        samples = [tuple(int(color[i:i + 2], 16) for i in (1, 3, 5)) for color in self.js("return state.scene.colors")]
+        for channel in ["cells", "all tests", "depth"]:
+            self.js("panes[0].set({channel: arguments[0]})", channel)
+            self.wait_sharp()
+            tools.run(*shlex.split(self.js("return command()")), "-q")
+            width, height, rows = read_pfm(tools.folder / f"picture.{channel.split()[-1]}.pfm")
+            got_width, got_height, got = self.pixels()
+            self.assertEqual((got_width, got_height), (width, height))
+            low, high = self.js("return panes[0].frame.view.range")
+            self.assertLessEqual(max(value for row in rows for value in row if value < 1e30), 2 * high)
+            difference = 0
+            places = [(x, y) for y in range(0, height, 7) for x in range(0, width, 5) if rows[y][x] < 1e30]
+            for x, y in places:
+                color = samples[round((len(samples) - 1) * min(1, max(0, (rows[y][x] - low) / (high - low))))]
+                difference += sum(abs(color[c] - got[4 * (y * width + x) + c]) for c in range(3))
+            self.assertGreater(len(places), 1000)
+            self.assertLess(difference / len(places) / 3, 6, f"{channel}: mean difference, of 255: JPEG's and that between samples of the colours")
 
     def test_channels(self):
         names = self.js("return state.scene.channels")
@@ -307,7 +493,7 @@ class Page(unittest.TestCase):
     def test_widths_and_colors(self):
         for width, height in [(400, 800), (760, 900), (1000, 700), (1920, 1080)]:
             for dark in [False, True]:
-                self.show(width, height, dark, fragment="#grid=" + ",".join(scene[1:]) + "&channel=shaded,cells&pixel=0.5,0.5")
+                self.show(width, height, dark, fragment="#grid=" + ",".join(scene[1:]) + "&channel=shaded,cells&ray=2.1,1.3,1.7,-2.1,-1.3,-1.7")
                 wait_until(lambda: self.js("return walkPanel.walk"), "a walk")
                 self.js("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
                 wait_until(lambda: self.js("return document.querySelector('canvas.slice') && document.querySelector('#statistics table')"), "all panels")
@@ -353,6 +539,19 @@ class Page(unittest.TestCase):
         for event in events:
             if event["method"] == "Network.requestWillBeSent":
                 self.assertTrue(event["params"]["request"]["url"].startswith((address, "data:", "blob:", "about:")), event["params"]["request"]["url"])
+
+    def test_an_exported_page_shows_names_of_markup_as_text(self):
+        names = ["<!--<script>.grid", "<\\script><b onclick=alert(1)>&amp;\u2028.grid"]
+        for name, grid in zip(names, scene[1:]):
+            shutil.copy(tools.folder / grid, tools.folder / name)
+        tools.run("gridview", scene[0], *names, "--export", "markup.html", "--views", "1", "--size", "64x48", "-q")
+        self.browser.get("about:blank")
+        self.logs()
+        self.browser.get((tools.folder / "markup.html").as_uri())
+        self.wait_sharp()
+        self.assertEqual(self.js("return [...document.querySelectorAll('.grid option')].map((option) => option.textContent)"), names)
+        self.assertEqual(self.js("return document.querySelectorAll('b').length"), 0)
+        self.assertEqual([entry["message"] for entry in self.logs()[1]], [])
 
     def test_a_hidden_or_closed_page_asks_nothing(self):
         self.browser.get("about:blank")

@@ -15,6 +15,10 @@
 namespace masu {
 namespace {
 
+// Of a walk that is printed: all of it, or an error. A ray's own walk is no larger than the grid and its
+// lists, but rays may double in number with each depth.
+constexpr std::size_t most_walk_rays = 32768;
+
 // Numbers with commas between them.
 template <class Number, std::size_t count>
 std::array<Number, count> parse_numbers(const char* option, const std::string& text, const char* form) {
@@ -114,9 +118,13 @@ void print_walk(const Inspection& inspection, const Tracer& tracer, const FrameR
   } else {
     const auto n = parse_numbers<double, 6>("--walk-ray", inspection.walk_ray, "X,Y,Z,DX,DY,DZ");
     walk.ray = unbounded_ray<double>({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
-    if (inspection.all_rays) walk.ray.direction = normalized(walk.ray.direction);
   }
+  walk.limits.rays = most_walk_rays;
+  walk.limits.counted = 0;
   const WalkReport report = trace_walk(tracer, walk);
+  if (report.more_rays > 0)
+    throw Error(ErrorCode::usage, "--all-rays",
+                fmt::format("finds more than {} rays: give a smaller --depth", most_walk_rays));
   if (inspection.json.empty()) return write_text(walk_table(report), "-");
   nlohmann::ordered_json json = provenance();
   json["scene_hash"] = to_hex(tracer.scene().hash());

@@ -138,13 +138,21 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
     parameters.end();
     return json(viewer.counts(counted, request.is_gone));
   }
-  if (is("/api/walk")) {
-    const PictureRequest walked = picture_request(viewer, parameters);
-    const auto column = parameters.number<std::int32_t>("x", 0, walked.camera.width - 1);
-    const auto row = parameters.number<std::int32_t>("y", 0, walked.camera.height - 1);
-    const bool all_rays = parameters.number<int>("all", 0, 1) == 1;
+  if (is("/api/ray")) {
+    const Camera camera = camera_of(viewer, parameters);
+    const auto column = parameters.number<std::int32_t>("x", 0, camera.width - 1);
+    const auto row = parameters.number<std::int32_t>("y", 0, camera.height - 1);
     parameters.end();
-    return json(viewer.walk(walked, column, row, all_rays, request.is_gone));
+    const Ray<double> ray = viewer.camera_ray(camera, column, row);
+    const Vec3d &o = ray.origin, &d = ray.direction;
+    return json({{"origin", {o.x, o.y, o.z}}, {"direction", {d.x, d.y, d.z}}});
+  }
+  if (is("/api/walk")) {
+    const RayWalkRequest walked{grid_of(viewer, parameters), parameters.vector("origin"),
+                                parameters.vector("direction"), parameters.number<int>("all", 0, 1) == 1,
+                                parameters.number<int>("depth", 1, largest_depth)};
+    parameters.end();
+    return json(viewer.walk(walked, request.is_gone));
   }
   if (is("/api/slice")) {
     const SliceRequest sliced{grid_of(viewer, parameters), parameters.number<int>("axis", 0, 2),

@@ -102,9 +102,10 @@ Json view_json(const Viewer& viewer, const ExportSettings& settings, const Camer
               {"up", vector_json(camera.up)},
               {"angle", camera.angle}}},
             {"channels", channels_json(viewer, request)}};
+  const Ray<double> ray = viewer.camera_ray(camera, settings.width / 2, settings.height / 2);
   for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
     json["counts"].push_back(viewer.counts(request, is_gone));
-    json["walks"].push_back(viewer.walk(request, settings.width / 2, settings.height / 2, false, is_gone));
+    json["walks"].push_back(viewer.walk({request.grid, ray.origin, ray.direction}, is_gone));
   }
   return json;
 }
@@ -154,9 +155,9 @@ void replace(std::string& text, std::string_view begin, std::string_view end, co
 void export_page(const Viewer& viewer, const ExportSettings& settings,
                  const std::function<void(double)>& progress) {
   std::string data = json_text(data_of(viewer, settings, progress), -1);
-  // The text must not end the script that it's in.
-  for (std::size_t at = 0; (at = data.find("</", at)) != std::string::npos; ++at)
-    data.replace(at, 2, "<\\/");
+  // No text may be taken for markup that ends the script or hides its end (</script>, <!--<script>).
+  for (std::size_t at = 0; (at = data.find('<', at)) != std::string::npos; ++at)
+    data.replace(at, 1, "\\u003c");
   std::string scripts = "<script>const EXPORTED = " + data + ";</script>\n";
   std::string page(page_file("page.html"));
   for (const auto& [name, text] : page_files) {

@@ -31,7 +31,16 @@ class Exported {
 
   async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }
   // Of the pixel in the middle, the only one that there is.
-  async walk(view) { return this.data.views[this.index(view.camera)].walks[view.grid]; }
+  async ray({camera}) {
+    const {origin, direction} = this.data.views[this.index(camera)].walks[0].rays[0];
+    return {origin, direction};
+  }
+  async walk(grid, {origin, direction}) {
+    const isSame = ({rays: [first]}) => String([first.origin, first.direction]) === String([origin, direction]);
+    const view = this.data.views.find(({walks}) => isSame(walks[0]));
+    if (!view) throw new Error('The walk of this ray wasn’t exported.');
+    return view.walks[grid];
+  }
   async statistics(grid) { return this.data.statistics[grid]; }
   async slice(grid, axis, share) {
     const {shares} = this.data;

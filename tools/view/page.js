@@ -24,6 +24,19 @@ function homeCamera() {
   return {from, at, up, angle};
 }
 
+// A grid in an address: by its name, or by its hash where another one has that name, too.
+function gridKey(grid) {
+  const isPlain = !grid.name.includes(',') && state.scene.grids.filter((one) => one.name === grid.name).length === 1;
+  return isPlain ? grid.name : grid.hash;
+}
+
+// count of them, all finite; null for anything else.
+function readNumbers(text, count) {
+  const words = (text || '').split(',');
+  const numbers = words.map(Number);
+  return numbers.length === count && words.every((word) => word.trim()) && numbers.every(Number.isFinite) ? numbers : null;
+}
+
 function fragment() {
   const parts = new URLSearchParams();
   const home = homeCamera();
@@ -31,12 +44,27 @@ function fragment() {
     if (String(state.camera[part]) !== String(home[part])) parts.set(part, String(state.camera[part]));
   }
   if (state.depth !== 5) parts.set('depth', state.depth);
-  parts.set('grid', state.panes.map((pane) => state.scene.grids[pane.grid].name).join());
+  parts.set('grid', state.panes.map((pane) => gridKey(state.scene.grids[pane.grid])).join());
   parts.set('channel', state.panes.map((pane) => pane.channel).join());
   if (state.panes.some((pane) => pane.cells !== 'none')) parts.set('cells', state.panes.map((pane) => pane.cells).join());
   if (state.slice.axis !== 2 || state.slice.share !== 0.5) parts.set('slice', `${'xyz'[state.slice.axis]},${state.slice.share}`);
-  if (walkPanel && walkPanel.pixel) parts.set('pixel', [walkPanel.pixel.shareX, walkPanel.pixel.shareY].map((share) => Number(share.toFixed(5))).join());
+  if (walkPanel && walkPanel.ray) {
+    const {ray, pane, index, step} = walkPanel;
+    parts.set('ray', [...ray.origin, ...ray.direction].join());
+    if (ray.all) parts.set('all', 1);
+    parts.set('walk', [pane, index, ...(step === null ? [] : [step])].join());
+  }
   return '#' + parts.toString().replaceAll('%2C', ',').replaceAll('%2F', '/');
+}
+
+// The walk that the address holds: {ray, look} of WalkPanel.follow(), or null.
+function readWalk() {
+  const parts = new URLSearchParams(location.hash.slice(1));
+  const numbers = readNumbers(parts.get('ray'), 6);
+  if (!numbers || numbers.slice(3).every((number) => number === 0)) return null;
+  const ray = {origin: numbers.slice(0, 3), direction: numbers.slice(3), all: parts.get('all') === '1', depth: state.depth};
+  const [pane = 0, index = 0, step = null] = (parts.get('walk') || '').split(',').map((word) => /^\d{1,9}$/.test(word) ? Number(word) : undefined);
+  return {ray, look: {pane: Math.min(pane, state.panes.length - 1), index, step}};
 }
 
 // Whatever of it makes sense.
@@ -44,8 +72,7 @@ function readFragment() {
   const parts = new URLSearchParams(location.hash.slice(1));
   const camera = homeCamera();
   for (const part of ['from', 'at', 'up']) {
-    const numbers = (parts.get(part) || '').split(',').map(Number);
-    if (parts.has(part) && numbers.length === 3 && numbers.every(Number.isFinite)) camera[part] = numbers;
+    camera[part] = readNumbers(parts.get(part), 3) || camera[part];
   }
   const angle = Number(parts.get('angle'));
   if (angle > 0 && angle < 180) camera.angle = angle;
@@ -55,11 +82,12 @@ function readFragment() {
   state.wish = state.camera;
   const depth = Number(parts.get('depth'));
   state.depth = depth >= 1 && depth <= 32 ? Math.round(depth) : 5;
-  const grids = (parts.get('grid') || '').split(',').map((name) => state.scene.grids.findIndex((grid) => grid.name === name));
+  const grids = (parts.get('grid') || '').split(',').map((name) => state.scene.grids.findIndex((grid) => gridKey(grid) === name));
   const channels = (parts.get('channel') || '').split(',');
   const cells = (parts.get('cells') || '').split(',');
   const [axis, share] = (parts.get('slice') || '').split(',');
-  if (['x', 'y', 'z'].includes(axis) && share >= 0 && share <= 1) state.slice = {axis: 'xyz'.indexOf(axis), share: Number(share)};
+  const isSlice = ['x', 'y', 'z'].includes(axis) && share >= 0 && share <= 1;
+  Object.assign(state.slice, isSlice ? {axis: 'xyz'.indexOf(axis), share: Number(share)} : {axis: 2, share: 0.5});
   const made = grids.filter((grid) => grid >= 0).slice(0, 2).map((grid, i) => ({
     grid, channel: state.scene.channels.includes(channels[i]) ? channels[i] : 'shaded',
     cells: CELLS.includes(cells[i]) ? cells[i] : 'none'}));
@@ -90,6 +118,7 @@ class Pane {
     this.image = root.querySelector('.image');
     this.overlay = new Overlay(root.querySelector('.overlay'));
     this.scale = root.querySelector('.scale');
+    this.walkCounts = root.querySelector('.walk-counts');
     this.status = root.querySelector('.status');
     this.problem = root.querySelector('.problem');
     this.gridSelect = root.querySelector('.grid');
@@ -115,7 +144,6 @@ class Pane {
   set(change) {
     Object.assign(this.settings, change);
     if ('grid' in change) this.counts = null;
-    if ('grid' in change && walkPanel.pixel && walkPanel.pixel.pane === this.index) walkAgain();
     update();
   }
 
@@ -170,13 +198,16 @@ class Pane {
         overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
       }
     }
-    if (walkPanel.walk && (this.settings.cells === 'ray' || walkPanel.pixel.pane === this.index)) this.drawWalk();
+    const ray = walkPanel.rayOf(this.settings.grid);
+    if (ray) this.drawWalk(ray);
+    this.walkCounts.hidden = !ray;
+    if (ray) this.walkCounts.textContent = `${counted(ray.cells, 'cell')}, ${counted(ray.tests, 'test')}`;
     if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
   }
 
-  drawWalk() {
+  // Of its own grid.
+  drawWalk(ray) {
     const {overlay} = this;
-    const ray = walkPanel.current;
     const at = (t) => Vec.add(ray.origin, Vec.scaled(ray.direction, t));
     const boxes = ray.steps.map((step) => step.box);
     if (this.settings.cells === 'ray') {
@@ -184,7 +215,7 @@ class Pane {
       overlay.boxes(boxes, '#7fd1ff', 1, 0.75);
     }
     const step = ray.steps[walkPanel.step];
-    if (step) {
+    if (step && walkPanel.pane === this.index) {
       overlay.boxes([step.box], '#000', 4, 0.5);
       overlay.boxes([step.box], '#ffd54a', 2);
     }
@@ -274,6 +305,7 @@ function update() {
   showView();
   showFigures();
   showSlice();
+  showWalk();
   rememberSoon();
 }
 
@@ -282,6 +314,12 @@ function showSlice() {
   slicePanel.isOverlaid = state.panes.some((pane) => pane.cells === 'slice');
   slicePanel.show(shown, shown.map(shortName));
   drawOverlays();
+}
+
+function showWalk() {
+  walkPanel.followAgain({depth: state.depth});
+  const grids = state.panes.map((pane) => pane.grid);
+  walkPanel.show(grids, grids.map(shortName));
 }
 
 function drawOverlays() {
@@ -295,7 +333,6 @@ function setCamera(camera) {
     const old = state.camera;
     camera = source.nearest(camera);
     if (Camera.same(old, camera)) return;
-    if (walkPanel.pixel) walkPanel.clear();
   }
   state.camera = camera;
   for (const pane of panes) {
@@ -384,7 +421,7 @@ function keyOfPicture(pane, event) {
   else if (event.key === 'g') nextGrid(pane);
   else if (event.key === 'w') nextCells(pane);
   else if (event.key === 'Enter') setPicking({pane: pane.index, x: 0.5, y: 0.5});
-  else if (event.key === 'Escape' && walkPanel.walk) walkPanel.clear();
+  else if (event.key === 'Escape' && walkPanel.ray) walkPanel.clear();
   else return false;
   return true;
 }
@@ -432,38 +469,28 @@ function keyOfPicking(pane, event) {
   return true;
 }
 
-// The walk of the pixel at shares x, y of the picture.
-let walking = null;
+// The walk of the camera ray of the pixel at shares x, y of the picture.
+let picking = null;
 async function pick(pane, shareX, shareY) {
   const [width, height] = pane.size();
   if (!source.isLive) shareX = shareY = 0.5; // the only pixel whose walk was exported
   const x = Math.max(0, Math.min(width - 1, Math.floor(shareX * width))), y = Math.max(0, Math.min(height - 1, Math.floor(shareY * height)));
-  const grid = pane.settings.grid;
-  if (walking) walking.abort();
-  walking = new AbortController();
-  const camera = state.camera;
+  if (picking) picking.abort();
+  const {signal} = picking = new AbortController();
   try {
-    const walk = await source.walk({grid, camera, width, height, depth: state.depth}, x, y, $('walk-all').checked, walking.signal);
-    walkPanel.show(walk, {x, y, width, height, shareX, shareY, pane: pane.index, name: state.scene.grids[grid].name, camera});
+    const ray = await source.ray({camera: state.camera, width, height}, x, y, signal);
+    await walkPanel.follow({...ray, all: $('walk-all').checked, depth: state.depth}, {pane: pane.index, pixel: {x, y, width, height}});
     $('walk-panel').open = true;
-    const {cells, tests} = walk.rays[0];
-    announce(`pixel ${x}, ${y}: ${cells} cells, ${tests} tests`);
+    const {current} = walkPanel;
+    if (current && !signal.aborted) announce(`pixel ${x}, ${y}: ${counted(current.cells, 'cell')}, ${counted(current.tests, 'test')}`);
   } catch (error) {
     if (error.name !== 'AbortError') walkPanel.failed(error.message);
   }
 }
 
-// The same ray's pixel, where the grid is another one.
-function walkAgain() {
-  const {pane, shareX, shareY, camera} = walkPanel.pixel;
-  if (Camera.same(camera, state.camera)) pick(panes[pane], shareX, shareY);
-  else walkPanel.clear();
-}
-
 function toggleCompare() {
   if (state.panes.length > 1) {
     state.panes.length = 1;
-    if (walkPanel.pixel && walkPanel.pixel.pane > 0) walkPanel.clear();
   } else {
     const first = state.panes[0];
     state.panes.push({...first, grid: (first.grid + 1) % state.scene.grids.length});
@@ -575,7 +602,7 @@ function quoted(word) {
   return /^[\w@%+=:,.\/-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 }
 
-// The command that makes the first picture.
+// The command that makes the first picture; of a channel its values, and gridrender's own picture of them.
 function command() {
   const pane = panes[0];
   const {scene, grids, precision} = state.scene;
@@ -583,6 +610,8 @@ function command() {
   const {from, at, up, angle} = state.camera;
   return ['gridrender', quoted(scene.path), quoted(grids[pane.settings.grid].path), '-o picture.png',
     `--size ${width}x${height}`, `--from=${from.join()}`, `--at=${at.join()}`, `--up=${up.join()}`, `--angle ${angle}`,
+    ...(pane.settings.channel === 'shaded' ? [] : [`--channels ${pane.settings.channel.replace('all ', '')}`,
+      ...(pane.settings.channel.startsWith('all ') ? ['--all-rays'] : []), '--no-picture', '--sampling centers']),
     ...(state.depth === 5 ? [] : [`--depth ${state.depth}`]),
     ...(precision === 'robust' ? [] : [`--precision ${precision}`])].join(' ');
 }
@@ -596,6 +625,16 @@ function describeScene() {
   $('scene-facts').textContent = `${Text.count(scene.primitives)} primitives · ${Text.bytes(scene.bytes)} · ${precision} · ${device} · Masu ${version}`;
 }
 
+function openAddress() {
+  readFragment();
+  walkPanel.clear();
+  update();
+  const walk = readWalk();
+  if (!walk) return;
+  $('walk-all').checked = walk.ray.all;
+  walkPanel.follow(walk.ray, walk.look);
+}
+
 async function begin() {
   source = typeof EXPORTED === 'undefined' ? new Server() : new Exported(EXPORTED);
   document.body.classList.toggle('exported', !source.isLive);
@@ -603,21 +642,18 @@ async function begin() {
   state.scene.channels = state.scene.channels || ['shaded'];
   colors = new ColorScale(state.scene.colors);
   describeScene();
-  readFragment();
-  walkPanel = new WalkPanel($('walk'), drawOverlays, (point) => setCamera(Camera.centered(state.camera, point)));
+  walkPanel = new WalkPanel($('walk'), source, drawOverlays, (point) => setCamera(Camera.centered(state.camera, point)));
   slicePanel = new SlicePanel($('slice'), source, colors, state.slice, drawOverlays);
   $('slice-panel').addEventListener('toggle', () => showSlice());
-  $('walk-all').addEventListener('change', () => { if (walkPanel.pixel) walkAgain(); });
-  update();
-  const pixel = (new URLSearchParams(location.hash.slice(1)).get('pixel') || '').split(',').map(Number);
-  if (pixel.length === 2 && pixel.every((share) => share >= 0 && share < 1)) pick(panes[0], ...pixel);
+  $('walk-all').addEventListener('change', () => walkPanel.followAgain({all: $('walk-all').checked}));
+  openAddress();
   $('compare').addEventListener('click', toggleCompare);
   $('reset').addEventListener('click', () => setCamera(homeCamera()));
   $('keys').addEventListener('click', toggleKeys);
   $('copy-link').addEventListener('click', () => copy(location.href.split('#')[0] + fragment(), 'Link'));
   $('copy-command').addEventListener('click', () => copy(command(), 'Command'));
   document.addEventListener('keydown', keyOfPage);
-  window.addEventListener('hashchange', () => { readFragment(); update(); });
+  window.addEventListener('hashchange', openAddress);
 }
 
 begin().catch((error) => {

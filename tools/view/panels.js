@@ -44,6 +44,8 @@ const Text = {
   division: (value) => value.map(Text.count).join(' × '),
 };
 
+const counted = (count, what) => `${Text.count(count)} ${what}${count === 1 ? '' : 's'}`;
+
 // --- Tables --------------------------------------------------------------------------------------------------
 
 // rows: [name, values, {text, less}] or [heading]. A column a name; where `less`, the smallest of several values

@@ -56,9 +56,15 @@ class Server {
     return this.json('api/counts', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still'}, signal);
   }
 
-  walk(view, x, y, all, signal) {
-    return this.json('api/walk', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still', x, y,
-                                  all: all ? 1 : 0}, signal);
+  // {origin, direction} of the camera ray through a pixel's centre.
+  ray({camera, width, height}, x, y, signal) {
+    const {from, at, up, angle} = camera;
+    return this.json('api/ray', {from: from.join(), at: at.join(), up: up.join(), angle, width, height, x, y}, signal);
+  }
+
+  // ray: {origin, direction, all, depth}; all: with the rays that it spawns.
+  walk(grid, {origin, direction, all, depth}, signal) {
+    return this.json('api/walk', {grid, origin: origin.join(), direction: direction.join(), all: all ? 1 : 0, depth}, signal);
   }
 
   slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }

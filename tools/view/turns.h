@@ -1,5 +1,5 @@
-// One picture is traced at a time, for each takes the whole device: requests wait for their turn in the order
-// in which they came, and leave when nobody needs them any more.
+// One picture is traced at a time, for each takes the whole device, and one walk: requests wait for their
+// turn in the order in which they came, and leave when nobody needs them any more.
 #pragma once
 
 #include <algorithm>

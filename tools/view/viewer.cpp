@@ -160,17 +160,29 @@ Json Viewer::counts(const PictureRequest& request, const IsGone& is_gone) const 
   return json;
 }
 
-Json Viewer::walk(const PictureRequest& request, std::int32_t column, std::int32_t row, bool all_rays,
-                  const IsGone& is_gone) const {
-  const Tracer& tracer = grid(request.grid).tracer;
-  FrameRequest frame = frame_request(request);
+Ray<double> Viewer::camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const {
+  FrameRequest frame;
+  frame.tracing.precision = precision_;
+  frame.camera = camera;
   frame.sampling = Sampling::centers;
+  return camera_ray_of(grid(0).tracer, frame, column, row);
+}
+
+Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
   WalkRequest walk;
-  walk.tracing = frame.tracing;
-  walk.ray = camera_ray_of(tracer, frame, column, row);
-  walk.all_rays = all_rays;
+  walk.tracing.precision = precision_;
+  walk.ray = unbounded_ray(request.origin, request.direction);
+  walk.all_rays = request.all_rays;
   walk.rules.depth = request.depth;
-  return turns_.run(is_gone, [&] { return walk_json(trace_walk(tracer, walk)); });
+  walk.limits = {1000, std::size_t{4} << 20, 10'000'000}; // as JSON some ten times as many bytes
+  walk.progress = [progress = abandoned_when(is_gone)] { progress(0); };
+  return walk_turns_.run(is_gone, [&] {
+    const WalkReport report = trace_walk(grid(request.grid).tracer, walk);
+    Json json = walk_json(report);
+    json["more_rays"] = report.more_rays;
+    json["ended_early"] = report.ended_early;
+    return json;
+  });
 }
 
 Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {

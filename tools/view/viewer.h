@@ -69,6 +69,14 @@ struct SliceRequest {
   std::size_t most_cells = 200000; // beyond, the slice is truncated
 };
 
+// Of a ray given in the scene's units.
+struct RayWalkRequest {
+  std::size_t grid = 0;
+  Vec3d origin{}, direction{};
+  bool all_rays = false; // and the shadow rays and rays that it spawns
+  int depth = 5;         // of these
+};
+
 using IsGone = std::function<bool()>;
 
 // Threads may ask at the same time.
@@ -87,10 +95,11 @@ public:
   // Ray counts of a picture, as gridrender --stats has them.
   nlohmann::ordered_json counts(const PictureRequest& request, const IsGone& is_gone) const;
 
-  // The walk of the camera ray through a pixel's centre, as gridrender --walk has it; all_rays: and of all
-  // rays that it spawns.
-  nlohmann::ordered_json walk(const PictureRequest& request, std::int32_t column, std::int32_t row,
-                              bool all_rays, const IsGone& is_gone) const;
+  // Through a pixel's centre.
+  Ray<double> camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const;
+  // As gridrender --walk-ray --json has it, but bounded: `more_rays` are counted that aren't among `rays`,
+  // `ended_early` says that there are still more. A ray's `steps` are the first of its `cells`.
+  nlohmann::ordered_json walk(const RayWalkRequest& request, const IsGone& is_gone) const;
   // {axis, axes, position, range, voxels, min, step, cells, outline, truncated}: cells as [first u, first v,
   // end u, end v, references] in the smallest voxels, those of a uniform grid without the empty ones; outline
   // as [from u, from v, to u, to v] in scene units.
@@ -108,6 +117,7 @@ private:
   std::vector<std::unique_ptr<ViewedGrid>> grids_;
   Precision precision_;
   mutable Turns turns_{32};
+  mutable Turns walk_turns_{16}; // of their own, for a walk takes one core: pictures don't wait for it
 };
 
 } // namespace masu

@@ -1,16 +1,19 @@
-// The walk of a pixel's ray: its cells as a list, step by step.
+// The walk of a ray through each grid that is shown: its cells as a list, step by step. The ray stays where it
+// is in the scene when the camera moves, another grid is chosen or the window changes.
 'use strict';
 
 class WalkPanel {
-  // changed(): another step or another walk; center(point): orbit around it from now on.
-  constructor(root, changed, center) {
-    Object.assign(this, {root, changed, center, walk: null, pixel: null, ray: 0, step: 0});
+  // changed(): another ray, walk or step; center(point): orbit around it from now on.
+  constructor(root, source, changed, center) {
+    Object.assign(this, {root, source, changed, center, grids: [], names: []});
     this.clear();
   }
 
   clear() {
-    this.walk = null;
-    this.pixel = null;
+    if (this.abort) this.abort.abort();
+    // ray: {origin, direction, all, depth}, the camera's or a given one; pixel: where it was picked; pane: whose
+    // walk is listed; index: of the ray among those that it spawned; step: null for the last; walks: by grid.
+    Object.assign(this, {ray: null, pixel: null, pane: 0, index: 0, step: null, walks: new Map(), drawn: '', abort: null});
     this.root.replaceChildren(element('p', {class: 'note'}, 'Click a pixel, or press Enter in the picture, to follow its ray through the grid.'));
     this.changed();
   }
@@ -20,21 +23,54 @@ class WalkPanel {
     this.root.append(element('p', {class: 'note', role: 'alert'}, text));
   }
 
-  // walk: as gridrender --walk writes it; pixel: {x, y, width, height, name}.
-  show(walk, pixel) {
-    this.walk = walk;
-    this.pixel = pixel;
-    this.ray = 0;
-    const steps = walk.rays[0].steps;
-    this.step = Math.max(0, steps.length - 1);
-    this.draw();
+  // Of a grid, the ray that is looked at; null where there is none, or where it isn't loaded.
+  rayOf(grid) {
+    const walk = this.walks.get(grid);
+    return walk && walk.rays[this.index] || null;
+  }
+  get walk() { return this.walks.get(this.grids[this.pane]) || null; }
+  get current() { return this.rayOf(this.grids[this.pane]); }
+
+  // {pane, index, step, pixel}: what of the ray is looked at.
+  follow(ray, look) {
+    Object.assign(this, {ray, pixel: null, index: 0, step: null, walks: new Map(), drawn: ''}, look);
+    return this.load();
+  }
+  // With the rays that it spawns or without, to another depth.
+  followAgain(change) {
+    if (!this.ray || Object.entries(change).every(([name, value]) => this.ray[name] === value)) return;
+    this.follow({...this.ray, ...change}, change.all === false ? {pixel: this.pixel} : {pixel: this.pixel, index: this.index});
   }
 
-  get current() { return this.walk ? this.walk.rays[this.ray] : null; }
+  // grids: of the panes, and their names.
+  show(grids, names) {
+    if (this.pane >= grids.length || (this.grids.length > 0 && grids[this.pane] !== this.grids[this.pane])) this.step = null;
+    this.pane = Math.min(this.pane, grids.length - 1);
+    Object.assign(this, {grids, names});
+    return this.load();
+  }
+
+  // The walks that are missing.
+  async load() {
+    if (!this.ray || this.grids.length === 0) return;
+    const missing = [...new Set(this.grids)].filter((grid) => !this.walks.has(grid));
+    if (this.abort) this.abort.abort();
+    const {signal} = this.abort = new AbortController();
+    try {
+      const made = await Promise.all(missing.map((grid) => this.source.walk(grid, this.ray, signal)));
+      if (signal.aborted) return;
+      missing.forEach((grid, i) => this.walks.set(grid, made[i]));
+      if (this.drawn !== this.grids.join()) this.draw();
+      this.drawn = this.grids.join();
+    } catch (error) {
+      if (error.name !== 'AbortError') this.failed(error.message);
+    }
+  }
 
   move(by) {
-    if (!this.walk || this.current.steps.length === 0) return false;
-    this.select(Math.max(0, Math.min(this.current.steps.length - 1, this.step + by)));
+    const {current} = this;
+    if (!current || current.steps.length === 0) return false;
+    this.select(Math.max(0, Math.min(current.steps.length - 1, this.step + by)));
     return true;
   }
 
@@ -50,41 +86,63 @@ class WalkPanel {
     this.changed();
   }
 
+  // Another pane's walk, or another ray of the same one.
+  look(change) {
+    Object.assign(this, {step: null}, change);
+    this.draw();
+  }
+
   draw() {
+    this.index = Math.min(this.index, this.walk.rays.length - 1);
     const {walk, pixel, current} = this;
+    const last = Math.max(0, current.steps.length - 1);
+    this.step = this.step === null ? last : Math.min(this.step, last);
     const range = (first, end) => first === end - 1 ? `${first}` : `${first}–${end - 1}`;
     const voxels = (box) => box ? [0, 1, 2].map((i) => range(box.first[i], box.end[i])).join(' ') : 'everything';
     const hit = current.hit;
     const summary = element('div', {class: 'rows'},
-      ...[['pixel', `${pixel.x}, ${pixel.y} of ${pixel.width} × ${pixel.height}`],
-          ['grid', pixel.name],
-          ['cells, tests', `${Text.count(current.cells)}, ${Text.count(current.tests)}`],
+      ...[...(pixel ? [['pixel', `${pixel.x}, ${pixel.y} of ${pixel.width} × ${pixel.height}`]] : []),
+          ['from', Text.vector(current.origin)],
+          ['direction', Text.vector(current.direction)],
           ['hit', hit ? `object ${hit.object}, primitive ${hit.primitive}, t ${Number(hit.t.toPrecision(7))}` : 'nothing'],
           ...(hit ? [['at', Text.vector(hit.position)]] : []),
           ['ended', current.end]].flatMap(([name, value]) =>
         [element('span', {class: 'name'}, name), element('span', {class: 'value'}, value)]));
-    const choice = walk.rays.length < 2 ? null : element('label', {}, 'Ray ', element('select', {
-      onchange: (event) => { this.ray = Number(event.target.value); this.step = Math.max(0, this.current.steps.length - 1); this.draw(); }},
-      ...walk.rays.map((ray, i) => element('option', {value: i, selected: i === this.ray}, `${i}: ${ray.kind}, ${ray.cells} cells, ${ray.tests} tests`))));
+    const shown = this.grids.map((grid) => this.rayOf(grid));
+    const costs = table(this.names, [
+      ['cells', shown.map((one) => one && one.cells), {text: Text.count, less: true}],
+      ['tests', shown.map((one) => one && one.tests), {text: Text.count, less: true}],
+    ], 'What the ray costs in each grid');
+    const panes = this.grids.length < 2 ? null : element('label', {}, 'List of ', element('select', {class: 'walk-pane',
+      onchange: (event) => this.look({pane: Number(event.target.value)})},
+      ...this.names.map((name, i) => element('option', {value: i, selected: i === this.pane}, name))));
+    const rays = walk.rays.length < 2 ? null : element('label', {}, 'Ray ', element('select', {class: 'walk-ray',
+      onchange: (event) => this.look({index: Number(event.target.value)})},
+      ...walk.rays.map((one, i) => element('option', {value: i, selected: i === this.index}, `${i}: ${one.kind}, ${one.cells} cells, ${one.tests} tests`))));
+    const more = walk.more_rays === 0 ? null : element('p', {class: 'note walk-more'},
+      `and ${walk.ended_early ? 'more than ' : ''}${Text.count(walk.more_rays)} more rays, which aren’t listed`);
+    const choices = element('div', {class: 'controls'}, panes, rays);
     this.body = element('tbody');
     current.steps.forEach((step, i) => {
       const kept = step.tests.filter((test) => test.kept).length;
       this.body.append(element('tr', {id: `walk-step-${i}`, 'data-step': i, role: 'option', 'aria-selected': i === this.step,
         onclick: () => this.select(i), title: step.tests.map((test) => `primitive ${test.primitive}: ${test.t === null ? 'missed' : `t ${test.t}${test.kept ? ', kept' : ''}`}`).join('\n')},
         element('td', {}, String(i)), element('td', {}, voxels(step.voxels)), element('td', {}, Text.number(step.enter)),
-        element('td', {}, step.exit === null ? '∞' : Text.number(step.exit)), element('td', {class: kept ? 'hit' : null}, `${step.references}${kept ? ' hit' : ''}`)));
+        element('td', {}, step.exit === null ? '∞' : Text.number(step.exit)), element('td', {class: kept ? 'hit' : null}, `${step.tests.length}${kept ? ' hit' : ''}`)));
     });
     const head = ['cell', 'voxels x y z', 't in', 't out', 'tests'].map((name) => element('th', {scope: 'col'}, name));
-    this.list = element('div', {class: 'scroll', tabindex: 0, role: 'listbox', 'aria-label': 'Cells that the ray visits', onkeydown: (event) => {
+    this.list = element('div', {class: 'scroll', tabindex: 0, role: 'listbox', 'aria-label': `Cells of ${this.names[this.pane]} that the ray visits`, onkeydown: (event) => {
       const by = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -1e9, End: 1e9}[event.key];
       if (by && this.move(by)) { event.preventDefault(); event.stopPropagation(); }
     }}, element('table', {class: 'walk-steps', role: 'presentation'}, element('thead', {'aria-hidden': true}, element('tr', {}, ...head)), this.body));
+    const moreCells = current.cells === current.steps.length ? null : element('p', {class: 'note'},
+      `and ${Text.count(current.cells - current.steps.length)} more cells, which aren’t listed`);
     const buttons = element('div', {class: 'controls'},
       element('button', {type: 'button', title: 'The cell before (,)', onclick: () => this.move(-1)}, '◂ step'),
       element('button', {type: 'button', title: 'The next cell (.)', onclick: () => this.move(1)}, 'step ▸'),
       hit ? element('button', {type: 'button', title: 'The camera orbits around the hit', onclick: () => this.center(hit.position)}, 'Orbit here') : null,
       element('button', {type: 'button', title: 'Drops the walk (Esc)', onclick: () => this.clear()}, 'Clear'));
-    this.root.replaceChildren(...[summary, choice, buttons, this.list].filter(Boolean));
+    this.root.replaceChildren(...[summary, costs, choices, more, buttons, this.list, moreCells].filter(Boolean));
     this.select(this.step);
   }
 }
