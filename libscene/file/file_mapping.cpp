@@ -76,6 +76,9 @@ const RegisteredMapping* mapping_of(const void* address) {
 }
 
 [[noreturn]] void end_with_line(const RegisteredMapping& mapping, const char* what) {
+  static constinit std::atomic<bool> is_ending{false};
+  while (is_ending.exchange(true)) // several threads may fault at once: one line
+    pause();
   std::array<char, 1400> line{};
   std::size_t length = 0;
   for (const char* const part : {name_of_tool.load(), ": ", mapping.path.data(), ": ", what, "\n"})
