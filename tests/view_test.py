@@ -532,8 +532,21 @@ class Page(unittest.TestCase):
         wait_until(lambda: self.js("return document.querySelector('canvas.slice') && document.querySelector('#statistics table') && "
                                    "document.querySelectorAll('#cost td.better').length > 0"), "all panels")
         self.keys(Keys.ENTER, Keys.ENTER)
-        wait_until(lambda: self.js("return walkPanel.walk"), "the middle pixel's walk")
+        self.wait_walk()
         self.screenshot("exported")
+        ray, shown = self.js("return walkPanel.ray"), self.walk()
+        for i in range(2):
+            self.assert_shows(self.printed(scene[1 + i]), shown[i], False)
+        self.keys(Keys.ARROW_RIGHT)  # the walk stays where it is, in the next view
+        self.wait_sharp()
+        self.assertEqual(self.walk(), shown)
+        fragment = self.js("return fragment()")
+        self.browser.get("about:blank")
+        self.browser.get(address + fragment)
+        self.wait_sharp()
+        self.wait_walk()
+        self.assertEqual(self.js("return walkPanel.ray"), ray)
+        self.assertEqual(self.walk(), shown)
         events, console = self.logs()
         self.assertEqual([entry["message"] for entry in console], [])
         for event in events:
