@@ -45,7 +45,7 @@ int main(void) {
   masu_tracer* tracer;
   check(masu_open("torus.scene", "torus.grid", MASU_CPU, &tracer));
   const masu_query query = {MASU_RAYS_FLOAT32_6, MASU_PRECISION_AUTO, 1, NULL};
-  const masu_hits hits = {t, primitive, NULL, NULL, NULL};
+  const masu_hits hits = {.t = t, .primitive = primitive};
   check(masu_nearest(tracer, rays, width * height, &query, &hits));
   masu_close(tracer);
 

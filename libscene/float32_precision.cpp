@@ -46,7 +46,8 @@ template <class Record>
 Boxd bounds_of(std::span<const Record> records) {
   return gathered<Bounds>(records,
                           [](const Record& record, Bounds& part, std::size_t) {
-                            part.box = join(part.box, cast<double>(bounds(record)));
+                            if (has_surface(widened(record)))
+                              part.box = join(part.box, cast<double>(bounds(record)));
                           })
       .box;
 }

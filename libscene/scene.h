@@ -44,7 +44,7 @@ static_assert(sizeof(Light<float>) == 24 && sizeof(Light<double>) == 48);
 
 // Counts of input that can't be rendered as given, for a tool to warn about.
 struct SceneWarnings {
-  std::uint64_t degenerate_polygons = 0;    // no area: dropped
+  std::uint64_t degenerate_polygons = 0;    // no area: dropped, or of a mesh, can't be hit
   std::uint64_t degenerate_triangles = 0;   // slivers without area inside a polygon: dropped
   std::uint64_t degenerate_spheres = 0;     // radius 0: dropped
   std::uint64_t degenerate_cones = 0;       // no length, or both radii 0: dropped
@@ -93,6 +93,8 @@ struct Scene {
   GrowingArray<Surface> sphere_surfaces;
   GrowingArray<Cone<double>> cones;
   GrowingArray<Surface> cone_surfaces;
+  // Of each triangle, the number of the mesh's face that it is of; empty: each is its own.
+  GrowingArray<std::uint32_t> faces;
 
   ObjectCounts objects;
   SceneWarnings warnings;

@@ -13,6 +13,7 @@ struct SceneView {
   const Surface* sphere_surfaces;
   const Cone<Stored>* cones;
   const Surface* cone_surfaces;
+  const std::uint32_t* faces; // as Scene has them; null: each triangle is its own
   const Material* materials;
   const Light<Stored>* lights;
 

@@ -34,6 +34,7 @@ struct DeviceScene {
   DeviceArray<Surface> sphere_surfaces;
   DeviceArray<Cone<Stored>> cones;
   DeviceArray<Surface> cone_surfaces;
+  DeviceArray<std::uint32_t> faces;
   DeviceArray<Material> materials;
   DeviceArray<Light<Stored>> lights;
 
@@ -50,6 +51,7 @@ struct DeviceScene {
     sphere_surfaces = moved(SceneSection::sphere_surfaces, view.sphere_surfaces, view.sphere_count);
     cones = moved(SceneSection::cones, view.cones, view.cone_count);
     cone_surfaces = moved(SceneSection::cone_surfaces, view.cone_surfaces, view.cone_count);
+    faces = moved(SceneSection::faces, view.faces, file.has_faces() ? view.triangle_count : 0);
     materials = moved(SceneSection::materials, view.materials, view.material_count);
     lights = moved(SceneSection::lights, view.lights, view.light_count);
   }

@@ -27,13 +27,13 @@ struct ResultArray {
   std::size_t bytes_a_ray;
   bool page_locked;
 };
-using ResultArrays = std::array<ResultArray, 8>;
+using ResultArrays = std::array<ResultArray, 9>;
 
 ResultArrays arrays_of(const RayResults& results) {
   const auto array = [](auto* host) { return ResultArray{host, sizeof(*host), is_page_locked(host)}; };
-  return {array(results.t),           array(results.primitive),  array(results.object),
-          array(results.uv),          array(results.normal),     array(results.occluded),
-          array(results.costs.cells), array(results.costs.tests)};
+  return {array(results.t),        array(results.primitive),   array(results.object),
+          array(results.face),     array(results.uv),          array(results.normal),
+          array(results.occluded), array(results.costs.cells), array(results.costs.tests)};
 }
 
 // One array after another in a block of memory, for so many rays; 16-byte boundaries.
@@ -56,10 +56,11 @@ RayResults results_in(std::uint8_t* block, const ResultArrays& arrays, std::size
   results.t = reinterpret_cast<float*>(at[0]);
   results.primitive = reinterpret_cast<std::uint32_t*>(at[1]);
   results.object = reinterpret_cast<std::uint32_t*>(at[2]);
-  results.uv = reinterpret_cast<float(*)[2]>(at[3]);
-  results.normal = reinterpret_cast<float(*)[3]>(at[4]);
-  results.occluded = at[5];
-  results.costs = {reinterpret_cast<std::uint32_t*>(at[6]), reinterpret_cast<std::uint32_t*>(at[7])};
+  results.face = reinterpret_cast<std::uint32_t*>(at[3]);
+  results.uv = reinterpret_cast<float(*)[2]>(at[4]);
+  results.normal = reinterpret_cast<float(*)[3]>(at[5]);
+  results.occluded = at[6];
+  results.costs = {reinterpret_cast<std::uint32_t*>(at[7]), reinterpret_cast<std::uint32_t*>(at[8])};
   return results;
 }
 

@@ -119,7 +119,8 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   for (const void* const pointer :
        {static_cast<const void*>(results.t), static_cast<const void*>(results.primitive),
         static_cast<const void*>(results.object), static_cast<const void*>(results.uv),
-        static_cast<const void*>(results.normal), static_cast<const void*>(results.occluded)}) {
+        static_cast<const void*>(results.normal), static_cast<const void*>(results.face),
+        static_cast<const void*>(results.occluded)}) {
     if (pointer != nullptr && device_of(pointer) != place)
       fail("results", "don't lie where the rays are: take memory of one kind and device for all");
     if (pointer != results.occluded && reinterpret_cast<std::uintptr_t>(pointer) % sizeof(float) != 0)
@@ -325,6 +326,7 @@ masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t cou
     results.object = hits->object;
     results.uv = reinterpret_cast<float(*)[2]>(hits->uv);
     results.normal = reinterpret_cast<float(*)[3]>(hits->normal);
+    results.face = hits->face;
     trace(*tracer, rays, count, query, Query::nearest_hit, results);
   });
 }

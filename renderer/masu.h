@@ -156,6 +156,8 @@ typedef struct masu_hits {
   uint32_t* object;    /* as masu_primitive has it; MASU_NONE for a miss */
   float* uv;           /* 2 a ray: the point of a triangle a b c is (1 - u - v) a + u b + v c; 0 on others */
   float* normal;       /* 3 a ray: geometric, of unit length, on the primitive's front; 0 for a miss */
+  uint32_t* face; /* of a scene from mesh2bin, the number of the file's face, through all objects in their
+                     order; of others as primitive; MASU_NONE for a miss */
 } masu_hits;
 
 /* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of

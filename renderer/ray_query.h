@@ -85,20 +85,24 @@ MASU_HD inline Real scale_direction(Ray<Real>& ray) {
 
 // Where results go: an array of one element a ray each, in the rays' order, or null for what isn't wanted.
 // nearest_hit writes t (in lengths of the direction; infinity for a miss) and primitive (its index in the
-// scene file; no_primitive for a miss); besides, its object (index in the NFF text), barycentric coordinates
-// (u, v) on a triangle, so that the point is (1 - u - v) a + u b + v c, and the geometric normal, of unit
-// length, on the primitive's front; no_primitive and zeros for a miss, zeros for u and v on other kinds.
-// occlusion writes 1 or 0. `costs` is written where rays are counted (TracingRules::count).
+// scene file; no_primitive for a miss); besides, its object (index in the NFF text), face (intersect.h),
+// barycentric coordinates (u, v) on a triangle, so that the point is (1 - u - v) a + u b + v c, and the
+// geometric normal, of unit length, on the primitive's front; no_primitive and zeros for a miss, zeros for u
+// and v on other kinds. occlusion writes 1 or 0. `costs` is written where rays are counted
+// (TracingRules::count).
 struct RayResults {
   float* t = nullptr;
   std::uint32_t* primitive = nullptr;
   std::uint32_t* object = nullptr;
+  std::uint32_t* face = nullptr;
   float (*uv)[2] = nullptr;
   float (*normal)[3] = nullptr;
   std::uint8_t* occluded = nullptr;
   RayCosts costs{};
 
-  MASU_HD bool has_attributes() const { return object != nullptr || uv != nullptr || normal != nullptr; }
+  MASU_HD bool has_attributes() const {
+    return object != nullptr || face != nullptr || uv != nullptr || normal != nullptr;
+  }
 };
 
 // What is reported of a ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
@@ -139,11 +143,12 @@ MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Gri
 template <class Real, class Stored>
 MASU_HD inline void write_attributes(const SceneView<Stored>& scene, Ray<Real> ray, const Hit<float>& hit,
                                      const RayResults& results, std::size_t i) {
-  std::uint32_t object = no_primitive;
+  std::uint32_t object = no_primitive, face = no_primitive;
   Vec3f normal{0, 0, 0};
   float u = 0, v = 0;
   if (hit.primitive != no_primitive) {
     object = surface_of(scene, hit.primitive).object;
+    face = face_of(scene, hit.primitive);
     const Real scale = scale_direction(ray);
     const auto near = hit_again(scene, ray, Hit<Real>{static_cast<Real>(hit.t) / scale, hit.primitive});
     normal = cast<float>(surface_at<with_all_kinds>(scene, near).normal);
@@ -154,6 +159,7 @@ MASU_HD inline void write_attributes(const SceneView<Stored>& scene, Ray<Real> r
     }
   }
   if (results.object != nullptr) results.object[i] = object;
+  if (results.face != nullptr) results.face[i] = face;
   if (results.uv != nullptr) {
     results.uv[i][0] = u;
     results.uv[i][1] = v;

@@ -14,8 +14,9 @@ namespace masu {
 
 inline constexpr int largest_depth = 32;
 
-// How a hit is named in what is reported: by the NFF's object, or by the scene file's primitive.
-enum class HitName { object, primitive };
+// How a hit is named in what is reported: by the NFF's object, by the scene file's primitive, or by the face
+// of a mesh (face_of, intersect.h).
+enum class HitName { object, primitive, face };
 
 struct RenderRules {
   std::int32_t depth; // of the last ray that is traced; the eye's is 1; at most largest_depth
@@ -33,8 +34,9 @@ template <class Real, class Stored>
 MASU_HD inline HitRecord hit_record(const SceneView<Stored>& scene, const Hit<Real>& hit, Real t_scale,
                                     HitName name) {
   if (hit.primitive == no_primitive) return {static_cast<float>(INFINITY), -1};
-  const std::uint32_t number =
-      name == HitName::object ? surface_of(scene, hit.primitive).object : hit.primitive;
+  const std::uint32_t number = name == HitName::object      ? surface_of(scene, hit.primitive).object
+                               : name == HitName::primitive ? hit.primitive
+                                                            : face_of(scene, hit.primitive);
   return {static_cast<float>(hit.t * t_scale), static_cast<std::int32_t>(number)};
 }
 

@@ -249,7 +249,9 @@ RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName na
   std::vector<std::uint8_t> occluded(request.query == Query::occlusion ? rays.count : 0);
   RayResults results;
   results.t = t.data();
-  (name == HitName::object ? results.object : results.primitive) = names.data();
+  (name == HitName::object      ? results.object
+   : name == HitName::primitive ? results.primitive
+                                : results.face) = names.data();
   results.occluded = occluded.data();
   RayHits found{std::vector<HitRecord>(rays.count), trace(rays, results, request)};
   for (std::size_t i = 0; i < rays.count; ++i)

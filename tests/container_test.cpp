@@ -266,6 +266,10 @@ const std::vector<SceneChange>& scene_changes() {
        true},
       {"one material more", [](Scene& s) { s.materials.push_back(s.materials[0]); }},
       {"no light", [](Scene& s) { s.lights.clear(); }},
+      {"numbers of faces",
+       [](Scene& s) {
+         s.faces = {0, 0};
+       }},
   };
   return changes;
 }

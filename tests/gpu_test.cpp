@@ -60,7 +60,10 @@ protected:
       write_spd({GetParam().scene, size, true}, file, nff);
       std::fclose(file);
     }
-    write_scene(read_nff(nff), store, scene_path);
+    Scene read = read_nff(nff);
+    for (std::uint32_t i = 0; i < read.triangles.size(); ++i)
+      read.faces.push_back(i / 3); // as of polygons
+    write_scene(read, store, scene_path);
     const SceneFile scene(scene_path);
     store == Store::float64 ? build_grid<double>(scene, division, options, grid_path)
                             : build_grid<float>(scene, division, options, grid_path);
@@ -122,6 +125,25 @@ TEST_P(CpuAndGpu, SeeTheSameHitsAndPicture) {
   const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
   expect_same_hits(cpu.hits, gpu.hits);
   expect_same_picture(cpu, gpu);
+}
+
+TEST_P(CpuAndGpu, NameTheSameFaces) {
+  const Built built = build(Store::float32, GetParam().min_size + 1, "auto");
+  const auto triangles = static_cast<std::int32_t>(built.scene.view<float>().triangle_count);
+  FrameRequest wanted = request(built.scene, 128);
+  const Frame primitives = render(Device::cuda, built, wanted);
+  wanted.rules.hit_name = HitName::face;
+  const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
+  expect_same_hits(cpu.hits, gpu.hits);
+  for (std::size_t i = 0; i < gpu.hits.size(); ++i) {
+    const std::int32_t primitive = primitives.hits[i].name;
+    EXPECT_EQ(gpu.hits[i].name, primitive >= 0 && primitive < triangles ? primitive / 3 : primitive);
+  }
+  const std::vector<Ray<double>> rays = random_rays(built.scene, 20'000, 1);
+  const auto faces = [&](Device device) {
+    return Tracer(built.scene, &built.grid, device).hits(rays, {}, HitName::face).hits;
+  };
+  expect_same_hits(faces(Device::cpu), faces(Device::cuda));
 }
 
 TEST_P(CpuAndGpu, SeeTheSameInDouble) {

@@ -202,6 +202,23 @@ INSTANTIATE_TEST_SUITE_P(
                    }}),
     by_name);
 
+// With numbers of the faces of both triangles, or of others.
+WrongScene faces(const char* name, const std::vector<std::uint32_t>& numbers,
+                 std::uint32_t record_bytes = sizeof(std::uint32_t)) {
+  return {name, [=](SceneParts& p) {
+            Bytes bytes(numbers.size() * sizeof numbers[0]);
+            std::memcpy(bytes.data(), numbers.data(), bytes.size());
+            p.sections.push_back({static_cast<std::uint32_t>(SceneSection::faces), record_bytes, bytes});
+          }};
+}
+
+INSTANTIATE_TEST_SUITE_P(Faces, HostileScene,
+                         testing::Values(faces("OneTooFew", {0}), faces("OneTooMany", {0, 0, 1}),
+                                         faces("Negative", {0, 0xffffffff}),
+                                         faces("Beyond31Bits", {0x7fffffff, 0}),
+                                         faces("OfAnotherRecordSize", {0, 1}, 2)),
+                         by_name);
+
 // Makes the table describe one section falsely.
 WrongScene listed(const char* name, std::size_t i,
                   const std::function<fb::Section(const fb::Section&)>& change) {

@@ -1,5 +1,6 @@
 // Meshes read through Assimp: the same triangles as from NFF, transforms, materials, cameras, lights,
 // normals.
+#include "libscene/file/scene_file.h"
 #include "libscene/mesh/import.h"
 #include "libscene/nff/nff.h"
 #include "tests/refused.h"
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -176,10 +178,14 @@ std::string glb_of(const std::vector<Polygon>& triangles, const std::string& nod
   return bytes;
 }
 
+// But for those that keep the numbers of faces without area, which NFF leaves out.
 void expect_same_triangles(const Scene& scene, const Scene& expected) {
-  ASSERT_EQ(scene.triangles.size(), expected.triangles.size());
-  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-    const Triangle<double>&t = scene.triangles[i], &e = expected.triangles[i];
+  std::vector<Triangle<double>> surfaces;
+  for (const Triangle<double> t : scene.triangles)
+    if (has_surface(t)) surfaces.push_back(t);
+  ASSERT_EQ(surfaces.size(), expected.triangles.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Triangle<double>&t = surfaces[i], &e = expected.triangles[i];
     EXPECT_TRUE(t.a == e.a && t.b == e.b && t.c == e.c) << "triangle " << i;
   }
   EXPECT_EQ(scene.warnings.degenerate_polygons, expected.warnings.degenerate_polygons);
@@ -212,6 +218,59 @@ TEST(Import, TrianglesAreTheSameFromEachFormat) {
     expect_same_triangles(parse(binary_ply_of(triangles), "ply").scene, nff);
     expect_same_triangles(parse(stl_of(triangles), "stl").scene, nff);
     expect_same_triangles(parse(glb_of(triangles), "glb").scene, nff);
+  }
+}
+
+// --- Numbers of faces ------------------------------------------------------------------------------------
+
+// Points and lines are no faces.
+TEST(Import, TrianglesHaveTheNumbersOfTheirFaces) {
+  const std::string vertices =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e9 1e9 1e9\nv 2e9 2e9 2e9\nv 3e9 3e9 3e9\n";
+  const ImportedScene imported =
+      parse(vertices + "f 5 6 7\nf 1 2 3\nl 1 2\nf 2 2 3\nf 1 2 4\nf 3 2 1\no more\nf 1 1 1\np 3\nf 2 3 1\n",
+            "obj");
+  const Scene& scene = imported.scene;
+  EXPECT_TRUE(scene.faces.empty()); // each triangle is its own face
+  ASSERT_EQ(scene.triangles.size(), 7U);
+  for (const std::size_t i : {0U, 2U, 3U, 5U})
+    EXPECT_FALSE(has_surface(Triangle<double>(scene.triangles[i]))) << i;
+  EXPECT_TRUE(scene.triangles[1].a == (Vec3d{0, 0, 0}));
+  EXPECT_TRUE(scene.triangles[4].a == (Vec3d{0, 1, 0}));
+  EXPECT_TRUE(scene.triangles[6].a == (Vec3d{1, 0, 0}));
+  EXPECT_EQ(scene.triangles[4].object, 0U);
+  EXPECT_EQ(scene.triangles[5].object, 1U);
+  EXPECT_EQ(scene.warnings.degenerate_polygons, 3U);
+  EXPECT_EQ(imported.notes.invalid_faces, 1U);
+  EXPECT_EQ(imported.notes.points_and_lines, 2U);
+  EXPECT_TRUE(bounds(scene).max == (Vec3d{1, 1, 0})); // those of what can be hit
+}
+
+TEST(Import, TrianglesOfPolygonsSayTheirFaces) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Polygon> polygons = random_polygons(random, 9);
+    polygons.push_back({{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {2, 2, 2}}); // without area
+    std::shuffle(polygons.begin(), polygons.end(), random);
+    for (const auto& [extension, text] : {std::pair{"ply", ply_of(polygons)}, {"obj", obj_of(polygons)}}) {
+      const Scene scene = parse(text, extension).scene;
+      ASSERT_EQ(scene.faces.size(), scene.triangles.size());
+      std::vector<int> triangles(polygons.size());
+      for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
+        const Triangle<double> t = scene.triangles[k];
+        const Polygon& face = polygons.at(scene.faces[k]);
+        ++triangles[scene.faces[k]];
+        const auto has_corner = [&](const Vec3d& p) {
+          return std::any_of(face.begin(), face.end(),
+                             [&](const Vec3d& q) { return largest_magnitude(p - q) < 1e-6; });
+        };
+        EXPECT_TRUE(!has_surface(t) || (has_corner(t.a) && has_corner(t.b) && has_corner(t.c)));
+      }
+      EXPECT_TRUE(std::all_of(triangles.begin(), triangles.end(), [](int count) { return count > 0; }));
+      EXPECT_TRUE(std::is_sorted(scene.faces.begin(), scene.faces.end()));
+    }
   }
 }
 
@@ -415,7 +474,7 @@ TEST(Import, TheAutomaticCameraFramesTheSceneWithItsUpAxis) {
 TEST(Import, WhatIsNoPolygonIsLeftOutAndCounted) {
   const ImportedScene imported = parse(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv inf 0 0\nf 1 2 3\nl 1 2\np 3\nf 1 2 4\nf 1 2 5\n", "obj");
-  EXPECT_EQ(imported.scene.triangles.size(), 1U);
+  EXPECT_EQ(imported.scene.triangles.size(), 3U); // two of which can't be hit
   EXPECT_EQ(imported.notes.points_and_lines, 2U);
   EXPECT_EQ(imported.notes.invalid_faces, 2U);
 }

@@ -51,7 +51,7 @@ private:
 
 struct Found {
   std::vector<float> t, uv, normal;
-  std::vector<std::uint32_t> primitive, object;
+  std::vector<std::uint32_t> primitive, object, face;
   std::vector<std::uint8_t> occluded;
 };
 
@@ -61,6 +61,7 @@ void expect_same(const Found& a, const Found& b) {
   EXPECT_EQ(a.normal, b.normal);
   EXPECT_EQ(a.primitive, b.primitive);
   EXPECT_EQ(a.object, b.object);
+  EXPECT_EQ(a.face, b.face);
   EXPECT_EQ(a.occluded, b.occluded);
 }
 
@@ -117,9 +118,10 @@ protected:
   static Found on_host(const masu_tracer* tracer, const void* rays, std::size_t n,
                        const masu_query& query = {}) {
     Found found{std::vector<float>(n),         std::vector<float>(2 * n),     std::vector<float>(3 * n),
-                std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n), std::vector<std::uint8_t>(n)};
-    const masu_hits hits{found.t.data(), found.primitive.data(), found.object.data(), found.uv.data(),
-                         found.normal.data()};
+                std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n),
+                std::vector<std::uint8_t>(n)};
+    const masu_hits hits{found.t.data(),  found.primitive.data(), found.object.data(),
+                         found.uv.data(), found.normal.data(),    found.face.data()};
     EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
     EXPECT_EQ(masu_occluded(tracer, rays, n, &query, found.occluded.data()), MASU_OK) << masu_error();
     return found;
@@ -128,14 +130,14 @@ protected:
   // `rays` in device memory; the stream is waited for, and nothing else.
   static Found on_device(const masu_tracer* tracer, const void* rays, std::size_t n, masu_query query = {}) {
     const Device<float> t(n), uv(2 * n), normal(3 * n);
-    const Device<std::uint32_t> primitive(n), object(n);
+    const Device<std::uint32_t> primitive(n), object(n), face(n);
     const Device<std::uint8_t> occluded(n);
-    const masu_hits hits{t.data(), primitive.data(), object.data(), uv.data(), normal.data()};
+    const masu_hits hits{t.data(), primitive.data(), object.data(), uv.data(), normal.data(), face.data()};
     EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
     EXPECT_EQ(masu_occluded(tracer, rays, n, &query, occluded.data()), MASU_OK) << masu_error();
     EXPECT_EQ(cudaStreamSynchronize(static_cast<cudaStream_t>(query.stream)), cudaSuccess);
-    return {t.host(n),         uv.host(2 * n), normal.host(3 * n),
-            primitive.host(n), object.host(n), occluded.host(n)};
+    return {t.host(n),      uv.host(2 * n), normal.host(3 * n), primitive.host(n),
+            object.host(n), face.host(n),   occluded.host(n)};
   }
 
   const masu::TemporaryFolder folder_;

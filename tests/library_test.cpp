@@ -90,14 +90,17 @@ protected:
 
 struct Found {
   std::vector<float> t, uv, normal;
-  std::vector<std::uint32_t> primitive, object;
+  std::vector<std::uint32_t> primitive, object, face;
   std::vector<std::uint8_t> occluded;
 
-  explicit Found(std::size_t n) : t(n), uv(2 * n), normal(3 * n), primitive(n), object(n), occluded(n) {}
-  masu_hits hits() { return {t.data(), primitive.data(), object.data(), uv.data(), normal.data()}; }
+  explicit Found(std::size_t n)
+      : t(n), uv(2 * n), normal(3 * n), primitive(n), object(n), face(n), occluded(n) {}
+  masu_hits hits() {
+    return {t.data(), primitive.data(), object.data(), uv.data(), normal.data(), face.data()};
+  }
   friend bool operator==(const Found& a, const Found& b) {
     return a.t == b.t && a.uv == b.uv && a.normal == b.normal && a.primitive == b.primitive &&
-           a.object == b.object && a.occluded == b.occluded;
+           a.object == b.object && a.face == b.face && a.occluded == b.occluded;
   }
 };
 
@@ -233,7 +236,7 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   EXPECT_TRUE(same(doubles8.data(), MASU_RAYS_FLOAT64));
   // Whatever is left out, the rest is the same.
   Found some(rays.size());
-  const masu_hits only{nullptr, nullptr, some.object.data(), nullptr, some.normal.data()};
+  const masu_hits only{nullptr, nullptr, some.object.data(), nullptr, some.normal.data(), some.face.data()};
   ASSERT_DONE(masu_nearest(tracer, rays.data(), rays.size(), nullptr, &only));
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);
@@ -425,6 +428,7 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   EXPECT_EQ(found.primitive[0], 3U);
   EXPECT_EQ(found.t[0], 4);
   EXPECT_EQ(found.primitive[1], 0U); // of equal ones the first
+  EXPECT_EQ(found.face, found.primitive);
   masu_primitive primitive{};
   ASSERT_DONE(masu_describe_primitive(tracer, 4, &primitive));
   EXPECT_EQ(primitive.kind, MASU_TRIANGLE);

@@ -72,6 +72,7 @@ class Queries(WithFolder):
         hit = hits["primitive_ids"] >= 0
         np.testing.assert_array_equal(np.isfinite(hits["t_hit"]), hit)
         np.testing.assert_array_equal(hits["geometry_ids"], np.where(hit, 0, -1))
+        np.testing.assert_array_equal(hits["face_ids"], hits["primitive_ids"])
         self.assertFalse(hits["primitive_normals"][~hit].any())
         self.assertFalse(hits["primitive_uvs"][~hit].any())
         a, b, c = np.moveaxis(vertices[faces[hits["primitive_ids"][hit]]].astype(np.float64), 1, 0)
@@ -98,7 +99,7 @@ class Queries(WithFolder):
             same_bits(self, tracer.nearest(rays, fields=iter([name])), {name: every[name]})
         self.assertEqual({name: str(array.dtype) for name, array in every.items()},
                          {"t_hit": "float32", "primitive_ids": "int32", "geometry_ids": "int32",
-                          "primitive_uvs": "float32", "primitive_normals": "float32"})
+                          "primitive_uvs": "float32", "primitive_normals": "float32", "face_ids": "int32"})
 
     def test_results_depend_neither_on_the_grid_nor_on_coherence(self):
         self.scene()

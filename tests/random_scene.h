@@ -106,6 +106,7 @@ private:
       const double inside = chance_.one_in(5) ? -1 : 1;
       const Vec3d here = near(at, size);
       if ((kinds & 1) != 0) add_triangle(scene, near(here, own), near(here, own), near(here, own));
+      if ((kinds & 1) != 0 && chance_.one_in(4)) add_triangle(scene, here, here, here); // which nothing hits
       if ((kinds & 2) != 0) scene.spheres.push_back(sphere_of<Stored>(here, inside * own));
       if ((kinds & 4) != 0)
         add_cone(scene, near(here, own), inside * own * chance_.one_of({0.1, 0.5, 1.0}), near(here, own),

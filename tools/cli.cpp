@@ -48,14 +48,15 @@ constexpr const char* no_memory = "memory: there isn't enough: choose a smaller 
 // Destructors of libraries (nlohmann's JSON, TBB) allocate memory, and end the process where there is none.
 void end_without_memory() {
   try {
+    // There is none where not even that for an exception could be had.
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
-    static_cast<void>(std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, no_memory));
-    remove_temporary_names();
-    _exit(static_cast<int>(ErrorCode::input));
   } catch (...) {
+    std::abort();
   }
-  std::abort();
+  static_cast<void>(std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, no_memory));
+  remove_temporary_names();
+  _exit(static_cast<int>(ErrorCode::input));
 }
 
 } // namespace

@@ -214,6 +214,7 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
                  RayFormat{settings.ray_store == Store::float64, settings.ray_numbers}};
   const char* const usual = settings.any_hit                          ? "occluded"
                             : settings.hit_name == HitName::primitive ? "t,primitive"
+                            : settings.hit_name == HitName::face      ? "t,face"
                                                                       : "t,object";
   job.fields = hit_fields(settings.write.empty() ? usual : settings.write);
   job.request.tracing = tracing;
@@ -402,15 +403,16 @@ int main(int argc, char** argv) {
         app.add_flag("--any-hit", settings.any_hit,
                      "find out for each ray of --rays whether anything is hit at tmin < t < tmax");
         app.add_option("--write", settings.write,
-                       "what --hits gets for each ray of --rays: a list of t, object, primitive, uv, normal "
-                       "(default t,object), or occluded, with --any-hit");
+                       "what --hits gets for each ray of --rays: a list of t, object, primitive, face, uv, "
+                       "normal (default t,object), or occluded, with --any-hit");
         app.add_option("--hits", settings.hits,
                        "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a "
                        "miss), or what --write says; .npy: a NumPy array; - is standard output");
         add_choice(
             app, "--hit-name", settings.hit_name,
-            {{"object", HitName::object}, {"primitive", HitName::primitive}},
-            "what --hits identifies: object (index in the NFF text) or primitive (index in the scene file)");
+            {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
+            "what --hits identifies: object (index in the NFF text, or of mesh2bin's objects), primitive "
+            "(index in the scene file) or face (number in the mesh's file)");
         settings.inspection.add_to(app);
         app.add_flag("-q,--quiet", settings.quiet, "no progress and no summary on standard error");
         settings.threads.add_to(app);

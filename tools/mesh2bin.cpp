@@ -2,77 +2,96 @@
 #include "libscene/available_memory.h"
 #include "libscene/file/output_file.h"
 #include "libscene/mesh/import.h"
+#include "tools/child_process.h"
 #include "tools/printable.h"
 #include "tools/progress.h"
 #include "tools/scene_report.h"
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
+#include <optional>
+#include <set>
 
 namespace masu {
 namespace {
 
 struct Settings {
   std::string input, objects, size;
+  std::optional<int> time_limit; // seconds of processor time; 0: none
   ImportOptions import;
   SceneOutput output;
   bool quiet = false;
   Threads threads;
 };
 
-// Assimp expands what a file shares: few bytes can be any number of nodes. Its allocations beyond the memory
-// that is available shall fail, instead of the machine.
-void limit_memory() {
-  const double available = available_memory();
-  if (!std::isfinite(available)) return;
-  rlimit limit{};
-  if (getrlimit(RLIMIT_DATA, &limit) != 0) return;
-  limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(available));
-  static_cast<void>(setrlimit(RLIMIT_DATA, &limit));
-}
+// --- Limits of Assimp ------------------------------------------------------------------------------------
 
-// --- Faults of Assimp ------------------------------------------------------------------------------------
+// What Assimp may take to read files of so many bytes: many times what any format needs, so that only a
+// damaged file is ended by it, which makes Assimp loop, or which claims more than it holds.
+constexpr double seconds_at_least = 20, seconds_a_byte = 5e-6;
+constexpr double memory_at_least = 0x1p30, memory_a_byte = 1000;
 
-// Some damaged files make Assimp's readers fault (nodes nested 100,000 deep overflow its stack, for example).
-// Nothing has been written then, and the user gets a line and an exit code as for any other invalid input.
-// Static storage for the signal handler, which has a stack of its own.
-constinit std::array<char, 1024> fault_line{};
-constinit std::array<char, 16384> fault_stack{};
-constexpr std::array fault_signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+// Of this process, while Assimp reads the files of a mesh.
+class AssimpLimits {
+public:
+  explicit AssimpLimits(std::optional<int> seconds) : seconds_(seconds) {
+    getrlimit(RLIMIT_CPU, &processor_);
+    set(RLIMIT_CORE, 0); // a fault leaves no file
+  }
 
-// Calls only async-signal-safe functions.
-void report_fault(int) {
-  static_cast<void>(!write(STDERR_FILENO, fault_line.data(), std::strlen(fault_line.data())));
-  _exit(static_cast<int>(ErrorCode::input));
-}
+  // For each file that is read: the limits grow by its size.
+  void opened(const std::string& file) {
+    if (!files_.insert(file).second) return;
+    std::error_code unknown;
+    if (const auto size = std::filesystem::file_size(file, unknown); !unknown)
+      bytes_ += static_cast<double>(size);
+    set(RLIMIT_DATA, std::min(memory_at_least + memory_a_byte * bytes_, available_));
+    const double seconds = seconds_ ? *seconds_ : std::ceil(seconds_at_least + seconds_a_byte * bytes_);
+    if (seconds > 0) set(RLIMIT_CPU, std::min(seconds, static_cast<double>(processor_.rlim_cur)));
+  }
+  // When they are read. What is made of them may take the memory that there is, and any time.
+  void lift() {
+    set(RLIMIT_DATA, available_);
+    setrlimit(RLIMIT_CPU, &processor_);
+  }
 
-// Calls read(), and reports its faults.
-template <class Read>
-auto guarded(const std::string& name, const Read& read) {
-  const auto line = fmt::format_to_n(
-      fault_line.data(), fault_line.size() - 2,
-      "mesh2bin: {}: Assimp crashed on it: convert it to another format, such as PLY or glTF",
-      printable(name));
-  *line.out = '\n';
-  stack_t stack{};
-  stack.ss_sp = fault_stack.data();
-  stack.ss_size = fault_stack.size();
-  sigaltstack(&stack, nullptr);
-  struct sigaction action {};
-  action.sa_handler = report_fault;
-  action.sa_flags = SA_ONSTACK;
-  for (const int signal : fault_signals)
-    sigaction(signal, &action, nullptr);
-  auto result = read();
-  for (const int signal : fault_signals)
-    std::signal(signal, SIG_DFL);
-  return result;
+  // All that were opened.
+  std::vector<std::string> files() const { return {files_.begin(), files_.end()}; }
+
+private:
+  static void set(decltype(RLIMIT_DATA) resource, double value) {
+    rlimit limit{};
+    if (getrlimit(resource, &limit) != 0) return;
+    limit.rlim_cur = std::isfinite(value) && value < static_cast<double>(limit.rlim_max)
+                         ? static_cast<rlim_t>(value)
+                         : limit.rlim_max;
+    setrlimit(resource, &limit);
+  }
+
+  std::optional<int> seconds_;
+  double available_ = available_memory(), bytes_ = 0;
+  rlimit processor_{}; // before
+  std::set<std::string> files_;
+};
+
+// The error that a signal stands for, which ended the process that read the mesh.
+Error ended_by(int signal, const Settings& settings) {
+  const std::string what =
+      signal == SIGXCPU
+          ? settings.time_limit
+                ? fmt::format("reading it takes longer than --time-limit {}", *settings.time_limit)
+                : "reading it takes far longer than a file of its size should"
+      : signal == SIGKILL ? "reading it was killed, perhaps since there isn't enough memory"
+                          : fmt::format("reading it crashed ({})", strsignal(signal));
+  const char* const remedy = signal == SIGXCPU   ? "repair it, or give it more with --time-limit"
+                             : signal == SIGKILL ? "split it"
+                                                 : "convert it to another format, such as PLY or glTF";
+  return {ErrorCode::input, settings.input, what + ": " + remedy};
 }
 
 // --- The tool --------------------------------------------------------------------------------------------
@@ -82,7 +101,7 @@ void print_notes(const ImportNotes& notes, const std::string& place) {
     if (number > 0) fmt::print(stderr, "mesh2bin: {}: warning: {} {}\n", printable(place), number, what);
   };
   line(notes.points_and_lines, "point(s) and line(s) left out");
-  line(notes.invalid_faces, "face(s) left out: a coordinate isn't finite or is beyond 1e100");
+  line(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
   line(notes.textured_materials, "material(s) have textures, which are ignored: only base colours are used");
   line(notes.omitted_cameras, "camera(s) left out: only the first is used, if it is a perspective camera");
   line(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");
@@ -101,19 +120,27 @@ void write_names(const std::vector<std::string>& names, const std::string& path)
 
 void run(const Settings& settings) {
   if (settings.objects.empty()) settings.output.check();
-  const auto limit = settings.threads.limit();
   check_files({settings.input}, {settings.output.path, settings.objects});
-  limit_memory();
-  const ImportedScene imported = guarded(settings.input, [&] {
+  if (const int signal = continue_in_child(); signal != 0) throw ended_by(signal, settings);
+  const auto limit = settings.threads.limit();
+  AssimpLimits limits(settings.time_limit);
+  limits.opened(settings.input);
+  const ImportedScene imported = [&] {
     Progress progress("reading", settings.quiet);
     ImportOptions options = settings.import;
     options.progress = progress.callback();
+    options.opened = [&](const std::string& file) { limits.opened(file); };
+    options.parsed = [&] { limits.lift(); };
     return read_mesh(settings.input, options);
-  });
+  }();
+  check_files(limits.files(), {settings.output.path, settings.objects});
   print_notes(imported.notes, settings.input);
   write_and_report("mesh2bin", settings.input, imported.scene, settings.output);
   if (!settings.objects.empty()) write_names(imported.object_names, settings.objects);
 }
+
+// Initializers of Assimp's libraries allocate memory before main() is called.
+[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)() = catch_no_memory;
 
 } // namespace
 } // namespace masu
@@ -136,6 +163,11 @@ int main(int argc, char** argv) {
             "--objects", settings.objects,
             "write the objects' names, one a line in the order of their numbers; - is standard output");
         settings.output.add_to(app);
+        app.add_option(
+               "--time-limit", settings.time_limit,
+               "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "
+               "more for each MB")
+            ->check(CLI::Range(0, 100000000));
         app.add_flag("-q,--quiet", settings.quiet, "no progress on standard error");
         settings.threads.add_to(app);
         parse();

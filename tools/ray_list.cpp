@@ -40,6 +40,7 @@ constexpr FieldFormat field_formats[] = {
     {"t", HitField::t, "'<f4'", 4},
     {"object", HitField::object, "'<i4'", 4},
     {"primitive", HitField::primitive, "'<i4'", 4},
+    {"face", HitField::face, "'<i4'", 4},
     {"uv", HitField::uv, "'<f4', (2,)", 8},
     {"normal", HitField::normal, "'<f4', (3,)", 12},
     {"occluded", HitField::occluded, "'|u1'", 1},
@@ -173,7 +174,7 @@ struct Chunk {
   std::vector<std::uint8_t> rays;
   std::size_t count = 0;
   std::vector<float> t, uv, normal;
-  std::vector<std::uint32_t> object, primitive;
+  std::vector<std::uint32_t> object, primitive, face;
   std::vector<std::uint8_t> occluded;
   TaskTotals totals;
 
@@ -193,6 +194,9 @@ struct Chunk {
         break;
       case HitField::primitive:
         results.primitive = room(primitive, 1);
+        break;
+      case HitField::face:
+        results.face = room(face, 1);
         break;
       case HitField::uv:
         results.uv = reinterpret_cast<float(*)[2]>(room(uv, 2));
@@ -216,6 +220,8 @@ struct Chunk {
       return object.data();
     case HitField::primitive:
       return primitive.data();
+    case HitField::face:
+      return face.data();
     case HitField::uv:
       return uv.data();
     case HitField::normal:
@@ -475,7 +481,7 @@ std::vector<HitField> hit_fields(const std::string& names) {
         std::ranges::find_if(field_formats, [&](const auto& f) { return name == f.name; });
     if (found == std::end(field_formats))
       throw Error(ErrorCode::usage, "--write",
-                  fmt::format("'{}' isn't one of t, object, primitive, uv, normal, occluded", name));
+                  fmt::format("'{}' isn't one of t, object, primitive, face, uv, normal, occluded", name));
     if (std::ranges::count(fields, found->field) > 0)
       throw Error(ErrorCode::usage, "--write", fmt::format("has {} twice", name));
     fields.push_back(found->field);

@@ -9,9 +9,9 @@
 
 namespace masu {
 
-// What is written for a ray, one field after the other: t (float), object and primitive (int32, -1 for a
-// miss), uv (2 floats), normal (3 floats), occluded (1 byte).
-enum class HitField { t, object, primitive, uv, normal, occluded };
+// What is written for a ray, one field after the other: t (float), object, primitive and face (int32, -1 for
+// a miss), uv (2 floats), normal (3 floats), occluded (1 byte).
+enum class HitField { t, object, primitive, face, uv, normal, occluded };
 
 // Of a list such as "t,object". Throws Error(usage, --write, …).
 std::vector<HitField> hit_fields(const std::string& names);

@@ -20,6 +20,7 @@ struct Report {
   ObjectCounts objects;
   std::uint64_t triangles = 0, smooth = 0, spheres = 0, cones = 0;
   std::uint64_t corner_normals = 0; // records, which smooth triangles can share
+  std::uint64_t faces = 0;          // records: of the triangles, where their faces have other numbers
   std::uint64_t materials = 0, reflecting = 0, transmitting = 0, lights = 0;
   std::int32_t width = 0, height = 0;
   Boxd bounds = empty_box<double>();
@@ -50,6 +51,7 @@ Report report_of(const Scene& scene, Store store, const Float32Precision& float3
   report.spheres = scene.spheres.size();
   report.cones = scene.cones.size();
   report.corner_normals = scene.normals.size();
+  report.faces = scene.faces.size();
   report.materials = scene.materials.size();
   report.reflecting = count(scene.materials, reflects);
   report.transmitting = count(scene.materials, transmits);
@@ -76,6 +78,7 @@ Report report_of(const SceneFile& file) {
   report.spheres = view.sphere_count;
   report.cones = view.cone_count;
   report.corner_normals = view.normals_count;
+  report.faces = view.faces != nullptr ? view.triangle_count : 0;
   report.materials = view.material_count;
   report.reflecting = table.reflective_materials();
   report.transmitting = table.transmitting_materials();
@@ -95,7 +98,7 @@ Report report_of(const SceneFile& file) {
 template <class Stored>
 std::uint64_t record_bytes(const Report& r) {
   return r.triangles * sizeof(Triangle<Stored>) + r.corner_normals * sizeof(CornerNormals<Stored>) +
-         r.spheres * (sizeof(Sphere<Stored>) + sizeof(Surface)) +
+         r.faces * sizeof(std::uint32_t) + r.spheres * (sizeof(Sphere<Stored>) + sizeof(Surface)) +
          r.cones * (sizeof(Cone<Stored>) + sizeof(Surface)) + r.materials * sizeof(Material) +
          r.lights * sizeof(Light<Stored>);
 }
@@ -189,6 +192,7 @@ Json to_json(const Report& r) {
         {"cones", r.cones},
         {"total", r.triangles + r.spheres + r.cones}}},
       {"smooth_triangles", r.smooth},
+      {"face_numbers", r.faces},
       {"materials", {{"total", r.materials}, {"reflect", r.reflecting}, {"transmit", r.transmitting}}},
       {"lights", r.lights},
       {"resolution", {r.width, r.height}},
@@ -223,6 +227,7 @@ void print_table(const Report& r) {
   line("primitives",
        fmt::format("{}: triangles {} ({} smooth), spheres {}, cones {}", r.triangles + r.spheres + r.cones,
                    r.triangles, r.smooth, r.spheres, r.cones));
+  if (r.faces > 0) line("faces", fmt::format("{} numbers: triangles have others than their faces", r.faces));
   line("materials", fmt::format("{}: {} reflect, {} transmit", r.materials, r.reflecting, r.transmitting));
   line("lights", fmt::format("{}", r.lights));
   line("resolution", fmt::format("{} x {}", r.width, r.height));
@@ -249,7 +254,7 @@ void print_warnings(const char* tool, const std::string& input, const SceneWarni
   const auto line = [&](std::uint64_t number, const char* what) {
     if (number > 0) fmt::print(stderr, "{}: {}: warning: {} {}\n", tool, printable(input), number, what);
   };
-  line(warnings.degenerate_polygons, "polygon(s) without area left out");
+  line(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
   line(warnings.degenerate_triangles, "vertices on triangles without area left out");
   line(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
   line(warnings.degenerate_cones, "cone(s) without length or without radius left out");

@@ -50,18 +50,33 @@ HierarchyFragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex 
   return fragment;
 }
 
-// With room for more.
+bool holds_something(const LaneBox& box) {
+  return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
+}
+
+// Of the primitives that have a surface, with room for more. `count` becomes their number.
 template <class Stored>
-HostArray<HierarchyFragment> fragments_of(const SceneView<Stored>& scene, double margin, std::size_t room) {
+HostArray<HierarchyFragment> fragments_of(const SceneView<Stored>& scene, double margin, std::size_t room,
+                                          std::uint32_t& count) {
   HostArray<HierarchyFragment> fragments(scene.primitive_count() + room);
+  std::atomic<bool> has_gaps = false;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.primitive_count(), 4096),
                     [&](const auto& range) {
                       for (PrimitiveIndex i = range.begin(); i != range.end(); ++i) {
                         with_primitive(scene, i, [&](const auto& primitive) {
                           fragments[i] = fragment_of(bounds(primitive), margin, i);
+                          if (has_surface(primitive)) return;
+                          fragments[i].box = {};
+                          has_gaps = true;
                         });
                       }
                     });
+  count = scene.primitive_count();
+  if (has_gaps)
+    count = static_cast<std::uint32_t>(
+        std::remove_if(fragments.begin(), fragments.begin() + count,
+                       [](const HierarchyFragment& fragment) { return !holds_something(fragment.box); }) -
+        fragments.begin());
   return fragments;
 }
 
@@ -149,9 +164,6 @@ Split best_split(const Bins& bins, int count) {
 LaneBox common(const LaneBox& a, const LaneBox& b) {
   return {larger(a.low, b.low), smaller(a.high, b.high)};
 }
-bool holds_something(const LaneBox& box) {
-  return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
-}
 
 // Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial
 // one isn't tried; spare_fragments is how much more room for fragments there is.
@@ -163,10 +175,10 @@ public:
   BinaryBuilder(const SceneView<Stored>& scene, double margin, const std::function<void(double)>& progress)
       : scene_(scene), margin_(margin), progress_(progress),
         spare_(static_cast<std::size_t>(spare_fragments * scene.primitive_count())),
-        fragments_(fragments_of(scene, margin, spare_)), nodes_(2 * fragments_.size()) {}
+        fragments_(fragments_of(scene, margin, spare_, count_)), nodes_(2 * fragments_.size()) {}
 
   BinaryHierarchy build() {
-    const FragmentRange all{0, scene_.primitive_count(), static_cast<std::uint32_t>(spare_)};
+    const FragmentRange all{0, count_, static_cast<std::uint32_t>(spare_)};
     if (all.count == 0) return {};
     root_area_ = extent_of(all).box.area();
     split(0, all, 0);
@@ -364,6 +376,7 @@ private:
   double margin_;
   const std::function<void(double)>& progress_;
   std::size_t spare_;
+  std::uint32_t count_ = 0; // of primitives that have a surface
   HostArray<HierarchyFragment> fragments_;
   HostArray<BinaryNode> nodes_;
   float root_area_ = 0;

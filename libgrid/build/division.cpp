@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -106,8 +107,8 @@ Vec3d center_of(const Boxd& box) {
   return (box.min + box.max) * 0.5;
 }
 
-// fold(result, primitive, its box) over all primitives, in pieces of fixed size joined in order: the same
-// bits for any number of threads.
+// fold(result, primitive, its box) over all primitives that have a surface, in pieces of fixed size joined in
+// order: the same bits for any number of threads.
 template <class Stored, class Result, class Fold, class Join>
 Result over_primitives(const SceneView<Stored>& scene, const Result& none, const Fold& fold,
                        const Join& join) {
@@ -117,7 +118,7 @@ Result over_primitives(const SceneView<Stored>& scene, const Result& none, const
         [&](const tbb::blocked_range<std::uint32_t>& range, Result result) {
           for (std::uint32_t i = range.begin(); i != range.end(); ++i) {
             const auto primitive = widened(records[i]);
-            fold(result, primitive, bounds(primitive));
+            if (has_surface(primitive)) fold(result, primitive, bounds(primitive));
           }
           return result;
         },
@@ -155,7 +156,8 @@ Boxd crowd_of(const SceneView<Stored>& scene) {
         }
         return a;
       });
-  const std::uint64_t out = scene.primitive_count() / 20;
+  const std::uint64_t out =
+      std::accumulate(histogram.counts[0].begin(), histogram.counts[0].end(), std::uint64_t{0}) / 20;
   Boxd crowd = box;
   for (int axis = 0; axis < 3; ++axis) {
     const auto& counts = histogram.counts[static_cast<std::size_t>(axis)];

@@ -99,6 +99,7 @@ private:
 // A triangle's rows run along the axis that it faces: they hold few voxels of it each, however large it is.
 MASU_HD inline VoxelRows overlap_rows(const GridLayout& layout, Overlap overlap,
                                       const Triangle<double>& triangle) {
+  if (!has_surface(triangle)) return {{{0, 0, 0}, {0, 0, -1}}, 0}; // none
   const VoxelRange range = voxels_met(layout, grown(bounds(triangle), layout.margin));
   const bool all = overlap == Overlap::box || is_line(range);
   return {range, all ? 0 : facing_axis(plane_normal(triangle))};

@@ -80,7 +80,7 @@ struct Splitter {
     with_primitive(scene, number, [&](const auto& primitive) {
       const Boxd box = overlap == Overlap::box ? box_for_overlap(primitive) : bounds(primitive);
       fragment.inverse_breadth = 0x80000000U / breadth_in_voxels(breadth(primitive));
-      some = shrink(fragment, grown(box, layout.margin));
+      some = has_surface(primitive) && shrink(fragment, grown(box, layout.margin));
     });
     return some;
   }

@@ -57,7 +57,12 @@ const char* fault_of(const Checker& checker, const SceneView<Stored>& view, cons
     const Surface& s = view.cone_surfaces[i];
     return s.material < view.material_count && s.object < objects;
   });
-  return indices_good ? nullptr : "a primitive's material, object or normals don't exist";
+  if (!indices_good) return "a primitive's material, object or normals don't exist";
+  const bool faces_good =
+      view.faces == nullptr || checker.all(view.triangle_count, [=] MASU_PASS(std::uint64_t i) {
+        return view.faces[i] < max_primitives;
+      });
+  return faces_good ? nullptr : "the number of a triangle's face is too large";
 }
 
 } // namespace masu

@@ -128,6 +128,7 @@ Hash write_stored(const Scene& scene, const std::string& path) {
       section(SceneSection::sphere_surfaces, scene.sphere_surfaces),
       converted_section(SceneSection::cones, scene.cones),
       section(SceneSection::cone_surfaces, scene.cone_surfaces),
+      section(SceneSection::faces, scene.faces),
   };
   // A cone without length, or whose length's square underflows, has no bounds.
   const auto flattened = std::count_if(scene.cones.begin(), scene.cones.end(), [&](const Cone<double>& cone) {
@@ -274,6 +275,10 @@ Boxd SceneFile::bounds() const {
   return {vector_of(table_->bounds()->min()), vector_of(table_->bounds()->max())};
 }
 
+bool SceneFile::has_faces() const {
+  return container_.count<std::uint32_t>(sections(), number(fb::SceneSection::faces)) > 0;
+}
+
 std::uint64_t SceneFile::primitive_count() const {
   return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
 }
@@ -294,18 +299,19 @@ SceneView<Stored> SceneFile::view() const {
     records = container_.records<T>(sections(), number(kind)).data();
     count = static_cast<std::uint32_t>(all);
   };
-  std::uint32_t sphere_surface_count = 0, cone_surface_count = 0;
+  std::uint32_t sphere_surface_count = 0, cone_surface_count = 0, face_count = 0;
   set(SceneSection::triangles, view.triangles, view.triangle_count);
   set(SceneSection::corner_normals, view.normals, view.normals_count);
   set(SceneSection::spheres, view.spheres, view.sphere_count);
   set(SceneSection::sphere_surfaces, view.sphere_surfaces, sphere_surface_count);
   set(SceneSection::cones, view.cones, view.cone_count);
   set(SceneSection::cone_surfaces, view.cone_surfaces, cone_surface_count);
+  set(SceneSection::faces, view.faces, face_count);
   set(SceneSection::materials, view.materials, view.material_count);
   set(SceneSection::lights, view.lights, view.light_count);
   const std::uint64_t primitives = std::uint64_t{view.triangle_count} + view.sphere_count + view.cone_count;
   if (!is_consistent || primitives >= no_primitive || view.sphere_count != sphere_surface_count ||
-      view.cone_count != cone_surface_count)
+      view.cone_count != cone_surface_count || (face_count > 0 && face_count != view.triangle_count))
     throw_damaged(path(), "its sections have inconsistent sizes");
   const fb::Color& background = *table_->background();
   view.clip = cast<Stored>(padded_bounds<Stored>(bounds()));

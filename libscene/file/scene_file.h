@@ -62,6 +62,8 @@ public:
   bool is_float64() const { return table_->store() == fb::Store::float64; }
 
   std::uint64_t object_count() const;
+  // Whether triangles have other numbers of faces than their own.
+  bool has_faces() const;
 
   // Points into its memory, or nowhere where the records stay in the file; Stored must be the file's own
   // (is_float64).

@@ -49,8 +49,6 @@ void unregister_name(int folder, const std::string& name) {
   }
 }
 
-constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
-
 constinit std::atomic<bool> is_ending{false}; // by a signal
 constinit std::atomic<int> changes{0};        // of names, under way
 

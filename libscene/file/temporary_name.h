@@ -1,6 +1,8 @@
 // A hidden, temporary name for a file that is being written.
 #pragma once
 
+#include <array>
+#include <csignal>
 #include <cstddef>
 #include <string>
 
@@ -41,8 +43,11 @@ private:
 // Calls only async-signal-safe functions.
 void remove_temporary_names();
 
-// For a program's main: SIGINT, SIGTERM and SIGHUP remove all temporary names, also those that are just being
-// made, then end the process as by default. Ignored signals stay ignored.
+// That end programs.
+inline constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
+
+// For a program's main: these signals remove all temporary names, also those that are just being made, then
+// end the process as by default. Ignored signals stay ignored.
 void remove_temporary_names_on_signals();
 
 } // namespace masu

@@ -59,4 +59,10 @@ MASU_HD inline Surface surface_of(const SceneView<Stored>& scene, PrimitiveIndex
                                      : scene.cone_surfaces[sphere - scene.sphere_count];
 }
 
+// The number of the face of a mesh that the primitive is of; its own where it is of none.
+template <class Stored>
+MASU_HD inline std::uint32_t face_of(const SceneView<Stored>& scene, PrimitiveIndex primitive) {
+  return scene.faces != nullptr && primitive < scene.triangle_count ? scene.faces[primitive] : primitive;
+}
+
 } // namespace masu

@@ -70,6 +70,21 @@ struct CornerNormals {
   Vec3<Stored> a, b, c;
 };
 
+// Whether there is anything to hit. A triangle whose corners are one point has no surface: it keeps the
+// number of a face without area (libscene/mesh/points.h), and is in no cell.
+template <class Stored>
+MASU_HD inline bool has_surface(const Triangle<Stored>& t) {
+  return !(t.a == t.b && t.b == t.c);
+}
+template <class Stored>
+MASU_HD inline bool has_surface(const Sphere<Stored>&) {
+  return true;
+}
+template <class Stored>
+MASU_HD inline bool has_surface(const Cone<Stored>&) {
+  return true;
+}
+
 template <class Stored>
 MASU_HD inline bool tapers(const Cone<Stored>& cone) {
   return std::abs(cone.base_radius) != std::abs(cone.apex_radius);

@@ -9,6 +9,7 @@
 #include "libscene/mesh/import_ply.h"
 #include "libscene/mesh/import_transform.h"
 #include "libscene/mesh/import_view.h"
+#include "libscene/mesh/points.h"
 #include "libscene/mesh/triangulate.h"
 
 #include <assimp/DefaultIOSystem.h>
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -99,8 +101,8 @@ std::uint64_t checked_size(const aiScene& file, const std::vector<Instance>& ins
   if (triangles > options.max_primitives)
     throw Error(ErrorCode::input, name,
                 fmt::format("has more than {} triangles: split the file", options.max_primitives));
-  const std::uint64_t each =
-      sizeof(SceneTriangle) + (options.smooth ? sizeof(CornerNormals<double>) : std::uint64_t{0});
+  const std::uint64_t each = sizeof(SceneTriangle) + sizeof(std::uint32_t) +
+                             (options.smooth ? sizeof(CornerNormals<double>) : std::uint64_t{0});
   const double needed = static_cast<double>(triangles) * static_cast<double>(each);
   if (const double available = available_memory(); needed > available)
     throw Error(ErrorCode::input, name,
@@ -121,6 +123,7 @@ struct Importing {
   std::vector<Vec3d> corners, normals;               // of a face
   std::vector<unsigned> vertices;                    // the corners' indices
   Triangulation triangulation;
+  std::uint32_t face = 0; // its number
 };
 
 bool is_valid(const Vec3d& p) {
@@ -168,17 +171,28 @@ Material colored(const ImportedMaterial& of_file, const Vec3f& color) {
   return material;
 }
 
-// Adds the triangles of the face whose corners, in the scene's coordinates, are state.corners.
+// Adds a triangle of the face. Numbers of faces are stored once one isn't its triangle's own.
+void add_triangle(Importing& state, const SceneTriangle& triangle) {
+  Scene& scene = state.result.scene;
+  const std::size_t number = scene.triangles.size();
+  if (scene.faces.empty() && state.face != number) {
+    scene.faces.resize(number);
+    std::iota(scene.faces.begin(), scene.faces.end(), 0U);
+  }
+  if (state.face != number || !scene.faces.empty()) scene.faces.push_back(state.face);
+  scene.triangles.push_back(triangle);
+}
+
+// Adds the triangles of the face whose corners, in the scene's coordinates, are state.corners: one that can't
+// be hit, where it has no area or no place.
 void add_face(Importing& state, const aiMesh& mesh, std::uint32_t object) {
   Scene& scene = state.result.scene;
-  if (!std::all_of(state.corners.begin(), state.corners.end(), is_valid)) {
-    ++state.result.notes.invalid_faces;
-    return;
-  }
-  triangulate(state.corners, state.triangulation);
-  if (state.triangulation.triangles.empty()) {
-    ++scene.warnings.degenerate_polygons;
-    return;
+  const bool has_place = std::all_of(state.corners.begin(), state.corners.end(), is_valid);
+  if (has_place) triangulate(state.corners, state.triangulation);
+  if (!has_place || state.triangulation.triangles.empty()) {
+    ++(has_place ? scene.warnings.degenerate_polygons : state.result.notes.invalid_faces);
+    const Material& material = state.of_file[mesh.mMaterialIndex].material;
+    return add_triangle(state, {{}, object, {}, state.materials.index_of(material), {}, no_normals});
   }
   scene.warnings.degenerate_triangles += state.triangulation.slivers;
   if (state.triangulation.crosses_itself) ++scene.warnings.self_crossing_polygons;
@@ -199,7 +213,7 @@ void add_face(Importing& state, const aiMesh& mesh, std::uint32_t object) {
       scene.normals.push_back({unit_or(state.normals[a], flat), unit_or(state.normals[b], flat),
                                unit_or(state.normals[c], flat)});
     }
-    scene.triangles.push_back({pa, object, pb, index, pc, normals});
+    add_triangle(state, {pa, object, pb, index, pc, normals});
   }
 }
 
@@ -226,6 +240,7 @@ void add_instance(Importing& state, const Instance& instance, std::uint32_t obje
       for (const unsigned vertex : state.vertices)
         state.normals.push_back(import::transformed_direction(of_normals.cofactors, (*normals)[vertex]));
     add_face(state, mesh, object);
+    ++state.face;
   }
   ++(state.smooth ? state.result.scene.objects.patches : state.result.scene.objects.polygons);
   const std::string_view node = instance.node->mName.C_Str(), own = mesh.mName.C_Str();
@@ -259,6 +274,7 @@ ImportedScene imported(const aiScene& file, const std::string& name, const Impor
   if (options.smooth) scene.normals.reserve(triangles);
   for (std::size_t i = 0; i < instances.size(); ++i)
     add_instance(state, instances[i], static_cast<std::uint32_t>(i));
+  place_points(scene.triangles);
   scene.materials = std::move(state.materials.materials);
   import::import_view(file, options, state.result);
   return std::move(state.result);
@@ -286,15 +302,23 @@ private:
 // A file can name any other, as its materials, say: pipes and devices could be read for ever.
 class RegularFiles final : public Assimp::DefaultIOSystem {
 public:
-  Assimp::IOStream* Open(const char* path, const char* mode) override {
+  explicit RegularFiles(const std::function<void(const std::string&)>& opened) : opened_(opened) {}
+  bool Exists(const char* path) const override {
     std::error_code unknown;
-    if (!std::filesystem::is_regular_file(path, unknown)) return nullptr;
+    return std::filesystem::is_regular_file(path, unknown);
+  }
+  Assimp::IOStream* Open(const char* path, const char* mode) override {
+    if (!Exists(path)) return nullptr;
+    if (opened_) opened_(path);
     return DefaultIOSystem::Open(path, mode);
   }
+
+private:
+  const std::function<void(const std::string&)>& opened_;
 };
 
 void set_up(Assimp::Importer& importer, const ImportOptions& options) {
-  importer.SetIOHandler(std::make_unique<RegularFiles>().release()); // owned by it
+  importer.SetIOHandler(std::make_unique<RegularFiles>(options.opened).release()); // owned by it
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   if (options.progress)
     importer.SetProgressHandler(std::make_unique<Progress>(options.progress).release()); // owned by it
@@ -303,7 +327,8 @@ void set_up(Assimp::Importer& importer, const ImportOptions& options) {
 // Assimp's message as one line.
 [[noreturn]] void fail(const Assimp::Importer& importer, const std::string& name) {
   std::string message = importer.GetErrorString();
-  if (message == "std::bad_alloc") message = "reading it needs more memory than is available: split the file";
+  if (message == "std::bad_alloc")
+    message = "reading it needs more memory than it may take: repair or split the file";
   for (char& c : message)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   while (!message.empty() && message.back() == ' ')
@@ -312,26 +337,31 @@ void set_up(Assimp::Importer& importer, const ImportOptions& options) {
   throw Error(ErrorCode::input, name, message);
 }
 
+// What `read` makes of the importer, as a scene.
+template <class Read>
+ImportedScene imported_by(const std::string& name, const ImportOptions& options, const Read& read) {
+  Assimp::Importer importer;
+  set_up(importer, options);
+  const aiScene* const file = read(importer);
+  if (options.parsed) options.parsed();
+  if (file == nullptr) fail(importer, name);
+  return imported(*file, name, options);
+}
+
 } // namespace
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
   import::check_ply_header(FileContents(path).text(), path);
-  Assimp::Importer importer;
-  set_up(importer, options);
-  const aiScene* const file = importer.ReadFile(path, no_steps);
-  if (file == nullptr) fail(importer, path);
-  return imported(*file, path, options);
+  return imported_by(path, options,
+                     [&](Assimp::Importer& importer) { return importer.ReadFile(path, no_steps); });
 }
 
 ImportedScene parse_mesh(std::span<const std::uint8_t> bytes, const std::string& extension,
                          const std::string& name, const ImportOptions& options) {
   import::check_ply_header(text_of(bytes), name);
-  Assimp::Importer importer;
-  set_up(importer, options);
-  const aiScene* const file =
-      importer.ReadFileFromMemory(bytes.data(), bytes.size(), no_steps, extension.c_str());
-  if (file == nullptr) fail(importer, name);
-  return imported(*file, name, options);
+  return imported_by(name, options, [&](Assimp::Importer& importer) {
+    return importer.ReadFileFromMemory(bytes.data(), bytes.size(), no_steps, extension.c_str());
+  });
 }
 
 } // namespace masu

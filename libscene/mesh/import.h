@@ -6,6 +6,11 @@
 // triangulated as NFF's polygons are (triangulate.h): the same polygons give the same triangles, wherever
 // they come from.
 //
+// Faces are numbered through all objects: Scene::faces. Each has a triangle at least, so that those of a mesh
+// of triangles have their faces' numbers: one without area, or with a coordinate that isn't finite or is
+// beyond 1e100, has one that nothing can hit (points.h). What has fewer than three corners, a point or a
+// line, is no face.
+//
 // Materials: import_material.h; camera and lights: import_view.h. Points, lines, textures, animations and
 // skins aren't imported: meshes have the shape of the bind pose.
 #pragma once
@@ -29,13 +34,16 @@ struct ImportOptions {
   // Pixels of the picture; 0: the aspect ratio of the file's camera, 512 pixels high.
   std::int32_t width = 0, height = 0;
   std::function<void(double)> progress{}; // gets shares of the reading, as far as Assimp tells
+  // Gets the name of each file that Assimp opens: the mesh's own, and those that are referred to.
+  std::function<void(const std::string&)> opened{};
+  std::function<void()> parsed{}; // is called when Assimp has read all, before the scene is made of it
   std::uint64_t max_primitives = masu::max_primitives;
 };
 
 // What a file holds that its scene doesn't, and what was made up.
 struct ImportNotes {
-  std::uint64_t points_and_lines = 0; // left out
-  std::uint64_t invalid_faces = 0; // left out: coordinates that aren't finite or beyond 1e100, or bad indices
+  std::uint64_t points_and_lines = 0;          // left out
+  std::uint64_t invalid_faces = 0;             // can't be hit: coordinates that aren't finite or beyond 1e100
   std::uint64_t textured_materials = 0;        // have their base colour only
   std::uint64_t omitted_cameras = 0;           // all but the first, and what isn't a perspective
   std::uint64_t omitted_lights = 0;            // ambient ones, and those without a position or direction

@@ -2,6 +2,8 @@
 
 #include "libscene/automatic_camera.h"
 #include "libscene/error.h"
+#include "libscene/mesh/points.h"
+#include "libscene/mesh/triangulate.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -38,7 +40,8 @@ void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
     }
     const Vec3d a = mesh.vertex(corners[0]), b = mesh.vertex(corners[1]), c = mesh.vertex(corners[2]);
     if (!is_in_range(a) || !is_in_range(b) || !is_in_range(c)) wrong = i;
-    scene.triangles[first + i] = {a, object, b, material, c, no_normals};
+    const bool is_surface = has_area(a, b, c);
+    scene.triangles[first + i] = {a, object, is_surface ? b : a, material, is_surface ? c : a, no_normals};
   });
   if (wrong != none)
     fail(
@@ -59,6 +62,7 @@ Scene scene_of(std::span<const IndexedMesh> meshes) {
   scene.triangles.reserve(triangles);
   for (std::size_t i = 0; i < meshes.size(); ++i)
     add(meshes[i], static_cast<std::uint32_t>(i), scene);
+  place_points(scene.triangles);
   scene.objects.polygons = meshes.size();
   Camera& camera = scene.camera;
   camera = {{}, {}, {0, 0, 1}, 45, 0.01, 512, 512};

@@ -52,7 +52,7 @@ class QueryRecord(ctypes.Structure):
 
 class HitsRecord(ctypes.Structure):
     _fields_ = [("t", c_void_p), ("primitive", c_void_p), ("object", c_void_p), ("uv", c_void_p),
-                ("normal", c_void_p)]
+                ("normal", c_void_p), ("face", c_void_p)]
 
 
 class MeshRecord(ctypes.Structure):

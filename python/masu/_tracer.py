@@ -28,6 +28,7 @@ _FIELDS = {
     "geometry_ids": _Field("object", "int32", ()),
     "primitive_uvs": _Field("uv", "float32", (2,)),
     "primitive_normals": _Field("normal", "float32", (3,)),
+    "face_ids": _Field("face", "int32", ()),
 }
 FIELDS = tuple(_FIELDS)  # of Tracer.nearest()
 
@@ -199,6 +200,8 @@ class Tracer:
         geometry_ids       int32: its object (the mesh), -1 for a miss
         primitive_uvs      (..., 2) float32: the point of a triangle a b c is (1 - u - v) a + u b + v c; 0 on others
         primitive_normals  (..., 3) float32: geometric, of unit length, on the primitive's front; 0 for a miss
+        face_ids           int32: of a scene from mesh2bin, the number of the file's face, through all objects in their
+                           order; of others as primitive_ids; -1 for a miss
 
         precision: "auto" ("robust", or "double" for a scene in float64), "robust", "double", or "fast", which is for
         comparison. coherent: neighbours in the array have similar origins and directions, which changes the speed

@@ -107,12 +107,12 @@ void query(Input& input, const masu_tracer* tracer) {
   const bool is_float64 = format == MASU_RAYS_FLOAT64 || format == MASU_RAYS_FLOAT64_6;
   const void* const list = is_float64 ? static_cast<const void*>(rays64.data()) : rays.data();
   std::vector<float> t(count), uv(2 * count), normal(3 * count);
-  std::vector<std::uint32_t> primitive(count), object(count);
+  std::vector<std::uint32_t> primitive(count), object(count), face(count);
   const auto wanted = input.take<std::uint8_t>();
-  const masu_hits hits{(wanted & 1U) != 0 ? t.data() : nullptr,
-                       (wanted & 2U) != 0 ? primitive.data() : nullptr,
-                       (wanted & 4U) != 0 ? object.data() : nullptr, (wanted & 8U) != 0 ? uv.data() : nullptr,
-                       (wanted & 16U) != 0 ? normal.data() : nullptr};
+  const masu_hits hits{
+      (wanted & 1U) != 0 ? t.data() : nullptr,       (wanted & 2U) != 0 ? primitive.data() : nullptr,
+      (wanted & 4U) != 0 ? object.data() : nullptr,  (wanted & 8U) != 0 ? uv.data() : nullptr,
+      (wanted & 16U) != 0 ? normal.data() : nullptr, (wanted & 32U) != 0 ? face.data() : nullptr};
   masu_description description{};
   const bool is_known = masu_describe(tracer, &description) == MASU_OK;
   if (masu_nearest(tracer, list, count, &options, &hits) == MASU_OK && is_known && (wanted & 3U) == 3) {

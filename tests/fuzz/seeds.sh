@@ -32,6 +32,11 @@ for store in float32 float64; do
   done
 done
 "$bin/gridbuild" scene_fuzz/float32 -o grid_fuzz/blocks --merge none --division 160x4x4 -q
+if [ -x "$bin/mesh2bin" ]; then # with numbers of faces
+  printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' > square.obj
+  echo 'f 1 2 3 4' >> square.obj
+  "$bin/mesh2bin" square.obj -o scene_fuzz/faces -q
+fi
 # A section of more than 4 MiB, whose hash is one of several pieces.
 "$bin/nffgen" balls --size 4 -q | "$bin/nff2bin" - -o large.scene -q
 "$bin/gridbuild" large.scene -o grid_fuzz/large --merge none --division 128 -q

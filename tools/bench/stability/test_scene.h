@@ -158,6 +158,7 @@ struct TestScene {
             surfaces.data(),
             cones.data(),
             surfaces.data(),
+            nullptr,
             &material,
             nullptr,
             number(triangles),

@@ -1,0 +1,17 @@
+// Triangles that nothing can hit: they keep the numbers of a mesh's faces without area.
+//
+// Such a face isn't stored as it is, for rays might meet what rounding to float32, or the projection along a
+// ray, makes of it; and far from the others it would enlarge the scene's bounds, and with them every error
+// bound. All three corners of its triangle are one point instead (has_surface, primitives.h), which no test
+// hits, and which builders leave out.
+#pragma once
+
+#include "libscene/scene.h"
+
+namespace masu {
+
+// Puts the triangles without a surface where others are: in a corner of the first one that has a surface. So
+// neither bounds nor the choice of the store depend on them. Where none has one, in (1, 1, 1).
+void place_points(GrowingArray<SceneTriangle>& triangles);
+
+} // namespace masu

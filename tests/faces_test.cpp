@@ -1,0 +1,293 @@
+// Faces of meshes: those without area keep their numbers and are never hit, through any grid and by any
+// arithmetic; and hits are named by the faces that triangles are of.
+#include "libgrid/build/hierarchy.h"
+#include "libscene/mesh/indexed_mesh.h"
+#include "libscene/mesh/triangulate.h"
+#include "tests/random_grid.h"
+#include "tests/random_scene.h"
+#include "tests/refused.h"
+#include "tests/rendering.h"
+#include "tests/scene_builder.h"
+#include "tests/tiny_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+constexpr std::array all_kinds{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
+                               GridKind::hierarchy};
+
+GridOptions of_kind(GridKind kind) {
+  GridOptions options;
+  options.kind = kind;
+  return options;
+}
+
+// --- Points ---------------------------------------------------------------------------------------------
+
+template <class Stored>
+Grid grid_of(const SceneView<Stored>& scene, GridKind kind, const GridLayout& layout, Overlap overlap) {
+  return kind == GridKind::hierarchy ? hierarchy_grid(scene, layout)
+                                     : build_grid(scene, layout, overlap, of_kind(kind));
+}
+
+// Triangles of a scene with points among them; `numbers` are the others' numbers then.
+template <class Stored>
+TestScene<Stored> with_points(Chance& chance, const TestScene<Stored>& scene,
+                              std::vector<PrimitiveIndex>& numbers) {
+  TestScene<Stored> result;
+  const Boxd bounds = scene.bounds();
+  const auto add_points = [&](int most) {
+    for (int i = chance.whole(0, most); i > 0; --i) {
+      const Vec3<Stored> at = scene.triangles[chance.index(scene.triangles.size())].a;
+      result.triangles.push_back(triangle_of<Stored>(at, at, at));
+    }
+  };
+  for (const Triangle<Stored>& triangle : scene.triangles) {
+    add_points(chance.one_in(20) ? 100 : 1);
+    numbers.push_back(static_cast<PrimitiveIndex>(result.triangles.size()));
+    result.triangles.push_back(triangle);
+  }
+  add_points(3);
+  EXPECT_TRUE(result.bounds().min == bounds.min && result.bounds().max == bounds.max);
+  return result;
+}
+
+template <class Stored>
+class Points : public testing::Test {};
+TYPED_TEST_SUITE(Points, testing::Types<float TYPED_TEST_COMMA double>);
+
+TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
+  using Stored = TypeParam;
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (std::int64_t s = cases(60); s > 0; --s) {
+    TestScene<Stored> scene;
+    for (int i = chance.whole(1, 200); i > 0; --i) {
+      const Vec3d at = chance.in_cube(1);
+      const double size = chance.power_of_two(-8, 0);
+      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
+      scene.triangles.push_back(triangle_of<Stored>(corner(), corner(), corner()));
+    }
+    std::vector<PrimitiveIndex> numbers;
+    TestScene<Stored> more = with_points(chance, scene, numbers);
+    GridLayout layout = random_layout<Stored>(chance, scene.bounds());
+    for (const GridKind kind : all_kinds) {
+      SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind));
+      if (kind == GridKind::irregular) layout.division = {3, 2, 4};
+      const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+      Grid without = grid_of(scene.view(), kind, layout, overlap);
+      const Grid with = grid_of(more.view(), kind, layout, overlap);
+      for (PrimitiveIndex& reference : without.references)
+        reference = numbers.at(reference & ~last_bit) | (reference & last_bit);
+      EXPECT_TRUE(same_values(with.references, without.references));
+      EXPECT_TRUE(same_values(with.voxel_map, without.voxel_map));
+      EXPECT_TRUE(same_values(with.cells, without.cells));
+      EXPECT_TRUE(same_values(with.nodes, without.nodes));
+    }
+  }
+}
+
+TEST(FacesWithoutArea, ManyOfThemTakeNoSpaceInGrids) {
+  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+  add_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
+  for (int i = 0; i < 100000; ++i)
+    scene.triangles.push_back({{0, 0, 0}, 0, {0, 0, 0}, 0, {0, 0, 0}, no_normals});
+  for (const GridKind kind : all_kinds)
+    EXPECT_LE(Rendering(scene, Store::float32, "4", of_kind(kind)).grid().references().size(), 4096U);
+  const Rendering rendering(scene, Store::float32);
+  EXPECT_EQ(division_statistics(rendering.scene().view<float>()).all.primitives, 1U);
+}
+
+// --- Faces without area ---------------------------------------------------------------------------------
+
+struct ArrayMesh {
+  std::vector<Vec3d> vertices;
+  std::vector<std::uint32_t> indices;
+
+  void add(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+    for (const Vec3d& v : {a, b, c}) {
+      indices.push_back(static_cast<std::uint32_t>(vertices.size()));
+      vertices.push_back(v);
+    }
+  }
+  IndexedMesh view() const {
+    return {vertices.size(), indices.size() / 3, [this](std::size_t i) { return vertices[i]; },
+            indices.data()};
+  }
+};
+
+// A triangle without area: its corners are one, or two, or on a line that no number type holds.
+std::array<Vec3d, 3> needle(Chance& chance) {
+  const Vec3d a = chance.in_cube(1), c = chance.in_cube(1);
+  for (;;) {
+    const Vec3d b = fma(c - a, chance.uniform(0, 1), a);
+    std::array<Vec3d, 3> corners = chance.one_in(8)   ? std::array{a, a, a}
+                                   : chance.one_in(8) ? std::array{a, c, c}
+                                                      : std::array{a, b, c};
+    std::shuffle(corners.begin(), corners.end(), chance.engine());
+    if (!has_area(corners[0], corners[1], corners[2])) return corners;
+  }
+}
+
+TEST(FacesWithoutArea, AreNeverHit) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  std::size_t hits = 0;
+  for (std::int64_t s = cases(12); s > 0; --s) {
+    ArrayMesh mesh;
+    std::vector<bool> is_surface;
+    std::vector<Ray<double>> rays;
+    for (int i = 0; i < 300; ++i) {
+      is_surface.push_back(chance.one_in(10));
+      if (is_surface.back()) {
+        const Vec3d at = chance.in_cube(1);
+        mesh.add(at, at + chance.in_cube(0.3), at + chance.in_cube(0.3));
+        is_surface.back() =
+            has_area(*(mesh.vertices.end() - 3), *(mesh.vertices.end() - 2), mesh.vertices.back());
+        continue;
+      }
+      const auto [a, b, c] = needle(chance);
+      mesh.add(a, b, c);
+      for (int k = 0; k < 40; ++k) {
+        const Vec3d at = fma(c - a, chance.uniform(0, 1), a), from = chance.in_cube(2);
+        rays.push_back({from, 0, at - from, INFINITY});
+      }
+    }
+    const std::array meshes{mesh.view()};
+    const Store store = chance.one_in(3) ? Store::float64 : Store::float32;
+    for (const GridKind kind : all_kinds) {
+      const Rendering rendering(scene_of(meshes), store, "8", of_kind(kind));
+      for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
+        const Tracer tracer(rendering.scene(), grid, Device::cpu);
+        for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled}) {
+          if (store == Store::float64 && precision != Precision::doubled) continue;
+          RaysRequest request;
+          request.tracing.precision = precision;
+          for (const HitRecord& hit : tracer.hits(rays, request, HitName::primitive).hits) {
+            hits += hit.name >= 0;
+            ASSERT_TRUE(hit.name < 0 || is_surface[static_cast<std::size_t>(hit.name)])
+                << "triangle " << hit.name << ", precision " << name_of(precision) << ", kind "
+                << static_cast<int>(kind);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(hits, 1000U);
+}
+
+// However far away they are.
+TEST(FacesWithoutArea, ChangeNeitherBoundsNorTheStore) {
+  ArrayMesh mesh;
+  mesh.add({1, 0, 0}, {2, 0, 0}, {1, 1, 0});
+  const std::array plain{mesh.view()};
+  const Scene expected = scene_of(plain);
+  mesh.add({1e9, 1e9, 1e9}, {2e9, 2e9, 2e9}, {3e9, 3e9, 3e9});
+  mesh.add({5, 5, 5}, {5, 5, 5}, {5, 5, 5 + 1e-30});
+  const std::array meshes{mesh.view()};
+  const Scene scene = scene_of(meshes);
+  ASSERT_EQ(scene.triangles.size(), 3U);
+  EXPECT_TRUE(bounds(scene).min == bounds(expected).min && bounds(scene).max == bounds(expected).max);
+  EXPECT_TRUE(float32_precision(scene).suffices());
+  EXPECT_TRUE(scene.camera.from == expected.camera.from);
+}
+
+TEST(FacesWithoutArea, MakeASceneInWhichNothingIsHitWhereThereAreNoOthers) {
+  ArrayMesh mesh;
+  mesh.add({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  mesh.add({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+  const std::array meshes{mesh.view()};
+  for (const GridKind kind : all_kinds) {
+    const Rendering rendering(scene_of(meshes), Store::automatic, "auto", of_kind(kind));
+    EXPECT_FALSE(rendering.scene().is_float64());
+    EXPECT_EQ(rendering.scene().primitive_count(), 2U);
+    EXPECT_EQ(rendering.grid().references().size(), 0U);
+    const std::vector<Ray<double>> rays{{{0, 0, 0}, 0, {1, 1, 1}, INFINITY},
+                                        {{1, 1, 5}, 0, {0, 0, -1}, INFINITY}};
+    for (const HitRecord& hit :
+         Tracer(rendering.scene(), &rendering.grid(), Device::cpu).hits(rays, {}, HitName::primitive).hits)
+      EXPECT_EQ(hit.name, -1);
+  }
+}
+
+// --- Numbers of faces -----------------------------------------------------------------------------------
+
+// A scene of every kind of primitive, whose triangles are of faces.
+Scene scene_with_faces(Chance& chance) {
+  Scene scene = empty_scene({0, 0, 4}, {0, 0, 0});
+  scene.camera.width = scene.camera.height = 40;
+  for (int i = 0; i < 30; ++i) {
+    const Vec3d at = chance.in_cube(1);
+    add_triangle(scene, at, at + chance.in_cube(1), at + chance.in_cube(1), matte({1, 1, 1}));
+    scene.faces.push_back(static_cast<std::uint32_t>(chance.one_in(10) ? 0x7ffffffe : chance.whole(0, 100)));
+  }
+  add_sphere(scene, chance.in_cube(1), 0.2, matte({1, 1, 1}));
+  add_cone(scene, {chance.in_cube(1), 0.2, chance.in_cube(1), 0.1}, matte({1, 1, 1}));
+  return scene;
+}
+
+TEST(FaceNumbers, AreReadBackAsWritten) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  const TemporaryFolder folder;
+  const Scene scene = scene_with_faces(chance), plain = tiny_scene();
+  for (const Store store : {Store::float32, Store::float64}) {
+    write_scene(scene, store, folder.file("scene"));
+    const SceneFile file(folder.file("scene"));
+    const auto expect_faces = [&](const auto& view) {
+      ASSERT_NE(view.faces, nullptr);
+      EXPECT_TRUE(std::equal(scene.faces.begin(), scene.faces.end(), view.faces));
+    };
+    store == Store::float64 ? expect_faces(file.view<double>()) : expect_faces(file.view<float>());
+  }
+  write_scene(plain, Store::float32, folder.file("scene"));
+  EXPECT_EQ(SceneFile(folder.file("scene")).view<float>().faces, nullptr);
+}
+
+TEST(FaceNumbers, NameHits) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  std::size_t hits = 0;
+  for (std::int64_t s = cases(5); s > 0; --s) {
+    for (const bool has_faces : {true, false}) {
+      Scene scene = scene_with_faces(chance);
+      if (!has_faces) scene.faces.clear();
+      const Rendering rendering(scene, Store::float32);
+      const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+      std::vector<Ray<double>> rays;
+      for (int i = 0; i < 1003; ++i)
+        rays.push_back({chance.in_cube(2), 0, chance.direction(), INFINITY});
+      const auto check = [&](const auto& by_primitive, const auto& by_face) {
+        for (std::size_t i = 0; i < by_primitive.size(); ++i) {
+          const std::int32_t primitive = by_primitive[i].name;
+          const bool of_face =
+              has_faces && primitive >= 0 && static_cast<std::size_t>(primitive) < scene.triangles.size();
+          hits += of_face;
+          EXPECT_EQ(by_face[i].name,
+                    of_face ? static_cast<std::int32_t>(scene.faces[static_cast<std::size_t>(primitive)])
+                            : primitive);
+        }
+      };
+      check(tracer.hits(rays, {}, HitName::primitive).hits, tracer.hits(rays, {}, HitName::face).hits);
+      FrameRequest request = rendering.request();
+      request.rules.hit_name = HitName::primitive;
+      const Frame by_primitive = tracer.render(request);
+      request.rules.hit_name = HitName::face;
+      check(by_primitive.hits, tracer.render(request).hits);
+    }
+  }
+  EXPECT_GT(hits, 1000U);
+}
+
+} // namespace
+} // namespace masu
