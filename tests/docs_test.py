@@ -18,7 +18,7 @@ import sys
 # Commands that aren't run here, and why.
 NOT_RUN = {
     r"^tools/(demo|test)\.sh": "install packages and build everything; test.sh runs this test",
-    r"-DMASU_SOURCE=": "compiles the library: run by examples_test.sh",
+    r"examples/build-all": "compiles the library: run by examples_test.sh",
     r"^examples/lesson\.sh": "takes two minutes: most of its commands are lesson.md's",
     r"^tools/bench/(performance\.sh|performance_tables\.py|cpu_rays\.sh)": "take minutes to hours on a quiet machine",
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
@@ -72,7 +72,7 @@ made() { # folder
 cmake() {
   case "$*" in
     "--preset "*) command cmake "$@" "${CONFIGURED[@]}" ;;
-    "--build build "*) made build ;;
+    "--build build" | "--build build "*) made build ;;
     "--build --preset "*) made "build/$3" ;;
     "--install "*--prefix*) command cmake "$@" ;;
     "--install "*) command cmake "$@" --prefix "$PWD/usr" ;;
