@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Installs the library into a temporary folder, moves it, and builds and runs the examples as a project of its own there,
-# with flags unlike Masu's: examples_test.sh BUILD [gpu]. PYTHON: a python3 with NumPy. Without gpu what needs a GPU is
-# built, where there is nvcc, and not run; with it nothing else is run, and 77 is returned where there is no GPU.
+# with flags unlike Masu's: examples_test.sh BUILD [gpu|source]. PYTHON: a python3 with NumPy. Without gpu what needs a GPU
+# is built, where there is nvcc, and not run; with it nothing else is run, and 77 is returned where there is no GPU. With
+# source the examples take the library's source in instead, in a folder in BUILD that is kept: another run compiles only
+# what has changed.
 set -euo pipefail
 source=$(cd "$(dirname "$0")/.." && pwd)
 build=$1
@@ -13,6 +15,15 @@ step() { echo; echo "== $*"; }
 if [ "$which" = gpu ] && ! nvidia-smi -L 2>/dev/null | grep -q GPU; then
   echo "skipped: no GPU"
   exit 77
+fi
+
+if [ "$which" = source ]; then
+  step "with add_subdirectory"
+  cmake -S "$source/examples" -B "$build/examples_from_source" -DMASU_SOURCE=.. -DCMAKE_CUDA_COMPILER=NOTFOUND
+  cmake --build "$build/examples_from_source" --parallel "$(nproc)"
+  ctest --test-dir "$build/examples_from_source" --output-on-failure --no-tests=error
+  [ -z "$(find "$build/examples_from_source" -type f -name 'grid*' -perm -u+x)" ] # the tools aren't built
+  exit
 fi
 
 step "install"

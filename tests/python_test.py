@@ -12,7 +12,7 @@ import unittest
 import numpy as np
 
 import masu
-from python_scene import brute_force, documented_examples, random_generator, random_mesh, random_rays
+from python_scene import brute_force, random_generator, random_mesh, random_rays
 
 INFINITY = np.float32(np.inf)
 
@@ -552,14 +552,6 @@ print(tracer.nearest([0.2, 0.2, 2, 0, 0, -1])["t_hit"])
 
 
 class Documentation(unittest.TestCase):
-    def test_examples_run_as_typed(self):
-        """One after another, in an empty folder; that of PyTorch is python_gpu_test.py's."""
-        blocks = [block for block in documented_examples() if "import torch" not in block]
-        self.assertGreater(len(blocks), 2)
-        with tempfile.TemporaryDirectory() as folder:
-            result = run_python("import os\nos.chdir({!r})\n".format(folder) + "".join(blocks))
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-
     def test_the_modules_own_example_runs(self):
         text = "".join(line[4:] + "\n" for line in masu.__doc__.splitlines() if line.startswith("    "))
         with tempfile.TemporaryDirectory() as folder:

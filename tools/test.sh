@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/setup.sh
-require "${basics[@]}" libgtest-dev -- gnuplot-nox pkg-config python3-numpy "${extras[@]}"
+require "${basics[@]}" libgtest-dev -- "${tests[@]}" "${extras[@]}"
 find_cuda
 
 echo "== building programs and tests: some three minutes on two cores, with CUDA five more"
