@@ -25,6 +25,7 @@ public:
   ErrorCode code() const noexcept { return code_; }
   const std::string& place() const noexcept { return place_; }
   const std::string& message() const noexcept { return message_; }
+  const std::string& text() const noexcept { return text_; } // place and message
   const char* what() const noexcept override { return text_.c_str(); }
 
 private:

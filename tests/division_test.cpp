@@ -300,5 +300,39 @@ TEST(AutomaticDivision, StaysCoarseOnlyWhereTheFloorIsLargeNotTheCrowd) {
   EXPECT_LT(side(), without * 12);
 }
 
+// However many large primitives lie on each other, and so on any machine.
+TEST(AutomaticDivisions, MakeABoundedNumberOfReferences) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (const std::size_t count : {1000U, 30'000U, 300'000U}) {
+    for (const double spread : {0.0, 1e-6, 1.0}) { // coincident, or nearly so, or anywhere
+      for (int shape = 0; shape < 3; ++shape) {    // flat triangles, any triangles, spheres
+        TestScene<float> scene;
+        const Vec3d a = chance.in_cube(1), b = chance.in_cube(1), c = chance.in_cube(1);
+        const auto near = [&](Vec3d p) {
+          if (shape == 0) p.z = 0;
+          return cast<float>(p + chance.in_cube(1) * spread);
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+          if (shape < 2)
+            scene.triangles.push_back(triangle_of(near(a), near(b), near(c)));
+          else
+            scene.spheres.push_back(sphere_of<float>(cast<double>(near(a)), 0.5));
+        }
+        const DivisionStatistics statistics = division_statistics(scene.view());
+        for (const Kind kind : {Kind::automatic, Kind::nested}) {
+          DivisionRule rule;
+          rule.kind = kind;
+          const GridLayout layout =
+              make_grid_layout<float>(scene.bounds(), SpaceRule::tight, rule, statistics);
+          EXPECT_LE(expected_references(statistics.all, layout), 0x1p24 + 128.0 * static_cast<double>(count))
+              << count << " of shape " << shape << " spread by " << spread;
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 } // namespace masu

@@ -37,6 +37,8 @@ Spawned spawn(const std::string& tool, const Arguments& arguments, const Surroun
   posix_spawn_file_actions_addopen(&actions, 0, surroundings.input.c_str(), O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  for (const int stream : surroundings.closed)
+    posix_spawn_file_actions_addclose(&actions, stream);
   Spawned spawned;
   spawned.error =
       posix_spawn(&spawned.process, path.c_str(), &actions, nullptr, argv.data(), environment.data());
@@ -59,14 +61,15 @@ Arguments joined(Arguments first, const Arguments& more) {
 ToolResult run(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings) {
   const TemporaryFolder folder;
   const std::string out = surroundings.output.empty() ? folder.file("out") : surroundings.output;
-  const Spawned spawned = spawn(tool, arguments, surroundings, out, folder.file("err"));
+  const std::string err = surroundings.error.empty() ? folder.file("err") : surroundings.error;
+  const Spawned spawned = spawn(tool, arguments, surroundings, out, err);
   ToolResult result;
   if (spawned.error != 0) return result;
   int status = 0;
   if (waitpid(spawned.process, &status, 0) != spawned.process) return result;
   result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   if (surroundings.output.empty()) result.out = read_text(out);
-  result.err = read_text(folder.file("err"));
+  if (surroundings.error.empty()) result.err = read_text(err);
   return result;
 }
 

@@ -17,11 +17,13 @@ struct ToolResult {
   std::string out, err;
 };
 
-// Standard input and output and environment of a tool.
+// Standard streams and environment of a tool.
 struct Surroundings {
   std::string input = "/dev/null"; // a file as standard input
-  std::string output;              // a file for standard output, instead of ToolResult::out
-  std::string environment;         // one more variable, NAME=value
+  std::string output{};            // a file for standard output, instead of ToolResult::out
+  std::string environment{};       // one more variable, NAME=value
+  std::string error{};             // a file for standard error, instead of ToolResult::err
+  std::vector<int> closed{};       // descriptors that the tool is started without
 };
 
 // `tool`: its name, or the path of another program.

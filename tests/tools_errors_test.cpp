@@ -452,6 +452,26 @@ TEST_F(Inputs, AreNeverOutputs) {
     expect_spared(grid_, "gridstat", {grid_}, "--cells", ending);
 }
 
+TEST_F(Inputs, ThatAreLoopsOfLinksCannotBeRead) {
+  std::filesystem::create_symlink("loop", file("loop"));
+  std::filesystem::create_symlink("b", file("a"));
+  std::filesystem::create_symlink("a", file("b"));
+  for (const std::string& loop : {file("loop"), file("a")}) {
+    const auto unread = [&](const std::string& tool, const Arguments& arguments) {
+      return fails(2, tool, arguments, loop, "symbolic links");
+    };
+    EXPECT_TRUE(unread("nff2bin", {loop, "-o", file("new")}));
+    EXPECT_TRUE(unread("gridbuild", {loop, "-o", file("new")}));
+    EXPECT_TRUE(unread("gridstat", {loop}));
+    EXPECT_TRUE(unread("gridstat", {grid_, "--slice", "z=0", "--outline", loop, "-o", file("new.png")}));
+    EXPECT_TRUE(unread("gridrender", {loop, grid_, "-o", file("new.png")}));
+    EXPECT_TRUE(unread("gridrender", {scene_, loop, "-o", file("new.png")}));
+    EXPECT_TRUE(unread("gridrender", {scene_, grid_, "--views", loop, "-o", file("{index}.png")}));
+    EXPECT_TRUE(unread("gridrender", {scene_, grid_, "--rays", loop, "--hits", file("new")}));
+    EXPECT_TRUE(fails(3, "gridbuild", {scene_, "-o", loop}, loop, "symbolic links"));
+  }
+}
+
 TEST_F(Inputs, FromStandardInputAreNeverOutputs) {
   const Bytes before = read_bytes(file("a.nff"));
   EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("a.nff")}, {file("a.nff"), {}, {}}), 1, "nff2bin",
@@ -535,28 +555,13 @@ TEST_F(BadCommand, OfNff2binIsAUsageError) {
 
 TEST_F(BadCommand, OfGridbuildIsAUsageError) {
   EXPECT_TRUE(refused("gridbuild", {scene_}));
-  for (const char* const division : {"0",
-                                     "-1",
-                                     "",
-                                     "x",
-                                     "4x4",
-                                     "4x4x0",
-                                     "4x4x4x4",
-                                     "65536",
-                                     "1e3",
-                                     "4.5",
-                                     "cleary",
-                                     "cleary:",
-                                     "cleary:0",
-                                     "cleary:-1",
-                                     "cleary:nan",
-                                     "cleary:inf",
-                                     "cleary:1e30",
-                                     "woo:1e9",
-                                     "cube-root:1e30",
-                                     "cubic:1",
-                                     "auto:2",
-                                     "99999999999999999999"}) {
+  for (const char* const division : {"0",           "-1",         "x",
+                                     "4x4",         "4x4x0",      "4x4x4x4",
+                                     "65536",       "1e3",        "4.5",
+                                     "cleary",      "cleary:",    "cleary:0",
+                                     "cleary:-1",   "cleary:nan", "cleary:inf",
+                                     "cleary:1e30", "woo:1e9",    "cube-root:1e30",
+                                     "cubic:1",     "auto:2",     "99999999999999999999"}) {
     EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), "--division", division}, "--division"))
         << division;
   }
@@ -601,7 +606,7 @@ TEST_F(BadCommand, OfGridstatIsAUsageError) {
     EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
   for (const char* const slice :
        {"z@", "z@x", "z@nan", "z@1e99", "z@1 ", "zz=1", "z=1.5", "z=1e1", "z=101%", "z=-1%", "z=nan%", "z=%",
-        "z=99999999999999999999", "z=0x1", "z= 1", "x@0x1p0", ""})
+        "z=99999999999999999999", "z=0x1", "z= 1", "x@0x1p0"})
     EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
   const Arguments slice{grid_, "--slice", "z=0", "-o", file("new.svg")};
   const auto with_slice = [&](const Arguments& more, const std::string& place = "command line") {
@@ -714,6 +719,15 @@ TEST_F(ToolErrors, ControlCharactersOfNamesAreEscaped) {
   const ToolResult warned = run("nff2bin", {crossing, "-o", file("a.scene")});
   EXPECT_EQ(warned.code, 0);
   EXPECT_TRUE(warned.err.starts_with("nff2bin: " + file(shown) + ": warning: ")) << warned.err;
+}
+
+// Not even by a zero byte.
+TEST_F(ToolErrors, AreShownWhole) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff));
+  write_text(file("views"), R"({"na\u0000me": "a"})");
+  EXPECT_TRUE(fails(2, "gridrender",
+                    {in, "--brute-force", "--views", file("views"), "-o", file("{index}.png")},
+                    file("views") + ":1", "'na\\x00me' isn't one of name, from, at, up, angle, size"));
 }
 
 TEST_F(ToolErrors, JsonOfInvalidUtf8IsValid) {

@@ -45,7 +45,7 @@ inline bool use_cuda(Backend backend, const char* tool, bool quiet = false) {
   if (backend == Backend::cuda && !available)
     throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu");
   if (backend == Backend::automatic && !available && built_with_cuda() && !quiet)
-    fmt::print(stderr, "{}: no usable GPU ({}): tracing on the CPU\n", tool, why);
+    print_note("{}: no usable GPU ({}): tracing on the CPU\n", tool, why);
   return available;
 }
 

@@ -1,18 +1,21 @@
 // Compiled once for all tools, since compiling CLI11 takes longer than most of them.
 #include "tools/cli.h"
 
+#include "libscene/file/output_file.h"
 #include "libscene/file/same_file.h"
 #include "libscene/file/temporary_name.h"
 #include "libscene/processor.h"
 #include "tools/printable.h"
 #include "tools/version.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <exception>
 #include <new>
+#include <string_view>
 
 namespace masu {
 void flush_standard_output() {
@@ -22,10 +25,10 @@ void flush_standard_output() {
 
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
   std::vector<std::string> written{"/dev/stdout"}; // results and reports
-  if (std::ranges::count(outputs, "-") > 1)
+  if (std::ranges::count_if(outputs, is_standard_output) > 1)
     throw Error(ErrorCode::usage, "-", "would be written twice: name a file for one of them");
   for (const std::string& output : outputs) {
-    if (output.empty() || output == "-") continue;
+    if (output.empty() || is_standard_output(output)) continue;
     for (const std::string& other : written) {
       if (is_same_file(output, other))
         throw Error(ErrorCode::usage, output, "would be written twice: give each output a name of its own");
@@ -59,22 +62,44 @@ void end_without_memory() {
   _exit(static_cast<int>(ErrorCode::input));
 }
 
+// A folder is what can't be read or written, not even by a name of the descriptor (/dev/stdin), which opens
+// it anew.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) { // each is the lowest that is free
+    if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+    if (stream == STDERR_FILENO && open("/dev/null", O_WRONLY) >= 0) continue;
+    static_cast<void>(open("/", O_PATH));
+  }
+}
+
+// An empty value would often be taken for none, and that option ignored; --option= even takes the next
+// argument for its value.
+void refuse_empty_values(const std::string& name, int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    const bool ends = argument.starts_with("--") && argument.find('=') == argument.size() - 1;
+    if (!argument.empty() && !ends) continue;
+    throw Error(ErrorCode::usage, "command line",
+                fmt::format("the value {} {} is empty: give one, or leave it out: see {} --help",
+                            ends ? "of" : "after", ends || i > 1 ? argv[ends ? i : i - 1] : name, name));
+  }
+}
+
 } // namespace
 
-void catch_no_memory() {
+void prepare_process() {
+  open_closed_streams();
   std::set_terminate(end_without_memory);
 }
 
 int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
              const Printing& prints) {
   // Where no memory is left for the line, it says that.
-  const auto report = [&](ErrorCode code, const char* line) {
+  const auto report = [&](ErrorCode code, std::string_view line) {
     std::string text;
-    if (line != nullptr) {
-      try {
-        text = printable(line);
-      } catch (const std::bad_alloc&) {
-      }
+    try {
+      text = printable(line);
+    } catch (const std::bad_alloc&) {
     }
     if (prints.error())
       static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, text.empty() ? no_memory : text.c_str()));
@@ -84,28 +109,30 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
   remove_temporary_names_on_signals();
-  catch_no_memory();
+  prepare_process();
   try {
     check_processor();
     CLI::App app(description, name);
     app.set_version_flag("--version", fmt::format("{}, {}", name, program_name()));
     try {
-      body(app, [&] { app.parse(argc, argv); });
+      body(app, [&] {
+        refuse_empty_values(name, argc, argv);
+        app.parse(argc, argv);
+      });
     } catch (const CLI::Success& success) { // --help, --version
       if (prints.help()) app.exit(success);
     } catch (const CLI::ParseError& error) {
       std::string command = name; // with the subcommand whose help lists the options
       for (const CLI::App* const subcommand : app.get_subcommands())
         command += " " + subcommand->get_name();
-      return report(ErrorCode::usage,
-                    fmt::format("command line: {}: see {} --help", error.what(), command).c_str());
+      return report(ErrorCode::usage, fmt::format("command line: {}: see {} --help", error.what(), command));
     }
     flush_standard_output();
     return 0;
   } catch (const Error& error) {
-    return report(error.code(), error.what());
+    return report(error.code(), error.text());
   } catch (const std::bad_alloc&) {
-    return report(ErrorCode::input, nullptr);
+    return report(ErrorCode::input, {});
   } catch (const std::exception& error) {
     if (std::ferror(stdout) != 0) return report(ErrorCode::output, "standard output: can't be written");
     return report(ErrorCode::input, error.what());

@@ -15,20 +15,29 @@
 #include <string>
 #include <thread>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace masu {
+
+// Prints a line on standard error, for which nothing fails: it is lost where it can't be written.
+template <class... Values>
+void print_note(fmt::format_string<Values...> format, Values&&... values) {
+  static_cast<void>(std::fputs(fmt::format(format, std::forward<Values>(values)...).c_str(), stderr));
+}
 
 // Flushes standard output. Throws Error(output) where anything printed could not be written.
 void flush_standard_output();
 
 // Refuses outputs that are an input, or each other, by whatever name. To be called before anything is opened.
-// Empty names are ignored; - is standard input or output. Throws Error(usage, output, …).
+// Empty names are ignored; - is standard input or output (output_file.h). Throws Error(usage, output, …).
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
-// From now on a process whose memory doesn't suffice ends with one line and the exit code for that, wherever
-// it is noticed. run_tool() calls it.
-void catch_no_memory();
+// The first thing that a main does; run_tool() calls it. Standard streams that the process was started
+// without (by >&-, say) are opened, or files would take their descriptors: reading standard input or writing
+// standard output then fails, and what is written to standard error is lost. And from now on a process whose
+// memory doesn't suffice ends with one line and the exit code for that, wherever it is noticed.
+void prepare_process();
 
 // A tool's main: body(app, parse) adds options to the app, calls parse(), and runs the tool. Returns the exit
 // code of libscene/error.h; 0 for --help.

@@ -4,6 +4,7 @@
 #include "libgrid/hierarchy_statistics.h"
 #include "libgrid/statistics.h"
 #include "libscene/cuda/cuda_device.h"
+#include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/stopwatch.h"
 #include "tools/cli.h"
@@ -11,7 +12,6 @@
 #include "tools/progress.h"
 #include "tools/provenance.h"
 
-#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -28,10 +28,16 @@ struct Settings {
   Threads threads;
 };
 
+// On standard error where the grid is written to standard output.
+template <class... Values>
+void print_report(const Settings& settings, fmt::format_string<Values...> format, Values&&... values) {
+  if (is_standard_output(settings.output)) return print_note(format, std::forward<Values>(values)...);
+  fmt::print(format, std::forward<Values>(values)...);
+}
+
 // Of a build that took so many seconds, with writing.
 void report_hierarchy(const Settings& settings, const SceneFile& file, const HierarchyStatistics& built,
                       double seconds, double total_seconds) {
-  std::FILE* const out = settings.output == "-" ? stderr : stdout; // beside the grid
   if (settings.json) {
     nlohmann::ordered_json json{{"nodes", built.nodes},
                                 {"depth", built.depth},
@@ -41,10 +47,10 @@ void report_hierarchy(const Settings& settings, const SceneFile& file, const Hie
                                 {"device", "cpu"},
                                 {"scene_hash", to_hex(file.hash())}};
     json.update(provenance());
-    fmt::print(out, "{}\n", json_text(json, -1));
+    print_report(settings, "{}\n", json_text(json, -1));
   } else if (!settings.quiet) {
-    fmt::print(out, "{} nodes, {} references; built in {:.3f} s, written in {:.3f} s\n", built.nodes,
-               built.references, seconds, total_seconds - seconds);
+    print_report(settings, "{} nodes, {} references; built in {:.3f} s, written in {:.3f} s\n", built.nodes,
+                 built.references, seconds, total_seconds - seconds);
   }
 }
 
@@ -68,7 +74,6 @@ void build(const Settings& settings, const SceneFile& file) {
                                      : grid_statistics(merged_view_of<double>(grid), grid.cells);
   const std::uint64_t cells = counted.occupied_cells;
   const DeviceSeconds on_device = builder->device_seconds();
-  std::FILE* const out = settings.output == "-" ? stderr : stdout; // beside the grid
   if (settings.json) {
     nlohmann::ordered_json json{
         {"division", {n.x, n.y, n.z}}, {"occupied_cells", cells}, {"references", grid.references.size()}};
@@ -83,16 +88,18 @@ void build(const Settings& settings, const SceneFile& file) {
                  {"device", settings.device == Device::cuda ? cuda_device_name() : "cpu"},
                  {"scene_hash", to_hex(file.hash())}});
     json.update(provenance());
-    fmt::print(out, "{}\n", json_text(json, -1));
+    print_report(settings, "{}\n", json_text(json, -1));
   } else if (!settings.quiet) {
     const std::string merged = grid.kind == GridKind::uniform ? "" : fmt::format("{} cells, ", counted.cells);
-    fmt::print(out, "{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n",
-               n.x, n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
+    print_report(settings,
+                 "{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n",
+                 n.x, n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
     if (grid.kind == GridKind::irregular && grid.detail < settings.options.grid.detail)
-      fmt::print(out, "built with --detail {}: with more its map would be too large\n", grid.detail);
+      print_report(settings, "built with --detail {}: with more its map would be too large\n", grid.detail);
     if (settings.device == Device::cuda)
-      fmt::print(out, "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
-                 on_device.set_up, on_device.upload, on_device.build, on_device.download);
+      print_report(settings,
+                   "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
+                   on_device.set_up, on_device.upload, on_device.build, on_device.download);
   }
 }
 

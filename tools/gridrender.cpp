@@ -64,7 +64,7 @@ void write_json(const Json& json, const std::string& path) {
 // Of the picture, by --format or else by the name's end; PNG on standard output. Throws Error(usage).
 ImageFormat format_of(const Settings& settings) {
   if (settings.format == Format::pfm) return ImageFormat::pfm;
-  if (settings.format == Format::png || settings.output == "-") return ImageFormat::png;
+  if (settings.format == Format::png || is_standard_output(settings.output)) return ImageFormat::png;
   return image_format(settings.output);
 }
 
@@ -225,8 +225,7 @@ Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Sett
   const TracingReport report = trace_ray_list(tracer, job, sharing, progress.callback());
   const TaskTotals& totals = report.totals;
   if (totals.invalid > 0 && sharing.ranks.rank() == 0)
-    fmt::print(stderr,
-               "gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
+    print_note("gridrender: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
                "a direction below 1e-15\n",
                printable(settings.rays), totals.invalid, totals.rays);
   return {0, report, report.elapsed_seconds, " with reading and writing"};
@@ -258,7 +257,7 @@ bool wants_picture(const Settings& settings) {
 void print_summary(const Outcome& outcome, const std::string& device) {
   const double seconds = outcome.rays_seconds;
   const std::uint64_t rays = outcome.report.totals.rays;
-  fmt::print(stderr, "gridrender: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}\n",
+  print_note("gridrender: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}\n",
              outcome.views > 1 ? fmt::format("{} views, ", outcome.views) : "", rays, seconds,
              outcome.besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device);
 }
@@ -339,7 +338,7 @@ void render(const Settings& settings, Ranks& ranks) {
 
 int main(int argc, char** argv) {
   using namespace masu;
-  catch_no_memory();
+  prepare_process();
   Ranks ranks(&argc, &argv);
   const int code = run_tool(
       "gridrender", "Renders a scene through its grid, or traces a list of rays.", argc, argv,

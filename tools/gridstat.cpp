@@ -244,9 +244,8 @@ int main(int argc, char** argv) {
                 ->excludes(json)
                 ->excludes(csv)
                 ->excludes(histogram);
-        auto* const output =
-            app.add_option("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json")
-                ->needs(slice);
+        app.add_option("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json")
+            ->needs(slice);
         app.add_option("--window", settings.window,
                        "of --slice: what to show, LEFT,BOTTOM,RIGHT,TOP in scene units; default: all")
             ->needs(slice);
@@ -310,12 +309,10 @@ int main(int argc, char** argv) {
           return name.empty() ||
                  std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
         };
-        if (slice->count() > 0 && settings.slice.empty())
-          throw Error(ErrorCode::usage, "--slice", "is empty: give a plane, such as z=50%");
-        if (output->count() > 0 && !ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
+        if (!ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
           throw Error(ErrorCode::usage, settings.picture,
                       "a slice is written as PNG, SVG or JSON: give a name that ends in .png, .svg or .json");
-        if (cells->count() > 0 && !ends_with_one_of(settings.cells, {".csv", ".ply"}))
+        if (!ends_with_one_of(settings.cells, {".csv", ".ply"}))
           throw Error(ErrorCode::usage, settings.cells,
                       "cells are written as CSV or PLY: give a name that ends in .csv or .ply");
         if (settings.cells.ends_with(".csv") && (cell_export.expanded || cell_export.wireframe))

@@ -55,14 +55,12 @@ void print_address(const Settings& settings, int port, const std::string& token,
   fmt::print("http://{}:{}/{}\n", host, port, token.empty() ? "" : "?token=" + token);
   flush_standard_output();
   if (settings.quiet) return;
-  fmt::print(stderr, "gridview: traces on {}; Ctrl+C ends it\n", device);
+  print_note("gridview: traces on {}; Ctrl+C ends it\n", device);
   if (local)
-    fmt::print(stderr,
-               "gridview: from another machine: ssh -L {0}:{1}:{0} HOST, then open the same address there\n",
+    print_note("gridview: from another machine: ssh -L {0}:{1}:{0} HOST, then open the same address there\n",
                port, host);
   else
-    fmt::print(stderr,
-               "gridview: anybody who has the token can look, and so can who reads the network: ssh -L and "
+    print_note("gridview: anybody who has the token can look, and so can who reads the network: ssh -L and "
                "127.0.0.1 are safer\n");
 }
 

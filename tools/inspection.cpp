@@ -70,7 +70,8 @@ void Inspection::check(const std::string& output) const {
   if (!channels.empty()) {
     static_cast<void>(parse_channels(channels));
     if (output.empty()) fail("--channels", "needs -o, which names the channels' files too");
-    if (output == "-") fail("--channels", "needs a file name for -o, which names the channels' files too");
+    if (is_standard_output(output))
+      fail("--channels", "needs a file name for -o, which names the channels' files too");
   } else if (no_picture) {
     fail("--no-picture", "is for --channels");
   }
@@ -78,9 +79,10 @@ void Inspection::check(const std::string& output) const {
   if (!json.empty() && !has_walk() && difference.empty()) fail("--json", "is for --walk and --difference");
   if (!difference.empty() && (!channels.empty() || has_walk()))
     fail("--difference", "compares files and traces nothing: leave out --channels and --walk");
-  if (has_walk() && output == "-" && (json.empty() || json == "-"))
+  const bool prints = json.empty() || is_standard_output(json);
+  if (has_walk() && is_standard_output(output) && prints)
     fail("-o", "is standard output, where --walk prints: name a file");
-  if (!difference.empty() && output == "-" && (json.empty() || json == "-"))
+  if (!difference.empty() && is_standard_output(output) && prints)
     fail("-o", "is standard output, where --difference prints: name a file");
   if (!walk.empty()) static_cast<void>(parse_numbers<std::int32_t, 2>("--walk", walk, "X,Y"));
   if (!walk_ray.empty())
@@ -137,7 +139,7 @@ void print_walk(const Inspection& inspection, const Tracer& tracer, const FrameR
 void print_difference(const Inspection& inspection, const std::string& output) {
   inspection.check(output);
   check_files(inspection.difference, {output, inspection.json});
-  if (!output.empty() && output != "-" && !output.ends_with(".png"))
+  if (!output.empty() && !is_standard_output(output) && !output.ends_with(".png"))
     throw Error(ErrorCode::usage, output, "must end in .png: differences are drawn as PNG");
   const FloatPicture a = read_picture(inspection.difference[0]), b = read_picture(inspection.difference[1]);
   const Difference difference = difference_of(a, b, inspection.difference[1]);

@@ -98,7 +98,7 @@ Error ended_by(int signal, const Settings& settings) {
 
 void print_notes(const ImportNotes& notes, const std::string& place) {
   const auto line = [&](std::uint64_t number, const char* what) {
-    if (number > 0) fmt::print(stderr, "mesh2bin: {}: warning: {} {}\n", printable(place), number, what);
+    if (number > 0) print_note("mesh2bin: {}: warning: {} {}\n", printable(place), number, what);
   };
   line(notes.points_and_lines, "point(s) and line(s) left out");
   line(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
@@ -112,7 +112,6 @@ void write_names(const std::vector<std::string>& names, const std::string& path)
   std::string text;
   for (const std::string& name : names)
     text += printable(name) + '\n';
-  if (path == "-") return fmt::print("{}", text);
   OutputFile file(path);
   file.write(text.data(), text.size());
   file.commit();

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
 
 namespace {
@@ -34,9 +33,8 @@ void describe(CLI::App& app, Command& command) {
 
 void write(const masu::SpdOptions& options, const std::string& output, bool quiet) {
   masu::Progress progress("writing", quiet);
-  if (output == "-") return write_spd(options, stdout, "standard output", progress.callback());
   masu::OutputFile file(output);
-  write_spd(options, file.stream(), output, progress.callback());
+  write_spd(options, file.stream(), file.path(), progress.callback());
   file.commit();
 }
 

@@ -66,7 +66,7 @@ std::string hash_at(int file, std::uint64_t offset, std::uint64_t bytes) {
 
 std::string partial_name(const std::string& path) {
   struct stat status {};
-  if (path == "-" || (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)))
+  if (is_standard_output(path) || (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)))
     throw Error(ErrorCode::usage, path,
                 "isn't a regular file, which several ranks and --resume need: name a file");
   return followed(path) + std::string(suffix);

@@ -1,5 +1,6 @@
 #include "tools/scene_report.h"
 
+#include "libscene/file/output_file.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 
@@ -252,7 +253,7 @@ void print(const Report& report, bool json) {
 
 void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings) {
   const auto line = [&](std::uint64_t number, const char* what) {
-    if (number > 0) fmt::print(stderr, "{}: {}: warning: {} {}\n", tool, printable(input), number, what);
+    if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
   };
   line(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
   line(warnings.degenerate_triangles, "vertices on triangles without area left out");
@@ -276,7 +277,7 @@ void SceneOutput::add_to(CLI::App& app) {
 void SceneOutput::check() const {
   if (path.empty() && !info)
     throw Error(ErrorCode::usage, "command line", "nothing to do: give -o FILE, --info or both");
-  if (info && path == "-")
+  if (info && is_standard_output(path))
     throw Error(ErrorCode::usage, "--info", "would be mixed with the scene on standard output: name a file");
 }
 
@@ -293,7 +294,7 @@ void write_and_report(const char* tool, const std::string& input, const Scene& s
     const std::uint64_t bytes = std::filesystem::file_size(output.path, failed);
     if (!failed) report.file_bytes = bytes;
     if (store == Store::float32 && !float32.suffices())
-      fmt::print(stderr, "{}: {}: warning: {}: use --store float64\n", tool, printable(input),
+      print_note("{}: {}: warning: {}: use --store float64\n", tool, printable(input),
                  reason_against(float32).text);
   }
   if (output.info) print(report, output.json);

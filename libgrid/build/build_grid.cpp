@@ -13,14 +13,16 @@
 namespace masu {
 namespace {
 
-void check_memory(const GridLayout& layout, double references) {
+// Throws Error(usage, "division", …).
+void check_memory(const GridLayout& layout, double references, bool is_automatic) {
   const double needed = expected_build_bytes(layout, references), available = available_memory();
   if (needed <= available) return;
   const Vec3i n = layout.division;
   throw Error(
       ErrorCode::usage, "division",
-      fmt::format("{}x{}x{} voxels need about {:.1f} GB to build, {:.1f} GB are free: choose a coarser one",
-                  n.x, n.y, n.z, needed / 1e9, available / 1e9));
+      fmt::format("{}{}x{}x{} voxels need about {:.1f} GB to build, {:.1f} GB are free: choose a coarser one",
+                  is_automatic ? "auto is too fine for this machine: " : "", n.x, n.y, n.z, needed / 1e9,
+                  available / 1e9));
 }
 
 // As files have it.
@@ -110,7 +112,7 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
       rule.fixed = {1, 1, 1};
     }
     const GridLayout layout = make_grid_layout<Stored>(bounds, options.space, rule, statistics);
-    check_memory(layout, expected_references(statistics.all, layout));
+    check_memory(layout, expected_references(statistics.all, layout), automatic_division);
     return layout;
   };
   const auto built = [&] {

@@ -286,6 +286,14 @@ double nested_density(const DivisionStatistics& statistics, const Boxd& space) {
   return std::max(usual, of_cones * statistics.cone_share);
 }
 
+// How many references a division that nobody gave may make: many more than scenes need. Without a limit,
+// large primitives that lie on each other would be divided for the last percents of the expected cost, and
+// take any amount of memory. It depends on the scene alone: so the grid is the same on any machine.
+double most_references(const DivisionStatistics& statistics) {
+  constexpr double always = 0x1p24, a_primitive = 128;
+  return always + a_primitive * static_cast<double>(statistics.all.primitives);
+}
+
 Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {
   constexpr double tolerance = 1.05;
   constexpr int steps_an_octave = 3, max_octaves = 27; // up to 2^27 voxels
@@ -296,7 +304,9 @@ Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space
     const Vec3d per_unit = equal_sides(extent, std::exp2(static_cast<double>(step) / steps_an_octave));
     if (largest_magnitude(extent * per_unit) > largest_division / 2.0) break;
     const Vec3i division = division_of(extent, per_unit);
-    const double cost = expected_cost(statistics, {space, division, 0});
+    const GridLayout layout{space, division, 0};
+    if (expected_references(statistics.all, layout) > most_references(statistics)) break;
+    const double cost = expected_cost(statistics, layout);
     candidates.emplace_back(cost, division);
     best = std::min(best, cost);
   }
@@ -304,6 +314,18 @@ Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space
     if (cost <= best * tolerance) return division;
   }
   return {1, 1, 1};
+}
+
+Vec3i nested_division(const DivisionStatistics& statistics, const Boxd& space) {
+  const Vec3d extent = space.max - space.min;
+  const double count = static_cast<double>(std::max<std::uint64_t>(statistics.all.primitives, 1));
+  double voxels = std::clamp(nested_density(statistics, space) * count, 1.0, max_nested);
+  for (;; voxels /= 2) {
+    const Vec3i division = division_of(extent, equal_sides(extent, voxels));
+    if (voxels <= 1 ||
+        expected_references(statistics.all, {space, division, 0}) <= most_references(statistics))
+      return division;
+  }
 }
 
 } // namespace
@@ -328,8 +350,7 @@ Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statis
   case DivisionRule::Kind::automatic:
     return automatic_division(statistics, space);
   case DivisionRule::Kind::nested:
-    return division_of(
-        extent, equal_sides(extent, std::clamp(nested_density(statistics, space) * count, 1.0, max_nested)));
+    return nested_division(statistics, space);
   }
   return {1, 1, 1};
 }

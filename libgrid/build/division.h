@@ -25,6 +25,7 @@ enum class SpaceRule { tight, cube };
 //   nested         cleary for voxels that will be divided further: λ is from 0.05 to 1, the larger the more
 //                  of the space lies beyond where most primitives are; or, if that is more, 32 times the
 //                  cones' share of the primitives
+// The last two are no finer than 2^24 expected references and 128 a primitive allow.
 struct DivisionRule {
   enum class Kind { fixed, cube_root, woo, heterogeneous, cleary, automatic, nested } kind = Kind::automatic;
   Vec3i fixed{1, 1, 1};

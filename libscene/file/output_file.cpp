@@ -50,6 +50,10 @@ bool write_all_at(int file, std::uint64_t offset, std::span<const std::uint8_t> 
   return true;
 }
 
+bool is_standard_output(std::string_view path) {
+  return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
 std::string followed(const std::string& path) {
   constexpr int max_links = 40; // the kernel's limit
   std::filesystem::path current = path;
@@ -64,8 +68,9 @@ std::string followed(const std::string& path) {
 
 OutputFile::OutputFile(std::string path, UntilCommit until_commit) : path_(std::move(path)) {
   if (path_.empty()) throw Error(ErrorCode::output, "output", "has no name: give a file");
-  if (path_ == "-") {
+  if (is_standard_output(path_)) {
     path_ = "standard output";
+    if (std::fflush(stdout) != 0) fail("can't be written");
     const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
     if (copy < 0 || (stream_ = fdopen(copy, "wb")) == nullptr) fail("can't be written");
     return;

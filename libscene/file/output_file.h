@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace masu {
 
@@ -23,7 +24,7 @@ enum class UntilCommit { unnamed, named };
 // Symbolic links are followed, dangling ones too. A file that replaces another one takes over its permissions
 // and, where allowed, its owner. Anything that exists and isn't a regular file with a name (a pipe,
 // /dev/null, /proc/self/fd/N of an unnamed file) is written directly; so is standard output, which is named
-// -.
+// - (is_standard_output()); what was printed before comes before it.
 class OutputFile {
 public:
   // Throws Error(output, path, …): no such folder, a directory, no permission.
@@ -59,6 +60,10 @@ private:
   std::optional<TemporaryName> temporary_; // while the file has one
   std::FILE* stream_ = nullptr;
 };
+
+// Whether a path means this process's standard output: -, or a name of descriptor 1, which is then not
+// opened anew (that would begin a file at its start again).
+bool is_standard_output(std::string_view path);
 
 // `path` with symbolic links in its last component followed, the last of which may dangle. Throws
 // Error(output, path, …) for a cycle of links.

@@ -8,7 +8,7 @@
 namespace masu {
 
 // Considers links and different spellings, and paths that don't exist but would create one file. False for
-// devices and pipes: they may be given twice. Throws Error(output) for a cycle of links.
+// devices and pipes, which may be given twice, and for cycles of links, which lead to no file.
 bool is_same_file(const std::string& a, const std::string& b);
 
 inline bool is_same_file(const struct stat& a, const struct stat& b) {

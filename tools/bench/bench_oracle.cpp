@@ -45,7 +45,7 @@ constexpr std::size_t rays_a_batch = 1 << 17; // bounds the memory
 
 void show_progress(std::size_t done, std::size_t all) {
   if (isatty(STDERR_FILENO) != 0)
-    fmt::print(stderr, "\r{:.0f} %{}", 100.0 * static_cast<double>(done) / static_cast<double>(all),
+    print_note("\r{:.0f} %{}", 100.0 * static_cast<double>(done) / static_cast<double>(all),
                done == all ? "\r     \r" : "");
 }
 

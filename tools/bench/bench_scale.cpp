@@ -212,7 +212,7 @@ void draw(const Settings& settings, const Json& rows) {
   file.write(csv.data(), csv.size());
   file.commit();
   if (!draw_charts(scale_script, settings.charts, {"scale.svg", "scale.png"}))
-    fmt::print(stderr, "gridbench: gnuplot isn't installed: scale.csv was written, but no chart\n");
+    print_note("gridbench: gnuplot isn't installed: scale.csv was written, but no chart\n");
 }
 
 // 1, 2, 4, … and all of them.

@@ -153,7 +153,7 @@ class Progress {
 public:
   Progress(std::string scene, std::size_t all) : scene_(std::move(scene)), all_(all) {}
   ~Progress() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+    if (shown_) print_note("\r\033[K");
   }
   Progress(const Progress&) = delete;
   Progress(Progress&&) = delete;
@@ -164,7 +164,7 @@ public:
     ++done_;
     if (isatty(STDERR_FILENO) == 0) return;
     shown_ = true;
-    fmt::print(stderr, "\r\033[K{} {}/{}: {}", printable(scene_), done_, all_, what);
+    print_note("\r\033[K{} {}/{}: {}", printable(scene_), done_, all_, what);
     static_cast<void>(std::fflush(stderr));
   }
 
@@ -301,8 +301,7 @@ void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string
   }
   add("division");
   if (!draw_charts(tradeoff_script, folder, charts))
-    fmt::print(
-        stderr,
+    print_note(
         "gridbench: gnuplot: isn't on the PATH, so no chart was drawn: install gnuplot (Debian's package is "
         "gnuplot-nox) and run gridbench tradeoff --charts-only -o {}\n",
         printable(folder));

@@ -187,7 +187,7 @@ void bench_cpu_rays(const Settings& settings) {
   for (const std::string& path : settings.grids)
     contestants.push_back(masu_with(scene, grids.emplace_back(path)));
   if (!embree_available) {
-    fmt::print(stderr, "masu_cpu_rays: built without Embree (libembree-dev): Masu alone is measured\n");
+    print_note("masu_cpu_rays: built without Embree (libembree-dev): Masu alone is measured\n");
   } else if (scene.view<float>().triangle_count != scene.primitive_count()) {
     throw Error(ErrorCode::input, settings.scene,
                 "holds spheres or cones, which Embree would trace as its user's own: make it with nff2bin "
