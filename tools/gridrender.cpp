@@ -335,10 +335,11 @@ void render(const Settings& settings, Ranks& ranks) {
 int main(int argc, char** argv) {
   using namespace masu;
   catch_no_memory();
-  Ranks ranks(&argc, &argv);
+  std::optional<Ranks> started; // when the command line is whole: --help and --version need no MPI
+  const auto ranks = [&]() -> Ranks& { return started ? *started : started.emplace(&argc, &argv); };
   const int code = run_tool(
       "gridrender", "Renders a scene through its grid, or traces a list of rays.", argc, argv,
-      [&ranks](CLI::App& app, const auto& parse) {
+      [&](CLI::App& app, const auto& parse) {
         Settings settings;
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin; left out with --difference");
         app.add_option("GRID", settings.grid, "grid file, from gridbuild");
@@ -413,9 +414,10 @@ int main(int argc, char** argv) {
         app.add_flag("--resume", settings.resume,
                      "go on where a run with --resume was interrupted: what it finished isn't done again");
         parse();
-        const auto limit = settings.threads.limit(cores_of(ranks));
-        render(settings, ranks);
+        const auto limit = settings.threads.limit(cores_of(ranks()));
+        render(settings, ranks());
       },
-      {[&] { return ranks.rank() == 0; }, [&] { return ranks.is_first_to_fail(); }});
-  return ranks.ended(code);
+      {[] { return Ranks::launched_as().value_or(0) == 0; },
+       [&] { return (!started && !Ranks::launched_as()) || ranks().is_first_to_fail(); }});
+  return started ? started->ended(code) : code;
 }
