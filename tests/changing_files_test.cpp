@@ -245,6 +245,19 @@ TEST_F(ChangingFiles, PipesWithoutAWriterAndEndlessDevicesAreRefused) {
   }
   EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("b.scene")}, {"/dev/zero", {}, {}}), 2, "nff2bin",
                      "stdin", "isn't a text"));
+  ASSERT_EQ(mkfifo(file("pipe.csv").c_str(), 0600), 0);
+  std::filesystem::create_symlink("/dev/zero", file("zero.csv"));
+  for (const std::string& input : {pipe, file("pipe.csv"), std::string("/dev/zero"), file("zero.csv")})
+    EXPECT_TRUE(failed(run("gridrender", {in, divided, "--rays", input, "--hits", file("hits")}), 2,
+                       "gridrender", input));
+  EXPECT_TRUE(
+      failed(run("gridrender", {in, divided, "--rays", "-", "--hits", file("hits")}, {"/dev/zero", {}, {}}),
+             2, "gridrender", "stdin"));
+  EXPECT_TRUE(succeeded(run("gridrender", with({in, divided}, picture))));
+  for (const std::string& input : {pipe, std::string("/dev/zero")}) {
+    EXPECT_TRUE(failed(run("gridrender", {"--difference", input, file("a.png")}), 2, "gridrender", input));
+    EXPECT_TRUE(failed(run("gridrender", {"--difference", file("a.png"), input}), 2, "gridrender", input));
+  }
 }
 
 } // namespace

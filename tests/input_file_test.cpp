@@ -2,6 +2,7 @@
 #include "libscene/file/input_file.h"
 
 #include "libgrid/file/grid_file.h"
+#include "libscene/file/input_stream.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
 #include "tests/refused.h"
@@ -97,6 +98,45 @@ TEST_F(InputFiles, EndlessTextsAreRefused) {
   EXPECT_TRUE(is_refused([](const std::string& p) { read_text_input(p); }, "/dev/zero", "isn't a text"));
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
   EXPECT_TRUE(is_refused([](const std::string& p) { read_text_input(p); }, file("pipe"), "nobody writes"));
+}
+
+// Another thread has failed, and nobody writes to the pipe, or who does has stopped.
+TEST_F(InputFiles, AStreamThatIsCancelledWaitsNoLonger) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  for (const bool has_writer : {false, true}) {
+    InputStream stream(file("pipe"));
+    const int writer = has_writer ? open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC) : -1;
+    if (has_writer) EXPECT_EQ(write(writer, "abc", 3), 3);
+    std::thread canceller([&] { stream.cancel(); });
+    char bytes[10] = {};
+    EXPECT_LE(stream.read(bytes, sizeof bytes), 3U);
+    EXPECT_EQ(stream.read(bytes, sizeof bytes), 0U);
+    canceller.join();
+    if (writer >= 0) close(writer);
+  }
+}
+
+TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  std::thread writer([&] {
+    const int pipe = open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(write(pipe, "a\0b", 3), 3);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    close(pipe);
+  });
+  InputStream stream(file("pipe"));
+  std::string bytes(100, ' ');
+  bytes.resize(stream.read(bytes.data(), bytes.size()));
+  EXPECT_EQ(bytes, std::string("a\0ba\0ba\0b", 9));
+  writer.join();
+  EXPECT_TRUE(is_refused(
+      [](const std::string& path) {
+        char byte = 0;
+        InputStream(path).read(&byte, 1);
+      },
+      file("pipe"), "nobody writes"));
 }
 
 // In a mapping this would be SIGBUS, or an index that was valid when it was checked.

@@ -2,6 +2,7 @@
 #include "tests/run_tool.h"
 #include "tools/bench/stability/random_seed.h"
 
+#include <fcntl.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <future>
 #include <thread>
 
 namespace masu {
@@ -291,11 +293,45 @@ TEST_F(BadFiles, ListsThatHoldNoWholeNumberOfRaysAreRefused) {
   EXPECT_TRUE(list(7, {}));
   EXPECT_TRUE(list(12, {"--ray-numbers", "8"}));
   EXPECT_TRUE(list(6, {"--ray-store", "float64"}));
-  write_text(file("rays"), "x");
+  write_bytes(file("rays"), Bytes{1});
   EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
                     file("rays"), "not a whole number of rays"));
   EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("missing"), "--hits", file("hits")},
                     file("missing"), "No such file"));
+}
+
+// Though 24 bytes of it would be a ray.
+TEST_F(BadFiles, ListsThatAreNotWhatTheirNamesSayAreRefused) {
+  const auto list = [&](const std::string& name, std::string_view text, const std::string& says) {
+    write_text(file(name), text);
+    Arguments arguments{scene_, grid_, "--rays", file(name), "--hits", file("hits")};
+    const auto result = fails(2, "gridrender", arguments, file(name), says);
+    if (!result) return result;
+    arguments[3] = "-";
+    if (name != "rays") return result;
+    return fails(2, "gridrender", arguments, "stdin", says, {file(name), {}, {}});
+  };
+  const std::string text = "ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n";
+  for (const std::size_t size : {24UL, 30UL, 1UL})
+    EXPECT_TRUE(list("rays", text.substr(0, size), "is a text"));
+  std::string long_text = text;
+  while (long_text.size() < 24 * 500)
+    long_text += "1,2,3,4,5,6\n";
+  for (const char* const name : {"rays", "rays.f32", "rays.f64", "rays.txt"})
+    EXPECT_TRUE(list(name, long_text.substr(0, 24 * 500), "is a text"));
+  EXPECT_TRUE(list("rays.npy", text, "isn't a NumPy array"));
+  EXPECT_TRUE(list("rays.npy", std::string(48, '\0'), "isn't a NumPy array"));
+  EXPECT_TRUE(list("rays.f64", std::string(24, '\0'), "not a whole number of rays"));
+  const auto csv = [&](const std::string& content, const std::string& at, const std::string& says) {
+    write_text(file("rays.csv"), content);
+    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.csv"), "--hits", file("hits")},
+                 file("rays.csv") + at, says);
+  };
+  EXPECT_TRUE(csv("", "", "has no line of columns' names"));
+  EXPECT_TRUE(csv(text + "1,2,x,4,5,6\n", ":3:5", "'x' isn't a number"));
+  EXPECT_TRUE(csv(std::string(48, '\0'), ":1:1", "isn't one of the columns"));
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", "/dev/null", "--hits", file("hits")},
+                    "/dev/null", "is a device"));
 }
 
 TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
@@ -371,6 +407,36 @@ TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
     EXPECT_TRUE(fails(3, "gridbench", with({"stability", "--count", "10"}, {}), place, "", full));
     EXPECT_TRUE(fails(3, "gridbench", with({"load", scene_, grid_, "--repeat", "1"}, {}), place, "", full));
   }
+}
+
+// The list's pipe stays open until the tool has ended, or for a minute.
+TEST_F(BadFiles, AWriteErrorDoesntWaitForTheRestOfAList) {
+  const std::string pipe = file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  for (const bool is_named : {false, true}) {
+    std::promise<void> ended;
+    bool ended_first = false;
+    std::thread writer([&] {
+      const int to = open(pipe.c_str(), O_WRONLY | O_CLOEXEC);
+      const Bytes rays(24 * ((std::size_t{1} << 20) + 10)); // a chunk, and some of the next
+      for (std::size_t done = 0; done < rays.size();) {
+        const ssize_t written = write(to, rays.data() + done, rays.size() - done);
+        if (written <= 0) break;
+        done += static_cast<std::size_t>(written);
+      }
+      ended_first = ended.get_future().wait_for(std::chrono::minutes(1)) == std::future_status::ready;
+      close(to);
+    });
+    EXPECT_TRUE(
+        fails(3, "gridrender",
+              {scene_, grid_, "--backend", "cpu", "--rays", is_named ? pipe : "-", "--hits", "/dev/full"},
+              "/dev/full", "", {is_named ? "/dev/null" : pipe, {}, {}}));
+    ended.set_value();
+    writer.join();
+    EXPECT_TRUE(ended_first);
+  }
+  static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
 }
 
 TEST_F(ToolErrors, AClosedPipeIsAnOutputError) {
@@ -597,6 +663,7 @@ TEST_F(BadCommand, OfGridrenderIsAUsageError) {
         << fields;
   EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--any-hit", "--write", "t"}, "--write"));
   EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--ray-numbers", "7"}));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits.f64")}, "--hits"));
   EXPECT_TRUE(with({"-o", picture, "--write", "t"}, "--write"));
   EXPECT_TRUE(with({"-o", picture, "--any-hit"}, "--any-hit"));
 }

@@ -409,6 +409,121 @@ TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
   EXPECT_TRUE(std::equal(hits.begin(), hits.end(), array.begin() + static_cast<std::ptrdiff_t>(head)));
 }
 
+// As raw numbers of both sizes, as text, with limits, and with the numbers of an array that are the columns.
+TEST_F(Tools, ListsAreReadAsTheEndOfTheirNameSays) {
+  std::mt19937 engine(8);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  std::vector<float> rays(6 * 3000);
+  for (float& number : rays)
+    number = coordinate(engine);
+  const std::vector<double> wide(rays.begin(), rays.end());
+  std::string text = "ox,oy,oz,dx,dy,dz\n", turned = "tmax,dz,dy,dx,oz,oy,ox\n";
+  for (std::size_t i = 0; i < rays.size(); i += 6) {
+    text += fmt::format("{},{},{},{},{},{}\n", rays[i], rays[i + 1], rays[i + 2], rays[i + 3], rays[i + 4],
+                        rays[i + 5]);
+    turned += fmt::format("inf,{},{},{},{},{},{}\n", rays[i + 5], rays[i + 4], rays[i + 3], rays[i + 2],
+                          rays[i + 1], rays[i]);
+  }
+  const std::string_view raw{reinterpret_cast<const char*>(rays.data()), 4 * rays.size()},
+      raw_wide{reinterpret_cast<const char*>(wide.data()), 8 * wide.size()};
+  write_text(file("rays"), raw);
+  write_text(file("rays.f32"), raw);
+  write_text(file("rays.f64"), raw_wide);
+  write_text(file("rays.csv"), text);
+  write_text(file("turned.csv"), turned);
+  render({"--rays", file("rays"), "--hits", file("expected")});
+  const Bytes expected = read_bytes(file("expected"));
+  for (const char* const name : {"rays.f32", "rays.f64", "rays.csv", "turned.csv"}) {
+    render({"--rays", file(name), "--hits", file("hits")});
+    EXPECT_TRUE(read_bytes(file("hits")) == expected) << name;
+  }
+  // What is said is what counts, as for --format.
+  write_text(file("wide.f32"), raw_wide);
+  render({"--rays", file("wide.f32"), "--ray-store", "float64", "--hits", file("hits")});
+  EXPECT_TRUE(read_bytes(file("hits")) == expected);
+}
+
+// A line of names, and numbers that read back the same.
+std::vector<std::vector<float>> rows_of_csv(const std::string& text, const std::string& names) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, names);
+  std::vector<std::vector<float>> rows;
+  while (std::getline(lines, line)) {
+    std::vector<float>& row = rows.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');)
+      row.push_back(std::strtof(field.c_str(), nullptr));
+  }
+  return rows;
+}
+
+TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  std::vector<float> rays(6 * 40'000); // text of several tasks
+  for (float& number : rays)
+    number = coordinate(engine);
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  const auto list = [&](const std::string& hits) {
+    render({"--rays", file("rays"), "--write", "t,uv,normal,object,primitive", "--hits", file(hits)});
+  };
+  struct Record {
+    float numbers[6];
+    std::int32_t object, primitive;
+  };
+  list("raw");
+  list("raw.f32");
+  list("text.csv");
+  const Bytes raw = read_bytes(file("raw"));
+  EXPECT_TRUE(read_bytes(file("raw.f32")) == raw);
+  std::vector<Record> records(raw.size() / sizeof(Record));
+  std::memcpy(records.data(), raw.data(), raw.size());
+  const std::string text = read_text(file("text.csv"));
+  const auto rows = rows_of_csv(text, "t,u,v,nx,ny,nz,object,primitive");
+  ASSERT_EQ(rows.size(), 40'000U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), 8U);
+    ASSERT_TRUE(std::equal(rows[i].begin(), rows[i].begin() + 6, records[i].numbers)) << i;
+    ASSERT_EQ(rows[i][6], static_cast<float>(records[i].object));
+    ASSERT_EQ(rows[i][7], static_cast<float>(records[i].primitive));
+  }
+  EXPECT_NE(text.find("\ninf,0,0,0,0,0,-1,-1\n"), std::string::npos); // a miss
+  render({"--rays", file("rays"), "--any-hit", "--hits", file("occluded.csv")});
+  const auto occluded = rows_of_csv(read_text(file("occluded.csv")), "occluded");
+  ASSERT_EQ(occluded.size(), records.size());
+  for (std::size_t i = 0; i < occluded.size(); ++i)
+    ASSERT_EQ(occluded[i][0], records[i].object >= 0 ? 1.0F : 0.0F);
+}
+
+TEST_F(Tools, HitsOfPicturesAreWrittenAsTheEndOfTheirNameSaysToo) {
+  const Arguments tall{"--size", "1333x1300", "--depth", "1"}; // two bands
+  const auto hits = [&](const std::string& name, const char* kind) {
+    Arguments arguments{"--hits", file(name), "--hit-name", kind};
+    arguments.insert(arguments.end(), tall.begin(), tall.end());
+    render(arguments);
+    return read_bytes(file(name));
+  };
+  for (const std::string kind : {"object", "primitive"}) {
+    const Bytes raw = hits("raw", kind.c_str()), array = hits("a.npy", kind.c_str());
+    const std::size_t head = array.size() - raw.size();
+    EXPECT_EQ(head, 128U);
+    EXPECT_TRUE(std::equal(raw.begin(), raw.end(), array.begin() + static_cast<std::ptrdiff_t>(head)));
+    const std::string text(array.begin(), array.begin() + static_cast<std::ptrdiff_t>(head));
+    EXPECT_NE(text.find("'descr': [('t', '<f4'), ('" + kind + "', '<i4'), ]"), std::string::npos) << text;
+    EXPECT_NE(text.find("'shape': (1735534 "), std::string::npos) << text;
+    hits("a.csv", kind.c_str());
+    const auto rows = rows_of_csv(read_text(file("a.csv")), "t," + kind);
+    const std::vector<Hit> records = hits_in(file("raw"));
+    ASSERT_EQ(rows.size(), records.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      ASSERT_EQ(rows[i][0], records[i].t);
+      ASSERT_EQ(rows[i][1], static_cast<float>(records[i].object));
+    }
+  }
+}
+
 TEST_F(Tools, HitRecordsHoldObjectsOrPrimitives) {
   // Object 0 is a sphere, object 1 a square of two triangles; primitives are triangles first.
   const std::string mixed =

@@ -18,6 +18,7 @@
 
 #include <optional>
 #include <set>
+#include <unordered_set>
 
 namespace masu {
 namespace {
@@ -33,7 +34,7 @@ struct Settings {
   TracingRules tracing;
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
-  Store ray_store = Store::float32;
+  Store ray_store = Store::automatic;
   int depth = 5, repeat = 1, ray_numbers = 6;
   bool any_hit = false, spd_rules = false, hither = false, srgb = false, brute_force = false, quiet = false;
   Inspection inspection;
@@ -72,6 +73,38 @@ bool changes_camera(const Settings& settings) {
   return !settings.from.empty() || !settings.at.empty() || !settings.up.empty() || settings.angle;
 }
 
+// What --hits gets without --write.
+std::string usual_fields(const Settings& settings) {
+  if (settings.any_hit) return "occluded";
+  return settings.hit_name == HitName::primitive ? "t,primitive"
+         : settings.hit_name == HitName::face    ? "t,face"
+                                                 : "t,object";
+}
+
+// Of the file of --rays, where that is numbers alone.
+RayFormat ray_format(const Settings& settings) {
+  const bool is_float64 = settings.ray_store == Store::automatic ? settings.rays.ends_with(".f64")
+                                                                 : settings.ray_store == Store::float64;
+  return {is_float64, settings.ray_numbers};
+}
+
+// The files beside outputs while several processes or runs make them; the first one names the journals.
+// Throws Error(usage) for an output that can't have any.
+std::vector<std::string> files_beside(const std::vector<std::string>& outputs, const Sharing& sharing) {
+  std::vector<std::string> files;
+  for (const std::string& output : outputs) {
+    if (output.empty() || !sharing.in_parts()) continue;
+    if (files.empty()) files.push_back(journal_name(output, sharing.ranks.rank()));
+    files.push_back(partial_name(output));
+  }
+  return files;
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
 void check(const Settings& settings, const Sharing& sharing) {
   const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
   settings.inspection.check(settings.output);
@@ -96,16 +129,20 @@ void check(const Settings& settings, const Sharing& sharing) {
   if (!settings.any_hit && settings.write == "occluded") fail("--write", "occluded needs --any-hit");
   if (settings.grid.empty() && !settings.brute_force)
     fail("GRID", "is missing: name the grid file, or give --brute-force");
-  if (settings.resume && settings.output.empty() && settings.hits.empty())
-    fail("--resume", "needs -o or --hits: nothing else is kept");
+  if (settings.resume && (settings.output.empty() || settings.inspection.no_picture) && settings.hits.empty())
+    fail("--resume", "needs a picture or --hits: nothing else is kept");
+  if (settings.hits.ends_with(".f64"))
+    fail("--hits", "has no numbers of 64 bits: let the name end in .npy or .csv, or give it no ending");
   if (!settings.output.empty()) static_cast<void>(format_of(settings));
-  if (sharing.in_parts() && !settings.rays.empty() && !settings.hits.empty())
-    static_cast<void>(partial_name(settings.hits));
   if (sharing.in_parts() && settings.rays == "-") fail("--rays", "must name a file, for ranks and --resume");
   if (sharing.ranks.count() > 1 && settings.views == "-")
     fail("--views", "must name a file, for several ranks");
-  check_files({settings.scene, settings.grid, settings.rays, settings.views},
-              {settings.output, settings.hits, settings.stats, settings.times, settings.inspection.json});
+  const std::vector<std::string> beside =
+      settings.rays.empty() ? std::vector<std::string>() : files_beside({settings.hits}, sharing);
+  check_files(
+      {settings.scene, settings.grid, settings.rays, settings.views},
+      joined({settings.output, settings.hits, settings.stats, settings.times, settings.inspection.json},
+             beside));
 }
 
 // --- Views ------------------------------------------------------------------------------------------------
@@ -130,16 +167,24 @@ std::vector<View> views_of(const Settings& settings, const SceneFile& scene) {
   return settings.turntable > 0 ? turntable(camera, settings.turntable) : std::vector<View>{{"0", camera}};
 }
 
-std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View>& views) {
+std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View>& views,
+                                const Sharing& sharing) {
   const auto pictures = file_names(settings.output, views), hits = file_names(settings.hits, views);
   settings.inspection.check_channel_files(
       pictures, {settings.scene, settings.grid, settings.views},
       {settings.hits, settings.stats, settings.times, settings.inspection.json});
   std::vector<ViewFiles> files;
+  std::unordered_set<std::string> names; // of all views, with those beside them
   for (std::size_t i = 0; i < views.size(); ++i) {
-    check_files({settings.scene, settings.grid, settings.views},
-                {pictures[i], hits[i], settings.stats, settings.times});
     files.push_back({settings.inspection.no_picture ? "" : pictures[i], hits[i]});
+    const std::vector<std::string> beside = files_beside({files[i].picture, files[i].hits}, sharing);
+    check_files({settings.scene, settings.grid, settings.views},
+                joined({pictures[i], hits[i], settings.stats, settings.times}, beside));
+    if (beside.empty()) continue;
+    for (const std::string& name : joined({files[i].picture, files[i].hits}, beside)) {
+      if (!name.empty() && !names.insert(name).second)
+        throw Error(ErrorCode::usage, name, "would be written for two views: give them other names");
+    }
   }
   return files;
 }
@@ -158,7 +203,8 @@ PngTexts picture_texts(const Settings& settings, const SceneFile& scene) {
   return {{"Software", program_name()}, {"Source", "scene " + to_hex(scene.hash())}, {"Options", options}};
 }
 
-ViewsRequest views_request(const Settings& settings, const TracingRules& tracing, const SceneFile& scene) {
+ViewsRequest views_request(const Settings& settings, const TracingRules& tracing, const SceneFile& scene,
+                           const Sharing& sharing) {
   ViewsRequest request;
   request.frame.tracing = tracing;
   request.frame.sampling = settings.sampling;
@@ -166,7 +212,8 @@ ViewsRequest views_request(const Settings& settings, const TracingRules& tracing
   request.frame.rules = {settings.depth, settings.spd_rules, settings.hit_name};
   request.frame.hits = !settings.hits.empty();
   request.views = views_of(settings, scene);
-  request.files = files_of(settings, request.views);
+  request.files = files_of(settings, request.views, sharing);
+  request.hit_fields = record_fields(hit_fields(usual_fields(settings)));
   if (!settings.crop.empty()) {
     const Crop crop = parse_crop("--crop", settings.crop);
     for (const View& view : request.views)
@@ -210,13 +257,8 @@ Outcome render_pictures(const Tracer& tracer, const ViewsRequest& request, const
 
 Outcome trace_list(const Tracer& tracer, const TracingRules& tracing, const Settings& settings,
                    const Sharing& sharing, bool quiet) {
-  RayListJob job{settings.rays, settings.hits,
-                 RayFormat{settings.ray_store == Store::float64, settings.ray_numbers}};
-  const char* const usual = settings.any_hit                          ? "occluded"
-                            : settings.hit_name == HitName::primitive ? "t,primitive"
-                            : settings.hit_name == HitName::face      ? "t,face"
-                                                                      : "t,object";
-  job.fields = hit_fields(settings.write.empty() ? usual : settings.write);
+  RayListJob job{settings.rays, settings.hits, ray_format(settings)};
+  job.fields = hit_fields(settings.write.empty() ? usual_fields(settings) : settings.write);
   job.request.tracing = tracing;
   job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
   job.repeat = settings.repeat;
@@ -285,7 +327,8 @@ void render(const Settings& settings, Ranks& ranks) {
   seconds.validate += scene.load_seconds().validate;
   TracingRules tracing = settings.tracing;
   tracing.count = !settings.stats.empty();
-  ViewsRequest views = settings.rays.empty() ? views_request(settings, tracing, scene) : ViewsRequest{};
+  ViewsRequest views =
+      settings.rays.empty() ? views_request(settings, tracing, scene, sharing) : ViewsRequest{};
   std::optional<GridFile> grid;
   if (!settings.brute_force) {
     grid.emplace(settings.grid, residence);
@@ -322,14 +365,14 @@ void render(const Settings& settings, Ranks& ranks) {
                {"grid_hash", grid ? Json(to_hex(grid->hash())) : Json()},
                {"views", outcome.views}});
   const Json times{{"seconds", seconds_json(seconds)}};
-  const auto joined = [](Json json, const std::initializer_list<Json>& more) {
+  const auto merged = [](Json json, const std::initializer_list<Json>& more) {
     for (const Json& part : more)
       json.update(part);
     return json;
   };
   if (!settings.stats.empty())
-    write_json(joined(head, {counts_report(outcome.report.totals.counts), times}), settings.stats);
-  if (!settings.times.empty()) write_json(joined(head, {times}), settings.times);
+    write_json(merged(head, {counts_report(outcome.report.totals.counts), times}), settings.stats);
+  if (!settings.times.empty()) write_json(merged(head, {times}), settings.times);
   if (!quiet) print_summary(outcome, device);
 }
 
@@ -339,10 +382,11 @@ void render(const Settings& settings, Ranks& ranks) {
 int main(int argc, char** argv) {
   using namespace masu;
   prepare_process();
-  Ranks ranks(&argc, &argv);
+  std::optional<Ranks> started; // when the command line is whole: --help and --version need no MPI
+  const auto ranks = [&]() -> Ranks& { return started ? *started : started.emplace(&argc, &argv); };
   const int code = run_tool(
       "gridrender", "Renders a scene through its grid, or traces a list of rays.", argc, argv,
-      [&ranks](CLI::App& app, const auto& parse) {
+      [&](CLI::App& app, const auto& parse) {
         Settings settings;
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin; left out with --difference");
         app.add_option("GRID", settings.grid, "grid file, from gridbuild");
@@ -388,17 +432,19 @@ int main(int argc, char** argv) {
         app.add_option("--repeat", settings.repeat, "trace N times and report the median's seconds")
             ->check(CLI::Range(1, 10000))
             ->excludes(stats);
-        app.add_option("--rays", settings.rays,
-                       "trace the rays of a file instead of camera rays: numbers, or a NumPy array of shape "
-                       "(N, 6) or (N, 8); - is standard input");
+        app.add_option(
+            "--rays", settings.rays,
+            "trace the rays of a file instead of camera rays: numbers; .npy, a NumPy array of shape "
+            "(N, 6) or (N, 8); .csv, text whose first line is ox,oy,oz,dx,dy,dz, with tmin and tmax "
+            "among them or not; - is standard input");
         app.add_option("--ray-numbers", settings.ray_numbers,
                        "numbers a ray in the file of --rays: 6 (origin, direction) or 8 (origin, tmin, "
                        "direction, tmax)")
             ->check(CLI::IsMember(std::set<int>{6, 8}))
             ->capture_default_str();
         add_choice(app, "--ray-store", settings.ray_store,
-                   {{"float32", Store::float32}, {"float64", Store::float64}},
-                   "number type in the file of --rays");
+                   {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
+                   "type of the numbers in the file of --rays; auto: float64 where its name ends in .f64");
         app.add_flag("--any-hit", settings.any_hit,
                      "find out for each ray of --rays whether anything is hit at tmin < t < tmax");
         app.add_option("--write", settings.write,
@@ -406,7 +452,7 @@ int main(int argc, char** argv) {
                        "normal (default t,object), or occluded, with --any-hit");
         app.add_option("--hits", settings.hits,
                        "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a "
-                       "miss), or what --write says; .npy: a NumPy array; - is standard output");
+                       "miss), or what --write says; .npy: a NumPy array; .csv: text; - is standard output");
         add_choice(
             app, "--hit-name", settings.hit_name,
             {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
@@ -418,9 +464,10 @@ int main(int argc, char** argv) {
         app.add_flag("--resume", settings.resume,
                      "go on where a run with --resume was interrupted: what it finished isn't done again");
         parse();
-        const auto limit = settings.threads.limit(cores_of(ranks));
-        render(settings, ranks);
+        const auto limit = settings.threads.limit(cores_of(ranks()));
+        render(settings, ranks());
       },
-      {[&] { return ranks.rank() == 0; }, [&] { return ranks.is_first_to_fail(); }});
-  return ranks.ended(code);
+      {[] { return Ranks::launched_as().value_or(0) == 0; },
+       [&] { return (!started && !Ranks::launched_as()) || ranks().is_first_to_fail(); }});
+  return started ? started->ended(code) : code;
 }

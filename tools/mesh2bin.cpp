@@ -139,7 +139,7 @@ void run(const Settings& settings) {
 }
 
 // Initializers of Assimp's libraries allocate memory before main() is called.
-[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)() = catch_no_memory;
+[[gnu::section(".preinit_array"), gnu::used]] void (*const before_libraries)() = prepare_process;
 
 } // namespace
 } // namespace masu

@@ -24,7 +24,7 @@ std::string header_of(std::string dictionary) {
   const std::size_t unpadded = preamble + dictionary.size() + 1;
   dictionary.append((alignment - unpadded % alignment) % alignment, ' ');
   dictionary += '\n';
-  std::string header(npy_magic.begin(), npy_magic.end());
+  std::string header(npy_magic);
   header += '\x01';
   header += '\x00';
   header += static_cast<char>(dictionary.size() & 0xff);

@@ -1,15 +1,15 @@
 // Headers of NumPy's .npy files, after NEP 1 (numpy.lib.format): what rays and hits need of them.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace masu {
 
-inline constexpr std::array<std::uint8_t, 6> npy_magic{0x93, 'N', 'U', 'M', 'P', 'Y'};
+inline constexpr std::string_view npy_magic = "\x93NUMPY";
 
 struct NpyArray {
   std::string type; // of the elements, such as <f4

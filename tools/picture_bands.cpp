@@ -16,9 +16,7 @@ constexpr std::int32_t rows_wanted =
 struct PngPartHead {
   std::int32_t rows;
   std::uint32_t adler;
-  std::uint64_t bytes; // of the part
 };
-static_assert(sizeof(PngPartHead) == png_part_head);
 
 } // namespace
 
@@ -42,14 +40,21 @@ std::size_t PictureBands::largest_band_rays() const {
   return static_cast<std::size_t>(rays_.columns) * static_cast<std::size_t>(rows(0) + more_);
 }
 
-FilePart PictureBands::hits(std::size_t band, const Frame& frame) const {
+std::vector<std::uint8_t> PictureBands::hits(std::size_t band, const Frame& frame) const {
   const auto* const first = reinterpret_cast<const std::uint8_t*>(frame.hits.data());
-  return {static_cast<std::uint64_t>(first_row(band)) * static_cast<std::uint64_t>(rays_.columns) *
-              sizeof(HitRecord),
-          {first, first + rays_counted(band) * sizeof(HitRecord)}};
+  return {first, first + rays_counted(band) * sizeof(HitRecord)};
 }
 
-std::uint64_t PictureBands::png_offset(std::size_t band) const {
+std::uint64_t PictureBands::first_hit(std::size_t band) const {
+  return static_cast<std::uint64_t>(first_row(band)) * static_cast<std::uint64_t>(rays_.columns);
+}
+
+std::uint64_t PictureBands::picture_offset(std::size_t band, ImageFormat format) const {
+  if (format == ImageFormat::pfm) {
+    if (is_last(band)) return 0; // the bottom, which the file begins with
+    const auto below = static_cast<std::uint64_t>(height_ - first_row(band) - rows(band));
+    return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
+  }
   // Compression enlarges nothing by more than that.
   const std::uint64_t row_bytes = 3 * static_cast<std::uint64_t>(width()) + 1,
                       band_bytes = row_bytes * static_cast<std::uint64_t>(band_rows_);
@@ -57,27 +62,23 @@ std::uint64_t PictureBands::png_offset(std::size_t band) const {
 }
 
 FilePart PictureBands::picture(std::size_t band, const Frame& frame, const ImageOptions& options) const {
+  FilePart part{picture_offset(band, options.format), {}};
   if (options.format == ImageFormat::pfm) {
-    const std::string head = pfm_head(width(), height_);
-    std::vector<std::uint8_t> bytes = pfm_rows(frame, sampling_);
-    if (is_last(band)) { // the bottom, which the file begins with
-      bytes.insert(bytes.begin(), head.begin(), head.end());
-      return {0, std::move(bytes)};
-    }
-    const auto below = static_cast<std::uint64_t>(height_ - first_row(band) - rows(band));
-    return {head.size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f), std::move(bytes)};
+    part.bytes = pfm_rows(frame, sampling_);
+    const std::string head = is_last(band) ? pfm_head(width(), height_) : "";
+    part.bytes.insert(part.bytes.begin(), head.begin(), head.end());
+    return part;
   }
   const PngRows encoded = encoded_rows(rgb_rows(frame, sampling_, options.srgb), width(), is_last(band));
-  const PngPartHead head{encoded.rows, encoded.adler, sizeof head + encoded.chunks.size()};
-  FilePart part{png_offset(band), std::vector<std::uint8_t>(sizeof head)};
+  const PngPartHead head{encoded.rows, encoded.adler};
+  part.bytes.resize(sizeof head);
   std::memcpy(part.bytes.data(), &head, sizeof head);
   part.bytes.insert(part.bytes.end(), encoded.chunks.begin(), encoded.chunks.end());
   return part;
 }
 
-std::uint64_t PictureBands::hits_bytes() const {
-  return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows) *
-         sizeof(HitRecord);
+std::uint64_t PictureBands::hit_count() const {
+  return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows);
 }
 
 std::uint64_t PictureBands::pfm_bytes() const {
@@ -85,14 +86,10 @@ std::uint64_t PictureBands::pfm_bytes() const {
          static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_) * sizeof(Vec3f);
 }
 
-std::uint64_t png_part_bytes(std::span<const std::uint8_t> head) {
-  PngPartHead part{};
-  std::memcpy(&part, head.data(), sizeof part);
-  return part.bytes;
-}
-
 PngRows png_rows(std::span<const std::uint8_t> part) {
   PngPartHead head{};
+  if (part.size() < sizeof head)
+    throw Error(ErrorCode::output, "PNG", "a band of it was changed while it was written: run again");
   std::memcpy(&head, part.data(), sizeof head);
   return {head.rows, head.adler, {part.begin() + sizeof head, part.end()}};
 }

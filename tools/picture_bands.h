@@ -23,15 +23,16 @@ public:
   std::uint64_t rays_counted(std::size_t band) const;
   std::size_t largest_band_rays() const;
 
-  // Of a band's frame: 8-byte records of the hits, and the picture's rows. A PFM file's are where they belong
-  // in the file, with its head. A PNG file's have no place before those above them are known: their offset is
-  // such that every band has room, and png_rows() reads them.
-  FilePart hits(std::size_t band, const Frame& frame) const;
+  // Of a band's frame: 8-byte records of the hits, and the picture's rows. A PFM file's rows are where they
+  // belong in the file, with its head. A PNG file's have no place before those above them are known: their
+  // offset is that of a slot (partial_file.h) with room for any of them, and png_rows() reads them.
+  std::vector<std::uint8_t> hits(std::size_t band, const Frame& frame) const;
+  std::uint64_t first_hit(std::size_t band) const; // its index in the picture
   FilePart picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
-  std::uint64_t png_offset(std::size_t band) const;
+  std::uint64_t picture_offset(std::size_t band, ImageFormat format) const;
 
   // Of the whole files.
-  std::uint64_t hits_bytes() const;
+  std::uint64_t hit_count() const;
   std::uint64_t pfm_bytes() const;
 
 private:
@@ -43,9 +44,7 @@ private:
   std::int32_t more_, height_, band_rows_; // more_: rows and columns of rays than of pixels
 };
 
-// The bytes of a PNG part, of which the first ones say how many they are.
-inline constexpr std::size_t png_part_head = 16;
-std::uint64_t png_part_bytes(std::span<const std::uint8_t> head);
+// Of a PNG part.
 PngRows png_rows(std::span<const std::uint8_t> part);
 
 } // namespace masu

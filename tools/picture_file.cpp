@@ -1,6 +1,8 @@
 #include "tools/picture_file.h"
 
 #include "libscene/error.h"
+#include "libscene/file/input_file.h"
+#include "libscene/file/input_stream.h"
 #include "tools/npy.h"
 
 #include <fmt/format.h>
@@ -11,8 +13,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string_view>
 
@@ -32,12 +32,17 @@ struct File {
   }
 };
 
+constexpr std::string_view png_begins = "\x89PNG", pfm_begins = "PF", pfm_of_one_begins = "Pf";
+
+// Nothing but its beginning is read of what isn't a picture: it may be endless.
 File read(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  File file{path, {}};
-  if (!in) file.fail("can't be opened");
-  file.bytes.assign(std::istreambuf_iterator<char>(in), {});
-  if (in.bad()) file.fail("can't be read");
+  InputStream in(path);
+  File file{path, std::string(npy_magic.size(), ' ')};
+  file.bytes.resize(in.read(file.bytes.data(), file.bytes.size()));
+  const auto begins = [&](std::string_view with) { return file.bytes.starts_with(with); };
+  if (!begins(png_begins) && !begins(pfm_begins) && !begins(pfm_of_one_begins) && !begins(npy_magic))
+    file.fail("is neither PNG nor PFM nor a NumPy array");
+  file.bytes += read_to_end([&](char* to, std::size_t bytes) { return in.read(to, bytes); }, path);
   return file;
 }
 
@@ -143,11 +148,8 @@ FloatPicture read_npy(const File& file) {
 
 FloatPicture read_picture(const std::string& path) {
   const File file = read(path);
-  const std::string_view magic(reinterpret_cast<const char*>(npy_magic.data()), npy_magic.size());
-  if (file.bytes.starts_with("\x89PNG")) return read_png(file);
-  if (file.bytes.starts_with("PF") || file.bytes.starts_with("Pf")) return read_pfm(file);
-  if (file.bytes.starts_with(magic)) return read_npy(file);
-  file.fail("is neither PNG nor PFM nor a NumPy array");
+  if (file.bytes.starts_with(png_begins)) return read_png(file);
+  return file.bytes.starts_with(npy_magic) ? read_npy(file) : read_pfm(file);
 }
 
 } // namespace masu

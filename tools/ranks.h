@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -14,7 +15,10 @@ namespace masu {
 // that wait don't keep a core busy.
 class Ranks {
 public:
-  // The first thing that a main does. Ends the process where MPI doesn't start.
+  // The rank that this process was launched as, before MPI starts; nothing where it was started by itself.
+  static std::optional<int> launched_as();
+
+  // Ends the process where MPI doesn't start.
   Ranks(int* argc, char*** argv);
   ~Ranks();
   Ranks(const Ranks&) = delete;

@@ -8,6 +8,8 @@
 #include "libscene/error.h"
 
 #include <mpi.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +35,18 @@ enum Tag : int { addition_tag = 1, reply_tag = 2 };
 // Between two looks at what others do; longer and longer for who waits.
 constexpr auto pause = std::chrono::microseconds(200), longest_pause = std::chrono::microseconds(5000);
 constexpr auto between_idle_calls = std::chrono::milliseconds(200);
-constexpr auto patience = std::chrono::seconds(20); // for the rank that reports an error to end all
+constexpr auto patience = std::chrono::seconds(20);  // for the rank that reports an error to end all
+constexpr auto forwarding = std::chrono::seconds(1); // of its line, at most
+
+// Until mpirun has read what it forwards of standard error, a pipe: else its own lines about the end could
+// come first, the last of which Open MPI 5 ends with a zero byte.
+void flush_forwarded_error() {
+  static_cast<void>(std::fflush(stderr));
+  const auto begin = std::chrono::steady_clock::now();
+  for (int unread = 0; ioctl(STDERR_FILENO, FIONREAD, &unread) == 0 && unread > 0 &&
+                       std::chrono::steady_clock::now() - begin < forwarding;)
+    std::this_thread::sleep_for(pause);
+}
 
 } // namespace
 
@@ -123,6 +136,13 @@ struct Ranks::State {
     }
   }
 };
+
+std::optional<int> Ranks::launched_as() {
+  for (const char* const name : {"PMIX_RANK", "PMI_RANK", "OMPI_COMM_WORLD_RANK", "SLURM_PROCID"}) {
+    if (const char* const rank = std::getenv(name)) return std::atoi(rank);
+  }
+  return {};
+}
 
 Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
   State& state = *state_;
@@ -216,8 +236,7 @@ int Ranks::ended(int code) {
   if (code == 0) return 0;
   if (state_->count == 1) return code;
   // The first one to fail ends all, as soon as its line is out. The others let it.
-  static_cast<void>(std::fflush(stderr));
-  if (!state_->reports) std::this_thread::sleep_for(patience);
+  state_->reports ? flush_forwarded_error() : std::this_thread::sleep_for(patience);
   MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }

@@ -1,24 +1,20 @@
 #include "tools/ray_list.h"
 
 #include "libscene/error.h"
-#include "libscene/file/container.h"
-#include "libscene/file/input_file.h"
 #include "libscene/stopwatch.h"
 #include "renderer/automatic_loop.h"
-#include "tools/npy.h"
-#include "tools/placed_file.h"
+#include "tools/ray_file.h"
 #include "tools/repeated.h"
 #include "tools/run_tasks.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -35,14 +31,15 @@ struct FieldFormat {
   HitField field;
   const char* type; // as NumPy has it
   std::size_t bytes;
+  const char* columns = nullptr; // of CSV, where it has several
 };
 constexpr FieldFormat field_formats[] = {
     {"t", HitField::t, "'<f4'", 4},
     {"object", HitField::object, "'<i4'", 4},
     {"primitive", HitField::primitive, "'<i4'", 4},
     {"face", HitField::face, "'<i4'", 4},
-    {"uv", HitField::uv, "'<f4', (2,)", 8},
-    {"normal", HitField::normal, "'<f4', (3,)", 12},
+    {"uv", HitField::uv, "'<f4', (2,)", 8, "u,v"},
+    {"normal", HitField::normal, "'<f4', (3,)", 12, "nx,ny,nz"},
     {"occluded", HitField::occluded, "'|u1'", 1},
 };
 
@@ -57,122 +54,13 @@ std::size_t record_bytes_of(const std::vector<HitField>& fields) {
   return bytes;
 }
 
-// --- Reading -----------------------------------------------------------------------------------------------
-
-class RayReader {
-public:
-  RayReader(const std::string& path, const RayFormat& format)
-      : name_(path == "-" ? "standard input" : path), format_(format),
-        file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
-    if (!file_) fail(std::strerror(errno));
-    start_.resize(npy_magic.size());
-    start_.resize(read(start_.data(), start_.size()));
-    if (std::equal(start_.begin(), start_.end(), npy_magic.begin(), npy_magic.end())) {
-      start_.clear();
-      read_npy_header();
-    }
-  }
-
-  const RayFormat& format() const { return format_; }
-  // Of a regular file; 0 where it isn't known.
-  std::uint64_t expected_rays() const {
-    struct stat status {};
-    if (fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode)) return 0;
-    return static_cast<std::uint64_t>(status.st_size) / format_.bytes_a_ray();
-  }
-
-  // Of a named file, whose rays can be read in any order: how many there are. Throws Error(usage) for another
-  // one.
-  std::uint64_t all_rays() const {
-    struct stat status {};
-    if (file_.get() == stdin || fstat(fileno(file_.get()), &status) != 0 || !S_ISREG(status.st_mode))
-      throw Error(ErrorCode::usage, name_,
-                  "isn't a file, which several ranks and --resume need: name a file");
-    const std::uint64_t bytes = static_cast<std::uint64_t>(status.st_size) - first_byte_,
-                        rays = bytes / format_.bytes_a_ray();
-    if (bytes % format_.bytes_a_ray() != 0) fail_by_bytes(bytes);
-    if (expected_ && rays != *expected_) fail_by_rays(rays);
-    return rays;
-  }
-  std::vector<std::uint8_t> rays_at(std::uint64_t first, std::size_t count) const {
-    return read_part(name_, first_byte_ + first * format_.bytes_a_ray(), count * format_.bytes_a_ray(),
-                     ErrorCode::input);
-  }
-
-  // The next rays, up to so many: fewer at the end.
-  std::vector<std::uint8_t> rays(std::size_t count) {
-    const std::size_t ray_bytes = format_.bytes_a_ray();
-    std::vector<std::uint8_t> bytes = std::move(start_);
-    const std::size_t before = bytes.size();
-    start_.clear();
-    bytes.resize(count * ray_bytes);
-    bytes.resize(before + read(bytes.data() + before, bytes.size() - before));
-    bytes_ += bytes.size();
-    if (bytes.size() % ray_bytes != 0) fail_by_bytes(bytes_);
-    rays_ += bytes.size() / ray_bytes;
-    if (expected_ && bytes.size() < count * ray_bytes && rays_ != *expected_) fail_by_rays(rays_);
-    return bytes;
-  }
-
-private:
-  struct Close {
-    void operator()(std::FILE* file) const {
-      if (file != stdin) static_cast<void>(std::fclose(file));
-    }
-  };
-
-  [[noreturn]] void fail(const std::string& why) const { throw Error(ErrorCode::input, name_, why); }
-
-  [[noreturn]] void fail_by_bytes(std::uint64_t bytes) const {
-    fail(fmt::format("holds {} bytes, not a whole number of rays: a ray is {} {}-bit floats", bytes,
-                     format_.numbers, format_.is_float64 ? 64 : 32));
-  }
-  [[noreturn]] void fail_by_rays(std::uint64_t rays) const {
-    fail(fmt::format("holds {} rays, its header says {}", rays, *expected_));
-  }
-
-  std::size_t read(void* to, std::size_t bytes) {
-    const std::size_t got = std::fread(to, 1, bytes, file_.get());
-    if (std::ferror(file_.get()) != 0) fail(fmt::format("can't be read: {}", std::strerror(errno)));
-    return got;
-  }
-
-  void read_npy_header() {
-    std::uint8_t version_and_length[6];
-    const std::size_t version_bytes = read(version_and_length, 4);
-    std::size_t length = 0;
-    if (version_bytes == 4) length = version_and_length[2] | std::size_t{version_and_length[3]} << 8;
-    if (version_bytes == 4 && version_and_length[0] > 1) {
-      if (read(version_and_length + 4, 2) != 2) fail("ends in its NumPy header");
-      length |= std::size_t{version_and_length[4]} << 16 | std::size_t{version_and_length[5]} << 24;
-    }
-    std::string header(std::min<std::size_t>(length, 1 << 16), ' ');
-    if (version_bytes != 4 || read(header.data(), header.size()) != header.size() || length > header.size())
-      fail("ends in its NumPy header, or the header is too long");
-    const std::optional<NpyArray> array = parsed_npy_header(header);
-    if (!array || array->shape.size() != 2 || (array->type != "<f4" && array->type != "<f8") ||
-        (array->shape[1] != 6 && array->shape[1] != 8))
-      fail("isn't a NumPy array of rays: float32 or float64, in C order, of shape (N, 6) or (N, 8)");
-    format_ = {array->type == "<f8", static_cast<int>(array->shape[1])};
-    first_byte_ = static_cast<std::uint64_t>(std::ftell(file_.get()));
-    expected_ = array->shape[0];
-  }
-
-  std::string name_;
-  RayFormat format_;
-  std::unique_ptr<std::FILE, Close> file_;
-  std::vector<std::uint8_t> start_; // read already
-  std::uint64_t first_byte_ = 0;    // of the first ray
-  std::uint64_t bytes_ = 0, rays_ = 0;
-  std::optional<std::uint64_t> expected_;
-};
-
 // --- A chunk of the list -----------------------------------------------------------------------------------
 
 struct Chunk {
   std::uint64_t task = 0, first = 0; // first: ray's index in the list
   std::vector<std::uint8_t> rays;
   std::size_t count = 0;
+  std::uint64_t file_bytes = 0; // that they were read from
   std::vector<float> t, uv, normal;
   std::vector<std::uint32_t> object, primitive, face;
   std::vector<std::uint8_t> occluded;
@@ -265,24 +153,14 @@ std::uint64_t invalid_rays(const RayList& rays) {
       std::plus<>());
 }
 
-// --- Writing -----------------------------------------------------------------------------------------------
-
-// What the file of hits begins with: of a NumPy array a header, as long for any number of rays; else nothing.
-std::string hits_head(const RayListJob& job, std::uint64_t rays) {
-  if (!job.hits.ends_with(".npy")) return {};
-  std::string type;
-  for (const HitField field : job.fields)
-    type += fmt::format("('{}', {}), ", format_of(field).name, format_of(field).type);
-  return npy_header("[" + type + "]", rays);
-}
+// --- Tasks -------------------------------------------------------------------------------------------------
 
 // The chunks of a list, each of which is read while those before it are traced: all in their order, or those
 // of the tasks that this process takes.
 class ChunkReader {
 public:
   // tasks: null where nobody else takes any.
-  ChunkReader(RayReader& reader, TaskList* tasks)
-      : reader_(reader), tasks_(tasks), rays_(tasks != nullptr ? reader.all_rays() : 0) {}
+  ChunkReader(RayFile& file, TaskList* tasks) : file_(file), tasks_(tasks) {}
 
   // Nothing after the last one. For threads at the same time.
   std::shared_ptr<Chunk> next() {
@@ -301,54 +179,55 @@ private:
   // Without rays after the last one.
   std::shared_ptr<Chunk> read() {
     auto chunk = std::make_shared<Chunk>();
+    RaysRead read;
     if (tasks_ != nullptr) {
       const auto task = tasks_->next();
       if (!task) return chunk;
       chunk->task = *task;
       chunk->first = *task * rays_a_chunk;
-      chunk->rays =
-          reader_.rays_at(chunk->first, std::min<std::uint64_t>(rays_a_chunk, rays_ - chunk->first));
+      read = file_.chunk(*task);
     } else {
       chunk->first = read_;
-      chunk->rays = reader_.rays(rays_a_chunk);
+      read = file_.next(rays_a_chunk);
     }
-    chunk->count = chunk->rays.size() / reader_.format().bytes_a_ray();
+    chunk->rays = std::move(read.rays);
+    chunk->file_bytes = read.bytes;
+    chunk->count = chunk->rays.size() / file_.format().bytes_a_ray();
     read_ += chunk->count;
     return chunk;
   }
 
-  RayReader& reader_;
+  RayFile& file_;
   TaskList* tasks_;
-  std::uint64_t rays_, read_ = 0;
+  std::uint64_t read_ = 0;
   bool ended_ = false;
   std::mutex mutex_;
   std::future<std::shared_ptr<Chunk>> coming_;
 };
 
-// Of the hashes of its pieces: files may be larger than memory.
-Hash hash_of_file(const std::string& path) {
-  constexpr std::uint64_t piece_bytes = std::uint64_t{1} << 22;
-  const InputFile file(path);
-  std::vector<std::uint8_t> piece, hashes;
-  for (std::uint64_t offset = 0; offset < file.size(); offset += piece.size()) {
-    piece.resize(std::min(piece_bytes, file.size() - offset));
-    file.read(offset, piece);
-    const Hash hash = hash_of(piece);
-    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(&hash);
-    hashes.insert(hashes.end(), bytes, bytes + sizeof(hash));
-  }
-  file.check_unchanged();
-  return hash_of(hashes);
+// Collective: finds out where the chunks of a list begin, which ranks take in any order.
+void find_chunks(RayFile& file, Ranks& ranks) {
+  std::string chunks = ranks.rank() == 0 ? file.chunks(rays_a_chunk) : std::string();
+  ranks.broadcast(chunks);
+  file.set_chunks(rays_a_chunk, chunks);
 }
 
-TaskListOf task_list_of(const RayListJob& job, const RayReader& reader, const Sharing& sharing) {
+TaskListOf task_list_of(const RayListJob& job, RayFile& file, const HitFormat& hits, const Sharing& sharing) {
   if (!sharing.in_parts()) return {};
-  const std::uint64_t chunks = (reader.all_rays() + rays_a_chunk - 1) / rays_a_chunk;
-  TaskListOf tasks{job.description + "\n" + job.hits, job.hits, chunks};
+  find_chunks(file, sharing.ranks);
+  TaskListOf tasks{fmt::format("{}\n{}\nrays {} {} {}", job.description, job.hits, file.is_text(),
+                               file.format().is_float64, file.format().numbers),
+                   job.hits, (file.all_rays() + rays_a_chunk - 1) / rays_a_chunk};
+  const std::string partial = job.hits.empty() ? std::string() : partial_name(job.hits);
+  tasks.writes = [&file, &hits, partial](std::uint64_t task) {
+    std::vector<FileRange> ranges;
+    if (!partial.empty()) ranges.push_back(hits.range(partial, task, task * rays_a_chunk, file.all_rays()));
+    return ranges;
+  };
   if (!sharing.resume) return tasks;
-  std::string hash = sharing.ranks.rank() == 0 ? to_hex(hash_of_file(job.rays)) : std::string();
+  std::string hash = sharing.ranks.rank() == 0 ? whole_file(job.rays).hash : std::string();
   sharing.ranks.broadcast(hash);
-  tasks.description += "\nrays " + hash;
+  tasks.description += "\n" + hash;
   return tasks;
 }
 
@@ -359,15 +238,15 @@ public:
              const std::function<void(double)>& progress)
       : tracer_(tracer), job_(job), sharing_(sharing), progress_(progress),
         in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
-        reader_(job.rays, job.format), tasks_(sharing, task_list_of(job, reader_, sharing)),
-        chunks_(reader_, sharing.in_parts() ? &tasks_ : nullptr), head_bytes_(hits_head(job, 0).size()) {
-    if (!job.hits.empty() && !sharing.in_parts()) hits_.emplace(job.hits, hits_head(job, 0));
+        format_(job.hits, record_fields(job.fields)), file_(job.rays, job.format),
+        tasks_(sharing, task_list_of(job, file_, format_, sharing)),
+        chunks_(file_, sharing.in_parts() ? &tasks_ : nullptr) {
+    if (!job.hits.empty() && !sharing.in_parts()) hits_.emplace(format_, job.hits, file_.count());
   }
 
   // Besides those that a GPU has: one is written, one is about to be.
   std::size_t chunks_under_way() const {
-    const std::size_t bytes =
-                          rays_a_chunk * (reader_.format().bytes_a_ray() + 2 * record_bytes_of(job_.fields)),
+    const std::size_t bytes = rays_a_chunk * (file_.format().bytes_a_ray() + 2 * format_.record_bytes()),
                       queries = tracer_.device() == Device::cuda ? queries_a_gpu * tracer_.device_count() : 1;
     return std::min(tasks_under_way(tracer_, bytes), queries + 2);
   }
@@ -376,7 +255,7 @@ public:
   std::shared_ptr<Chunk> trace(std::size_t device) {
     std::shared_ptr<Chunk> chunk = chunks_.next();
     if (!chunk) return {};
-    const RayList rays(chunk->rays.data(), chunk->count, reader_.format());
+    const RayList rays(chunk->rays.data(), chunk->count, file_.format());
     const RayResults results = chunk->results(job_.fields);
     RaysRequest request = job_.request;
     request.loop = loop_for(rays);
@@ -392,21 +271,23 @@ public:
   void write(const Chunk& chunk) {
     const Stopwatch watch;
     std::vector<FileRange> written;
-    if (!job_.hits.empty()) {
-      FilePart part{head_bytes_ + chunk.first * record_bytes_of(job_.fields), chunk.records(job_.fields)};
-      if (hits_)
-        hits_->write(std::move(part));
-      else
-        written.push_back(write_part(partial_name(job_.hits), with_head(std::move(part))));
-    }
+    if (hits_)
+      hits_->write(chunk.first, chunk.records(job_.fields));
+    else if (!job_.hits.empty())
+      written.push_back(
+          write_part(partial_name(job_.hits),
+                     format_.part(chunk.task, chunk.first, chunk.records(job_.fields), file_.all_rays())));
     const double share = sharing_.in_parts() ? tasks_.finish(chunk.task, written, chunk.totals) : 0;
     const std::lock_guard lock(mutex_);
     report_.write_seconds += watch.seconds();
     if (sharing_.in_parts()) return progress_(share);
     report_.totals += chunk.totals;
-    if (reader_.expected_rays() > 0)
-      progress_(static_cast<double>(report_.totals.rays) / static_cast<double>(reader_.expected_rays()));
+    bytes_done_ += chunk.file_bytes;
+    if (file_.bytes() > 0) progress_(static_cast<double>(bytes_done_) / static_cast<double>(file_.bytes()));
   }
+
+  // By any thread: trace() doesn't wait for the next rays of a pipe any longer, and finds none.
+  void cancel() { file_.cancel(); }
 
   // Collective: when all tasks are done.
   TracingReport finish() {
@@ -414,7 +295,7 @@ public:
     if (sharing_.in_parts()) {
       finish_parts();
     } else if (hits_) {
-      hits_->commit(hits_head(job_, report_.totals.rays)); // now that their number is known
+      hits_->commit(report_.totals.rays); // now that their number is known
     }
     report_.write_seconds += watch.seconds();
     sum_up(sharing_.ranks, report_);
@@ -431,23 +312,17 @@ private:
     return loop_;
   }
 
-  // The first part begins with the head, for the number of rays is known.
-  FilePart with_head(FilePart part) const {
-    if (part.offset > head_bytes_) return part;
-    const std::string head = hits_head(job_, reader_.all_rays());
-    part.bytes.insert(part.bytes.begin(), head.begin(), head.end());
-    return {0, std::move(part.bytes)};
-  }
-
   void finish_parts() {
     Ranks& ranks = sharing_.ranks;
     report_.totals = tasks_.totals();
     ranks.wait_for_all([&] { progress_(tasks_.share()); });
     if (ranks.rank() == 0) {
       if (!job_.hits.empty()) {
-        const std::uint64_t rays = reader_.all_rays();
-        if (rays == 0) write_part(partial_name(job_.hits), with_head({head_bytes_, {}}));
-        finish_partial(job_.hits, head_bytes_ + rays * record_bytes_of(job_.fields));
+        std::vector<std::uint64_t> firsts;
+        for (std::uint64_t first = 0; first < file_.all_rays(); first += rays_a_chunk)
+          firsts.push_back(first);
+        format_.finish(firsts, file_.all_rays());
+        if (format_.is_text()) std::filesystem::remove(partial_name(job_.hits));
       }
       tasks_.remove_journals();
     }
@@ -459,18 +334,29 @@ private:
   const Sharing& sharing_;
   const std::function<void(double)>& progress_;
   bool in_double_;
-  RayReader reader_;
+  HitFormat format_;
+  RayFile file_;
   TaskList tasks_;
   ChunkReader chunks_;
-  std::uint64_t head_bytes_;
-  std::optional<PlacedFile> hits_;
+  std::optional<HitFile> hits_;
   std::once_flag loop_found_;
   RayLoop loop_ = RayLoop::warp_refill;
   std::mutex mutex_; // of what follows
   TracingReport report_;
+  std::uint64_t bytes_done_ = 0;
 };
 
 } // namespace
+
+std::vector<RecordField> record_fields(const std::vector<HitField>& fields) {
+  std::vector<RecordField> of_record;
+  for (const HitField field : fields) {
+    const FieldFormat& format = format_of(field);
+    of_record.push_back(
+        {format.name, format.type, format.bytes, format.columns != nullptr ? format.columns : format.name});
+  }
+  return of_record;
+}
 
 std::vector<HitField> hit_fields(const std::string& names) {
   std::vector<HitField> fields;
@@ -494,9 +380,19 @@ TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const 
                              const std::function<void(double)>& progress) {
   const Stopwatch elapsed;
   ListTracer tracing(tracer, job, sharing, progress);
+  // A chunk may still be read from a pipe when another one fails.
+  const auto ending = [&](const auto& act) {
+    try {
+      return act();
+    } catch (...) {
+      tracing.cancel();
+      throw;
+    }
+  };
   run_tasks(
-      tracer, tracing.chunks_under_way(), [&](std::size_t device) { return tracing.trace(device); },
-      [&](const Chunk& chunk) { tracing.write(chunk); });
+      tracer, tracing.chunks_under_way(),
+      [&](std::size_t device) { return ending([&] { return tracing.trace(device); }); },
+      [&](const Chunk& chunk) { ending([&] { tracing.write(chunk); }); });
   TracingReport report = tracing.finish();
   report.elapsed_seconds = elapsed.seconds();
   return report;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/tracer.h"
+#include "tools/hit_file.h"
 #include "tools/tracing_report.h"
 
 #include <string>
@@ -15,21 +16,22 @@ enum class HitField { t, object, primitive, face, uv, normal, occluded };
 
 // Of a list such as "t,object". Throws Error(usage, --write, …).
 std::vector<HitField> hit_fields(const std::string& names);
+// How they are written.
+std::vector<RecordField> record_fields(const std::vector<HitField>& fields);
 
 struct RayListJob {
-  std::string
-      rays; // a file, or - for standard input; numbers as `format` says, or a NumPy array, which says so
-  std::string hits;   // a file, or - for standard output; empty: nothing is written. *.npy: a NumPy array
-  RayFormat format{}; // of what isn't a NumPy array
+  std::string rays;   // a file, or - for standard input (ray_file.h)
+  std::string hits;   // a file, or - for standard output; empty: nothing is written (hit_file.h)
+  RayFormat format{}; // of what is numbers alone
   std::vector<HitField> fields{};
   RaysRequest request{};
   std::string description{}; // of the scene and of the options that hits depend on
   int repeat = 1;            // of the tracing, whose seconds are the medians' sum
 };
 
-// Collective (tools/ranks.h). `progress` gets the share of the rays whose hits are written, where the list is
-// a file. Throws Error(input) for what isn't a whole number of rays or another kind of array, Error(usage)
-// where ranks share a list that isn't a file, Error(output), and what Tracer::trace() throws.
+// Collective (tools/ranks.h). `progress` gets the share of the list whose hits are written, where it is a
+// file. Throws what RayFile throws, Error(usage) where ranks share a list that isn't a file, Error(output),
+// and what Tracer::trace() throws.
 TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
                              const std::function<void(double)>& progress);
 

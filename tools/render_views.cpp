@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace masu {
 namespace {
@@ -58,16 +59,108 @@ struct Layout {
   }
 };
 
-TaskListOf task_list_of(const ViewsRequest& request, const Layout& layout, const Sharing& sharing) {
+// Where the views' bands go, by several processes or runs: into partial files, or whole files of one band.
+class SharedFiles {
+public:
+  SharedFiles(const ViewsRequest& request, const Layout& layout) : request_(request), layout_(layout) {
+    for (std::size_t view = 0; view < request.views.size(); ++view) {
+      const auto name = [&](const std::string& file) {
+        if (file.empty()) return file;
+        const std::string partial = partial_name(file); // can it have one?
+        return is_in_parts(view) ? partial : file;
+      };
+      names_.push_back({name(request.files[view].picture), name(request.files[view].hits)});
+    }
+  }
+
+  bool is_in_parts(std::size_t view) const { return layout_.bands[view].count() > 1; }
+
+  std::vector<FileRange> written_by(std::uint64_t task) const {
+    const std::size_t view = layout_.view_of(task), band = task - layout_.first_tasks[view];
+    const PictureBands& bands = layout_.bands[view];
+    const auto& [picture, hits] = names_[view];
+    std::vector<FileRange> ranges;
+    if (!is_in_parts(view)) {
+      for (const std::string& file : {picture, hits})
+        if (!file.empty()) ranges.push_back({file});
+      return ranges;
+    }
+    const ImageFormat format = request_.image.format;
+    if (!picture.empty())
+      ranges.push_back(
+          {picture, bands.picture_offset(band, format), format == ImageFormat::pfm ? bands.pfm_bytes() : 0});
+    if (!hits.empty())
+      ranges.push_back(format_of_hits(view).range(hits, band, bands.first_hit(band), bands.hit_count()));
+    return ranges;
+  }
+
+  std::vector<FileRange> write(std::size_t view, std::size_t band, const Frame& frame) const {
+    const PictureBands& bands = layout_.bands[view];
+    const auto& [picture, hits] = names_[view];
+    std::vector<FileRange> ranges;
+    if (!picture.empty()) {
+      FilePart part = bands.picture(band, frame, request_.image);
+      const bool has_slot = request_.image.format == ImageFormat::png;
+      ranges.push_back(write_part(picture, has_slot ? in_slot(std::move(part)) : std::move(part)));
+    }
+    if (!hits.empty())
+      ranges.push_back(
+          write_part(hits, format_of_hits(view).part(band, bands.first_hit(band), bands.hits(band, frame),
+                                                     bands.hit_count())));
+    return ranges;
+  }
+
+  // When all bands of a view in parts are there: its files.
+  void finish(std::size_t view, const PngTexts& texts) const {
+    const PictureBands& bands = layout_.bands[view];
+    const auto& [picture, hits] = request_.files[view];
+    if (!hits.empty()) {
+      std::vector<std::uint64_t> firsts;
+      for (std::size_t band = 0; band < bands.count(); ++band)
+        firsts.push_back(bands.first_hit(band));
+      format_of_hits(view).finish(firsts, bands.hit_count());
+    }
+    if (picture.empty()) return;
+    if (request_.image.format == ImageFormat::pfm) return finish_partial(picture, bands.pfm_bytes());
+    // A PNG file's bands follow each other now that their sizes are known.
+    OutputFile file(picture);
+    PngWriter png(file, bands.width(), bands.height(), texts);
+    for (std::size_t band = 0; band < bands.count(); ++band)
+      png.write(png_rows(read_slot(names_[view].picture, bands.picture_offset(band, ImageFormat::png),
+                                   bands.picture_offset(band + 1, ImageFormat::png))));
+    file.commit();
+  }
+
+  // When all views are there: what is left of the partial files.
+  void remove_partial_files() const {
+    for (std::size_t view = 0; view < names_.size(); ++view) {
+      for (const std::string& file : {names_[view].picture, names_[view].hits})
+        if (is_in_parts(view) && !file.empty()) std::filesystem::remove(file);
+    }
+  }
+
+private:
+  HitFormat format_of_hits(std::size_t view) const {
+    return {request_.files[view].hits, request_.hit_fields};
+  }
+
+  const ViewsRequest& request_;
+  const Layout& layout_;
+  std::vector<ViewFiles> names_;
+};
+
+TaskListOf task_list_of(const ViewsRequest& request, const Layout& layout,
+                        const std::optional<SharedFiles>& files) {
   TaskListOf tasks{request.description, {}, layout.tasks};
+  if (!files) return tasks;
+  tasks.writes = [&files](std::uint64_t task) { return files->written_by(task); };
   for (std::size_t i = 0; i < request.views.size(); ++i) {
     const auto& [picture, hits] = request.files[i];
-    for (const std::string& file : {picture, hits})
-      if (sharing.in_parts() && !file.empty()) static_cast<void>(partial_name(file)); // can it have one?
     tasks.description +=
         fmt::format("\n{}\n{}\n{}", description(request.views[i].camera, request.frame), picture, hits);
-    if (i == 0) tasks.output = picture.empty() ? hits : picture;
   }
+  const auto& [picture, hits] = request.files.front();
+  tasks.output = picture.empty() ? hits : picture;
   return tasks;
 }
 
@@ -82,7 +175,8 @@ public:
   ViewsRenderer(const Tracer& tracer, const ViewsRequest& request, const Layout& layout,
                 const Sharing& sharing, const std::function<void(double)>& progress)
       : tracer_(tracer), request_(request), layout_(layout), sharing_(sharing), progress_(progress),
-        tasks_(sharing, task_list_of(request, layout, sharing)), outputs_(request.views.size()) {}
+        shared_(sharing.in_parts() ? std::make_optional<SharedFiles>(request, layout) : std::nullopt),
+        tasks_(sharing, task_list_of(request, layout, shared_)), outputs_(request.views.size()) {}
 
   // The next task's, or nothing.
   std::shared_ptr<RenderedTask> trace(std::size_t device) {
@@ -110,14 +204,14 @@ public:
     const PictureBands& bands = layout_.bands[view];
     const ViewFiles& files = request_.files[view];
     const Stopwatch watch;
-    FilePart picture, hits;
-    if (!files.picture.empty()) picture = bands.picture(band, frame, request_.image);
-    if (!files.hits.empty()) hits = bands.hits(band, frame);
     std::vector<FileRange> written;
-    if (is_in_parts(view)) {
-      if (!files.picture.empty()) written.push_back(write_part(partial_name(files.picture), picture));
-      if (!files.hits.empty()) written.push_back(write_part(partial_name(files.hits), hits));
+    if (shared_ && shared_->is_in_parts(view)) {
+      written = shared_->write(view, band, frame);
     } else {
+      FilePart picture;
+      std::vector<std::uint8_t> hits;
+      if (!files.picture.empty()) picture = bands.picture(band, frame, request_.image);
+      if (!files.hits.empty()) hits = bands.hits(band, frame);
       output_of(view)->write(band, std::move(picture), std::move(hits));
       if (tasks_.keeps_journal()) {
         for (const std::string& file : {files.picture, files.hits})
@@ -138,15 +232,13 @@ public:
     const Stopwatch watch;
     ranks.wait_for_all([&] { progress_(tasks_.share()); });
     for (std::size_t view = 0; view < layout_.bands.size(); ++view) {
-      if (is_in_parts(view) &&
+      if (shared_->is_in_parts(view) &&
           static_cast<int>(view % static_cast<std::size_t>(ranks.count())) == ranks.rank())
-        finish_view(view);
+        shared_->finish(view, image_of(view).texts);
     }
     ranks.wait_for_all();
     if (ranks.rank() == 0) {
-      for (std::size_t view = 0; view < layout_.bands.size(); ++view)
-        if (is_in_parts(view) && !request_.files[view].picture.empty())
-          std::filesystem::remove(partial_name(request_.files[view].picture));
+      shared_->remove_partial_files();
       tasks_.remove_journals();
     }
     report_.write_seconds += watch.seconds();
@@ -161,8 +253,6 @@ public:
   }
 
 private:
-  bool is_in_parts(std::size_t view) const { return sharing_.in_parts() && layout_.bands[view].count() > 1; }
-
   ImageOptions image_of(std::size_t view) const {
     ImageOptions image = request_.image;
     image.texts.emplace_back("View", description(request_.views[view].camera, request_.frame));
@@ -183,26 +273,9 @@ private:
     const std::lock_guard lock(mutex_);
     Output& output = outputs_[view];
     if (output.bands == 0)
-      output.files = std::make_shared<ViewOutput>(request_.files[view], layout_.bands[view], image_of(view));
+      output.files = std::make_shared<ViewOutput>(request_.files[view], layout_.bands[view], image_of(view),
+                                                  request_.hit_fields);
     return ++output.bands == layout_.bands[view].count() ? std::move(output.files) : output.files;
-  }
-
-  // A PNG file's bands follow each other now that their sizes are known.
-  void finish_view(std::size_t view) {
-    const PictureBands& bands = layout_.bands[view];
-    const auto& [picture, hits] = request_.files[view];
-    if (!hits.empty()) finish_partial(hits, bands.hits_bytes());
-    if (picture.empty()) return;
-    if (request_.image.format == ImageFormat::pfm) return finish_partial(picture, bands.pfm_bytes());
-    OutputFile file(picture);
-    PngWriter png(file, bands.width(), bands.height(), image_of(view).texts);
-    const std::string partial = partial_name(picture);
-    for (std::size_t band = 0; band < bands.count(); ++band) {
-      const std::uint64_t offset = bands.png_offset(band);
-      png.write(
-          png_rows(read_part(partial, offset, png_part_bytes(read_part(partial, offset, png_part_head)))));
-    }
-    file.commit();
   }
 
   struct Output {
@@ -215,6 +288,7 @@ private:
   const Layout& layout_;
   const Sharing& sharing_;
   const std::function<void(double)>& progress_;
+  std::optional<SharedFiles> shared_;
   TaskList tasks_;
   std::mutex mutex_; // of what follows
   std::vector<Output> outputs_;

@@ -17,10 +17,11 @@ namespace masu {
 struct ViewsRequest {
   FrameRequest frame{}; // of every view but for the camera
   std::vector<View> views{};
-  std::vector<ViewFiles> files{}; // a view each
-  ImageOptions image{};           // texts: the same for all views, and then each view's own
-  std::string description{};      // of the scene and of the options that the files depend on
-  int repeat = 1;                 // trace each view so often; seconds are medians
+  std::vector<ViewFiles> files{};        // a view each
+  ImageOptions image{};                  // texts: the same for all views, and then each view's own
+  std::vector<RecordField> hit_fields{}; // of HitRecord
+  std::string description{};             // of the scene and of the options that the files depend on
+  int repeat = 1;                        // trace each view so often; seconds are medians
 };
 
 // Collective (tools/ranks.h). Files are the same bytes for any number of ranks, devices and threads.

@@ -5,7 +5,7 @@
 #include "tools/partial_file.h"
 #include "tools/ranks.h"
 
-#include <memory>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -41,14 +41,24 @@ struct TaskListOf {
   std::string description; // of inputs and options
   std::string output;      // a file that is written: the journal's name is made of it
   std::uint64_t count = 0; // tasks
+  // What a task writes: ranges, without bytes and hash yet. Those with an offset are in partial files.
+  std::function<std::vector<FileRange>(std::uint64_t task)> writes{};
 };
 
+// OUTPUT.journal.RANK
+std::string journal_name(const std::string& output, int rank);
+
 // For threads at the same time, but for what is collective (tools/ranks.h). To be resumed, each rank keeps a
-// journal OUTPUT.journal.RANK: a line of JSON for the run's hash, and one for each finished task, with a hash
-// of each range of a file that the task wrote. Ranges that don't have their hash any more are written again.
+// journal: a line of JSON for the run's hash and its partial files, and one for each finished task, with its
+// own hash and that of each range of a file that the task wrote. A task whose line or ranges don't have their
+// hash any more, or aren't what it writes, is done again.
+//
+// Other files are neither replaced nor removed: a journal is known by its first line, and a partial file by a
+// journal that names it. So rank 0 keeps a journal of that line alone where a run has partial files and isn't
+// to be resumed.
 class TaskList {
 public:
-  // Collective. Throws Error(output).
+  // Collective. Throws Error(output): also where another file has the name of a journal or a partial file.
   TaskList(const Sharing& sharing, const TaskListOf& tasks);
   ~TaskList();
   TaskList(const TaskList&) = delete;
@@ -72,13 +82,14 @@ public:
 
 private:
   void take_over(const TaskListOf& tasks);
+  std::string taken_over(const TaskListOf& tasks, std::string lines);
 
   const Sharing sharing_;
   std::uint64_t count_, left_ = 0;   // left_: tasks that were not done at the beginning
   std::vector<std::uint64_t> to_do_; // their numbers
-  std::string journal_name_;
-  int journal_ = -1; // file descriptor
-  std::mutex mutex_; // of what follows
+  std::string output_, run_;         // run_: its hash, in hexadecimal
+  int journal_ = -1;                 // file descriptor
+  std::mutex mutex_;                 // of what follows
   TaskTotals totals_;
 };
 

@@ -1,6 +1,7 @@
 // The files of a view while its bands are written.
 #pragma once
 
+#include "tools/hit_file.h"
 #include "tools/picture_bands.h"
 
 #include <atomic>
@@ -17,10 +18,11 @@ struct ViewFiles {
 // Writes bands that come in any order, from threads at the same time. Files appear with the last one.
 class ViewOutput {
 public:
-  // Throw Error(output).
-  ViewOutput(const ViewFiles& files, const PictureBands& bands, const ImageOptions& image);
+  // `bands` outlives it. Throw Error(output).
+  ViewOutput(const ViewFiles& files, const PictureBands& bands, const ImageOptions& image,
+             const std::vector<RecordField>& hit_fields);
   // Of what PictureBands makes of a band; without bytes where there is no such file.
-  void write(std::size_t band, FilePart picture, FilePart hits);
+  void write(std::size_t band, FilePart picture, std::vector<std::uint8_t> hits);
 
 private:
   struct Png {
@@ -31,8 +33,10 @@ private:
     InOrder<std::vector<std::uint8_t>> in_order;
   };
 
+  const PictureBands& bands_;
   std::unique_ptr<Png> png_;
-  std::optional<PlacedFile> pfm_, hits_;
+  std::optional<PlacedFile> pfm_;
+  std::optional<HitFile> hits_;
   std::atomic<std::size_t> left_; // bands
 };
 

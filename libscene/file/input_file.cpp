@@ -2,19 +2,17 @@
 
 #include "libscene/available_memory.h"
 #include "libscene/error.h"
+#include "libscene/file/input_stream.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
 #include <memory>
-#include <thread>
 #include <utility>
 
 namespace masu {
@@ -104,65 +102,6 @@ FileContents::FileContents(const std::string& path) {
 
 // --- Texts -------------------------------------------------------------------------------------------------
 
-namespace {
-
-// A file of any kind, or standard input, read from its start to its end.
-class Stream {
-public:
-  explicit Stream(const std::string& path)
-      : name_(path == "-" ? "stdin" : path), is_ours_(path != "-"),
-        file_(path == "-" ? STDIN_FILENO : open(path.c_str(), open_flags)) {
-    if (file_ < 0) fail(std::string("can't be opened: ") + std::strerror(errno));
-  }
-  ~Stream() {
-    if (is_ours_ && file_ >= 0) close(file_);
-  }
-  Stream(const Stream&) = delete;
-  Stream(Stream&&) = delete;
-  Stream& operator=(const Stream&) = delete;
-  Stream& operator=(Stream&&) = delete;
-
-  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorCode::input, name_, what); }
-
-  // 0 at the end.
-  std::size_t read(char* to, std::size_t bytes) {
-    for (;;) {
-      const ssize_t got = ::read(file_, to, bytes);
-      if (got > 0) return begun_ = true, static_cast<std::size_t>(got);
-      if (got == 0) {
-        if (begun_ || !is_pipe()) return 0;
-        wait_for_writer();
-      } else if (errno == EAGAIN) {
-        begun_ = true; // there is a writer
-        pollfd readable{file_, POLLIN, 0};
-        static_cast<void>(poll(&readable, 1, -1));
-      } else if (errno != EINTR) {
-        fail(errno == EISDIR ? std::string("is a directory: name a file")
-                             : std::string("can't be read: ") + std::strerror(errno));
-      }
-    }
-  }
-
-private:
-  // Of a name of its own. (On standard input a pipe without a writer is at its end.)
-  bool is_pipe() const {
-    struct stat status {};
-    return is_ours_ && fstat(file_, &status) == 0 && S_ISFIFO(status.st_mode);
-  }
-  void wait_for_writer() {
-    constexpr std::chrono::milliseconds pause(20), longest(5000);
-    if ((waited_ += pause) > longest) fail("is a pipe that nobody writes to: start its writer first");
-    std::this_thread::sleep_for(pause);
-  }
-
-  std::string name_;
-  bool is_ours_, begun_ = false;
-  int file_;
-  std::chrono::milliseconds waited_{0};
-};
-
-} // namespace
-
 TextSource TextSource::of(std::string_view text) {
   const auto read = [text](char* to, std::size_t wanted) mutable {
     const std::string_view part = text.substr(0, wanted);
@@ -184,11 +123,11 @@ TextSource TextSource::of(const InputFile& file) {
 }
 
 TextSource text_stream(const std::string& path) {
-  const auto read = [stream = std::make_shared<Stream>(path),
+  const auto read = [stream = std::make_shared<InputStream>(path),
                      before = std::uint64_t{0}](char* to, std::size_t bytes) mutable {
     std::size_t all = 0;
     while (all < bytes) {
-      const std::size_t got = stream->read(to + all, bytes - all);
+      const std::size_t got = stream->read_some(to + all, bytes - all);
       if (got == 0) break;
       if (const void* const zero = std::memchr(to + all, 0, got))
         stream->fail(fmt::format("isn't a text: its byte {} is zero",
@@ -201,24 +140,27 @@ TextSource text_stream(const std::string& path) {
   return {read, {}};
 }
 
-std::string read_text_input(const std::string& path) {
+std::string read_to_end(const std::function<std::size_t(char*, std::size_t)>& read, const std::string& name) {
   constexpr std::size_t chunk = std::size_t{1} << 20;
-  const TextSource source = text_stream(path);
   // What is made of it takes as much again, or more.
   const double limit = available_memory() / 2;
   std::string text;
   for (;;) {
     const std::size_t before = text.size();
     if (static_cast<double>(before) + static_cast<double>(chunk) > limit)
-      throw Error(ErrorCode::input, path == "-" ? "stdin" : path,
+      throw Error(ErrorCode::input, name,
                   fmt::format("is longer than {}, half of the available memory: give less, or a machine more",
                               gigabytes(limit)));
     if (text.capacity() - before < chunk) text.reserve(2 * before + chunk);
     text.resize(before + chunk);
-    const std::size_t got = source.read(text.data() + before, chunk);
+    const std::size_t got = read(text.data() + before, chunk);
     text.resize(before + got);
     if (got < chunk) return text;
   }
+}
+
+std::string read_text_input(const std::string& path) {
+  return read_to_end(text_stream(path).read, path == "-" ? "stdin" : path);
 }
 
 } // namespace masu

@@ -80,8 +80,11 @@ struct TextSource {
 // Error(input, path or stdin, …).
 TextSource text_stream(const std::string& path);
 
-// All of a text in a file of any kind; as text_stream() reads it. Endless ones end with an error also where
-// half of the memory that was available is used.
+// All that read() reads up to its end. Endless inputs end with Error(input, name, …): where half of the
+// memory that was available is used.
+std::string read_to_end(const std::function<std::size_t(char*, std::size_t)>& read, const std::string& name);
+
+// All of a text in a file of any kind; as text_stream() and read_to_end() read it.
 std::string read_text_input(const std::string& path);
 
 } // namespace masu

@@ -52,6 +52,7 @@ done
 printf '\001{"name": "a", "from": [0, -5, 1], "at": [0, 0, 0.5], "up": [0, 0, 1], "angle": 30, "size": [64, 48]}\n{}\n' \
   > list_fuzz/views
 printf "%b{'descr': '<f4', 'fortran_order': False, 'shape': (100, 6), }" '\000' > list_fuzz/npy
+printf '\043# ox,oy,oz,tmin,dx,dy,dz,tmax\n1,2,3,0,4,5e-1,-6,inf\r\n\n.5,1e-400,3, 0 ,0.1,5,6,7' > list_fuzz/rays
 printf '\001ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' \
   > mesh_fuzz/ply
 printf '\002v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n' > mesh_fuzz/obj
