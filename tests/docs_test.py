@@ -61,8 +61,9 @@ set -euo pipefail
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a test may be run by root
 export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
 export PYTHONDONTWRITEBYTECODE=1
-say() { printf '\n== %s\n' "$1"; }
-ended() { [ "$1" = 0 ] || { echo "FAILED: $2 ended with $1" >&2; exit 1; }; }
+where="the beginning"
+trap 'code=$?; [ $code = 0 ] || echo "FAILED: $where ended with $code"' EXIT
+say() { where=$1; printf '\n== %s\n' "$1"; }
 made() { # folder
   mkdir -p "$1/bin" "$1/renderer" "$1/tools/package"
   cp -fl "$TESTED"/bin/* "$1/bin/"
@@ -88,7 +89,7 @@ ctest() { # the tested build's tests are listed: there must be some
 gridview() { # which serves until it is ended
   if [[ $* = *--export* || $* = *--help* ]]; then command gridview "$@"; return; fi
   command gridview "$@" --port 0 >typed/address &
-  until [ -s typed/address ]; do kill -0 $! || break; sleep 0.1; done
+  until [ -s typed/address ]; do kill -0 $! 2>/dev/null || break; sleep 0.1; done
   kill $! 2>/dev/null || true # ended by itself: with which code?
   wait $!
 }
@@ -172,6 +173,7 @@ class Page:
         self.script = [SHELL]
         self.failures = []
         self.files = {}
+        self.python_text = ""
 
     def file(self, name, text):
         self.files[name] = text
@@ -179,8 +181,8 @@ class Page:
 
     def run(self, line, command, shown=None):
         where = "{}:{}".format(self.name, line)
-        self.script += ["say {}".format(shlex.quote(where + ": " + (shown or command))), command,
-                        "ended $? {}".format(shlex.quote(where))]
+        # After an AND list the shell itself goes on.
+        self.script += ["say {}".format(shlex.quote(where + ": " + (shown or command))), command, "(exit $?)"]
 
     def missing_program(self, command):
         programs = [name for name in OPTIONAL_PROGRAMS if re.search(r"(^|[\s/|]){}\b(?!-)".format(name), command)]
@@ -235,7 +237,7 @@ class Page:
         if "import torch" in text:
             self.skip(line, "Python", "needs a GPU: run by python_gpu_test.py")
         else:
-            self.python_text = getattr(self, "python_text", "") + text + "\n"  # each block goes on where the last ended
+            self.python_text += text + "\n"  # each block goes on where the last ended
             self.run(line, "PYTHONPATH=python MASU_LIBRARY=build/renderer/libmasu.so python3 " +
                      self.file("{}.py".format(line), self.python_text), "Python")
 

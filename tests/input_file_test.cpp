@@ -106,7 +106,7 @@ TEST_F(InputFiles, AStreamThatIsCancelledWaitsNoLonger) {
   for (const bool has_writer : {false, true}) {
     InputStream stream(file("pipe"));
     const int writer = has_writer ? open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC) : -1;
-    if (has_writer) EXPECT_EQ(write(writer, "abc", 3), 3);
+    EXPECT_TRUE(!has_writer || write(writer, "abc", 3) == 3);
     std::thread canceller([&] { stream.cancel(); });
     char bytes[10] = {};
     EXPECT_LE(stream.read(bytes, sizeof bytes), 3U);

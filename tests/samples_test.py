@@ -18,8 +18,9 @@ bin_folder = None
 def samples(document):
     """(command, lines) of each block that begins with `$ command`."""
     for block in re.findall(r"(?m)^    \$ .*\n(?:    .+\n|\n(?=    ))+", (DOCS / document).read_text()):
-        command, *lines = [line[4:] for line in block.splitlines()]
-        yield command[2:], lines
+        for sample in re.split(r"(?m)^\$ ", re.sub(r"(?m)^    ", "", block))[1:]:
+            command, *lines = sample.splitlines()
+            yield command, lines
 
 
 class Samples(unittest.TestCase):
@@ -43,7 +44,8 @@ class Samples(unittest.TestCase):
             found = list(samples(document))
             self.assertTrue(found)
             for command, lines in found:
-                self.assertEqual(self.run_line(command).splitlines()[-len(lines):], lines, command)
+                printed = self.run_line(command).splitlines()
+                self.assertEqual(printed[-len(lines):] if lines else [], lines, command)
 
     def test_the_lessons_references_are_those_of_its_grids(self):
         rows = re.findall(r"(?m)^\| (\d+) \| [\d.]+ % \| (\d+) \|", (DOCS / "lesson.md").read_text())

@@ -3,11 +3,13 @@
 #include "libscene/error.h"
 #include "libscene/file/temporary_name.h"
 
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -30,9 +32,25 @@ int status_of(pid_t child, const sigset_t& awaited) {
   }
 }
 
+// Lines for standard error, held back in memory; -1 where a person reads along, or there is no memory.
+int open_lines() {
+  return isatty(STDERR_FILENO) != 0 ? -1 : memfd_create("lines", MFD_CLOEXEC);
+}
+void print_lines(int lines) {
+  std::array<char, 4096> part{};
+  const off_t size = lseek(lines, 0, SEEK_END);
+  for (off_t at = 0; at < size;) {
+    const ssize_t got =
+        pread(lines, part.data(), std::min(part.size(), static_cast<std::size_t>(size - at)), at);
+    if (got <= 0 || write(STDERR_FILENO, part.data(), static_cast<std::size_t>(got)) != got) return;
+    at += got;
+  }
+}
+
 } // namespace
 
 int continue_in_child() {
+  const int lines = open_lines();
   sigset_t awaited, before;
   sigemptyset(&awaited);
   sigaddset(&awaited, SIGCHLD);
@@ -44,6 +62,7 @@ int continue_in_child() {
   if (child <= 0) {
     const int reason = errno;
     if (child == 0) {
+      if (lines >= 0) dup2(lines, STDERR_FILENO);
       prctl(PR_SET_PDEATHSIG, SIGTERM);
       if (getppid() != parent) std::raise(SIGTERM); // killed before that
     }
@@ -53,7 +72,10 @@ int continue_in_child() {
                 std::string("can't be started: ") + std::strerror(reason) + ": end others, or free memory");
   }
   const int status = status_of(child, awaited);
-  if (WIFEXITED(status)) _exit(WEXITSTATUS(status));
+  if (WIFEXITED(status)) {
+    print_lines(lines);
+    _exit(WEXITSTATUS(status));
+  }
   const int signal = WTERMSIG(status);
   const bool was_passed_on = std::ranges::count(ending_signals, signal) > 0;
   if (was_passed_on) std::signal(signal, SIG_DFL);

@@ -41,7 +41,9 @@ class AssimpLimits {
 public:
   explicit AssimpLimits(std::optional<int> seconds) : seconds_(seconds) {
     getrlimit(RLIMIT_CPU, &processor_);
-    set(RLIMIT_CORE, 0); // a fault leaves no file
+    getrlimit(RLIMIT_FSIZE, &file_size_);
+    set(RLIMIT_FSIZE, 0x1p20); // of what is said on standard error: nothing else is written
+    set(RLIMIT_CORE, 0);       // a fault leaves no file
   }
 
   // For each file that is read: the limits grow by its size.
@@ -58,6 +60,7 @@ public:
   void lift() {
     set(RLIMIT_DATA, available_);
     setrlimit(RLIMIT_CPU, &processor_);
+    setrlimit(RLIMIT_FSIZE, &file_size_);
   }
 
   // All that were opened.
@@ -75,7 +78,7 @@ private:
 
   std::optional<int> seconds_;
   double available_ = available_memory(), bytes_ = 0;
-  rlimit processor_{}; // before
+  rlimit processor_{}, file_size_{}; // before
   std::set<std::string> files_;
 };
 

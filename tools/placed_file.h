@@ -31,7 +31,10 @@ public:
 
   // Whether a part is written when it comes.
   bool has_places() const { return file_.has_places() && !is_in_order_; }
-  void write(FilePart part) { write(part.offset, part.end(), std::move(part.bytes)); }
+  void write(FilePart part) {
+    const std::uint64_t end = part.end(); // before its bytes are moved away
+    write(part.offset, end, std::move(part.bytes));
+  }
   // Where parts come in order, offset and end need only order them.
   void write(std::uint64_t offset, std::uint64_t end, std::vector<std::uint8_t> bytes) {
     if (has_places()) return file_.write_at(offset, bytes);

@@ -66,7 +66,7 @@ void RayFile::fail_by_rays(std::uint64_t rays) const {
 
 std::size_t RayFile::read(void* to, std::size_t bytes) {
   const std::size_t known = std::min(bytes, start_.size());
-  std::memcpy(to, start_.data(), known);
+  std::copy_n(start_.data(), known, static_cast<std::uint8_t*>(to));
   start_.erase(start_.begin(), start_.begin() + static_cast<std::ptrdiff_t>(known));
   return known + stream_.read(static_cast<std::uint8_t*>(to) + known, bytes - known);
 }

@@ -6,7 +6,7 @@ has() { # package
   case $1 in
     build-essential) command -v c++ >/dev/null && command -v make >/dev/null ;;
     clang) command -v clang++ >/dev/null ;;
-    clang-format | clang-tidy | cmake) command -v "$1" >/dev/null ;;
+    clang-format | clang-tidy | cmake | file | help2man) command -v "$1" >/dev/null ;;
     flatbuffers-compiler) command -v flatc >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
     openmpi-bin) command -v mpirun >/dev/null ;;
@@ -67,7 +67,8 @@ require() {
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
   libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
 benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays
-tests=(gnuplot-nox python3-numpy)           # beside libgtest-dev, which all of them need
+# file: for cpack; help2man: for man pages
+tests=(file gnuplot-nox help2man python3-numpy) # beside libgtest-dev, which all of them need
 # libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,
 # openmpi-bin: for gridrender-mpi
 extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)

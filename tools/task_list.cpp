@@ -208,8 +208,9 @@ void forget_tasks_of_renamed_files(const TaskListOf& tasks, std::string& done) {
     for (std::uint64_t task = 0; task < tasks.count; ++task) {
       if (done[task] != 0) continue;
       for (const FileRange& range : tasks.writes(task))
-        if (range.becomes > 0 && !is_there(range.path)) torn.insert(range.path);
+        if (range.becomes > 0) torn.insert(range.path);
     }
+    std::erase_if(torn, is_there);
     for (std::uint64_t task = 0; task < tasks.count && !torn.empty(); ++task) {
       const auto is_torn = [&](const FileRange& range) { return torn.contains(range.path); };
       if (done[task] == 0 || std::ranges::none_of(tasks.writes(task), is_torn)) continue;

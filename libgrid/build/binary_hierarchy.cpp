@@ -54,11 +54,16 @@ bool holds_something(const LaneBox& box) {
   return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
 }
 
+// How many more fragments there may be than primitives.
+std::size_t room_for(std::uint32_t primitives) {
+  return static_cast<std::size_t>(spare_fragments * primitives);
+}
+
 // Of the primitives that have a surface, with room for more. `count` becomes their number.
 template <class Stored>
-HostArray<HierarchyFragment> fragments_of(const SceneView<Stored>& scene, double margin, std::size_t room,
+HostArray<HierarchyFragment> fragments_of(const SceneView<Stored>& scene, double margin,
                                           std::uint32_t& count) {
-  HostArray<HierarchyFragment> fragments(scene.primitive_count() + room);
+  HostArray<HierarchyFragment> fragments(scene.primitive_count() + room_for(scene.primitive_count()));
   std::atomic<bool> has_gaps = false;
   tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.primitive_count(), 4096),
                     [&](const auto& range) {
@@ -173,12 +178,11 @@ template <class Stored>
 class BinaryBuilder {
 public:
   BinaryBuilder(const SceneView<Stored>& scene, double margin, const std::function<void(double)>& progress)
-      : scene_(scene), margin_(margin), progress_(progress),
-        spare_(static_cast<std::size_t>(spare_fragments * scene.primitive_count())),
-        fragments_(fragments_of(scene, margin, spare_, count_)), nodes_(2 * fragments_.size()) {}
+      : scene_(scene), margin_(margin), progress_(progress), fragments_(fragments_of(scene, margin, count_)),
+        nodes_(2 * fragments_.size()) {}
 
   BinaryHierarchy build() {
-    const FragmentRange all{0, count_, static_cast<std::uint32_t>(spare_)};
+    const FragmentRange all{0, count_, static_cast<std::uint32_t>(room_for(count_))};
     if (all.count == 0) return {};
     root_area_ = extent_of(all).box.area();
     split(0, all, 0);
@@ -375,7 +379,6 @@ private:
   const SceneView<Stored>& scene_;
   double margin_;
   const std::function<void(double)>& progress_;
-  std::size_t spare_;
   std::uint32_t count_ = 0; // of primitives that have a surface
   HostArray<HierarchyFragment> fragments_;
   HostArray<BinaryNode> nodes_;

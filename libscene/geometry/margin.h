@@ -4,7 +4,8 @@
 // Let u be the unit roundoff and M the largest coordinate of the scene's bounds. A ray is first clipped to
 // the bounds (clip.h), so that every origin o has |o| ≤ M and every vertex lies within 2√3 M of it, both up
 // to the padding and the rounding of the entry.
-//  - Clipping rounds o, several times from far away: 8 u M, from up to 1 / (2 u) times M away. From beyond that
+//  - Clipping rounds o, several times from far away: 8 u M, from up to 1 / (2 u) times M away. From beyond
+//  that
 //    the first clip leaves o some M before the bounds, and so rounds it by more.
 //  - Triangles (triangle.h): subtracting o moves a vertex by 2√3 u M; projecting it, across the ray and along
 //    it, by (3 + 4) u 2√3 M each; the edge functions have small relative errors and exact signs, so the hit
