@@ -291,7 +291,8 @@ def stale_lists(source):
 
 def not_copied(folder, names):
     """What is no source: what commands make, and builds."""
-    return [name for name in names if name in ("build", "out", ".git", "__pycache__") or
+    at_top = os.path.exists(os.path.join(folder, "CMakePresets.json")) # libgrid has a folder build, too
+    return [name for name in names if name == "__pycache__" or (at_top and name in ("build", "out", ".git")) or
             os.path.exists(os.path.join(folder, name, "CMakeCache.txt"))]
 
 
