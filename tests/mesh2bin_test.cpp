@@ -236,9 +236,10 @@ TEST_F(Mesh2bin, PrintsOneLineWhateverAssimpPrints) {
              "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>",
       // Date, checksum, both sizes and the name's length: of the archive's one file.
       entry = "!\0IB\xfc"s + "f\x85\0\0\0\x85\0\0\0\x0b\0\0\0"s;
-  const std::string package = mesh(
-      "a.3mf", "PK\3\4\x14\0\0\0\0\0\0\0"s + entry + name + text + "PK\1\2\x14\0\x14\0\0\0\0\0\0\0"s + entry +
-                   "\0\0\0\0\0\0\x80\1\0\0\0\0"s + name + "PK\5\6\0\0\0\0\1\0\1\0\x39\0\0\0\xae\0\0\0\0\0"s);
+  const std::string package =
+      mesh("a.3mf", "PK\3\4\x14\0\0\0\0\0\0\0"s + entry + name + text + "PK\1\2\x14\0\x14\0\0\0\0\0\0\0"s +
+                        entry + "\0\0\0\0\0\0\0\0\x80\1\0\0\0\0"s + name +
+                        "PK\5\6\0\0\0\0\1\0\1\0\x39\0\0\0\xae\0\0\0\0\0"s);
   EXPECT_TRUE(failed(run("mesh2bin", {package, "-o", file("a.scene")}), 2, "mesh2bin", package));
 }
 
