@@ -5,8 +5,7 @@
 // the bounds (clip.h), so that every origin o has |o| ≤ M and every vertex lies within 2√3 M of it, both up
 // to the padding and the rounding of the entry.
 //  - Clipping rounds o, several times from far away: 8 u M, from up to 1 / (2 u) times M away. From beyond
-//  that
-//    the first clip leaves o some M before the bounds, and so rounds it by more.
+//    that the first clip leaves o some M before the bounds, and so rounds it by more.
 //  - Triangles (triangle.h): subtracting o moves a vertex by 2√3 u M; projecting it, across the ray and along
 //    it, by (3 + 4) u 2√3 M each; the edge functions have small relative errors and exact signs, so the hit
 //    lies on the moved triangle up to 9 u 2√3 M along the ray. In all below 89 u M (the worst case found by
