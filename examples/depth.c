@@ -31,7 +31,7 @@ int main(void) {
       indices[2 * a + 1][0] = b, indices[2 * a + 1][1] = c, indices[2 * a + 1][2] = d;
     }
   const masu_mesh mesh = {vertices[0], NULL, around * across, indices[0], 2 * around * across, NULL};
-  check(masu_write_scene("torus.scene", &mesh, 1, MASU_STORE_AUTO));
+  check(masu_write_scene("torus.scene", &mesh, 1, MASU_STORE_AUTO, NULL));
   check(masu_build_grid("torus.scene", "torus.grid", NULL));
 
   for (int y = 0; y < height; ++y) /* the camera at (0, -2, 2.5) looks at the origin */
@@ -44,7 +44,7 @@ int main(void) {
     }
   masu_tracer* tracer;
   check(masu_open("torus.scene", "torus.grid", MASU_CPU, &tracer));
-  const masu_query query = {MASU_RAYS_FLOAT32_6, MASU_PRECISION_AUTO, 1, NULL};
+  const masu_query query = {.format = MASU_RAYS_FLOAT32_6, .coherent = 1};
   const masu_hits hits = {.t = t, .primitive = primitive};
   check(masu_nearest(tracer, rays, width * height, &query, &hits));
   masu_close(tracer);

@@ -2,6 +2,7 @@
 
 #include "libgrid/map_statistics.h"
 #include "libgrid/statistics.h"
+#include "libscene/local_origin.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,9 @@ VoxelBox box_of(const MergedCell& cell) {
 } // namespace
 
 GridLayout finest_layout(const GridFile& file) {
-  return finer(file.layout(), static_cast<std::int32_t>(file.table().nested_log2()));
+  GridLayout finest = finer(file.layout(), static_cast<std::int32_t>(file.table().nested_log2()));
+  finest.space = in_world(file.origin(), finest.space);
+  return finest;
 }
 
 Boxd box_in_scene(const GridLayout& finest, const VoxelBox& box) {

@@ -30,7 +30,7 @@ inline VoxelBox whole_of(const Vec3i& division) {
   return {{0, 0, 0}, division};
 }
 
-// The layout of the smallest voxels.
+// The layout of the smallest voxels, in the world.
 GridLayout finest_layout(const GridFile& file);
 
 // Where a box of the layout's voxels lies. Neighbours share coordinates bit for bit, and the outermost have

@@ -43,11 +43,11 @@ struct Bounds {
 };
 
 template <class Record>
-Boxd bounds_of(std::span<const Record> records) {
+Boxd bounds_of(std::span<const Record> records, const Vec3d& origin) {
   return gathered<Bounds>(records,
-                          [](const Record& record, Bounds& part, std::size_t) {
-                            if (has_surface(widened(record)))
-                              part.box = join(part.box, cast<double>(bounds(record)));
+                          [&](const Record& record, Bounds& part, std::size_t) {
+                            const auto moved = relative_to(origin, widened(record));
+                            if (has_surface(widened(moved))) part.box = join(part.box, bounds(moved));
                           })
       .box;
 }
@@ -65,7 +65,7 @@ double rounding_of(double value) {
 double rounding_of(const Vec3d& v) {
   return std::max({rounding_of(v.x), rounding_of(v.y), rounding_of(v.z)});
 }
-double rounding_of(const Triangle<double>& t) {
+double rounding_of(const SceneTriangle& t) {
   return std::max({rounding_of(t.a), rounding_of(t.b), rounding_of(t.c)});
 }
 double rounding_of(const Sphere<double>& s) {
@@ -98,8 +98,7 @@ double movement_of(const Cone<double>& cone) {
 using Corner = Vec3f;
 
 // As it is stored; -0 becomes 0, to which it is equal.
-template <class Stored>
-Corner corner_of(const Vec3<Stored>& v) {
+Corner corner_of(const Vec3d& v) {
   const auto stored = cast<float>(v);
   return {stored.x + 0.0F, stored.y + 0.0F, stored.z + 0.0F};
 }
@@ -179,22 +178,24 @@ struct Indices {
 };
 
 template <class Face>
-std::uint64_t triangles_alone(std::span<const Face> triangles, double size) {
-  const auto is_small = [size](const Face& t) { return extent(bounds(t)) <= size; };
-  const Indices small = gathered<Indices>(triangles, [&](const auto& t, Indices& part, std::size_t i) {
-    if (is_small(t)) part.list.push_back(static_cast<std::uint32_t>(i));
+std::uint64_t triangles_alone(std::span<const Face> triangles, const Vec3d& origin, double size) {
+  const auto moved = [&](const Face& t) { return relative_to(origin, widened(t)); };
+  const auto is_small = [size](const SceneTriangle& t) { return extent(bounds(t)) <= size; };
+  const Indices small = gathered<Indices>(triangles, [&](const Face& t, Indices& part, std::size_t i) {
+    if (is_small(moved(t))) part.list.push_back(static_cast<std::uint32_t>(i));
   });
   if (small.list.empty()) return 0;
   SmallSurfaces surfaces(3 * small.list.size());
   for (const std::uint32_t i : small.list) {
-    const std::uint32_t a = surfaces.add(corner_of(triangles[i].a));
-    surfaces.connect(a, surfaces.add(corner_of(triangles[i].b)));
-    surfaces.connect(a, surfaces.add(corner_of(triangles[i].c)));
+    const SceneTriangle t = moved(triangles[i]);
+    const std::uint32_t a = surfaces.add(corner_of(t.a));
+    surfaces.connect(a, surfaces.add(corner_of(t.b)));
+    surfaces.connect(a, surfaces.add(corner_of(t.c)));
   }
   std::vector<std::atomic<bool>> marked(surfaces.corner_count());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, triangles.size(), grain), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
-      const Face& t = triangles[i];
+      const SceneTriangle t = moved(triangles[i]);
       if (is_small(t)) continue;
       for (const auto& v : {t.a, t.b, t.c}) {
         const std::uint32_t shared = surfaces.find(corner_of(v));
@@ -220,18 +221,21 @@ struct Found {
 
 } // namespace
 
-SceneSpans<double, SceneTriangle> spans_of(const Scene& scene) {
-  return {scene.triangles, scene.spheres, scene.cones, scene.lights};
+SceneSpans<double, SceneTriangle> spans_of(const Scene& scene, const Vec3d& origin) {
+  return {scene.triangles, scene.spheres, scene.cones, scene.lights, origin};
 }
 
 template <class Stored, class Face>
 Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene) {
   Float32Precision result;
   const bool lights_in_range =
-      std::all_of(scene.lights.begin(), scene.lights.end(), [](const Light<Stored>& light) {
-        return largest_magnitude(cast<double>(light.position)) <= max_float32_reach;
+      std::all_of(scene.lights.begin(), scene.lights.end(), [&](const Light<Stored>& light) {
+        return largest_magnitude(cast<double>(light.position) - scene.origin) <= max_float32_reach;
       });
-  const Boxd box = join(join(bounds_of(scene.triangles), bounds_of(scene.spheres)), bounds_of(scene.cones));
+  const auto moved = [&](const auto& record) { return relative_to(scene.origin, widened(record)); };
+  const Boxd box =
+      join(join(bounds_of(scene.triangles, scene.origin), bounds_of(scene.spheres, scene.origin)),
+           bounds_of(scene.cones, scene.origin));
   result.in_range = lights_in_range;
   if (is_empty(box)) return result;
   const double reach = largest_magnitude(box);
@@ -243,20 +247,20 @@ Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene) {
     return result;
   }
   const double size = 2 * result.margin;
-  Found found = gathered<Found>(scene.triangles, [](const Face& t, Found& part, std::size_t) {
-    part.rounding = std::max(part.rounding, rounding_of(widened(t)));
+  Found found = gathered<Found>(scene.triangles, [&](const Face& t, Found& part, std::size_t) {
+    part.rounding = std::max(part.rounding, rounding_of(moved(t)));
   });
   found += gathered<Found>(scene.spheres, [&](const Sphere<Stored>& stored, Found& part, std::size_t) {
-    const Sphere<double> s = widened(stored);
+    const Sphere<double> s = moved(stored);
     part += {rounding_of(s), extent(bounds(s)) <= size ? 1U : 0U, 0};
   });
   found += gathered<Found>(scene.cones, [&](const Cone<Stored>& stored, Found& part, std::size_t) {
-    const Cone<double> c = widened(stored);
+    const Cone<double> c = moved(stored);
     part += {rounding_of(c), extent(bounds(c)) <= size ? 1U : 0U, movement_of(c) > result.margin ? 1U : 0U};
   });
   result.rounding = found.rounding;
   result.moved_cones = found.moved;
-  result.standing_alone = found.small + triangles_alone(scene.triangles, size);
+  result.standing_alone = found.small + triangles_alone(scene.triangles, scene.origin, size);
   return result;
 }
 template Float32Precision float32_precision(const SceneSpans<float>&);

@@ -5,7 +5,7 @@
 // (margin.h), and results are right to that bound in any case.
 #pragma once
 
-#include "libscene/scene.h"
+#include "libscene/local_origin.h"
 #include "libscene/scene_view.h"
 
 #include <cstdint>
@@ -26,20 +26,23 @@ struct Float32Precision {
   std::uint64_t moved_cones = 0;    // rounding moves them by more than the margin, or leaves them no length
   bool in_range = true;
 
-  // So far from the origin for its size that most hits are unreliable.
+  // So far from its local origin for its size that most hits are unreliable.
   bool is_far() const { return across < 256 * margin; }
   bool suffices() const { return in_range && !is_far() && standing_alone == 0 && moved_cones == 0; }
 };
 
-// The primitives and lights of a scene in host memory. `Face`: its record of a triangle.
+// The primitives and lights of a scene in host memory, to be stored relative to `origin`. `Face`: its record
+// of a triangle.
 template <class Stored, class Face = Triangle<Stored>>
 struct SceneSpans {
   std::span<const Face> triangles;
   std::span<const Sphere<Stored>> spheres;
   std::span<const Cone<Stored>> cones;
   std::span<const Light<Stored>> lights;
+  Vec3d origin{0, 0, 0};
 };
-SceneSpans<double, SceneTriangle> spans_of(const Scene& scene);
+SceneSpans<double, SceneTriangle> spans_of(const Scene& scene, const Vec3d& origin);
+// Of a view the coordinates are relative to its origin already.
 template <class Stored>
 SceneSpans<Stored> spans_of(const SceneView<Stored>& view) {
   return {{view.triangles, view.triangle_count},
@@ -61,8 +64,8 @@ SceneSpans<Stored> spans_of(const SceneView<Stored>& view) {
 // between them, so they aren't.
 template <class Stored, class Face>
 Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene);
-inline Float32Precision float32_precision(const Scene& scene) {
-  return float32_precision(spans_of(scene));
+inline Float32Precision float32_precision(const Scene& scene, const Vec3d& origin = {0, 0, 0}) {
+  return float32_precision(spans_of(scene, origin));
 }
 
 } // namespace masu

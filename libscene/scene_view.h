@@ -23,6 +23,8 @@ struct SceneView {
   Box<Stored> clip;
   Vec3f background;
   float ambient;
+  // The point in the world that all coordinates are relative to (local_origin.h).
+  Vec3d origin;
 
   MASU_HD std::uint32_t primitive_count() const { return triangle_count + sphere_count + cone_count; }
 };

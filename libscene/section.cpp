@@ -208,9 +208,23 @@ private:
 
 template <class Stored>
 std::vector<SectionSegment> section_of(const SceneView<Stored>& scene, const SectionOptions& options) {
-  Section section(options);
+  const std::array<double, 2> origin{scene.origin[options.axis == 0 ? 1 : 0],
+                                     scene.origin[options.axis == 2 ? 1 : 2]};
+  SectionOptions local = options;
+  local.position -= scene.origin[options.axis];
+  for (std::size_t i = 0; i < 2; ++i) {
+    local.min[i] -= origin[i];
+    local.max[i] -= origin[i];
+  }
+  Section section(local);
   for (PrimitiveIndex i = 0; i < scene.primitive_count(); ++i)
     with_primitive(scene, i, [&](const auto& primitive) { section.add(primitive, i); });
+  for (SectionSegment& segment : section.segments) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      segment.from[i] += origin[i];
+      segment.to[i] += origin[i];
+    }
+  }
   return std::move(section.segments);
 }
 template std::vector<SectionSegment> section_of(const SceneView<float>&, const SectionOptions&);

@@ -9,15 +9,15 @@
 
 namespace masu {
 
-// Points in scene units along the axes other than the plane's, in their order. They lie on the primitive, up
+// Points in the world along the axes other than the plane's, in their order. They lie on the primitive, up
 // to rounding; curves are polygons of such points.
 struct SectionSegment {
   std::array<double, 2> from, to;
   PrimitiveIndex primitive;
 };
 
-// The plane, and what is wanted of it. `deviation`: how far a polygon may be from its curve, in scene units,
-// greater than 0; a curve has 8 to 512 segments.
+// The plane, and what is wanted of it, in the world. `deviation`: how far a polygon may be from its curve, in
+// scene units, greater than 0; a curve has 8 to 512 segments.
 struct SectionOptions {
   int axis; // 0 to 2
   double position;

@@ -30,10 +30,10 @@ std::vector<std::uint8_t> sample_of(const RayList& rays) {
   return sample;
 }
 
-// In tiles of 8 × 4, a warp each, evenly over the picture.
+// Relative to the scene's origin: in tiles of 8 × 4, a warp each, evenly over the picture.
 std::vector<Ray<double>> camera_sample(const SceneFile& scene) {
   constexpr std::int32_t tiles_across = 8, tiles_down = 8, tile_width = 8, tile_height = 4;
-  const Camera& camera = scene.camera();
+  const Camera camera = relative_to(scene.origin(), scene.camera());
   const auto rays = camera_rays<double>(camera, Sampling::centers, false);
   std::vector<Ray<double>> sample;
   for (std::int32_t tile = 0; tile < tiles_across * tiles_down; ++tile) {
@@ -45,6 +45,7 @@ std::vector<Ray<double>> camera_sample(const SceneFile& scene) {
   return sample;
 }
 
+// Likewise.
 std::vector<Ray<double>> random_sample(const SceneFile& scene) {
   const BoundingSphere sphere = sphere_around(scene.bounds());
   std::vector<Ray<double>> sample;
@@ -107,7 +108,7 @@ RayLoop UsualLoops::of(const Tracer& tracer, bool coherent) {
   if (const int known = usual; known != unknown) return static_cast<RayLoop>(known);
   const std::vector<Ray<double>> rays =
       coherent ? camera_sample(tracer.scene()) : random_sample(tracer.scene());
-  const RayLoop loop = automatic_loop(tracer, rays, Query::nearest_hit, Precision::automatic);
+  const RayLoop loop = automatic_loop(tracer, relative(rays), Query::nearest_hit, Precision::automatic);
   usual = static_cast<int>(loop);
   return loop;
 }

@@ -95,8 +95,7 @@ struct ConvertedRays {
   const Ray<Real>* rays;
 
   ConvertedRays(const RayList& list, const Queue& queue) : rays(static_cast<const Ray<Real>*>(list.rays)) {
-    if (list.format == own_format<Real> &&
-        reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
+    if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
       return;
     copy = DeviceArray<Ray<Real>>(list.count, queue);
     rays = copy.data();

@@ -1,5 +1,7 @@
 #include "renderer/channels.h"
 
+#include "renderer/view_precision.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -18,7 +20,8 @@ T* part_of(HostArray<T>& values, std::size_t first) {
 // The hits and the costs of camera rays alone: as a list of rays, band by band.
 template <class Real>
 void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool count, Channels& channels) {
-  const auto rays = camera_rays<Real>(frame.camera, frame.sampling, frame.hither, frame.window);
+  const auto rays = camera_rays<Real>(relative_to(tracer.scene().origin(), frame.camera), frame.sampling,
+                                      frame.hither, frame.window);
   const auto columns = static_cast<std::size_t>(rays.columns);
   const auto band_rows =
       static_cast<std::int32_t>(std::clamp<std::int64_t>(rays_a_band / rays.columns, 1, rays.rows));
@@ -44,7 +47,8 @@ void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool cou
     static_assert(sizeof(Vec3f) == sizeof(float[3]));
     results.normal = reinterpret_cast<float(*)[3]>(part_of(channels.normal, first));
     if (count) results.costs = {part_of(channels.cells, first), part_of(channels.tests, first)};
-    const QueryReport report = tracer.trace(RayList(std::span<const Ray<Real>>(band)), results, request);
+    const QueryReport report =
+        tracer.trace(relative(RayList(std::span<const Ray<Real>>(band))), results, request);
     if (count) channels.counts += report.counts;
     if (frame.progress) frame.progress(static_cast<double>(end_row) / rays.rows);
   }
@@ -91,9 +95,11 @@ Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request) {
   channels.tests.resize(size_if(has(Channel::tests), rays));
   if (hits || (costs && !request.all_rays)) {
     const bool count = costs && !request.all_rays;
-    resolved(frame.tracing.precision, tracer.scene()) == Precision::doubled
-        ? trace_camera_rays<double>(tracer, frame, count, channels)
-        : trace_camera_rays<float>(tracer, frame, count, channels);
+    FrameRequest traced = frame;
+    traced.tracing.precision = picture_precision(tracer, frame);
+    traced.tracing.precision == Precision::doubled
+        ? trace_camera_rays<double>(tracer, traced, count, channels)
+        : trace_camera_rays<float>(tracer, traced, count, channels);
   }
   if (costs && request.all_rays) {
     FrameRequest counted = frame;

@@ -114,7 +114,8 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   RaysRequest request;
   request.query = query;
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
-  const RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
+  RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
+  list.format.is_relative = wanted.relative != 0;
   const int place = device_of(rays);
   for (const void* const pointer :
        {static_cast<const void*>(results.t), static_cast<const void*>(results.primitive),
@@ -175,8 +176,8 @@ template <class Stored>
 void build(const SceneFile& file, const std::string& path, const BuildOptions& options, int device) {
   const SceneView<Stored> scene = file.view<Stored>();
   const auto builder = device == MASU_CPU ? cpu_builder(scene) : cuda_builder(scene, device);
-  const auto [grid, origin] = build_grid(*builder, file.bounds(), file.geometry_hash(), options);
-  write_grid(grid, origin, path);
+  const auto [grid, provenance] = build_grid(*builder, file.bounds(), file.geometry_hash(), options);
+  write_grid(grid, provenance, path);
 }
 
 // Writes the grid of a checked scene; `device` is MASU_CPU or a GPU's number.
@@ -280,14 +281,17 @@ masu_status masu_describe(const masu_tracer* tracer, masu_description* descripti
       description->materials = view.material_count;
     };
     scene.is_float64() ? count(scene.view<double>()) : count(scene.view<float>());
-    const Boxd box = scene.bounds();
+    const Vec3d origin = scene.origin();
+    const Boxd box = in_world(origin, scene.bounds());
     for (int axis = 0; axis < 3; ++axis) {
+      description->origin[axis] = origin[axis];
       description->bounds_min[axis] = box.min[axis];
       description->bounds_max[axis] = box.max[axis];
     }
     description->scene_bytes = scene.bytes();
     description->grid_bytes = tracer->grid ? tracer->grid->bytes() : 0;
     description->is_float64 = scene.is_float64() ? 1 : 0;
+    description->error_bound = error_bound(scene, Precision::automatic);
     description->device = tracer->tracer.gpus().empty() ? MASU_CPU : tracer->tracer.gpus().front();
   });
 }
@@ -342,7 +346,8 @@ masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t co
   });
 }
 
-masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count, masu_store store) {
+masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count, masu_store store,
+                             const double* origin) {
   return guarded([&] {
     require(path, "path");
     if (mesh_count > 0) require(meshes, "meshes");
@@ -367,7 +372,9 @@ masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t m
       added.color = {mesh.color[0], mesh.color[1], mesh.color[2]};
       if (!std::isfinite(added.color.x + added.color.y + added.color.z)) fail("color", "isn't finite");
     }
-    write_scene(scene_of(indexed), choice<Store>(store, 3, "store"), path);
+    std::optional<Vec3d> wanted;
+    if (origin != nullptr) wanted = {origin[0], origin[1], origin[2]};
+    write_scene(scene_of(indexed), choice<Store>(store, 3, "store"), path, wanted);
   });
 }
 

@@ -87,10 +87,12 @@ MASU_API void masu_close(masu_tracer* tracer);
 typedef struct masu_description {
   uint32_t triangles, spheres, cones; /* primitives are numbered in this order */
   uint32_t materials;
-  double bounds_min[3], bounds_max[3]; /* of all primitives; min > max where there is none */
+  double bounds_min[3], bounds_max[3]; /* of all primitives, in the world; min > max where there is none */
   uint64_t scene_bytes, grid_bytes;    /* of the files, or as a file for a grid in memory; 0 for no grid */
   int is_float64;                      /* whether coordinates are stored, and rays traced, in float64 */
   int device;                          /* the first one, or MASU_CPU */
+  double origin[3];                    /* the point in the world that stored coordinates are relative to */
+  double error_bound; /* in scene units: how far from its surface a hit may be, with MASU_PRECISION_AUTO */
 } masu_description;
 
 MASU_API masu_status masu_describe(const masu_tracer* tracer, masu_description* description);
@@ -145,6 +147,8 @@ typedef struct masu_query {
   int coherent; /* not 0: neighbours have similar origins and directions: how a GPU schedules fewer than four
                    million rays, or any in its memory; results are the same */
   void* stream; /* cudaStream_t of rays in device memory; NULL: the default stream */
+  int relative; /* not 0: the rays' origins are relative to the scene's (masu_description), where floats keep
+                   their digits, and rays on a GPU needn't be copied; 0: they are in the world */
 } masu_query;
 
 #define MASU_NONE UINT32_MAX
@@ -199,9 +203,12 @@ typedef enum masu_store {
 
 /* Writes a scene file, whole or not at all. Triangle i of mesh m is primitive i plus the triangles of the
  * meshes before m, and of object m. Triangles without area are kept, for the numbers' sake, and can't be hit.
- * Camera and lights are automatic ones, for gridrender. */
+ * Camera and lights are automatic ones, for gridrender.
+ *
+ * Coordinates are stored relative to `origin`, 3 numbers, so that errors follow the scene's extent and not
+ * its place in the world. NULL: the bounds' centre, or zero where that is nearer than half their diagonal. */
 MASU_API masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count,
-                                      masu_store store);
+                                      masu_store store, const double* origin);
 
 typedef enum masu_grid_kind {
   MASU_GRID_AUTO = 0,

@@ -33,8 +33,10 @@ inline int gpu_count() {
 }
 
 inline void write_scene(const std::string& path, std::span<const masu_mesh> meshes,
-                        masu_store store = MASU_STORE_AUTO) {
-  check(masu_write_scene(path.c_str(), meshes.data(), meshes.size(), store));
+                        masu_store store = MASU_STORE_AUTO,
+                        const std::optional<std::array<double, 3>>& origin = std::nullopt) {
+  check(
+      masu_write_scene(path.c_str(), meshes.data(), meshes.size(), store, origin ? origin->data() : nullptr));
 }
 
 inline masu_grid_options default_grid_options() {
@@ -79,6 +81,7 @@ struct QueryOptions {
   masu_precision precision = MASU_PRECISION_AUTO;
   bool coherent = false;
   void* stream = nullptr; // of rays in device memory
+  bool relative = false;  // to the scene's origin
 };
 
 // The hits of rays in host memory.
@@ -162,7 +165,8 @@ private:
   Tracer() = default;
   template <Ray R>
   static masu_query query_of(const QueryOptions& options) {
-    return {format_of<R>(), options.precision, options.coherent ? 1 : 0, options.stream};
+    return {format_of<R>(), options.precision, options.coherent ? 1 : 0, options.stream,
+            options.relative ? 1 : 0};
   }
 
   struct Close {

@@ -3,16 +3,18 @@
 
 #include "libscene/error.h"
 #include "libscene/file/scene_file.h"
+#include "libscene/geometry/margin.h"
 
 namespace masu {
 
 // fast: float32 by textbook formulas (libscene/geometry/textbook.h), to be measured against. robust: float32
 // that loses no hit beyond the bound of libscene/geometry/margin.h. doubled: the same in float64. automatic:
-// what the scene's store asks for, robust for float32 and doubled for float64.
+// what the scene's store asks for, robust for float32 and doubled for float64; of pictures what the view
+// asks for, too (view_precision.h).
 enum class Precision { automatic, fast, robust, doubled };
 
-// The one that `automatic` stands for; others stay. Throws Error(usage) for float32 arithmetic on a scene
-// whose coordinates don't fit it: it would answer wrongly without a word.
+// The one that `automatic` stands for by the store alone; others stay. Throws Error(usage) for float32
+// arithmetic on a scene whose coordinates don't fit it: it would answer wrongly without a word.
 inline Precision resolved(Precision precision, const SceneFile& scene) {
   if (precision == Precision::automatic) return scene.is_float64() ? Precision::doubled : Precision::robust;
   if (scene.is_float64() && precision != Precision::doubled) {
@@ -22,6 +24,13 @@ inline Precision resolved(Precision precision, const SceneFile& scene) {
                     "or make the scene with nff2bin --store float32");
   }
   return precision;
+}
+
+// How far from its surface a hit may be, in scene units: the bound of margin.h, which `fast` doesn't keep.
+inline double error_bound(const SceneFile& scene, Precision precision) {
+  return is_empty(scene.bounds())                           ? 0
+         : resolved(precision, scene) == Precision::doubled ? rounding_margin<double>(scene.bounds())
+                                                            : rounding_margin<float>(scene.bounds());
 }
 
 inline const char* name_of(Precision precision) {

@@ -12,19 +12,28 @@ namespace masu {
 // --- Rays as callers store them ----------------------------------------------------------------------------
 
 // Numbers of 32 or 64 bits, 8 a ray: origin, t_min, direction, t_max (Ray<float>, Ray<double>); or 6: origin
-// and direction, with t_min = 0 and no t_max.
+// and direction, with t_min = 0 and no t_max. Origins are in the world, or relative to the scene's local
+// origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer fills it in.
 struct RayFormat {
   bool is_float64 = false;
   int numbers = 8;
+  bool is_relative = false;
+  Vec3d origin{0, 0, 0};
 
   MASU_HD std::size_t bytes_a_ray() const {
     return static_cast<std::size_t>(numbers) * (is_float64 ? sizeof(double) : sizeof(float));
   }
-  friend bool operator==(const RayFormat&, const RayFormat&) = default;
 };
 
 template <class Real>
 inline constexpr RayFormat own_format{sizeof(Real) == sizeof(double), 8};
+
+// Whether rays are stored as Ray<Real> has them, and nothing is subtracted.
+template <class Real>
+bool is_own(const RayFormat& format) {
+  return format.is_float64 == own_format<Real>.is_float64 && format.numbers == 8 &&
+         format.origin == Vec3d{0, 0, 0};
+}
 
 template <class Number>
 MASU_HD inline Ray<Number> loaded_numbers(const Number* n, int numbers) {
@@ -32,13 +41,13 @@ MASU_HD inline Ray<Number> loaded_numbers(const Number* n, int numbers) {
   return {{n[0], n[1], n[2]}, n[3], {n[4], n[5], n[6]}, n[7]};
 }
 
-// Ray i of a list, its numbers rounded to Real.
+// Ray i of a list, relative to the scene's origin, its numbers then rounded to Real.
 template <class Real>
 MASU_HD inline Ray<Real> loaded(const void* rays, const RayFormat& format, std::size_t i) {
   const std::size_t first = i * static_cast<std::size_t>(format.numbers);
-  const auto converted = [](const auto& ray) {
-    return Ray<Real>{cast<Real>(ray.origin), static_cast<Real>(ray.t_min), cast<Real>(ray.direction),
-                     static_cast<Real>(ray.t_max)};
+  const auto converted = [&](const auto& ray) {
+    return Ray<Real>{cast<Real>(cast<double>(ray.origin) - format.origin), static_cast<Real>(ray.t_min),
+                     cast<Real>(ray.direction), static_cast<Real>(ray.t_max)};
   };
   return format.is_float64
              ? converted(loaded_numbers(static_cast<const double*>(rays) + first, format.numbers))

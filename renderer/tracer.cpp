@@ -5,6 +5,7 @@
 #include "libscene/stopwatch.h"
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
+#include "renderer/view_precision.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,7 @@ ResidentRays resident_rays(std::span<const Ray<double>> rays, const std::vector<
   std::vector<Ray<Real>> rounded(rays.size());
   for (std::size_t i = 0; i < rays.size(); ++i)
     rounded[i] = loaded<Real>(rays.data(), own_format<double>, i);
-  if (!gpus.empty()) return upload_rays_cuda(RayList(rounded), gpus.front());
+  if (!gpus.empty()) return upload_rays_cuda(relative(RayList(rounded)), gpus.front());
   struct Memory {
     std::vector<Ray<Real>> rays;
     std::vector<float> t;
@@ -32,7 +33,7 @@ ResidentRays resident_rays(std::span<const Ray<double>> rays, const std::vector<
   memory->t.resize(rays.size());
   memory->primitive.resize(rays.size());
   memory->occluded.resize(rays.size());
-  ResidentRays resident{RayList(memory->rays), {}, memory};
+  ResidentRays resident{relative(RayList(memory->rays)), {}, memory};
   resident.results.t = memory->t.data();
   resident.results.primitive = memory->primitive.data();
   resident.results.occluded = memory->occluded.data();
@@ -132,7 +133,9 @@ TracingRules Tracer::resolved(TracingRules rules) const {
 Frame Tracer::render(const FrameRequest& request, std::size_t index, Frame memory) const {
   check_request(request);
   FrameRequest resolved_request = request;
-  resolved_request.tracing = resolved(request.tracing);
+  resolved_request.tracing.precision = picture_precision(*this, request);
+  resolved_request.tracing = resolved(resolved_request.tracing);
+  resolved_request.camera = relative_to(scene_.origin(), request.camera);
   if (request.costs) resolved_request.tracing.count = true;
   Frame frame = sized_frame(request, std::move(memory));
   device_ == Device::cuda ? render_cuda(*files_.at(index), scene_, grid_, resolved_request, frame)
@@ -148,6 +151,7 @@ Frame Tracer::render(const FrameRequest& request) const {
       static_cast<std::int32_t>(std::max<std::int64_t>(rays_a_band / std::max(window.columns, 1), 8));
   if (device_count() == 1 || window.rows <= band_rows) return render(request, next_device());
   check_window(window, all_rays(request.camera, request.sampling)); // before there is room for it
+  const Precision precision = picture_precision(*this, request);
   Frame whole = sized_frame(request);
   std::mutex mutex;
   std::atomic<std::int32_t> next_row = 0;
@@ -155,6 +159,7 @@ Frame Tracer::render(const FrameRequest& request) const {
     Frame band;
     for (std::int32_t row; (row = next_row.fetch_add(band_rows)) < window.rows;) {
       FrameRequest part = request;
+      part.tracing.precision = precision;
       part.window = {window.first_column, window.first_row + row, window.columns,
                      std::min(band_rows, window.rows - row)};
       part.count_last_row = request.count_last_row || row + part.window.rows < window.rows;
@@ -203,16 +208,22 @@ RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
   return resolved_request;
 }
 
+RayList Tracer::to_local(RayList rays) const {
+  rays.format.origin = rays.format.is_relative ? Vec3d{0, 0, 0} : scene_.origin();
+  return rays;
+}
+
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request,
                           std::size_t index) const {
   const RaysRequest resolved_request = resolved(request, rays, results);
   if (device_ == Device::cpu) {
-    const QueryReport report = trace_rays_cpu(scene_, grid_, rays, results, resolved_request);
+    const QueryReport report = trace_rays_cpu(scene_, grid_, to_local(rays), results, resolved_request);
     check_unchanged();
     return report;
   }
   std::atomic<std::size_t> next_piece = 0;
-  return trace_rays_cuda(*files_.at(index), scene_, grid_, rays, results, resolved_request, next_piece);
+  return trace_rays_cuda(*files_.at(index), scene_, grid_, to_local(rays), results, resolved_request,
+                         next_piece);
 }
 
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
@@ -223,7 +234,7 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
   QueryReport all;
   on_threads(device_count(), [&](std::size_t index) {
     const QueryReport report =
-        trace_rays_cuda(*files_[index], scene_, grid_, rays, results, resolved_request, next_piece);
+        trace_rays_cuda(*files_[index], scene_, grid_, to_local(rays), results, resolved_request, next_piece);
     const std::lock_guard lock(mutex);
     all.counts += report.counts;
     all.seconds += report.seconds;
@@ -240,7 +251,7 @@ QueryReport Tracer::trace_on_device(const RayList& rays, const RayResults& resul
   const RaysRequest resolved_request = resolved(request, rays, results);
   if (resolved_request.tracing.count)
     throw Error(ErrorCode::usage, "rays", "in device memory can't be counted");
-  return queue_rays_cuda(*files_[index], scene_, grid_, rays, results, resolved_request, stream);
+  return queue_rays_cuda(*files_[index], scene_, grid_, to_local(rays), results, resolved_request, stream);
 }
 
 RayHits Tracer::hits(const RayList& rays, const RaysRequest& request, HitName name) const {

@@ -55,7 +55,7 @@ struct KernelSize {
 
 struct FrameRequest {
   TracingRules tracing{};
-  Camera camera{};
+  Camera camera{}; // in the world
   Sampling sampling = Sampling::corners;
   bool hither = false; // camera rays start at the camera's hither distance
   RenderRules rules{5, false, HitName::object};
@@ -107,6 +107,12 @@ struct RayList {
   RayList(const std::vector<Ray<Real>>& list) : RayList(std::span(list)) {}
 };
 
+// The same rays, whose origins are relative to the scene's.
+inline RayList relative(RayList rays) {
+  rays.format.is_relative = true;
+  return rays;
+}
+
 // How a GPU schedules rays. thread_per_ray: a thread traces one ray to its end, and a warp's threads wait for
 // each other at every cell. warp: its threads share the primitive tests of its rays. warp_refill: besides,
 // idle threads fetch the next ray (renderer/warp_tracing_cuda.h), and where most rays miss the scene's bounds
@@ -134,7 +140,8 @@ struct RayHits {
   QueryReport report;
 };
 
-// Rays with room for their results where a tracer traces them, to be traced many times.
+// Rays with room for their results where a tracer traces them, to be traced many times; relative to the
+// scene's origin.
 struct ResidentRays {
   RayList list;
   RayResults results;
@@ -174,6 +181,8 @@ public:
   // Of putting the files on the device, and of checking them.
   double upload_seconds() const { return upload_seconds_; }
 
+  // Precision::automatic is that of the view (view_precision.h), and of a list of rays that of the store.
+  //
   // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), for a depth that isn't from
   // 1 to largest_depth or a window that isn't within the picture, and for results that a query needs and
   // doesn't have; Error(device).
@@ -202,7 +211,7 @@ public:
 
   // Where vectors are what is wanted.
   RayHits hits(const RayList& rays, const RaysRequest& request, HitName name) const;
-  // For measurements, on the first device.
+  // For measurements, on the first device. The rays are relative to the scene's origin.
   ResidentRays upload(std::span<const Ray<double>> rays, Precision precision) const;
   // The report's seconds.trace is the device's time for it.
   QueryReport trace(const ResidentRays& rays, const RaysRequest& request) const;
@@ -221,6 +230,8 @@ private:
   TracingRules resolved(TracingRules rules) const;
   // Of a list: checked, its rules resolved, and counted where costs are wanted.
   RaysRequest resolved(const RaysRequest& request, const RayList& rays, const RayResults& results) const;
+  // With what is to be subtracted from their origins.
+  RayList to_local(RayList rays) const;
   std::size_t next_device() const;
 };
 

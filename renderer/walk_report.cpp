@@ -3,6 +3,7 @@
 #include "libgrid/statistics.h"
 #include "libscene/error.h"
 #include "renderer/dispatch.h"
+#include "renderer/view_precision.h"
 
 #include <fmt/format.h>
 
@@ -202,7 +203,9 @@ void record(const SceneView<Stored>& scene, const Grid& grid, const WalkRequest&
   Ray<double> given = request.ray;
   if (request.all_rays && std::abs(length(given.direction) - 1) > 1e-6)
     given.direction = normalized(given.direction);
-  Ray<Real> ray = loaded<Real>(&given, own_format<double>, 0);
+  RayFormat format = own_format<double>;
+  if (!request.is_relative) format.origin = scene.origin;
+  Ray<Real> ray = loaded<Real>(&given, format, 0);
   if (!is_valid(ray))
     throw Error(ErrorCode::usage, "walk",
                 "the ray isn't valid: its numbers aren't finite or too large, or its direction is too small");
@@ -229,6 +232,15 @@ void record(const SceneView<Stored>& scene, const Grid& grid, const WalkRequest&
     if (traced.primitive != no_primitive) traced.object = surface_of(scene, traced.primitive).object;
 }
 
+void move_to_world(const Vec3d& origin, WalkReport& report) {
+  report.space = in_world(origin, report.space);
+  for (WalkRay& ray : report.rays) {
+    ray.origin = ray.origin + origin;
+    for (WalkStep& step : ray.steps)
+      step.box = in_world(origin, step.box);
+  }
+}
+
 } // namespace
 
 WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
@@ -252,26 +264,32 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
           }
         });
       });
+  move_to_world(tracer.scene().origin(), report);
   tracer.scene().check_unchanged();
   if (grid != nullptr) grid->check_unchanged();
   return report;
 }
 
-Ray<double> camera_ray_of(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
-                          std::int32_t row) {
+WalkRequest camera_walk(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
+                        std::int32_t row) {
   const RayWindow all = all_rays(request.camera, request.sampling);
   if (column < 0 || row < 0 || column >= all.columns || row >= all.rows)
     throw Error(
         ErrorCode::usage, "walk",
         fmt::format("{},{} isn't one of the picture's {} x {} rays", column, row, all.columns, all.rows));
   const RayWindow window{column, row, 1, 1};
+  const Camera camera = relative_to(tracer.scene().origin(), request.camera);
   const auto ray_in = [&]<class Real>(Real) {
     const Ray<Real> ray =
-        camera_ray(camera_rays<Real>(request.camera, request.sampling, request.hither, window), 0, 0);
+        camera_ray(camera_rays<Real>(camera, request.sampling, request.hither, window), 0, 0);
     return loaded<double>(&ray, own_format<Real>, 0);
   };
-  return resolved(request.tracing.precision, tracer.scene()) == Precision::doubled ? ray_in(double{})
-                                                                                   : ray_in(float{});
+  WalkRequest walk{request.tracing};
+  walk.tracing.precision = picture_precision(tracer, request);
+  walk.ray = walk.tracing.precision == Precision::doubled ? ray_in(double{}) : ray_in(float{});
+  walk.is_relative = true;
+  walk.rules = request.rules;
+  return walk;
 }
 
 const char* name_of(RayKind kind) {

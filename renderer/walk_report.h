@@ -15,7 +15,7 @@
 
 namespace masu {
 
-// t is relative to the ray's own origin, in lengths of its direction.
+// Places are in the world. t is relative to the ray's own origin, in lengths of its direction.
 
 struct WalkTest {
   PrimitiveIndex primitive;
@@ -89,15 +89,16 @@ struct WalkRequest {
   RenderRules rules{5, false, HitName::primitive};
   WalkLimits limits{};
   std::function<void()> progress{}; // called now and then; what it throws ends the walk
+  bool is_relative = false;         // the ray's origin is relative to the scene's
 };
 
 // Throws Error(usage) as Tracer::render() does, and for a ray that isn't valid (ray_query.h).
 WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request);
 
-// A picture's camera ray, of a column and a row of all_rays(), in the numbers that `precision` traces with.
+// Of a picture's camera ray, of a column and a row of all_rays(), as the picture traces it.
 // Throws Error(usage, "walk", …) for one that the picture doesn't have.
-Ray<double> camera_ray_of(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
-                          std::int32_t row);
+WalkRequest camera_walk(const Tracer& tracer, const FrameRequest& request, std::int32_t column,
+                        std::int32_t row);
 
 const char* name_of(RayKind kind);
 const char* name_of(WalkEnd end);

@@ -245,8 +245,7 @@ TEST(Walk, OfACameraRayHasTheChannelsHitAndCounts) {
       const auto column = static_cast<std::int32_t>(chance.between(0, channels.columns)),
                  row = static_cast<std::int32_t>(chance.between(0, channels.rows));
       const auto i = static_cast<std::size_t>(row * channels.columns + column);
-      const WalkReport report =
-          trace_walk(tracer, {request.tracing, camera_ray_of(tracer, request, column, row)});
+      const WalkReport report = trace_walk(tracer, camera_walk(tracer, request, column, row));
       ASSERT_EQ(report.rays.size(), 1U);
       expect_consistent(report);
       const WalkRay& ray = report.rays.front();
@@ -268,8 +267,9 @@ TEST(Walk, OfAllRaysHasThePixelsColorAndCounts) {
       const auto column = static_cast<std::int32_t>(chance.between(0, channels.columns)),
                  row = static_cast<std::int32_t>(chance.between(0, channels.rows));
       const auto i = static_cast<std::size_t>(row * channels.columns + column);
-      const WalkReport report = trace_walk(
-          tracer, {request.tracing, camera_ray_of(tracer, request, column, row), true, request.rules});
+      WalkRequest walk = camera_walk(tracer, request, column, row);
+      walk.all_rays = true;
+      const WalkReport report = trace_walk(tracer, walk);
       expect_consistent(report);
       std::uint64_t cells = 0, tests = 0;
       for (const WalkRay& ray : report.rays) {
@@ -329,7 +329,9 @@ WalkRequest random_walk(const Tracer& tracer, const FrameRequest& request, Scene
   const RayWindow all = all_rays(request.camera, request.sampling);
   const auto column = static_cast<std::int32_t>(chance.between(0, all.columns)),
              row = static_cast<std::int32_t>(chance.between(0, all.rows));
-  return {request.tracing, camera_ray_of(tracer, request, column, row), true, request.rules};
+  WalkRequest walk = camera_walk(tracer, request, column, row);
+  walk.all_rays = true;
+  return walk;
 }
 
 TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
@@ -418,9 +420,9 @@ TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
 TEST(Walk, RefusesRaysThatAreNotThere) {
   for_random_pictures(1, [](const Tracer& tracer, const FrameRequest& request, SceneChance&) {
     const RayWindow all = all_rays(request.camera, request.sampling);
-    EXPECT_THROW(camera_ray_of(tracer, request, all.columns, 0), Error);
-    EXPECT_THROW(camera_ray_of(tracer, request, 0, all.rows), Error);
-    EXPECT_THROW(camera_ray_of(tracer, request, -1, 0), Error);
+    EXPECT_THROW(camera_walk(tracer, request, all.columns, 0), Error);
+    EXPECT_THROW(camera_walk(tracer, request, 0, all.rows), Error);
+    EXPECT_THROW(camera_walk(tracer, request, -1, 0), Error);
     EXPECT_THROW(trace_walk(tracer, {request.tracing, unbounded_ray<double>({0, 0, 0}, {0, 0, 0})}), Error);
     EXPECT_THROW(trace_walk(tracer, {request.tracing, unbounded_ray<double>({0, NAN, 0}, {1, 0, 0})}), Error);
   });

@@ -49,22 +49,22 @@ std::vector<Kind> kinds() {
        scene_file_kind},
       {"Grid", "grid",
        [](const std::string& path) {
-         write_grid(tiny_grid(), tiny_grid_origin({1, 2}), path);
+         write_grid(tiny_grid(), tiny_grid_provenance({1, 2}), path);
        },
        open_grid, grid_file_kind},
       {"GridOfBlocks", "grid",
        [](const std::string& path) {
-         write_grid(tiny_grid_of_blocks(), tiny_grid_origin({1, 2}), path);
+         write_grid(tiny_grid_of_blocks(), tiny_grid_provenance({1, 2}), path);
        },
        open_grid, grid_file_kind},
       {"MergedGrid", "grid",
        [](const std::string& path) {
-         write_grid(tiny_merged_grid(), tiny_grid_origin({1, 2}, "irregular"), path);
+         write_grid(tiny_merged_grid(), tiny_grid_provenance({1, 2}, "irregular"), path);
        },
        open_grid, grid_file_kind},
       {"Hierarchy", "grid",
        [](const std::string& path) {
-         write_grid(tiny_hierarchy(), tiny_grid_origin({1, 2}, "bvh"), path);
+         write_grid(tiny_hierarchy(), tiny_grid_provenance({1, 2}, "bvh"), path);
        },
        open_grid, grid_file_kind},
   };
@@ -392,7 +392,7 @@ TEST(GridFile, OfAnotherGeometryIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
   const Hash hash{11, 22};
-  write_grid(tiny_grid(), tiny_grid_origin(hash), path);
+  write_grid(tiny_grid(), tiny_grid_provenance(hash), path);
   const GridFile grid(path);
   EXPECT_NO_THROW(grid.check_geometry(hash, tiny_scene_primitives));
   const auto check = [&](const Hash& geometry_hash, std::uint64_t primitives) {
@@ -406,12 +406,14 @@ TEST(GridFile, OfAnotherGeometryIsRefused) {
   EXPECT_TRUE(check(hash, 0));
 }
 
-TEST(GridFile, RecordsItsOrigin) {
+TEST(GridFile, RecordsItsProvenance) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
-  write_grid(tiny_grid(), {{3, 4}, 4, SpaceRule::cube, Overlap::box, "cleary:2.5", "balance target 8", 1.25},
+  write_grid(tiny_grid(),
+             {{3, 4}, 4, {5, -6, 7e6}, SpaceRule::cube, Overlap::box, "cleary:2.5", "balance target 8", 1.25},
              path);
   const GridFile grid(path);
+  EXPECT_EQ(grid.origin(), (Vec3d{5, -6, 7e6}));
   EXPECT_EQ(grid.table().space_rule(), fb::Space::cube);
   EXPECT_EQ(grid.table().overlap(), fb::Overlap::box);
   EXPECT_EQ(grid.table().division_rule()->str(), "cleary:2.5");

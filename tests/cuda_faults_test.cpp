@@ -139,7 +139,7 @@ protected:
     mesh.vertex_count = indices.size();
     mesh.indices = indices.data();
     mesh.triangle_count = indices.size() / 3;
-    ASSERT_EQ(masu_write_scene(scene_.c_str(), &mesh, 1, MASU_STORE_AUTO), MASU_OK) << masu_error();
+    ASSERT_EQ(masu_write_scene(scene_.c_str(), &mesh, 1, MASU_STORE_AUTO, nullptr), MASU_OK) << masu_error();
     rays_.resize(1000);
     for (masu_ray& ray : rays_) {
       for (int axis = 0; axis < 3; ++axis) {

@@ -126,7 +126,7 @@ TEST(DamagedFile, AGridThatOpensCanBeTraced) {
     write_scene(tiny_scene(), store, scene_path);
     const SceneFile scene(scene_path);
     for (const Grid& made : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid(), tiny_hierarchy()}) {
-      write_grid(made, tiny_grid_origin(scene.geometry_hash()), path);
+      write_grid(made, tiny_grid_provenance(scene.geometry_hash()), path);
       const GridParts parts(path);
       int open = 0;
       for (int i = 0; i < cases; ++i) {

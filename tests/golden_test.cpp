@@ -54,20 +54,20 @@ INSTANTIATE_TEST_SUITE_P(
                            [](const std::string& path) { write_scene(tiny_scene(), Store::float64, path); }},
                     Golden{"grid", golden_grid,
                            [](const std::string& path) {
-                             write_grid(tiny_grid(), tiny_grid_origin(golden_geometry_hash), path);
+                             write_grid(tiny_grid(), tiny_grid_provenance(golden_geometry_hash), path);
                            }},
                     Golden{"grid_of_blocks", golden_grid_of_blocks,
                            [](const std::string& path) {
-                             write_grid(tiny_grid_of_blocks(), tiny_grid_origin(golden_geometry_hash), path);
+                             write_grid(tiny_grid_of_blocks(), tiny_grid_provenance(golden_geometry_hash), path);
                            }},
                     Golden{"merged_grid", golden_merged_grid,
                            [](const std::string& path) {
                              write_grid(tiny_merged_grid(),
-                                        tiny_grid_origin(golden_geometry_hash, "irregular"), path);
+                                        tiny_grid_provenance(golden_geometry_hash, "irregular"), path);
                            }},
                     Golden{"hierarchy", golden_hierarchy,
                            [](const std::string& path) {
-                             write_grid(tiny_hierarchy(), tiny_grid_origin(golden_geometry_hash, "bvh"),
+                             write_grid(tiny_hierarchy(), tiny_grid_provenance(golden_geometry_hash, "bvh"),
                                         path);
                            }}),
     [](const auto& test) { return std::string(test.param.name); });

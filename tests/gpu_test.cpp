@@ -35,7 +35,8 @@ void build_grid(const SceneFile& scene, const std::string& division, const GridO
   const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
                                                      parse_division(division), division_statistics(view));
   write_grid(build_grid(view, layout, Overlap::exact, options),
-             {scene.geometry_hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
+             {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
+              Overlap::exact, division, ""},
              path);
 }
 
@@ -332,8 +333,8 @@ TEST_P(CpuAndGpu, WalksHaveTheHitsAndCountsOfAGpusChannels) {
     for (std::int32_t row = 0; row < channels.rows; row += 7) {
       for (std::int32_t column = 0; column < channels.columns; column += 5) {
         const auto i = static_cast<std::size_t>(row * channels.columns + column);
-        WalkRequest walk{wanted.frame.tracing, camera_ray_of(tracer, wanted.frame, column, row), all_rays,
-                         wanted.frame.rules};
+        WalkRequest walk = camera_walk(tracer, wanted.frame, column, row);
+        walk.all_rays = all_rays;
         const WalkReport report = trace_walk(tracer, walk);
         std::uint64_t cells = 0, tests = 0;
         for (const WalkRay& ray : report.rays) {

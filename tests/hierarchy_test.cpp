@@ -383,7 +383,8 @@ TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const Grid grid = hierarchy_of(scene);
-    write_grid(grid, {{1, 2}, scene.count(), SpaceRule::tight, Overlap::exact, "auto", "bvh"}, path);
+    write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
+               path);
     const GridFile file(path);
     ASSERT_TRUE(file.is_hierarchy());
     EXPECT_FALSE(file.is_merged());
@@ -408,7 +409,8 @@ TYPED_TEST(BuiltHierarchy, IsNeverTooDeepForTheWalk) {
         const Grid grid = hierarchy_of(scene);
         SCOPED_TRACE(testing::Message() << ratio << ", " << copies << " copies from " << largest);
         EXPECT_LE(hierarchy_statistics(grid.nodes).depth, max_hierarchy_depth);
-        write_grid(grid, {{1, 2}, scene.count(), SpaceRule::tight, Overlap::exact, "auto", "bvh"}, path);
+        write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
+                   path);
         EXPECT_NO_THROW(const GridFile file(path));
       }
     }

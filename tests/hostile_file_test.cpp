@@ -113,6 +113,18 @@ INSTANTIATE_TEST_SUITE_P(
         WrongScene{"StoreUnknown", [](SceneParts& p) { p.store = static_cast<fb::Store>(2); }},
         WrongScene{"StoreOutOfRange", [](SceneParts& p) { p.store = static_cast<fb::Store>(255); }},
         WrongScene{"StoreOfTheOtherWidth", [](SceneParts& p) { p.store = fb::Store::float64; }},
+        WrongScene{"OriginNaN",
+                   [](SceneParts& p) {
+                     p.origin = {0, nan, 0};
+                   }},
+        WrongScene{"OriginInfinite",
+                   [](SceneParts& p) {
+                     p.origin = {-infinity, 0, 0};
+                   }},
+        WrongScene{"OriginTooFar",
+                   [](SceneParts& p) {
+                     p.origin = {0, 0, 1e300};
+                   }},
         WrongScene{"BoundsNaN",
                    [](SceneParts& p) {
                      p.bounds = {{nan, 0, 0}, {1, 1, 1}};
@@ -338,6 +350,14 @@ INSTANTIATE_TEST_SUITE_P(
                     word("ReferenceToNoPrimitive", GridSection::references, 0, no_primitive),
                     WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
                     WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }},
+                    WrongGrid{"OriginNaN",
+                              [](GridParts& p) {
+                                p.origin = {nan, 0, 0};
+                              }},
+                    WrongGrid{"OriginTooFar",
+                              [](GridParts& p) {
+                                p.origin = {0, 1e300, 0};
+                              }},
                     WrongGrid{"OfAMergedGrid", [](GridParts& p) { p.merge = fb::Merge::balance; }},
                     WrongGrid{"OfAnUnknownMerge", [](GridParts& p) { p.merge = static_cast<fb::Merge>(5); }}),
     by_name);

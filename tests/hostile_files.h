@@ -76,6 +76,7 @@ struct TakenApart {
 
 struct SceneParts : TakenApart {
   fb::Store store;
+  fb::Vec3 origin;
   fb::Camera camera;
   fb::Color background;
   float ambient;
@@ -85,8 +86,9 @@ struct SceneParts : TakenApart {
 
   explicit SceneParts(const std::string& path) : SceneParts(SceneFile(path)) {}
   explicit SceneParts(const SceneFile& file)
-      : store(file.table().store()), camera(*file.table().camera()), background(*file.table().background()),
-        ambient(file.table().ambient()), objects(*file.table().objects()), bounds(*file.table().bounds()),
+      : store(file.table().store()), origin(*file.table().origin()), camera(*file.table().camera()),
+        background(*file.table().background()), ambient(file.table().ambient()),
+        objects(*file.table().objects()), bounds(*file.table().bounds()),
         reflective_materials(file.table().reflective_materials()),
         transmitting_materials(file.table().transmitting_materials()) {
     sections = sections_of(file.path(), *file.table().sections());
@@ -100,8 +102,8 @@ struct SceneParts : TakenApart {
   void write(const std::string& path) const {
     TakenApart::write(path, scene_file_kind, [&](const std::vector<fb::Section>& layout) {
       flatbuffers::FlatBufferBuilder builder;
-      builder.Finish(fb::CreateScene(builder, store, &camera, &background, ambient, &objects, &bounds,
-                                     reflective_materials, transmitting_materials,
+      builder.Finish(fb::CreateScene(builder, store, &origin, &camera, &background, ambient, &objects,
+                                     &bounds, reflective_materials, transmitting_materials,
                                      builder.CreateVectorOfStructs(layout)));
       return Bytes(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
     });
@@ -117,6 +119,7 @@ struct GridParts : TakenApart {
   std::uint32_t block_log2, nested_log2;
   fb::Merge merge;
   std::string rule, merge_rule;
+  std::optional<fb::Vec3> origin{};
 
   explicit GridParts(const std::string& path) : GridParts(GridFile(path)) {}
   explicit GridParts(const GridFile& file)
@@ -147,7 +150,7 @@ struct GridParts : TakenApart {
       const auto merge_text = builder.CreateString(merge_rule);
       builder.Finish(fb::CreateGrid(builder, &geometry_hash, primitives, &space, margin, &division,
                                     block_log2, nested_log2, fb::Space::tight, fb::Overlap::exact, merge,
-                                    rule_text, merge_text, -1, list));
+                                    rule_text, merge_text, -1, list, origin ? &*origin : nullptr));
       return Bytes(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
     });
   }
@@ -215,7 +218,7 @@ void expect_refused(const std::string& path, const Wrong<Parts>& wrong) {
 inline void expect_grid_refused(const Grid& grid, const std::string& merge_rule, const WrongGrid& wrong) {
   const TemporaryFolder folder;
   const std::string path = folder.file("hostile.grid");
-  write_grid(grid, tiny_grid_origin({1, 2}, merge_rule), path);
+  write_grid(grid, tiny_grid_provenance({1, 2}, merge_rule), path);
   expect_refused<GridFile>(path, wrong);
 }
 

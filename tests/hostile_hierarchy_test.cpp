@@ -123,10 +123,10 @@ Grid chain(int depth) {
 TEST(HostileHierarchyDepth, IsRefusedBeyondTheWalksStack) {
   const TemporaryFolder folder;
   const std::string path = folder.file("deep.grid");
-  write_grid(chain(max_hierarchy_depth), tiny_grid_origin({1, 2}, "bvh"), path);
+  write_grid(chain(max_hierarchy_depth), tiny_grid_provenance({1, 2}, "bvh"), path);
   EXPECT_NO_THROW(const GridFile file(path));
   for (const int depth : {max_hierarchy_depth + 1, 1000, 100'000}) {
-    write_grid(chain(depth), tiny_grid_origin({1, 2}, "bvh"), path);
+    write_grid(chain(depth), tiny_grid_provenance({1, 2}, "bvh"), path);
     EXPECT_TRUE(is_refused_as<GridFile>(path)) << depth;
   }
 }
@@ -170,7 +170,7 @@ protected:
 
 TEST_F(DamagedHierarchy, AnyFlippedBitIsRefusedOrHarmless) {
   const SceneFile tiny = written(tiny_scene());
-  write_grid(tiny_hierarchy(), tiny_grid_origin(tiny.geometry_hash(), "bvh"), path_);
+  write_grid(tiny_hierarchy(), tiny_grid_provenance(tiny.geometry_hash(), "bvh"), path_);
   const GridParts parts(path_);
   for (std::size_t section = 0; section < parts.sections.size(); ++section) {
     for (std::size_t bit = 0; bit < 8 * parts.sections[section].bytes.size(); ++bit) {

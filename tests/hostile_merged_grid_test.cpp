@@ -105,7 +105,7 @@ TEST(HostileLists, SharedByAllCellsAreRefusedQuickly) {
     uniform.voxel_map.clear();
     for (std::uint32_t i = 0; i < side * side * side; ++i)
       uniform.voxel_map.push_back(occupied_bit | step * (i % 1000));
-    write_grid(uniform, tiny_grid_origin({1, 2}), path);
+    write_grid(uniform, tiny_grid_provenance({1, 2}), path);
     EXPECT_TRUE(is_refused_as<GridFile>(path));
     Grid merged = tiny_merged_grid();
     merged.layout.division = {side, side, side};
@@ -118,7 +118,7 @@ TEST(HostileLists, SharedByAllCellsAreRefusedQuickly) {
       merged.voxel_map.push_back(occupied_bit | i);
       merged.cells.push_back({range(x, x + 1), range(y, y + 1), range(z, z + 1), step * (i % 1000)});
     }
-    write_grid(merged, tiny_grid_origin({1, 2}, merge_rule), path);
+    write_grid(merged, tiny_grid_provenance({1, 2}, merge_rule), path);
     EXPECT_TRUE(is_refused_as<GridFile>(path));
   }
 }
@@ -137,7 +137,7 @@ TEST(HostileNestedMap, SharedByCubesIsRefusedQuickly) {
   for (std::uint32_t level = 1; level <= depth; ++level)
     std::fill_n(grid.voxel_map.begin() + 8 * level, 8,
                 level < depth ? divided(static_cast<std::uint32_t>(8 * (level + 1)), 1) : occupied_bit | 0);
-  write_grid(grid, tiny_grid_origin({1, 2}, merge_rule), path);
+  write_grid(grid, tiny_grid_provenance({1, 2}, merge_rule), path);
   EXPECT_TRUE(is_refused_as<GridFile>(path));
 }
 
@@ -147,7 +147,7 @@ TEST(HostileMergedGridBits, AnyFlippedBitIsRefusedOrHarmless) {
   const std::string scene_path = folder.file("scene"), path = folder.file("grid");
   write_scene(tiny_scene(), Store::float32, scene_path);
   const SceneFile scene(scene_path);
-  write_grid(tiny_merged_grid(), tiny_grid_origin(scene.geometry_hash(), merge_rule), path);
+  write_grid(tiny_merged_grid(), tiny_grid_provenance(scene.geometry_hash(), merge_rule), path);
   const GridParts parts(path);
   int opened = 0, refused = 0;
   for (std::size_t section = 0; section < parts.sections.size(); ++section) {

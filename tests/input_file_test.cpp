@@ -146,7 +146,7 @@ TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
   auto random = seed.engine();
   const Scene tiny = tiny_scene();
   for (const Grid& grid : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
-    write_grid(grid, tiny_grid_origin(write_scene(tiny, Store::float32, file("scene"))), file("grid"));
+    write_grid(grid, tiny_grid_provenance(write_scene(tiny, Store::float32, file("scene"))), file("grid"));
     const SceneFile scene(file("scene"));
     const GridFile opened(file("grid"));
     const Tracer tracer(scene, &opened, Device::cpu);

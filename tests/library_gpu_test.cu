@@ -89,7 +89,7 @@ protected:
     mesh.triangle_count = indices.size() / 3;
     scene_ = folder_.file("scene");
     grid_ = folder_.file("grid");
-    ASSERT_DONE(masu_write_scene(scene_.c_str(), &mesh, 1, MASU_STORE_AUTO));
+    ASSERT_DONE(masu_write_scene(scene_.c_str(), &mesh, 1, MASU_STORE_AUTO, nullptr));
     ASSERT_DONE(masu_build_grid(scene_.c_str(), grid_.c_str(), nullptr));
     ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), MASU_CPU, &cpu_));
     ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &gpu_));

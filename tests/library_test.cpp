@@ -80,7 +80,7 @@ protected:
   // Of a mesh and an irregular grid.
   void prepare(const Mesh& mesh) {
     const masu_mesh view = mesh.view();
-    ASSERT_DONE(masu_write_scene(file("scene").c_str(), &view, 1, MASU_STORE_AUTO));
+    ASSERT_DONE(masu_write_scene(file("scene").c_str(), &view, 1, MASU_STORE_AUTO, nullptr));
     ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), nullptr));
   }
 
@@ -413,7 +413,7 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   meshes[1].triangle_count = 1;
   const float color[3]{0.25F, 0.5F, 1};
   meshes[1].color = color;
-  ASSERT_DONE(masu_write_scene(file("scene").c_str(), meshes, 2, MASU_STORE_AUTO));
+  ASSERT_DONE(masu_write_scene(file("scene").c_str(), meshes, 2, MASU_STORE_AUTO, nullptr));
   ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), nullptr));
   masu_tracer* tracer = nullptr;
   ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer));
@@ -460,7 +460,7 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   EXPECT_EQ(masu_open(scene.c_str(), grid.c_str(), 1000, &tracer), MASU_ERROR_DEVICE);
   const Mesh other = random_mesh(engine, 10);
   const masu_mesh other_view = other.view();
-  ASSERT_DONE(masu_write_scene(file("other").c_str(), &other_view, 1, MASU_STORE_AUTO));
+  ASSERT_DONE(masu_write_scene(file("other").c_str(), &other_view, 1, MASU_STORE_AUTO, nullptr));
   EXPECT_EQ(masu_open(file("other").c_str(), grid.c_str(), MASU_CPU, &tracer), MASU_ERROR_INPUT);
 
   ASSERT_DONE(masu_open(scene.c_str(), grid.c_str(), MASU_CPU, &tracer));
@@ -492,22 +492,23 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
 
   const std::string out = file("out");
   masu_mesh bad = mesh.view();
-  EXPECT_EQ(masu_write_scene(nullptr, &bad, 1, MASU_STORE_AUTO), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_write_scene(out.c_str(), nullptr, 1, MASU_STORE_AUTO), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(nullptr, &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(out.c_str(), nullptr, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
   bad.vertex_count -= 1;
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
   bad = mesh.view();
   bad.indices = nullptr;
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
   bad = mesh.view();
   bad.vertices = nullptr;
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
   Mesh infinite = mesh;
   infinite.vertices[4] = infinity;
   bad = infinite.view();
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
   bad = mesh.view();
-  EXPECT_EQ(masu_write_scene(file("no/folder").c_str(), &bad, 1, MASU_STORE_AUTO), MASU_ERROR_OUTPUT);
+  EXPECT_EQ(masu_write_scene(file("no/folder").c_str(), &bad, 1, MASU_STORE_AUTO, nullptr),
+            MASU_ERROR_OUTPUT);
 
   masu_grid_options options;
   const auto built_with = [&](const auto& change) {

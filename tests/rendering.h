@@ -16,9 +16,9 @@ namespace masu {
 class Rendering {
 public:
   Rendering(const Scene& scene, Store store, const std::string& division = "auto",
-            const GridOptions& options = {})
+            const GridOptions& options = {}, const std::optional<Vec3d>& origin = {})
       : camera_(scene.camera) {
-    write_scene(scene, store, folder_.file("scene"));
+    write_scene(scene, store, folder_.file("scene"), origin);
     scene_ = std::make_unique<SceneFile>(folder_.file("scene"));
     scene_->is_float64() ? build<double>(division, options) : build<float>(division, options);
     grid_ = std::make_unique<GridFile>(folder_.file("grid"));
@@ -45,10 +45,10 @@ private:
     const SceneView<Stored> view = scene_->view<Stored>();
     const GridLayout layout = make_grid_layout<Stored>(scene_->bounds(), SpaceRule::tight,
                                                        parse_division(division), division_statistics(view));
-    write_grid(
-        build_grid(view, layout, Overlap::exact, options),
-        {scene_->geometry_hash(), scene_->primitive_count(), SpaceRule::tight, Overlap::exact, division, ""},
-        folder_.file("grid"));
+    write_grid(build_grid(view, layout, Overlap::exact, options),
+               {scene_->geometry_hash(), scene_->primitive_count(), scene_->origin(), SpaceRule::tight,
+                Overlap::exact, division, ""},
+               folder_.file("grid"));
   }
 
   TemporaryFolder folder_;

@@ -38,7 +38,8 @@ protected:
       const Grid grid = random_grid<float>(chance, scene.view(), scene.bounds());
       SCOPED_TRACE(described(grid));
       const std::string path = folder_.file("grid");
-      write_grid(grid, {{1, 2}, scene.count(), SpaceRule::tight, Overlap::exact, "any", "any"}, path);
+      write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "any", "any"},
+                 path);
       check(chance, grid, GridFile(path));
       if (HasFailure()) return;
     }

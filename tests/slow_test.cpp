@@ -73,9 +73,9 @@ TEST_F(LargeFiles, GridsAreReadBackAsWritten) {
     grid.references.resize(std::uint64_t{voxels} * each);
     for (std::uint64_t i = 0; i < grid.references.size(); ++i)
       grid.references[i] = reference(i);
-    GridOrigin origin = tiny_grid_origin({1, 2});
-    origin.primitives = each;
-    write_grid(grid, origin, file("grid"));
+    GridProvenance provenance = tiny_grid_provenance({1, 2});
+    provenance.primitives = each;
+    write_grid(grid, provenance, file("grid"));
   }
   ASSERT_GT(std::filesystem::file_size(file("grid")), four_gib);
   const GridFile read(file("grid"));

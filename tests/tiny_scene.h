@@ -115,8 +115,9 @@ inline Grid tiny_hierarchy() {
           {root, inner}};
 }
 
-inline GridOrigin tiny_grid_origin(const Hash& geometry_hash, const std::string& merge_rule = "") {
-  return {geometry_hash, tiny_scene_primitives, SpaceRule::tight, Overlap::exact, "2x2x1", merge_rule};
+inline GridProvenance tiny_grid_provenance(const Hash& geometry_hash, const std::string& merge_rule = "") {
+  return {geometry_hash, tiny_scene_primitives, {0, 0, 0}, SpaceRule::tight, Overlap::exact, "2x2x1",
+          merge_rule};
 }
 
 } // namespace masu

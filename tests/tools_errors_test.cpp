@@ -117,8 +117,17 @@ TEST_F(ToolErrors, InvalidStandardInputIsRefusedWithLineAndColumn) {
 
 TEST_F(ToolErrors, ASceneTooWideForItsStoreIsRefused) {
   const std::string path = nff("wide.nff", "s 1e13 0 0 1\n");
-  EXPECT_TRUE(
-      fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32", "--origin", "none"},
+                    file("a.scene"), "float64"));
+  // One that the origin makes too wide.
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32", "--origin", "1e99,0,0"},
+                    file("a.scene"), "relative to the origin"));
+}
+
+TEST_F(ToolErrors, AnOriginThatIsNoPointIsRefused) {
+  const std::string path = nff("a.nff", small_nff);
+  for (const char* const origin : {"nan,0,0", "0,inf,0", "0,0,1e300", "1,2", "1,2,3,4", "here"})
+    EXPECT_TRUE(fails(1, "nff2bin", {path, "-o", file("a.scene"), "--origin", origin}, "--origin"));
 }
 
 TEST_F(ToolErrors, Float32ArithmeticOnFloat64CoordinatesIsRefused) {
@@ -134,8 +143,8 @@ TEST_F(ToolErrors, Float32ArithmeticOnFloat64CoordinatesIsRefused) {
 TEST_F(ToolErrors, AConeThatLosesItsLengthInItsStoreIsRefused) {
   const std::string path =
       nff("flat.nff", "c 100000000.25 0 0 1 100000001.25 0 0 1\nc 100000000 0 0 1 100000800 0 0 1\n");
-  EXPECT_TRUE(
-      fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32"}, file("a.scene"), "float64"));
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32", "--origin", "none"},
+                    file("a.scene"), "float64"));
 }
 
 // Where --store float32 is too coarse, the scene is written, and a warning recommends float64.
@@ -154,8 +163,9 @@ TEST_F(ToolErrors, Float32ThatIsTooCoarseForTheSceneIsWarnedOf) {
   };
   const std::string far = "s 1000000 0 0 1\ns 1000004 0 0 1\n", small = "s 0 0 0 1000\ns 0 0 1000 0.0001\n",
                     digits = "s 0.123456789012 0 0 1\n";
-  EXPECT_TRUE(warned(far, {"--store", "float32"}, "6 across"));
-  EXPECT_TRUE(warned(far, {}, "")); // stored as float64, here and below
+  EXPECT_TRUE(warned(far, {"--store", "float32", "--origin", "none"}, "6 across"));
+  EXPECT_TRUE(warned(far, {"--store", "float32"}, ""));
+  EXPECT_TRUE(warned(far, {"--origin", "none"}, "")); // stored as float64, here and below
   EXPECT_TRUE(warned(small, {"--store", "float32"}, "1 part(s)"));
   EXPECT_TRUE(warned(small, {}, ""));
   EXPECT_TRUE(warned(digits, {"--store", "float32"}, ""));

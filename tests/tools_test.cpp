@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -257,7 +258,7 @@ TEST_F(Tools, ListedRaysMayBeFloat64) {
   const std::array<bool, 6> hit{true, false, true, false, true, false};
   for (std::size_t i = 0; i < hit.size(); ++i)
     EXPECT_EQ(hits[i].object, hit[i] ? 0 : -1) << "ray " << i;
-  EXPECT_EQ(hits[0].t, static_cast<float>(3 - std::sqrt(1 - 0.0625)));
+  EXPECT_NEAR(hits[0].t, 3 - std::sqrt(1 - 0.0625), 1e-6);
 }
 
 TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
@@ -562,7 +563,9 @@ TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
                                                 "shadow_rays",     "shadow_hits",
                                                 "secondary_hits",  "intersection_tests",
                                                 "cells_visited",   "empty_cells_visited",
-                                                "voxels_skipped",  "seconds"}));
+                                                "voxels_skipped",  "seconds",
+                                                "precision",       "precision_reason",
+                                                "double_views"}));
   EXPECT_EQ(keys(stats["intersection_tests"]), (std::set<std::string>{"triangle", "sphere", "cone"}));
   EXPECT_EQ(keys(stats["seconds"]),
             (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
@@ -751,7 +754,7 @@ TEST_F(Tools, SceneFilesAreIndependentOfTheNumberOfThreads) {
 
 TEST_F(Tools, Float64IsStoredWhereFloat32IsTooCoarse) {
   const auto json = [&](const char* text) {
-    return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json"});
+    return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json", "--origin", "none"});
   };
   const auto store = [&](const char* text) { return json(text)["store"]; };
   const auto reason = [&](const char* text) { return json(text)["store_reason"]; };
@@ -769,6 +772,69 @@ TEST_F(Tools, Float64IsStoredWhereFloat32IsTooCoarse) {
   EXPECT_EQ(store("c 1 0 0 1 1.000000001 0 0 2\n"), "float64");
   EXPECT_EQ(reason("c 1 0 0 1 1.000000001 0 0 2\n"), "moved_cones");
   EXPECT_EQ(store("s 1000 0 0 16\n"), "float32");
+}
+
+TEST_F(Tools, InfoTellsTheOriginAndWhatItGains) {
+  const std::string text = nff("far.nff", "s 1000000 0 0 1\ns 1000000 6 0 1\n");
+  const std::string path = scene("far.scene", text, {});
+  for (const nlohmann::json& json :
+       {json_of("nff2bin", {text, "--info", "--json"}), json_of("nff2bin", {path, "--info", "--json"})}) {
+    EXPECT_EQ(json["store"], "float32");
+    EXPECT_EQ(json["origin"], (nlohmann::json{1000000, 3, 0}));
+    EXPECT_EQ(json["bounds"]["max"], (nlohmann::json{1000001, 7, 1}));
+    EXPECT_EQ(json["error_bound"], 4.0 * 128 / (1 << 24));
+    EXPECT_EQ(json["error_bound_without_origin"], 1000001.0 * 128 / (1 << 24));
+  }
+  const nlohmann::json given = json_of("nff2bin", {text, "--info", "--json", "--origin", "999999,-1,0"});
+  EXPECT_EQ(given["origin"], (nlohmann::json{999999, -1, 0}));
+}
+
+// A city of five kilometres in coordinates of a national grid: the hits and the picture are those at zero.
+TEST_F(Tools, ACityInSurveyCoordinatesIsAsExactAsAtZero) {
+  const auto city = [&](double east, double north) {
+    std::string text = fmt::format("v\nfrom {} {} 900\nat {} {} 0\nup 0 0 1\nangle 40\nhither 1\nresolution "
+                                   "64 64\nl {} {} 3000\nf 0.8 0.8 0.7 1 0 0 0 1\n",
+                                   east - 2600, north - 2600, east, north, east + 900, north - 2000);
+    const auto quad = [&](double x0, double y0, double z0, double x1, double y1, double z1, bool flat) {
+      text += "p 4\n";
+      for (const auto& [x, y, z] : flat ? std::array<std::array<double, 3>, 4>{{{x0, y0, z0},
+                                                                                {x1, y0, z0},
+                                                                                {x1, y1, z0},
+                                                                                {x0, y1, z0}}}
+                                        : std::array<std::array<double, 3>, 4>{
+                                              {{x0, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x0, y0, z1}}})
+        text += fmt::format("{:.2f} {:.2f} {:.2f}\n", east + x, north + y, z);
+    };
+    quad(-2500, -2500, 0, 2500, 2500, 0, true);
+    for (int i = 0; i < 400; ++i) { // centimetres that are binary fractions: exact wherever the city is
+      const double x = -2400 + 240 * (i % 20) + 0.25 * (i * 7 % 13),
+                   y = -2400 + 240 * (i / 20) + 0.5 * (i * 5 % 11), side = 20 + i % 9 * 8.25,
+                   high = 10 + i * 37 % 101 * 1.75;
+      quad(x, y, high, x + side, y + side, high, true);
+      quad(x, y, 0, x + side, y, high, false);
+      quad(x + side, y, 0, x + side, y + side, high, false);
+      quad(x + side, y + side, 0, x, y + side, high, false);
+      quad(x, y + side, 0, x, y, high, false);
+    }
+    return text;
+  };
+  constexpr double east = 4500000.25, north = 5300000.5;
+  const std::string there = scene("there.scene", nff("there.nff", city(east, north)), {});
+  const nlohmann::json info = json_of("nff2bin", {there, "--info", "--json"});
+  EXPECT_EQ(info["store"], "float32");
+  // At zero there would be none, but the same point among the blocks gives the same coordinates.
+  const auto origin = info["origin"].get<std::array<double, 3>>();
+  const std::string here =
+      scene("here.scene", nff("here.nff", city(0, 0)),
+            {"--origin", fmt::format("{},{},{}", origin[0] - east, origin[1] - north, origin[2])});
+  const auto picture = [&](const std::string& path, const char* name) {
+    const std::string grid_path = grid(std::string(name) + ".grid", path);
+    EXPECT_TRUE(succeeded(run("gridrender", {path, grid_path, "-o", file(std::string(name) + ".pfm"),
+                                             "--hits", file(std::string(name) + ".hits")})));
+    return std::pair(read_bytes(file(std::string(name) + ".pfm")),
+                     read_bytes(file(std::string(name) + ".hits")));
+  };
+  EXPECT_TRUE(picture(here, "here") == picture(there, "there"));
 }
 
 TEST_F(Tools, InfoTellsTheStoreAndWhatFloat32Rounds) {

@@ -32,7 +32,9 @@ void build_a_little(const SceneFile& scene, Overlap overlap, GridKind kind, cons
   options.kind = kind;
   options.target = 1;
   write_grid(build_grid(view, layout, overlap, options),
-             {scene.geometry_hash(), scene.primitive_count(), SpaceRule::tight, overlap, "5x4x3", ""}, path);
+             {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight, overlap,
+              "5x4x3", ""},
+             path);
 }
 inline void build_a_little(const SceneFile& scene, Overlap overlap, GridKind kind, const std::string& path) {
   scene.is_float64() ? build_a_little<double>(scene, overlap, kind, path)

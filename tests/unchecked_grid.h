@@ -14,7 +14,7 @@ inline testing::AssertionResult is_refused_by_tracer(Device device) {
   const std::string scene_path = folder.file("good.scene"), grid_path = folder.file("hostile.grid");
   write_scene(tiny_scene(), Store::float32, scene_path);
   const SceneFile scene(scene_path, residence);
-  write_grid(tiny_merged_grid(), tiny_grid_origin(scene.geometry_hash()), grid_path);
+  write_grid(tiny_merged_grid(), tiny_grid_provenance(scene.geometry_hash()), grid_path);
   GridParts parts(grid_path);
   parts.set(fb::GridSection::references, 0, static_cast<std::uint32_t>(scene.primitive_count()));
   parts.write(grid_path);

@@ -27,7 +27,8 @@ inline void add_precision(CLI::App& app, Precision& precision) {
       app, "--precision", precision, all_precisions,
       "arithmetic of intersection and traversal: fast (float32, textbook formulas, for comparison), robust "
       "(float32, watertight triangles, error-bounded), double, or auto: robust, and double where the "
-      "scene is stored in float64");
+      "scene is stored in float64, or of pictures where float32's errors may exceed a sixteenth of a pixel "
+      "at the nearest surface");
 }
 
 inline void add_first_cell_hit(CLI::App& app, StopRule& stop) {

@@ -1,5 +1,6 @@
 #include "tools/grid_report.h"
 
+#include "libgrid/cells.h"
 #include "tools/provenance.h"
 
 #include <nlohmann/json.hpp>
@@ -9,8 +10,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector_json(const fb::Vec3& v) {
-  return {v.x(), v.y(), v.z()};
+Json vector_json(const Vec3d& v) {
+  return {v.x, v.y, v.z};
 }
 
 // What only merged grids have; null for uniform ones, so that every report has the same keys.
@@ -54,10 +55,11 @@ Json grid_report(const GridFile& file, const Statistics& statistics, bool histog
   const MapStatistics& map = statistics.map;
   const fb::Grid& table = file.table();
   const fb::Division& n = *table.division();
+  const Boxd space = finest_layout(file).space;
   const Vec3i& smallest = statistics.division;
   const auto bytes = [](const auto& records) { return records.size_bytes(); };
   Json json{
-      {"space", {{"min", vector_json(table.space()->min())}, {"max", vector_json(table.space()->max())}}},
+      {"space", {{"min", vector_json(space.min)}, {"max", vector_json(space.max)}}},
       {"division", {n.x(), n.y(), n.z()}},
       {"smallest_division", {smallest.x, smallest.y, smallest.z}},
       {"voxels", map.voxels},

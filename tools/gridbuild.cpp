@@ -61,11 +61,11 @@ void build(const Settings& settings, const SceneFile& file) {
   const auto builder =
       settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
   const Stopwatch watch;
-  auto [grid, origin] = build_grid(*builder, file.bounds(), file.geometry_hash(), settings.options);
+  auto [grid, made] = build_grid(*builder, file.bounds(), file.geometry_hash(), settings.options);
   progress.reset();
   const double seconds = watch.seconds();
-  if (settings.record_seconds) origin.build_seconds = seconds;
-  write_grid(grid, origin, settings.output);
+  if (settings.record_seconds) made.build_seconds = seconds;
+  write_grid(grid, made, settings.output);
   if (grid.kind == GridKind::hierarchy)
     return report_hierarchy(settings, file, hierarchy_statistics(grid.nodes), seconds, watch.seconds());
   const Vec3i n = grid.layout.division;
@@ -133,9 +133,9 @@ int main(int argc, char** argv) {
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
         app.add_option("-o,--output", settings.output, "grid file")->required();
         app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
-        add_choice(app, "--space", settings.options.space,
-                   {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
-                   "what is divided: tight (the objects' bounds) or cube (the smallest about the origin)");
+        add_choice(
+            app, "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
+            "what is divided: tight (the objects' bounds) or cube (the smallest about the local origin)");
         add_choice(
             app, "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");

@@ -35,6 +35,7 @@ struct Settings {
   Sampling sampling = Sampling::corners;
   HitName hit_name = HitName::object;
   Store ray_store = Store::automatic;
+  bool relative = false; // rays, to the scene's origin
   int depth = 5, repeat = 1, ray_numbers = 6;
   bool any_hit = false, spd_rules = false, hither = false, srgb = false, brute_force = false, quiet = false;
   Inspection inspection;
@@ -85,7 +86,7 @@ std::string usual_fields(const Settings& settings) {
 RayFormat ray_format(const Settings& settings) {
   const bool is_float64 = settings.ray_store == Store::automatic ? settings.rays.ends_with(".f64")
                                                                  : settings.ray_store == Store::float64;
-  return {is_float64, settings.ray_numbers};
+  return {is_float64, settings.ray_numbers, settings.relative};
 }
 
 // The files beside outputs while several processes or runs make them; the first one names the journals.
@@ -149,7 +150,7 @@ void check(const Settings& settings, const Sharing& sharing) {
 
 // Throws Error(usage, option, …) for a camera that can't see, Error(input) for a list with such a one.
 std::vector<View> views_of(const Settings& settings, const SceneFile& scene) {
-  const double reach = scene.is_float64() ? 1e100 : 1e12; // as of scene files
+  const Boxd places = camera_places(scene);
   const auto vector = [](const char* option, const std::string& text) {
     return text.empty() ? std::optional<Vec3d>() : parse_vector(option, text);
   };
@@ -159,9 +160,9 @@ std::vector<View> views_of(const Settings& settings, const SceneFile& scene) {
                                                                          settings.angle,
                                                                          {}});
   // The lines of a list may give what is missing yet.
-  if (!settings.views.empty()) return read_views(settings.views, camera, reach);
+  if (!settings.views.empty()) return read_views(settings.views, camera, places);
   if (changes_camera(settings)) {
-    if (const auto fault = fault_of(camera, reach))
+    if (const auto fault = fault_of(camera, places))
       throw Error(ErrorCode::usage, std::string("--") + fault->part, fault->what);
   }
   return settings.turntable > 0 ? turntable(camera, settings.turntable) : std::vector<View>{{"0", camera}};
@@ -191,10 +192,8 @@ std::vector<ViewFiles> files_of(const Settings& settings, const std::vector<View
 
 // What a picture's bytes depend on besides its view. Neither the grid nor the device is among it.
 PngTexts picture_texts(const Settings& settings, const SceneFile& scene) {
-  const char* const precisions[] = {"auto", "fast", "robust", "double"};
   std::string options =
-      fmt::format("--precision {} --sampling {} --depth {}",
-                  precisions[static_cast<int>(resolved(settings.tracing.precision, scene))],
+      fmt::format("--precision {} --sampling {} --depth {}", name_of(settings.tracing.precision),
                   settings.sampling == Sampling::corners ? "corners" : "centers", settings.depth);
   if (settings.tracing.stop == StopRule::first_cell) options += " --first-cell-hit";
   if (settings.spd_rules) options += " --spd-rules";
@@ -232,11 +231,12 @@ std::string run_description(const Tracer& tracer, const Settings& settings, cons
   std::string text = program_name();
   for (const auto& [keyword, value] : picture_texts(settings, tracer.scene()))
     text += "\n" + value;
-  return text + fmt::format("\n{} counts {} names {} format {} write {} any hit {} rays {} {}",
-                            tracer.device() == Device::cuda ? "cuda" : "cpu", tracing.count,
-                            static_cast<int>(settings.hit_name), static_cast<int>(settings.format),
-                            settings.write, settings.any_hit, settings.ray_numbers,
-                            static_cast<int>(settings.ray_store));
+  return text +
+         fmt::format("\n{} counts {} names {} format {} write {} any hit {} rays {} {}",
+                     tracer.device() == Device::cuda ? "cuda" : "cpu", tracing.count,
+                     static_cast<int>(settings.hit_name), static_cast<int>(settings.format), settings.write,
+                     settings.any_hit, settings.ray_numbers, static_cast<int>(settings.ray_store)) +
+         (settings.relative ? " relative" : "");
 }
 
 struct Outcome {
@@ -296,12 +296,34 @@ bool wants_picture(const Settings& settings) {
          !settings.stats.empty() || !settings.times.empty();
 }
 
+// What Precision::automatic came to.
+std::string precision_text(const Outcome& outcome) {
+  const std::optional<ViewPrecision>& chosen = outcome.report.precision;
+  if (!chosen) return "";
+  const std::uint64_t doubled = outcome.report.double_views;
+  return doubled == 0 || doubled == outcome.views
+             ? ", " + description_of(*chosen)
+             : fmt::format(", {} of the views in {}", doubled, description_of(*chosen));
+}
+
 void print_summary(const Outcome& outcome, const std::string& device) {
   const double seconds = outcome.rays_seconds;
   const std::uint64_t rays = outcome.report.totals.rays;
-  print_note("gridrender: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}\n",
+  print_note("gridrender: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}{}\n",
              outcome.views > 1 ? fmt::format("{} views, ", outcome.views) : "", rays, seconds,
-             outcome.besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device);
+             outcome.besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device,
+             precision_text(outcome));
+}
+
+Json precision_json(const Outcome& outcome, Precision wanted) {
+  const std::optional<ViewPrecision>& chosen = outcome.report.precision;
+  if (!chosen) return {{"precision", name_of(wanted)}};
+  const std::uint64_t doubled = outcome.report.double_views;
+  return {{"precision", doubled == 0               ? "robust"
+                        : doubled == outcome.views ? "double"
+                                                   : "robust and double"},
+          {"double_views", doubled},
+          {"precision_reason", description_of(*chosen)}};
 }
 
 void render(const Settings& settings, Ranks& ranks) {
@@ -364,6 +386,7 @@ void render(const Settings& settings, Ranks& ranks) {
                {"scene_hash", to_hex(scene.hash())},
                {"grid_hash", grid ? Json(to_hex(grid->hash())) : Json()},
                {"views", outcome.views}});
+  head.update(precision_json(outcome, resolved(tracing.precision, scene)));
   const Json times{{"seconds", seconds_json(seconds)}};
   const auto merged = [](Json json, const std::initializer_list<Json>& more) {
     for (const Json& part : more)
@@ -442,6 +465,8 @@ int main(int argc, char** argv) {
                        "direction, tmax)")
             ->check(CLI::IsMember(std::set<int>{6, 8}))
             ->capture_default_str();
+        app.add_flag("--relative", settings.relative,
+                     "the rays of --rays are relative to the scene's local origin, and not in the world");
         add_choice(app, "--ray-store", settings.ray_store,
                    {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
                    "type of the numbers in the file of --rays; auto: float64 where its name ends in .f64");

@@ -1,5 +1,6 @@
 #include "tools/hierarchy_report.h"
 
+#include "libgrid/cells.h"
 #include "libgrid/hierarchy_statistics.h"
 #include "tools/flat_csv.h"
 #include "tools/printable.h"
@@ -17,9 +18,10 @@ using Json = nlohmann::ordered_json;
 
 Json report(const GridFile& file, const HierarchyStatistics& s) {
   const fb::Grid& table = file.table();
-  const auto vector = [](const fb::Vec3& v) { return Json{v.x(), v.y(), v.z()}; };
+  const Boxd space = finest_layout(file).space;
+  const auto vector = [](const Vec3d& v) { return Json{v.x, v.y, v.z}; };
   Json json{{"merge", "bvh"},
-            {"space", {{"min", vector(table.space()->min())}, {"max", vector(table.space()->max())}}},
+            {"space", {{"min", vector(space.min)}, {"max", vector(space.max)}}},
             {"primitives", table.primitives()},
             {"nodes", s.nodes},
             {"boxes_a_node", s.boxes_a_node},

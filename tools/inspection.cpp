@@ -4,12 +4,12 @@
 #include "libscene/file/output_file.h"
 #include "renderer/walk_report.h"
 #include "tools/difference.h"
+#include "tools/number_list.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 #include "tools/walk_text.h"
 
 #include <array>
-#include <charconv>
 #include <unordered_set>
 
 namespace masu {
@@ -18,23 +18,6 @@ namespace {
 // Of a walk that is printed: all of it, or an error. A ray's own walk is no larger than the grid and its
 // lists, but rays may double in number with each depth.
 constexpr std::size_t most_walk_rays = 32768;
-
-// Numbers with commas between them.
-template <class Number, std::size_t count>
-std::array<Number, count> parse_numbers(const char* option, const std::string& text, const char* form) {
-  std::array<Number, count> numbers{};
-  const char* next = text.data();
-  const char* const end = next + text.size();
-  const auto fail = [&] { throw Error(ErrorCode::usage, option, fmt::format("'{}' isn't {}", text, form)); };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0 && (next == end || *next++ != ',')) fail();
-    const auto [stop, error] = std::from_chars(next, end, numbers[i]);
-    if (error != std::errc()) fail();
-    next = stop;
-  }
-  if (next != end) fail();
-  return numbers;
-}
 
 // To standard output, or to the file of --json=FILE.
 void write_text(const std::string& text, const std::string& path) {
@@ -113,14 +96,16 @@ ChannelsRequest Inspection::channels_request(const FrameRequest& frame) const {
 }
 
 void print_walk(const Inspection& inspection, const Tracer& tracer, const FrameRequest& request) {
-  WalkRequest walk{request.tracing, {}, inspection.all_rays, request.rules};
+  WalkRequest walk{request.tracing};
   if (!inspection.walk.empty()) {
     const auto pixel = parse_numbers<std::int32_t, 2>("--walk", inspection.walk, "X,Y");
-    walk.ray = camera_ray_of(tracer, request, pixel[0], pixel[1]);
+    walk = camera_walk(tracer, request, pixel[0], pixel[1]);
   } else {
     const auto n = parse_numbers<double, 6>("--walk-ray", inspection.walk_ray, "X,Y,Z,DX,DY,DZ");
     walk.ray = unbounded_ray<double>({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
   }
+  walk.all_rays = inspection.all_rays;
+  walk.rules = request.rules;
   walk.limits.rays = most_walk_rays;
   walk.limits.counted = 0;
   const WalkReport report = trace_walk(tracer, walk);

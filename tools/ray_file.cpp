@@ -91,7 +91,8 @@ void RayFile::read_npy_head() {
   if (!array || array->shape.size() != 2 || (array->type != "<f4" && array->type != "<f8") ||
       (array->shape[1] != 6 && array->shape[1] != 8))
     stream_.fail("isn't a NumPy array of rays: float32 or float64, in C order, of shape (N, 6) or (N, 8)");
-  format_ = {array->type == "<f8", static_cast<int>(array->shape[1])};
+  format_.is_float64 = array->type == "<f8";
+  format_.numbers = static_cast<int>(array->shape[1]);
   expected_ = array->shape[0];
 }
 
@@ -101,7 +102,8 @@ void RayFile::read_names() {
     first_byte_ = csv_->read_names(text_, is_all_);
   } while (first_byte_ == 0);
   text_.erase(0, first_byte_);
-  format_ = {true, csv_->numbers()};
+  format_.is_float64 = true;
+  format_.numbers = csv_->numbers();
 }
 
 // --- From the start to the end -----------------------------------------------------------------------------

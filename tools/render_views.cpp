@@ -176,7 +176,8 @@ public:
                 const Sharing& sharing, const std::function<void(double)>& progress)
       : tracer_(tracer), request_(request), layout_(layout), sharing_(sharing), progress_(progress),
         shared_(sharing.in_parts() ? std::make_optional<SharedFiles>(request, layout) : std::nullopt),
-        tasks_(sharing, task_list_of(request, layout, shared_)), outputs_(request.views.size()) {}
+        tasks_(sharing, task_list_of(request, layout, shared_)), outputs_(request.views.size()),
+        precisions_(request.views.size()) {}
 
   // The next task's, or nothing.
   std::shared_ptr<RenderedTask> trace(std::size_t device) {
@@ -186,6 +187,7 @@ public:
     const PictureBands& bands = layout_.bands[view];
     FrameRequest frame = request_.frame;
     frame.camera = request_.views[view].camera;
+    frame.tracing.precision = precision_of(view, frame);
     frame.window = bands.rays(band);
     frame.count_last_row = bands.is_last(band) || frame.sampling == Sampling::centers;
     // A process on the CPU traces tasks one by one, and that takes the time.
@@ -249,10 +251,34 @@ public:
     report_.tasks = layout_.tasks;
     report_.totals = tasks_.totals();
     sum_up(sharing_.ranks, report_);
+    if (request_.frame.tracing.precision == Precision::automatic) report_precisions();
     return report_;
   }
 
 private:
+  // That of all bands of a view.
+  Precision precision_of(std::size_t view, const FrameRequest& frame) {
+    if (frame.tracing.precision != Precision::automatic) return frame.tracing.precision;
+    ChosenPrecision& chosen = precisions_[view];
+    std::call_once(chosen.once, [&] { chosen.view = view_precision(tracer_, frame); });
+    return chosen.view->precision;
+  }
+
+  // Collective. Of several ranks some may have chosen for the same view.
+  void report_precisions() {
+    std::vector<std::uint64_t> doubled(precisions_.size());
+    for (std::size_t view = 0; view < precisions_.size(); ++view) {
+      const std::optional<ViewPrecision>& chosen = precisions_[view].view;
+      if (!chosen) continue;
+      doubled[view] = chosen->precision == Precision::doubled ? 1 : 0;
+      if (!report_.precision || (report_.precision->precision == Precision::robust && doubled[view] == 1))
+        report_.precision = chosen;
+    }
+    sharing_.ranks.sum(doubled);
+    report_.double_views = static_cast<std::uint64_t>(
+        std::ranges::count_if(doubled, [](std::uint64_t ranks) { return ranks > 0; }));
+  }
+
   ImageOptions image_of(std::size_t view) const {
     ImageOptions image = request_.image;
     image.texts.emplace_back("View", description(request_.views[view].camera, request_.frame));
@@ -292,8 +318,14 @@ private:
   TaskList tasks_;
   std::mutex mutex_; // of what follows
   std::vector<Output> outputs_;
+  struct ChosenPrecision {
+    std::once_flag once;
+    std::optional<ViewPrecision> view;
+  };
+
   std::vector<Frame> spare_frames_; // together with those under way as many as tasks may be
   TracingReport report_;
+  std::vector<ChosenPrecision> precisions_; // of each view
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "tools/scene_report.h"
 
 #include "libscene/file/output_file.h"
+#include "libscene/geometry/margin.h"
+#include "tools/number_list.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
 
@@ -24,7 +26,8 @@ struct Report {
   std::uint64_t faces = 0;          // records: of the triangles, where their faces have other numbers
   std::uint64_t materials = 0, reflecting = 0, transmitting = 0, lights = 0;
   std::int32_t width = 0, height = 0;
-  Boxd bounds = empty_box<double>();
+  Vec3d origin{0, 0, 0};
+  Boxd bounds = empty_box<double>(); // in the world
   bool is_float64 = false;
   Float32Precision float32;                // what float32 would do to it, or did
   bool is_rounded = false;                 // to float32 already: by how much isn't known
@@ -44,8 +47,9 @@ std::uint64_t count_smooth(const Triangles& triangles) {
                     [](const auto& triangle) { return triangle.normals != no_normals; }));
 }
 
-Report report_of(const Scene& scene, Store store, const Float32Precision& float32) {
+Report report_of(const Scene& scene, const Vec3d& origin, Store store, const Float32Precision& float32) {
   Report report;
+  report.origin = origin;
   report.objects = scene.objects;
   report.triangles = scene.triangles.size();
   report.smooth = count_smooth(scene.triangles);
@@ -86,7 +90,8 @@ Report report_of(const SceneFile& file) {
   report.lights = view.light_count;
   report.width = table.camera()->width();
   report.height = table.camera()->height();
-  report.bounds = file.bounds();
+  report.origin = file.origin();
+  report.bounds = in_world(file.origin(), file.bounds());
   report.is_float64 = file.is_float64();
   report.float32 = float32_precision(spans);
   report.is_rounded = !file.is_float64();
@@ -125,8 +130,8 @@ Reason reason_against(const Float32Precision& p) {
     return {"out_of_range",
             fmt::format("float32 takes coordinates from {:g} to {:g}", min_float32_reach, max_float32_reach)};
   if (p.is_far())
-    return {"far_from_origin", fmt::format("with float32 arithmetic surfaces may be {:.2g} off, and the "
-                                           "scene is {:.2g} across",
+    return {"far_from_origin", fmt::format("with float32 arithmetic, so far from its origin, surfaces may be "
+                                           "{:.2g} off, and the scene is {:.2g} across",
                                            p.margin, p.across)};
   if (p.standing_alone > 0)
     return {"small_parts", fmt::format("with float32 arithmetic surfaces may be {:.2g} off, and {} part(s) "
@@ -156,9 +161,20 @@ std::string rounding_text(const Report& r) {
 
 // --- Output ---------------------------------------------------------------------------------------------
 
+Json vector_json(const Vec3d& v) {
+  return {v.x, v.y, v.z};
+}
+
 Json bounds_json(const Boxd& box) {
   if (is_empty(box)) return nullptr;
-  return {{"min", {box.min.x, box.min.y, box.min.z}}, {"max", {box.max.x, box.max.y, box.max.z}}};
+  return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
+}
+
+// The error bound of the arithmetic that fits the store, with coordinates relative to an origin.
+double error_bound(const Report& r, const Vec3d& origin) {
+  if (is_empty(r.bounds)) return 0;
+  const Boxd box = relative_to(origin, r.bounds);
+  return r.is_float64 ? rounding_margin<double>(box) : rounding_margin<float>(box);
 }
 
 Json float32_json(const Report& r) {
@@ -198,6 +214,9 @@ Json to_json(const Report& r) {
       {"lights", r.lights},
       {"resolution", {r.width, r.height}},
       {"bounds", bounds_json(r.bounds)},
+      {"origin", vector_json(r.origin)},
+      {"error_bound", error_bound(r, r.origin)},
+      {"error_bound_without_origin", error_bound(r, {0, 0, 0})},
       {"store", store_name(r)},
       {"store_reason", reason_for(r).name},
       {"float32", float32_json(r)},
@@ -236,6 +255,11 @@ void print_table(const Report& r) {
   line("bounds", is_empty(b) ? "none"
                              : fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", b.min.x, b.min.y,
                                            b.min.z, b.max.x, b.max.y, b.max.z));
+  const std::string bound = fmt::format("error bound {:.2g}", error_bound(r, r.origin));
+  line("origin", r.origin == Vec3d{0, 0, 0}
+                     ? fmt::format("none: {}", bound)
+                     : fmt::format("({:.17g}, {:.17g}, {:.17g}): {}, without it {:.2g}", r.origin.x,
+                                   r.origin.y, r.origin.z, bound, error_bound(r, {0, 0, 0})));
   line("store", fmt::format("{}: {}", store_name(r), reason_for(r).text));
   if (const std::string rounding = rounding_text(r); !rounding.empty())
     line(r.is_float64 ? "  float32" : "  rounding", rounding);
@@ -262,6 +286,12 @@ void print_warnings(const char* tool, const std::string& input, const SceneWarni
   line(warnings.self_crossing_polygons, "polygon(s) cross themselves: triangulated as well as possible");
 }
 
+// Of --origin; nothing for auto. Throws Error(usage).
+std::optional<Vec3d> wanted_origin(const std::string& text) {
+  if (text == "auto") return {};
+  return text == "none" ? Vec3d{0, 0, 0} : parse_vector("--origin", text);
+}
+
 } // namespace
 
 void SceneOutput::add_to(CLI::App& app) {
@@ -269,6 +299,12 @@ void SceneOutput::add_to(CLI::App& app) {
   add_choice(app, "--store", store,
              {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
              "number type of coordinates; auto: float32 unless its arithmetic is too coarse for the scene");
+  app.add_option(
+         "--origin", origin,
+         "the point that coordinates are stored relative to, so that errors follow the scene's extent "
+         "and not its place: auto (the bounds' centre, or zero where that is nearer than half their "
+         "diagonal), none (zero) or X,Y,Z")
+      ->capture_default_str();
   auto* const info_option =
       app.add_flag("--info", info, "print the numbers of objects and primitives, bounds, store and memory");
   app.add_flag("--json", json, "print --info as JSON")->needs(info_option);
@@ -279,17 +315,19 @@ void SceneOutput::check() const {
     throw Error(ErrorCode::usage, "command line", "nothing to do: give -o FILE, --info or both");
   if (info && is_standard_output(path))
     throw Error(ErrorCode::usage, "--info", "would be mixed with the scene on standard output: name a file");
+  static_cast<void>(wanted_origin(origin));
 }
 
 void write_and_report(const char* tool, const std::string& input, const Scene& scene,
                       const SceneOutput& output) {
   print_warnings(tool, input, scene.warnings);
-  const Float32Precision float32 = float32_precision(scene);
+  const Vec3d origin = origin_for(scene, wanted_origin(output.origin), "--origin");
+  const Float32Precision float32 = float32_precision(scene, origin);
   const Store store = resolved(output.store, float32);
   Report report;
-  if (output.info) report = report_of(scene, store, float32);
+  if (output.info) report = report_of(scene, origin, store, float32);
   if (!output.path.empty()) {
-    report.geometry_hash = write_scene(scene, store, output.path);
+    report.geometry_hash = write_scene(scene, store, output.path, origin);
     std::error_code failed; // where the output is a pipe
     const std::uint64_t bytes = std::filesystem::file_size(output.path, failed);
     if (!failed) report.file_bytes = bytes;

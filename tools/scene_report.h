@@ -14,9 +14,10 @@ namespace masu {
 struct SceneOutput {
   std::string path; // empty: no file is written
   Store store = Store::automatic;
+  std::string origin = "auto"; // auto, none or X,Y,Z
   bool info = false, json = false;
 
-  // --output, --store, --info, --json.
+  // --output, --store, --origin, --info, --json.
   void add_to(CLI::App& app);
   // Throws Error(usage) where there is nothing to do.
   void check() const;

@@ -1,8 +1,10 @@
 // What a run of gridrender took, of all its tasks and ranks together.
 #pragma once
 
-#include "renderer/tracer.h"
+#include "renderer/view_precision.h"
 #include "tools/task_list.h"
+
+#include <optional>
 
 namespace masu {
 
@@ -13,6 +15,10 @@ struct TracingReport {
   TraceSeconds seconds;
   double write_seconds = 0;
   double elapsed_seconds = 0; // from the first ray to the last byte
+  // Of pictures with Precision::automatic: how many views were traced in double, and why a view was, if any
+  // of this process.
+  std::uint64_t double_views = 0;
+  std::optional<ViewPrecision> precision{};
 };
 
 // Collective: adds the ranks' seconds and totals.

@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -21,20 +21,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::int32_t largest_side = 65536; // pixels
-
-// `text` as numbers with `separator` between them; false where it isn't so many.
-template <class Number, std::size_t count>
-bool read_numbers(std::string_view text, char separator, std::array<Number, count>& numbers) {
-  const char* next = text.data();
-  const char* const end = next + text.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i > 0 && (next == end || *next++ != separator)) return false;
-    const auto [stop, error] = std::from_chars(next, end, numbers[i]);
-    if (error != std::errc()) return false;
-    next = stop;
-  }
-  return next == end;
-}
 
 [[noreturn]] void fail(ErrorCode code, const std::string& place, const std::string& message) {
   throw Error(code, place, message);
@@ -114,14 +100,16 @@ Camera changed(Camera camera, const CameraChange& change) {
   return camera;
 }
 
-std::optional<CameraFault> fault_of(const Camera& camera, double reach) {
+std::optional<CameraFault> fault_of(const Camera& camera, const Boxd& places) {
   constexpr double shortest = 1e-100, nearly_parallel = 1e-12;
-  const auto is_within = [&](const Vec3d& v) { // not NaN either
-    return std::abs(v.x) <= reach && std::abs(v.y) <= reach && std::abs(v.z) <= reach;
-  };
-  for (const auto& [part, v] : {std::pair("from", camera.from), {"at", camera.at}, {"up", camera.up}}) {
-    if (!is_within(v))
-      return CameraFault{part, fmt::format("has a coordinate that isn't within ±{:g}", reach)};
+  constexpr Boxd finite{{-1e100, -1e100, -1e100}, {1e100, 1e100, 1e100}};
+  for (const auto& [part, v, within] :
+       {std::tuple("from", camera.from, places), {"at", camera.at, places}, {"up", camera.up, finite}}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(v[axis] >= within.min[axis] && v[axis] <= within.max[axis])) // not NaN either
+        return CameraFault{part, fmt::format("has a coordinate that isn't from {:g} to {:g}",
+                                             within.min[axis], within.max[axis])};
+    }
   }
   if (!(camera.angle > 0 && camera.angle < 180))
     return CameraFault{"angle",
@@ -134,10 +122,10 @@ std::optional<CameraFault> fault_of(const Camera& camera, double reach) {
   return {};
 }
 
-Vec3d parse_vector(const char* option, const std::string& text) {
-  std::array<double, 3> v{};
-  if (!read_numbers(text, ',', v)) fail(ErrorCode::usage, option, fmt::format("'{}' isn't X,Y,Z", text));
-  return {v[0], v[1], v[2]};
+Boxd camera_places(const SceneFile& scene) {
+  const double reach = scene.is_float64() ? 1e100 : max_float32_reach; // as of scene files
+  const Vec3d& o = scene.origin();
+  return {{o.x - reach, o.y - reach, o.z - reach}, {o.x + reach, o.y + reach, o.z + reach}};
 }
 
 Crop parse_crop(const char* option, const std::string& text) {
@@ -157,25 +145,26 @@ RayWindow window_of(const Crop& crop, const Camera& camera, Sampling sampling, c
   return {crop.x, crop.y, crop.width + more, crop.height + more};
 }
 
-std::vector<View> read_views(const std::string& path, const Camera& base, double reach) {
-  return parse_views(read_text_input(path), path == "-" ? "stdin" : path, base, reach);
+std::vector<View> read_views(const std::string& path, const Camera& base, const Boxd& places) {
+  return parse_views(read_text_input(path), path == "-" ? "stdin" : path, base, places);
 }
 
 std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
-                              double reach) {
+                              const Boxd& places) {
   std::istringstream in(text);
   in.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
   std::vector<View> views;
-  std::vector<std::string> places;
+  std::vector<std::string> lines;
   std::string content;
   for (std::size_t number = 1; std::getline(in, content); ++number) {
     if (content.find_first_not_of(" \t\r") == std::string::npos) continue;
     const Line line = parsed(content, fmt::format("{}:{}", name, number));
     const Camera camera = changed(
         base, {line.vector("from"), line.vector("at"), line.vector("up"), line.number("angle"), line.size()});
-    if (const auto fault = fault_of(camera, reach)) line.fail(fmt::format("{} {}", fault->part, fault->what));
+    if (const auto fault = fault_of(camera, places))
+      line.fail(fmt::format("{} {}", fault->part, fault->what));
     views.push_back({line.name().value_or(""), camera});
-    places.push_back(line.place);
+    lines.push_back(line.place);
   }
   if (views.empty()) fail(ErrorCode::input, name, "has no view: give a JSON object a line");
   std::unordered_map<std::string, std::size_t> known; // names
@@ -183,9 +172,9 @@ std::vector<View> parse_views(const std::string& text, const std::string& name, 
     if (views[i].name.empty()) views[i].name = index_name(i, views.size());
     const auto [first, is_new] = known.emplace(views[i].name, i);
     if (!is_new)
-      fail(ErrorCode::input, places[i],
+      fail(ErrorCode::input, lines[i],
            fmt::format("name '{}' is that of {}: give each view a name of its own", views[i].name,
-                       places[first->second]));
+                       lines[first->second]));
   }
   return views;
 }

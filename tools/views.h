@@ -2,8 +2,9 @@
 // pictures.
 #pragma once
 
-#include "libscene/scene.h"
+#include "libscene/file/scene_file.h"
 #include "renderer/camera.h"
+#include "tools/number_list.h"
 
 #include <optional>
 #include <string>
@@ -25,11 +26,11 @@ struct CameraFault {
   const char* part;
   std::string what;
 };
-// Coordinates beyond `reach` are faults, since the arithmetic couldn't hold them.
-std::optional<CameraFault> fault_of(const Camera& camera, double reach);
+// Points outside `places` are faults.
+std::optional<CameraFault> fault_of(const Camera& camera, const Boxd& places);
 
-// X,Y,Z. Throws Error(usage, option, …).
-Vec3d parse_vector(const char* option, const std::string& text);
+// Where a scene's cameras can be so that the arithmetic holds their coordinates.
+Boxd camera_places(const SceneFile& scene);
 
 // X,Y,W,H: pixels of a picture, from its top left corner.
 struct Crop {
@@ -49,10 +50,10 @@ struct View {
 // What a line leaves out is the base's, a missing name the view's index. - is standard input. Throws
 // Error(input, "path:line", …) for whatever isn't such an object, for a camera with a fault, and for a name
 // that isn't safe in a file name or that another view has.
-std::vector<View> read_views(const std::string& path, const Camera& base, double reach);
+std::vector<View> read_views(const std::string& path, const Camera& base, const Boxd& places);
 // The same from a text; `name` is its path in errors.
 std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
-                              double reach);
+                              const Boxd& places);
 
 // `count` views from a circle around the axis through `at` along `up`, the first one from where the camera
 // is, counterclockwise as seen from above. Names are indices.

@@ -128,9 +128,13 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
     return builder.build(layout_for(kind), options.overlap, of_kind(kind, options.grid));
   };
   DescribedGrid result{built(), {}};
-  result.origin = {geometry_hash,         builder.scene().primitive_count(),
-                   options.space,         options.overlap,
-                   options.division.text, merge_text(result.grid, options.grid)};
+  result.provenance = {geometry_hash,
+                       builder.scene().primitive_count(),
+                       builder.scene().origin,
+                       options.space,
+                       options.overlap,
+                       options.division.text,
+                       merge_text(result.grid, options.grid)};
   return result;
 }
 template DescribedGrid build_grid(GridBuilder<float>&, const Boxd&, const Hash&, const BuildOptions&);

@@ -8,7 +8,7 @@ namespace masu {
 
 struct DescribedGrid {
   Grid grid;
-  GridOrigin origin; // for its file
+  GridProvenance provenance; // for its file
 };
 
 // A grid of the builder's scene; `bounds` are those of all its primitives, `geometry_hash` its file's.

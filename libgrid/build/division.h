@@ -64,7 +64,7 @@ DivisionStatistics division_statistics(const SceneView<Stored>& scene);
 double expected_references(const SurfaceSums& sums, const GridLayout& layout);
 
 // The box that is divided, its padding included, in numbers that Real holds: the tight one around `bounds`
-// (that of all primitives), or the smallest cube about the origin that holds it.
+// (that of all primitives), or the smallest cube about the local origin that holds it.
 template <class Real>
 Boxd space_of(const Boxd& bounds, SpaceRule rule);
 

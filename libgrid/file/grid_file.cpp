@@ -1,6 +1,7 @@
 #include "libgrid/file/grid_file.h"
 
 #include "libscene/error.h"
+#include "libscene/local_origin.h"
 
 #include <array>
 #include <cmath>
@@ -13,23 +14,26 @@ std::uint32_t number(fb::GridSection section) {
   return static_cast<std::uint32_t>(section);
 }
 
-std::vector<std::uint8_t> grid_table(const Grid& grid, const GridOrigin& origin,
+std::vector<std::uint8_t> grid_table(const Grid& grid, const GridProvenance& provenance,
                                      const std::vector<fb::Section>& section_layout) {
   flatbuffers::FlatBufferBuilder builder;
   const auto sections = builder.CreateVectorOfStructs(section_layout);
-  const auto rule = builder.CreateString(origin.division_rule);
-  const auto merge_rule = builder.CreateString(origin.merge_rule);
-  const fb::Hash geometry_hash(origin.geometry_hash.low, origin.geometry_hash.high);
+  const auto rule = builder.CreateString(provenance.division_rule);
+  const auto merge_rule = builder.CreateString(provenance.merge_rule);
+  const fb::Hash geometry_hash(provenance.geometry_hash.low, provenance.geometry_hash.high);
   const Boxd& s = grid.layout.space;
   const fb::Box space({s.min.x, s.min.y, s.min.z}, {s.max.x, s.max.y, s.max.z});
+  const Vec3d& at = provenance.origin;
+  const fb::Vec3 origin(at.x, at.y, at.z);
   const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.layout.division);
   const fb::Division division(n.x, n.y, n.z);
-  builder.Finish(fb::CreateGrid(
-      builder, &geometry_hash, origin.primitives, &space, grid.layout.margin, &division,
-      static_cast<std::uint32_t>(grid.block_log2), static_cast<std::uint32_t>(grid.nested_log2),
-      origin.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
-      origin.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
-      static_cast<fb::Merge>(grid.kind), rule, merge_rule, origin.build_seconds, sections));
+  builder.Finish(fb::CreateGrid(builder, &geometry_hash, provenance.primitives, &space, grid.layout.margin,
+                                &division, static_cast<std::uint32_t>(grid.block_log2),
+                                static_cast<std::uint32_t>(grid.nested_log2),
+                                provenance.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
+                                provenance.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
+                                static_cast<fb::Merge>(grid.kind), rule, merge_rule, provenance.build_seconds,
+                                sections, at == Vec3d{0, 0, 0} ? nullptr : &origin));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -77,7 +81,7 @@ MergedGridView<Real> view_of(const GridLayout& layout, std::int32_t nested_log2,
 
 } // namespace
 
-void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path) {
+void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path) {
   const std::array sections{
       section_data(number(fb::GridSection::voxel_map), std::span(grid.voxel_map)),
       section_data(number(fb::GridSection::cells), std::span(grid.cells)),
@@ -85,7 +89,8 @@ void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& p
       section_data(number(fb::GridSection::nodes), std::span(grid.nodes)),
   };
   const auto section_layout = lay_out(sections);
-  write_container(path, grid_file_kind, grid_table(grid, origin, section_layout), sections, section_layout);
+  write_container(path, grid_file_kind, grid_table(grid, provenance, section_layout), sections,
+                  section_layout);
 }
 
 GridFile::GridFile(const std::string& path, Residence residence) : GridFile(path, residence, Stopwatch()) {}
@@ -101,6 +106,7 @@ GridFile::GridFile(const std::string& path, Residence residence, const Stopwatch
   const fb::Division& n = *table_->division();
   check(axis_good(n.x()) && axis_good(n.y()) && axis_good(n.z()), "its division is impossible");
   check(is_divisible(*table_->space()), "its space is impossible");
+  check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
   check(table_->block_log2() <= 5, "its blocks are impossible");
   check(is_aligned(sections()), "its table is damaged");
   container_.read_sections(sections());
@@ -139,6 +145,10 @@ void GridFile::check_sizes() const {
            (block_log2 > 0 || words == blocks);
   }
   check(good, "its voxel map has the wrong size");
+}
+
+Vec3d GridFile::origin() const {
+  return table_->origin() != nullptr ? vector_of(*table_->origin()) : Vec3d{0, 0, 0};
 }
 
 GridLayout GridFile::layout() const {

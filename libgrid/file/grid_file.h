@@ -16,9 +16,10 @@ inline constexpr FileKind grid_file_kind{
     {'M', 'A', 'S', 'U', 'G', 'R', 'D', '\0'}, 4, "grid", "build it again with gridbuild"};
 
 // How a grid came about, as its file tells it.
-struct GridOrigin {
+struct GridProvenance {
   Hash geometry_hash; // the scene's (scene_file.h)
   std::uint64_t primitives;
+  Vec3d origin; // likewise: where it is in the world (local_origin.h)
   SpaceRule space_rule;
   Overlap overlap;
   std::string division_rule;
@@ -27,7 +28,7 @@ struct GridOrigin {
 };
 
 // Writes the grid to `path`, whole or not at all. Throws Error(output).
-void write_grid(const Grid& grid, const GridOrigin& origin, const std::string& path);
+void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path);
 
 // A grid file, checked: every index in it can be followed. Of one whose records stay in the file, only the
 // table is; who copies them checks them (grid_checks.h).
@@ -44,6 +45,8 @@ public:
   std::uint64_t bytes() const { return container_.bytes(); }
   Residence residence() const { return container_.residence(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
+  // Of the scene that it was built from: the point in the world that all places are relative to.
+  Vec3d origin() const;
   GridLayout layout() const;
   bool is_hierarchy() const { return table_->merge() == fb::Merge::hierarchy; }
   bool is_merged() const { return table_->merge() != fb::Merge::none && !is_hierarchy(); }

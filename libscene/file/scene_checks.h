@@ -7,12 +7,6 @@
 
 namespace masu {
 
-// Not for NaN and infinity.
-template <class T>
-MASU_HD bool is_finite(const Vec3<T>& v) {
-  const Vec3<T> zero = v - v;
-  return zero == Vec3<T>{};
-}
 template <class T>
 MASU_HD bool is_finite(const CornerNormals<T>& n) {
   return is_finite(n.a) && is_finite(n.b) && is_finite(n.c);

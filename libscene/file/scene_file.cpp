@@ -70,8 +70,8 @@ fb::Box table_box(const Boxd& box) {
   return {table_vector(box.min), table_vector(box.max)};
 }
 
-std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const Boxd& box,
-                                      const std::vector<fb::Section>& layout) {
+std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const fb::Vec3& origin,
+                                      const Boxd& box, const std::vector<fb::Section>& layout) {
   flatbuffers::FlatBufferBuilder builder;
   const auto sections = builder.CreateVectorOfStructs(layout);
   const Camera& view = scene.camera;
@@ -85,8 +85,8 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
     return static_cast<std::uint64_t>(
         std::count_if(scene.materials.begin(), scene.materials.end(), property));
   };
-  builder.Finish(fb::CreateScene(builder, store, &camera, &background, scene.ambient, &objects, &bounds,
-                                 count(reflects), count(transmits), sections));
+  builder.Finish(fb::CreateScene(builder, store, &origin, &camera, &background, scene.ambient, &objects,
+                                 &bounds, count(reflects), count(transmits), sections));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
@@ -109,9 +109,14 @@ bool reaches_within(const Boxd& bounds) {
 }
 
 template <class Stored>
-Hash write_stored(const Scene& scene, const std::string& path) {
+Hash write_stored(const Scene& scene, const Vec3d& origin, const std::string& path) {
   // Records are converted when they are needed: another copy of them all could be too large.
-  const auto stored = [](const auto& record) { return converted<Stored>(record); };
+  const auto stored = [&](const auto& record) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(record)>, CornerNormals<double>>)
+      return converted<Stored>(record);
+    else
+      return converted<Stored>(relative_to(origin, record));
+  };
   const auto section = [](fb::SceneSection kind, const auto& records) {
     return section_data(number(kind), std::span(records));
   };
@@ -146,7 +151,8 @@ Hash write_stored(const Scene& scene, const std::string& path) {
   const Boxd box = bounds_of(scene, stored);
   if (!reaches_within<Stored>(box) || !all_finite(scene.cones)) { // infinite ones have no bounds either
     throw Error(ErrorCode::input, path,
-                fmt::format("the largest coordinate is {:g}, but {} allows {:g} to {:g}: {}",
+                fmt::format("the largest coordinate{} is {:g}, but {} allows {:g} to {:g}: {}",
+                            origin == Vec3d{0, 0, 0} ? "" : ", relative to the origin,",
                             largest_magnitude(box), store_name<Stored>, reach_of<Stored>.min,
                             reach_of<Stored>.max,
                             std::is_same_v<Stored, float> ? "store it as float64" : "scale it"));
@@ -158,8 +164,9 @@ Hash write_stored(const Scene& scene, const std::string& path) {
                 fmt::format("a light's position isn't finite in {}: move it closer", store_name<Stored>));
   const auto layout = lay_out(sections);
   const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
-  write_container(path, scene_file_kind, scene_table(scene, store, box, layout), sections, layout);
-  return geometry_hash(layout, table_box(box));
+  const fb::Vec3 local = table_vector(origin);
+  write_container(path, scene_file_kind, scene_table(scene, store, local, box, layout), sections, layout);
+  return geometry_hash(layout, table_box(box), local);
 }
 
 Vec3d vector_of(const fb::Vec3& v) {
@@ -182,7 +189,7 @@ Boxd bounds(const Scene& scene) {
   return bounds_of(scene, [](const auto& record) { return record; });
 }
 
-Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds) {
+Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds, const fb::Vec3& origin) {
   using fb::SceneSection;
   struct Entry {
     std::uint32_t kind = 0, record_bytes = 0;
@@ -196,6 +203,7 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds)
     bytes.insert(bytes.end(), begin, begin + sizeof record);
   };
   append(bounds);
+  if (!(vector_of(origin) == Vec3d{0, 0, 0})) append(origin);
   for (const fb::Section& s : sections) {
     if (s.kind() == number(SceneSection::triangles) || s.kind() == number(SceneSection::spheres) ||
         s.kind() == number(SceneSection::cones))
@@ -204,9 +212,12 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds)
   return hash_of(bytes);
 }
 
-Hash write_scene(const Scene& scene, Store store, const std::string& path) {
-  if (store == Store::automatic) store = resolved(store, float32_precision(scene));
-  return store == Store::float32 ? write_stored<float>(scene, path) : write_stored<double>(scene, path);
+Hash write_scene(const Scene& scene, Store store, const std::string& path,
+                 const std::optional<Vec3d>& wanted) {
+  const Vec3d origin = origin_for(scene, wanted);
+  if (store == Store::automatic) store = resolved(store, float32_precision(scene, origin));
+  return store == Store::float32 ? write_stored<float>(scene, origin, path)
+                                 : write_stored<double>(scene, origin, path);
 }
 
 namespace {
@@ -235,6 +246,7 @@ SceneFile::SceneFile(const std::string& path, Residence residence, const Stopwat
   table_ = fb::GetScene(bytes.data());
   check(table_->store() == fb::Store::float32 || table_->store() == fb::Store::float64,
         "its coordinates are of an unknown type");
+  check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
   const fb::Camera& camera = *table_->camera();
   check(is_finite(camera.from()) && is_finite(camera.at()) && is_finite(camera.up()) && camera.angle() > 0 &&
             camera.angle() < 180 && camera.width() > 0 && camera.height() > 0 && camera.width() <= 65536 &&
@@ -244,7 +256,7 @@ SceneFile::SceneFile(const std::string& path, Residence residence, const Stopwat
         "its bounds are invalid");
   check(is_aligned(sections()), "its table is damaged");
   container_.read_sections(sections());
-  geometry_hash_ = masu::geometry_hash(sections(), *table_->bounds());
+  geometry_hash_ = masu::geometry_hash(sections(), *table_->bounds(), *table_->origin());
 
   const fb::ObjectCounts& counted = *table_->objects();
   const std::uint64_t limit = std::uint64_t{1} << 31;
@@ -263,6 +275,10 @@ SceneFile::SceneFile(const std::string& path, Residence residence, const Stopwat
 std::uint64_t SceneFile::object_count() const {
   const fb::ObjectCounts& counted = *table_->objects();
   return counted.polygons() + counted.patches() + counted.spheres() + counted.cones();
+}
+
+Vec3d SceneFile::origin() const {
+  return vector_of(*table_->origin());
 }
 
 Camera SceneFile::camera() const {
@@ -314,6 +330,7 @@ SceneView<Stored> SceneFile::view() const {
       view.cone_count != cone_surface_count || (face_count > 0 && face_count != view.triangle_count))
     throw_damaged(path(), "its sections have inconsistent sizes");
   const fb::Color& background = *table_->background();
+  view.origin = origin();
   view.clip = cast<Stored>(padded_bounds<Stored>(bounds()));
   view.background = {background.r(), background.g(), background.b()};
   view.ambient = table_->ambient();

@@ -13,7 +13,7 @@
 namespace masu {
 
 inline constexpr FileKind scene_file_kind{
-    {'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 1, "scene", "convert the scene again"};
+    {'M', 'A', 'S', 'U', 'S', 'C', 'N', '\0'}, 2, "scene", "convert the scene again"};
 
 // automatic: float32 where it is precise enough (float32_precision.h), else float64.
 enum class Store { automatic, float32, float64 };
@@ -33,12 +33,14 @@ inline Store resolved(Store store, const Float32Precision& precision) {
 // what they refer to doesn't, nor do lights, the camera, and the surfaces of spheres and cones. The
 // sections' own hashes are checked when a file is opened, so this one needs no other pass over the geometry,
 // and no field that could contradict it.
-Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds);
+Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds, const fb::Vec3& origin);
 
-// Writes `scene` to `path`, whole or not at all. Returns its geometry hash. Throws Error(output) when it
-// can't be written, Error(input) when the largest coordinate is out of the store's range (1e-10 to 1e12 for
-// float32, 1e-90 to 1e100 for float64), or a cone has no length once rounded.
-Hash write_scene(const Scene& scene, Store store, const std::string& path);
+// Writes `scene` to `path`, whole or not at all, relative to its origin_for(`origin`). Returns its geometry
+// hash. Throws Error(output) when it can't be written, Error(usage) as origin_for() does, Error(input) when
+// the largest coordinate, relative to the origin, is out of the store's range (1e-10 to 1e12 for float32,
+// 1e-90 to 1e100 for float64), or a cone has no length once rounded.
+Hash write_scene(const Scene& scene, Store store, const std::string& path,
+                 const std::optional<Vec3d>& origin = {});
 
 // A scene file, checked: every index and range in it is valid. Of one whose records stay in the file, only
 // the table is; who copies them checks them (scene_checks.h).
@@ -57,8 +59,10 @@ public:
   Residence residence() const { return container_.residence(); }
   const LoadSeconds& load_seconds() const { return seconds_; }
   std::uint64_t primitive_count() const;
-  Camera camera() const;
-  Boxd bounds() const; // of all primitives; empty where there is none
+  Vec3d origin() const;  // local_origin.h
+  Camera camera() const; // in the world
+  // Of all primitives, relative to the origin; empty where there is none.
+  Boxd bounds() const;
   bool is_float64() const { return table_->store() == fb::Store::float64; }
 
   std::uint64_t object_count() const;

@@ -72,6 +72,11 @@ template <class T>
 MASU_ALWAYS_INLINE T length(const Vec3<T>& a) {
   return std::sqrt(dot(a, a));
 }
+// Whether no component is NaN or infinite.
+template <class T>
+MASU_ALWAYS_INLINE bool is_finite(const Vec3<T>& v) {
+  return v - v == Vec3<T>{};
+}
 // The largest component's magnitude; v must not contain NaN.
 template <class T>
 MASU_ALWAYS_INLINE T largest_magnitude(const Vec3<T>& v) {

@@ -2,7 +2,7 @@
 
 import ctypes
 import operator
-from ctypes import byref, c_float
+from ctypes import byref, c_double, c_float
 from typing import Any, NamedTuple, Optional, Sequence, Tuple, Union
 
 from ._library import (GRID_KINDS, STORES, GridOptionsRecord, MeshRecord, Path, check, choice, library, path_bytes)
@@ -16,7 +16,8 @@ class Mesh(NamedTuple):
 
 
 def write_scene(path: Path, vertices: Any = None, faces: Any = None, color: Optional[Sequence[float]] = None, *,
-                meshes: Optional[Sequence[Union[Mesh, Tuple[Any, ...]]]] = None, store: str = "auto") -> None:
+                meshes: Optional[Sequence[Union[Mesh, Tuple[Any, ...]]]] = None, store: str = "auto",
+                origin: Optional[Sequence[float]] = None) -> None:
     """Writes a scene file of one mesh, or of several:
 
         write_scene("a.scene", vertices, faces)
@@ -25,7 +26,9 @@ def write_scene(path: Path, vertices: Any = None, faces: Any = None, color: Opti
     vertices (V, 3) are float32 or float64, faces (F, 3) integers from 0 to V - 1; both are NumPy's arrays, or what NumPy
     makes arrays from. Triangle i of mesh m is primitive i plus the triangles of the meshes before m; m is its
     `geometry_ids`. Triangles without area are kept and can't be hit. `store`, the type of coordinates in the file, is
-    "auto" (float32 unless its arithmetic is too coarse for the scene), "float32" or "float64".
+    "auto" (float32 unless its arithmetic is too coarse for the scene), "float32" or "float64". Coordinates are stored
+    relative to `origin`, so that errors follow the scene's extent and not its place in the world: by default the
+    bounds' centre, or zero where that is nearer than half their diagonal.
 
     The file appears whole or not at all. Raises masu.Error; TypeError and ValueError for arrays of other types, shapes
     and contents."""
@@ -40,7 +43,8 @@ def write_scene(path: Path, vertices: Any = None, faces: Any = None, color: Opti
     kept = []  # the arrays that the records point to
     for index, (mesh, record) in enumerate(zip(listed, records)):
         kept.append(_fill(record, mesh, "mesh {}: ".format(index) if len(listed) > 1 else ""))
-    check(library.masu_write_scene(path_bytes(path), records, len(listed), choice("store", store, STORES)))
+    check(library.masu_write_scene(path_bytes(path), records, len(listed), choice("store", store, STORES),
+                                   None if origin is None else (c_double * 3)(*origin)))
 
 
 def _fill(record: MeshRecord, mesh: Mesh, place: str) -> Any:

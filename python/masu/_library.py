@@ -37,7 +37,8 @@ class Error(Exception):
 class DescriptionRecord(ctypes.Structure):
     _fields_ = [("triangles", c_uint32), ("spheres", c_uint32), ("cones", c_uint32), ("materials", c_uint32),
                 ("bounds_min", c_double * 3), ("bounds_max", c_double * 3), ("scene_bytes", c_uint64),
-                ("grid_bytes", c_uint64), ("is_float64", c_int), ("device", c_int)]
+                ("grid_bytes", c_uint64), ("is_float64", c_int), ("device", c_int), ("origin", c_double * 3),
+                ("error_bound", c_double)]
 
 
 class PrimitiveRecord(ctypes.Structure):
@@ -47,7 +48,8 @@ class PrimitiveRecord(ctypes.Structure):
 
 
 class QueryRecord(ctypes.Structure):
-    _fields_ = [("format", c_int), ("precision", c_int), ("coherent", c_int), ("stream", c_void_p)]
+    _fields_ = [("format", c_int), ("precision", c_int), ("coherent", c_int), ("stream", c_void_p),
+                ("relative", c_int)]
 
 
 class HitsRecord(ctypes.Structure):
@@ -119,7 +121,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_describe_primitive", c_int, c_void_p, c_uint32, POINTER(PrimitiveRecord))
     declare("masu_nearest", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), POINTER(HitsRecord))
     declare("masu_occluded", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), c_void_p)
-    declare("masu_write_scene", c_int, c_char_p, POINTER(MeshRecord), c_size_t, c_int)
+    declare("masu_write_scene", c_int, c_char_p, POINTER(MeshRecord), c_size_t, c_int, POINTER(c_double))
     declare("masu_default_grid_options", None, POINTER(GridOptionsRecord))
     declare("masu_build_grid", c_int, c_char_p, c_char_p, POINTER(GridOptionsRecord))
     return loaded

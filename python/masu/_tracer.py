@@ -39,12 +39,14 @@ class Description(NamedTuple):
     spheres: int
     cones: int
     materials: int
-    bounds_min: Vector  # of all primitives; min > max where there is none
+    bounds_min: Vector  # of all primitives, in the world; min > max where there is none
     bounds_max: Vector
     scene_bytes: int  # of the files, or as a file for a grid in memory; 0 for no grid
     grid_bytes: int
     is_float64: bool  # whether coordinates are stored, and rays traced, in float64
     device: str  # as Tracer.device
+    origin: Vector  # the point in the world that stored coordinates are relative to
+    error_bound: float  # in scene units: how far from its surface a hit may be, with precision "auto"
 
 
 class Primitive(NamedTuple):
@@ -176,7 +178,7 @@ class Tracer:
             check(library.masu_describe(handle, byref(record)))
         return Description(record.triangles, record.spheres, record.cones, record.materials, tuple(record.bounds_min),
                            tuple(record.bounds_max), record.scene_bytes, record.grid_bytes, bool(record.is_float64),
-                           self.device)
+                           self.device, tuple(record.origin), record.error_bound)
 
     def primitive(self, index: int) -> Primitive:
         """The primitive of an index as `primitive_ids` has it; an IndexError where there is none."""
@@ -192,7 +194,8 @@ class Tracer:
                          record.specular, record.shine, record.transmittance, record.refraction_index)
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
-                precision: str = "auto", coherent: bool = False, stream: Any = None) -> Dict[str, Any]:
+                precision: str = "auto", coherent: bool = False, stream: Any = None,
+                relative: bool = False) -> Dict[str, Any]:
         """The nearest hit of each ray: a dictionary of the fields asked for, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
@@ -206,7 +209,8 @@ class Tracer:
         precision: "auto" ("robust", or "double" for a scene in float64), "robust", "double", or "fast", which is for
         comparison. coherent: neighbours in the array have similar origins and directions, which changes the speed
         alone. stream: for rays on a GPU, as if the call stood in that stream's context: a stream of PyTorch, CuPy or
-        CUDA Python, or a cudaStream_t as a number."""
+        CUDA Python, or a cudaStream_t as a number. relative: the rays' origins are relative to describe().origin, where
+        float32 keeps its digits, and not in the world."""
         chosen = (fields,) if isinstance(fields, str) else tuple(fields)
         for name in chosen:
             if name not in _FIELDS:
@@ -219,9 +223,10 @@ class Tracer:
                 setattr(hits, _FIELDS[name].record, arrays.pointer(array))
             return int(library.masu_nearest(handle, rays, count, byref(record), byref(hits)))
 
-        return self._query(rays, {name: _FIELDS[name] for name in chosen}, query, precision, coherent, stream)
+        return self._query(rays, {name: _FIELDS[name] for name in chosen}, query, precision, coherent, stream, relative)
 
-    def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None) -> Any:
+    def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
+                 relative: bool = False) -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
 
@@ -231,11 +236,12 @@ class Tracer:
             return int(library.masu_occluded(handle, rays, count, byref(record), pointer))
 
         fields = {"occluded": _Field("", "bool", ())}
-        return self._query(rays, fields, query, precision, coherent, stream)["occluded"]
+        return self._query(rays, fields, query, precision, coherent, stream, relative)["occluded"]
 
     def _query(self, rays: Any, fields: Dict[str, _Field], query: Callable[..., int], precision: str, coherent: bool,
-               stream: Any) -> Dict[str, Any]:
-        record = QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)))
+               stream: Any, relative: bool) -> Dict[str, Any]:
+        record = QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)),
+                             relative=int(bool(relative)))
         arrays, rays = _arrays.recognize(rays, stream)
         gpu = arrays.gpu(rays)
         shape = tuple(rays.shape)

@@ -66,8 +66,12 @@ void write_scene(Input& input) {
   mesh.indices = indices.data();
   mesh.triangle_count = indices.size() / 3;
   mesh.color = input.take<std::uint8_t>() % 2 == 0 ? color.data() : nullptr;
-  static_cast<void>(masu_write_scene(file("scene", input.take<std::uint8_t>()).c_str(), &mesh, 1,
-                                     static_cast<masu_store>(input.take<std::uint8_t>() % 4)));
+  const auto kind = input.take<std::uint8_t>(), store = input.take<std::uint8_t>();
+  const bool has_origin = input.take<std::uint8_t>() % 2 == 0;
+  const std::array origin{input.take<double>(), input.take<double>(), input.take<double>()};
+  static_cast<void>(masu_write_scene(file("scene", kind).c_str(), &mesh, 1,
+                                     static_cast<masu_store>(store % 4),
+                                     has_origin ? origin.data() : nullptr));
 }
 
 void build_grid(Input& input) {

@@ -62,9 +62,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   try {
-    constexpr double reach = 1e15;
-    for (const masu::View& view : masu::parse_views(std::string(text), "fuzz", {}, reach)) {
-      if (masu::fault_of(view.camera, reach)) std::abort();
+    constexpr masu::Boxd places{{-1e15, -1e15, -1e15}, {1e15, 1e15, 1e15}};
+    for (const masu::View& view : masu::parse_views(std::string(text), "fuzz", {}, places)) {
+      if (masu::fault_of(view.camera, places)) std::abort();
       if (view.name.find('/') != std::string::npos) std::abort();
     }
   } catch (const masu::Error&) {

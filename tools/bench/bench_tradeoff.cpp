@@ -114,12 +114,12 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
   options.division = parse_division(plan.division);
   options.grid.kind = plan.merge;
   options.overlap = plan.overlap;
-  const auto [grid, origin] =
+  const auto [grid, provenance] =
       scene.is_float64()
           ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), scene.geometry_hash(), options)
           : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), scene.geometry_hash(), options);
   const MemoryFile file; // its contents live on in the grid
-  write_grid(grid, origin, file.path());
+  write_grid(grid, provenance, file.path());
   return GridFile(file.path());
 }
 

@@ -15,7 +15,7 @@ public:
 
   std::size_t size() const { return count_; }
   // The first ones.
-  RayList rays(std::size_t count) const { return {memory_.get(), count, own_format<float>}; }
+  RayList rays(std::size_t count) const { return relative({memory_.get(), count, own_format<float>}); }
   const RayResults& results() const { return results_; }
 
   // Seconds in which the bytes of rays and results are copied to a GPU and back, of the rays from first on.

@@ -13,7 +13,7 @@ template <class Stored, class Act>
 void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const Ray<double>> rays,
                   const Act& act) {
   const SceneView<Stored> scene = file.view<Stored>();
-  const RayHits hits = Tracer(file, &grid, Device::cpu).hits(rays, {}, HitName::primitive);
+  const RayHits hits = Tracer(file, &grid, Device::cpu).hits(relative(RayList(rays)), {}, HitName::primitive);
   tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
     const HitRecord& hit = hits.hits[i];
     if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});
@@ -92,7 +92,8 @@ std::vector<Ray<double>> primary(const Camera& camera, RayOrder order) {
 } // namespace
 
 std::vector<Ray<double>> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order) {
-  return scene.is_float64() ? primary<double>(camera, order) : primary<float>(camera, order);
+  const Camera local = relative_to(scene.origin(), camera);
+  return scene.is_float64() ? primary<double>(local, order) : primary<float>(local, order);
 }
 
 std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const GridFile& grid,

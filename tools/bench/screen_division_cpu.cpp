@@ -47,7 +47,8 @@ DividedFrame render_divided_cpu(const SceneFile& scene, const GridFile& grid, co
   DividedFrame divided{
       picture_frame(request),
       static_cast<std::uint32_t>(threads * static_cast<std::size_t>(std::max(workers_each, 1)))};
-  const auto rays = camera_rays<float>(request.camera, request.sampling, request.hither);
+  const auto rays =
+      camera_rays<float>(relative_to(scene.origin(), request.camera), request.sampling, request.hither);
   const auto view = scene.view<float>();
   const auto render = [&](const auto& accelerator) {
     std::atomic<std::uint32_t> fetched{0};

@@ -54,7 +54,8 @@ DividedFrame render_divided_cuda(const SceneFile& scene, const GridFile& grid, c
   const DeviceArray<Vec3f> colors(frame.radiance.size());
   const DeviceArray<std::uint32_t> next_tile(1);
   check(cudaMemset(next_tile.data(), 0, sizeof(std::uint32_t)));
-  const auto rays = camera_rays<float>(request.camera, request.sampling, request.hither);
+  const auto rays =
+      camera_rays<float>(relative_to(scene.origin(), request.camera), request.sampling, request.hither);
   const Tiles tiles = tiles_of(frame.columns, frame.rows);
   const auto render = [&](const auto& view) {
     const auto accelerator = files.grid.moved(view);

@@ -66,7 +66,7 @@ Camera camera_of(const Viewer& viewer, Parameters& parameters) {
   camera.height = parameters.number<std::int32_t>("height", 1, largest_side);
   if (std::int64_t{camera.width} * camera.height > most_pixels)
     throw Error(ErrorCode::usage, "width", fmt::format("and height make more than {} pixels", most_pixels));
-  if (const auto fault = fault_of(camera, viewer.scene().is_float64() ? 1e100 : 1e12))
+  if (const auto fault = fault_of(camera, camera_places(viewer.scene())))
     throw Error(ErrorCode::usage, fault->part, fault->what);
   return camera;
 }
@@ -112,11 +112,21 @@ HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is
     return fmt::format("{};dur={:.3f}, ", name, seconds * 1e3);
   };
   HttpReply reply{200, "image/jpeg", std::move(made.jpeg)};
-  reply.timing = timing("wait", s.wait) + timing("trace", s.trace) + timing("copy", s.copy) +
-                 timing("rows", s.rows) + timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
+  reply.timing = fmt::format("precision;desc=\"{}\", ", made.precision) + timing("wait", s.wait) +
+                 timing("trace", s.trace) + timing("copy", s.copy) + timing("rows", s.rows) +
+                 timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
   if (made.range)
     reply.timing += fmt::format(", low;desc={}, high;desc={}", (*made.range)[0], (*made.range)[1]);
   return reply;
+}
+
+// Of a walk: that of the picture that its ray was picked in.
+Precision walk_precision(const Viewer& viewer, Parameters& parameters) {
+  const std::string* const name = parameters.find("precision");
+  if (name == nullptr) return viewer.precision();
+  for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled})
+    if (*name == name_of(precision)) return precision;
+  throw Error(ErrorCode::usage, "precision", "isn't fast, robust or double");
 }
 
 HttpReply json(const nlohmann::ordered_json& value) {
@@ -143,14 +153,18 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
     const auto column = parameters.number<std::int32_t>("x", 0, camera.width - 1);
     const auto row = parameters.number<std::int32_t>("y", 0, camera.height - 1);
     parameters.end();
-    const Ray<double> ray = viewer.camera_ray(camera, column, row);
+    const auto [ray, precision] = viewer.camera_ray(camera, column, row);
     const Vec3d &o = ray.origin, &d = ray.direction;
-    return json({{"origin", {o.x, o.y, o.z}}, {"direction", {d.x, d.y, d.z}}});
+    return json(
+        {{"origin", {o.x, o.y, o.z}}, {"direction", {d.x, d.y, d.z}}, {"precision", name_of(precision)}});
   }
   if (is("/api/walk")) {
-    const RayWalkRequest walked{grid_of(viewer, parameters), parameters.vector("origin"),
-                                parameters.vector("direction"), parameters.number<int>("all", 0, 1) == 1,
-                                parameters.number<int>("depth", 1, largest_depth)};
+    const RayWalkRequest walked{grid_of(viewer, parameters),
+                                parameters.vector("origin"),
+                                parameters.vector("direction"),
+                                parameters.number<int>("all", 0, 1) == 1,
+                                parameters.number<int>("depth", 1, largest_depth),
+                                walk_precision(viewer, parameters)};
     parameters.end();
     return json(viewer.walk(walked, request.is_gone));
   }

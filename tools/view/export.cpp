@@ -49,7 +49,8 @@ Json vector_json(const Vec3d& v) {
 
 Json picture_json(const Picture& picture) {
   const PictureSeconds& s = picture.seconds;
-  Json json{{"image", "data:image/jpeg;base64," + base64(picture.jpeg)},
+  Json json{{"precision", picture.precision},
+            {"image", "data:image/jpeg;base64," + base64(picture.jpeg)},
             {"rays", picture.rays},
             {"milliseconds",
              {{"wait", 0},
@@ -102,10 +103,11 @@ Json view_json(const Viewer& viewer, const ExportSettings& settings, const Camer
               {"up", vector_json(camera.up)},
               {"angle", camera.angle}}},
             {"channels", channels_json(viewer, request)}};
-  const Ray<double> ray = viewer.camera_ray(camera, settings.width / 2, settings.height / 2);
+  const auto [ray, precision] = viewer.camera_ray(camera, settings.width / 2, settings.height / 2);
   for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
     json["counts"].push_back(viewer.counts(request, is_gone));
-    json["walks"].push_back(viewer.walk({request.grid, ray.origin, ray.direction}, is_gone));
+    json["walks"].push_back(
+        viewer.walk({request.grid, ray.origin, ray.direction, false, 5, precision}, is_gone));
   }
   return json;
 }

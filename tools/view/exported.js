@@ -26,7 +26,7 @@ class Exported {
     const image = new Image();
     image.src = one.image || all[0].image;
     await image.decode();
-    return {image, rays: one.rays, range: one.range || null, milliseconds: {...one.milliseconds, total: NaN}};
+    return {image, rays: one.rays, precision: one.precision, range: one.range || null, milliseconds: {...one.milliseconds, total: NaN}};
   }
 
   async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }

@@ -51,6 +51,7 @@ function fragment() {
   if (walkPanel && walkPanel.ray) {
     const {ray, pane, index, step} = walkPanel;
     parts.set('ray', [...ray.origin, ...ray.direction].join());
+    if (ray.precision) parts.set('precision', ray.precision);
     if (ray.all) parts.set('all', 1);
     parts.set('walk', [pane, index, ...(step === null ? [] : [step])].join());
   }
@@ -62,7 +63,9 @@ function readWalk() {
   const parts = new URLSearchParams(location.hash.slice(1));
   const numbers = readNumbers(parts.get('ray'), 6);
   if (!numbers || numbers.slice(3).every((number) => number === 0)) return null;
-  const ray = {origin: numbers.slice(0, 3), direction: numbers.slice(3), all: parts.get('all') === '1', depth: state.depth};
+  const precision = ['fast', 'robust', 'double'].find((name) => name === parts.get('precision'));
+  const ray = {origin: numbers.slice(0, 3), direction: numbers.slice(3), ...(precision ? {precision} : {}),
+    all: parts.get('all') === '1', depth: state.depth};
   const [pane = 0, index = 0, step = null] = (parts.get('walk') || '').split(',').map((word) => /^\d{1,9}$/.test(word) ? Number(word) : undefined);
   return {ray, look: {pane: Math.min(pane, state.panes.length - 1), index, step}};
 }
@@ -171,8 +174,10 @@ class Pane {
     const {trace, total} = frame.milliseconds;
     const size = `${Math.round(frame.view.width * frame.scale)} × ${Math.round(frame.view.height * frame.scale)}`;
     const what = frame.isSharp ? 'sharp' : frame.share < 1 ? `${Math.round(100 * frame.share)} %` : 'moving';
+    const [precision] = (frame.precision || '').split(':');
+    this.status.title = frame.precision || '';
     this.status.textContent = source.isLive
-      ? `${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${what}`
+      ? `${size} · trace ${Text.milliseconds(trace)} · shown after ${Text.milliseconds(total)} · ${precision} · ${what}`
       : `${size} · trace ${Text.milliseconds(trace)} when it was exported`;
     this.root.dataset.state = frame.isSharp ? 'sharp' : 'moving';
     if (frame.isSharp) this.count(frame.view);
@@ -613,16 +618,16 @@ function command() {
     ...(pane.settings.channel === 'shaded' ? [] : [`--channels ${pane.settings.channel.replace('all ', '')}`,
       ...(pane.settings.channel.startsWith('all ') ? ['--all-rays'] : []), '--no-picture', '--sampling centers']),
     ...(state.depth === 5 ? [] : [`--depth ${state.depth}`]),
-    ...(precision === 'robust' ? [] : [`--precision ${precision}`])].join(' ');
+    ...(precision === 'auto' ? [] : [`--precision ${precision}`])].join(' ');
 }
 
 // --- Beginning -----------------------------------------------------------------------------------------------
 
 function describeScene() {
-  const {scene, device, precision, version} = state.scene;
+  const {scene, device, version} = state.scene;
   document.title = `${scene.name} – gridview`;
   $('scene-name').textContent = scene.name;
-  $('scene-facts').textContent = `${Text.count(scene.primitives)} primitives · ${Text.bytes(scene.bytes)} · ${precision} · ${device} · Masu ${version}`;
+  $('scene-facts').textContent = `${Text.count(scene.primitives)} primitives · ${Text.bytes(scene.bytes)} · ${device} · Masu ${version}`;
 }
 
 function openAddress() {

@@ -1,13 +1,11 @@
 // Where pictures and figures come from: the server that served this page.
 'use strict';
 
-// Reads "trace;dur=1.5, rays;desc=300" as {trace: 1.5, rays: 300}.
+// Reads `trace;dur=1.5, rays;desc=300, precision;desc="robust"` as {trace: 1.5, rays: 300, precision: 'robust'}.
 function readTiming(header) {
   const values = {};
-  for (const entry of (header || '').split(',')) {
-    const [name, value] = entry.trim().split(';');
-    if (value) values[name] = Number(value.slice(value.indexOf('=') + 1));
-  }
+  for (const [, name, text, number] of (header || '').matchAll(/(\w+);\w+=(?:"([^"]*)"|([^,]*))/g))
+    values[name] = text === undefined ? Number(number) : text;
   return values;
 }
 
@@ -40,15 +38,15 @@ class Server {
             height: view.height, depth: view.depth, channel: view.channel};
   }
 
-  // {image, milliseconds: {wait, trace, …, total}, rays}. crop: [x, y, width, height].
+  // {image, precision, milliseconds: {wait, trace, …, total}, rays}; precision: robust, or another one and why. crop: [x, y, width, height].
   async picture(view, quality, crop, signal) {
     const begin = performance.now();
     const parameters = {...Server.cameraParameters(view), quality};
     if (crop) parameters.crop = crop.join();
     const response = await this.get('api/picture', parameters, signal);
     const image = await createImageBitmap(await response.blob());
-    const milliseconds = readTiming(response.headers.get('Server-Timing'));
-    return {image, milliseconds: {...milliseconds, total: performance.now() - begin}, rays: milliseconds.rays,
+    const {precision, ...milliseconds} = readTiming(response.headers.get('Server-Timing'));
+    return {image, precision, milliseconds: {...milliseconds, total: performance.now() - begin}, rays: milliseconds.rays,
             range: 'low' in milliseconds ? [milliseconds.low, milliseconds.high] : null};
   }
 
@@ -56,15 +54,16 @@ class Server {
     return this.json('api/counts', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still'}, signal);
   }
 
-  // {origin, direction} of the camera ray through a pixel's centre.
+  // {origin, direction, precision} of the camera ray through a pixel's centre.
   ray({camera, width, height}, x, y, signal) {
     const {from, at, up, angle} = camera;
     return this.json('api/ray', {from: from.join(), at: at.join(), up: up.join(), angle, width, height, x, y}, signal);
   }
 
   // ray: {origin, direction, all, depth}; all: with the rays that it spawns.
-  walk(grid, {origin, direction, all, depth}, signal) {
-    return this.json('api/walk', {grid, origin: origin.join(), direction: direction.join(), all: all ? 1 : 0, depth}, signal);
+  walk(grid, {origin, direction, all, depth, precision}, signal) {
+    return this.json('api/walk', {grid, origin: origin.join(), direction: direction.join(), all: all ? 1 : 0, depth,
+                                  ...(precision ? {precision} : {})}, signal);
   }
 
   slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }

@@ -5,6 +5,7 @@
 #include "libscene/section.h"
 #include "libscene/stopwatch.h"
 #include "renderer/image.h"
+#include "renderer/view_precision.h"
 #include "renderer/walk_report.h"
 #include "tools/backend_choice.h"
 #include "tools/color_map.h"
@@ -105,8 +106,7 @@ Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceW
   for (const SectionSegment& line : section_of(
            scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max, 2e-4 * longer})) {
     if (lines.size() == most) break;
-    lines.push_back({static_cast<float>(line.from[0]), static_cast<float>(line.from[1]),
-                     static_cast<float>(line.to[0]), static_cast<float>(line.to[1])});
+    lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
   }
   return lines;
 }
@@ -141,6 +141,13 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
   // What was traced takes more memory than its bytes: it ends with its turn.
   const Bytes bytes = turns_.run(is_gone, [&] {
     picture.seconds.wait = wait.seconds();
+    if (precision_ == Precision::automatic) {
+      const ViewPrecision chosen = view_precision(tracer, frame_request);
+      frame_request.tracing.precision = chosen.precision;
+      picture.precision = description_of(chosen);
+    } else {
+      picture.precision = name_of(precision_);
+    }
     return request.channel.channel ? channel(tracer, request, frame_request, picture)
                                    : shaded(tracer, frame_request, picture);
   });
@@ -160,17 +167,19 @@ Json Viewer::counts(const PictureRequest& request, const IsGone& is_gone) const 
   return json;
 }
 
-Ray<double> Viewer::camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const {
+Viewer::PickedRay Viewer::camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const {
   FrameRequest frame;
   frame.tracing.precision = precision_;
   frame.camera = camera;
   frame.sampling = Sampling::centers;
-  return camera_ray_of(grid(0).tracer, frame, column, row);
+  WalkRequest walk = camera_walk(grid(0).tracer, frame, column, row);
+  walk.ray.origin = walk.ray.origin + scene_.origin();
+  return {walk.ray, walk.tracing.precision};
 }
 
 Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
   WalkRequest walk;
-  walk.tracing.precision = precision_;
+  walk.tracing.precision = request.precision;
   walk.ray = unbounded_ray(request.origin, request.direction);
   walk.all_rays = request.all_rays;
   walk.rules.depth = request.depth;
@@ -212,7 +221,7 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
 
 Json Viewer::description() const {
   const Camera camera = scene_.camera();
-  const Boxd bounds = scene_.bounds();
+  const Boxd bounds = in_world(scene_.origin(), scene_.bounds());
   Json grids = Json::array();
   for (const auto& grid : grids_) {
     const fb::Grid& table = grid->file.table();
@@ -244,7 +253,7 @@ Json Viewer::description() const {
             {"colors", color_map_samples()},
             {"backend", cuda ? "cuda" : "cpu"},
             {"device", device_name(cuda)},
-            {"precision", name_of(resolved(precision_, scene_))}};
+            {"precision", name_of(precision_)}};
   json.update(program_version());
   return json;
 }

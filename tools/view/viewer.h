@@ -58,6 +58,7 @@ struct Picture {
   std::string jpeg;
   std::uint64_t rays = 0;            // from the camera
   std::optional<ValueRange> range{}; // of the channel's values
+  std::string precision{};           // that it was traced with, and why
   PictureSeconds seconds;
 };
 
@@ -69,12 +70,13 @@ struct SliceRequest {
   std::size_t most_cells = 200000; // beyond, the slice is truncated
 };
 
-// Of a ray given in the scene's units.
+// Of a ray given in the world.
 struct RayWalkRequest {
   std::size_t grid = 0;
   Vec3d origin{}, direction{};
-  bool all_rays = false; // and the shadow rays and rays that it spawns
-  int depth = 5;         // of these
+  bool all_rays = false;                      // and the shadow rays and rays that it spawns
+  int depth = 5;                              // of these
+  Precision precision = Precision::automatic; // its picture's
 };
 
 using IsGone = std::function<bool()>;
@@ -95,8 +97,12 @@ public:
   // Ray counts of a picture, as gridrender --stats has them.
   nlohmann::ordered_json counts(const PictureRequest& request, const IsGone& is_gone) const;
 
-  // Through a pixel's centre.
-  Ray<double> camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const;
+  // Through a pixel's centre, in the world, and what the picture is traced with.
+  struct PickedRay {
+    Ray<double> ray;
+    Precision precision;
+  };
+  PickedRay camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const;
   // As gridrender --walk-ray --json has it, but bounded: `more_rays` are counted that aren't among `rays`,
   // `ended_early` says that there are still more. A ray's `steps` are the first of its `cells`.
   nlohmann::ordered_json walk(const RayWalkRequest& request, const IsGone& is_gone) const;

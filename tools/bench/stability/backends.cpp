@@ -38,10 +38,10 @@ void write_built(const SceneFile& scene, const GridWanted& wanted, const std::st
                           rounding_margin<Stored>(scene.bounds())};
   GridOptions options;
   options.kind = wanted.kind;
-  write_grid(
-      build_grid(view, layout, Overlap::exact, options),
-      {scene.geometry_hash(), scene.primitive_count(), SpaceRule::tight, Overlap::exact, "stability", ""},
-      path);
+  write_grid(build_grid(view, layout, Overlap::exact, options),
+             {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
+              Overlap::exact, "stability", ""},
+             path);
 }
 
 std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const Ray<double>> rays,
@@ -64,7 +64,8 @@ void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
                   const std::function<void(const Difference&)>& report) {
   constexpr bool float64 = std::is_same_v<Stored, double>;
   const MemoryFile scene_file;
-  write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path());
+  write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path(),
+              Vec3d{0, 0, 0}); // what the sweeps vary
   const SceneFile scene(scene_file.path());
   for (const Mode& mode : float64 ? std::vector<Mode>{doubled} : std::vector<Mode>{fast, robust, doubled}) {
     Difference difference{sweep.name, step, mode, float64, trial.rays.size(), 0};

@@ -169,7 +169,8 @@ struct TestScene {
             0,
             cast<Stored>(padded_bounds<Stored>(bounds())),
             {0, 0, 0},
-            0};
+            0,
+            {0, 0, 0}};
   }
 };
 

@@ -1,0 +1,65 @@
+#include "libscene/local_origin.h"
+
+#include "libscene/error.h"
+#include "libscene/geometry/cone.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <cmath>
+
+namespace masu {
+namespace {
+
+// The join of what box_of(record) gives of all records.
+template <class Records, class BoxOf>
+Boxd joined(const Records& records, const BoxOf& box_of) {
+  return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, records.size()), empty_box<double>(),
+      [&](const tbb::blocked_range<std::size_t>& range, Boxd box) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          box = join(box, box_of(records[i]));
+        return box;
+      },
+      [](const Boxd& a, const Boxd& b) { return join(a, b); });
+}
+
+template <class BoxOf>
+Boxd joined(const Scene& scene, const BoxOf& box_of) {
+  return join(join(joined(scene.triangles, box_of), joined(scene.spheres, box_of)),
+              joined(scene.cones, box_of));
+}
+
+// Of a record's points, without radii: exact.
+struct PointBox {
+  Boxd operator()(const SceneTriangle& t) const { return bounds(t); }
+  Boxd operator()(const Sphere<double>& s) const { return {s.center, s.center}; }
+  Boxd operator()(const Cone<double>& c) const { return join(Boxd{c.base, c.base}, c.apex); }
+};
+
+} // namespace
+
+Vec3d automatic_origin(const Scene& scene) {
+  const Vec3d corner = joined(scene, PointBox{}).min;
+  const Boxd box =
+      joined(scene, [&](const auto& record) { return bounds(relative_to(corner, record)); }); // of its kind
+  const Vec3d half = (box.max - box.min) * 0.5;
+  const double reach = largest_magnitude(half);
+  // A scene of one point stays where it is: at zero no store could hold it.
+  if (is_empty(box) || !std::isfinite(reach) || reach < 1e-90) return {0, 0, 0};
+  const Vec3d center = box.min + half;
+  const auto diagonal = [](const Vec3d& v) { return std::hypot(v.x, v.y, v.z); };
+  if (!(diagonal(corner + center) > diagonal(half))) return {0, 0, 0};
+  const double step = std::ldexp(1.0, std::ilogb(reach) - 8);
+  const auto rounded = [&](double value) { return std::floor(value / step) * step; };
+  return corner + Vec3d{rounded(center.x), rounded(center.y), rounded(center.z)};
+}
+
+Vec3d origin_for(const Scene& scene, const std::optional<Vec3d>& wanted, const char* place) {
+  if (!wanted) return automatic_origin(scene);
+  if (!(largest_magnitude(*wanted) <= max_origin) || !is_finite(*wanted))
+    throw Error(ErrorCode::usage, place, "isn't a finite point within 1e100 of zero");
+  return relative_to({0, 0, 0}, *wanted);
+}
+
+} // namespace masu
