@@ -2,6 +2,7 @@
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/stability/backends.h"
+#include "tools/bench/stability/picture_sweeps.h"
 #include "tools/bench/stability/run.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
@@ -21,7 +22,7 @@ struct Settings {
   std::vector<std::string> sweeps, precisions;
   RunSettings run{};
   Backend backend = Backend::cpu;
-  bool json = false;
+  bool pictures = false, json = false;
   Threads threads;
 };
 
@@ -79,19 +80,52 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
   return bad;
 }
 
-void bench_stability(const Settings& settings) {
-  const auto limit = settings.threads.limit();
-  const bool cuda = use_cuda(settings.backend, "gridbench");
-  std::vector<Sweep> sweeps = all_sweeps();
+// Those that are asked for. Throws Error(usage) for one that there isn't.
+template <class AnySweep>
+std::vector<AnySweep> chosen(std::vector<AnySweep> sweeps, const Settings& settings) {
   for (const std::string& name : settings.sweeps) {
-    if (std::none_of(sweeps.begin(), sweeps.end(), [&](const Sweep& sweep) { return sweep.name == name; })) {
+    if (std::none_of(sweeps.begin(), sweeps.end(), [&](const auto& sweep) { return sweep.name == name; })) {
       std::string names;
-      for (const Sweep& sweep : sweeps)
+      for (const AnySweep& sweep : sweeps)
         names += std::string(names.empty() ? "" : ", ") + sweep.name;
       throw Error(ErrorCode::usage, "--sweep", fmt::format("'{}' isn't one of {}", name, names));
     }
   }
-  std::erase_if(sweeps, [&](const Sweep& sweep) { return !wanted(settings.sweeps, sweep.name); });
+  std::erase_if(sweeps, [&](const AnySweep& sweep) { return !wanted(settings.sweeps, sweep.name); });
+  return sweeps;
+}
+
+void sweep_pictures(const Settings& settings) {
+  Json rows = Json::array();
+  if (!settings.json)
+    fmt::print("{:<10} {:>8} {:<7} {:<7} {:<9} {:>12}\n", "sweep", "step", "origin", "store", "precision",
+               "pixels off");
+  for (const PictureSweep& sweep : chosen(picture_sweeps(), settings)) {
+    run(sweep, settings.run.seed, [&](const PictureRow& row) {
+      if (!wanted(settings.precisions, name_of(row.precision))) return;
+      const char *const origin = row.local_origin ? "local" : "none", *const store =
+                                                                          row.float64 ? "float64" : "float32";
+      rows.push_back({{"sweep", row.sweep},
+                      {"parameter", row.parameter},
+                      {"step", row.step},
+                      {"origin", origin},
+                      {"store", store},
+                      {"precision", name_of(row.precision)},
+                      {"pixels_off", row.pixels_off}});
+      if (settings.json) return;
+      fmt::print("{:<10} {:>8.3g} {:<7} {:<7} {:<9} {:>12.3g}\n", row.sweep, row.step, origin, store,
+                 name_of(row.precision), row.pixels_off);
+      flush_standard_output();
+    });
+  }
+  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(false))));
+}
+
+void bench_stability(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  if (settings.pictures) return sweep_pictures(settings);
+  const bool cuda = use_cuda(settings.backend, "gridbench");
+  const std::vector<Sweep> sweeps = chosen(all_sweeps(), settings);
   Json rows = Json::array();
   if (!settings.json)
     fmt::print("{:<15} {:>8} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
@@ -130,11 +164,14 @@ void add_stability(CLI::App& app) {
   stability.add_option("--seed", settings.run.seed, "seed of scenes and rays")->capture_default_str();
   stability
       .add_option("--precision", settings.precisions,
-                  "show only these: fast, robust, double, first-cell-hit (robust, with gridrender's "
-                  "--first-cell-hit)")
+                  "show only these: fast, robust, double, of pictures auto, and first-cell-hit (robust, with "
+                  "gridrender's --first-cell-hit)")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double", "first-cell-hit"}));
+      ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double", "first-cell-hit"}));
   add_backend(stability, settings.backend);
+  stability.add_flag("--pictures", settings.pictures,
+                     "sweeps of pictures instead, on the CPU: the share of pixels that are off by more than "
+                     "1/50 from double on float64 coordinates");
   stability.add_flag("--json", settings.json, "print JSON");
   settings.threads.add_to(stability);
   stability.callback([owned] { bench_stability(*owned); });
