@@ -27,6 +27,9 @@ public:
   };
   Borrowed borrow() { return {*this, take()}; }
 
+  // None is borrowed.
+  void clear() { free_.clear(); }
+
 private:
   std::unique_ptr<T> take() {
     const std::lock_guard lock(mutex_);
@@ -63,14 +66,13 @@ struct DeviceFiles {
   DeviceFiles& operator=(const DeviceFiles&) = delete;
   // Waits for queries that are still queued.
   ~DeviceFiles() {
-    int before = 0;
-    static_cast<void>(cudaGetDevice(&before));
-    static_cast<void>(cudaSetDevice(device));
-    static_cast<void>(cudaDeviceSynchronize());
-    float32.reset();
-    float64.reset();
-    static_cast<void>(cudaDeviceSynchronize());
-    static_cast<void>(cudaSetDevice(before));
+    on_device_if_possible(device, [&] {
+      static_cast<void>(cudaDeviceSynchronize());
+      buffers.clear();
+      frames.clear();
+      float32.reset();
+      float64.reset();
+    });
   }
 
   template <class Stored>

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cuda.h>
 #include <cuda_runtime.h>
+#include <dlfcn.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -378,6 +380,39 @@ TEST_F(LibraryOnGpu, LeavesTheHostProgramsErrorPending) {
   ASSERT_DONE(masu_build_grid(scene_.c_str(), (grid_ + ".built").c_str(), &options));
   masu_close(tracer);
   EXPECT_EQ(cudaGetLastError(), pending);
+}
+
+// For one without a context would open one on its own device, which the host program may never use.
+TEST_F(LibraryOnGpu, LeavesThreadsWithoutAContextWithoutOne) {
+  void* const driver = dlopen("libcuda.so.1", RTLD_NOW | RTLD_NOLOAD);
+  ASSERT_NE(driver, nullptr) << dlerror();
+  const auto get_current = reinterpret_cast<decltype(&cuCtxGetCurrent)>(dlsym(driver, "cuCtxGetCurrent"));
+  ASSERT_NE(get_current, nullptr);
+  const auto has_none = [&] {
+    CUcontext current = nullptr;
+    EXPECT_EQ(get_current(&current), CUDA_SUCCESS);
+    return current == nullptr;
+  };
+  const std::vector<masu_ray> list = rays(3'000'000);
+  const Found expected = on_host(gpu_, list.data(), list.size());
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.gpu = 1;
+  std::thread([&] {
+    ASSERT_TRUE(has_none()); // of its own
+    int count = 0;
+    ASSERT_DONE(masu_gpu_count(&count));
+    EXPECT_TRUE(has_none()) << "GPUs are counted";
+    masu_tracer* tracer = nullptr;
+    ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+    EXPECT_TRUE(has_none()) << "a tracer is opened";
+    expect_same(expected, on_host(tracer, list.data(), list.size()));
+    EXPECT_TRUE(has_none()) << "rays are traced";
+    masu_close(tracer);
+    EXPECT_TRUE(has_none()) << "a tracer is closed";
+    EXPECT_EQ(masu_build_grid(scene_.c_str(), (grid_ + ".built").c_str(), &options), MASU_OK) << masu_error();
+    EXPECT_TRUE(has_none()) << "a grid is built";
+  }).join();
 }
 
 // The first GPU is number 0, whatever the caller's is; contexts are only made where something is traced.

@@ -61,11 +61,7 @@ public:
     });
   }
   ~CudaBuilder() override {
-    on_gpu(gpu_, [&] {
-      device_.reset();
-      static_cast<void>(cudaDeviceSynchronize());
-      pool_.reset();
-    });
+    on_device_if_possible(gpu_, [&] { device_.reset(); });
   }
   CudaBuilder(const CudaBuilder&) = delete;
   CudaBuilder(CudaBuilder&&) = delete;

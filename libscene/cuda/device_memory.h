@@ -1,6 +1,7 @@
 // RAII over the CUDA runtime: checked calls, device arrays, pinned memory, a timer.
 #pragma once
 
+#include "libscene/cuda/device_scope.h"
 #include "libscene/error.h"
 
 #include <cuda_runtime.h>
@@ -24,21 +25,6 @@ inline void check(cudaError_t error, const std::source_location& where = std::so
                   std::to_string(where.line()) + ")" + advice);
 }
 
-// Makes a device the thread's current one, and restores the one before.
-class DeviceScope {
-public:
-  explicit DeviceScope(int device) {
-    check(cudaGetDevice(&before_));
-    if (before_ != device) check(cudaSetDevice(device));
-  }
-  ~DeviceScope() { static_cast<void>(cudaSetDevice(before_)); }
-  DeviceScope(const DeviceScope&) = delete;
-  DeviceScope& operator=(const DeviceScope&) = delete;
-
-private:
-  int before_ = 0;
-};
-
 // Memory of the current device that is given back to the pool, not to the device, until the pool is
 // destroyed: so it is there at once for what comes next. The device's default pool is the host program's.
 class MemoryPool {
@@ -47,7 +33,8 @@ public:
     cudaMemPoolProps properties{};
     properties.allocType = cudaMemAllocationTypePinned;
     properties.location.type = cudaMemLocationTypeDevice;
-    check(cudaGetDevice(&properties.location.id));
+    check(cudaGetDevice(&device_));
+    properties.location.id = device_;
     check(cudaMemPoolCreate(&pool_, &properties));
     std::uint64_t all = ~std::uint64_t{0};
     if (const cudaError_t error = cudaMemPoolSetAttribute(pool_, cudaMemPoolAttrReleaseThreshold, &all);
@@ -56,12 +43,20 @@ public:
       check(error);
     }
   }
-  ~MemoryPool() { static_cast<void>(cudaMemPoolDestroy(pool_)); }
+  // Waits until what was freed in the order of a stream's work has come back: drivers have crashed at pools
+  // that were destroyed before. Where that can't be waited for, the pool is lost with its device.
+  ~MemoryPool() {
+    on_device_if_possible(device_, [&] {
+      check(cudaDeviceSynchronize());
+      check(cudaMemPoolDestroy(pool_));
+    });
+  }
   MemoryPool(const MemoryPool&) = delete;
   MemoryPool& operator=(const MemoryPool&) = delete;
   operator cudaMemPool_t() const { return pool_; }
 
 private:
+  int device_ = 0;
   cudaMemPool_t pool_ = nullptr;
 };
 
