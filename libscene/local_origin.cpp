@@ -2,33 +2,12 @@
 
 #include "libscene/error.h"
 #include "libscene/geometry/cone.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include "libscene/scene_bounds.h"
 
 #include <cmath>
 
 namespace masu {
 namespace {
-
-// The join of what box_of(record) gives of all records.
-template <class Records, class BoxOf>
-Boxd joined(const Records& records, const BoxOf& box_of) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, records.size()), empty_box<double>(),
-      [&](const tbb::blocked_range<std::size_t>& range, Boxd box) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          box = join(box, box_of(records[i]));
-        return box;
-      },
-      [](const Boxd& a, const Boxd& b) { return join(a, b); });
-}
-
-template <class BoxOf>
-Boxd joined(const Scene& scene, const BoxOf& box_of) {
-  return join(join(joined(scene.triangles, box_of), joined(scene.spheres, box_of)),
-              joined(scene.cones, box_of));
-}
 
 // Of a record's points, without radii: exact.
 struct PointBox {
@@ -40,9 +19,9 @@ struct PointBox {
 } // namespace
 
 Vec3d automatic_origin(const Scene& scene) {
-  const Vec3d corner = joined(scene, PointBox{}).min;
-  const Boxd box =
-      joined(scene, [&](const auto& record) { return bounds(relative_to(corner, record)); }); // of its kind
+  const Vec3d corner = joined_boxes(scene, PointBox{}).min;
+  const Boxd box = joined_boxes(
+      scene, [&](const auto& record) { return bounds(relative_to(corner, record)); }); // of its kind
   const Vec3d half = (box.max - box.min) * 0.5;
   const double reach = largest_magnitude(half);
   // A scene of one point stays where it is: at zero no store could hold it.

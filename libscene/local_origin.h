@@ -22,8 +22,8 @@ inline constexpr double max_origin = 1e100;
 // coordinates have so many steps.
 Vec3d automatic_origin(const Scene& scene);
 
-// Automatic where `wanted` isn't given. Throws Error(usage, place, …) for one that isn't finite or lies beyond
-// max_origin.
+// Automatic where `wanted` isn't given. Throws Error(usage, place, …) for one that isn't finite or lies
+// beyond max_origin.
 Vec3d origin_for(const Scene& scene, const std::optional<Vec3d>& wanted, const char* place = "origin");
 
 // A point relative to an origin: each coordinate rounded once. Never -0, which a moved scene wouldn't have.

@@ -71,6 +71,7 @@ ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request) 
   double distance = distance_to(bounds, camera.from);
   if (!is_fine(distance)) {
     distance = nearest_hit_of(tracer, lattice_of(request, camera));
+    if (request.hither) distance += max(camera.hither, 0.0); // where rays start, or farther
     if (!is_fine(distance)) chosen.precision = Precision::doubled;
   }
   chosen.pixel = pixel_at_1 * distance;

@@ -11,13 +11,14 @@ namespace masu {
 struct ViewPrecision {
   Precision precision = Precision::robust; // or doubled
   bool is_stored = false;                  // doubled, since the scene's store leaves no choice
-  double error_bound = 0; // of robust across a ray (margin.h), in scene units
+  double error_bound = 0;                  // of robust across a ray (margin.h), in scene units
   double pixel = 0; // a pixel's side at the nearest surface in the picture; infinity where there is none
 };
 
-// Robust where its error bound across a ray is at most a sixteenth of a pixel at the nearest surface that a lattice of
-// camera rays meets, else doubled: nearer than that its errors can be seen. The lattice is the picture's, of
-// at most 64 × 64 rays, traced in double; where the distance of the scene's bounds tells already, none is.
+// Robust where its error bound across a ray is at most a sixteenth of a pixel at the nearest surface that a
+// lattice of camera rays meets, else doubled: nearer than that its errors can be seen. The lattice is the
+// picture's, of at most 64 × 64 rays, traced in double; where the distance of the scene's bounds tells
+// already, none is.
 // Independent of the grid and of the device, and of the part of the picture that is traced.
 ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request);
 

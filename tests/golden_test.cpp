@@ -58,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
                            }},
                     Golden{"grid_of_blocks", golden_grid_of_blocks,
                            [](const std::string& path) {
-                             write_grid(tiny_grid_of_blocks(), tiny_grid_provenance(golden_geometry_hash), path);
+                             write_grid(tiny_grid_of_blocks(), tiny_grid_provenance(golden_geometry_hash),
+                                        path);
                            }},
                     Golden{"merged_grid", golden_merged_grid,
                            [](const std::string& path) {

@@ -1,6 +1,8 @@
 // `--precision auto` follows the view: float32's errors are never seen, and double is taken nowhere else.
 #include "renderer/view_precision.h"
 
+#include "libscene/nff/nff.h"
+#include "libscene/spd/spd.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 #include "tools/bench/stability/test_scene.h"
@@ -8,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <memory>
 #include <numbers>
 
 namespace masu {
@@ -132,11 +136,39 @@ TEST(ViewPrecision, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
 }
 
 TEST(ViewPrecision, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
-  const Scene scene = needles(*std::make_unique<Chance>(RandomSeed(1)));
-  const Rendering stored(scene, Store::float64);
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  const Rendering stored(needles(chance), Store::float64);
   const Tracer tracer(stored.scene(), &stored.grid(), Device::cpu);
   EXPECT_EQ(view_precision(tracer, stored.request()).precision, Precision::doubled);
   EXPECT_TRUE(view_precision(tracer, stored.request()).is_stored);
+  const Rendering nothing(empty_scene({0, 0, 1e-20}, {0, 0, 0}), Store::automatic);
+  EXPECT_EQ(
+      view_precision(Tracer(nothing.scene(), &nothing.grid(), Device::cpu), nothing.request()).precision,
+      Precision::robust);
+}
+
+// As long as their errors can't be seen: doubled takes half as long again.
+TEST(ViewPrecision, IsRobustForTheStandardScenes) {
+  const TemporaryFolder folder;
+  for (const char* const name : {"balls", "gears", "mount", "rings", "teapot", "tetra", "tree"}) {
+    const SpdInfo& info = spd_info(name);
+    const std::string path = folder.file("scene.nff");
+    {
+      const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
+      write_spd({info.scene, info.standard}, file.get(), path);
+    }
+    const Rendering rendering(read_nff(path), Store::automatic);
+    FrameRequest request = rendering.request();
+    for (const std::int32_t side : {512, 1024}) {
+      request.camera.width = request.camera.height = side;
+      const ViewPrecision chosen =
+          view_precision(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), request);
+      EXPECT_EQ(chosen.precision, Precision::robust)
+          << name << " of " << side << ": " << description_of(chosen);
+    }
+  }
 }
 
 } // namespace

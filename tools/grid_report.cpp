@@ -2,6 +2,7 @@
 
 #include "libgrid/cells.h"
 #include "tools/provenance.h"
+#include "tools/vector_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,10 +10,6 @@ namespace masu {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vector_json(const Vec3d& v) {
-  return {v.x, v.y, v.z};
-}
 
 // What only merged grids have; null for uniform ones, so that every report has the same keys.
 Json merged_report(const GridFile& file, const Statistics& statistics) {

@@ -5,6 +5,7 @@
 #include "tools/flat_csv.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
+#include "tools/vector_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -19,9 +20,8 @@ using Json = nlohmann::ordered_json;
 Json report(const GridFile& file, const HierarchyStatistics& s) {
   const fb::Grid& table = file.table();
   const Boxd space = finest_layout(file).space;
-  const auto vector = [](const Vec3d& v) { return Json{v.x, v.y, v.z}; };
   Json json{{"merge", "bvh"},
-            {"space", {{"min", vector(space.min)}, {"max", vector(space.max)}}},
+            {"space", {{"min", vector_json(space.min)}, {"max", vector_json(space.max)}}},
             {"primitives", table.primitives()},
             {"nodes", s.nodes},
             {"boxes_a_node", s.boxes_a_node},

@@ -5,6 +5,7 @@
 #include "tools/number_list.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
+#include "tools/vector_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -160,10 +161,6 @@ std::string rounding_text(const Report& r) {
 }
 
 // --- Output ---------------------------------------------------------------------------------------------
-
-Json vector_json(const Vec3d& v) {
-  return {v.x, v.y, v.z};
-}
 
 Json bounds_json(const Boxd& box) {
   if (is_empty(box)) return nullptr;

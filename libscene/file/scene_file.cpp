@@ -4,12 +4,12 @@
 #include "libscene/file/scene_checks.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
+#include "libscene/scene_bounds.h"
 #include "libscene/stopwatch.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,22 +44,9 @@ Light<To> converted(const Light<double>& l) {
 }
 
 // Of what `stored` makes of the records.
-template <class Records, class AsStored>
-Boxd bounds_of(const Records& records, const AsStored& stored) {
-  return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, records.size()), empty_box<double>(),
-      [&](const tbb::blocked_range<std::size_t>& range, Boxd box) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          box = join(box, cast<double>(bounds(stored(records[i]))));
-        return box;
-      },
-      [](const Boxd& a, const Boxd& b) { return join(a, b); });
-}
-
 template <class AsStored>
 Boxd bounds_of(const Scene& scene, const AsStored& stored) {
-  return join(join(bounds_of(scene.triangles, stored), bounds_of(scene.spheres, stored)),
-              bounds_of(scene.cones, stored));
+  return joined_boxes(scene, [&](const auto& record) { return cast<double>(bounds(stored(record))); });
 }
 
 fb::Vec3 table_vector(const Vec3d& v) {

@@ -5,6 +5,7 @@
 #include "page_files.h"
 #include "tools/printable.h"
 #include "tools/provenance.h"
+#include "tools/vector_json.h"
 
 #include <fmt/format.h>
 
@@ -41,10 +42,6 @@ std::string base64(std::string_view bytes) {
 // Whether the channel's picture is another one for each grid.
 bool depends_on_grid(const PictureChannel& channel) {
   return channel.channel == Channel::cells || channel.channel == Channel::tests;
-}
-
-Json vector_json(const Vec3d& v) {
-  return {v.x, v.y, v.z};
 }
 
 Json picture_json(const Picture& picture) {

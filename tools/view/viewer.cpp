@@ -12,6 +12,7 @@
 #include "tools/counts_report.h"
 #include "tools/grid_report.h"
 #include "tools/provenance.h"
+#include "tools/vector_json.h"
 #include "tools/walk_text.h"
 
 #include <atomic>
@@ -21,10 +22,6 @@ namespace masu {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vector_json(const Vec3d& v) {
-  return {v.x, v.y, v.z};
-}
 
 // The colour map in equal steps, as #rrggbb.
 Json color_map_samples() {
