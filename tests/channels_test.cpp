@@ -407,6 +407,7 @@ TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
     const WalkReport first = trace_walk(tracer, walk);
     for (const double length : {1.0, std::exp2(chance.between(-30, 30))}) {
       walk.ray = unbounded_ray(first.rays[0].origin, first.rays[0].direction * length);
+      walk.is_relative = false; // it is reported in the world
       const WalkReport again = trace_walk(tracer, walk);
       EXPECT_NEAR(masu::length(again.rays[0].direction), 1, 1e-6);
       if (length != 1) continue;

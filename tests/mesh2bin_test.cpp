@@ -250,9 +250,16 @@ TEST_F(Mesh2bin, PrintsOneLineWhateverAssimpPrints) {
 TEST_F(Mesh2bin, EndsWithALineWhereThereIsLittleMemory) {
   const std::string obj = mesh("a.obj", polygons_obj);
   for (int kilobytes = 18000; kilobytes < 60000; kilobytes += kilobytes < 30000 ? 250 : 2000) {
-    const ToolResult result =
-        run("/bin/sh", {"-c", "ulimit -v " + std::to_string(kilobytes) + "; exec \"$0\" \"$1\" -o \"$2\"",
-                        std::string(MASU_BIN_DIR) + "/mesh2bin", obj, file("a.scene")});
+    const auto limited = [&](const Arguments& arguments) {
+      Arguments all{"-c", "ulimit -v " + std::to_string(kilobytes) + "; exec \"$0\" \"$@\"",
+                    std::string(MASU_BIN_DIR) + "/mesh2bin"};
+      all.insert(all.end(), arguments.begin(), arguments.end());
+      return run("/bin/sh", all);
+    };
+    // Some releases of oneTBB crash before main() where they find too little memory; and wait for ever, using
+    // the processor, where there is no memory to throw an exception with.
+    if (limited({"--version"}).code < 0) continue;
+    const ToolResult result = limited({obj, "-o", file("a.scene"), "--time-limit", "1"});
     SCOPED_TRACE(testing::Message() << kilobytes << " KiB: " << result.err);
     EXPECT_TRUE(result.code == 0 || result.code == 2 || result.code == 127) << result.code;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), result.code == 0 ? 0 : 1);
