@@ -102,7 +102,11 @@ Tally judged_leaving(const SceneView<Stored>& scene, const std::vector<Grid>& gr
                    [&](const auto& p) { outwards = outwards_at(p, cast<double>(point.position), middle); });
     constexpr double off_tangent = 1.02; // above 1: not tangential to the surface
     for (const double side : {1.0, -1.0}) {
-      const Vec3<Real> direction = cast<Real>(normalized(trial.aims[i] + outwards * (side * off_tangent)));
+      const Vec3d& aim = trial.aims[i];
+      const Vec3<Real> direction =
+          cast<Real>(trial.sines.empty() ? normalized(aim + outwards * (side * off_tangent))
+                                         : normalized(normalized(aim - outwards * dot(aim, outwards)) +
+                                                      outwards * (side * trial.sines[i])));
       const Ray<Real> ray = unbounded_ray(leaving(point, direction), direction);
       const Hit<Real> hit = nearest_hit<M>(scene, NoGrid{}, ray, counts);
       tally.by_grid += same_by_grids(ray, hit) ? 0 : 1;

@@ -38,6 +38,9 @@ public:
     scene.triangles.push_back({a, object, b, kind, c, no_normals});
     scene.triangles.push_back({a, object, c, kind, d, no_normals});
   }
+  void triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, Kind kind) {
+    scene.triangles.push_back({a, scene.objects.polygons++, b, kind, c, no_normals});
+  }
   void sphere(const Vec3d& center, double radius, Kind kind) {
     scene.sphere_surfaces.push_back({0, kind});
     scene.spheres.push_back({center, radius});
@@ -97,6 +100,22 @@ Scene from_nearby(Chance& chance, double distance) {
   maker.light(at + Vec3d{0.75, 0.5, 1.25} * distance);
   maker.quad({0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, SceneMaker::of_matte);
   thicket(chance, at, 0.25 * distance, maker);
+  return std::move(maker.scene);
+}
+
+// Upright needles, a hundredth as wide as long, off the middle of a floor of size 2.
+Scene needles(Chance& chance, double length) {
+  const Vec3d at{0.25, -0.125, 0};
+  SceneMaker maker(at + Vec3d{2.5, -4, 3} * length, at + Vec3d{0, 0, 0.4} * length);
+  maker.light({1, 0.7, 1.5});
+  maker.quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, SceneMaker::of_matte);
+  for (int i = 0; i < 400; ++i) {
+    const auto aside = [&](double by) {
+      return Vec3d{chance.uniform(-by, by), chance.uniform(-by, by), 0} * length;
+    };
+    const Vec3d base = at + aside(2), half = aside(0.005);
+    maker.triangle(base - half, base + half, base + aside(0.2) + Vec3d{0, 0, length}, SceneMaker::of_matte);
+  }
   return std::move(maker.scene);
 }
 
@@ -179,6 +198,7 @@ std::vector<PictureSweep> picture_sweeps() {
           {"contrast", "width of the floor under things of size 1", powers_of_ten(1, 9), on_a_floor},
           {"near", "distance of the camera from things as small, on a floor of size 1", powers_of_ten(-7, 0),
            from_nearby},
+          {"needles", "length of needles on a floor of size 2", powers_of_ten(-4, -1), needles},
           {"glass", "panes of glass that rays pass", {0, 1, 2, 4, 8}, behind_glass}};
 }
 

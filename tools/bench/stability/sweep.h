@@ -32,7 +32,9 @@ struct Trial {
                                 {{16, 16, 16}, GridKind::x},
                                 {{1, 1, 1}, GridKind::hierarchy}};
   std::vector<Vec3d> aims{}; // leaving: a random unit vector for each ray
-  std::int32_t depth = 1;    // glass: the largest depth of rays
+  // leaving: the sine of each ray's angle to the surface that it leaves; none: not grazing
+  std::vector<double> sines{};
+  std::int32_t depth = 1; // glass: the largest depth of rays
   std::optional<TestScene<double>>
       original{}; // closest: the scene before rounding, with which hits are compared
 };

@@ -82,6 +82,53 @@ Trial<Stored> left_moved(Chance& chance, double parameter, std::size_t rays) {
   return bodies<Stored>(chance, aside * parameter, 1, rays);
 }
 
+// A slab of some width and a tenth as thick, turned anyhow, and three balls of size 1 above it or sunk into
+// it; all its six sides are drawn as 4 x 4 squares, whose corners are rounded: so neighbours are nearly
+// coplanar. Rays hit it near the balls, and leave it at all angles.
+template <class Stored>
+Trial<Stored> on_a_slab(Chance& chance, double width, double sine, std::size_t rays) {
+  Trial<Stored> trial;
+  const Vec3d up = chance.direction(), u = across(chance, up), v = cross(up, u);
+  constexpr int squares = 4;
+  const Vec3d half[3] = {u * (width / 2), v * (width / 2), up * (width / 20)};
+  const Vec3d middle = up * (-width / 20) + u * (width * chance.uniform(-0.1, 0.1));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3d center = middle + half[axis] * side, a = half[(axis + 1) % 3], b = half[(axis + 2) % 3];
+      const auto corner = [&](int i, int k) {
+        return cast<Stored>(center + a * (2.0 * i / squares - 1) + b * (2.0 * k / squares - 1));
+      };
+      for (int i = 0; i < squares; ++i) {
+        for (int k = 0; k < squares; ++k) {
+          trial.scene.triangles.push_back(
+              triangle_of<Stored>(corner(i, k), corner(i + 1, k), corner(i + 1, k + 1)));
+          trial.scene.triangles.push_back(
+              triangle_of<Stored>(corner(i, k), corner(i + 1, k + 1), corner(i, k + 1)));
+        }
+      }
+    }
+  }
+  for (const double height : {0.55, 0.5, 0.3})
+    trial.scene.spheres.push_back(
+        sphere_of<Stored>(u * chance.uniform(-2, 2) + v * chance.uniform(-2, 2) + up * height, 0.5));
+  for (std::size_t i = 0; i < rays; ++i) {
+    const double reach = chance.one_in(2) ? 3 : width / 2;
+    const Vec3d at = u * chance.uniform(-reach, reach) + v * chance.uniform(-reach, reach);
+    trial.rays.push_back(ray_towards<Stored>(at + (up * 1.5 + chance.in_cube(1)) * 4.0, at));
+    trial.aims.push_back(chance.direction());
+    trial.sines.push_back(sine > 0 ? sine : std::pow(10.0, chance.uniform(-4, 0)));
+  }
+  return trial;
+}
+template <class Stored>
+Trial<Stored> left_by_contrast(Chance& chance, double parameter, std::size_t rays) {
+  return on_a_slab<Stored>(chance, parameter, 0, rays);
+}
+template <class Stored>
+Trial<Stored> left_grazing(Chance& chance, double parameter, std::size_t rays) {
+  return on_a_slab<Stored>(chance, 100, parameter, rays);
+}
+
 // --- Glass ----------------------------------------------------------------------------------------------
 
 // Spheres within spheres and in a box, all of glass.
@@ -169,6 +216,20 @@ std::vector<Sweep> body_sweeps() {
        {0, 1e3},
        everywhere,
        {0, 1e12}},
+      {"leaving-contrast",
+       "width of a slab over the size of what stands on it",
+       Judge::leaving,
+       1,
+       powers_of_ten(0, 9),
+       powers_of_ten(0, 9, 3),
+       left_by_contrast<float>,
+       left_by_contrast<double>,
+       {10, 1e4},
+       everywhere,
+       everywhere},
+      {"leaving-grazing", "sine of the angle at which rays leave a slab", Judge::leaving, 1,
+       powers_of_ten(-4, 0), powers_of_ten(-12, 0, 4), left_grazing<float>, left_grazing<double>, everywhere,
+       everywhere, everywhere},
       {"glass",
        "index of refraction, depth 8",
        Judge::glass,
