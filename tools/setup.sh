@@ -14,6 +14,7 @@ has() { # package
     libassimp-dev) header assimp/scene.h ;;
     libbenchmark-dev) header benchmark/benchmark.h ;;
     libembree-dev) header embree4/rtcore.h || header embree3/rtcore.h ;;
+    libgmp-dev) header gmpxx.h ;;
     libcpp-httplib-dev) header httplib.h ;;
     libturbojpeg0-dev) header turbojpeg.h ;;
     libcli11-dev) header CLI/CLI.hpp ;;
@@ -66,7 +67,7 @@ require() {
 
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
   libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
-benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays
+benchmarks=(libbenchmark-dev libembree-dev libgmp-dev) # for masu_cpu_rays and gridbench stability
 # file: for cpack; help2man: for man pages
 tests=(file gnuplot-nox help2man python3-numpy) # beside libgtest-dev, which all of them need
 # libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,

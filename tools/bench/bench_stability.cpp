@@ -1,7 +1,9 @@
 // Where tracing fails: sweeps of one parameter each, compared with an oracle; and the same rays on the GPU.
 #include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/embree_scene.h"
 #include "tools/bench/stability/backends.h"
+#include "tools/bench/stability/exact_hit.h"
 #include "tools/bench/stability/picture_sweeps.h"
 #include "tools/bench/stability/run.h"
 #include "tools/printable.h"
@@ -48,18 +50,39 @@ void print_row(const Row& row) {
     return number == 0 ? std::string("-")
                        : fmt::format("{:.3g}", static_cast<double>(number) / static_cast<double>(t.rays));
   };
-  fmt::print("{:<15} {:>8.3g} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
+  fmt::print("{:<18} {:>8.3g} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
              row.step, row.float64 ? "float64" : "float32", row.mode.name, t.rays, share(t.unsure),
              share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
              t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
   flush_standard_output();
 }
 
+Json to_json(const std::string& sweep, double step, const Disagreement& d) {
+  return {{"sweep", sweep},          {"step", step},
+          {"store", "float32"},      {"modes", "robust,embree-robust"},
+          {"rays", d.rays},          {"differing", d.differing},
+          {"robust_right", d.first}, {"embree_right", d.second},
+          {"both_right", d.both},    {"neither_right", d.neither}};
+}
+
+void print_disagreements(const std::vector<Row>& rows) {
+  if (rows.empty()) return;
+  fmt::print(
+      "\nRays of which robust and embree-robust find different primitives, and which of them is right in "
+      "exact arithmetic\n{:<18} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
+      "sweep", "step", "rays", "differing", "robust", "embree", "both", "neither");
+  for (const Row& row : rows) {
+    const Disagreement& d = row.disagreement.value();
+    fmt::print("{:<18} {:>8.3g} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n", row.sweep, row.step, d.rays,
+               d.differing, d.first, d.second, d.both, d.neither);
+  }
+}
+
 // Returns the number of steps at which CPU and GPU differ in robust or double.
 std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps, Json& rows) {
   std::uint64_t bad = 0;
   if (!settings.json)
-    fmt::print("\n{:<15} {:>8} {:<7} {:<14} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "mode", "rays",
+    fmt::print("\n{:<18} {:>8} {:<7} {:<14} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "mode", "rays",
                "differing");
   for (const Sweep& sweep : sweeps) {
     compare_backends(sweep, settings.run, [&](const Difference& d) {
@@ -73,7 +96,7 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
                       {"rays", d.rays},
                       {"differing", d.differing}});
       if (!settings.json)
-        fmt::print("{:<15} {:>8.3g} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, d.step,
+        fmt::print("{:<18} {:>8.3g} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, d.step,
                    d.float64 ? "float64" : "float32", d.mode.name, d.rays, d.differing);
     });
   }
@@ -128,18 +151,30 @@ void bench_stability(const Settings& settings) {
   const std::vector<Sweep> sweeps = chosen(all_sweeps(), settings);
   Json rows = Json::array();
   if (!settings.json)
-    fmt::print("{:<15} {:>8} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
+    fmt::print("{:<18} {:>8} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
                "store", "mode", "rays", "unsure", "missed", "false", "wrong", "misplaced", "by grid",
                "t error");
+  RunSettings run_settings = settings.run;
+  run_settings.embree = embree_available;
+  if (!embree_available)
+    print_note("gridbench: built without Embree (libembree-dev): Masu alone is judged\n");
+  else if (!exact_hits_available)
+    print_note(
+        "gridbench: built without GMP (libgmp-dev): who is right where Embree differs isn't decided\n");
+  std::vector<Row> disagreements;
   for (const Sweep& sweep : sweeps) {
-    run(sweep, settings.run, [&](const Row& row) {
+    run(sweep, run_settings, [&](const Row& row) {
       if (!wanted(settings.precisions, row.mode.name)) return;
       if (settings.json)
         rows.push_back(to_json(row));
       else
         print_row(row);
+      if (!row.disagreement) return;
+      disagreements.push_back(row);
+      if (settings.json) rows.push_back(to_json(row.sweep, row.step, *row.disagreement));
     });
   }
+  if (!settings.json) print_disagreements(disagreements);
   const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
   if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
   if (bad == 0) return;
@@ -163,11 +198,14 @@ void add_stability(CLI::App& app) {
       ->capture_default_str();
   stability.add_option("--seed", settings.run.seed, "seed of scenes and rays")->capture_default_str();
   stability
-      .add_option("--precision", settings.precisions,
-                  "show only these: fast, robust, double, of pictures auto, and first-cell-hit (robust, with "
-                  "gridrender's --first-cell-hit)")
+      .add_option(
+          "--precision", settings.precisions,
+          "show only these: fast, robust, double, of pictures auto, first-cell-hit (robust, with "
+          "gridrender's --first-cell-hit), and of triangles embree and embree-robust, where this program "
+          "was built with Embree")
       ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double", "first-cell-hit"}));
+      ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double", "first-cell-hit",
+                                                  "embree", "embree-robust"}));
   add_backend(stability, settings.backend);
   stability.add_flag("--pictures", settings.pictures,
                      "sweeps of pictures instead, on the CPU: the share of pixels that are off by more than "

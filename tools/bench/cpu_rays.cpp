@@ -87,7 +87,7 @@ Contestant masu_with(const SceneFile& scene, const GridFile& grid) {
 }
 
 Contestant embree_with(const SceneFile& scene) {
-  const auto embree = std::make_shared<EmbreeScene>(scene.view<float>());
+  const auto embree = std::make_shared<EmbreeScene>(scene.view<float>(), EmbreeFlags{true, true});
   return {embree_name(), [embree](std::span<const Ray<float>> rays, Hits& hits) {
             tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 4096), [&](const auto& range) {
               embree->trace(rays.subspan(range.begin(), range.size()), hits.t.data() + range.begin(),

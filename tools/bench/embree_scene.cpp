@@ -20,10 +20,10 @@ std::string embree_name() {
   return "Embree " RTC_VERSION_STRING;
 }
 
-EmbreeScene::EmbreeScene(const SceneView<float>& scene)
+EmbreeScene::EmbreeScene(const SceneView<float>& scene, EmbreeFlags flags)
     : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(scene_, flags.high_quality ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
+  rtcSetSceneFlags(scene_, flags.robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   if (scene.triangle_count > 0) {
     auto* const geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     // A triangle's record is three vertices of 16 bytes.

@@ -1,5 +1,4 @@
-// A scene's triangles in Embree: to compare with. Built for the most speed of single rays that are watertight
-// (RTC_BUILD_QUALITY_HIGH, RTC_SCENE_FLAG_ROBUST).
+// A scene's triangles in Embree: to compare with.
 #pragma once
 
 #include "libscene/geometry/ray.h"
@@ -17,10 +16,15 @@ namespace masu {
 extern const bool embree_available;
 std::string embree_name(); // with its version
 
+struct EmbreeFlags {
+  bool robust;       // RTC_SCENE_FLAG_ROBUST: watertight; else RTC_SCENE_FLAG_NONE
+  bool high_quality; // RTC_BUILD_QUALITY_HIGH: most speed of single rays; else the default
+};
+
 class EmbreeScene {
 public:
   // The scene's triangles are used where they are.
-  explicit EmbreeScene(const SceneView<float>& scene);
+  EmbreeScene(const SceneView<float>& scene, EmbreeFlags flags);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
   EmbreeScene(EmbreeScene&&) = delete;

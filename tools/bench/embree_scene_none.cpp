@@ -10,7 +10,7 @@ std::string embree_name() {
   return "Embree";
 }
 
-EmbreeScene::EmbreeScene(const SceneView<float>&) {
+EmbreeScene::EmbreeScene(const SceneView<float>&, EmbreeFlags) {
   throw Error(ErrorCode::usage, "Embree", "this program was built without it: install libembree-dev");
 }
 EmbreeScene::~EmbreeScene() = default;

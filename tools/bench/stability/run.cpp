@@ -4,6 +4,8 @@
 #include "libgrid/build/division.h"
 #include "libgrid/build/hierarchy.h"
 #include "renderer/dispatch.h"
+#include "tools/bench/embree_scene.h"
+#include "tools/bench/stability/exact_hit.h"
 #include "tools/bench/stability/judge_surfaces.h"
 #include "tools/bench/stability/same_bits.h"
 
@@ -76,12 +78,54 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
   return grids;
 }
 
-// The modes in which scenes of this store can be traced.
+bool judges_hits(Judge judge) {
+  return judge == Judge::closest || judge == Judge::enclosed;
+}
+
+// The modes in which the scene can be traced, those of float32 arithmetic first.
 template <class Stored>
-std::vector<Mode> modes_for(Judge judge) {
+std::vector<Mode> modes_for(const SceneView<Stored>& scene, Judge judge, bool with_embree) {
   if (std::is_same_v<Stored, double>) return {doubled};
-  if (judge == Judge::closest) return {all_ways.begin(), all_ways.end()};
-  return {fast, robust, doubled};
+  std::vector<Mode> modes{fast, robust};
+  if (judge == Judge::closest) modes.insert(modes.begin() + 1, first_cell);
+  if (with_embree && judges_hits(judge) && scene.triangle_count == scene.primitive_count())
+    modes.insert(modes.end(), {embree, embree_robust});
+  modes.push_back(doubled);
+  return modes;
+}
+
+std::vector<Found> trace_by_embree(const SceneView<float>& scene, const std::vector<Ray<double>>& rays,
+                                   EmbreeFlags flags) {
+  std::vector<Ray<float>> rounded(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    rounded[i] = loaded<float>(rays.data(), own_format<double>, i);
+  std::vector<float> t(rays.size());
+  std::vector<PrimitiveIndex> primitive(rays.size());
+  EmbreeScene(scene, flags).trace(rounded, t.data(), primitive.data());
+  std::vector<Found> found(rays.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    found[i] = {static_cast<double>(t[i]), primitive[i], true};
+  return found;
+}
+
+// Closest hits in each mode.
+template <class Stored>
+std::vector<std::vector<Found>> found_in(const std::vector<Mode>& modes, const SceneView<Stored>& view,
+                                         const std::vector<Grid>& grids,
+                                         const std::vector<Ray<double>>& rays) {
+  std::vector<std::vector<Found>> found;
+  for (const Mode& mode : modes) {
+    if constexpr (std::is_same_v<Stored, float>) {
+      if (mode.by != Implementation::masu) {
+        found.push_back(trace_by_embree(view, rays, {mode.by == Implementation::embree_robust, false}));
+        continue;
+      }
+    }
+    with_arithmetic(view, mode.precision, [&]<class TestRay>(Arithmetic<TestRay>) {
+      found.push_back(trace<TestRay>(view, grids, rays, mode.stop));
+    });
+  }
+  return found;
 }
 
 // How far rounding to the store moves a vertex, or a sphere's surface by its centre and radius, at most.
@@ -95,40 +139,40 @@ double rounding_of_store(const Boxd& bounds) {
 
 template <class Stored>
 std::vector<Tally> judged_closest(const SceneView<Stored>& view, const Boxd& bounds,
-                                  const std::vector<Grid>& grids, const Trial<Stored>& trial,
-                                  const std::vector<Mode>& modes) {
+                                  const Trial<Stored>& trial, const std::vector<Mode>& modes,
+                                  std::vector<std::vector<Found>> found) {
   TestScene<double> original = trial.original.value_or(TestScene<double>{});
   const auto oracle = trial.original ? oracle::SceneOracle(original.view()) : oracle::SceneOracle(view);
   const double rounding = trial.original ? rounding_of_store<Stored>(bounds) : 0;
+  // Of equal primitives Embree may find any.
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (modes[i].by == Implementation::masu) continue;
+    for (Found& one : found[i])
+      if (one.primitive != no_primitive) one.primitive = oracle.first_alike(one.primitive);
+  }
   std::vector<Tally> tallies;
   // Modes with the same error bound are compared with the same reference hits.
   for (std::size_t begin = 0, end = 0; begin < modes.size(); begin = end) {
     const double slack = slack_for(modes[begin].precision, bounds);
-    std::vector<std::vector<Found>> found;
-    for (end = begin; end < modes.size() && slack_for(modes[end].precision, bounds) == slack; ++end) {
-      with_arithmetic(view, modes[end].precision, [&]<class TestRay>(Arithmetic<TestRay>) {
-        found.push_back(trace<TestRay>(view, grids, trial.rays, modes[end].stop));
-      });
-    }
-    const auto part =
-        judged(oracle, trial.rays, slack + rounding, unit_roundoff_of(modes[begin].precision), found);
+    end = begin;
+    while (end < modes.size() && slack_for(modes[end].precision, bounds) == slack)
+      ++end;
+    const auto part = judged(oracle, trial.rays, slack + rounding, unit_roundoff_of(modes[begin].precision),
+                             std::span(found).subspan(begin, end - begin));
     tallies.insert(tallies.end(), part.begin(), part.end());
   }
   return tallies;
 }
 
+// What follows a hit.
 template <class Stored>
 std::vector<Tally> judged_by(Judge judge, const SceneView<Stored>& view, const Boxd& bounds,
                              const std::vector<Grid>& grids, const Trial<Stored>& trial,
                              const std::vector<Mode>& modes) {
-  if (judge == Judge::closest) return judged_closest(view, bounds, grids, trial, modes);
   std::vector<Tally> tallies;
   for (const Mode& mode : modes) {
     with_arithmetic(view, mode.precision, [&]<class TestRay>(Arithmetic<TestRay>) {
       switch (judge) {
-      case Judge::enclosed:
-        tallies.push_back(judged_enclosed(trace<TestRay>(view, grids, trial.rays, mode.stop)));
-        break;
       case Judge::leaving:
         tallies.push_back(judged_leaving<TestRay>(view, grids, trial, slack_for(mode.precision, bounds)));
         break;
@@ -149,20 +193,49 @@ bool is_within(const Sweep& sweep, const Mode& mode, bool float64, double step) 
   return (mode.precision == Precision::doubled ? sweep.doubled : sweep.robust).holds(step);
 }
 
+// Of robust with embree-robust.
 template <class Stored>
-void run_step(const Sweep& sweep, Trial<Stored> trial, double step,
+std::optional<Disagreement>
+disagreement_of(const SceneView<Stored>& view, const std::vector<Ray<double>>& rays,
+                const std::vector<Mode>& modes, const std::vector<std::vector<Found>>& found) {
+  if constexpr (std::is_same_v<Stored, float>) {
+    const std::vector<Found>* ours = nullptr;
+    for (std::size_t i = 0; exact_hits_available && i < modes.size(); ++i) {
+      if (modes[i].name == robust.name) ours = &found[i];
+      if (modes[i].by == Implementation::embree_robust)
+        return disagreement({view.triangles, view.triangle_count}, rays, *ours, found[i]);
+    }
+  }
+  return {};
+}
+
+template <class Stored>
+void run_step(const Sweep& sweep, Trial<Stored> trial, double step, bool with_embree,
               const std::function<void(const Row&)>& report) {
   constexpr bool float64 = std::is_same_v<Stored, double>;
   const SceneView<Stored> view = trial.scene.view();
   const Boxd bounds = trial.scene.bounds();
-  const std::vector<Mode> modes = modes_for<Stored>(sweep.judge);
-  const std::vector<Tally> tallies =
-      judged_by(sweep.judge, view, bounds, build(view, bounds, trial.grids), trial, modes);
+  const std::vector<Mode> modes = modes_for(view, sweep.judge, with_embree);
+  const std::vector<Grid> grids = build(view, bounds, trial.grids);
+  std::vector<Tally> tallies;
+  std::optional<Disagreement> disagreement;
+  if (judges_hits(sweep.judge)) {
+    const std::vector<std::vector<Found>> found = found_in(modes, view, grids, trial.rays);
+    disagreement = disagreement_of(view, trial.rays, modes, found);
+    if (sweep.judge == Judge::closest)
+      tallies = judged_closest(view, bounds, trial, modes, found);
+    else
+      std::transform(found.begin(), found.end(), std::back_inserter(tallies), judged_enclosed);
+  } else {
+    tallies = judged_by(sweep.judge, view, bounds, grids, trial, modes);
+  }
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const Mode& mode = modes[i];
-    const bool promised = mode.precision != Precision::fast && mode.stop == StopRule::proven;
+    const bool promised =
+        mode.precision != Precision::fast && mode.stop == StopRule::proven && mode.by == Implementation::masu;
     report({sweep.name, sweep.parameter, step, mode, float64, promised,
-            promised && is_within(sweep, mode, float64, step), tallies[i]});
+            promised && is_within(sweep, mode, float64, step), tallies[i],
+            mode.by == Implementation::embree_robust ? disagreement : std::nullopt});
   }
 }
 
@@ -181,11 +254,11 @@ void run(const Sweep& sweep, const RunSettings& settings, const std::function<vo
       std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
   for (const double step : sweep.float32_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, step);
-    run_step(sweep, sweep.float32(chance, step, rays), step, report);
+    run_step(sweep, sweep.float32(chance, step, rays), step, settings.embree, report);
   }
   for (const double step : sweep.float64_steps) {
     Chance chance = chance_for(settings.seed, sweep.name, -step);
-    run_step(sweep, sweep.float64(chance, step, rays), step, report);
+    run_step(sweep, sweep.float64(chance, step, rays), step, false, report);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/file/grid_file.h"
+#include "tools/bench/stability/disagreement.h"
 #include "tools/bench/stability/sweep.h"
 #include "tools/bench/stability/tally.h"
 
@@ -9,17 +10,22 @@
 
 namespace masu::stability {
 
-// A precision and a stop rule.
+// embree: as it is by default; embree_robust: with RTC_SCENE_FLAG_ROBUST.
+enum class Implementation { masu, embree, embree_robust };
+
+// A precision and a stop rule; Embree is judged by robust's error bound.
 struct Mode {
   const char* name;
   Precision precision;
   StopRule stop;
+  Implementation by = Implementation::masu;
 };
 inline constexpr Mode fast{"fast", Precision::fast, StopRule::proven},
     first_cell{"first-cell-hit", Precision::robust, StopRule::first_cell},
     robust{"robust", Precision::robust, StopRule::proven},
+    embree{"embree", Precision::robust, StopRule::proven, Implementation::embree},
+    embree_robust{"embree-robust", Precision::robust, StopRule::proven, Implementation::embree_robust},
     doubled{"double", Precision::doubled, StopRule::proven};
-inline constexpr std::array all_ways{fast, first_cell, robust, doubled};
 
 // Results of one step of a sweep in one mode.
 struct Row {
@@ -27,14 +33,17 @@ struct Row {
   double step;
   Mode mode;
   bool float64;  // the store
-  bool promised; // robust or double, proven: no ray may fail
+  bool promised; // robust or double, proven, by Masu: no ray may fail
   bool within;   // promised, and the step is within its envelope: most rays must be sure
   Tally tally;
+  // embree-robust: of robust and embree-robust, where exact hits are available.
+  std::optional<Disagreement> disagreement{};
 };
 
 struct RunSettings {
   std::size_t rays = 1000; // per step, times the sweep's share
   std::uint64_t seed = 1;
+  bool embree = false; // also in Embree: closest hits among triangles alone, float32 store
 };
 
 // Runs every step in every mode that its store and judge allow, and reports each row.

@@ -53,15 +53,16 @@ std::vector<double> powers_of_ten(int from, int to, int by) {
 }
 
 template <class Stored>
-TestScene<Stored> mixed_scene(Chance& chance, const Vec3d& at, double size) {
+TestScene<Stored> random_scene(Chance& chance, const Vec3d& at, double size, Kinds kinds) {
   TestScene<Stored> scene;
   const auto place = [&](double half) { return at + chance.in_cube(half * size); };
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < (kinds == Kinds::all ? 12 : 40); ++i) {
     const Vec3d around = place(0.6);
     const auto corner = [&] { return around + chance.in_cube(0.4 * size); };
     scene.triangles.push_back(
         triangle_of<Stored>(cast<Stored>(corner()), cast<Stored>(corner()), cast<Stored>(corner())));
   }
+  if (kinds == Kinds::triangles) return scene;
   for (int i = 0; i < 8; ++i) {
     const double radius = size * chance.uniform(0.05, 0.4);
     scene.spheres.push_back(sphere_of<Stored>(place(0.6), chance.one_in(8) ? -radius : radius));
@@ -75,8 +76,8 @@ TestScene<Stored> mixed_scene(Chance& chance, const Vec3d& at, double size) {
   }
   return scene;
 }
-template TestScene<float> mixed_scene(Chance&, const Vec3d&, double);
-template TestScene<double> mixed_scene(Chance&, const Vec3d&, double);
+template TestScene<float> random_scene(Chance&, const Vec3d&, double, Kinds);
+template TestScene<double> random_scene(Chance&, const Vec3d&, double, Kinds);
 
 template <class Stored>
 std::vector<Ray<double>> rays_around(Chance& chance, const Vec3d& at, double size, std::size_t count) {

@@ -104,9 +104,12 @@ Ray<double> ray_along(const Vec3d& from, const Vec3d& direction);
 // Powers of ten, `by` exponents apart.
 std::vector<double> powers_of_ten(int from, int to, int by = 1);
 
-// Random triangles, spheres and cones within ±size of `at`.
+// What scenes are made of; triangles alone can be traced by Embree, too.
+enum class Kinds { all, triangles };
+
+// Random triangles, and spheres and cones of all kinds, within ±size of `at`.
 template <class Stored>
-TestScene<Stored> mixed_scene(Chance& chance, const Vec3d& at, double size);
+TestScene<Stored> random_scene(Chance& chance, const Vec3d& at, double size, Kinds kinds = Kinds::all);
 
 // Rays from outside and inside such a scene towards points in it.
 template <class Stored>

@@ -9,9 +9,9 @@ namespace masu::stability {
 namespace {
 
 // Rays along an axis, with other components of the parameter's size and either sign, signed zeros included.
-template <class Stored>
+template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> along_axes(Chance& chance, double parameter, std::size_t rays) {
-  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1), {}};
+  Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, 1, kinds), {}};
   for (std::size_t i = 0; i < rays; ++i) {
     const int axis = chance.whole(0, 2);
     Vec3d direction{parameter * chance.sign(), parameter * chance.sign(), parameter * chance.sign()};
@@ -88,7 +88,7 @@ Trial<Stored> on_faces(Chance& chance, double parameter, std::size_t rays) {
 template <class Stored>
 Trial<Stored> divided_by(Chance& chance, double parameter, std::size_t rays) {
   const auto voxels = static_cast<std::int32_t>(parameter);
-  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
+  Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, 1),
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
   const std::int32_t few = std::min(voxels, 128), many = std::min(voxels, 512);
   trial.grids = {{{voxels, 5, 3}, GridKind::uniform},
@@ -100,7 +100,7 @@ Trial<Stored> divided_by(Chance& chance, double parameter, std::size_t rays) {
 }
 
 // A space of width 1, depth of the parameter, and height of its square root.
-template <class Stored>
+template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> flattened(Chance& chance, double parameter, std::size_t rays) {
   const Vec3d sides{1, std::sqrt(parameter), parameter};
   Trial<Stored> trial;
@@ -110,7 +110,7 @@ Trial<Stored> flattened(Chance& chance, double parameter, std::size_t rays) {
     const Vec3<Stored> a = corner(), b = corner(), c = corner();
     trial.scene.triangles.push_back(triangle_of<Stored>(a, b, c));
   }
-  for (int i = 0; i < 10; ++i)
+  for (int i = 0; kinds == Kinds::all && i < 10; ++i)
     trial.scene.spheres.push_back(sphere_of<Stored>(chance.in_cube(0.8) * sides, parameter * 0.2));
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3d from = chance.in_cube(2) * sides;
@@ -135,6 +135,17 @@ std::vector<Sweep> grid_sweeps() {
        {0, 5e-324, 1e-308, 1e-200, 1e-100, 1e-30, 1e-20, 1e-10},
        along_axes<float>,
        along_axes<double>,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"axis-ray-triangles",
+       "the same, of triangles alone",
+       Judge::closest,
+       1,
+       {0, 1.5e-45, 1e-38, 1e-30, 1e-20, 1e-12, 1e-8, 1e-6, 1e-4},
+       {},
+       along_axes<float, Kinds::triangles>,
+       nullptr,
        everywhere,
        everywhere,
        everywhere},
@@ -167,6 +178,17 @@ std::vector<Sweep> grid_sweeps() {
        powers_of_ten(-8, 0),
        {},
        flattened<float>,
+       nullptr,
+       {1e-4, 1},
+       everywhere,
+       everywhere},
+      {"proportions-triangles",
+       "the same, of triangles alone",
+       Judge::closest,
+       1,
+       powers_of_ten(-8, 0),
+       {},
+       flattened<float, Kinds::triangles>,
        nullptr,
        {1e-4, 1},
        everywhere,

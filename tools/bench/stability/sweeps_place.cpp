@@ -9,19 +9,19 @@ namespace {
 // A point whose coordinates have no special binary representation.
 const Vec3d somewhere{0.8347, -1, 0.6113};
 
-template <class Stored>
+template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> moved(Chance& chance, double parameter, std::size_t rays) {
   const Vec3d at = somewhere * parameter;
-  return {mixed_scene<Stored>(chance, at, 1), rays_around<Stored>(chance, at, 1, rays)};
+  return {random_scene<Stored>(chance, at, 1, kinds), rays_around<Stored>(chance, at, 1, rays)};
 }
 
 // The largest coordinate is about the parameter; half of it at the last step, near the largest that files
 // allow.
-template <class Stored>
+template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> scaled(Chance& chance, double parameter, std::size_t rays) {
   const double last = std::is_same_v<Stored, float> ? 1e12 : 1e100;
   const double size = parameter >= last ? parameter / 2 : parameter * 2;
-  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, size), {}};
+  Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, size, kinds), {}};
   trial.rays = rays_around<Stored>(chance, {0, 0, 0}, size, rays);
   return trial;
 }
@@ -57,7 +57,7 @@ Trial<Stored> ball_on_a_floor(Chance& chance, double parameter, std::size_t rays
 // A point on a primitive's surface, up to rounding.
 template <class Stored>
 Vec3d point_on(Chance& chance, const TestScene<Stored>& scene) {
-  if (chance.one_in(2)) {
+  if (scene.spheres.empty() || chance.one_in(2)) {
     const Triangle<double> t = widened(scene.triangles[chance.index(scene.triangles.size())]);
     double u = chance.uniform(0, 1), v = chance.uniform(0, 1);
     if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -68,9 +68,9 @@ Vec3d point_on(Chance& chance, const TestScene<Stored>& scene) {
 }
 
 // Rays that begin at the parameter's distance from a surface.
-template <class Stored>
+template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> started(Chance& chance, double parameter, std::size_t rays) {
-  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1), {}};
+  Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, 1, kinds), {}};
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3d from = point_on(chance, trial.scene) + chance.direction() * parameter;
     trial.rays.push_back(parameter > 1 ? ray_towards<Stored>(from, chance.in_cube(0.8))
@@ -97,8 +97,30 @@ std::vector<Sweep> place_sweeps() {
        {0, 1e3},
        {0, 1e7},
        {0, 1e12}},
+      {"moved-triangles",
+       "the same, of triangles alone",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       {},
+       moved<float, Kinds::triangles>,
+       nullptr,
+       {0, 1e3},
+       {0, 1e7},
+       everywhere},
       {"scaled", "size of the scene", Judge::closest, 1, powers_of_ten(-10, 12, 2),
        powers_of_ten(-90, 100, 19), scaled<float>, scaled<double>, everywhere, everywhere, everywhere},
+      {"scaled-triangles",
+       "the same, of triangles alone",
+       Judge::closest,
+       1,
+       powers_of_ten(-10, 12, 2),
+       {},
+       scaled<float, Kinds::triangles>,
+       nullptr,
+       everywhere,
+       everywhere,
+       everywhere},
       {"far-ball",
        "distance of ray origins from a single sphere, in radii",
        Judge::closest,
@@ -128,6 +150,17 @@ std::vector<Sweep> place_sweeps() {
        starts,
        {},
        started<float>,
+       nullptr,
+       {1e-4, 1e10},
+       everywhere,
+       everywhere},
+      {"start-triangles",
+       "the same, of triangles alone",
+       Judge::closest,
+       1,
+       starts,
+       {},
+       started<float, Kinds::triangles>,
        nullptr,
        {1e-4, 1e10},
        everywhere,

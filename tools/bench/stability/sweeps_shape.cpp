@@ -45,18 +45,20 @@ Trial<Stored> needles(Chance& chance, double parameter, std::size_t rays) {
 }
 
 // A triangle, a sphere and a cone; rays hit them at the parameter's angle (radians), or pass them as closely.
-template <class Stored>
+template <class Stored, Kinds kinds = Kinds::all>
 Trial<Stored> grazed(Chance& chance, double parameter, std::size_t rays) {
   Trial<Stored> trial;
   const Vec3d a{-1, -1, 0.125}, b{1, -0.75, 0}, c{0, 1, -0.0625};
   trial.scene.triangles = {triangle_of<Stored>(cast<Stored>(a), cast<Stored>(b), cast<Stored>(c))};
   const Vec3d center{3, 0.25, 0.5}, base{-3, -1, 0}, axis{0.25, 2, 0.125};
-  trial.scene.spheres = {sphere_of<Stored>(center, 1)};
-  trial.scene.cones = {cone_of<Stored>(base, 0.75, base + axis, 0.25)};
+  if (kinds == Kinds::all) {
+    trial.scene.spheres = {sphere_of<Stored>(center, 1)};
+    trial.scene.cones = {cone_of<Stored>(base, 0.75, base + axis, 0.25)};
+  }
   const Vec3d normal = normalized(cross(b - a, c - a));
   for (std::size_t i = 0; i < rays; ++i) {
     Vec3d point{}, outwards{};
-    switch (chance.whole(0, 2)) {
+    switch (kinds == Kinds::all ? chance.whole(0, 2) : 0) {
     case 0:
       point =
           (a + b + c) * (1.0 / 3) + (b - a) * chance.uniform(-0.2, 0.2) + (c - a) * chance.uniform(-0.2, 0.2);
@@ -147,7 +149,7 @@ Trial<Stored> flat_cones(Chance& chance, double parameter, std::size_t rays) {
 // Copies of every primitive.
 template <class Stored>
 Trial<Stored> duplicated(Chance& chance, double parameter, std::size_t rays) {
-  Trial<Stored> trial{mixed_scene<Stored>(chance, {0, 0, 0}, 1),
+  Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, 1),
                       rays_around<Stored>(chance, {0, 0, 0}, 1, rays)};
   const auto multiply = [&](auto& primitives) {
     const auto once = primitives;
@@ -195,6 +197,17 @@ std::vector<Sweep> shape_sweeps() {
        {1e-2, 1},
        everywhere,
        {1e-6, 1}},
+      {"grazing-triangles",
+       "the same, of triangles alone",
+       Judge::closest,
+       1,
+       down,
+       {},
+       grazed<float, Kinds::triangles>,
+       nullptr,
+       {1e-2, 1},
+       everywhere,
+       everywhere},
       {"taper",
        "difference of a cone's radii, relative",
        Judge::closest,
