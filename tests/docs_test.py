@@ -20,7 +20,7 @@ NOT_RUN = {
     r"^tools/(demo|test)\.sh": "install packages and build everything; test.sh runs this test",
     r"examples/build-all": "compiles the library: run by examples_test.sh",
     r"^examples/lesson\.sh": "takes two minutes: most of its commands are lesson.md's",
-    r"^tools/bench/(performance\.sh|performance_tables\.py|cpu_rays\.sh)": "take minutes to hours on a quiet machine",
+    r"^tools/bench/((performance|accuracy)(\.sh|_tables\.py)|cpu_rays\.sh)": "take minutes to hours on a quiet machine",
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
     r"^gridbench lists ": "needs a GPU",

@@ -50,7 +50,7 @@ void print_row(const Row& row) {
     return number == 0 ? std::string("-")
                        : fmt::format("{:.3g}", static_cast<double>(number) / static_cast<double>(t.rays));
   };
-  fmt::print("{:<18} {:>8.3g} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
+  fmt::print("{:<22} {:>8.3g} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
              row.step, row.float64 ? "float64" : "float32", row.mode.name, t.rays, share(t.unsure),
              share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
              t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
@@ -69,11 +69,11 @@ void print_disagreements(const std::vector<Row>& rows) {
   if (rows.empty()) return;
   fmt::print(
       "\nRays of which robust and embree-robust find different primitives, and which of them is right in "
-      "exact arithmetic\n{:<18} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
+      "exact arithmetic\n{:<22} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
       "sweep", "step", "rays", "differing", "robust", "embree", "both", "neither");
   for (const Row& row : rows) {
     const Disagreement& d = row.disagreement.value();
-    fmt::print("{:<18} {:>8.3g} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n", row.sweep, row.step, d.rays,
+    fmt::print("{:<22} {:>8.3g} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n", row.sweep, row.step, d.rays,
                d.differing, d.first, d.second, d.both, d.neither);
   }
 }
@@ -82,7 +82,7 @@ void print_disagreements(const std::vector<Row>& rows) {
 std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps, Json& rows) {
   std::uint64_t bad = 0;
   if (!settings.json)
-    fmt::print("\n{:<18} {:>8} {:<7} {:<14} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "mode", "rays",
+    fmt::print("\n{:<22} {:>8} {:<7} {:<14} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "mode", "rays",
                "differing");
   for (const Sweep& sweep : sweeps) {
     compare_backends(sweep, settings.run, [&](const Difference& d) {
@@ -96,7 +96,7 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
                       {"rays", d.rays},
                       {"differing", d.differing}});
       if (!settings.json)
-        fmt::print("{:<18} {:>8.3g} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, d.step,
+        fmt::print("{:<22} {:>8.3g} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, d.step,
                    d.float64 ? "float64" : "float32", d.mode.name, d.rays, d.differing);
     });
   }
@@ -151,7 +151,7 @@ void bench_stability(const Settings& settings) {
   const std::vector<Sweep> sweeps = chosen(all_sweeps(), settings);
   Json rows = Json::array();
   if (!settings.json)
-    fmt::print("{:<18} {:>8} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
+    fmt::print("{:<22} {:>8} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
                "store", "mode", "rays", "unsure", "missed", "false", "wrong", "misplaced", "by grid",
                "t error");
   RunSettings run_settings = settings.run;

@@ -31,8 +31,8 @@ struct Settings {
   std::string folder;
   Backend backend = Backend::automatic;
   std::vector<std::string> precisions{"fast", "robust", "double"}, stops{"proven", "first-cell-hit"},
-      merges{"none", "x", "balance", "irregular"}, overlaps{"box", "exact"}, divisions{"16", "64", "auto"},
-      curve{"1", "2", "4", "8", "16", "32", "64", "128", "256", "auto"};
+      merges{"none", "x", "balance", "irregular", "bvh"}, overlaps{"box", "exact"},
+      divisions{"16", "64", "auto"}, curve{"1", "2", "4", "8", "16", "32", "64", "128", "256", "auto"};
   // Empty and 0: defaults of the backend, which take it a few minutes.
   std::string size, picture;
   std::uint64_t random = 0, compared = 0, repeat = 0, seed = 1;

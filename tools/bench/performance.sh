@@ -4,29 +4,14 @@
 # BIN has the programs. OUT gets results.json, every command with its output, and performance.md, the tables that
 # performance_tables.py makes of it; that script also puts them into the documents. Without a third argument: cuda if
 # there is a usable GPU; without one, sections that need it are left out. A command that fails costs its figures alone.
-# MASU_PERFORMANCE_QUICK=1: tiny sizes, to try the script. Needs python3, and 4 GB in TMPDIR (default /tmp).
-set -uo pipefail
-export LC_ALL=C
-[ $# -ge 2 ] || { sed -nE '2,7s/^# ?//p' "$0" >&2; exit 1; }
-here=$(cd "$(dirname "$0")" && pwd)
-bin=$(cd "$1" && pwd) && mkdir -p "$2" && out=$(cd "$2" && pwd) || exit 1
-export PATH=$bin:$PATH
-work=$(mktemp -d) || exit 3
-trap 'rm -rf "$work"' EXIT
-cd "$work" || exit 3
-mkdir raw
-cores=$(nproc)
-quick=${MASU_PERFORMANCE_QUICK:+1}
-full() { if [ "$quick" ]; then echo "$2"; else echo "$1"; fi; } # an option of the full measurement, of the quick one
+# MASU_QUICK=1: tiny sizes, to try the script. Needs python3, and 4 GB in TMPDIR (default /tmp).
+source "$(dirname "$0")/measure.sh"
 
-nffgen tetra --size 1 | nff2bin - -o probe.scene -q || exit 2
-backend=${3:-$(gridbuild probe.scene -o probe.grid --device cuda -q 2>probe.err && echo cuda || echo cpu)}
 devices=$(if [ "$backend" = cuda ]; then echo cuda cpu; else echo cpu; fi)
 size=$(full 1024x1024 64x64)
 warm_up=1 repeat=3 # untimed runs, and timed ones of which the median counts
 [ "$backend" = cuda ] && warm_up=10 repeat=25
 [ "$quick" ] && warm_up=0 repeat=1
-standard=(balls gears mount rings teapot tetra tree)
 large=(teapot-60 mount-10 tetra-9 tetra-10 balls-triangles rings-triangles tree-triangles)
 
 # A line for each scene: its name, the options of nffgen, those of nff2bin.
@@ -50,34 +35,6 @@ grids() {
   for n in 0.02 0.05 0.1 0.2 0.5 1 2 8; do echo "irregular-cleary-$n:--merge irregular --division cleary:$n"; done
   for n in 1.5 6; do echo "irregular-detail-$n:--merge irregular --detail $n"; done
   for n in 0.8 0.9 1; do echo "irregular-alpha-$n:--merge irregular --alpha $n"; done
-}
-
-# record SECTION KEY COMMAND…: runs the command, keeps what it prints, and how long it took in microseconds.
-record() {
-  local section=$1 key=$2 began=$EPOCHREALTIME status
-  shift 2
-  timeout 120 "$@" >"raw/$section.$key.out" 2>"raw/$section.$key.err"
-  status=$?
-  printf '%s\t%s\t%s\t%s\t%s\n' "$section" "$key" "$status" $((${EPOCHREALTIME/./} - ${began/./})) "$*" >>runs.tsv
-  [ $status = 0 ] || echo "  failed ($status): $*: $(tail -n 1 "raw/$section.$key.err")" >&2
-}
-at_once() { xargs -P "$cores" -d '\n' -I{} bash -c '{}'; } # lines of standard input as commands, one a core
-
-machine() {
-  {
-    echo "commit=$(for tool in nffgen nff2bin grid{build,stat,render,bench}; do "$tool" --version; done |
-      sed -nE 's/.*\(commit (.*)\)/\1/p' | sort -u | paste -sd ' ')"
-    echo "date=$(date -u +%F)"
-    echo "backend=$backend"
-    echo "cpu=$(sed -nE '0,/^model name/s/^model name\s*: //p' /proc/cpuinfo)"
-    echo "cores=$cores"
-    if [ "$backend" = cuda ]; then
-      echo "device=$(gridbuild probe.scene -o probe.grid --device cuda --json -q |
-        sed -nE 's/.*"device":"([^"]*)".*/\1/p')"
-      echo "driver=$(nvidia-smi --query-gpu=driver_version --format=csv,noheader | head -n 1)"
-    fi
-    echo "quick=$quick"
-  } >machine.txt
 }
 
 prepare() {
@@ -207,12 +164,5 @@ lists() {
   done
 }
 
-machine
-for section in prepare builds pictures one_core png views chosen cells merge load rays fastest hierarchies schedules \
-  $(if [ "$backend" = cuda ]; then echo kernels lists; fi); do
-  echo "[$SECONDS s] $section" >&2
-  $section
-  # After each section: a script that is ended early leaves what it has measured.
-  python3 "$here/performance_tables.py" "$out/results.json" --gather . >"$out/performance.md"
-done
-echo "[$SECONDS s] done: $out/performance.md" >&2
+measure performance prepare builds pictures one_core png views chosen cells merge load rays fastest hierarchies schedules \
+  $(if [ "$backend" = cuda ]; then echo kernels lists; fi)

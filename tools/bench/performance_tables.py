@@ -5,45 +5,16 @@ performance_tables.py RESULTS.json                  prints them as markdown
 performance_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
                                                     <!-- table NAME --> … <!-- end -->
 performance_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of performance.sh's working folder first
-performance_tables.py RESULTS.json --chart NAME     draws NAME.png, rates over those of peers.tsv (gnuplot)
+performance_tables.py RESULTS.json --charts FOLDER  draws FOLDER/peers.png, rates over those of peers.tsv (gnuplot)
 """
-import argparse
-import json
 import pathlib
-import re
 import statistics
 import subprocess
 import tempfile
 
-STANDARD = "balls gears mount rings teapot tetra tree".split()
+from measured import STANDARD, figure, head, made_by, run_script, table
+
 LARGE = "teapot-60 mount-10 tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
-
-
-def gather(folder):
-    runs = {}
-    for line in (folder / "runs.tsv").read_text().splitlines():
-        section, key, status, microseconds, command = line.split("\t")
-        run = {"command": command, "status": int(status), "elapsed_seconds": int(microseconds) * 1e-6}
-        text = (folder / "raw" / f"{section}.{key}.out").read_text()
-        if status == "0":
-            run["output"] = json.loads(text) if text else None
-        else:
-            run["error"] = (folder / "raw" / f"{section}.{key}.err").read_text()
-        runs.setdefault(section, {})[key] = run
-    return {
-        "machine": dict(line.split("=", 1) for line in (folder / "machine.txt").read_text().splitlines()),
-        "bytes": {path.name: path.stat().st_size for path in sorted(folder.iterdir())
-                  if path.suffix in (".scene", ".grid", ".png", ".pfm")},
-        "runs": runs,
-    }
-
-
-def figure(make, form=None):
-    """The value of make(), by default to three digits, or a dash where a run that it needs is missing or failed."""
-    try:
-        return form.format(make()) if form else f"{float(f'{make():.3g}'):.15g}"
-    except (LookupError, ValueError, TypeError, ZeroDivisionError):
-        return "-"
 
 
 def peer_rates():
@@ -74,7 +45,7 @@ def fastest_rates(results, scene):
     return found
 
 
-def draw(results, name):
+def draw(results, folder):
     with tempfile.NamedTemporaryFile("w", suffix=".dat") as data:
         for scene, peer in PEERS.items():
             for i, (kind, ours) in enumerate(zip(("primary", "diffuse", "random"), fastest_rates(results, scene))):
@@ -82,11 +53,7 @@ def draw(results, name):
                 print(f"{scene} {kind}", *ratios, sep="\t", file=data)
         data.flush()
         script = pathlib.Path(__file__).parent / "peers.gp"
-        subprocess.run(["gnuplot", "-e", f"data='{data.name}'; out='{name}'", script], check=True)
-
-
-def table(head, rows):
-    return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *rows])
+        subprocess.run(["gnuplot", "-e", f"data='{data.name}'; out='{folder / 'peers'}'", script], check=True)
 
 
 def ms(make):
@@ -101,15 +68,6 @@ def tables(results):
     megabytes = lambda file: figure(lambda: size[file] * 1e-6)
     device = machine.get("device", f"{machine['cores']} cores")
     cuda = machine["backend"] == "cuda"
-
-    def head():
-        lines = [f"Commit {machine['commit']}, {machine['date']}. "
-                 + (f"GPU: {machine['device']}, driver {machine['driver']}. " if cuda else "No GPU. ")
-                 + f"CPU: {machine['cpu']}, {machine['cores']} cores."]
-        if machine["quick"]:
-            lines.append("**Tiny sizes, to try the script: not a measurement.**")
-        failed = [run["command"] for section in runs.values() for run in section.values() if run["status"]]
-        return "\n".join(lines + [f"Failed: `{command}`" for command in failed])
 
     def readme():
         rows = [["primitives", *(figure(lambda: primitives(s), "{}") for s in STANDARD)],
@@ -287,38 +245,10 @@ def tables(results):
         return table(["scene", "memory", "rays", "list, ms", "Mray/s", "kernels, ms", "plain copies, ms",
                       "copies / list"], rows)
 
-    made = {}
-    for make in (head, readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, hierarchies, fastest_pictures, peers, schedules,
-                 kernels, load, builds, lists):
-        if make in (kernels, lists) and not cuda:
-            made[make.__name__] = "Needs CUDA: left out."
-            continue
-        try:
-            made[make.__name__] = make()
-        except (LookupError, ValueError, TypeError) as missing:
-            made[make.__name__] = f"Not measured: {missing} is missing."
-    return made
-
-
-def main():
-    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("results", type=pathlib.Path)
-    options.add_argument("--gather", type=pathlib.Path)
-    options.add_argument("--chart")
-    options.add_argument("--into", type=pathlib.Path, nargs="+", default=[])
-    given = options.parse_args()
-    if given.gather:
-        given.results.write_text(json.dumps(gather(given.gather), indent=1) + "\n")
-    results = json.loads(given.results.read_text())
-    if given.chart:
-        return draw(results, given.chart)
-    made = tables(results)
-    mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
-    for document in given.into:
-        document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + "\n" + found[3], document.read_text()))
-    if not given.into:
-        print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
+    makers = (readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, hierarchies,
+              fastest_pictures, peers, schedules, kernels, load, builds, lists)
+    return {"head": head(results), **made_by(makers, {} if cuda else {kernels, lists})}
 
 
 if __name__ == "__main__":
-    main()
+    run_script(__doc__, tables, draw)

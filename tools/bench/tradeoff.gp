@@ -65,7 +65,8 @@ color_of(method) = word(colors, int(method[1:1]))
 point_of(method) = int(word(method[2:2] eq '1' ? open : filled, int(method[1:1])))
 title_of(method) = word(precisions, int(method[1:1])) . (method[2:2] eq '1' ? ', first cell hit' : '')
 grid_of(_) = (strcol('merge') eq 'none' ? 'uniform' : strcol('merge')) . ' ' \
-  . (strcol('merge') eq 'irregular' && strcol('division') eq 'auto' ? '' : strcol('division') . ' ') . strcol('overlap')
+  . (strcol('merge') eq 'bvh' ? '' : (strcol('merge') eq 'irregular' && strcol('division') eq 'auto' ? '' \
+    : strcol('division') . ' ') . strcol('overlap'))
 label_of(_) = strcol('precision') . (is_first_cell(0) ? ', first cell hit' : '') . ': ' . grid_of(0)
 
 is_hits(panel) = panel eq 'hits'

@@ -198,7 +198,7 @@ std::vector<Sweep> shape_sweeps() {
        everywhere,
        {1e-6, 1}},
       {"grazing-triangles",
-       "the same, of triangles alone",
+       "angle between ray and surface, radians, triangles alone",
        Judge::closest,
        1,
        down,

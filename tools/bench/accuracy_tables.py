@@ -1,0 +1,260 @@
+#!/usr/bin/env python3
+"""The tables and charts of what accuracy.sh measured.
+
+accuracy_tables.py RESULTS.json                  prints the tables as markdown
+accuracy_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
+                                                 <!-- table NAME --> … <!-- end -->
+accuracy_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of accuracy.sh's working folder first
+accuracy_tables.py RESULTS.json --charts FOLDER  draws FOLDER/embree.png, sweeps.png and pictures.png (gnuplot)
+"""
+import csv
+import pathlib
+import re
+import subprocess
+import tempfile
+
+from measured import STANDARD, figure, head, made_by, run_script, table
+
+FAILURES = {"missed": "missed", "false": "false", "wrong": "wrong", "misplaced": "misplaced",
+            "by_grid": "by grid"}
+CHARTS = {
+    "embree": ("Wrong hits of triangles: missed, false, wrong, misplaced or by grid, share of rays",
+               "fast robust double embree embree-robust", 1e-7),
+    "sweeps": ("Wrong hits: missed, false, wrong, misplaced or by grid, share of rays", "fast robust double", 1e-7),
+    "pictures": ("Pixels of which a channel is off by more than 1/50, share of all", "fast robust auto double", 1e-5),
+}
+
+
+# --- What was measured
+
+def sweep_rows(results):
+    """Rows of a precision at a step; those that compare two of them are left out."""
+    return [row for row in results["runs"]["stability"]["cpu"]["output"] if "mode" in row]
+
+
+def picture_rows(results):
+    return results["runs"]["pictures"]["cpu"]["output"]
+
+
+def names(rows):
+    return list(dict.fromkeys(row["sweep"] for row in rows))
+
+
+def failed(row):
+    return sum(row[kind] for kind in FAILURES) / row["rays"]
+
+
+def of(rows, sweep, **columns):
+    return [row for row in rows if row["sweep"] == sweep and all(row[key] == value for key, value in columns.items())]
+
+
+def has_embree(rows):
+    return {row["sweep"] for row in rows if row["mode"] == "embree"}
+
+
+# --- Texts
+
+def number(value):
+    if value == 0 or 0.01 <= abs(value) < 1e4:
+        return f"{value:.4g}"
+    digits, exponent = f"{value:.2e}".split("e")
+    return f"{float(digits):g}e{int(exponent)}"
+
+
+def percent(share):
+    return f"{float(f'{100 * share:.2g}'):g} %"
+
+
+def span(steps):
+    return number(steps[0]) if len(steps) == 1 else f"{number(steps[0])} … {number(steps[-1])}" if steps else ""
+
+
+def spans(steps, among):
+    """Steps in words: runs of those that are neighbours among all."""
+    runs = []
+    for step in steps:
+        if runs and among.index(step) == among.index(runs[-1][-1]) + 1:
+            runs[-1].append(step)
+        else:
+            runs.append([step])
+    return ", ".join(span(run) for run in runs)
+
+
+def failures(rows):
+    if not rows:
+        return ""
+    bad = [row for row in rows if failed(row) > 0]
+    if not bad:
+        return "nowhere"
+    worst = max(bad, key=failed)
+    kind = max(FAILURES, key=lambda kind: worst[kind])
+    what = f"{percent(failed(worst))} {FAILURES[kind]}"
+    if len(bad) == 1:
+        return f"at {number(worst['step'])}: {what}"
+    steps = [row["step"] for row in rows]
+    where = "everywhere" if len(bad) == len(rows) else spans([row["step"] for row in bad], steps)
+    return f"{where}; worst at {number(worst['step'])}: {what}"
+
+
+def envelope(rows):
+    """Where most rays are sure; and failures, which there should be none of."""
+    within = spans([row["step"] for row in rows if row["within_envelope"]], [row["step"] for row in rows])
+    return within if all(failed(row) == 0 for row in rows) else f"{within}; **fails** {failures(rows)}"
+
+
+def pixels(rows):
+    off = [row for row in rows if row["pixels_off"] > 0]
+    if not rows or not off:
+        return "none" if rows else ""
+    if len(off) <= 3:
+        return ", ".join(f"{percent(row['pixels_off'])} at {number(row['step'])}" for row in off)
+    worst = max(off, key=lambda row: row["pixels_off"])
+    return f"up to {percent(worst['pixels_off'])}, at {number(worst['step'])}"
+
+
+# --- Tables
+
+def tables(results):
+    machine, runs = results["machine"], results["runs"]
+    output = lambda section, key: runs[section][key]["output"]
+
+    def sweeps():
+        rows = sweep_rows(results)
+        lines = []
+        for sweep in names(rows):
+            float32 = lambda mode: of(rows, sweep, mode=mode, store="float32")
+            steps = [row["step"] for row in float32("fast")]
+            lines.append([f"`{sweep}`", of(rows, sweep)[0]["parameter"], span(steps),
+                          failures(float32("fast")), envelope(float32("robust")), envelope(float32("double")),
+                          envelope(of(rows, sweep, mode="double", store="float64"))])
+        return table(["sweep", "parameter", "steps", "`fast` fails", "`robust`", "`double`", "`double`, float64 store"],
+                     lines)
+
+    def first_cell():
+        rows = [row for row in sweep_rows(results) if row["mode"] == "first-cell-hit"]
+        bad = [row for row in rows if failed(row) > 0]
+        worst = max(bad, key=failed)
+        kinds = {name for row in bad for kind, name in FAILURES.items() if row[kind]}
+        return (f"`first-cell-hit` (`robust` with that rule) fails in {len(names(bad))} of {len(names(rows))} sweeps, "
+                f"worst in `{worst['sweep']}` at {number(worst['step'])}: {percent(failed(worst))}. What it fails by: "
+                f"{', '.join(sorted(kinds))}.")
+
+    def embree():
+        rows, lines = sweep_rows(results), []
+        compared = [row for row in output("stability", "cpu") if "robust_right" in row]
+        for sweep in names(row for row in rows if row["mode"] == "embree"):
+            total = lambda what: sum(row[what] for row in of(compared, sweep))
+            lines.append([f"`{sweep}`", *(failures(of(rows, sweep, mode=mode, store="float32"))
+                                          for mode in ("fast", "embree", "embree-robust")),
+                          f"{total('differing')} of {total('rays')}",
+                          *(str(total(f"{who}_right")) for who in ("robust", "embree", "both", "neither"))])
+        return table(["sweep", "`fast` fails", "`embree` fails", "`embree-robust` fails",
+                      "`robust`, `embree-robust` differ", "right: `robust`", "Embree", "both", "neither"], lines)
+
+    def pictures():
+        rows, lines = picture_rows(results), []
+        for sweep in names(rows):
+            local = lambda precision: of(rows, sweep, precision=precision, origin="local")
+            own = of(rows, sweep, origin="none", precision="robust")
+            steps = [row["step"] for row in local("double")]
+            lines.append([f"`{sweep}`", f"{local('double')[0]['parameter']}, {span(steps)}",
+                          *(pixels(local(precision)) for precision in ("fast", "robust", "auto", "double")),
+                          spans([row["step"] for row in local("double") if row["store"] == "float64"], steps),
+                          pixels(own)])
+        return table(["sweep", "parameter", "`fast`", "`robust`", "`auto`", "`double`", "stored in float64",
+                      "`robust` without a local origin"], lines)
+
+    def oracle():
+        def row(text, kind, precision, *what):
+            cell = lambda s: [r for r in output("oracle", f"{s}.{kind}") if r["precision"] == precision][0]
+            return [text, *(figure(lambda: ", ".join(number(cell(s)[one]) for one in what), "{}") for s in STANDARD)]
+        wrong = "missed", "false", "wrong", "misplaced"
+        lines = [row(f"{where}: `{precision}`", kind, precision, *wrong)
+                 for kind, where in (("grid", "grid"), ("bvh", "hierarchy"))
+                 for precision in ("fast", "robust", "double")]
+        lines.append(row("grid: `first-cell-hit`", "first", "robust", *wrong))
+        for kind, where in (("grid", "grid"), ("bvh", "hierarchy")):
+            lines.append(row(f"{where}: `robust`, unsure", kind, "robust", "unsure"))
+            lines.append(row(f"{where}: `robust`, worst relative error of t", kind, "robust", "worst_t_error"))
+        count = figure(lambda: output("oracle", "balls.grid")[0]["rays"], "{:,}")
+        return f"{count} rays a scene:\n\n" + table(["missed, false, wrong, misplaced", *STANDARD], lines)
+
+    structures = {("irregular", "exact"): "irregular grid", ("bvh", "exact"): "hierarchy"}
+
+    def structure_rows(file):
+        return [row for row in results["tradeoff"][file] if (row["merge"], row["overlap"]) in structures]
+
+    def tradeoff():
+        rows = [row for row in structure_rows("charts.csv") if row["scene"] == "all"]
+        cell = lambda row, column: number(float(row[column]))
+        lines = [[structures[row["merge"], row["overlap"]], f"`{row['precision']}`", row["stop_rule"],
+                  cell(row, "mrays"), cell(row, "picture_ms"),
+                  *(row[kind] for kind in ("missed", "false_hits", "wrong_primitives")),
+                  *(cell(row, what) for what in ("worst_t_error", "picture_rmse", "picture_largest_error"))]
+                 for row in rows]
+        device = machine.get("device", f"{machine['cores']} CPU cores")
+        compared = f"{int(rows[0]['rays_compared']):,}"
+        chart = (f"![Speed against wrong hits and against picture error, mean of seven scenes, {device}]"
+                 f"(tradeoff/{machine['backend']}/tradeoff.png)")
+        return (f"{chart}\n\nOn {device}; {compared} rays of the seven scenes compared:\n\n"
+                + table(["structure", "precision", "stop rule", "Mray/s", "ms per picture", "missed", "false hits",
+                         "wrong primitives", "worst error of t", "picture RMSE", "largest"], lines))
+
+    def cost():
+        rows = {(row["scene"], row["merge"], row["precision"]): row for row in structure_rows("tradeoff.csv")
+                if row["stop_rule"] == "proven"}
+        def line(merge, text, over, under, column, is_rate):
+            def ratio(s):
+                a, b = (float(rows[s, merge, precision][column]) for precision in (over, under))
+                return b / a if is_rate else a / b
+            return [f"{structures[merge, 'exact']}: `{over}` / `{under}`, {text}",
+                    *(figure(lambda: ratio(s), "{:.2f}") for s in STANDARD)]
+        kinds = (("primary rays", "primary_mrays", True), ("random rays", "random_mrays", True),
+                 ("pictures", "picture_ms", False))
+        return table(["", *STANDARD], [line(merge, text, over, under, column, is_rate) for merge, _ in structures
+                                       for over, under in (("robust", "fast"), ("double", "robust"))
+                                       for text, column, is_rate in kinds])
+
+    def gpu():
+        rows = [row for row in output("stability", "cuda") if "backends" in row]
+        count = lambda mode, what: sum(row[what] for row in rows if row["mode"] == mode)
+        return " ".join(f"`{mode}`: {count(mode, 'rays'):,} rays by each of three loops, {count(mode, 'differing')} of "
+                        "which differ from the CPU's hits in a bit." for mode in ("robust", "double"))
+
+    makers = (tradeoff, cost, sweeps, first_cell, embree, pictures, oracle, gpu)
+    return {"head": head(results), **made_by(makers, {} if machine["backend"] == "cuda" else {gpu})}
+
+
+def gather_more(results, folder):
+    """The files that gridbench tradeoff wrote."""
+    paths = [folder / "tradeoff" / name for name in ("tradeoff.csv", "charts.csv")]
+    results["tradeoff"] = {path.name: list(csv.DictReader(path.open())) for path in paths if path.exists()}
+
+
+# --- Charts
+
+def draw(results, folder):
+    rows = sweep_rows(results)
+    beside = has_embree(rows)
+    values = {name: [] for name in CHARTS}
+    for row in rows:
+        if row["store"] == "float32":
+            values["embree" if row["sweep"] in beside else "sweeps"].append((row, row["mode"], failed(row)))
+    for row in picture_rows(results):
+        if row["origin"] == "local":
+            values["pictures"].append((row, row["precision"], row["pixels_off"]))
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, (title, modes, floor) in CHARTS.items():
+        with tempfile.NamedTemporaryFile("w", suffix=".csv") as data:
+            out = csv.writer(data)
+            out.writerow(["sweep", "parameter", "step", "mode", "share"])
+            for row, mode, share in values[name]:
+                out.writerow([row["sweep"], re.split("[,;(]", row["parameter"])[0], row["step"], mode, share])
+            data.flush()
+            settings = (f"data='{data.name}'; out='{folder / name}.png'; title='{title}'; modes='{modes}'; "
+                        f"floor={floor}")
+            subprocess.run(["gnuplot", "-e", settings, pathlib.Path(__file__).parent / "accuracy.gp"], check=True)
+
+
+if __name__ == "__main__":
+    run_script(__doc__, tables, draw, gather_more)

@@ -1,0 +1,86 @@
+"""What scripts that measure documents have in common: results of measure.sh, figures, tables, and where they go."""
+import argparse
+import json
+import pathlib
+import re
+
+STANDARD = "balls gears mount rings teapot tetra tree".split()
+
+
+def gather(folder):
+    runs = {}
+    for line in (folder / "runs.tsv").read_text().splitlines():
+        section, key, status, microseconds, command = line.split("\t")
+        run = {"command": command, "status": int(status), "elapsed_seconds": int(microseconds) * 1e-6}
+        text = (folder / "raw" / f"{section}.{key}.out").read_text()
+        if status == "0":
+            run["output"] = json.loads(text) if text else None
+        else:
+            run["error"] = (folder / "raw" / f"{section}.{key}.err").read_text()
+        runs.setdefault(section, {})[key] = run
+    return {
+        "machine": dict(line.split("=", 1) for line in (folder / "machine.txt").read_text().splitlines()),
+        "bytes": {path.name: path.stat().st_size for path in sorted(folder.iterdir())
+                  if path.suffix in (".scene", ".grid", ".png", ".pfm")},
+        "runs": runs,
+    }
+
+
+def figure(make, form=None):
+    """The value of make(), by default to three digits, or a dash where a run that it needs is missing or failed."""
+    try:
+        return form.format(make()) if form else f"{float(f'{make():.3g}'):.15g}"
+    except (LookupError, ValueError, TypeError, ZeroDivisionError):
+        return "-"
+
+
+def table(head, rows):
+    return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *rows])
+
+
+def head(results):
+    """Commit, date and machine; and what isn't a measurement, or failed."""
+    machine = results["machine"]
+    gpu = f"GPU: {machine['device']}, driver {machine['driver']}. " if machine["backend"] == "cuda" else "No GPU. "
+    lines = [f"Commit {machine['commit']}, {machine['date']}. {gpu}CPU: {machine['cpu']}, {machine['cores']} cores."]
+    if machine["quick"]:
+        lines.append("**Tiny sizes, to try the script: not a measurement.**")
+    failed = [run["command"] for section in results["runs"].values() for run in section.values() if run["status"]]
+    return "\n".join(lines + [f"Failed: `{command}`" for command in failed])
+
+
+def made_by(makers, without_gpu=()):
+    """The table of each function by its name; a sentence instead where one can't be made."""
+    made = {}
+    for make in makers:
+        if make in without_gpu:
+            made[make.__name__] = "Needs CUDA: left out."
+            continue
+        try:
+            made[make.__name__] = make()
+        except (LookupError, ValueError, TypeError) as missing:
+            made[make.__name__] = f"Not measured: {missing} is missing."
+    return made
+
+
+def run_script(description, tables, draw, gather_more=lambda results, folder: None):
+    """tables(results): texts by name; draw(results, folder): charts; gather_more(results, folder): beside commands."""
+    options = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("results", type=pathlib.Path)
+    options.add_argument("--gather", type=pathlib.Path)
+    options.add_argument("--charts", type=pathlib.Path)
+    options.add_argument("--into", type=pathlib.Path, nargs="+", default=[])
+    given = options.parse_args()
+    if given.gather:
+        results = gather(given.gather)
+        gather_more(results, given.gather)
+        given.results.write_text(json.dumps(results, indent=1) + "\n")
+    results = json.loads(given.results.read_text())
+    if given.charts:
+        draw(results, given.charts)
+    made = tables(results)
+    mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
+    for document in given.into:
+        document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + "\n" + found[3], document.read_text()))
+    if not given.into and not given.charts:
+        print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))
