@@ -121,8 +121,9 @@ void Transfer::run() {
         make(pieces[i], buffers.local());
       });
     });
-    check(cudaDeviceSynchronize());
   }
+  // Also of pageable memory: then the driver may still be copying, and streams of queries don't wait for it.
+  check(cudaDeviceSynchronize());
   for (const Copy& copy : copies_)
     if (copy.section != nullptr) copy.section->check();
   copies_.clear();
