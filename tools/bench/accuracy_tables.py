@@ -56,7 +56,7 @@ def has_embree(rows):
 
 def number(value):
     if value == 0 or 0.01 <= abs(value) < 1e4:
-        return f"{value:.4g}"
+        return f"{value:.3g}" if abs(value) < 1000 else f"{value:.0f}"
     digits, exponent = f"{value:.2e}".split("e")
     return f"{float(digits):g}e{int(exponent)}"
 
@@ -140,14 +140,16 @@ def tables(results):
                 f"{', '.join(sorted(kinds))}.")
 
     def embree():
-        rows, lines = sweep_rows(results), []
+        rows = sweep_rows(results)
         compared = [row for row in output("stability", "cpu") if "robust_right" in row]
-        for sweep in names(row for row in rows if row["mode"] == "embree"):
-            total = lambda what: sum(row[what] for row in of(compared, sweep))
-            lines.append([f"`{sweep}`", *(failures(of(rows, sweep, mode=mode, store="float32"))
-                                          for mode in ("fast", "embree", "embree-robust")),
-                          f"{total('differing')} of {total('rays')}",
-                          *(str(total(f"{who}_right")) for who in ("robust", "embree", "both", "neither"))])
+        def sums(some):
+            total = lambda what: sum(row[what] for row in some)
+            return [f"{total('differing')} of {total('rays')}",
+                    *(str(total(f"{who}_right")) for who in ("robust", "embree", "both", "neither"))]
+        lines = [[f"`{sweep}`", *(failures(of(rows, sweep, mode=mode, store="float32"))
+                                  for mode in ("fast", "embree", "embree-robust")), *sums(of(compared, sweep))]
+                 for sweep in names(row for row in rows if row["mode"] == "embree")]
+        lines.append(["all", "", "", "", *sums(compared)])
         return table(["sweep", "`fast` fails", "`embree` fails", "`embree-robust` fails",
                       "`robust`, `embree-robust` differ", "right: `robust`", "Embree", "both", "neither"], lines)
 
@@ -155,14 +157,15 @@ def tables(results):
         rows, lines = picture_rows(results), []
         for sweep in names(rows):
             local = lambda precision: of(rows, sweep, precision=precision, origin="local")
-            own = of(rows, sweep, origin="none", precision="robust")
+            no_origin = lambda precision, store: of(rows, sweep, precision=precision, origin="none", store=store)
             steps = [row["step"] for row in local("double")]
             lines.append([f"`{sweep}`", f"{local('double')[0]['parameter']}, {span(steps)}",
                           *(pixels(local(precision)) for precision in ("fast", "robust", "auto", "double")),
                           spans([row["step"] for row in local("double") if row["store"] == "float64"], steps),
-                          pixels(own)])
+                          pixels(no_origin("robust", "float32")),
+                          span([row["step"] for row in no_origin("double", "float64")])])
         return table(["sweep", "parameter", "`fast`", "`robust`", "`auto`", "`double`", "stored in float64",
-                      "`robust` without a local origin"], lines)
+                      "without a local origin: `robust`", "stored in float64"], lines)
 
     def oracle():
         def row(text, kind, precision, *what):
