@@ -77,8 +77,8 @@ TEST_F(Tradeoff, EachConfigurationHasARow) {
   EXPECT_EQ(measured({"--divisions", "4,auto", "--curve", "2,auto"}, without_gnuplot).code, 0);
   const std::vector<TradeoffRow> all = rows();
   // Three merge modes with two divisions, and irregular; two overlap tests; six precisions and stop rules.
-  // And division 2 of the curve.
-  EXPECT_EQ(all.size(), (3U * 2 + 1) * 2 * 6 + 1);
+  // A hierarchy, by three precisions. And division 2 of the curve.
+  EXPECT_EQ(all.size(), (3U * 2 + 1) * 2 * 6 + 3 + 1);
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_FALSE(all[i].configuration == all[j].configuration);

@@ -198,7 +198,7 @@ std::vector<PictureSweep> picture_sweeps() {
           {"contrast", "width of the floor under things of size 1", powers_of_ten(1, 9), on_a_floor},
           {"near", "distance of the camera from things as small, on a floor of size 1", powers_of_ten(-7, 0),
            from_nearby},
-          {"needles", "length of needles on a floor of size 2", powers_of_ten(-4, -1), needles},
+          {"needles", "length of needles on a floor of size 2", powers_of_ten(-4, -1), needles, 0.05},
           {"glass", "panes of glass that rays pass", {0, 1, 2, 4, 8}, behind_glass}};
 }
 
