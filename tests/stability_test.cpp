@@ -45,9 +45,9 @@ TEST_P(PictureStability, PicturesAreRightByDefault) {
     if (row.precision == Precision::automatic) automatic = row.pixels_off;
     if (row.precision != Precision::doubled) return;
     // What double is off by is rounded coordinates, which the store's rule allows.
-    EXPECT_LE(automatic, row.pixels_off + GetParam().displaced)
+    EXPECT_LE(automatic, row.pixels_off + GetParam().tolerance)
         << row.step << (row.float64 ? ", float64 store" : "");
-    EXPECT_LE(row.pixels_off, 1e-2) << row.step << (row.float64 ? ", float64 store" : "");
+    EXPECT_LE(row.pixels_off, GetParam().tolerance) << row.step << (row.float64 ? ", float64 store" : "");
   });
 }
 

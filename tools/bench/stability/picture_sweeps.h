@@ -15,9 +15,9 @@ struct PictureSweep {
   const char* parameter; // description
   std::vector<double> steps;
   Scene (*make)(Chance& chance, double step);
-  // Of `auto`, the share of pixels that may be off beside those of `double`: shadows and reflections,
-  // displaced by the offset of rays that leave a large surface.
-  double displaced = 0.01;
+  // The share of pixels that may be off: of `double` by coordinates that are rounded to the store, of `auto`
+  // besides by shadows and reflections, displaced by the offset of rays that leave a large surface.
+  double tolerance = 0.01;
 };
 
 std::vector<PictureSweep> picture_sweeps();
