@@ -103,7 +103,7 @@ Scene from_nearby(Chance& chance, double distance) {
   return std::move(maker.scene);
 }
 
-// Upright needles, a hundredth as wide as long, off the middle of a floor of size 2.
+// Upright needles, up to a hundredth as wide as long, off the middle of a floor of size 2.
 Scene needles(Chance& chance, double length) {
   const Vec3d at{0.25, -0.125, 0};
   SceneMaker maker(at + Vec3d{2.5, -4, 3} * length, at + Vec3d{0, 0, 0.4} * length);
