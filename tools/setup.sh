@@ -67,9 +67,10 @@ require() {
 
 basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
   libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
-benchmarks=(libbenchmark-dev libembree-dev libgmp-dev) # for masu_cpu_rays and gridbench stability
+benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays and gridbench stability
 # file: for cpack; help2man: for man pages
-tests=(file gnuplot-nox help2man python3-numpy) # beside libgtest-dev, which all of them need
+# libgmp-dev: for exact hits
+tests=(file gnuplot-nox help2man libgmp-dev python3-numpy) # beside libgtest-dev, which all of them need
 # libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,
 # openmpi-bin: for gridrender-mpi
 extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)

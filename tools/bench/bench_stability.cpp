@@ -156,11 +156,6 @@ void bench_stability(const Settings& settings) {
                "t error");
   RunSettings run_settings = settings.run;
   run_settings.embree = embree_available;
-  if (!embree_available)
-    print_note("gridbench: built without Embree (libembree-dev): Masu alone is judged\n");
-  else if (!exact_hits_available)
-    print_note(
-        "gridbench: built without GMP (libgmp-dev): who is right where Embree differs isn't decided\n");
   std::vector<Row> disagreements;
   for (const Sweep& sweep : sweeps) {
     run(sweep, run_settings, [&](const Row& row) {
@@ -174,7 +169,13 @@ void bench_stability(const Settings& settings) {
       if (settings.json) rows.push_back(to_json(row.sweep, row.step, *row.disagreement));
     });
   }
-  if (!settings.json) print_disagreements(disagreements);
+  if (!settings.json) {
+    print_disagreements(disagreements);
+    if (!embree_available)
+      fmt::print("Without Embree: this program was built without it (libembree-dev)\n");
+    else if (!exact_hits_available)
+      fmt::print("Who is right where Embree differs isn't decided: built without GMP (libgmp-dev)\n");
+  }
   const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
   if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
   if (bad == 0) return;
