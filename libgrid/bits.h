@@ -2,7 +2,7 @@
 // itself.
 #pragma once
 
-#include "libscene/portable.h"
+#include "libscene/base/portable.h"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #include "libscene/local_origin.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/scene_bounds.h"
 

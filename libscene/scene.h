@@ -1,8 +1,8 @@
 // A scene in host memory: made by the NFF parser, written to a scene file.
 #pragma once
 
+#include "libscene/base/growing_array.h"
 #include "libscene/geometry/primitives.h"
-#include "libscene/growing_array.h"
 
 #include <cstdint>
 #include <string>

@@ -2,7 +2,7 @@
 // cells visited and the primitives tested.
 #pragma once
 
-#include "libscene/host_array.h"
+#include "libscene/base/host_array.h"
 #include "renderer/tracer.h"
 
 #include <string>

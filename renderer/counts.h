@@ -1,7 +1,7 @@
 // What a picture took, counted ray by ray; or not counted, at no cost.
 #pragma once
 
-#include "libscene/portable.h"
+#include "libscene/base/portable.h"
 
 #include <cstddef>
 #include <cstdint>

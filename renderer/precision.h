@@ -1,7 +1,7 @@
 // Which arithmetic traces.
 #pragma once
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/geometry/margin.h"
 

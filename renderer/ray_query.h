@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/trace/trace.h"
-#include "libscene/fetch.h"
+#include "libscene/base/fetch.h"
 #include "libscene/geometry/surface.h"
 #include "renderer/counts.h"
 

@@ -1,8 +1,8 @@
 #include "renderer/tracer.h"
 
-#include "libscene/error.h"
-#include "libscene/on_threads.h"
-#include "libscene/stopwatch.h"
+#include "libscene/base/error.h"
+#include "libscene/base/on_threads.h"
+#include "libscene/base/stopwatch.h"
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
 #include "renderer/view_precision.h"

@@ -3,9 +3,9 @@
 
 #include "libgrid/file/grid_file.h"
 #include "libgrid/trace/trace.h"
+#include "libscene/base/host_array.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/file/scene_file.h"
-#include "libscene/host_array.h"
 #include "renderer/camera.h"
 #include "renderer/counts.h"
 #include "renderer/precision.h"
@@ -115,8 +115,8 @@ inline RayList relative(RayList rays) {
 
 // How a GPU schedules rays. thread_per_ray: a thread traces one ray to its end, and a warp's threads wait for
 // each other at every cell. warp: its threads share the primitive tests of its rays. warp_refill: besides,
-// idle threads fetch the next ray (renderer/warp_tracing_cuda.h), and where most rays miss the scene's bounds
-// those are sorted out first (renderer/culling_cuda.h). Hits are the same.
+// idle threads fetch the next ray (renderer/cuda/warp_tracing.h), and where most rays miss the scene's bounds
+// those are sorted out first (renderer/cuda/culling.h). Hits are the same.
 enum class RayLoop { thread_per_ray, warp, warp_refill };
 
 struct RaysRequest {

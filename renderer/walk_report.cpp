@@ -1,7 +1,7 @@
 #include "renderer/walk_report.h"
 
-#include "libgrid/statistics.h"
-#include "libscene/error.h"
+#include "libgrid/statistics/statistics.h"
+#include "libscene/base/error.h"
 #include "renderer/dispatch.h"
 #include "renderer/view_precision.h"
 

@@ -5,7 +5,7 @@
 #include "libgrid/build/division.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/file/grid_file.h"
-#include "tools/bench/stability/test_scene.h"
+#include "tests/stability/test_scene.h"
 
 namespace masu {
 

@@ -5,7 +5,7 @@
 #include "libgrid/build/merge.h"
 #include "libscene/geometry/ray.h"
 #include "tests/random_grid.h"
-#include "tools/bench/stability/test_scene.h"
+#include "tests/stability/test_scene.h"
 
 #include <bit>
 

@@ -7,8 +7,8 @@
 
 #include "libgrid/trace/trace.h"
 #include "renderer/counts.h"
-#include "tools/bench/stability/oracle.h"
-#include "tools/bench/stability/test_scene.h"
+#include "tests/stability/oracle/oracle.h"
+#include "tests/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 

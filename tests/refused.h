@@ -1,7 +1,7 @@
 // Whether an invalid file is refused with Error(input, path).
 #pragma once
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/scene.h"
-#include "tools/bench/stability/random_seed.h"
+#include "tests/stability/random_seed.h"
 
 #include <random>
 

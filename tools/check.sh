@@ -24,7 +24,7 @@ require_llvm() { # program…
 
 step "format"
 require_llvm clang-format
-find examples libscene libgrid renderer tools tests -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.cu' |
+find api examples libscene libgrid renderer tools tests -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.cu' |
   xargs clang-format --dry-run --Werror
 
 step "build, warnings as errors"
@@ -40,11 +40,11 @@ if [ "${1:-}" = --full ]; then
   ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
 
   step "unit tests under ThreadSanitizer"
-  tests/tsan_tbb.sh build/tbb
+  tests/sanitizers/tsan_tbb.sh build/tbb
   build build/tsan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=thread -DMASU_CUDA=OFF -- \
     --target masu_unit_tests masu_library_tests
   # A quarter of the random cases: races don't hide in particular ones.
-  MASU_TEST_EFFORT=0.25 TSAN_OPTIONS="suppressions=$PWD/tests/tsan.supp ignore_noninstrumented_modules=1 halt_on_error=1" \
+  MASU_TEST_EFFORT=0.25 TSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/tsan.supp ignore_noninstrumented_modules=1 halt_on_error=1" \
     ctest --test-dir build/tsan --output-on-failure --parallel "$cores" -L unit
 
   step "clang-tidy"

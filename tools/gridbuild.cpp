@@ -1,16 +1,16 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds; or builds a
 // bounding volume hierarchy instead.
 #include "libgrid/build/build_grid.h"
-#include "libgrid/hierarchy_statistics.h"
-#include "libgrid/statistics.h"
+#include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/statistics/statistics.h"
+#include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
-#include "libscene/stopwatch.h"
-#include "tools/cli.h"
-#include "tools/printable.h"
-#include "tools/progress.h"
-#include "tools/provenance.h"
+#include "tools/common/cli.h"
+#include "tools/common/printable.h"
+#include "tools/common/progress.h"
+#include "tools/common/provenance.h"
 
 #include <optional>
 #include <utility>

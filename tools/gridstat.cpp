@@ -2,15 +2,15 @@
 // scene.
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
-#include "tools/cell_export.h"
-#include "tools/cli.h"
-#include "tools/flat_csv.h"
-#include "tools/grid_report.h"
-#include "tools/hierarchy_report.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
-#include "tools/slice_picture.h"
-#include "tools/slice_place.h"
+#include "tools/common/cli.h"
+#include "tools/common/flat_csv.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/draw/slice_picture.h"
+#include "tools/report/cell_export.h"
+#include "tools/report/grid_report.h"
+#include "tools/report/hierarchy_report.h"
+#include "tools/report/slice_place.h"
 
 #include <nlohmann/json.hpp>
 

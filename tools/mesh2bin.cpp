@@ -1,11 +1,11 @@
 // mesh2bin: converts meshes of any format that Assimp reads to a scene file.
-#include "libscene/available_memory.h"
+#include "libscene/base/available_memory.h"
 #include "libscene/file/output_file.h"
-#include "libscene/mesh/import.h"
-#include "tools/child_process.h"
-#include "tools/printable.h"
-#include "tools/progress.h"
-#include "tools/scene_report.h"
+#include "libscene/mesh/import/import.h"
+#include "tools/common/child_process.h"
+#include "tools/common/printable.h"
+#include "tools/common/progress.h"
+#include "tools/report/scene_report.h"
 
 #include <sys/resource.h>
 

@@ -2,8 +2,8 @@
 #include "libscene/file/input_file.h"
 #include "libscene/mesh/tessellate.h"
 #include "libscene/nff/nff.h"
-#include "tools/progress.h"
-#include "tools/scene_report.h"
+#include "tools/common/progress.h"
+#include "tools/report/scene_report.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // nffgen: writes a scene of the Standard Procedural Databases as NFF text.
 #include "libscene/file/output_file.h"
 #include "libscene/spd/spd.h"
-#include "tools/cli.h"
-#include "tools/progress.h"
+#include "tools/common/cli.h"
+#include "tools/common/progress.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "libgrid/build/binary_hierarchy.h"
 
-#include "libgrid/build/clipped_bounds.h"
 #include "libgrid/build/hierarchy.h"
+#include "libgrid/build/overlap/clipped_bounds.h"
 #include "libgrid/trace/hierarchy_view.h"
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

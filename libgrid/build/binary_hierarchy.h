@@ -1,7 +1,7 @@
 // A binary bounding volume hierarchy on the host, which one of eight boxes a node is made of (hierarchy.h).
 #pragma once
 
-#include "libscene/host_array.h"
+#include "libscene/base/host_array.h"
 #include "libscene/scene_view.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "libgrid/build/build.h"
 
-#include "libgrid/build/tbb_executor.h"
-#include "libgrid/build/uniform_passes.h"
-#include "libscene/error.h"
+#include "libgrid/build/passes/tbb_executor.h"
+#include "libgrid/build/passes/uniform_passes.h"
+#include "libscene/base/error.h"
 
 namespace masu {
 

@@ -6,7 +6,7 @@
 #include "libgrid/grid_layout.h"
 #include "libgrid/trace/grid_view.h"
 #include "libgrid/trace/hierarchy_view.h"
-#include "libscene/host_array.h"
+#include "libscene/base/host_array.h"
 #include "libscene/scene_view.h"
 
 namespace masu {

@@ -2,9 +2,9 @@
 
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/build/sampled_costs.h"
-#include "libgrid/map_statistics.h"
-#include "libscene/available_memory.h"
-#include "libscene/error.h"
+#include "libgrid/statistics/map_statistics.h"
+#include "libscene/base/available_memory.h"
+#include "libscene/base/error.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libgrid/build/division.h"
-#include "libgrid/build/overlap.h"
+#include "libgrid/build/overlap/overlap.h"
 #include "libgrid/trace/grid_view.h"
 
 namespace masu {

@@ -2,7 +2,7 @@
 
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/build/merge.h"
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
 #include "libgrid/build/builder.h"
-#include "libgrid/build/cuda_executor.h"
 #include "libgrid/build/hierarchy.h"
-#include "libgrid/build/merge_passes.h"
+#include "libgrid/build/passes/cuda_executor.h"
+#include "libgrid/build/passes/merge_passes.h"
+#include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/cuda/transfer.h"
-#include "libscene/stopwatch.h"
 
 #include <future>
 

@@ -1,8 +1,8 @@
 // Stands in for the CUDA builder where the program was built without it.
 #include "libgrid/build/builder.h"
 
+#include "libscene/base/error.h"
 #include "libscene/cuda/cuda_device.h"
-#include "libscene/error.h"
 
 namespace masu {
 

@@ -1,6 +1,6 @@
 #include "libgrid/build/division.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/geometry/margin.h"
 
 #include <fmt/format.h>

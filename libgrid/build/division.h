@@ -1,7 +1,7 @@
 // The space that is divided, and into how many voxels.
 #pragma once
 
-#include "libgrid/build/overlap.h"
+#include "libgrid/build/overlap/overlap.h"
 #include "libgrid/grid_layout.h"
 #include "libscene/scene_view.h"
 

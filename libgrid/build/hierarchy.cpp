@@ -1,8 +1,8 @@
 #include "libgrid/build/hierarchy.h"
 
 #include "libgrid/build/binary_hierarchy.h"
-#include "libscene/available_memory.h"
-#include "libscene/error.h"
+#include "libscene/base/available_memory.h"
+#include "libscene/base/error.h"
 
 #include <tbb/parallel_invoke.h>
 

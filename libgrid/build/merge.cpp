@@ -1,8 +1,8 @@
 #include "libgrid/build/merge.h"
 
-#include "libgrid/build/merge_passes.h"
-#include "libgrid/build/serial_executor.h"
-#include "libgrid/build/tbb_executor.h"
+#include "libgrid/build/passes/merge_passes.h"
+#include "libgrid/build/passes/serial_executor.h"
+#include "libgrid/build/passes/tbb_executor.h"
 
 #include <algorithm>
 #include <atomic>

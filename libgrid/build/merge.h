@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libgrid/build/build.h"
-#include "libgrid/build/splitter.h"
+#include "libgrid/build/passes/splitter.h"
 
 #include <functional>
 

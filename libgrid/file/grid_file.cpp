@@ -1,6 +1,6 @@
 #include "libgrid/file/grid_file.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/local_origin.h"
 
 #include <array>

@@ -4,8 +4,8 @@
 #include "libgrid/build/build.h"
 #include "libgrid/build/division.h"
 #include "libgrid/file/grid_checks.h"
+#include "libscene/base/stopwatch.h"
 #include "libscene/file/container.h"
-#include "libscene/stopwatch.h"
 #include "schemas/grid_generated.h"
 
 #include <string>

@@ -27,7 +27,7 @@
 #pragma once
 
 #include "libgrid/bits.h"
-#include "libscene/fetch.h"
+#include "libscene/base/fetch.h"
 #include "libscene/geometry/primitives.h"
 
 namespace masu {

@@ -7,7 +7,7 @@
 // HPG 2017.
 #pragma once
 
-#include "libscene/fetch.h"
+#include "libscene/base/fetch.h"
 #include "libscene/geometry/primitives.h"
 
 namespace masu {

@@ -1,8 +1,8 @@
 // RAII over the CUDA runtime: checked calls, device arrays, pinned memory, a timer.
 #pragma once
 
+#include "libscene/base/error.h"
 #include "libscene/cuda/device_scope.h"
-#include "libscene/error.h"
 
 #include <cuda_runtime.h>
 

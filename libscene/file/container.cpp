@@ -1,6 +1,6 @@
 #include "libscene/file/container.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "libscene/file/input_file.h"
 
-#include "libscene/available_memory.h"
-#include "libscene/error.h"
+#include "libscene/base/available_memory.h"
+#include "libscene/base/error.h"
 #include "libscene/file/input_stream.h"
 
 #include <fcntl.h>

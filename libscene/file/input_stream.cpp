@@ -1,6 +1,6 @@
 #include "libscene/file/input_stream.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <fcntl.h>
 #include <poll.h>

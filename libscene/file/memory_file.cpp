@@ -1,6 +1,6 @@
 #include "libscene/file/memory_file.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #include "libscene/file/output_file.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/file/same_file.h"
 
 #include <fcntl.h>

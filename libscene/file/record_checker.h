@@ -10,8 +10,8 @@
 // it: what a check writes to by an index of the file's, it reads by read_once().
 #pragma once
 
-#include "libscene/host_array.h"
-#include "libscene/portable.h"
+#include "libscene/base/host_array.h"
+#include "libscene/base/portable.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

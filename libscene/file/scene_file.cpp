@@ -1,11 +1,11 @@
 #include "libscene/file/scene_file.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
+#include "libscene/base/stopwatch.h"
 #include "libscene/file/scene_checks.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
 #include "libscene/scene_bounds.h"
-#include "libscene/stopwatch.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>

@@ -1,11 +1,11 @@
 // The scene file: a container (container.h) whose table is schemas/scene.fbs.
 #pragma once
 
+#include "libscene/base/stopwatch.h"
 #include "libscene/file/container.h"
 #include "libscene/float32_precision.h"
 #include "libscene/scene.h"
 #include "libscene/scene_view.h"
-#include "libscene/stopwatch.h"
 #include "schemas/scene_generated.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 // scene without cones runs no code for cones.
 #pragma once
 
-#include "libscene/fetch.h"
+#include "libscene/base/fetch.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/sphere.h"
 #include "libscene/geometry/textbook.h"

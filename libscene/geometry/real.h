@@ -1,7 +1,7 @@
 // Properties of floating-point types, and arithmetic that gives the same bits on host and device.
 #pragma once
 
-#include "libscene/portable.h"
+#include "libscene/base/portable.h"
 
 #include <bit>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "libscene/mesh/indexed_mesh.h"
 
 #include "libscene/automatic_camera.h"
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/mesh/points.h"
 #include "libscene/mesh/triangulate.h"
 

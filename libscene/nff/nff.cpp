@@ -1,10 +1,10 @@
 // Cuts the text into pieces while it is read, parses them in parallel, and joins them in order.
 #include "libscene/nff/nff.h"
 
-#include "libscene/available_memory.h"
-#include "libscene/error.h"
+#include "libscene/base/available_memory.h"
+#include "libscene/base/error.h"
+#include "libscene/base/host_array.h"
 #include "libscene/file/input_file.h"
-#include "libscene/host_array.h"
 #include "libscene/nff/nff_piece.h"
 #include "libscene/nff/nff_view.h"
 

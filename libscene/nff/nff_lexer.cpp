@@ -1,6 +1,6 @@
 #include "libscene/nff/nff_lexer.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <charconv>
 #include <cmath>

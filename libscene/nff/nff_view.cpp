@@ -1,7 +1,7 @@
 #include "libscene/nff/nff_view.h"
 
 #include "libscene/automatic_camera.h"
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 namespace masu::nff {
 namespace {

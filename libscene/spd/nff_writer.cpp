@@ -1,6 +1,6 @@
 #include "libscene/spd/nff_writer.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "libscene/spd/spd.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/spd/scenes.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // libFuzzer target: any bytes as a grid file throw Error, or all indices are valid. Seeds: files made by
 // gridbuild.
 #include "libgrid/file/grid_file.h"
-#include "libgrid/hierarchy_statistics.h"
-#include "libgrid/statistics.h"
+#include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/statistics/statistics.h"
 #include "libgrid/trace/trace.h"
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "renderer/counts.h"
 #include "tests/fuzz/repaired.h"
 

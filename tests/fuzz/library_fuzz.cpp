@@ -1,6 +1,6 @@
 // libFuzzer target: the C interface's calls in any order, with any rays, meshes and options: a status each,
 // never a fault. Pointers and counts are right, as masu.h demands.
-#include "renderer/masu.h"
+#include "api/masu.h"
 
 #include <array>
 #include <cmath>

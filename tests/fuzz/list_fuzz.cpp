@@ -2,10 +2,10 @@
 // any bytes as the header of a NumPy array are refused, or tell its type and shape; any bytes as a list of
 // rays in text are refused, or are the same rays in whatever pieces they are read. The first byte selects
 // one.
-#include "libscene/error.h"
-#include "tools/npy.h"
-#include "tools/ray_csv.h"
-#include "tools/views.h"
+#include "libscene/base/error.h"
+#include "tools/lists/npy.h"
+#include "tools/lists/ray_csv.h"
+#include "tools/render/views.h"
 
 #include <algorithm>
 #include <bit>

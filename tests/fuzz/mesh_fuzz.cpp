@@ -1,7 +1,7 @@
 // libFuzzer target: any bytes as a mesh throw Error, or become a scene. The first byte selects the format.
 // Assimp's own faults end it, too, which mesh2bin reports as an invalid file.
-#include "libscene/error.h"
-#include "libscene/mesh/import.h"
+#include "libscene/base/error.h"
+#include "libscene/mesh/import/import.h"
 
 #include <array>
 #include <cstddef>

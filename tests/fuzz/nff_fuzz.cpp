@@ -1,5 +1,5 @@
 // libFuzzer target: any text is parsed or throws Error. The first byte selects the size of pieces.
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/nff/nff.h"
 
 #include <cstddef>

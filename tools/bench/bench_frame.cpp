@@ -1,10 +1,10 @@
 // Seconds of whole pictures by screen division: how tiles of the picture are scheduled.
-#include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
-#include "tools/bench/screen_division.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
-#include "tools/repeated.h"
+#include "tools/bench/screen_division/screen_division.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/common/repeated.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
 // Long lists of rays in host memory, compared with plain copies of their bytes to the device and back.
-#include "libscene/stopwatch.h"
-#include "tools/backend_choice.h"
+#include "libscene/base/stopwatch.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/host_list.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
-#include "tools/repeated.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/common/repeated.h"
 
 #include <nlohmann/json.hpp>
 

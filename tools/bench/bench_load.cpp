@@ -1,10 +1,10 @@
 // Seconds of loading a scene and its grid, compared with plain copies of the files' bytes to the same memory.
-#include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
-#include "tools/bench/plain_copy.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
-#include "tools/repeated.h"
+#include "tools/bench/load/plain_copy.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/common/repeated.h"
 
 #include <nlohmann/json.hpp>
 

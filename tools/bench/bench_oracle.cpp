@@ -1,10 +1,10 @@
 // Closest hits of random rays in a scene by each precision, compared with the oracle's brute force.
-#include "tools/backend_choice.h"
+#include "tests/stability/ray_sets.h"
+#include "tests/stability/run.h"
 #include "tools/bench/bench.h"
-#include "tools/bench/ray_sets.h"
-#include "tools/bench/stability/run.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>

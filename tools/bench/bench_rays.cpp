@@ -2,11 +2,11 @@
 #include "tools/bench/bench.h"
 
 #include "renderer/automatic_loop.h"
-#include "tools/backend_choice.h"
-#include "tools/bench/ray_sets.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
-#include "tools/repeated.h"
+#include "tests/stability/ray_sets.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/common/repeated.h"
 
 #include <nlohmann/json.hpp>
 

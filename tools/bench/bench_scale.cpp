@@ -1,18 +1,18 @@
 // How views, one large view and a list of rays speed up with more GPUs, or with more threads of the CPU; and
 // what bounds them.
+#include "libscene/base/on_threads.h"
+#include "libscene/base/stopwatch.h"
 #include "libscene/file/output_file.h"
-#include "libscene/on_threads.h"
-#include "libscene/stopwatch.h"
 #include "scale_script.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/gnuplot.h"
 #include "tools/bench/host_list.h"
-#include "tools/device_choice.h"
-#include "tools/picture_bands.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
-#include "tools/render_views.h"
-#include "tools/run_tasks.h"
+#include "tools/common/device_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/jobs/run_tasks.h"
+#include "tools/render/picture_bands.h"
+#include "tools/render/render_views.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,13 +1,13 @@
 // Where tracing fails: sweeps of one parameter each, compared with an oracle; and the same rays on the GPU.
-#include "tools/backend_choice.h"
+#include "tests/stability/oracle/backends.h"
+#include "tests/stability/oracle/embree_scene.h"
+#include "tests/stability/oracle/exact_hit.h"
+#include "tests/stability/run.h"
+#include "tests/stability/sweeps/picture_sweeps.h"
 #include "tools/bench/bench.h"
-#include "tools/bench/embree_scene.h"
-#include "tools/bench/stability/backends.h"
-#include "tools/bench/stability/exact_hit.h"
-#include "tools/bench/stability/picture_sweeps.h"
-#include "tools/bench/stability/run.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
 
 #include <nlohmann/json.hpp>
 

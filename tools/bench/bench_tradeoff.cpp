@@ -1,13 +1,13 @@
 // Speed against accuracy of every precision, stop rule and grid: measurements, charts and Pareto fronts.
 #include "libscene/file/memory_file.h"
-#include "tools/backend_choice.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/gnuplot.h"
-#include "tools/bench/tradeoff_csv.h"
-#include "tools/bench/tradeoff_front.h"
-#include "tools/bench/tradeoff_measure.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
+#include "tools/bench/tradeoff/tradeoff_csv.h"
+#include "tools/bench/tradeoff/tradeoff_front.h"
+#include "tools/bench/tradeoff/tradeoff_measure.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
 #include "tradeoff_script.h"
 
 #include <nlohmann/json.hpp>

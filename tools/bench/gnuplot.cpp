@@ -1,6 +1,6 @@
 #include "tools/bench/gnuplot.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/file/memory_file.h"
 #include "libscene/file/output_file.h"
 

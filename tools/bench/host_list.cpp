@@ -1,7 +1,7 @@
 #include "tools/bench/host_list.h"
 
-#include "tools/bench/plain_copy.h"
-#include "tools/bench/ray_sets.h"
+#include "tests/stability/ray_sets.h"
+#include "tools/bench/load/plain_copy.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,8 +1,8 @@
 #include "tools/view/answers.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "page_files.h"
-#include "tools/printable.h"
+#include "tools/common/printable.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "tools/view/export.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 #include "page_files.h"
-#include "tools/printable.h"
-#include "tools/provenance.h"
-#include "tools/vector_json.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/common/vector_json.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "tools/view/http_server.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <fmt/format.h>
 #include <httplib.h>

@@ -1,6 +1,6 @@
 #include "tools/view/jpeg.h"
 
-#include "libscene/error.h"
+#include "libscene/base/error.h"
 
 #include <turbojpeg.h>
 

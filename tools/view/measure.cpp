@@ -1,8 +1,8 @@
 #include "tools/view/measure.h"
 
-#include "libscene/error.h"
-#include "libscene/stopwatch.h"
-#include "tools/repeated.h"
+#include "libscene/base/error.h"
+#include "libscene/base/stopwatch.h"
+#include "tools/common/repeated.h"
 #include "tools/view/answers.h"
 
 #include <fmt/format.h>

@@ -4,10 +4,10 @@
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
+#include "tools/render/views.h"
 #include "tools/view/channel_colors.h"
 #include "tools/view/jpeg.h"
 #include "tools/view/turns.h"
-#include "tools/views.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,0 +1,52 @@
+// Building by passes: each does the same to every one of many items, in any order or all at once. What runs
+// them (an executor) is a template parameter: TbbExecutor (tbb_executor.h) on the host's cores,
+// SerialExecutor (serial_executor.h) on one of them, CudaExecutor (cuda_executor.h) on a device. An executor
+// has
+//
+//   Array<T>                      in its memory: data(), size(); moves, doesn't copy
+//   array<T>(count)               of any content;  zeros<T>(count)
+//   for_each(count, act)          act(i) for i = 0 … count - 1
+//   for_each_by_group(count, work)  work(group, scratch, i): a group of threads (thread_group.h) to each i, a
+//                                 larger one where work.size(i) is large; they share a Work::Scratch
+//   scan(values)                  values[i] becomes the sum of all before it
+//   value(values, i)              one value, for the host
+//   fetch_add(counter, by)        adds; returns what the counter was: all who add at once get different
+//                                 values
+//   has_warps                     whether its threads run in step, so that work is better sorted by its kind
+//   emit_sorted<Value>(count, bits, max_pairs, emit)
+//                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),
+//                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1: sorted by key, of
+//                                 `bits` bits; equal keys as emitted. None for more than max_pairs.
+#pragma once
+
+#include "libscene/base/portable.h"
+
+#include <cstdint>
+
+namespace masu {
+
+// The last i with begins[i] <= position, of `count` that rise from 0: whose range the position is in.
+MASU_HD inline std::uint64_t owner_of(const std::uint64_t* begins, std::uint64_t count,
+                                      std::uint64_t position) {
+  std::uint64_t low = 0, high = count;
+  while (high - low > 1) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (begins[middle] <= position ? low : high) = middle;
+  }
+  return low;
+}
+
+template <class Executor, class T>
+using ArrayOf = typename Executor::template Array<T>;
+
+// Pairs sorted by their keys.
+template <class Executor, class Value>
+struct Sorted {
+  ArrayOf<Executor, std::uint64_t> keys{};
+  ArrayOf<Executor, Value> values{};
+};
+
+// Work that needs nothing to share.
+struct NoScratch {};
+
+} // namespace masu

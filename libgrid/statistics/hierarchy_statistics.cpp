@@ -1,0 +1,76 @@
+#include "libgrid/statistics/hierarchy_statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace masu {
+namespace {
+
+// Half of a box's surface.
+double area_of(const HierarchyNode& node, int slot) {
+  std::array<double, 3> side{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double unit = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127);
+    side[static_cast<unsigned>(axis)] =
+        unit * (static_cast<double>(slot_byte(node.high[axis], slot)) - slot_byte(node.low[axis], slot));
+  }
+  return side[0] * (side[1] + side[2]) + side[1] * side[2];
+}
+
+// Of the box around all of a node's.
+double area_around(const HierarchyNode& node) {
+  HierarchyNode around = node;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::uint32_t low = 255, high = 0;
+    for (int slot = 0; slot < boxes_a_node; ++slot) {
+      if (slot_byte(node.slots, slot) == 0) continue;
+      low = std::min(low, slot_byte(node.low[axis], slot));
+      high = std::max(high, slot_byte(node.high[axis], slot));
+    }
+    around.low[axis][0] = std::min(low, high);
+    around.high[axis][0] = high;
+  }
+  return area_of(around, 0);
+}
+
+} // namespace
+
+HierarchyStatistics hierarchy_statistics(std::span<const HierarchyNode> nodes) {
+  HierarchyStatistics found;
+  found.nodes = nodes.size();
+  std::vector<std::uint8_t> depths(nodes.size());
+  depths[0] = 1;
+  double visited = 0, tested = 0;
+  const double root = area_around(nodes[0]);
+  for (std::size_t i = 0; i < nodes.size(); ++i) { // a node's nodes come after it
+    const HierarchyNode& node = nodes[i];
+    found.depth = std::max(found.depth, static_cast<int>(depths[i]));
+    const auto held = static_cast<std::uint64_t>(std::popcount(node_slots(node)));
+    found.node_boxes += held;
+    for (std::uint64_t child = 0; child < held; ++child)
+      depths[node.first_node + child] = static_cast<std::uint8_t>(depths[i] + 1);
+    for (int slot = 0; slot < boxes_a_node; ++slot) {
+      const std::uint32_t byte = slot_byte(node.slots, slot);
+      if (byte == 0) continue;
+      if ((node_slots(node) >> slot & 1) != 0) {
+        visited += area_of(node, slot);
+        continue;
+      }
+      ++found.reference_boxes;
+      found.references += references_in(byte);
+      tested += area_of(node, slot) * references_in(byte);
+    }
+  }
+  found.boxes_a_node =
+      static_cast<double>(found.node_boxes + found.reference_boxes) / static_cast<double>(nodes.size());
+  if (root > 0) {
+    found.nodes_a_ray = 1 + visited / root;
+    found.tests_a_ray = tested / root;
+  }
+  return found;
+}
+
+} // namespace masu

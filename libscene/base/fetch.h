@@ -1,0 +1,43 @@
+// Vector loads of whole records on a GPU, whose compiler would load each used member by itself.
+#pragma once
+
+#include "libscene/base/portable.h"
+
+namespace masu {
+
+#ifdef __CUDACC__
+// *record, loaded in units of Piece by load(const Piece*).
+template <class Piece, class Record, class Load>
+__device__ inline Record load_in_pieces(const Record* record, const Load& load) {
+  static_assert(sizeof(Record) % sizeof(Piece) == 0 && alignof(Record) >= sizeof(Piece));
+  struct Pieces {
+    Piece pieces[sizeof(Record) / sizeof(Piece)];
+  } copy;
+#pragma unroll
+  for (unsigned i = 0; i < sizeof(Record) / sizeof(Piece); ++i)
+    copy.pieces[i] = load(reinterpret_cast<const Piece*>(record) + i);
+  return __builtin_bit_cast(Record, copy);
+}
+#endif
+
+// *record; on the device in 16-byte loads through the read-only cache (ld.global.nc).
+template <class Record>
+MASU_HD inline Record fetched(const Record* record) {
+#ifdef __CUDA_ARCH__
+  return load_in_pieces<uint4>(record, [](const uint4* piece) { return __ldg(piece); });
+#else
+  return *record;
+#endif
+}
+
+// The same for a record that is read only once: 16-byte streaming loads (ld.global.cs), evicted first.
+template <class Record>
+MASU_HD inline Record streamed(const Record* record) {
+#ifdef __CUDA_ARCH__
+  return load_in_pieces<uint4>(record, [](const uint4* piece) { return __ldcs(piece); });
+#else
+  return *record;
+#endif
+}
+
+} // namespace masu

@@ -1,0 +1,170 @@
+#include "libscene/mesh/import/import_view.h"
+
+#include "libscene/automatic_camera.h"
+#include "libscene/mesh/import/import_transform.h"
+
+#include <assimp/commonMetaData.h>
+#include <assimp/version.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+namespace masu::import {
+namespace {
+
+constexpr double largest_coordinate = 1e100;
+constexpr double degrees = 180 / std::numbers::pi;
+constexpr std::int32_t default_height = 512, max_pixels = 65536;
+
+bool is_coordinate(const Vec3d& v) {
+  return std::abs(v.x) <= largest_coordinate && std::abs(v.y) <= largest_coordinate &&
+         std::abs(v.z) <= largest_coordinate; // not for NaN
+}
+
+std::optional<Vec3d> unit(const Vec3d& v) {
+  if (!is_coordinate(v) || largest_magnitude(v) == 0) return {};
+  return direction(v);
+}
+
+Transform transform_of(const aiScene& file, const aiString& name) {
+  const aiNode* const node = file.mRootNode->FindNode(name);
+  return node != nullptr ? global_transform(*node) : Transform{};
+}
+
+// The vertical angle in degrees of a camera with that aspect ratio (width / height).
+double vertical_angle(const aiScene& file, const aiCamera& camera, double aspect) {
+  const double horizontal = camera.mHorizontalFOV;
+  const unsigned version = 100 * aiGetVersionMajor() + aiGetVersionMinor();
+  // glTF gives the vertical angle. Assimp before 5.3 multiplied it by the aspect ratio (1 if not given).
+  if (is_format(file, "glTF") && camera.mAspect <= 0) return horizontal * degrees;
+  if (is_format(file, "glTF") && version < 503) return horizontal / aspect * degrees;
+  return 2 * std::atan(std::tan(horizontal / 2) / aspect) * degrees;
+}
+
+std::int32_t pixels(double number) {
+  return static_cast<std::int32_t>(std::clamp(std::round(number), 1.0, static_cast<double>(max_pixels)));
+}
+
+std::optional<Camera> imported_camera(const aiScene& file, const aiCamera& source,
+                                      const ImportOptions& options, const Sphere<double>& whole) {
+  if (!(source.mHorizontalFOV > 0 && source.mHorizontalFOV < std::numbers::pi)) return {};
+  const Transform transform = transform_of(file, source.mName);
+  // A glTF camera is at its node's origin; some versions of Assimp add the node's translation here.
+  const Vec3d position = is_format(file, "glTF") ? Vec3d{0, 0, 0} : vector_of(source.mPosition);
+  const auto forward = unit(transformed_direction(transform, vector_of(source.mLookAt)));
+  const auto up = unit(transformed_direction(transform, vector_of(source.mUp)));
+  Camera camera{};
+  camera.from = transformed_point(transform, position);
+  if (!forward || !up || !is_coordinate(camera.from) || largest_magnitude(cross(*up, *forward)) < 1e-6)
+    return {};
+  camera.at = camera.from + *forward * whole.radius;
+  if (!is_coordinate(camera.at) || camera.at == camera.from) return {};
+  camera.up = *up;
+  camera.hither = source.mClipPlaneNear >= 0 ? source.mClipPlaneNear : 0.01;
+  const bool has_aspect = source.mAspect > 1e-3F && source.mAspect < 1e3F;
+  camera.height = options.height > 0 ? options.height : default_height;
+  camera.width =
+      options.width > 0 ? options.width : pixels(default_height * (has_aspect ? source.mAspect : 1));
+  const double aspect = has_aspect ? source.mAspect : static_cast<double>(camera.width) / camera.height;
+  camera.angle = vertical_angle(file, source, aspect);
+  if (!(camera.angle > 0 && camera.angle < 180)) return {};
+  return camera;
+}
+
+// NFF's automatic view, turned to the up axis.
+Camera automatic_camera(const ImportOptions& options, const Sphere<double>& whole) {
+  const bool is_y_up = options.up == UpAxis::y;
+  Camera camera{};
+  camera.angle = 45;
+  camera.hither = 0.01;
+  camera.height = options.height > 0 ? options.height : default_height;
+  camera.width = options.width > 0 ? options.width : default_height;
+  camera.up = is_y_up ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+  camera.at = whole.center;
+  const double distance = framing_distance(whole.radius, camera.angle, camera.width, camera.height);
+  const Vec3d forward = direction(is_y_up ? Vec3d{-1, -1.2, -2} : Vec3d{-1, 2, -1.2});
+  camera.from = whole.center - forward * distance;
+  return camera;
+}
+
+// Above and to the left of the camera, half its distance each.
+Light<double> automatic_light(const Camera& camera) {
+  const Vec3d view = camera.at - camera.from;
+  const Vec3d forward = direction(view), right = direction(cross(forward, camera.up));
+  return {camera.from + (cross(right, forward) - right) * (0.5 * length(view)), {1, 1, 1}};
+}
+
+std::optional<Light<double>> imported_light(const aiScene& file, const aiLight& source,
+                                            const Sphere<double>& whole) {
+  const Transform transform = transform_of(file, source.mName);
+  Light<double> light{};
+  const aiColor3D& color = source.mColorDiffuse;
+  light.intensity = {color.r, color.g, color.b};
+  if (!is_coordinate(light.intensity)) return {};
+  switch (source.mType) {
+  case aiLightSource_POINT:
+  case aiLightSource_SPOT:
+  case aiLightSource_AREA:
+    light.position = transformed_point(transform, vector_of(source.mPosition));
+    break;
+  case aiLightSource_DIRECTIONAL: {
+    const auto towards = unit(transformed_direction(transform, vector_of(source.mDirection)));
+    if (!towards) return {};
+    light.position = whole.center - *towards * (100 * whole.radius);
+    break;
+  }
+  default:
+    return {};
+  }
+  if (!is_coordinate(light.position)) return {};
+  return light;
+}
+
+} // namespace
+
+bool is_format(const aiScene& file, const char* format) {
+  aiString name;
+  return file.mMetaData != nullptr && file.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, name) &&
+         std::string_view(name.C_Str()).find(format) != std::string_view::npos;
+}
+
+void import_view(const aiScene& file, const ImportOptions& options, ImportedScene& result) {
+  Scene& scene = result.scene;
+  const Sphere<double> whole = bounding_sphere(scene);
+  if (file.mNumCameras > 0) {
+    if (const auto camera = imported_camera(file, *file.mCameras[0], options, whole)) {
+      scene.camera = *camera;
+      scene.has_camera = true;
+    }
+  }
+  if (!scene.has_camera) scene.camera = automatic_camera(options, whole);
+  result.notes.has_camera = scene.has_camera;
+  result.notes.omitted_cameras = file.mNumCameras - (scene.has_camera ? 1U : 0U);
+
+  for (unsigned i = 0; i < file.mNumLights; ++i) {
+    if (const auto light = imported_light(file, *file.mLights[i], whole))
+      scene.lights.push_back(*light);
+    else
+      ++result.notes.omitted_lights;
+  }
+  double brightest = 0;
+  for (const Light<double>& light : scene.lights)
+    brightest = std::max(brightest, largest_magnitude(light.intensity));
+  result.notes.has_lights = brightest > 0;
+  if (brightest == 0) {
+    brightest = 1;
+    scene.lights = {scene.has_camera ? Light<double>{scene.camera.from, {1, 1, 1}}
+                                     : automatic_light(scene.camera)};
+  }
+  const double n = static_cast<double>(scene.lights.size());
+  const double each = std::sqrt(n) / (2 * n);
+  for (Light<double>& light : scene.lights)
+    light.intensity = light.intensity * (each / brightest);
+  scene.ambient = static_cast<float>(each);
+  scene.background = {0, 0, 0};
+}
+
+} // namespace masu::import

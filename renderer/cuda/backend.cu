@@ -1,0 +1,182 @@
+#include "renderer/backend.h"
+
+#include "libscene/cuda/device_checker.h"
+#include "libscene/file/scene_checks.h"
+#include "renderer/arithmetic.h"
+#include "renderer/cuda/queue.h"
+
+namespace masu {
+
+void set_up_cuda(int device) {
+  std::string why;
+  if (!cuda_available(why)) throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu");
+  const DeviceScope scope(device);
+  check(cudaFree(nullptr)); // makes a context
+}
+
+namespace {
+
+// Checks the records that the host hasn't, and prepares what is made of them.
+template <class Stored>
+unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, const GridFile* grid) {
+  const DeviceChecker checker(files.queue);
+  const SceneView<Stored>& view = files.scene.view;
+  const auto refuse = [](const std::string& path, const char* fault) {
+    if (fault != nullptr) throw_damaged(path, fault);
+  };
+  if (scene.residence() == Residence::file)
+    refuse(scene.path(), fault_of(checker, view, scene.bounds(), scene.object_count()));
+  if (grid != nullptr && grid->residence() == Residence::file)
+    refuse(grid->path(), fault_of(checker, files.grid.records));
+  files.make_leaves(grid);
+  const bool has_tapers =
+      !checker.all(view.cone_count, [=] __device__(std::uint64_t i) { return !tapers(view.cones[i]); });
+  return kinds_in(view, has_tapers);
+}
+
+} // namespace
+
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
+                                                     int device) {
+  const DeviceScope scope(device);
+  auto files = std::make_shared<DeviceFiles>(device);
+  Transfer upload(files->pool);
+  const auto upload_as = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
+    stored.emplace(scene, grid, files->pool, upload);
+    upload.run();
+    files->kinds = checked_kinds(*stored, scene, grid);
+  };
+  scene.is_float64() ? upload_as(files->float64) : upload_as(files->float32);
+  return files;
+}
+
+unsigned kinds_on(const DeviceFiles& files) {
+  return files.kinds;
+}
+
+PrimitiveProperties properties_cuda(const DeviceFiles& files, PrimitiveIndex index) {
+  const DeviceScope device(files.device);
+  const auto copy_of = [](const auto* record) {
+    std::decay_t<decltype(*record)> copy;
+    check(cudaMemcpy(&copy, record, sizeof copy, cudaMemcpyDeviceToHost));
+    return copy;
+  };
+  return files.float32 ? properties_of(files.float32->scene.view, index, copy_of)
+                       : properties_of(files.float64->scene.view, index, copy_of);
+}
+
+void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                 const FrameRequest& request, Frame& frame) {
+  const DeviceScope device(files.device);
+  const auto buffers = files.frames.borrow();
+  with_store_and_arithmetic(
+      scene, request.tracing.precision,
+      [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
+        render_on_device<TestRay>(files.of<Stored>(), view, grid, request, *buffers, frame);
+      });
+}
+
+namespace {
+
+constexpr int rays_a_converting_block = 256;
+
+template <class Real>
+__global__ void __launch_bounds__(rays_a_converting_block)
+    convert_kernel(const void* const rays, const RayFormat format, const std::uint64_t count,
+                   Ray<Real>* const converted) {
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_converting_block + threadIdx.x;
+  if (i < count) converted[i] = loaded<Real>(rays, format, i);
+}
+
+// Rays in device memory as the arithmetic's numbers, aligned for its loads: where they lie, or copied.
+template <class Real>
+struct ConvertedRays {
+  DeviceArray<Ray<Real>> copy;
+  const Ray<Real>* rays;
+
+  ConvertedRays(const RayList& list, const Queue& queue) : rays(static_cast<const Ray<Real>*>(list.rays)) {
+    if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
+      return;
+    copy = DeviceArray<Ray<Real>>(list.count, queue);
+    rays = copy.data();
+    const auto blocks =
+        static_cast<unsigned>((list.count + rays_a_converting_block - 1) / rays_a_converting_block);
+    launch(convert_kernel<Real>, blocks, rays_a_converting_block, queue.stream, list.rays, list.format,
+           list.count, copy.data());
+  }
+};
+
+} // namespace
+
+KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                      const RayList& rays, const RayResults& results, const RaysRequest& request,
+                      Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
+  KernelSize size{};
+  if (rays.count == 0) return size;
+  const Queue queue{stream, files.pool};
+  with_store_and_arithmetic(
+      scene, request.tracing.precision,
+      [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
+        using Real = typename TestRay::Real;
+        const ConvertedRays<Real> converted(rays, queue);
+        const bool has_attributes = request.query == Query::nearest_hit && results.has_attributes();
+        const DeviceArray<float> t(has_attributes && results.t == nullptr ? rays.count : 0, queue);
+        const DeviceArray<std::uint32_t> primitive(
+            has_attributes && results.primitive == nullptr ? rays.count : 0, queue);
+        RayResults found = results;
+        if (t.data() != nullptr) found.t = t.data();
+        if (primitive.data() != nullptr) found.primitive = primitive.data();
+        const RayBatch<Real> batch{converted.rays, rays.count, found, counts, queue, begun};
+        size = queue_batch<TestRay>(files.of<Stored>(), view, grid, request, batch);
+        if (has_attributes) queue_attributes(files.of<Stored>(), batch, results);
+      });
+  return size;
+}
+
+QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                            const RayList& rays, const RayResults& results, const RaysRequest& request,
+                            void* stream) {
+  const DeviceScope device(files.device);
+  QueryReport report;
+  report.kernel =
+      queue_rays(files, scene, grid, rays, results, request, nullptr, static_cast<cudaStream_t>(stream));
+  return report;
+}
+
+QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                           const ResidentRays& rays, const RaysRequest& request) {
+  const DeviceScope device(files.device);
+  QueryReport report;
+  const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
+                                   {nullptr, files.pool});
+  const DeviceTimer timer;
+  report.kernel =
+      queue_rays(files, scene, grid, rays.list, rays.results, request, counts.data(), nullptr, timer.start());
+  report.seconds.trace = timer.seconds();
+  counts.download(&report.counts);
+  return report;
+}
+
+ResidentRays upload_rays_cuda(const RayList& rays, int device) {
+  const DeviceScope scope(device);
+  struct Memory {
+    DeviceArray<std::uint8_t> rays;
+    DeviceArray<float> t;
+    DeviceArray<std::uint32_t> primitive;
+    DeviceArray<std::uint8_t> occluded;
+  };
+  const auto memory = std::make_shared<Memory>();
+  memory->rays = DeviceArray<std::uint8_t>(static_cast<const std::uint8_t*>(rays.rays),
+                                           rays.count * rays.format.bytes_a_ray());
+  memory->t = DeviceArray<float>(rays.count);
+  memory->primitive = DeviceArray<std::uint32_t>(rays.count);
+  memory->occluded = DeviceArray<std::uint8_t>(rays.count);
+  check(cudaStreamSynchronize(nullptr)); // the rays are copied
+  ResidentRays resident{RayList(memory->rays.data(), rays.count, rays.format), {}, memory};
+  resident.results.t = memory->t.data();
+  resident.results.primitive = memory->primitive.data();
+  resident.results.occluded = memory->occluded.data();
+  return resident;
+}
+
+} // namespace masu

@@ -1,0 +1,21 @@
+#include "renderer/cuda/tracing.h"
+
+namespace masu {
+
+template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                      const GridFile*, const FrameRequest&, FrameBuffers&,
+                                                      Frame&);
+template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                       const GridFile*, const RaysRequest&,
+                                                       const RayBatch<double>&);
+template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<double>&, const RayResults&);
+
+template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
+                                                      const GridFile*, const FrameRequest&, FrameBuffers&,
+                                                      Frame&);
+template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
+                                                       const GridFile*, const RaysRequest&,
+                                                       const RayBatch<double>&);
+template void queue_attributes(const DeviceFilesOf<double>&, const RayBatch<double>&, const RayResults&);
+
+} // namespace masu

@@ -1,0 +1,48 @@
+// Stands in for the CUDA backend where the program was built without it.
+#include "renderer/backend.h"
+
+#include "libscene/base/error.h"
+
+namespace masu {
+namespace {
+
+[[noreturn]] void refuse() {
+  std::string why;
+  static_cast<void>(cuda_available(why));
+  throw Error(ErrorCode::device, "cuda", why + ": use --backend cpu, or build where nvcc is on the PATH");
+}
+
+} // namespace
+
+void set_up_cuda(int) {
+  refuse();
+}
+std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*, int) {
+  refuse();
+}
+unsigned kinds_on(const DeviceFiles&) {
+  refuse();
+}
+PrimitiveProperties properties_cuda(const DeviceFiles&, PrimitiveIndex) {
+  refuse();
+}
+ResidentRays upload_rays_cuda(const RayList&, int) {
+  refuse();
+}
+void render_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const FrameRequest&, Frame&) {
+  refuse();
+}
+QueryReport trace_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,
+                            const RayResults&, const RaysRequest&, std::atomic<std::size_t>&) {
+  refuse();
+}
+QueryReport queue_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const RayList&,
+                            const RayResults&, const RaysRequest&, void*) {
+  refuse();
+}
+QueryReport time_rays_cuda(const DeviceFiles&, const SceneFile&, const GridFile*, const ResidentRays&,
+                           const RaysRequest&) {
+  refuse();
+}
+
+} // namespace masu

@@ -1,0 +1,13 @@
+#include "renderer/cuda/tracing.h"
+
+namespace masu {
+
+template void render_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                     const GridFile*, const FrameRequest&, FrameBuffers&,
+                                                     Frame&);
+template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                                      const GridFile*, const RaysRequest&,
+                                                      const RayBatch<float>&);
+template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
+
+} // namespace masu

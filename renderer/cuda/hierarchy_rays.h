@@ -1,0 +1,87 @@
+// Rays through a bounding volume hierarchy by warps whose idle lanes fetch the next ray (CUDA sources only):
+// after Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009, and, for when to
+// fetch, Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
+// HPG 2017.
+#pragma once
+
+#include "libgrid/trace/hierarchy_walk.h"
+#include "renderer/cuda/culling.h"
+#include "renderer/cuda/warp_rays.h"
+
+namespace masu {
+
+inline constexpr int hierarchy_threads = 64; // a block: small ones end soon after their last ray
+
+// Lanes fetch rays once so much has been lost: the idle ones beyond so many, summed over steps.
+inline constexpr int lost_steps = 8, lanes_lost_freely = 4;
+
+template <Query query, class M, class Stored, class Hierarchy>
+__global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> / hierarchy_threads)
+    refill_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
+                  const RayQueue<typename M::Real> queue, const RayResults results,
+                  WarpProgress* const progress) {
+  using Real = typename M::Real;
+  // What is needed of a ray when it is begun and ended would take up registers.
+  __shared__ RayEnds<Real> ends[hierarchy_threads];
+  const unsigned lane = threadIdx.x % lanes_a_warp;
+  RayEnds<Real>& own = ends[threadIdx.x];
+  NoCounts counts;
+  HierarchyStack stack;
+  HierarchyWalk<Real> walk;
+  typename M::TestRay test_ray;
+  Hit<Real> nearest{};
+  const bool culls = queue.may_cull && progress->culls != 0;
+  bool under_way = false, more = true;
+  const auto report = [&] {
+    write_hit<query>(results, own.number, reported(nearest, own.t_max, own.skipped, own.scale));
+    under_way = false;
+  };
+  for (;;) {
+    unsigned idle = __ballot_sync(all_lanes, !under_way);
+    if (more && idle != 0) {
+      const std::uint32_t first = add_for_warp(progress->next_ray, __popc(idle)),
+                          number = first + rank_among(idle, lane),
+                          count = culls ? progress->chosen : queue.count;
+      more = first + static_cast<unsigned>(__popc(idle)) < count;
+      if (!under_way && number < count) {
+        const std::uint32_t mine = culls ? queue.chosen[number] : number;
+        ClippedRay<Real> near{};
+        Real scale;
+        if (scale_and_clip(scene, streamed(queue.rays + mine), near, scale)) {
+          under_way = true;
+          own = {scale, near.skipped, near.ray.t_max, mine};
+          nearest = {near.ray.t_max, 0};
+          prepare(test_ray, near.ray.origin, near.ray.direction);
+          walk.begin(near);
+        } else {
+          write_hit<query>(results, mine, {static_cast<float>(INFINITY), no_primitive});
+        }
+      }
+      idle = __ballot_sync(all_lanes, !under_way);
+      if (more && __popc(idle) > lanes_a_warp / 2) continue; // most miss the scene
+    }
+    if (idle == all_lanes) return;
+    int lost = 0;
+    while (under_way) {
+      bool goes_on;
+      if constexpr (query == Query::nearest_hit) {
+        // 0: t_max is for the rule of termination, which only grids ask.
+        NearestHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, 0, nearest};
+        goes_on = walk.advance(hierarchy, stack, visitor);
+        nearest = visitor.hit;
+      } else {
+        AnyHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, own.t_max, nearest.t};
+        goes_on = walk.advance(hierarchy, stack, visitor);
+        nearest.t = visitor.hit;
+      }
+      if (!goes_on) report();
+      if (more) {
+        lost += max(lanes_a_warp - lanes_lost_freely - __popc(__activemask()), 0);
+        if (lost >= lost_steps) break;
+      }
+    }
+    __syncwarp();
+  }
+}
+
+} // namespace masu

@@ -1,0 +1,171 @@
+#include "renderer/cuda/host_rays.h"
+
+#include "renderer/cuda/queue.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace masu {
+namespace {
+
+bool is_page_locked(const void* host) {
+  cudaPointerAttributes attributes{};
+  if (host == nullptr || cudaPointerGetAttributes(&attributes, host) != cudaSuccess) {
+    static_cast<void>(cudaGetLastError()); // older drivers call unknown memory an error
+    return false;
+  }
+  return attributes.type == cudaMemoryTypeHost;
+}
+
+// An array of results in host memory: null where it isn't wanted.
+struct ResultArray {
+  void* host;
+  std::size_t bytes_a_ray;
+  bool page_locked;
+};
+using ResultArrays = std::array<ResultArray, 9>;
+
+ResultArrays arrays_of(const RayResults& results) {
+  const auto array = [](auto* host) { return ResultArray{host, sizeof(*host), is_page_locked(host)}; };
+  return {array(results.t),        array(results.primitive),   array(results.object),
+          array(results.face),     array(results.uv),          array(results.normal),
+          array(results.occluded), array(results.costs.cells), array(results.costs.tests)};
+}
+
+// One array after another in a block of memory, for so many rays; 16-byte boundaries.
+template <class Act>
+std::size_t for_each_array(const ResultArrays& arrays, std::size_t rays, const Act& act) {
+  std::size_t offset = 0;
+  for (std::size_t k = 0; k < arrays.size(); ++k) {
+    if (arrays[k].host == nullptr) continue;
+    act(k, offset, rays * arrays[k].bytes_a_ray);
+    offset += (rays * arrays[k].bytes_a_ray + 15) / 16 * 16;
+  }
+  return offset;
+}
+
+RayResults results_in(std::uint8_t* block, const ResultArrays& arrays, std::size_t rays) {
+  std::array<std::uint8_t*, std::tuple_size_v<ResultArrays>> at{};
+  for_each_array(arrays, rays,
+                 [&](std::size_t k, std::size_t offset, std::size_t) { at[k] = block + offset; });
+  RayResults results;
+  results.t = reinterpret_cast<float*>(at[0]);
+  results.primitive = reinterpret_cast<std::uint32_t*>(at[1]);
+  results.object = reinterpret_cast<std::uint32_t*>(at[2]);
+  results.face = reinterpret_cast<std::uint32_t*>(at[3]);
+  results.uv = reinterpret_cast<float(*)[2]>(at[4]);
+  results.normal = reinterpret_cast<float(*)[3]>(at[5]);
+  results.occluded = at[6];
+  results.costs = {reinterpret_cast<std::uint32_t*>(at[7]), reinterpret_cast<std::uint32_t*>(at[8])};
+  return results;
+}
+
+double seconds_between(cudaEvent_t first, cudaEvent_t second) {
+  float milliseconds = 0;
+  check(cudaEventElapsedTime(&milliseconds, first, second));
+  return static_cast<double>(milliseconds) * 1e-3;
+}
+
+} // namespace
+
+void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
+  constexpr std::size_t part = std::size_t{1} << 20;
+  tbb::parallel_for(std::size_t{0}, (bytes + part - 1) / part, [&](std::size_t i) {
+    std::memcpy(static_cast<std::uint8_t*>(to) + i * part, static_cast<const std::uint8_t*>(from) + i * part,
+                std::min(part, bytes - i * part));
+  });
+}
+
+QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                            const RayList& rays, const RayResults& results, const RaysRequest& request,
+                            std::atomic<std::size_t>& next_piece) {
+  QueryReport report;
+  if (rays.count == 0) return report;
+  const DeviceScope device(files.device);
+  const ResultArrays arrays = arrays_of(results);
+  const bool rays_page_locked = is_page_locked(rays.rays);
+  const std::size_t ray_bytes = rays.format.bytes_a_ray();
+  const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
+                                   {nullptr, files.pool});
+  check(cudaStreamSynchronize(nullptr));
+  const auto borrowed = files.buffers.borrow();
+  struct Drain { // after an error something may still be copied to them
+    HostRayBuffers& buffers;
+    ~Drain() {
+      for (const auto& piece : buffers.pieces)
+        static_cast<void>(cudaStreamSynchronize(piece.stream));
+    }
+  } const drain{*borrowed};
+  struct Work {
+    std::size_t first = 0, count = 0;
+  } works[pieces_in_flight];
+
+  const auto rays_of = [&](const Work& work) {
+    return static_cast<const std::uint8_t*>(rays.rays) + work.first * ray_bytes;
+  };
+  const auto copy_in = [&](HostRayBuffers::Piece& piece, const Work& work) {
+    const std::size_t bytes = work.count * ray_bytes;
+    if (!rays_page_locked && bytes > 0) copy_in_parallel(piece.rays.of(bytes), rays_of(work), bytes);
+  };
+  const auto begin = [&](HostRayBuffers::Piece& piece, const Work& work) {
+    const cudaStream_t stream = piece.stream;
+    const std::size_t bytes = work.count * ray_bytes;
+    const void* const from = rays_page_locked ? rays_of(work) : piece.rays.of(bytes);
+    const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
+    const DeviceArray<std::uint8_t> device_rays(bytes, {stream, files.pool}),
+        device_results(result_bytes, {stream, files.pool});
+    check(cudaEventRecord(piece.begun, stream));
+    check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
+    check(cudaEventRecord(piece.uploaded, stream));
+    report.kernel =
+        queue_rays(files, scene, grid, RayList(device_rays.data(), work.count, rays.format),
+                   results_in(device_results.data(), arrays, work.count), request, counts.data(), stream);
+    check(cudaEventRecord(piece.traced, stream));
+    std::uint8_t* const staging = piece.results.of(result_bytes);
+    for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
+      const ResultArray& array = arrays[k];
+      void* const to = array.page_locked
+                           ? static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_a_ray
+                           : staging + offset;
+      check(cudaMemcpyAsync(to, device_results.data() + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
+    });
+    check(cudaEventRecord(piece.downloaded, stream));
+  };
+  const auto wait = [&](const HostRayBuffers::Piece& piece, const Work& work) {
+    if (work.count == 0) return;
+    check(cudaEventSynchronize(piece.downloaded));
+    report.seconds.upload += seconds_between(piece.begun, piece.uploaded);
+    report.seconds.trace += seconds_between(piece.uploaded, piece.traced);
+    report.seconds.download += seconds_between(piece.traced, piece.downloaded);
+  };
+  const auto copy_out = [&](HostRayBuffers::Piece& piece, const Work& work) {
+    for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
+      const ResultArray& array = arrays[k];
+      if (!array.page_locked)
+        copy_in_parallel(static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_a_ray,
+                         piece.results.of(0) + offset, array_bytes);
+    });
+  };
+
+  // Turn by turn: what a slot's last piece found leaves its buffers while the next one's rays enter them. The
+  // last turns have none.
+  for (std::size_t turn = 0, last_turns = 0; last_turns < pieces_in_flight; ++turn) {
+    HostRayBuffers::Piece& piece = borrowed->pieces[turn % pieces_in_flight];
+    Work& work = works[turn % pieces_in_flight];
+    const Work last = work;
+    const std::size_t first = std::min(next_piece.fetch_add(1) * rays_a_piece, rays.count);
+    work = {first, std::min(rays_a_piece, rays.count - first)};
+    last_turns += work.count == 0 ? 1 : 0;
+    wait(piece, last);
+    tbb::parallel_invoke([&] { copy_out(piece, last); }, [&] { copy_in(piece, work); });
+    if (work.count > 0) begin(piece, work);
+  }
+  counts.download(&report.counts);
+  return report;
+}
+
+} // namespace masu

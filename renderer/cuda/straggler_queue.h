@@ -1,0 +1,87 @@
+// Rays that a kernel leaves to the next one (CUDA sources only).
+//
+// Of rays that are worked off in the order of a list, those that graze a surface take many times as long as
+// most, and they lie side by side: the last few warps would keep the others waiting for as long as all the
+// rest took. So once a warp has run out of rays, the others leave theirs, and a second kernel deals them
+// out to all warps evenly, so that neighbours part and idle lanes can help.
+#pragma once
+
+#include "renderer/cuda/kernel.h"
+
+namespace masu {
+
+// A ray that was followed to t = from.
+template <class Real>
+struct Straggler {
+  Hit<Real> nearest; // so far
+  Real from;
+  std::uint32_t number; // in the list
+};
+
+// What a kernel's warps tell each other. All 0 at first.
+struct WarpProgress {
+  // Given once a warp has no ray any more. Thousands look at every turn: at one place in memory they would
+  // queue up.
+  struct alignas(128) Signal {
+    std::uint32_t given;
+  };
+  std::uint32_t next_ray; // that no warp has fetched yet
+  std::uint32_t left;     // rays
+  std::uint32_t culls;    // 1: most rays miss the scene's bounds, and the others are chosen (culling.h)
+  std::uint32_t chosen;   // so many rays
+  Signal drained[lanes_a_warp];
+};
+
+template <class Real>
+struct StragglerQueue {
+  WarpProgress* progress;
+  Straggler<Real>* rays; // room for one a thread
+};
+
+// Owns what a kernel of so many warps leaves.
+template <class Real>
+class StragglerQueueMemory {
+public:
+  StragglerQueueMemory(std::uint32_t warps, const Queue& queue)
+      : progress_(1, queue), rays_(std::size_t{warps} * lanes_a_warp, queue) {
+    progress_.clear();
+  }
+  StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }
+
+private:
+  DeviceArray<WarpProgress> progress_;
+  DeviceArray<Straggler<Real>> rays_;
+};
+
+// Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
+__device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
+  std::uint32_t before = 0;
+  if (threadIdx.x % lanes_a_warp == 0)
+    before = DeviceAtomic<std::uint32_t>(sum).fetch_add(static_cast<std::uint32_t>(added),
+                                                        cuda::memory_order_relaxed);
+  return __shfl_sync(all_lanes, before, 0);
+}
+
+// Whether a warp has run out of rays, as lane 0 knew a turn ago: what is asked for now has come when it is
+// looked at next.
+class DrainWatch {
+public:
+  // For all lanes of a warp.
+  static __device__ void tell(WarpProgress& progress) {
+    signal(progress, threadIdx.x).store(1, cuda::memory_order_relaxed);
+  }
+  // As ask() found it last. For all lanes of a warp.
+  __device__ bool one_has() const { return __shfl_sync(all_lanes, given_, 0) != 0; }
+  __device__ void ask(WarpProgress& progress) {
+    if (threadIdx.x % lanes_a_warp == 0)
+      given_ = signal(progress, blockIdx.x).load(cuda::memory_order_relaxed);
+  }
+
+private:
+  static __device__ DeviceAtomic<std::uint32_t> signal(WarpProgress& progress, unsigned number) {
+    return DeviceAtomic<std::uint32_t>(progress.drained[number % lanes_a_warp].given);
+  }
+  std::uint32_t given_ = 0;
+};
+
+} // namespace masu

@@ -1,0 +1,246 @@
+// Tracing on a CUDA device: the kernels, and how they are launched. CUDA sources only.
+//
+// Each arithmetic's kernels are compiled in a source of their own (backend_cuda_*.cu), which instantiates
+// render_on_device() and trace_on_device(): so that they are compiled at the same time.
+#pragma once
+
+#include "libscene/base/stopwatch.h"
+#include "renderer/cuda/hierarchy_rays.h"
+#include "renderer/cuda/queue.h"
+#include "renderer/cuda/warp_tracing.h"
+
+namespace masu {
+
+__device__ inline void add(Counts* total, const Counts& part) {
+  if (total == nullptr) return;
+  for_each_count(*total, part, [](std::uint64_t& sum, std::uint64_t count) {
+    if (count != 0) DeviceAtomic<std::uint64_t>(sum).fetch_add(count, cuda::memory_order_relaxed);
+  });
+}
+__device__ inline void add(Counts*, const NoCounts&) {}
+
+// The method as kernels have it. The same bits, but where there are cones, whose test leaves no registers for
+// the plane across the ray, each triangle's test finds that for itself.
+template <class M>
+struct DeviceMethod {
+  using type = M;
+};
+template <unsigned kinds, StopRule stop>
+requires((kinds & with_cones) != 0) struct DeviceMethod<Method<WatertightRay<float>, kinds, stop>> {
+  using type = Method<PreparedRay<float>, kinds, stop>;
+};
+template <class M>
+using OnDevice = typename DeviceMethod<M>::type;
+
+// A block of threads traces a tile of 8 x 8 rays, a warp 8 x 4 of them: neighbours visit the same cells.
+inline constexpr int tile_side = 8;
+
+template <class M, class Stored, class Grid, class C>
+__global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
+    render_kernel(const SceneView<Stored> scene, const Grid grid, const CameraRays<typename M::Real> rays,
+                  const RenderRules rules, Vec3f* const colors, HitRecord* const hits, Counts* const total,
+                  const RayCosts costs, const std::int32_t counted_rows) {
+  const auto column = static_cast<std::int32_t>(blockIdx.x * tile_side + threadIdx.x);
+  const auto row = static_cast<std::int32_t>(blockIdx.y * tile_side + threadIdx.y);
+  if (column >= rays.columns || row >= rays.rows) return;
+  C counts;
+  HitRecord hit{};
+  const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
+                            static_cast<std::size_t>(column);
+  colors[index] = radiance<M>(scene, grid, rules, camera_ray(rays, column, row), hit, counts);
+  if (hits != nullptr) hits[index] = hit;
+  write_costs(costs, index, counts);
+  if (row < counted_rows) add(total, counts);
+}
+
+// Threads of a block of rays that know nothing of each other.
+template <class Grid>
+constexpr int threads_a_block = is_hierarchy<Grid> ? hierarchy_threads : rays_a_block;
+
+template <Query query, class M, class Stored, class Grid, class C>
+__global__ void __launch_bounds__(threads_a_block<Grid>, resident_threads_wanted<M> / threads_a_block<Grid>)
+    trace_kernel(const SceneView<Stored> scene, const Grid grid, const Ray<typename M::Real>* const rays,
+                 const std::uint64_t count, const RayResults results, Counts* const total) {
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * threads_a_block<Grid> + threadIdx.x;
+  if (i >= count) return;
+  C counts;
+  write_hit<query>(results, i, trace_listed<query, M>(scene, grid, streamed(rays + i), counts));
+  write_costs(results.costs, i, counts);
+  add(total, counts);
+}
+
+template <class Real, class Stored>
+__global__ void __launch_bounds__(rays_a_block)
+    attributes_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint64_t count,
+                      const RayResults found, const RayResults results) {
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
+  if (i < count) write_attributes(scene, streamed(rays + i), {found.t[i], found.primitive[i]}, results, i);
+}
+
+// Traces with rays of this arithmetic: a picture, a list of rays. Throw Error(device).
+template <class TestRay, class Stored>
+void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
+                      const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
+                      Frame& frame) {
+  const cudaStream_t stream = buffers.stream;
+  const Queue queue{stream, files.queue.pool};
+  const DeviceArray<Vec3f> colors(frame.radiance.size(), queue);
+  const DeviceArray<HitRecord> hits(frame.hits.size(), queue);
+  const DeviceArray<std::uint32_t> cells(frame.cells.size(), queue), tests(frame.tests.size(), queue);
+  const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
+                                  queue);
+  with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
+    const auto grid = files.template moved<M>(view);
+    const auto rays =
+        camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
+    const auto tiles = [](std::int32_t side) {
+      return static_cast<unsigned>((side + tile_side - 1) / tile_side);
+    };
+    auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(grid)>, C>;
+    frame.kernel = load(kernel);
+    frame.seconds.trace = timed(stream, [&] {
+      launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
+             files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
+             RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
+    });
+  });
+  const Stopwatch watch;
+  const auto download = [&](const auto& array, PinnedRoom& room, void* to) {
+    const std::size_t bytes = array.size() * sizeof(*array.data());
+    if (bytes == 0) return;
+    std::uint8_t* const staging = room.of(bytes);
+    check(cudaMemcpyAsync(staging, array.data(), bytes, cudaMemcpyDeviceToHost, stream));
+    check(cudaStreamSynchronize(stream));
+    copy_in_parallel(to, staging, bytes);
+  };
+  download(colors, buffers.radiance, frame.radiance.data());
+  download(hits, buffers.hits, frame.hits.data());
+  download(cells, buffers.costs, frame.cells.data());
+  download(tests, buffers.costs, frame.tests.data());
+  total.download(&frame.counts);
+  frame.seconds.download = watch.seconds();
+}
+
+// So many blocks have a thread for each ray.
+inline unsigned blocks_of(int threads, std::size_t rays) {
+  const auto each = static_cast<std::size_t>(threads);
+  return static_cast<unsigned>((rays + each - 1) / each);
+}
+
+// Other arithmetics than `robust` trace occlusion, and hierarchies, by a thread a ray: they aren't worth
+// their kernels.
+template <Query query, class TestRay, class Grid>
+constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
+                                (query == Query::nearest_hit && !is_hierarchy<Grid>);
+
+// A list of rays, with room for those that culling chooses where that may be worth it.
+template <class Real>
+struct CullingMemory {
+  DeviceArray<std::uint32_t> chosen;
+  RayQueue<Real> queue;
+
+  CullingMemory(const Ray<Real>* rays, std::uint32_t count, bool refills, const Queue& stream)
+      : chosen(refills && count >= min_rays_culled ? count : 0, stream), queue{rays, count, chosen.data(),
+                                                                               chosen.size() > 0} {}
+};
+
+template <Query query, class Real, class Stored>
+void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const CullingMemory<Real>& culled,
+          WarpProgress* progress) {
+  if (!culled.queue.may_cull) return;
+  auto* const kernel = cull_kernel<query, Real, Stored>;
+  launch(kernel, files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block,
+         batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, batch.results,
+         culled.chosen.data(), progress);
+}
+
+// Traces by warp or warp_refill (RayLoop).
+template <Query query, class M, class Stored, class Grid>
+KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, RayLoop loop,
+                          const RayBatch<typename M::Real>& batch) {
+  using Real = typename M::Real;
+  const SceneView<Stored>& scene = files.scene.view;
+  const auto count = static_cast<std::uint32_t>(batch.count);
+  const cudaStream_t stream = batch.queue.stream;
+  const bool refills = loop == RayLoop::warp_refill;
+  auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
+  auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
+  const auto known = files.kernels.of(trace, rays_a_block),
+             known_finish = files.kernels.of(finish, rays_a_block);
+  const std::uint32_t blocks = std::min(blocks_of(rays_a_block, count), known.blocks),
+                      finishing = std::max(blocks, known_finish.blocks);
+  const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), batch.queue);
+  const CullingMemory<Real> culled(batch.rays, count, refills, batch.queue);
+  const RayQueue<Real>& queue = culled.queue;
+  batch.begin();
+  cull<query>(files, batch, culled, left.view().progress);
+  const int fetching = refills ? some_fetch : all_fetch;
+  launch(trace, blocks, rays_a_block, stream, scene, grid, queue, fetching, batch.results, left.view());
+  launch(finish, finishing, rays_a_block, stream, scene, grid, queue, fetching, batch.results, left.view());
+  return known.size;
+}
+
+// The same through a hierarchy, which has a loop that refills alone.
+template <Query query, class M, class Stored, class Hierarchy>
+KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files, const Hierarchy& hierarchy,
+                             const RayBatch<typename M::Real>& batch) {
+  const SceneView<Stored>& scene = files.scene.view;
+  auto* const trace = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
+  const auto known = files.kernels.of(trace, hierarchy_threads);
+  const auto count = static_cast<std::uint32_t>(batch.count);
+  const DeviceArray<WarpProgress> progress(1, batch.queue);
+  progress.clear();
+  const CullingMemory<typename M::Real> culled(batch.rays, count, true, batch.queue);
+  batch.begin();
+  cull<query>(files, batch, culled, progress.data());
+  launch(trace, std::min(blocks_of(hierarchy_threads, count), known.blocks), hierarchy_threads,
+         batch.queue.stream, scene, hierarchy, culled.queue, batch.results, progress.data());
+  return known.size;
+}
+
+// Puts a query on its stream. Throws Error(device).
+template <class TestRay, class Stored>
+KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
+                       const GridFile* host_grid, const RaysRequest& request,
+                       const RayBatch<typename TestRay::Real>& batch) {
+  KernelSize size{};
+  const auto& scene = files.scene.view;
+  with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
+    const auto grid = files.template moved<M>(view);
+    using Accelerator = std::decay_t<decltype(grid)>;
+    with_query(request.query, [&]<Query query>(QueryTag<query>) {
+      // Any hit is as good as another: the rule by which a search for the nearest one ends doesn't matter.
+      using Used = std::conditional_t<query == Query::occlusion, Method<TestRay, M::kinds>, M>;
+      if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
+                    M::stop == StopRule::proven && has_warp_loops<query, TestRay, Accelerator>) {
+        if constexpr (!is_hierarchy<Accelerator>) {
+          if (request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps) {
+            size = trace_by_warps<query, M>(files, grid, request.loop, batch);
+            return;
+          }
+        } else {
+          if (request.loop == RayLoop::warp_refill && batch.count <= max_rays_by_warps) {
+            size = trace_with_refill<query, M>(files, grid, batch);
+            return;
+          }
+        }
+      }
+      auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
+      constexpr int threads = threads_a_block<Accelerator>;
+      size = files.kernels.of(kernel, threads).size;
+      batch.begin();
+      launch(kernel, blocks_of(threads, batch.count), threads, batch.queue.stream, scene, grid, batch.rays,
+             batch.count, batch.results, batch.counts);
+    });
+  });
+  return size;
+}
+
+template <class Real, class Stored>
+void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
+                      const RayResults& results) {
+  launch(attributes_kernel<Real, Stored>, blocks_of(rays_a_block, batch.count), rays_a_block,
+         batch.queue.stream, files.scene.view, batch.rays, batch.count, batch.results, results);
+}
+
+} // namespace masu

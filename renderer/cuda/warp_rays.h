@@ -1,0 +1,142 @@
+// What the lanes of a warp share: rays, the walks along their ways, and how these are divided (CUDA sources
+// only).
+#pragma once
+
+#include "libgrid/trace/walk.h"
+#include "renderer/cuda/kernel.h"
+
+namespace masu {
+
+inline constexpr int rays_a_block = 128;
+
+// Of so many lanes that have something to be shared out, each gets 2^n lanes for it.
+__device__ inline int lanes_log2_for_each(int having) {
+  return having > lanes_a_warp / 2 ? 0 : __clz(having - 1) - 27;
+}
+
+// A hit in the order of is_nearer: t is not negative, so its bits rise with it.
+__device__ inline std::uint64_t hit_key(const Hit<float>& hit) {
+  return std::uint64_t{__float_as_uint(hit.t)} << 32 | hit.primitive;
+}
+__device__ inline Hit<float> hit_of(std::uint64_t key) {
+  return {__uint_as_float(static_cast<std::uint32_t>(key >> 32)), static_cast<PrimitiveIndex>(key)};
+}
+
+// What is needed of a ray when it is begun and ended.
+template <class Real>
+struct RayEnds {
+  Real scale, skipped, t_max;
+  std::uint32_t number; // in the list
+};
+
+// What a lane has for others to help with: a list of its ray's, or a way.
+struct SharedOut {
+  std::uint32_t ray, list;
+};
+
+// A ray's nearest hit so far, in shared memory: as NearestHit (libgrid/trace/trace.h) has it.
+template <class Real>
+class SharedHit {
+public:
+  __device__ Hit<Real> get() const { return hit_; }
+  __device__ void set(const Hit<Real>& hit) { hit_ = hit; }
+  // For all lanes of a warp at once, of which several may have hit with one ray: the nearest hit remains.
+  __device__ void lower(bool has_hit, const Hit<Real>& hit) {
+    for (unsigned left = __ballot_sync(all_lanes, has_hit); left != 0; left &= left - 1) {
+      if (static_cast<int>(threadIdx.x % lanes_a_warp) == __ffs(left) - 1 &&
+          is_nearer(hit.t, hit.primitive, hit_))
+        hit_ = hit;
+      __syncwarp();
+    }
+  }
+
+private:
+  Hit<Real> hit_;
+};
+template <>
+class SharedHit<float> {
+public:
+  __device__ Hit<float> get() const { return hit_of(key_); }
+  __device__ void set(const Hit<float>& hit) { key_ = hit_key(hit); }
+  __device__ void lower(bool has_hit, const Hit<float>& hit) {
+    if (has_hit) atomicMin(&key_, static_cast<unsigned long long>(hit_key(hit)));
+    __syncwarp();
+  }
+
+private:
+  unsigned long long key_;
+};
+
+// The rays of a warp, in shared memory: any lane may work on any of them. A lane's own ray has the lane's
+// number.
+template <class TestRay>
+struct WarpRays {
+  using Real = typename TestRay::Real;
+  TestRay tests[lanes_a_warp];
+  SharedHit<Real> nearest[lanes_a_warp];
+  RayEnds<Real> ends[lanes_a_warp];
+  SharedOut shared_out[lanes_a_warp]; // one after another
+};
+
+// A lane's walk: along the whole way of its own ray, or a piece of any ray's.
+template <class Real, class Grid>
+struct LaneWalk {
+  Walk<Real, Grid> walk;
+  Real end;          // of the piece
+  std::uint32_t ray; // whose way it is
+  bool under_way;
+
+  // What is left to go, as far as a hit may still be nearer, in so many pieces of equal length. They are
+  // worth being walked apart if none is shorter than a voxel.
+  template <class TestRay>
+  __device__ Real piece_length(const Grid& grid, const WarpRays<TestRay>& rays, int pieces) const {
+    const Real to = fast_min(end, fast_min(walk.end(grid), rays.nearest[ray].get().t));
+    return (to - walk.exit) / static_cast<Real>(pieces);
+  }
+  __device__ bool is_worth_while(Real piece) const { return piece * walk.speed() > 1; }
+};
+
+template <class T>
+__device__ inline T from_lane(const T& value, int lane) {
+  struct Words {
+    std::uint32_t words[sizeof(T) / 4];
+  };
+  static_assert(sizeof(Words) == sizeof(T));
+  Words moved = __builtin_bit_cast(Words, value);
+#pragma unroll
+  for (std::uint32_t& word : moved.words)
+    word = __shfl_sync(all_lanes, word, lane);
+  return __builtin_bit_cast(T, moved);
+}
+
+// Cuts what the walks under way have still to go, of which there are at most half as many as lanes, into as
+// many pieces of equal length as there are lanes for each; but into none shorter than a voxel.
+template <class TestRay, class Grid>
+__device__ inline void split_segments(const Grid& grid, unsigned under_way, WarpRays<TestRay>& rays,
+                                      LaneWalk<typename TestRay::Real, Grid>& own) {
+  using Real = typename TestRay::Real;
+  const unsigned lane = threadIdx.x % lanes_a_warp;
+  const int ways = __popc(under_way), log2 = lanes_log2_for_each(ways);
+  __syncwarp(); // what was shared out before has been read
+  if (own.under_way) rays.shared_out[rank_among(under_way, lane)].ray = lane;
+  __syncwarp();
+  const int way = static_cast<int>(lane) >> log2, piece = static_cast<int>(lane) & ((1 << log2) - 1);
+  const int source = static_cast<int>(rays.shared_out[way < ways ? way : 0].ray);
+  Walk<Real, Grid>& walk = own.walk;
+  own.ray = __shfl_sync(all_lanes, own.ray, source);
+  own.end = from_lane(own.end, source);
+  walk.x = from_lane(walk.x, source);
+  walk.y = from_lane(walk.y, source);
+  walk.z = from_lane(walk.z, source);
+  walk.exit = from_lane(walk.exit, source);
+  own.under_way = way < ways;
+  const Real from = walk.exit, step = own.piece_length(grid, rays, 1 << log2);
+  if (!own.is_worth_while(step)) {
+    own.under_way = own.under_way && piece == 0;
+    return;
+  }
+  if (piece + 1 < 1 << log2) own.end = fma(step, static_cast<Real>(piece + 1), from);
+  if (piece > 0) walk.begin_at(grid, fma(step, static_cast<Real>(piece), from));
+}
+
+} // namespace masu

@@ -1,0 +1,111 @@
+#include "renderer/image/image.h"
+
+#include "libscene/base/error.h"
+#include "libscene/file/output_file.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+namespace masu {
+namespace {
+
+constexpr std::int32_t rows_a_task = 16;
+
+template <bool srgb>
+std::uint8_t byte_of(float value) {
+  float v = value > 0 ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
+  if constexpr (srgb) v = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
+  const double above = static_cast<double>(v * 255) + 0.5;
+  return static_cast<std::uint8_t>(above); // std::lround, but vectorized
+}
+
+template <bool srgb>
+std::vector<std::uint8_t> rgb_of(const Frame& frame, Sampling sampling) {
+  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> rgb(row_bytes * static_cast<std::size_t>(height));
+  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_a_task), [&](const auto& range) {
+    std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
+    for (std::int32_t row = range.begin(); row != range.end(); ++row) {
+      image_row(frame, sampling, row, pixels);
+      std::uint8_t* bytes = rgb.data() + static_cast<std::size_t>(row) * row_bytes;
+      for (const Vec3f& pixel : pixels) {
+        *bytes++ = byte_of<srgb>(pixel.x);
+        *bytes++ = byte_of<srgb>(pixel.y);
+        *bytes++ = byte_of<srgb>(pixel.z);
+      }
+    }
+  });
+  return rgb;
+}
+
+} // namespace
+
+ImageFormat image_format(const std::string& path) {
+  if (std::string_view(path).ends_with(".png")) return ImageFormat::png;
+  if (std::string_view(path).ends_with(".pfm")) return ImageFormat::pfm;
+  throw Error(ErrorCode::usage, path, "isn't a kind of picture this program writes: name it .png or .pfm");
+}
+
+std::int32_t image_width(const Frame& frame, Sampling sampling) {
+  return frame.columns - (sampling == Sampling::corners ? 1 : 0);
+}
+std::int32_t image_height(const Frame& frame, Sampling sampling) {
+  return frame.rows - (sampling == Sampling::corners ? 1 : 0);
+}
+
+void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels) {
+  const auto columns = static_cast<std::size_t>(frame.columns);
+  const Vec3f* const top = frame.radiance.data() + static_cast<std::size_t>(row) * columns;
+  if (sampling == Sampling::centers) {
+    std::copy_n(top, pixels.size(), pixels.begin());
+    return;
+  }
+  const Vec3f* const bottom = top + columns;
+  for (std::size_t i = 0; i < pixels.size(); ++i)
+    pixels[i] = ((top[i] + top[i + 1]) + (bottom[i] + bottom[i + 1])) * 0.25F;
+}
+
+std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool srgb) {
+  return srgb ? rgb_of<true>(frame, sampling) : rgb_of<false>(frame, sampling);
+}
+
+std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling) {
+  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
+  const std::size_t row_bytes = sizeof(Vec3f) * static_cast<std::size_t>(width);
+  std::vector<std::uint8_t> bytes(row_bytes * static_cast<std::size_t>(height));
+  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_a_task), [&](const auto& range) {
+    std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
+    for (std::int32_t row = range.begin(); row != range.end(); ++row) {
+      image_row(frame, sampling, row, pixels);
+      std::memcpy(bytes.data() + static_cast<std::size_t>(height - 1 - row) * row_bytes, pixels.data(),
+                  row_bytes);
+    }
+  });
+  return bytes;
+}
+
+std::string pfm_head(std::int32_t width, std::int32_t height) {
+  return fmt::format("PF\n{} {}\n-1.0\n", width, height); // -1: little-endian
+}
+
+void write_image(const Frame& frame, const std::string& path, const ImageOptions& options) {
+  const std::int32_t width = image_width(frame, options.sampling),
+                     height = image_height(frame, options.sampling);
+  if (options.format == ImageFormat::png)
+    return write_png(rgb_rows(frame, options.sampling, options.srgb), width, height, path, options.texts);
+  OutputFile file(path);
+  const std::string head = pfm_head(width, height);
+  file.write(head.data(), head.size());
+  file.write(pfm_rows(frame, options.sampling));
+  file.commit();
+}
+
+} // namespace masu

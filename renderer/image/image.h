@@ -1,0 +1,41 @@
+// Pictures: made from frames of camera rays, written as PNG or PFM.
+#pragma once
+
+#include "renderer/image/png_file.h"
+#include "renderer/tracer.h"
+
+#include <span>
+#include <string>
+
+namespace masu {
+
+enum class ImageFormat { png, pfm };
+
+// By the file name's end, .png or .pfm. Throws Error(usage, path, …) for another one.
+ImageFormat image_format(const std::string& path);
+
+// Pixels of a frame.
+std::int32_t image_width(const Frame& frame, Sampling sampling);
+std::int32_t image_height(const Frame& frame, Sampling sampling);
+
+// Row `row` from the top, linear: each pixel the mean of its four corners, or its centre. `pixels` has the
+// picture's width.
+void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels);
+
+struct ImageOptions {
+  ImageFormat format = ImageFormat::png;
+  Sampling sampling = Sampling::corners;
+  bool srgb = false; // PNG: encode values as sRGB; otherwise they are stored as they are
+  PngTexts texts{};
+};
+
+// A frame's pixels as files have them. rgb_rows: 8 bits a channel, values above 1 are cut off; pfm_rows:
+// 32-bit floats, from the bottom row up, to follow pfm_head() and what lies below the frame.
+std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool srgb);
+std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling);
+std::string pfm_head(std::int32_t width, std::int32_t height);
+
+// PNG: 8 bits a channel; values above 1 are cut off. PFM: 32-bit floats. Throws Error(output).
+void write_image(const Frame& frame, const std::string& path, const ImageOptions& options);
+
+} // namespace masu

@@ -1,0 +1,487 @@
+// The C interface with memory of a GPU: the CPU's bits, on any stream, by threads at the same time.
+#include "tests/stability/random_seed.h"
+#include "tests/temporary_folder.h"
+
+#include <masu/masu.h>
+
+#include <gtest/gtest.h>
+
+#include <cuda.h>
+#include <cuda_runtime.h>
+#include <dlfcn.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <random>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+#define ASSERT_DONE(call) ASSERT_EQ(call, MASU_OK) << masu_error()
+#define ASSERT_CUDA(call) ASSERT_EQ(call, cudaSuccess)
+
+// Device memory of so many elements.
+template <class T>
+class Device {
+public:
+  explicit Device(std::size_t count) { EXPECT_EQ(cudaMalloc(&data_, count * sizeof(T)), cudaSuccess); }
+  explicit Device(const std::vector<T>& host) : Device(host.size()) {
+    EXPECT_EQ(cudaMemcpy(data_, host.data(), host.size() * sizeof(T), cudaMemcpyHostToDevice), cudaSuccess);
+  }
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+  ~Device() { static_cast<void>(cudaFree(data_)); }
+  T* data() const { return data_; }
+  std::vector<T> host(std::size_t count) const {
+    std::vector<T> copy(count);
+    EXPECT_EQ(cudaMemcpy(copy.data(), data_, count * sizeof(T), cudaMemcpyDeviceToHost), cudaSuccess);
+    return copy;
+  }
+
+private:
+  T* data_ = nullptr;
+};
+
+struct Found {
+  std::vector<float> t, uv, normal;
+  std::vector<std::uint32_t> primitive, object, face;
+  std::vector<std::uint8_t> occluded;
+};
+
+void expect_same(const Found& a, const Found& b) {
+  EXPECT_EQ(a.t, b.t);
+  EXPECT_EQ(a.uv, b.uv);
+  EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.primitive, b.primitive);
+  EXPECT_EQ(a.object, b.object);
+  EXPECT_EQ(a.face, b.face);
+  EXPECT_EQ(a.occluded, b.occluded);
+}
+
+class LibraryOnGpu : public testing::Test {
+protected:
+  void SetUp() override {
+    int count = 0;
+    ASSERT_DONE(masu_gpu_count(&count));
+    if (count == 0) GTEST_SKIP() << "there is no GPU";
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    std::vector<float> vertices;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 3 * 3000; ++i) {
+      if (i % 3 == 0)
+        for (float& c : center_)
+          c = coordinate(engine_);
+      for (const float c : center_)
+        vertices.push_back(c + 0.1F * coordinate(engine_));
+      indices.push_back(i);
+    }
+    masu_mesh mesh{};
+    mesh.vertices = vertices.data();
+    mesh.vertex_count = indices.size();
+    mesh.indices = indices.data();
+    mesh.triangle_count = indices.size() / 3;
+    scene_ = folder_.file("scene");
+    grid_ = folder_.file("grid");
+    ASSERT_DONE(masu_write_scene(scene_.c_str(), &mesh, 1, MASU_STORE_AUTO, nullptr));
+    ASSERT_DONE(masu_build_grid(scene_.c_str(), grid_.c_str(), nullptr));
+    ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), MASU_CPU, &cpu_));
+    ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &gpu_));
+  }
+  void TearDown() override {
+    masu_close(cpu_);
+    masu_close(gpu_);
+  }
+
+  // far: most of them miss.
+  std::vector<masu_ray> rays(std::size_t count, bool far = false) {
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    std::vector<masu_ray> rays(count);
+    for (masu_ray& ray : rays) {
+      for (int axis = 0; axis < 3; ++axis) {
+        ray.origin[axis] = (far ? 20.0F : 2.0F) * coordinate(engine_);
+        ray.direction[axis] = coordinate(engine_);
+      }
+      ray.tmin = engine_() % 4 == 0 ? 0.5F : 0;
+      ray.tmax = engine_() % 2 == 0 ? infinity : 1 + coordinate(engine_);
+      if (engine_() % 100 == 0) ray.direction[engine_() % 3] = std::nanf("");
+    }
+    return rays;
+  }
+
+  static Found on_host(const masu_tracer* tracer, const void* rays, std::size_t n,
+                       const masu_query& query = {}) {
+    Found found{std::vector<float>(n),         std::vector<float>(2 * n),     std::vector<float>(3 * n),
+                std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n),
+                std::vector<std::uint8_t>(n)};
+    const masu_hits hits{found.t.data(),  found.primitive.data(), found.object.data(),
+                         found.uv.data(), found.normal.data(),    found.face.data()};
+    EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
+    EXPECT_EQ(masu_occluded(tracer, rays, n, &query, found.occluded.data()), MASU_OK) << masu_error();
+    return found;
+  }
+
+  // `rays` in device memory; the stream is waited for, and nothing else.
+  static Found on_device(const masu_tracer* tracer, const void* rays, std::size_t n, masu_query query = {}) {
+    const Device<float> t(n), uv(2 * n), normal(3 * n);
+    const Device<std::uint32_t> primitive(n), object(n), face(n);
+    const Device<std::uint8_t> occluded(n);
+    const masu_hits hits{t.data(), primitive.data(), object.data(), uv.data(), normal.data(), face.data()};
+    EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
+    EXPECT_EQ(masu_occluded(tracer, rays, n, &query, occluded.data()), MASU_OK) << masu_error();
+    EXPECT_EQ(cudaStreamSynchronize(static_cast<cudaStream_t>(query.stream)), cudaSuccess);
+    return {t.host(n),      uv.host(2 * n), normal.host(3 * n), primitive.host(n),
+            object.host(n), face.host(n),   occluded.host(n)};
+  }
+
+  const masu::TemporaryFolder folder_;
+  const masu::RandomSeed seed_;
+  std::mt19937_64 engine_{seed_.value()};
+  float center_[3]{};
+  std::string scene_, grid_;
+  masu_tracer *cpu_ = nullptr, *gpu_ = nullptr;
+};
+
+TEST_F(LibraryOnGpu, FindsTheCpusBits) {
+  SCOPED_TRACE(seed_.trace());
+  for (const std::size_t count : {std::size_t{1}, std::size_t{1000}, std::size_t{1'300'000}}) {
+    for (const bool far : {false, true}) {
+      const std::vector<masu_ray> list = rays(count, far);
+      const Device<masu_ray> device(list);
+      for (const int coherent : {0, 1}) {
+        for (const auto precision : {MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
+          if (count > 1000 && precision == MASU_PRECISION_DOUBLE) continue;
+          masu_query query{};
+          query.coherent = coherent;
+          query.precision = precision;
+          const Found expected = on_host(cpu_, list.data(), count, query);
+          expect_same(expected, on_host(gpu_, list.data(), count, query));
+          expect_same(expected, on_device(gpu_, device.data(), count, query));
+        }
+      }
+    }
+  }
+}
+
+TEST_F(LibraryOnGpu, TakesEveryFormatAndAlignmentOfNumbers) {
+  SCOPED_TRACE(seed_.trace());
+  const std::size_t count = 5000;
+  const std::vector<masu_ray> list = rays(count);
+  std::vector<float> floats, shifted(1);
+  std::vector<double> doubles;
+  for (const masu_ray& ray : list) {
+    floats.insert(floats.end(), ray.origin, ray.origin + 3);
+    floats.insert(floats.end(), ray.direction, ray.direction + 3);
+    shifted.insert(shifted.end(), {ray.origin[0], ray.origin[1], ray.origin[2], ray.tmin, ray.direction[0],
+                                   ray.direction[1], ray.direction[2], ray.tmax});
+  }
+  doubles.assign(shifted.begin() + 1, shifted.end());
+  masu_query query{};
+  const Device<float> device_floats(floats), device_shifted(shifted);
+  const Device<double> device_doubles(doubles);
+  const Found expected = on_host(cpu_, list.data(), count);
+  expect_same(expected, on_device(gpu_, device_shifted.data() + 1, count, query));
+  query.format = MASU_RAYS_FLOAT64;
+  expect_same(expected, on_device(gpu_, device_doubles.data(), count, query));
+  query.format = MASU_RAYS_FLOAT32_6;
+  expect_same(on_host(cpu_, floats.data(), count, query),
+              on_device(gpu_, device_floats.data(), count, query));
+}
+
+// On any GPU, and the caller's current one stays that.
+TEST_F(LibraryOnGpu, WithoutAGridBuildsTheCpus) {
+  SCOPED_TRACE(seed_.trace());
+  int count = 0, before = 0, after = 0;
+  ASSERT_DONE(masu_gpu_count(&count));
+  const int last = count - 1;
+  ASSERT_CUDA(cudaGetDevice(&before));
+  masu_tracer *cpu = nullptr, *gpu = nullptr, *brute_force = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), nullptr, MASU_CPU, &cpu));
+  ASSERT_DONE(masu_open(scene_.c_str(), nullptr, last, &gpu));
+  ASSERT_DONE(masu_open_brute_force(scene_.c_str(), &last, 1, &brute_force));
+  ASSERT_CUDA(cudaGetDevice(&after));
+  EXPECT_EQ(after, before);
+  masu_description of_cpu{}, of_gpu{}, of_brute_force{};
+  ASSERT_DONE(masu_describe(cpu, &of_cpu));
+  ASSERT_DONE(masu_describe(gpu, &of_gpu));
+  ASSERT_DONE(masu_describe(brute_force, &of_brute_force));
+  EXPECT_GT(of_cpu.grid_bytes, 0U);
+  EXPECT_EQ(of_gpu.grid_bytes, of_cpu.grid_bytes);
+  EXPECT_EQ(of_gpu.device, last);
+  EXPECT_EQ(of_brute_force.grid_bytes, 0U);
+  const std::vector<masu_ray> list = rays(10'000);
+  const Found expected = on_host(cpu_, list.data(), list.size());
+  for (masu_tracer* const tracer : {cpu, gpu, brute_force}) {
+    expect_same(expected, on_host(tracer, list.data(), list.size()));
+    masu_close(tracer);
+  }
+}
+
+TEST_F(LibraryOnGpu, AnswersThreadsTracersAndStreamsAtTheSameTime) {
+  SCOPED_TRACE(seed_.trace());
+  masu_tracer* other = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &other));
+  const std::size_t count = 400'000;
+  const std::vector<masu_ray> list = rays(count, true);
+  const Device<masu_ray> device(list);
+  const Found expected = on_host(cpu_, list.data(), count);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 6; ++k) {
+    threads.emplace_back([&, k] {
+      cudaStream_t stream = nullptr;
+      ASSERT_CUDA(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+      masu_query query{};
+      query.stream = stream;
+      const masu_tracer* const tracer = k % 2 == 0 ? gpu_ : other;
+      for (int round = 0; round < 5; ++round)
+        expect_same(expected, k % 3 == 0 ? on_host(tracer, list.data(), count)
+                                         : on_device(tracer, device.data(), count, query));
+      ASSERT_CUDA(cudaStreamDestroy(stream));
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+  masu_close(other);
+}
+
+TEST_F(LibraryOnGpu, RefusesMemoryOfTwoKinds) {
+  std::vector<masu_ray> list = rays(10);
+  const Device<masu_ray> device(list);
+  const Device<float> t(10);
+  std::vector<float> host_t(10);
+  masu_hits hits{};
+  hits.t = host_t.data();
+  EXPECT_EQ(masu_nearest(gpu_, device.data(), 10, nullptr, &hits), MASU_ERROR_USAGE);
+  hits.t = t.data();
+  EXPECT_EQ(masu_nearest(gpu_, list.data(), 10, nullptr, &hits), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_nearest(cpu_, device.data(), 10, nullptr, &hits), MASU_ERROR_USAGE);
+  hits.t = reinterpret_cast<float*>(reinterpret_cast<char*>(t.data()) + 2);
+  EXPECT_EQ(masu_nearest(gpu_, device.data(), 5, nullptr, &hits), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_nearest(gpu_, reinterpret_cast<char*>(device.data()) + 1, 5, nullptr, &hits),
+            MASU_ERROR_USAGE);
+  EXPECT_EQ(cudaGetLastError(), cudaSuccess);
+}
+
+// In page-locked memory, in more than one piece.
+TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
+  SCOPED_TRACE(seed_.trace());
+  const std::vector<masu_ray> few = rays(100'000);
+  std::vector<masu_ray> many;
+  for (int i = 0; i < 23; ++i)
+    many.insert(many.end(), few.begin(), few.end());
+  const Found expected = on_host(cpu_, few.data(), few.size()),
+              found = on_host(gpu_, many.data(), many.size());
+  masu_ray* locked = nullptr;
+  float* t = nullptr;
+  ASSERT_CUDA(cudaMallocHost(&locked, many.size() * sizeof(masu_ray)));
+  ASSERT_CUDA(cudaMallocHost(&t, many.size() * sizeof(float)));
+  std::copy(many.begin(), many.end(), locked);
+  masu_hits hits{};
+  hits.t = t;
+  ASSERT_DONE(masu_nearest(gpu_, locked, many.size(), nullptr, &hits));
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    ASSERT_EQ(found.t[i], expected.t[i % few.size()]) << i;
+    ASSERT_EQ(t[i], expected.t[i % few.size()]) << i;
+    ASSERT_EQ(found.normal[3 * i + 1], expected.normal[3 * (i % few.size()) + 1]) << i;
+  }
+  ASSERT_CUDA(cudaFreeHost(locked));
+  ASSERT_CUDA(cudaFreeHost(t));
+}
+
+// Checked once, when it was opened: nothing looks at the files again.
+TEST_F(LibraryOnGpu, FollowsNoFileOnceItIsOpen) {
+  SCOPED_TRACE(seed_.trace());
+  const std::size_t count = (std::size_t{1} << 22) + 1; // that a loop is chosen for
+  const std::vector<masu_ray> few = rays(1 << 16);
+  std::vector<masu_ray> many;
+  while (many.size() < count)
+    many.insert(many.end(), few.begin(), few.end());
+  const Found expected = on_host(cpu_, few.data(), few.size());
+  masu_primitive before{}, after{};
+  ASSERT_DONE(masu_describe_primitive(cpu_, 0, &before));
+  for (const std::string& path : {scene_, grid_}) {
+    masu::Bytes noise(std::filesystem::file_size(path), 0x5a);
+    masu::write_bytes(path, noise); // in place
+    std::filesystem::remove(path);
+  }
+  std::vector<float> t(count);
+  masu_hits hits{};
+  hits.t = t.data();
+  for (const std::size_t rays_asked : {count - 2, count - 1, count}) {
+    std::fill(t.begin(), t.end(), -1.0F);
+    const auto begin = std::chrono::steady_clock::now();
+    ASSERT_DONE(masu_nearest(gpu_, many.data(), rays_asked, nullptr, &hits));
+    RecordProperty("microseconds_of_" + std::to_string(rays_asked),
+                   static_cast<int>(std::chrono::duration_cast<std::chrono::microseconds>(
+                                        std::chrono::steady_clock::now() - begin)
+                                        .count()));
+    for (std::size_t i = 0; i < rays_asked; ++i)
+      ASSERT_EQ(t[i], expected.t[i % few.size()]) << i;
+  }
+  ASSERT_DONE(masu_describe_primitive(gpu_, 0, &after));
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+}
+
+// --- A guest in the host program's process
+
+struct PoolState {
+  std::uint64_t threshold = 0, reserved = 0, used = 0;
+  friend bool operator==(const PoolState&, const PoolState&) = default;
+};
+PoolState default_pool() {
+  cudaMemPool_t pool = nullptr;
+  EXPECT_EQ(cudaDeviceGetDefaultMemPool(&pool, 0), cudaSuccess);
+  PoolState state;
+  EXPECT_EQ(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &state.threshold), cudaSuccess);
+  EXPECT_EQ(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrReservedMemCurrent, &state.reserved), cudaSuccess);
+  EXPECT_EQ(cudaMemPoolGetAttribute(pool, cudaMemPoolAttrUsedMemCurrent, &state.used), cudaSuccess);
+  return state;
+}
+
+TEST_F(LibraryOnGpu, LeavesTheDefaultMemoryPoolAsTheHostProgramSetIt) {
+  cudaMemPool_t pool = nullptr;
+  ASSERT_CUDA(cudaDeviceGetDefaultMemPool(&pool, 0));
+  std::uint64_t threshold = 12'345'678;
+  ASSERT_CUDA(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &threshold));
+  const PoolState before = default_pool();
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+  const std::vector<masu_ray> list = rays(100'000);
+  on_host(tracer, list.data(), list.size());
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.gpu = 1;
+  ASSERT_DONE(masu_build_grid(scene_.c_str(), (grid_ + ".built").c_str(), &options));
+  EXPECT_EQ(default_pool(), before);
+  masu_close(tracer);
+  EXPECT_EQ(default_pool(), before);
+}
+
+TEST_F(LibraryOnGpu, LeavesTheHostProgramsErrorPending) {
+  const std::vector<masu_ray> list = rays(1000);
+  const Found expected = on_host(cpu_, list.data(), list.size());
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.gpu = 1;
+  EXPECT_NE(cudaSetDevice(-1), cudaSuccess);
+  const cudaError_t pending = cudaPeekAtLastError();
+  ASSERT_NE(pending, cudaSuccess);
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+  expect_same(expected, on_host(tracer, list.data(), list.size()));
+  ASSERT_DONE(masu_build_grid(scene_.c_str(), (grid_ + ".built").c_str(), &options));
+  masu_close(tracer);
+  EXPECT_EQ(cudaGetLastError(), pending);
+}
+
+// For one without a context would open one on its own device, which the host program may never use.
+TEST_F(LibraryOnGpu, LeavesThreadsWithoutAContextWithoutOne) {
+  void* const driver = dlopen("libcuda.so.1", RTLD_NOW | RTLD_NOLOAD);
+  ASSERT_NE(driver, nullptr) << dlerror();
+  const auto get_current = reinterpret_cast<decltype(&cuCtxGetCurrent)>(dlsym(driver, "cuCtxGetCurrent"));
+  ASSERT_NE(get_current, nullptr);
+  const auto has_none = [&] {
+    CUcontext current = nullptr;
+    EXPECT_EQ(get_current(&current), CUDA_SUCCESS);
+    return current == nullptr;
+  };
+  const std::vector<masu_ray> list = rays(3'000'000);
+  const Found expected = on_host(gpu_, list.data(), list.size());
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.gpu = 1;
+  std::thread([&] {
+    ASSERT_TRUE(has_none()); // of its own
+    int count = 0;
+    ASSERT_DONE(masu_gpu_count(&count));
+    EXPECT_TRUE(has_none()) << "GPUs are counted";
+    masu_tracer* tracer = nullptr;
+    ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+    EXPECT_TRUE(has_none()) << "a tracer is opened";
+    expect_same(expected, on_host(tracer, list.data(), list.size()));
+    EXPECT_TRUE(has_none()) << "rays are traced";
+    masu_close(tracer);
+    EXPECT_TRUE(has_none()) << "a tracer is closed";
+    EXPECT_EQ(masu_build_grid(scene_.c_str(), (grid_ + ".built").c_str(), &options), MASU_OK) << masu_error();
+    EXPECT_TRUE(has_none()) << "a grid is built";
+  }).join();
+}
+
+// The first GPU is number 0, whatever the caller's is; contexts are only made where something is traced.
+TEST_F(LibraryOnGpu, UsesNoOtherGpuThanTheTracers) {
+  int count = 0;
+  ASSERT_DONE(masu_gpu_count(&count));
+  if (count < 2) GTEST_SKIP() << "one GPU: there is no other";
+  std::size_t before = 0, after = 0, all = 0;
+  ASSERT_CUDA(cudaSetDevice(0));
+  ASSERT_CUDA(cudaMemGetInfo(&before, &all));
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 1, &tracer));
+  const std::vector<masu_ray> list = rays(3'000'000);
+  on_host(tracer, list.data(), list.size());
+  ASSERT_CUDA(cudaMemGetInfo(&after, &all));
+  EXPECT_EQ(before, after);
+  int current = -1;
+  ASSERT_CUDA(cudaGetDevice(&current));
+  EXPECT_EQ(current, 0);
+  masu_close(tracer);
+}
+
+// Tasks of the host program that ask while a loop is found out by the same threads.
+TEST_F(LibraryOnGpu, IsAskedByTasksOfTheHostProgram) {
+  SCOPED_TRACE(seed_.trace());
+  const std::vector<masu_ray> list = rays(5000);
+  const Found expected = on_host(cpu_, list.data(), list.size());
+  for (int round = 0; round < 10; ++round) {
+    masu_tracer* tracer = nullptr;
+    ASSERT_DONE(masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer));
+    tbb::parallel_for(0, 64, [&](int) { expect_same(expected, on_host(tracer, list.data(), list.size())); });
+    masu_close(tracer);
+  }
+}
+
+TEST_F(LibraryOnGpu, FindsTheSameOnSeveralGpus) {
+  SCOPED_TRACE(seed_.trace());
+  int count = 0;
+  ASSERT_DONE(masu_gpu_count(&count));
+  std::vector<int> all(static_cast<std::size_t>(count));
+  for (int gpu = 0; gpu < count; ++gpu)
+    all[static_cast<std::size_t>(gpu)] = gpu;
+  const std::vector<masu_ray> list = rays(2'500'000); // three pieces
+  const Found expected = on_host(gpu_, list.data(), list.size());
+  for (const std::vector<int>& gpus : {std::vector<int>{0, 0}, all}) {
+    masu_tracer* several = nullptr;
+    ASSERT_DONE(masu_open_devices(scene_.c_str(), grid_.c_str(), gpus.data(), gpus.size(), &several));
+    masu_description description{};
+    ASSERT_DONE(masu_describe(several, &description));
+    EXPECT_EQ(description.device, 0);
+    expect_same(expected, on_host(several, list.data(), list.size()));
+    // Rays on any of its GPUs are traced there.
+    const std::size_t some = 1000;
+    for (const int gpu : gpus) {
+      ASSERT_CUDA(cudaSetDevice(gpu));
+      const Device<masu_ray> device(std::vector<masu_ray>(list.begin(), list.begin() + some));
+      const Device<float> t(some);
+      masu_hits hits{};
+      hits.t = t.data();
+      ASSERT_DONE(masu_nearest(several, device.data(), some, nullptr, &hits));
+      ASSERT_CUDA(cudaDeviceSynchronize());
+      EXPECT_EQ(t.host(some), std::vector<float>(expected.t.begin(), expected.t.begin() + some)) << gpu;
+    }
+    ASSERT_CUDA(cudaSetDevice(0));
+    masu_close(several);
+  }
+  const int beyond[] = {0, count};
+  masu_tracer* refused = nullptr;
+  EXPECT_EQ(masu_open_devices(scene_.c_str(), grid_.c_str(), beyond, 2, &refused), MASU_ERROR_DEVICE);
+}
+
+} // namespace

@@ -1,0 +1,285 @@
+"""The Python module with tensors of PyTorch and arrays of CuPy, on a GPU.
+
+    PYTHONPATH=api/python MASU_LIBRARY=…/libmasu.so python3 tests/api/python_gpu_test.py [torch] [cupy]
+
+By default both. Exits with 77 where there is no GPU, or one of them isn't installed: nothing is tested then."""
+
+import importlib
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "api/python"))
+
+import numpy as np
+
+import masu
+from python_scene import documented_examples, random_generator, random_mesh, random_rays
+
+torch = cupy = None  # imported in main()
+
+
+class WithTracers(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.random = random_generator()
+        scene, grid = (os.path.join(folder.name, name) for name in ("a.scene", "a.grid"))
+        masu.write_scene(scene, *random_mesh(self.random, 2000))
+        masu.build_grid(scene, grid)
+        self.cpu = masu.Tracer(scene, grid)
+        self.gpu = masu.Tracer(scene, grid, "cuda:0")
+        self.addCleanup(self.cpu.close)
+        self.addCleanup(self.gpu.close)
+
+    def lists(self, count=20000):
+        """Rays of every format, as NumPy's."""
+        rays = random_rays(self.random, count)
+        long = np.concatenate([rays[:, :3], self.random.uniform(0, 0.5, (count, 1)), rays[:, 3:],
+                               self.random.uniform(0, 2, (count, 1))], 1)
+        return [rays, rays.astype(np.float64), long.astype(np.float32), long]
+
+    def same(self, hits, expected):
+        self.assertEqual(hits.keys(), expected.keys())
+        for name, array in hits.items():
+            array = array.cpu().numpy() if torch is not None and isinstance(array, torch.Tensor) else array
+            array = cupy.asnumpy(array) if cupy is not None else array
+            self.assertEqual((array.dtype, array.shape), (expected[name].dtype, expected[name].shape), name)
+            self.assertEqual(array.tobytes(), expected[name].tobytes(), name)
+
+    def every(self, tracer, rays, **options):
+        return {**tracer.nearest(rays, fields=masu.FIELDS, **options), "occluded": tracer.occluded(rays, **options)}
+
+
+class HostMemory(WithTracers):
+    def test_numpy_on_a_gpu_gives_the_bits_of_the_cpu(self):
+        for rays in self.lists():
+            self.same(self.every(self.gpu, rays), self.every(self.cpu, rays))
+            self.same(self.every(self.gpu, rays, precision="double"), self.every(self.cpu, rays, precision="double"))
+
+    def test_devices(self):
+        self.assertGreater(masu.gpu_count(), 0)
+        self.assertEqual((self.gpu.device, self.gpu.describe().device), ("cuda:0", "cuda:0"))
+        self.assertEqual(self.gpu.describe()._replace(device="cpu"), self.cpu.describe())
+
+
+class Torch(WithTracers):
+    def test_results_are_the_bits_of_the_cpu_and_on_the_device(self):
+        for rays in self.lists():
+            hits = self.every(self.gpu, torch.as_tensor(rays, device="cuda:0"), coherent=True)
+            for array in hits.values():
+                self.assertEqual(array.device, torch.device("cuda:0"))
+            self.same(hits, self.every(self.cpu, rays))
+
+    def test_tensors_in_host_memory(self):
+        for rays in self.lists(500):
+            for tracer in (self.cpu, self.gpu):
+                hits = self.every(tracer, torch.from_numpy(rays))
+                for array in hits.values():
+                    self.assertEqual(array.device, torch.device("cpu"))
+                self.same(hits, self.every(self.cpu, rays))
+
+    def test_any_layout_and_type(self):
+        rays = random_rays(self.random, 240)
+        expected = self.every(self.cpu, rays)
+        for device in ("cpu", "cuda:0"):
+            tensor = torch.as_tensor(rays, device=device)
+            wide = torch.full((480, 9), float("nan"), device=device)
+            wide[::2, 1:7] = tensor
+            self.same(self.every(self.gpu, wide[::2, 1:7]), expected)
+            self.same(self.every(self.gpu, tensor.t().contiguous().t()), expected)
+            self.same(self.every(self.gpu, tensor.to(torch.float64)), expected)
+            self.same(self.every(self.gpu, tensor.clone().requires_grad_()), expected)
+            shaped = self.every(self.gpu, tensor.reshape(4, 3, 20, 6))
+            self.assertEqual(tuple(shaped["primitive_normals"].shape), (4, 3, 20, 3))
+            self.same({name: array.flatten(0, 2) for name, array in shaped.items()}, expected)
+            half = tensor.to(torch.float16)
+            self.same(self.every(self.gpu, half), self.every(self.cpu, half.cpu().numpy().astype(np.float32)))
+            whole = torch.round(tensor * 4).to(torch.int64)
+            self.same(self.every(self.gpu, whole), self.every(self.cpu, whole.cpu().numpy().astype(np.float32)))
+            shifted = torch.empty(240 * 6 + 1, device=device)[1:].view(240, 6)  # not aligned to 16 bytes
+            shifted.copy_(tensor)
+            self.same(self.every(self.gpu, shifted), expected)
+            for leading in ((0,), (3, 0)):
+                empty = self.every(self.gpu, tensor.new_empty(leading + (6,)))
+                self.assertEqual(tuple(empty["primitive_uvs"].shape), leading + (2,))
+            self.assertEqual(self.gpu.occluded(tensor[0]).shape, ())
+
+    def test_wrong_tensors_are_refused(self):
+        rays = torch.zeros(5, 6, device="cuda:0")
+        for error, tensor in ((ValueError, torch.zeros(5, 7, device="cuda:0")), (TypeError, rays > 0),
+                              (TypeError, rays.to(torch.complex64)), (TypeError, rays.to_sparse()),
+                              (TypeError, torch.zeros(5, 6, device="meta"))):
+            with self.assertRaises(error):
+                self.gpu.nearest(tensor)
+        self.assertRaises(ValueError, self.cpu.nearest, rays)
+        self.assertRaises(ValueError, self.gpu.nearest, rays.cpu(), stream=torch.cuda.current_stream())
+        self.assertRaises(TypeError, self.gpu.nearest, rays, stream="1")
+        self.assertRaises(ValueError, self.gpu.nearest, rays, stream=-1)
+
+    def test_a_query_is_queued_on_the_current_or_the_given_stream(self):
+        rays = random_rays(self.random, 20000)
+        expected = self.every(self.cpu, rays)
+        source = torch.as_tensor(rays, device="cuda:0")
+        stream = torch.cuda.Stream()
+        delay = torch.rand(4096, 4096, device="cuda:0")
+        torch.cuda.synchronize()
+        for given in (None, stream, stream.cuda_stream):
+            for columns in (6, 12):  # contiguous, and with a temporary copy
+                with torch.cuda.stream(stream):
+                    for _ in range(20):  # what comes before on the stream must be waited for
+                        delay = delay @ delay / 4096
+                    late = torch.zeros(len(rays), columns, device="cuda:0")
+                    late[:, :6] = source
+                    if given is None:
+                        hits = self.every(self.gpu, late[:, :6])
+                if given is not None:
+                    hits = self.every(self.gpu, late[:, :6], stream=given)
+                del late  # its memory may be taken again at once
+                torch.full((len(rays), columns), float("nan"), device="cuda:0")
+                with torch.cuda.stream(stream):
+                    torch.full((len(rays), columns), float("nan"), device="cuda:0")
+                stream.synchronize()
+                self.same(hits, expected)
+
+    def test_a_tensor_may_be_deleted_while_its_query_is_queued_on_another_stream(self):
+        rays = random_rays(self.random, 20000)
+        expected = self.every(self.cpu, rays)
+        stream = torch.cuda.Stream()
+        delay = torch.rand(4096, 4096, device="cuda:0")
+        tensor = torch.as_tensor(rays, device="cuda:0")
+        torch.cuda.synchronize()
+        with torch.cuda.stream(stream):
+            for _ in range(20):
+                delay = delay @ delay / 4096
+        hits = self.every(self.gpu, tensor, stream=stream)
+        del tensor
+        torch.full((len(rays), 6), float("nan"), device="cuda:0")  # would take the memory, and not wait
+        torch.cuda.synchronize()
+        self.same(hits, expected)
+
+    def test_dlpack_and_the_cuda_array_interface(self):
+        rays = random_rays(self.random, 500)
+        tensor = torch.as_tensor(rays, device="cuda:0")
+
+        class Interface:
+            __cuda_array_interface__ = tensor.__cuda_array_interface__
+
+        class Exchange:
+            def __dlpack__(self, **options):
+                return tensor.__dlpack__(**options)
+
+            def __dlpack_device__(self):
+                return tensor.__dlpack_device__()
+
+        for array in (Interface(), Exchange()):
+            hits = self.every(self.gpu, array)
+            self.assertIsInstance(hits["t_hit"], torch.Tensor)
+            self.same(hits, self.every(self.cpu, rays))
+
+    def test_the_documented_example_runs_as_typed(self):
+        blocks = documented_examples()
+        blocks = blocks[:1] + [block for block in blocks if "import torch" in block]
+        self.assertEqual(len(blocks), 2)
+        before = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            try:
+                exec("".join(blocks), {})
+            finally:
+                os.chdir(before)
+
+    def test_the_current_device_stays(self):
+        for device in range(masu.gpu_count()):
+            with torch.cuda.device(device):
+                self.gpu.nearest(torch.zeros(5, 6, device="cuda:0"))
+                self.gpu.nearest(np.zeros((5, 6)))
+                self.assertEqual(torch.cuda.current_device(), device)
+                if device:
+                    other = torch.zeros(5, 6, device="cuda")
+                    self.assertRaises(ValueError, self.gpu.nearest, other)
+
+
+class CuPy(WithTracers):
+    def test_results_are_the_bits_of_the_cpu_and_on_the_device(self):
+        for rays in self.lists():
+            hits = self.every(self.gpu, cupy.asarray(rays), coherent=True)
+            for array in hits.values():
+                self.assertIsInstance(array, cupy.ndarray)
+            self.same(hits, self.every(self.cpu, rays))
+
+    def test_any_layout_and_type(self):
+        rays = random_rays(self.random, 240)
+        expected = self.every(self.cpu, rays)
+        array = cupy.asarray(rays)
+        wide = cupy.full((480, 9), cupy.nan, cupy.float32)
+        wide[::2, 1:7] = array
+        self.same(self.every(self.gpu, wide[::2, 1:7]), expected)
+        self.same(self.every(self.gpu, array[:, ::-1].copy()[:, ::-1]), expected)
+        self.same(self.every(self.gpu, cupy.asfortranarray(array)), expected)
+        self.same(self.every(self.gpu, array.astype(cupy.float64)), expected)
+        shaped = self.every(self.gpu, array.reshape(4, 60, 6))
+        self.same({name: part.reshape((240,) + part.shape[2:]) for name, part in shaped.items()}, expected)
+        whole = cupy.rint(array * 4).astype(cupy.int32)
+        self.same(self.every(self.gpu, whole), self.every(self.cpu, cupy.asnumpy(whole).astype(np.float32)))
+        for leading in ((0,), (3, 0)):
+            empty = self.every(self.gpu, cupy.empty(leading + (6,), cupy.float32))
+            self.assertEqual(empty["primitive_uvs"].shape, leading + (2,))
+        self.assertEqual(self.gpu.occluded(array[0]).shape, ())
+
+    def test_wrong_arrays_are_refused(self):
+        rays = cupy.zeros((5, 6), cupy.float32)
+        for error, array in ((ValueError, rays[:, :5]), (TypeError, rays > 0), (TypeError, rays.astype(complex))):
+            self.assertRaises(error, self.gpu.nearest, array)
+        self.assertRaises(ValueError, self.cpu.nearest, rays)
+        self.assertRaises(TypeError, self.gpu.nearest, rays, stream="1")
+
+    def test_a_query_is_queued_on_the_current_or_the_given_stream(self):
+        rays = random_rays(self.random, 20000)
+        expected = self.every(self.cpu, rays)
+        source = cupy.asarray(rays)
+        stream = cupy.cuda.Stream(non_blocking=True)
+        delay = cupy.random.random((2048, 2048), cupy.float32)
+        cupy.cuda.Device().synchronize()
+        for given in (None, stream, stream.ptr):
+            for columns in (6, 12):
+                with stream:
+                    for _ in range(20):
+                        delay = delay @ delay / 2048
+                    late = cupy.zeros((len(rays), columns), cupy.float32)
+                    late[:, :6] = source
+                    if given is None:
+                        hits = self.every(self.gpu, late[:, :6])
+                if given is not None:
+                    hits = self.every(self.gpu, late[:, :6], stream=given)
+                with stream:
+                    del late
+                    cupy.full((len(rays), columns), cupy.nan, cupy.float32)
+                stream.synchronize()
+                self.same(hits, expected)
+
+
+def main(names):
+    global torch, cupy
+    unknown = set(names) - {"torch", "cupy"}
+    if unknown:
+        sys.exit("python_gpu_test.py: {}: torch or cupy is expected".format(", ".join(unknown)))
+    if masu.gpu_count() == 0:
+        print("skipped: no GPU, or a library without CUDA")
+        sys.exit(77)
+    cases = [HostMemory]
+    for name in names or ("torch", "cupy"):
+        try:
+            globals()[name] = importlib.import_module(name)
+        except ImportError as error:
+            print("skipped: {}".format(error))
+            sys.exit(77)
+        cases.append({"torch": Torch, "cupy": CuPy}[name])
+    suite = unittest.TestSuite(map(unittest.defaultTestLoader.loadTestsFromTestCase, cases))
+    sys.exit(not unittest.TextTestRunner().run(suite).wasSuccessful())
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

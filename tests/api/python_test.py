@@ -1,0 +1,563 @@
+"""The Python module on the CPU, with arrays of NumPy. Environment: PYTHONPATH=api/python MASU_LIBRARY=…/libmasu.so."""
+
+import gc
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+
+import numpy as np
+
+import masu
+from python_scene import brute_force, random_generator, random_mesh, random_rays
+
+INFINITY = np.float32(np.inf)
+
+
+def same_bits(test, first, second):
+    test.assertEqual(first.keys(), second.keys())
+    for name in first:
+        test.assertEqual(first[name].dtype, second[name].dtype, name)
+        test.assertEqual(first[name].shape, second[name].shape, name)
+        test.assertEqual(first[name].tobytes(), second[name].tobytes(), name)
+
+
+def run_python(text, **environment):
+    return subprocess.run([sys.executable, "-c", text], env={**os.environ, **environment}, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+
+
+class WithFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.random = random_generator()
+
+    def file(self, name):
+        return os.path.join(self.folder, name)
+
+    def scene(self, count=200, name="random", **options):
+        vertices, faces = random_mesh(self.random, count)
+        masu.write_scene(self.file(name + ".scene"), vertices, faces, **options)
+        masu.build_grid(self.file(name + ".scene"), self.file(name + ".grid"))
+        return vertices, faces
+
+    def tracer(self, name="random"):
+        tracer = masu.Tracer(self.file(name + ".scene"), self.file(name + ".grid"))
+        self.addCleanup(tracer.close)
+        return tracer
+
+
+class Queries(WithFolder):
+    def test_hits_are_those_of_brute_force(self):
+        for store in ("float32", "float64"):
+            vertices, faces = self.scene(store=store)
+            rays = random_rays(self.random, 3000)
+            t, primitive, certain = brute_force(vertices, faces, rays)
+            self.assertGreater(certain.mean(), 0.5)
+            self.assertGreater((certain & np.isinf(t)).sum(), 10)
+            self.assertGreater((certain & np.isfinite(t)).sum(), 10)
+            hits = self.tracer().nearest(rays, fields=masu.FIELDS)
+            np.testing.assert_array_equal(hits["primitive_ids"][certain], primitive[certain])
+            np.testing.assert_allclose(hits["t_hit"][certain], t[certain], rtol=1e-4, atol=1e-5)
+
+    def test_attributes_belong_to_the_hit(self):
+        vertices, faces = self.scene()
+        rays = random_rays(self.random, 3000)
+        hits = self.tracer().nearest(rays, fields=masu.FIELDS)
+        hit = hits["primitive_ids"] >= 0
+        np.testing.assert_array_equal(np.isfinite(hits["t_hit"]), hit)
+        np.testing.assert_array_equal(hits["geometry_ids"], np.where(hit, 0, -1))
+        np.testing.assert_array_equal(hits["face_ids"], hits["primitive_ids"])
+        self.assertFalse(hits["primitive_normals"][~hit].any())
+        self.assertFalse(hits["primitive_uvs"][~hit].any())
+        a, b, c = np.moveaxis(vertices[faces[hits["primitive_ids"][hit]]].astype(np.float64), 1, 0)
+        u, v = hits["primitive_uvs"][hit].astype(np.float64).T[:, :, None]
+        point = rays[hit, :3] + hits["t_hit"][hit, None].astype(np.float64) * rays[hit, 3:]
+        np.testing.assert_allclose((1 - u - v) * a + u * b + v * c, point, atol=1e-4)
+        across = np.cross(b - a, c - a)
+        area = np.linalg.norm(across, axis=1)
+        normals = hits["primitive_normals"][hit]
+        np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, rtol=1e-5)
+        large = area > 1e-3
+        np.testing.assert_allclose(normals[large], (across / area[:, None])[large], atol=1e-3)
+
+    def test_fields_are_those_asked_for_and_the_same_in_any_choice(self):
+        self.scene()
+        tracer = self.tracer()
+        rays = random_rays(self.random, 500)
+        every = tracer.nearest(rays, fields=masu.FIELDS)
+        self.assertEqual(tuple(every), masu.FIELDS)
+        self.assertEqual(set(tracer.nearest(rays)), {"t_hit", "primitive_ids"})
+        self.assertEqual(tracer.nearest(rays, fields=()), {})
+        for name in masu.FIELDS:
+            same_bits(self, tracer.nearest(rays, fields=name), {name: every[name]})
+            same_bits(self, tracer.nearest(rays, fields=iter([name])), {name: every[name]})
+        self.assertEqual({name: str(array.dtype) for name, array in every.items()},
+                         {"t_hit": "float32", "primitive_ids": "int32", "geometry_ids": "int32",
+                          "primitive_uvs": "float32", "primitive_normals": "float32", "face_ids": "int32"})
+
+    def test_results_depend_neither_on_the_grid_nor_on_coherence(self):
+        self.scene()
+        rays = random_rays(self.random, 2000)
+        expected = self.tracer().nearest(rays, fields=masu.FIELDS)
+        with masu.Tracer(self.file("random.scene"), brute_force=True) as tracer:
+            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
+        for options in ({"kind": "uniform", "division": 7}, {"kind": "irregular"}, {"kind": "bvh"}, {"kind": "fastest"}, {"kind": "x", "division": "8x4x6"},
+                        {"box_overlap": True, "cube_space": True, "kind": "uniform", "threads": 1}):
+            masu.build_grid(self.file("random.scene"), self.file("random.grid"), **options)
+            same_bits(self, self.tracer().nearest(rays, fields=masu.FIELDS, coherent=True), expected)
+
+    def test_without_a_grid_one_is_built_in_memory(self):
+        self.scene()
+        scene, grid = self.file("random.scene"), self.file("random.grid")
+        masu.build_grid(scene, grid, kind="fastest")
+        rays = random_rays(self.random, 500)
+        expected = self.tracer().nearest(rays, fields=masu.FIELDS)
+        files = sorted(os.listdir(self.folder))
+        with masu.Tracer(scene) as tracer:
+            self.assertEqual(tracer.describe().grid_bytes, os.path.getsize(grid))
+            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
+        with masu.Tracer(scene, brute_force=True) as tracer:
+            self.assertEqual(tracer.describe().grid_bytes, 0)
+        killed = run_python("import masu, os\nopen = masu.Tracer({!r})\nos.kill(os.getpid(), 9)".format(scene),
+                            TMPDIR=self.folder)
+        self.assertEqual((killed.returncode, killed.stderr), (-9, ""))
+        self.assertEqual(sorted(os.listdir(self.folder)), files)
+        self.assertRaises(TypeError, masu.Tracer, scene, grid, brute_force=True)
+
+    def test_occlusion_is_a_nearest_hit_before_tmax(self):
+        self.scene()
+        tracer = self.tracer()
+        short = random_rays(self.random, 5000)
+        t = tracer.nearest(short)["t_hit"]
+        occluded = tracer.occluded(short)
+        self.assertEqual(occluded.dtype, bool)
+        np.testing.assert_array_equal(occluded, np.isfinite(t))
+        rays = np.empty((len(short), 8), np.float32)
+        rays[:, :3], rays[:, 4:7] = short[:, :3], short[:, 3:]
+        rays[:, 3] = 0
+        rays[:, 7] = INFINITY
+        same_bits(self, tracer.nearest(rays), tracer.nearest(short))
+        rays[:, 7] = self.random.uniform(0, 3, len(rays))
+        different = rays[:, 7] != t
+        expected = t < rays[:, 7]
+        np.testing.assert_array_equal(tracer.occluded(rays)[different], expected[different])
+        np.testing.assert_array_equal(np.isfinite(tracer.nearest(rays)["t_hit"])[different], expected[different])
+        rays[:, 3] = self.random.uniform(0, 1, len(rays))
+        found = tracer.nearest(rays)["t_hit"]
+        hit = np.isfinite(found)
+        np.testing.assert_array_equal(tracer.occluded(rays), hit)
+        self.assertTrue((found > rays[:, 3])[hit].all() and (found < rays[:, 7])[hit].all())
+
+    def test_leading_shape_is_kept(self):
+        self.scene()
+        tracer = self.tracer()
+        rays = random_rays(self.random, 24)
+        flat = tracer.nearest(rays, fields=masu.FIELDS)
+        for leading in ((24,), (4, 6), (2, 3, 4), (24, 1), (1, 1, 24)):
+            shaped = rays.reshape(leading + (6,))
+            hits = tracer.nearest(shaped, fields=masu.FIELDS)
+            same_bits(self, hits, {name: array.reshape(leading + array.shape[1:]) for name, array in flat.items()})
+            self.assertEqual(tracer.occluded(shaped).shape, leading)
+        one = tracer.nearest(rays[0], fields=masu.FIELDS)
+        same_bits(self, one, {name: array[0:1].reshape(array.shape[1:]) for name, array in flat.items()})
+        self.assertEqual(tracer.occluded(rays[0]).shape, ())
+
+    def test_no_rays_give_no_hits(self):
+        self.scene()
+        tracer = self.tracer()
+        for leading in ((0,), (0, 5), (5, 0)):
+            for width in (6, 8):
+                hits = tracer.nearest(np.empty(leading + (width,), np.float32), fields=masu.FIELDS)
+                self.assertEqual(hits["t_hit"].shape, leading)
+                self.assertEqual(hits["primitive_normals"].shape, leading + (3,))
+                self.assertEqual(tracer.occluded(np.empty(leading + (width,), np.float32)).shape, leading)
+
+    def test_any_layout_and_type_is_the_same_as_a_contiguous_array(self):
+        self.scene()
+        tracer = self.tracer()
+        rays = random_rays(self.random, 60)
+        expected = tracer.nearest(rays)
+        wide = np.full((120, 9), np.nan, np.float32)
+        wide[::2, 1:7] = rays
+        same_bits(self, tracer.nearest(wide[::2, 1:7]), expected)
+        same_bits(self, tracer.nearest(rays[::-1].copy()[::-1]), expected)
+        same_bits(self, tracer.nearest(rays[:, ::-1].copy()[:, ::-1]), expected)
+        same_bits(self, tracer.nearest(np.asfortranarray(rays)), expected)
+        same_bits(self, tracer.nearest(rays.astype(">f4")), expected)
+        same_bits(self, tracer.nearest(rays.astype(">f8")), expected)
+        same_bits(self, tracer.nearest(rays.astype(np.float64)), expected)
+        same_bits(self, tracer.nearest(rays.astype(np.longdouble)), expected)
+        same_bits(self, tracer.nearest(rays.tolist()), expected)
+        same_bits(self, tracer.nearest(memoryview(rays)), expected)
+        unaligned = np.frombuffer(b"x" + rays.tobytes(), np.uint8)[1:].view(np.float32).reshape(-1, 6)
+        self.assertFalse(unaligned.flags.aligned)
+        same_bits(self, tracer.nearest(unaligned), expected)
+        read_only = rays.copy()
+        read_only.flags.writeable = False
+        same_bits(self, tracer.nearest(read_only), expected)
+        same_bits(self, tracer.nearest(np.broadcast_to(rays[0], (3, 4, 6))),
+                  {name: np.broadcast_to(array[0], (3, 4)) for name, array in expected.items()})
+        half = rays.astype(np.float16)
+        same_bits(self, tracer.nearest(half), tracer.nearest(half.astype(np.float32)))
+        whole = np.rint(rays * 4).astype(np.int64)
+        same_bits(self, tracer.nearest(whole), tracer.nearest(whole.astype(np.float32)))
+
+    def test_rays_are_left_as_they_are(self):
+        self.scene()
+        rays = random_rays(self.random, 60)
+        before = rays.copy()
+        self.tracer().nearest(rays, fields=masu.FIELDS)
+        self.assertEqual(rays.tobytes(), before.tobytes())
+
+    def test_rays_that_are_no_rays_miss(self):
+        self.scene()
+        tracer = self.tracer()
+        rays = np.repeat(random_rays(self.random, 1), 4, 0)
+        rays[0, 0], rays[1, 3:], rays[2, 4], rays[3, 0] = np.nan, 0, np.inf, -np.inf
+        hits = tracer.nearest(rays)
+        self.assertTrue(np.isposinf(hits["t_hit"]).all())
+        self.assertTrue((hits["primitive_ids"] == -1).all())
+        self.assertFalse(tracer.occluded(rays).any())
+        empty = np.float32([[0.5, 0.5, -9, 2, 0, 0, 1, 1]])
+        self.assertFalse(tracer.occluded(empty).any())
+
+    def test_precisions(self):
+        vertices, faces = self.scene()
+        rays = random_rays(self.random, 1000)
+        t, primitive, certain = brute_force(vertices, faces, rays)
+        tracer = self.tracer()
+        same_bits(self, tracer.nearest(rays), tracer.nearest(rays, precision="robust"))
+        for precision in ("robust", "double"):
+            hits = tracer.nearest(rays.astype(np.float64), precision=precision)
+            np.testing.assert_array_equal(hits["primitive_ids"][certain], primitive[certain])
+        tracer.nearest(rays, precision="fast")
+
+
+class Scenes(WithFolder):
+    def test_meshes_are_numbered_in_order(self):
+        meshes = [random_mesh(self.random, count) for count in (5, 1, 20)]
+        color = (1.0, 0.5, 0.25)
+        masu.write_scene(self.file("random.scene"), meshes=[masu.Mesh(*meshes[0], color), meshes[1], meshes[2]])
+        masu.build_grid(self.file("random.scene"), self.file("random.grid"))
+        tracer = self.tracer()
+        description = tracer.describe()
+        self.assertEqual((description.triangles, description.spheres, description.cones), (26, 0, 0))
+        self.assertEqual((description.is_float64, description.device), (False, "cpu"))
+        self.assertEqual(description.scene_bytes, os.path.getsize(self.file("random.scene")))
+        self.assertEqual(description.grid_bytes, os.path.getsize(self.file("random.grid")))
+        vertices = np.concatenate([mesh[0] for mesh in meshes])
+        np.testing.assert_array_equal(description.bounds_min, vertices.min(0))
+        np.testing.assert_array_equal(description.bounds_max, vertices.max(0))
+        objects = [tracer.primitive(index).object for index in range(26)]
+        self.assertEqual(objects, [0] * 5 + [1] + [2] * 20)
+        self.assertEqual((tracer.primitive(4).kind, tracer.primitive(4).color), ("triangle", color))
+        np.testing.assert_allclose(tracer.primitive(5).color, 0.8)
+        for index in (-1, 26, 2**32):
+            self.assertRaises(IndexError, tracer.primitive, index)
+        hits = tracer.nearest(random_rays(self.random, 2000), fields=("primitive_ids", "geometry_ids"))
+        np.testing.assert_array_equal(hits["geometry_ids"], np.array(objects + [-1])[hits["primitive_ids"]])
+
+    def test_any_layout_and_type_of_vertices_and_faces(self):
+        vertices, faces = random_mesh(self.random, 30)
+
+        def bytes_of(*arrays, **options):
+            masu.write_scene(self.file("a.scene"), *arrays, **options)
+            return pathlib.Path(self.file("a.scene")).read_bytes()
+
+        expected = bytes_of(vertices, faces)
+        for v in (vertices, vertices.astype(">f4"), np.asfortranarray(vertices), vertices.astype(np.float64)):
+            for f in (faces, faces.astype(np.int64), np.asfortranarray(faces), faces.astype(">i2"), faces.tolist()):
+                self.assertEqual(bytes_of(v, f), expected)
+        with masu.Tracer(self.file("a.scene")) as tracer:
+            self.assertFalse(tracer.describe().is_float64)
+        bytes_of(vertices.astype(np.float64) / 3, faces, store="float64")
+        with masu.Tracer(self.file("a.scene")) as tracer:
+            self.assertTrue(tracer.describe().is_float64)
+
+    def test_wrong_meshes_are_refused(self):
+        vertices, faces = random_mesh(self.random, 3)
+        path = self.file("a.scene")
+        for error, arguments in (
+                (ValueError, (vertices, faces + 1)), (ValueError, (vertices, faces.astype(int) - 1)),
+                (ValueError, (vertices, [[0, 1, 2**32]])), (ValueError, (vertices[:, :2], faces)),
+                (ValueError, (vertices, faces[:, :2])), (ValueError, (vertices.ravel(), faces)),
+                (TypeError, (vertices, faces.astype(float))), (TypeError, (vertices * 1j, faces)),
+                (TypeError, (vertices.astype(str), faces)), (TypeError, (vertices, faces > 0)),
+                (ValueError, (vertices, faces, (1, 1))), (ValueError, ([], faces)), (TypeError, (vertices,)), (TypeError, ())):
+            with self.assertRaises(error, msg=str(arguments)):
+                masu.write_scene(path, *arguments)
+        self.assertRaises(TypeError, masu.write_scene, path, vertices, faces, meshes=[(vertices, faces)])
+        self.assertRaises(ValueError, masu.write_scene, path, vertices, faces, store="float16")
+        self.assertRaises(TypeError, masu.write_scene, path, vertices, faces, store=1)
+        with self.assertRaises(masu.Error) as raised:
+            masu.write_scene(path, np.where(vertices == vertices[0, 0], np.nan, vertices), faces)
+        self.assertEqual(raised.exception.status, masu.Status.USAGE)
+        with self.assertRaises(masu.Error) as raised:
+            masu.write_scene(self.file("nowhere/a.scene"), vertices, faces)
+        self.assertEqual(raised.exception.status, masu.Status.OUTPUT)
+        self.assertIn("nowhere", str(raised.exception))
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_wrong_options_of_grids_are_refused(self):
+        self.scene(10)
+        arguments = self.file("random.scene"), self.file("b.grid")
+        for error, options in (
+                (TypeError, {"kinds": "uniform"}), (TypeError, {"kind": 1}), (ValueError, {"kind": "octree"}),
+                (TypeError, {"division": 1.5}), (ValueError, {"division": "8\0"}), (masu.Error, {"division": "x"}),
+                (ValueError, {"target": -1}), (ValueError, {"target": 2**32}), (TypeError, {"target": 1.5}),
+                (ValueError, {"threads": -1}), (ValueError, {"threads": 2**40}), (TypeError, {"alpha": []}),
+                (ValueError, {"alpha": "much"})):
+            with self.assertRaises(error, msg=str(options)):
+                masu.build_grid(*arguments, **options)
+        self.assertFalse(os.path.exists(arguments[1]))
+        with self.assertRaises(masu.Error) as raised:
+            masu.build_grid(self.file("none.scene"), arguments[1])
+        self.assertEqual(raised.exception.status, masu.Status.INPUT)
+        with self.assertRaises(masu.Error) as raised:
+            masu.build_grid(arguments[0], arguments[0])
+        self.assertEqual(raised.exception.status, masu.Status.USAGE)
+        self.assertEqual(masu.Tracer(arguments[0]).describe().triangles, 10)
+
+    def test_paths_of_any_kind(self):
+        vertices, faces = random_mesh(self.random, 3)
+        for path in (pathlib.Path(self.folder) / "b ü.scene", os.fsencode(self.file("c.scene"))):
+            masu.write_scene(path, vertices, faces)
+            masu.Tracer(path).close()
+        self.assertRaises(ValueError, masu.Tracer, self.file("a\0b"))
+        self.assertRaises(TypeError, masu.Tracer, 5)
+
+
+class Tracers(WithFolder):
+    def test_wrong_rays_are_refused(self):
+        self.scene(10)
+        tracer = self.tracer()
+        for error, rays in (
+                (ValueError, np.zeros((5, 7), np.float32)), (ValueError, np.zeros((6, 5), np.float32)),
+                (ValueError, np.float32(1)), (ValueError, np.zeros(0, np.float32)), (ValueError, []), (ValueError, 1.5),
+                (TypeError, np.zeros((5, 6), bool)), (TypeError, np.zeros((5, 6), complex)),
+                (TypeError, np.zeros((5, 6), "S4")), (TypeError, np.zeros((5, 6), object)),
+                (TypeError, np.zeros((5, 6), "datetime64[s]")), (ValueError, [[0, 0, 0, 1, 1, 1], [1, 2]]),
+                (ValueError, None), (ValueError, "rays")):
+            for query in (tracer.nearest, tracer.occluded):
+                with self.assertRaises(error, msg=repr(rays)):
+                    query(rays)
+        rays = random_rays(self.random, 5)
+        self.assertRaises(ValueError, tracer.nearest, rays, fields="t")
+        self.assertRaises(ValueError, tracer.nearest, rays, fields=("t_hit", "depth"))
+        self.assertRaises(ValueError, tracer.nearest, rays, precision="half")
+        self.assertRaises(TypeError, tracer.occluded, rays, precision=1)
+        self.assertRaises(ValueError, tracer.nearest, rays, stream=0)
+        self.assertRaises(TypeError, tracer.nearest, rays, ("t_hit",))
+        self.assertTrue(np.isfinite(tracer.nearest(rays)["t_hit"]).shape == (5,))
+
+    def test_arrays_of_other_devices_are_refused(self):
+        self.scene(10)
+
+        class Elsewhere:
+            def __dlpack_device__(self):
+                return (7, 0)  # Vulkan
+
+            def __dlpack__(self, **options):
+                raise AssertionError("it was read")
+
+        self.assertRaises(TypeError, self.tracer().nearest, Elsewhere())
+
+    def test_arrays_of_others_in_host_memory_are_read(self):
+        self.scene(50)
+        rays = random_rays(self.random, 20)
+
+        class Other:
+            def __dlpack_device__(self):
+                return rays.__dlpack_device__()
+
+            def __dlpack__(self, **options):
+                return rays.__dlpack__(**options)
+
+        class Interface:
+            __array_interface__ = rays.__array_interface__
+
+        expected = self.tracer().nearest(rays)
+        same_bits(self, self.tracer().nearest(Other()), expected)
+        same_bits(self, self.tracer().nearest(Interface()), expected)
+
+    def test_files_that_are_wrong_are_refused(self):
+        self.scene(10)
+        self.scene(20, "other")
+        pathlib.Path(self.file("text.scene")).write_text("v\n")
+        for scene, grid in (("none.scene", None), ("text.scene", None), ("random.scene", "none.grid"),
+                            ("random.scene", "random.scene"), ("random.scene", "other.grid")):
+            with self.assertRaises(masu.Error) as raised:
+                masu.Tracer(self.file(scene), grid and self.file(grid))
+            self.assertEqual(raised.exception.status, masu.Status.INPUT)
+            self.assertIn(os.path.basename(grid or scene), str(raised.exception))
+
+    def test_devices(self):
+        self.scene(10)
+        for device in ("gpu", "cuda:", "cuda:-1", "cuda:1.0", "CPU", -1, 2**40, True, None, 1.5, "cuda:0,cuda:1",
+                       [], ["cpu"], [0, "cpu"], [True], [[0]]):
+            with self.assertRaises(ValueError, msg=repr(device)):
+                masu.Tracer(self.file("random.scene"), device=device)
+        beyond = masu.gpu_count()
+        for device in (beyond, "cuda:{}".format(beyond)):
+            with self.assertRaises(masu.Error) as raised:
+                masu.Tracer(self.file("random.scene"), device=device)
+            self.assertEqual(raised.exception.status, masu.Status.DEVICE)
+
+    def test_a_closed_tracer_is_refused(self):
+        self.scene(10)
+        with self.tracer() as tracer:
+            tracer.describe()
+        tracer.close()
+        rays = random_rays(self.random, 5)
+        for use in (tracer.describe, lambda: tracer.primitive(0), lambda: tracer.nearest(rays),
+                    lambda: tracer.occluded(rays), lambda: tracer.nearest(rays[:0])):
+            self.assertRaises(ValueError, use)
+
+    def test_a_tracer_lives_as_long_as_its_query(self):
+        self.scene(100)
+        rays = random_rays(self.random, 50)
+        expected = self.tracer().nearest(rays)
+        nearest = masu.Tracer(self.file("random.scene")).nearest
+        gc.collect()
+        same_bits(self, nearest(rays), expected)
+        self.assertTrue(callable(nearest))
+
+    def test_a_tracer_that_nobody_holds_is_closed(self):
+        self.scene(10)
+
+        def opened():
+            links = []
+            for descriptor in pathlib.Path("/proc/self/fd").iterdir():
+                try:
+                    links.append(os.readlink(descriptor))
+                except FileNotFoundError:  # that of this listing
+                    pass
+            return sum(link.startswith(self.folder) for link in links)
+
+        tracer = masu.Tracer(self.file("random.scene"))
+        self.assertGreater(opened(), 0)
+        del tracer
+        gc.collect()
+        self.assertEqual(opened(), 0)
+
+    def test_threads_use_one_tracer(self):
+        self.scene()
+        tracer = self.tracer()
+        lists = [random_rays(self.random, 500) for _ in range(8)]
+        expected = [tracer.nearest(rays) for rays in lists]
+        failures = []
+
+        def work(rays, hits):
+            try:
+                for _ in range(10):
+                    same_bits(self, tracer.nearest(rays), hits)
+                    with self.assertRaises(IndexError):
+                        tracer.primitive(10**6)
+            except BaseException as error:
+                failures.append(error)
+
+        threads = [threading.Thread(target=work, args=pair) for pair in zip(lists, expected)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(failures, [])
+
+    def test_closing_waits_for_other_threads(self):
+        self.scene()
+        rays = random_rays(self.random, 2000)
+        expected = self.tracer().nearest(rays)
+        for _ in range(5):
+            tracer = self.tracer()
+            failures, begun = [], threading.Barrier(5)
+
+            def work():
+                begun.wait()
+                try:
+                    while True:
+                        same_bits(self, tracer.nearest(rays), expected)
+                except ValueError:
+                    pass
+                except BaseException as error:
+                    failures.append(error)
+
+            threads = [threading.Thread(target=work) for _ in range(4)]
+            for thread in threads:
+                thread.start()
+            begun.wait()
+            tracer.close()
+            for thread in threads:
+                thread.join()
+            self.assertEqual(failures, [])
+
+    def test_errors_are_of_the_thread(self):
+        self.scene(10)
+        failures = []
+
+        def work(name):
+            for _ in range(50):
+                try:
+                    masu.Tracer(self.file(name))
+                except masu.Error as error:
+                    if name not in str(error):
+                        failures.append(str(error))
+
+        threads = [threading.Thread(target=work, args=("none{}.scene".format(index),)) for index in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(failures, [])
+
+
+class Module(unittest.TestCase):
+    def test_it_is_of_the_librarys_version_and_lists_what_it_has(self):
+        from masu import _library
+        self.assertEqual(masu.__version__, _library.library.masu_version().decode())
+        for name in masu.__all__:
+            self.assertTrue(hasattr(masu, name), name)
+        for name in (name for name in masu.__all__ if callable(getattr(masu, name))):
+            self.assertTrue(getattr(masu, name).__doc__, name)
+
+    def test_numpy_is_imported_when_it_is_used(self):
+        result = run_python("import masu, sys\nmasu.gpu_count()\nassert 'numpy' not in sys.modules")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_without_the_library_it_says_what_to_do(self):
+        for path in ("/nowhere/libmasu.so", sys.executable):
+            result = run_python("import masu", MASU_LIBRARY=path)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn("ImportError", result.stderr)
+            self.assertIn(path, result.stderr)
+        other = run_python("import masu", MASU_LIBRARY="libm.so.6")
+        self.assertIn("this isn't Masu's library", other.stderr)
+
+    def test_a_process_may_end_with_open_tracers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = run_python("import masu, os, threading\nos.chdir({!r})\n".format(folder) + """
+masu.write_scene("a.scene", [[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+tracer = masu.Tracer("a.scene")
+def work():
+    while True: tracer.nearest([[0.2, 0.2, 1, 0, 0, -1]] * 1000)
+threading.Thread(target=work, daemon=True).start()
+print(tracer.nearest([0.2, 0.2, 2, 0, 0, -1])["t_hit"])
+""")
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "2.0\n", ""))
+
+
+class Documentation(unittest.TestCase):
+    def test_the_modules_own_example_runs(self):
+        text = "".join(line[4:] + "\n" for line in masu.__doc__.splitlines() if line.startswith("    "))
+        with tempfile.TemporaryDirectory() as folder:
+            result = run_python("import os\nos.chdir({!r})\n".format(folder) + text)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "[1.] [0]\n", ""))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,325 @@
+"""Types what a page of the documentation says, in a copy of the source: docs_test.py BUILD PAGE FOLDER.
+
+Commands are indented blocks. Those of a page are run one after another in one shell (bash), with the programs of BUILD,
+which stand where a build would have put them, and must end with 0. An indented block that begins with `$ ` also has what
+its commands print, which must be the same. A synopsis, which has optional parts in brackets, names options that `--help`
+must have. Fenced blocks say their language; Python, C and C++ are run, too. What can't be run is named below with the
+reason; anything else fails. FOLDER is made anew, and kept. Environment: PYTHON, an interpreter with NumPy.
+"""
+
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+
+# Commands that aren't run here, and why.
+NOT_RUN = {
+    r"^tools/(demo|test)\.sh": "install packages and build everything; test.sh runs this test",
+    r"examples/build-all": "compiles the library: run by examples_test.sh",
+    r"^examples/lesson\.sh": "takes two minutes: most of its commands are lesson.md's",
+    r"^tools/bench/scripts/((performance|accuracy)(\.sh|_tables\.py)|cpu_rays\.sh)": "take minutes to hours on a quiet machine",
+    r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
+    r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
+    r"^gridbench lists ": "needs a GPU",
+    r"^ssh ": "needs another machine",
+    r"^srun ": "needs Slurm",
+    r"--map-by ppr:4:node": "needs two machines",
+}
+# Fenced blocks that aren't commands, or can't be run here.
+OTHER_LANGUAGES = {"text": "not code", "json": "not code", "nff": "not code", "cuda": "examples_test.sh has a program"}
+# Programs that are built where what they need was found.
+OPTIONAL_PROGRAMS = ("mesh2bin", "gridview", "gridrender-mpi", "masu_cpu_rays")
+# How much is done, where it would take minutes, and on which device: a CPU is always there.
+SMALLER = [
+    (r"--repeat \d+", "--repeat 1"),
+    (r"(gridbench (?:rays|frame)(?!.*--repeat))", r"\1 --repeat 1 --warm-up 0"),
+    (r"--size \d{4,}x\d{4,}", "--size 64x48"),
+    (r"--turntable \d{2,}", "--turntable 3"),
+    (r"--views \d{2,}", "--views 2"),
+    (r"(gridview .*--export \S+(?!.*--size))", r"\1 --size 64x48"),
+    (r"--count \d{4,}", "--count 100"),
+    (r"--divisions 2,4,8,16,32,64,128", "--divisions 2,4,8"),
+    (r"(gridbench stability(?!.*--count))", r"\1 --count 20"),
+    (r"gridbench tradeoff", "gridbench tradeoff --precisions robust --merges none --overlaps exact --divisions 4 "
+                            "--curve 4 --size 16x16 --random 64 --compared 64 --picture 8x8 --repeat 1"),
+    (r"(gridbench rays .*)--loop \S+", r"\1--size 64x64 --random 1000"),  # loops are a GPU's
+    (r"(scale_of_scenes\.sh build/bin) [\d ]+", r"\1 2 3 "),
+    (r"--(backend|device) cuda", r"--\1 cpu"),
+    (r"--devices \S+", "--devices cpu"),
+    (r"/opt/masu", "$PWD/opt/masu"),
+]
+# Scenes that a page takes for made, as tools.md makes them.
+SCENES = r"\b((balls|gears|mount|nurbs|rings|teapot|tetra|tree)(?:-\d+)?)\.(?:scene|grid)\b"
+
+# What stands for the programs of other packages while commands are typed. `cmake --build` of this source puts the
+# tested build's products where a build would have put them; nothing is installed outside the folder.
+SHELL = r"""
+set -euo pipefail
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a test may be run by root
+export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
+export PYTHONDONTWRITEBYTECODE=1
+where="the beginning"
+trap 'code=$?; [ $code = 0 ] || echo "FAILED: $where ended with $code"' EXIT
+say() { where=$1; printf '\n== %s\n' "$1"; }
+made() { # folder
+  mkdir -p "$1/bin" "$1/api" "$1/tools/package"
+  cp -fl "$TESTED"/bin/* "$1/bin/"
+  cp -fdl "$TESTED"/api/libmasu.so* "$1/api/"
+  if ls "$TESTED"/tools/package/*.1.gz >/dev/null 2>&1; then cp -fl "$TESTED"/tools/package/*.1.gz "$1/tools/package/"; fi
+}
+cmake() {
+  case "$*" in
+    "--preset "*) command cmake "$@" "${CONFIGURED[@]}" ;;
+    "--build build" | "--build build "*) made build ;;
+    "--build --preset "*) made "build/$3" ;;
+    "--install "*--prefix*) command cmake "$@" ;;
+    "--install "*) command cmake "$@" --prefix "$PWD/usr" ;;
+    *) command cmake "$@" ;;
+  esac
+}
+ctest() { # the tested build's tests are listed: there must be some
+  case "$*" in
+    *"--test-dir build "*) command ctest "${@/#build/$TESTED}" -N | tee typed/printed | grep 'Total Tests: [1-9]' ;;
+    *) command ctest "$@" ;;
+  esac
+}
+gridview() { # which serves until it is ended
+  if [[ $* = *--export* || $* = *--help* ]]; then command gridview "$@"; return; fi
+  command gridview "$@" --port 0 >typed/address &
+  until [ -s typed/address ]; do kill -0 $! 2>/dev/null || break; sleep 0.1; done
+  kill $! 2>/dev/null || true # ended by itself: with which code?
+  wait $!
+}
+python3() { command "$PYTHON" "$@"; }
+apt-get() { # install: the same packages as tools/setup.sh's
+  (
+    source tools/setup.sh
+    known=" ${basics[*]} ${extras[*]} ${benchmarks[*]} ${tests[*]} libgtest-dev "
+    for package in "${@:2}"; do
+      [[ $package = -* || $known = *" $package "* ]] || { echo "tools/setup.sh has no $package"; exit 1; }
+    done
+    for package in $known; do [[ " $* " = *" $package "* ]] || { echo "$package is missing"; exit 1; }; done
+  )
+}
+scene() { # name of a scene in a file's name, its generator's name
+  [ -e "$1.scene" ] || nffgen "$2" | nff2bin - -o "$1.scene"
+  [ -e "$1.grid" ] || gridbuild "$1.scene" -o "$1.grid" -q
+}
+"""
+
+
+def blocks(text):
+    """(number of the first line, language, text) of each code block; the language of an indented one is ""."""
+    lines = text.split("\n")
+    found, at, in_list, blank = [], 0, False, True
+    while at < len(lines):
+        line = lines[at]
+        if line.startswith("```"):
+            end = lines.index("```", at + 1)
+            found.append((at + 2, line[3:].strip() or "no language", "\n".join(lines[at + 1:end])))
+            at = end
+        elif line.startswith("    ") and blank and not in_list:
+            end = at
+            while end < len(lines) and (lines[end].startswith("    ") or not lines[end].strip()):
+                end += 1
+            found.append((at + 1, "", "\n".join(row[4:] for row in lines[at:end]).rstrip()))
+            at = end - 1
+        elif line and not line.startswith(" "):
+            in_list = re.match(r"(-|\d+\.) ", line) is not None or (in_list and not blank)
+        blank = not line.strip() or at >= len(lines) or not lines[at].strip()
+        at += 1
+    return found
+
+
+def commands(text):
+    """(number of the line, command) of a block: lines are joined until the shell takes them for whole."""
+    found, pending, first = [], [], 0
+    for number, line in enumerate(text.split("\n")):
+        if not pending:
+            first = number
+        pending.append(line)
+        whole = "\n".join(pending)
+        judged = subprocess.run(["bash", "-n"], input=whole + "\n", stderr=subprocess.PIPE, universal_newlines=True)
+        if judged.returncode == 0 and not judged.stderr and not whole.endswith("\\"):
+            if any(row.strip() and not row.strip().startswith("#") for row in pending):
+                found.append((first, whole))
+            pending = []
+    if pending:
+        found.append((first, "\n".join(pending)))  # which the shell will refuse
+    return found
+
+
+def is_synopsis(text):
+    return re.search(r"\[-|\[options\]", text) is not None
+
+
+def is_console(text):
+    return text.startswith("$ ")
+
+
+def reason_not_run(command):
+    return next((reason for pattern, reason in NOT_RUN.items() if re.search(pattern, command)), None)
+
+
+class Page:
+    """The shell script that types a page."""
+
+    def __init__(self, name, tested):
+        self.name = name
+        self.tested = tested
+        self.script = [SHELL]
+        self.failures = []
+        self.files = {}
+        self.python_text = ""
+
+    def file(self, name, text):
+        self.files[name] = text
+        return shlex.quote("typed/" + name)
+
+    def run(self, line, command, shown=None):
+        where = "{}:{}".format(self.name, line)
+        # After an AND list the shell itself goes on.
+        self.script += ["say {}".format(shlex.quote(where + ": " + (shown or command))), command, "(exit $?)"]
+
+    def missing_program(self, command):
+        programs = [name for name in OPTIONAL_PROGRAMS if re.search(r"(^|[\s/|]){}\b(?!-)".format(name), command)]
+        return next((name for name in programs if not (self.tested / "bin" / name).exists()), None)
+
+    def skip(self, line, command, reason):
+        self.script.append("say {}".format(shlex.quote("{}:{}: not run: {} ({})".format(
+            self.name, line, command, reason))))
+
+    def type(self, line, command):
+        reason = reason_not_run(command)
+        missing = self.missing_program(command)
+        if reason or missing:
+            self.skip(line, command, reason or missing + " isn't built")
+            return
+        typed = command
+        for pattern, smaller in SMALLER:
+            command = re.sub(pattern, smaller, command)
+        for name, scene in sorted(set(re.findall(SCENES, command))):
+            if not re.search(r"-o {}\.(scene|grid)\b".format(name), command):
+                self.script.append("scene {} {}".format(name, scene))
+        self.run(line, command, typed if typed == command else typed + "\n   run as: " + command)
+
+    def console(self, line, text):
+        """`$ COMMAND`, then what it prints, and so on."""
+        rows = text.split("\n")
+        starts = [number for number, row in enumerate(rows) if row.startswith("$ ")] + [len(rows)]
+        for start, end in zip(starts, starts[1:]):
+            command = rows[start][2:]
+            missing = self.missing_program(command)
+            if missing:
+                self.skip(line + start, command, missing + " isn't built")
+                continue
+            printed = "".join(row + "\n" for row in rows[start + 1:end])
+            expected = self.file("{}.expected".format(line + start), printed)
+            self.run(line + start, "{{ {}; }} >typed/printed".format(command), command)
+            self.run(line + start, "diff -u {} typed/printed".format(expected), "prints what the page shows")
+
+    def synopsis(self, line, text):
+        for row in re.sub(r"\n +", " ", text).split("\n"):
+            words = row.split()
+            called = words[:2] if re.fullmatch(r"[a-z]+", words[1]) else words[:1]
+            if self.missing_program(row):
+                self.skip(line, row, called[0] + " isn't built")
+                continue
+            for option in sorted(set(re.findall(r"(?<![\w-])(--?[a-z][a-z0-9-]*)", row))):
+                self.run(line, "{} --help | grep -E -- {} >typed/printed".format(
+                    " ".join(called), shlex.quote(r"(^|[ ,]){}([ ,=]|$)".format(option))),
+                    "{} has {}".format(" ".join(called), option))
+
+    def python(self, line, text):
+        if "import torch" in text:
+            self.skip(line, "Python", "needs a GPU: run by python_gpu_test.py")
+        else:
+            self.python_text += text + "\n"  # each block goes on where the last ended
+            self.run(line, "PYTHONPATH=api/python MASU_LIBRARY=build/api/libmasu.so python3 " +
+                     self.file("{}.py".format(line), self.python_text), "Python")
+
+    def compiled(self, line, language, text):
+        """What belongs into a function becomes main(), after the page's own and the usual headers."""
+        rows = text.split("\n")
+        headers = "#include <math.h>\n#include <stdio.h>\n#include <masu/masu.h>\n"
+        own = "".join(row + "\n" for row in rows if row.startswith("#"))
+        body = "".join(row + "\n" for row in rows if not row.startswith("#"))
+        name, compiler = ("c", "cc -std=c99") if language == "c" else ("cpp", "c++ -std=c++20")
+        source = self.file("{}.{}".format(line, name), headers + own + "int main(void) {\n" + body + "return 0;\n}\n")
+        self.run(line, "{} -I{t}/include {} -o typed/program -L{t}/api -lmasu -Wl,-rpath,{t}/api && "
+                       "typed/program".format(compiler, source, t=shlex.quote(str(self.tested))), language)
+
+    def block(self, line, language, text):
+        if language == "python":
+            self.python(line, text)
+        elif language in ("c", "c++"):
+            self.compiled(line, language, text)
+        elif language in OTHER_LANGUAGES:
+            self.skip(line, language, OTHER_LANGUAGES[language])
+        elif language:
+            self.failures.append("{}:{}: a fenced block of {}: name python, c, c++ or {}, or indent commands".format(
+                self.name, line, language, ", ".join(OTHER_LANGUAGES)))
+        elif is_console(text):
+            self.console(line, text)
+        elif is_synopsis(text):
+            self.synopsis(line, text)
+        else:
+            for number, command in commands(text):
+                self.type(line + number, command)
+
+
+def configured_options(tested):
+    """Presets are configured for what the tested build has, whose products they get."""
+    options = ["-DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON"]
+    for line in (tested / "CMakeCache.txt").read_text().splitlines():
+        match = re.match(r"((?:MASU_(?:ASSIMP|CUDA|CUDA_ARCHITECTURES|EMBREE|MPI|VIEW))|HELP2MAN):\w+=(.*)", line)
+        if match:
+            options.append("-D{}={}".format(*match.groups()))
+    return options
+
+
+def stale_lists(source):
+    """What NOT_RUN names and no page types any more."""
+    pages = [source / "README.md"] + sorted((source / "docs").glob("*.md"))
+    typed = [command for page in pages for _, language, text in blocks(page.read_text(encoding="utf-8"))
+             if not language for _, command in commands(text)]
+    return [pattern for pattern in NOT_RUN if not any(re.search(pattern, command) for command in typed)]
+
+
+def not_copied(folder, names):
+    """What is no source: what commands make, and builds."""
+    at_top = os.path.exists(os.path.join(folder, "CMakePresets.json")) # libgrid has a folder build, too
+    return [name for name in names if name == "__pycache__" or (at_top and name in ("build", "out", ".git")) or
+            os.path.exists(os.path.join(folder, name, "CMakeCache.txt"))]
+
+
+def main():
+    source = pathlib.Path(__file__).resolve().parent.parent.parent
+    tested, name, folder = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2], pathlib.Path(sys.argv[3]).resolve()
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(source, folder, ignore=not_copied)
+    (folder / "typed").mkdir()
+
+    page = Page(name, tested)
+    page.script.append("made build")
+    for line, language, text in blocks((folder / name).read_text(encoding="utf-8")):
+        page.block(line, language, text)
+    page.failures += ["NOT_RUN has {}, which no page types any more".format(p) for p in stale_lists(source)]
+    for file, text in page.files.items():
+        (folder / "typed" / file).write_text(text, encoding="utf-8")
+    environment = {**os.environ, "TESTED": str(tested), "PATH": "{}:{}".format(tested / "bin", os.environ["PATH"])}
+    options = "CONFIGURED=({})\n".format(" ".join(shlex.quote(option) for option in configured_options(tested)))
+    script = folder / "typed" / "script.sh"
+    script.write_text(options + "\n".join(page.script) + "\n", encoding="utf-8")
+    ended = subprocess.run(["bash", str(script)], cwd=str(folder), env=environment, stdin=subprocess.DEVNULL,
+                           stderr=subprocess.STDOUT)
+    for failure in page.failures:
+        print("FAILED:", failure)
+    return 1 if page.failures or ended.returncode else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

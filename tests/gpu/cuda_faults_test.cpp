@@ -1,0 +1,266 @@
+// Whatever call of the CUDA driver fails: a tool's output is the old one or the new one, there is one line
+// and exit code 4, and no other file is left; the library returns a status, and its next calls are right.
+#include "tests/faults/cuda_faults.h"
+#include "tests/stability/random_seed.h"
+#include "tests/stability/test_scene.h"
+#include "tests/tools/run_tool.h"
+
+#include <masu/masu.h>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <utility>
+
+namespace masu {
+namespace {
+
+bool has_gpu() {
+  int count = 0;
+  return masu_gpu_count(&count) == MASU_OK && count > 0;
+}
+
+// 1 to `all`, or so many of them at random.
+std::vector<std::uint64_t> some_of(std::uint64_t all, std::int64_t most, std::mt19937_64& random) {
+  std::vector<std::uint64_t> calls(all);
+  std::iota(calls.begin(), calls.end(), std::uint64_t{1});
+  std::shuffle(calls.begin(), calls.end(), random);
+  calls.resize(std::min<std::size_t>(calls.size(), static_cast<std::size_t>(most)));
+  return calls;
+}
+
+class CudaFaults : public ToolTest {
+protected:
+  void SetUp() override {
+    if (!has_gpu()) GTEST_SKIP() << "no GPU, no call was made to fail";
+  }
+
+  // Ended where it takes so many seconds.
+  ToolResult run_with(const std::string& fault, const std::string& tool, const Arguments& arguments) const {
+    constexpr const char* longest = "120";
+    Arguments all{longest,
+                  "/usr/bin/env",
+                  std::string("LD_PRELOAD=") + MASU_CUDA_FAULTS,
+                  "MASU_CUDA_FAULT=" + fault,
+                  "MASU_CUDA_FAULT_COUNT=" + count_.file("count"),
+                  std::string(MASU_BIN_DIR) + "/" + tool};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run("/usr/bin/timeout", all);
+  }
+
+  // Each call, or so many at random: alone, and with all after it.
+  void expect_survived(const std::string& tool, const Arguments& arguments,
+                       const std::vector<std::string>& outputs) const {
+    const RandomSeed seed;
+    SCOPED_TRACE(tool + ": " + seed.trace());
+    auto random = seed.engine();
+    const ToolResult good = run_with("0", tool, arguments);
+    ASSERT_EQ(good.code, 0) << good.err;
+    const std::uint64_t all = std::stoull(read_text(count_.file("count")));
+    ASSERT_GT(all, 10U) << "the driver's functions aren't replaced";
+    std::map<std::string, Bytes> complete;
+    for (const std::string& output : outputs)
+      complete[output] = read_bytes(output);
+    const auto before = folder_.listing();
+    for (const std::uint64_t n : some_of(all, cases(40), random)) {
+      for (const char* const more : {"", "+"}) {
+        for (const std::string& output : outputs)
+          write_text(output, "old");
+        const std::string fault = std::to_string(n) + more;
+        const ToolResult result = run_with(fault, tool, arguments);
+        SCOPED_TRACE("call " + fault + " of " + std::to_string(all) + ": exit code " +
+                     std::to_string(result.code) + ", stderr: " + result.err);
+        if (result.code == 0)
+          EXPECT_EQ(result.err, ""); // there is a way without
+        else
+          EXPECT_TRUE(failed(result, 4, tool, "cuda"));
+        EXPECT_EQ(folder_.listing(), before);
+        for (const std::string& output : outputs) {
+          const Bytes bytes = read_bytes(output);
+          EXPECT_TRUE(bytes == complete.at(output) || (result.code != 0 && bytes == Bytes{'o', 'l', 'd'}))
+              << output;
+        }
+      }
+    }
+  }
+
+  const TemporaryFolder count_;
+};
+
+TEST_F(CudaFaults, GridrenderOfPictures) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
+  expect_survived("gridrender",
+                  {in, divided, "-o", file("out.png"), "--hits", file("hits"), "-q", "--backend", "cuda"},
+                  {file("out.png"), file("hits")});
+}
+
+TEST_F(CudaFaults, GridrenderOfRays) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
+  const std::vector<float> rays{0, 0, 5, 0, 0, -1, 1, 1, 5, 0, 0, -1};
+  write_bytes(file("rays"),
+              {reinterpret_cast<const std::uint8_t*>(rays.data()), rays.size() * sizeof(float)});
+  expect_survived("gridrender",
+                  {in, divided, "--rays", file("rays"), "--hits", file("hits"), "-q", "--backend", "cuda"},
+                  {file("hits")});
+}
+
+// Enough to be copied through page-locked memory, by several threads.
+TEST_F(CudaFaults, GridrenderWithALargeGrid) {
+  const std::string in = scene("a.scene", spd("a.nff", "balls", 3)),
+                    divided = grid("a.grid", in, "160", {"--merge", "none"});
+  ASSERT_GT(std::filesystem::file_size(divided), std::uintmax_t{8} << 20);
+  expect_survived("gridrender", {in, divided, "-o", file("out.pfm"), "-q", "--backend", "cuda"},
+                  {file("out.pfm")});
+}
+
+TEST_F(CudaFaults, Gridbuild) {
+  const std::string in = scene("a.scene", spd("a.nff", "balls", 2));
+  expect_survived("gridbuild", {in, "-o", file("out"), "-q", "--merge", "irregular", "--device", "cuda"},
+                  {file("out")});
+}
+
+// --- The library, in this process
+
+class CudaFaultsOfLibrary : public testing::Test {
+protected:
+  void SetUp() override {
+    if (!has_gpu()) GTEST_SKIP() << "no GPU, no call was made to fail";
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    std::vector<float> vertices(9 * 500);
+    for (float& v : vertices)
+      v = coordinate(engine_);
+    std::vector<std::uint32_t> indices(vertices.size() / 3);
+    std::iota(indices.begin(), indices.end(), 0U);
+    masu_mesh mesh{};
+    mesh.vertices = vertices.data();
+    mesh.vertex_count = indices.size();
+    mesh.indices = indices.data();
+    mesh.triangle_count = indices.size() / 3;
+    ASSERT_EQ(masu_write_scene(scene_.c_str(), &mesh, 1, MASU_STORE_AUTO, nullptr), MASU_OK) << masu_error();
+    rays_.resize(1000);
+    for (masu_ray& ray : rays_) {
+      for (int axis = 0; axis < 3; ++axis) {
+        ray.origin[axis] = 2 * coordinate(engine_);
+        ray.direction[axis] = coordinate(engine_);
+      }
+      ray.tmin = 0;
+      ray.tmax = 100;
+    }
+  }
+  void TearDown() override { fail_cuda_call(0, false); }
+
+  struct Found {
+    std::vector<float> t, normal;
+    std::vector<std::uint32_t> primitive;
+    std::vector<std::uint8_t> occluded;
+    bool operator==(const Found&) const = default;
+  };
+
+  // Opens, asks and closes; a query that fails is repeated by the same tracer while nothing fails. The first
+  // status that isn't MASU_OK, and nothing where the tracer can't be opened.
+  std::pair<masu_status, std::optional<Found>> traced() const {
+    masu_tracer* tracer = nullptr;
+    masu_status first = masu_open(scene_.c_str(), grid_.c_str(), 0, &tracer);
+    EXPECT_EQ(first == MASU_OK, tracer != nullptr);
+    if (first != MASU_OK) return {first, {}};
+    Found found{std::vector<float>(rays_.size()), std::vector<float>(3 * rays_.size()),
+                std::vector<std::uint32_t>(rays_.size()), std::vector<std::uint8_t>(rays_.size())};
+    masu_hits hits{};
+    hits.t = found.t.data();
+    hits.primitive = found.primitive.data();
+    hits.normal = found.normal.data();
+    const auto query = [&](const auto& ask) {
+      const masu_status status = ask();
+      if (status == MASU_OK) return;
+      if (first == MASU_OK) first = status;
+      fail_cuda_call(0, false);
+      EXPECT_EQ(ask(), MASU_OK) << "after an error: " << masu_error();
+    };
+    query([&] { return masu_nearest(tracer, rays_.data(), rays_.size(), nullptr, &hits); });
+    query([&] { return masu_occluded(tracer, rays_.data(), rays_.size(), nullptr, found.occluded.data()); });
+    masu_close(tracer);
+    return {first, found};
+  }
+
+  // Calls act() with each of its calls of the driver failing, or so many at random.
+  template <class Act>
+  void with_each_failing(const Act& act) {
+    fail_cuda_call(0, false);
+    act(std::uint64_t{0});
+    const std::uint64_t all = cuda_calls();
+    ASSERT_GT(all, 10U) << "the driver's functions aren't replaced";
+    for (const std::uint64_t n : some_of(all, cases(200), engine_)) {
+      for (const bool all_after : {false, true}) {
+        SCOPED_TRACE("call " + std::to_string(n) + " of " + std::to_string(all) +
+                     (all_after ? " and all after it" : ""));
+        fail_cuda_call(n, all_after);
+        act(n);
+        fail_cuda_call(0, false);
+        act(0); // nothing fails any more
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+
+  static void expect_a_line(masu_status status) {
+    EXPECT_EQ(status, MASU_ERROR_DEVICE);
+    const std::string_view line = masu_error();
+    EXPECT_TRUE(line.starts_with("cuda: ") && line.find('\n') == line.npos) << line;
+  }
+
+  const RandomSeed seed_;
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
+  std::mt19937_64 engine_ = seed_.engine();
+  const TemporaryFolder folder_;
+  const std::string scene_ = folder_.file("scene"), grid_ = folder_.file("grid");
+  std::vector<masu_ray> rays_;
+};
+
+TEST_F(CudaFaultsOfLibrary, Queries) {
+  for (const masu_grid_kind kind : {MASU_GRID_UNIFORM, MASU_GRID_IRREGULAR, MASU_GRID_BVH}) {
+    SCOPED_TRACE("kind " + std::to_string(kind));
+    masu_grid_options options;
+    masu_default_grid_options(&options);
+    options.kind = kind;
+    ASSERT_EQ(masu_build_grid(scene_.c_str(), grid_.c_str(), &options), MASU_OK) << masu_error();
+    const auto [good, right] = traced();
+    ASSERT_EQ(good, MASU_OK) << masu_error();
+    with_each_failing([&, &right = right](std::uint64_t failing) {
+      const auto [status, found] = traced();
+      EXPECT_TRUE(!found || found == right);
+      if (status == MASU_OK) return;
+      if (failing == 0) FAIL() << masu_error();
+      expect_a_line(status);
+    });
+  }
+}
+
+TEST_F(CudaFaultsOfLibrary, Builds) {
+  masu_grid_options options;
+  masu_default_grid_options(&options);
+  options.gpu = 1;
+  options.kind = MASU_GRID_IRREGULAR;
+  const std::string path = folder_.file("built");
+  ASSERT_EQ(masu_build_grid(scene_.c_str(), path.c_str(), &options), MASU_OK) << masu_error();
+  const Bytes right = read_bytes(path);
+  const auto before = folder_.listing();
+  with_each_failing([&](std::uint64_t failing) {
+    write_text(path, "old");
+    const masu_status status = masu_build_grid(scene_.c_str(), path.c_str(), &options);
+    EXPECT_EQ(folder_.listing(), before);
+    const Bytes bytes = read_bytes(path);
+    if (status == MASU_OK) {
+      EXPECT_TRUE(bytes == right);
+    } else {
+      EXPECT_TRUE((bytes == Bytes{'o', 'l', 'd'}));
+      if (failing == 0) FAIL() << masu_error();
+      expect_a_line(status);
+    }
+  });
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,567 @@
+// Results are independent of the hierarchy: through it a ray finds the same bits as by trying every
+// primitive. And what is behind that: boxes contain what they hold, on every way of computing them, and walks
+// end.
+#include "libgrid/build/binary_hierarchy.h"
+#include "libgrid/build/hierarchy.h"
+#include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/trace/trace.h"
+#include "libscene/base/error.h"
+#include "renderer/counts.h"
+#include "tests/random_grid.h"
+#include "tests/random_ray.h"
+#include "tests/random_scene.h"
+#include "tests/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <array>
+#include <bit>
+#include <functional>
+#include <numbers>
+
+namespace masu {
+namespace {
+
+// A box in a node, as tracing sees it: exact, since a unit is no finer than the origin's last digit.
+Boxd box_of(const HierarchyNode& node, int slot) {
+  Boxd box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double unit = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127);
+    box.min.set(axis, node.origin[axis] + unit * slot_byte(node.low[axis], slot));
+    box.max.set(axis, node.origin[axis] + unit * slot_byte(node.high[axis], slot));
+  }
+  return box;
+}
+
+Boxd common(const Boxd& a, const Boxd& b) {
+  Boxd box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min.set(axis, std::max(a.min[axis], b.min[axis]));
+    box.max.set(axis, std::min(a.max[axis], b.max[axis]));
+  }
+  return box;
+}
+
+// Of each primitive, for each reference to it, what is common to all boxes on the way to it.
+std::vector<std::vector<Boxd>> boxes_of_primitives(const Grid& grid, std::uint32_t primitives) {
+  std::vector<std::vector<Boxd>> boxes(primitives);
+  constexpr Boxd everywhere{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+  const std::function<void(std::uint32_t, const Boxd&)> descend = [&](std::uint32_t number,
+                                                                      const Boxd& around) {
+    const HierarchyNode& node = grid.nodes[number];
+    std::uint32_t next = node.first_node;
+    for (int slot = 0; slot < boxes_a_node; ++slot) {
+      const std::uint32_t held = slot_byte(node.slots, slot);
+      const Boxd box = common(around, box_of(node, slot));
+      if ((node_slots(node) >> slot & 1) != 0) {
+        descend(next++, box);
+        continue;
+      }
+      for (std::uint32_t i = 0; i < references_in(held); ++i)
+        boxes.at(grid.references.at(node.first_reference + references_begin(held) + i)).push_back(box);
+    }
+  };
+  descend(0, everywhere);
+  return boxes;
+}
+
+// Of scenes stored as Stored, traced by arithmetic of type Real.
+template <class Stored_, class Real_>
+struct Traced {
+  using Stored = Stored_;
+  using Real = Real_;
+};
+
+template <class T>
+class HierarchyWalks : public testing::Test {
+protected:
+  using StoredReal = typename T::Stored;
+  using TracedReal = typename T::Real;
+
+  static Ray<TracedReal> cast_ray(const Ray<StoredReal>& ray) {
+    return {cast<TracedReal>(ray.origin), static_cast<TracedReal>(ray.t_min), cast<TracedReal>(ray.direction),
+            static_cast<TracedReal>(ray.t_max)};
+  }
+
+  // Counts the rays whose result depends on the hierarchy.
+  template <class MakeRay>
+  void compare(Chance& chance, TestScene<StoredReal>& scene, const Grid& grid, int rays,
+               const MakeRay& make_ray) {
+    const SceneView<StoredReal> view = scene.view();
+    const HierarchyView<TracedReal> through = hierarchy_view_of<TracedReal>(grid);
+    for (int i = 0; i < rays; ++i) {
+      Ray<TracedReal> ray = make_ray();
+      NoCounts counts;
+      const Hit<TracedReal> expected = nearest_hit<Robust<TracedReal>>(view, NoGrid{}, ray, counts),
+                            found = nearest_hit<Robust<TracedReal>>(view, through, ray, counts);
+      const bool is_hit = expected.primitive != no_primitive;
+      hits_ += is_hit;
+      const bool same = found.primitive == expected.primitive && same_bits(found.t, expected.t);
+      // Between bounds at, before and beyond the hit.
+      if (is_hit && chance.one_in(2))
+        ray.t_max = chance.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
+      if (is_hit && chance.one_in(3))
+        ray.t_min =
+            chance.one_of({expected.t, nudged(expected.t, -1), nudged(expected.t, 1), expected.t / 2});
+      const Hit<TracedReal> within = nearest_hit<Robust<TracedReal>>(view, NoGrid{}, ray, counts),
+                            found_within = nearest_hit<Robust<TracedReal>>(view, through, ray, counts);
+      const bool same_within =
+          found_within.primitive == within.primitive && same_bits(found_within.t, within.t);
+      const bool same_occlusion = is_occluded<Robust<TracedReal>>(view, through, ray, counts) ==
+                                  is_occluded<Robust<TracedReal>>(view, NoGrid{}, ray, counts);
+      if ((same && same_within && same_occlusion) || ++different_ > 1) continue;
+      first_ = described(ray.origin, ray.direction) + " t_min " + described(ray.t_min) + " t_max " +
+               described(ray.t_max) + ": " + described(same ? found_within : found) + ", expected " +
+               described(same ? within : expected) + '\n' + described(scene);
+    }
+  }
+  void compare(Chance& chance, TestScene<StoredReal>& scene, const Grid& grid, int rays) {
+    const Boxd bounds = scene.bounds();
+    RayMaker<StoredReal> maker(chance, scene, bounds, grid);
+    compare(chance, scene, grid, rays, [&] {
+      Ray<TracedReal> ray = cast_ray(maker.ray());
+      if (chance.one_in(4)) put_on_planes(chance, grid, ray);
+      return ray;
+    });
+  }
+
+  // Into planes of boxes of a node, or along their edges.
+  static void put_on_planes(Chance& chance, const Grid& grid, Ray<TracedReal>& ray) {
+    const HierarchyNode& node = grid.nodes[chance.index(grid.nodes.size())];
+    const Boxd box = box_of(node, chance.whole(0, boxes_a_node - 1));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (chance.one_in(2)) continue;
+      ray.origin.set(axis, static_cast<TracedReal>(chance.one_in(2) ? box.min[axis] : box.max[axis]));
+      if (chance.one_in(2)) ray.direction.set(axis, chance.one_in(2) ? TracedReal(0) : TracedReal(-0.0));
+    }
+    // Rays are traced with a direction of this size (scale_direction).
+    int exponent = 0;
+    std::frexp(largest_magnitude(ray.direction), &exponent);
+    for (int axis = 0; axis < 3; ++axis)
+      ray.direction.set(axis, std::ldexp(ray.direction[axis], -exponent));
+    if (largest_magnitude(ray.direction) == 0) ray.direction = {1, 0, 0};
+  }
+
+  RandomSeed seed_;
+  std::int64_t hits_ = 0, different_ = 0;
+  std::string first_;
+};
+using Ways = testing::Types<Traced<float, float>, Traced<float, double>, Traced<double, double>>;
+TYPED_TEST_SUITE(HierarchyWalks, Ways);
+
+TYPED_TEST(HierarchyWalks, FindTheHitsOfTryingEveryPrimitive) {
+  using Stored = typename TypeParam::Stored;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(2000); s > 0; --s) {
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
+    const Grid grid = hierarchy_of(scene);
+    this->compare(chance, scene, grid, 200);
+  }
+  EXPECT_EQ(this->different_, 0) << this->first_;
+  EXPECT_GT(this->hits_, cases(60'000));
+}
+
+// Several levels of nodes, with primitives large and small that overlap: some are cut by spatial splits.
+TYPED_TEST(HierarchyWalks, FindThemAmongThousandsOfPrimitives) {
+  using Stored = typename TypeParam::Stored;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::size_t cut = 0;
+  for (std::int64_t s = cases(16); s > 0; --s) {
+    TestScene<Stored> scene;
+    const Vec3d middle = chance.in_cube(chance.one_of({0.0, 1.0, 30.0}));
+    for (int i = chance.whole(500, 3000); i > 0; --i) {
+      const Vec3d at = middle + chance.in_cube(1);
+      const double size = chance.power_of_two(-9, chance.one_in(20) ? 0 : -4);
+      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
+      switch (chance.whole(0, 5)) {
+      case 0:
+        scene.spheres.push_back(sphere_of<Stored>(at, size));
+        break;
+      case 1:
+        scene.cones.push_back(cone_of<Stored>(at, size, at + chance.direction() * (size * 4),
+                                              size * chance.one_of({0.0, 0.5, 1.0})));
+        break;
+      default:
+        scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
+      }
+    }
+    const Grid grid = hierarchy_of(scene);
+    EXPECT_GT(hierarchy_statistics(grid.nodes).depth, 2);
+    cut += grid.references.size() - scene.count();
+    this->compare(chance, scene, grid, 250);
+  }
+  EXPECT_EQ(this->different_, 0) << this->first_;
+  EXPECT_GT(this->hits_, cases(1000));
+  this->RecordProperty("references_of_cut_primitives", static_cast<int>(cut));
+}
+
+TYPED_TEST(HierarchyWalks, FindThemAlongDirectionsWithTinyComponents) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
+  for (std::int64_t s = cases(500); s > 0; --s) {
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).flat();
+    const Boxd bounds = scene.bounds();
+    const Grid grid = hierarchy_of(scene);
+    int across_plane = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (bounds.min[axis] == bounds.max[axis]) across_plane = axis;
+    const auto place = [&] { return cast<Real>(chance.in_box(bounds)); };
+    this->compare(chance, scene, grid, 200, [&] {
+      const Vec3<Real> origin = place();
+      Vec3<Real> direction = place() - origin;
+      direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, -20)));
+      if (chance.one_in(4)) direction.set((across_plane + 1) % 3, Real(0));
+      return unbounded_ray(origin, direction);
+    });
+  }
+  EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
+}
+
+// As large, as small and as far from the origin as scene files allow.
+TYPED_TEST(HierarchyWalks, FindThemInScenesOfAnyScaleAndPlace) {
+  using Stored = typename TypeParam::Stored;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  const bool wide = std::is_same_v<Stored, double>;
+  for (std::int64_t s = cases(400); s > 0; --s) {
+    const double scale = chance.power_of_two(wide ? -298 : -31, wide ? 49 : 39);
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, scale).scene();
+    const Boxd bounds = scene.bounds();
+    const double most = wide ? 1e15 : 1e12, far = largest_magnitude(bounds);
+    if (far >= most / 2) continue;
+    if (chance.one_in(2)) { // far away for its size
+      const Vec3<Stored> by =
+          cast<Stored>(chance.direction() * std::min(far * chance.power_of_two(0, 16), most / 4));
+      for (auto& t : scene.triangles)
+        t.a = t.a + by, t.b = t.b + by, t.c = t.c + by;
+      for (auto& sphere : scene.spheres)
+        sphere.center = sphere.center + by;
+      std::erase_if(scene.cones, [&](auto& cone) {
+        cone.base = cone.base + by;
+        cone.apex = cone.apex + by;
+        return cone.base == cone.apex;
+      });
+      if (scene.count() == 0) continue;
+    }
+    const Grid grid = hierarchy_of(scene);
+    this->compare(chance, scene, grid, 200);
+  }
+  EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
+}
+
+TYPED_TEST(HierarchyWalks, FindTheFirstOfThousandsThatAreEqual) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
+  TestScene<Stored> scene;
+  scene.triangles.assign(5000, triangle_of<Stored>({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+  const SceneView<Stored> view = scene.view();
+  const Grid grid = hierarchy_of(scene);
+  EXPECT_EQ(grid.references.size(), 5000U);
+  NoCounts counts;
+  const auto hit =
+      nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid),
+                                unbounded_ray<Real>({Real(0.25), Real(0.25), 1}, {0, 0, -1}), counts);
+  EXPECT_EQ(hit.primitive, 0U);
+  EXPECT_EQ(hit.t, 1);
+}
+
+TYPED_TEST(HierarchyWalks, FindNothingInAnEmptyScene) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
+  TestScene<Stored> scene;
+  const Grid grid = hierarchy_of(scene);
+  EXPECT_EQ(grid.nodes.size(), 1U);
+  EXPECT_TRUE(grid.references.empty());
+  const auto ray = unbounded_ray<Real>({0, 0, 0}, {0, 0, -1});
+  Counts counts;
+  EXPECT_EQ(nearest_hit<Robust<Real>>(scene.view(), hierarchy_view_of<Real>(grid), ray, counts).primitive,
+            no_primitive);
+  EXPECT_FALSE(is_occluded<Robust<Real>>(scene.view(), hierarchy_view_of<Real>(grid), ray, counts));
+}
+
+// What a blind or hostile caller may hand over.
+TYPED_TEST(HierarchyWalks, EndForRaysOfAnyNumbers) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  const auto number = [&]() -> Real {
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    return chance.one_of<Real>(
+        {0, Real(-0.0), 1, -1, Real(0.5), infinity, -infinity, std::numeric_limits<Real>::quiet_NaN(),
+         std::numeric_limits<Real>::denorm_min(), RealTraits<Real>::largest, -RealTraits<Real>::largest,
+         RealTraits<Real>::smallest_normal, static_cast<Real>(chance.uniform(-1, 1))});
+  };
+  for (std::int64_t s = cases(30); s > 0; --s) {
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).scene();
+    const Grid grid = hierarchy_of(scene);
+    const SceneView<Stored> view = scene.view();
+    for (int i = 0; i < 2000; ++i) {
+      const Ray<Real> ray{{number(), number(), number()}, number(), {number(), number(), number()}, number()};
+      Counts counts;
+      nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid), ray, counts);
+      ASSERT_LE(counts.cells_visited, grid.nodes.size());
+    }
+  }
+}
+
+// --- What the builder promises ---------------------------------------------------------------------------
+
+template <class Stored>
+class BuiltHierarchy : public testing::Test {
+protected:
+  RandomSeed seed_;
+};
+using Stores = testing::Types<float, double>;
+TYPED_TEST_SUITE(BuiltHierarchy, Stores);
+
+// A random point of a primitive's surface.
+template <class T>
+Vec3d point_of(Chance& chance, const Triangle<T>& t) {
+  const Vec3d a = cast<double>(t.a), b = cast<double>(t.b), c = cast<double>(t.c);
+  double u = chance.one_of({0.0, 1.0, chance.uniform(0, 1)}), v = chance.uniform(0, 1);
+  if (u + v > 1) u = 1 - u, v = 1 - v;
+  return a + (b - a) * u + (c - a) * v;
+}
+template <class T>
+Vec3d point_of(Chance& chance, const Sphere<T>& s) {
+  Vec3d out = chance.direction();
+  if (chance.one_in(3)) {
+    out = {};
+    out.set(chance.whole(0, 2), chance.sign());
+  }
+  return cast<double>(s.center) + out * std::abs(static_cast<double>(s.radius));
+}
+template <class T>
+Vec3d point_of(Chance& chance, const Cone<T>& c) {
+  const Vec3d base = cast<double>(c.base), axis = cast<double>(c.apex) - base;
+  const double z = chance.one_of({0.0, 1.0, chance.uniform(0, 1)}),
+               r0 = std::abs(static_cast<double>(c.base_radius)),
+               r1 = std::abs(static_cast<double>(c.apex_radius));
+  return base + axis * z + across(chance, axis) * (r0 + (r1 - r0) * z);
+}
+
+// The walk is proven for hits up to 89 u M off their surface; the rest of the margin is for the walk itself.
+TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
+  using Stored = TypeParam;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(500); s > 0 && !this->HasFailure(); --s) {
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
+    const Grid grid = hierarchy_of(scene);
+    const SceneView<Stored> view = scene.view();
+    const auto boxes = boxes_of_primitives(grid, scene.count());
+    const double unsure = 1e-12 * largest_magnitude(scene.bounds()); // rounding of this test's own points
+    for (PrimitiveIndex i = 0; i < scene.count(); ++i) {
+      with_primitive(view, i, [&](const auto& primitive) {
+        ASSERT_EQ(boxes[i].empty(), !has_surface(primitive)) << "primitive " << i << '\n' << described(scene);
+        if (boxes[i].empty()) return;
+        for (int k = 0; k < 20; ++k) {
+          const Vec3d at = point_of(chance, primitive), near = chance.in_cube(grid.layout.margin * 0.999);
+          const Vec3d point = at + near;
+          ASSERT_TRUE(std::ranges::any_of(
+              boxes[i], [&](const Boxd& box) { return contains(grown(box, unsure), point); }))
+              << described(primitive) << ": " << described(point) << '\n'
+              << described(scene);
+        }
+      });
+    }
+  }
+}
+
+TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.grid");
+  for (std::int64_t s = cases(100); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const Grid grid = hierarchy_of(scene);
+    write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
+               path);
+    const GridFile file(path);
+    ASSERT_TRUE(file.is_hierarchy());
+    EXPECT_FALSE(file.is_merged());
+    EXPECT_TRUE(std::ranges::equal(file.references(), grid.references));
+    EXPECT_EQ(std::memcmp(file.nodes().data(), grid.nodes.data(), grid.nodes.size() * sizeof(HierarchyNode)),
+              0);
+  }
+}
+
+// Each is split off alone: as deep as the walk's stack allows, and no deeper.
+TYPED_TEST(BuiltHierarchy, IsNeverTooDeepForTheWalk) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.grid");
+  for (const double ratio : {1.5, 2.0, 8.0, 40.0, 1e4}) {
+    for (const int copies : {1, 4, 100}) {
+      for (const double largest : {1.0, 1e12, 1e-9}) {
+        TestScene<TypeParam> scene;
+        const double least = std::is_same_v<TypeParam, float> ? 1e-37 : 1e-300;
+        for (double at = largest; at > least && scene.count() < 30'000; at /= ratio)
+          for (int i = 0; i < copies; ++i)
+            scene.spheres.push_back(sphere_of<TypeParam>({at, at, at}, at / 64));
+        const Grid grid = hierarchy_of(scene);
+        SCOPED_TRACE(testing::Message() << ratio << ", " << copies << " copies from " << largest);
+        EXPECT_LE(hierarchy_statistics(grid.nodes).depth, max_hierarchy_depth);
+        write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
+                   path);
+        EXPECT_NO_THROW(const GridFile file(path));
+      }
+    }
+  }
+}
+
+TYPED_TEST(BuiltHierarchy, IsTheSameForAnyNumberOfThreads) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene;
+  for (int i = 0; i < 60'000; ++i) {
+    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.1 : 1.0);
+    const double size = chance.one_in(100) ? 0.5 : 0.01;
+    const auto near = [&] { return cast<TypeParam>(at + chance.in_cube(size)); };
+    scene.triangles.push_back(triangle_of(near(), near(), near()));
+    if (i % 10 == 0) scene.spheres.push_back(sphere_of<TypeParam>(at, 0.01));
+    if (i % 10 == 1)
+      scene.cones.push_back(cone_of<TypeParam>(at, 0.01, at + chance.direction() * 0.02, 0.005));
+  }
+  const auto built = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return hierarchy_of(scene);
+  };
+  const Grid one = built(1);
+  for (const std::size_t threads : {std::size_t{2}, std::size_t{3}, std::size_t{16}}) {
+    const Grid grid = built(threads);
+    EXPECT_EQ(grid.references, one.references);
+    ASSERT_EQ(grid.nodes.size(), one.nodes.size());
+    EXPECT_EQ(std::memcmp(grid.nodes.data(), one.nodes.data(), one.nodes.size() * sizeof(HierarchyNode)), 0);
+  }
+}
+
+TYPED_TEST(BuiltHierarchy, StatisticsCountWhatIsThere) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(100); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
+    const Grid grid = hierarchy_of(scene);
+    const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
+    EXPECT_EQ(counted.nodes, grid.nodes.size());
+    EXPECT_EQ(counted.node_boxes + 1, counted.nodes); // all but the root are in a box
+    EXPECT_EQ(counted.references, grid.references.size());
+    EXPECT_GE(counted.reference_boxes * max_references_a_box, counted.references);
+    EXPECT_LE(counted.boxes_a_node, boxes_a_node);
+    EXPECT_TRUE(std::isfinite(counted.nodes_a_ray) && counted.nodes_a_ray >= 1);
+    EXPECT_TRUE(std::isfinite(counted.tests_a_ray) && counted.tests_a_ray > 0);
+  }
+}
+
+// Areas are computed in float32: they would be infinite.
+TEST(Hierarchy, OfASceneThatReachesBeyondFloat32IsRefused) {
+  TestScene<double> scene;
+  scene.spheres.push_back(sphere_of<double>({0, 0, 0}, 0.99e15));
+  EXPECT_NO_THROW(hierarchy_of(scene));
+  scene.spheres.push_back(sphere_of<double>({2e15, 0, 0}, 1));
+  try {
+    hierarchy_of(scene);
+    FAIL() << "it was built";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::usage);
+    EXPECT_EQ(error.place(), "merge");
+  }
+}
+
+// --- Boxes met -------------------------------------------------------------------------------------------
+
+// Plane by plane, without vectors.
+template <class Real>
+MetBoxes boxes_met_one_by_one(const HierarchyNode& node, const Vec3<Real>& origin, const Vec3<Real>& inverse,
+                              Real t_max) {
+  MetBoxes met;
+  std::vector<std::uint32_t> entries; // into nodes
+  for (int slot = 0; slot < boxes_a_node; ++slot) {
+    Real enter = 0, leave = t_max;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Real scale =
+          static_cast<Real>(std::ldexp(1.0F, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127)) *
+          inverse[axis];
+      const Real start = std::fma(Real(-32768), scale,
+                                  (static_cast<Real>(node.origin[axis]) - origin[axis]) * inverse[axis]);
+      const auto t = [&](std::uint32_t plane) {
+        return std::fma(static_cast<Real>(32768 + plane), scale, start);
+      };
+      const std::uint32_t low = slot_byte(node.low[axis], slot), high = slot_byte(node.high[axis], slot);
+      enter = std::max(enter, t(inverse[axis] >= 0 ? low : high));
+      leave = std::min(leave, t(inverse[axis] >= 0 ? high : low));
+    }
+    if (!(enter <= leave)) continue;
+    const std::uint32_t held = slot_byte(node.slots, slot), number = static_cast<std::uint32_t>(slot);
+    if ((held & 0x18) == 0x18) {
+      met.bits |= 1U << (24 + number);
+      entries.push_back((bits_of(rounded_down(static_cast<double>(enter)) + 0.0F) & ~7U) | number);
+    } else {
+      met.bits |= held >> 5 << references_begin(held);
+    }
+  }
+  std::ranges::sort(entries);
+  if (!entries.empty()) met.nearest = entries[0];
+  if (entries.size() > 1) met.second = entries[1];
+  return met;
+}
+
+// However many boxes the processor's instructions take at once: so what is visited is the same everywhere.
+TYPED_TEST(BuiltHierarchy, BoxesMetAreTheSameOneByOne) {
+  using Real = TypeParam;
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::int64_t met = 0, missed = 0;
+  for (std::int64_t s = cases(500); s > 0; --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    const Boxd bounds = scene.bounds();
+    const SceneView<Real> view = scene.view();
+    const Grid grid = hierarchy_of(scene);
+    RayMaker<Real> rays(chance, scene, bounds, grid);
+    for (int i = 0; i < 200; ++i) {
+      ClippedRay<Real> near{};
+      if (!clip(rays.ray(), view.clip, near)) continue;
+      const Vec3<Real> inverse = bounded_inverse(near);
+      for (const HierarchyNode& node : grid.nodes) {
+        const MetBoxes found = boxes_met(node, near.ray.origin, inverse, near.ray.t_max),
+                       expected = boxes_met_one_by_one(node, near.ray.origin, inverse, near.ray.t_max);
+        ASSERT_TRUE(found.bits == expected.bits && found.nearest == expected.nearest &&
+                    found.second == expected.second)
+            << described(near.ray.origin, near.ray.direction) << '\n'
+            << described(scene);
+        (found.bits != 0 ? met : missed) += 1;
+      }
+    }
+  }
+  EXPECT_GT(met, cases(10'000));
+  EXPECT_GT(missed, cases(1000));
+}
+
+TEST(Hierarchies, OfMorePrimitivesThanThereIsMemoryOrNumbersForAreRefused) {
+  const auto said = [](std::uint64_t primitives, double available) -> std::string {
+    try {
+      check_hierarchy(primitives, available);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::usage);
+      return error.what();
+    }
+    return "";
+  };
+  constexpr double plenty = 1e18;
+  EXPECT_EQ(said(1000, 300000), "");
+  EXPECT_NE(said(1000, 299999).find("free: build a grid"), std::string::npos);
+  EXPECT_EQ(said(max_hierarchy_primitives, plenty), "");
+  EXPECT_NE(said(max_hierarchy_primitives + 1, plenty).find("can be numbered"), std::string::npos);
+  // With what is divided, references have 31 bits, and twice as many binary nodes 32.
+  EXPECT_LE(static_cast<double>(max_hierarchy_primitives) * (1 + spare_fragments), 0x7fffffff);
+}
+
+} // namespace
+} // namespace masu

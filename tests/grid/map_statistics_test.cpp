@@ -1,0 +1,275 @@
+// Statistics of where cells are, against every voxel looked up by itself, and against random lines.
+#include "libgrid/build/builder.h"
+#include "libgrid/build/division.h"
+#include "libgrid/file/grid_file.h"
+#include "libgrid/statistics/map_statistics.h"
+#include "libgrid/statistics/statistics.h"
+#include "tests/stability/test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+template <class Stored>
+TestScene<Stored> random_scene(Chance& chance, int most) {
+  TestScene<Stored> scene;
+  for (int i = chance.whole(0, most); i > 0; --i) {
+    const Vec3d at = chance.in_cube(1);
+    const double size = chance.power_of_two(-6, -2);
+    if (chance.one_in(2)) {
+      scene.spheres.push_back(sphere_of<Stored>(at, size));
+    } else {
+      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
+      const Vec3<Stored> a = corner(), b = corner(), c = corner();
+      scene.triangles.push_back(triangle_of(a, b, c));
+    }
+  }
+  return scene;
+}
+
+template <class Stored>
+GridLayout layout_for(const TestScene<Stored>& scene, const Vec3i& division) {
+  const Boxd bounds = scene.count() > 0 ? scene.bounds() : Boxd{{0, 0, 0}, {1, 1, 1}};
+  return {space_of<Stored>(bounds, SpaceRule::tight), division, rounding_margin<Stored>(bounds)};
+}
+
+GridOptions random_rule(Chance& chance) {
+  GridOptions options;
+  options.kind = chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular});
+  options.target = static_cast<std::uint32_t>(chance.whole(1, 6));
+  options.step_cost = chance.uniform(0.1, 4);
+  options.nested_log2 = chance.whole(0, 4);
+  options.expansions = chance.whole(0, 3);
+  return options;
+}
+
+double half_area(const Vec3d& w) {
+  return w.x * w.y + w.y * w.z + w.z * w.x;
+}
+
+template <class Act>
+void for_each_voxel_of(const Vec3i& n, const Act& act) {
+  for_each_voxel({{0, 0, 0}, n - Vec3i{1, 1, 1}}, act);
+}
+
+// Words of the map that a look-up of the voxel loads.
+template <class Real>
+int loads(const MergedGridView<Real>& grid, const Vec3i& voxel) {
+  Vec3i level{grid.nested_log2, grid.nested_log2, grid.nested_log2};
+  std::uint32_t word = grid.voxel_map[linear_index(shifted(voxel, grid.nested_log2), grid.top)];
+  int count = 1;
+  for (; (word & occupied_bit) == 0; ++count) {
+    const MapDivision division = map_division(word);
+    level = level - division.log2;
+    const Vec3i at{voxel.x >> level.x, voxel.y >> level.y, voxel.z >> level.z};
+    word = grid.voxel_map[division.offset + index_in_division(at, division.log2)];
+  }
+  return count;
+}
+
+// Whether the line meets the box.
+bool meets(const Vec3d& origin, const Vec3d& direction, const Vec3d& low, const Vec3d& high) {
+  double from = -HUGE_VAL, to = HUGE_VAL;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (low[axis] - origin[axis]) / direction[axis],
+                 b = (high[axis] - origin[axis]) / direction[axis];
+    from = std::max(from, std::min(a, b));
+    to = std::min(to, std::max(a, b));
+  }
+  return from < to;
+}
+
+template <class Stored>
+class MapStatisticsOf : public testing::Test {
+protected:
+  RandomSeed seed_;
+};
+using Stores = testing::Types<float, double>;
+TYPED_TEST_SUITE(MapStatisticsOf, Stores);
+
+TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t i = cases(60); i > 0; --i) {
+    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
+    const GridLayout layout = layout_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
+    const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
+    const MapStatistics told = map_statistics(view, std::span(grid.cells));
+
+    std::vector<OwnVoxels> own(grid.cells.size());
+    std::uint64_t occupied = 0;
+    double all_loads = 0, voxel_tests = 0;
+    for_each_voxel_of(view.division, [&](const Vec3i& voxel) {
+      const std::uint32_t number = cell_number(view, voxel);
+      const std::uint32_t references = references_in(view, voxel);
+      OwnVoxels& cell = own.at(number);
+      ++cell.voxels;
+      for (int axis = 0; axis < 3; ++axis) {
+        cell.box.first.set(axis, std::min(cell.box.first[axis], voxel[axis]));
+        cell.box.end.set(axis, std::max(cell.box.end[axis], voxel[axis] + 1));
+      }
+      if (references > 0) ++occupied;
+      voxel_tests += references;
+      all_loads += loads(view, voxel);
+    });
+    const auto voxels = static_cast<double>(voxel_count(view.division));
+    EXPECT_EQ(told.voxels, voxel_count(view.division));
+    EXPECT_EQ(told.occupied_voxels, occupied);
+    EXPECT_DOUBLE_EQ(told.loads, all_loads / voxels);
+
+    const std::vector<OwnVoxels> told_own = own_voxels(view, std::span(grid.cells));
+    const std::vector<OwnVoxels> told_by_rows =
+        grid.kind == GridKind::balance ? told_own : own_voxels_of_rows(view, std::span(grid.cells));
+    ASSERT_EQ(told_own.size(), own.size());
+    ASSERT_EQ(told_by_rows.size(), own.size());
+    std::vector<std::uint64_t> by_size;
+    std::uint64_t expanded = 0;
+    double log_expansion = 0, cells = 0, tests = 0;
+    const Vec3d size = cast<double>(view.voxel_size);
+    const double space = half_area(cast<double>(view.division) * size);
+    for (std::size_t cell = 0; cell < own.size(); ++cell) {
+      const VoxelBox& box = own[cell].box;
+      const Vec3i w = box.end - box.first;
+      for (const OwnVoxels& told_cell : {told_own[cell], told_by_rows[cell]}) {
+        EXPECT_EQ(told_cell.voxels, own[cell].voxels);
+        EXPECT_EQ(told_cell.box.first, box.first);
+        EXPECT_EQ(told_cell.box.end, box.end);
+      }
+      EXPECT_EQ(own[cell].voxels, voxel_count(w)) << "a cell's own voxels aren't a box";
+      const auto log2 = static_cast<std::size_t>(std::log2(static_cast<double>(own[cell].voxels)));
+      if (log2 >= by_size.size()) by_size.resize(log2 + 1, 0);
+      ++by_size[log2];
+      const MergedCell& c = grid.cells[cell];
+      double volume = 1;
+      for (const std::uint32_t range : {c.x, c.y, c.z})
+        volume *= static_cast<double>(range >> 16) - static_cast<double>(range & 0xffff);
+      if (volume > static_cast<double>(own[cell].voxels)) ++expanded;
+      log_expansion += std::log(volume / static_cast<double>(own[cell].voxels));
+      const double share = half_area(cast<double>(w) * size) / space;
+      cells += share;
+      tests += share * references_in(view, box.first);
+    }
+    EXPECT_EQ(told.cells_by_size, by_size);
+    EXPECT_EQ(told.expanded_cells, expanded);
+    EXPECT_NEAR(std::log(told.mean_expansion), log_expansion / static_cast<double>(own.size()), 1e-9);
+    EXPECT_NEAR(told.ray.cells, cells, 1e-9 * cells);
+    EXPECT_NEAR(told.ray.tests, tests, 1e-9 * (1 + tests));
+    // With what is skipped, every voxel by itself.
+    const double all = voxels * half_area(size) / space;
+    EXPECT_NEAR(told.ray.cells + told.ray.voxels_skipped, all, 1e-9 * all);
+    EXPECT_LE(told.ray.tests, voxel_tests * half_area(size) / space * (1 + 1e-9));
+
+    const std::uint64_t top = voxel_count(view.top), words = grid.voxel_map.size();
+    EXPECT_EQ(told.words.front(), top);
+    // Some only fill up units.
+    EXPECT_LE(std::accumulate(told.words.begin(), told.words.end(), std::uint64_t{0}), words);
+  }
+}
+
+TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t i = cases(20); i > 0; --i) {
+    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
+    const GridLayout layout =
+        layout_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+    const GridView<TypeParam> view = view_of<TypeParam>(grid);
+    const MapStatistics told = map_statistics(view, std::span(grid.references));
+    std::uint64_t occupied = 0, references = 0;
+    for_each_voxel_of(layout.division, [&](const Vec3i& voxel) {
+      const std::uint32_t listed = references_in(view, voxel);
+      occupied += listed > 0;
+      references += listed;
+    });
+    const Vec3d size = cast<double>(view.voxel_size);
+    const double a_voxel = half_area(size) / half_area(cast<double>(layout.division) * size);
+    const auto voxels = static_cast<double>(voxel_count(layout.division));
+    EXPECT_EQ(told.voxels, voxel_count(layout.division));
+    EXPECT_EQ(told.occupied_voxels, occupied);
+    EXPECT_EQ(told.words, std::vector<std::uint64_t>{told.voxels});
+    EXPECT_EQ(told.loads, 1);
+    EXPECT_NEAR(told.ray.cells, voxels * a_voxel, 1e-9 * voxels * a_voxel);
+    EXPECT_NEAR(told.ray.tests, static_cast<double>(references) * a_voxel, 1e-9 * (1 + told.ray.tests));
+    EXPECT_EQ(told.ray.voxels_skipped, 0);
+    EXPECT_TRUE(told.cells_by_size.empty());
+  }
+}
+
+// The same grid with a map of blocks is expected to cost less by the blocks that are empty.
+TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 8);
+  const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
+  const GridLayout layout = layout_for(scene, n);
+  const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+  const GridView<TypeParam> view = view_of<TypeParam>(grid);
+  ASSERT_GT(view.block_log2, 0) << "choose a finer division";
+  const MapStatistics told = map_statistics(view, std::span(grid.references));
+
+  const Vec3d size = cast<double>(view.voxel_size);
+  double cells = 0, all_loads = 0;
+  for_each_voxel_of(n, [&](const Vec3i& voxel) {
+    const int log2 = look_up(view, voxel).side_log2;
+    all_loads += log2 == 0 ? 2 : 1;
+    Vec3i w{1, 1, 1};
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::int32_t first = voxel[axis] >> log2 << log2;
+      if (first != voxel[axis]) return; // counted at the block's first voxel
+      w.set(axis, std::min(1 << log2, n[axis] - first));
+    }
+    cells += half_area(cast<double>(w) * size);
+  });
+  const double space = half_area(cast<double>(n) * size);
+  const auto voxels = static_cast<double>(told.voxels);
+  EXPECT_NEAR(told.ray.cells, cells / space, 1e-6 * cells / space);
+  EXPECT_NEAR(told.ray.cells + told.ray.voxels_skipped, voxels * half_area(size) / space, 1e-6);
+  // Empty voxels of blocks that have a map take two loads as well: look_up tells them by their side.
+  EXPECT_DOUBLE_EQ(told.loads, all_loads / voxels);
+  EXPECT_EQ(told.words.at(0) + told.words.at(1), grid.voxel_map.size());
+}
+
+// Lines through the space, all equally likely: a direction, and a place in a disc at right angles to it.
+TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t i = cases(3); i > 0; --i) {
+    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 30);
+    const GridLayout layout = layout_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
+    const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
+    const MapStatistics told = map_statistics(view, std::span(grid.cells));
+    const std::vector<OwnVoxels> own = own_voxels(view, std::span(grid.cells));
+
+    const Vec3d size = cast<double>(view.voxel_size), whole = cast<double>(view.division) * size;
+    const double radius = length(whole) / 2;
+    double lines = 0, cells = 0, squares = 0;
+    for (int line = 0; line < 4000; ++line) {
+      const Vec3d direction = chance.direction(), u = across(chance, direction), v = cross(direction, u);
+      const double a = chance.uniform(-radius, radius), b = chance.uniform(-radius, radius);
+      const Vec3d origin = whole * 0.5 + u * a + v * b;
+      if (!meets(origin, direction, {0, 0, 0}, whole)) continue;
+      double met = 0;
+      for (const OwnVoxels& cell : own) {
+        if (meets(origin, direction, cast<double>(cell.box.first) * size, cast<double>(cell.box.end) * size))
+          ++met;
+      }
+      ++lines;
+      cells += met;
+      squares += met * met;
+    }
+    const double mean = cells / lines, deviation = std::sqrt(std::max(0.0, squares / lines - mean * mean));
+    EXPECT_NEAR(told.ray.cells, mean, 6 * deviation / std::sqrt(lines) + 1e-9) << own.size() << " cells";
+  }
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,441 @@
+// What the cells of merged grids hold, against what each primitive says of each voxel.
+#include "libgrid/build/builder.h"
+#include "libgrid/build/passes/merge_passes.h"
+#include "libscene/base/error.h"
+#include "tests/grid/device_like_executor.h"
+#include "tests/random_grid.h"
+#include "tests/random_scene.h"
+#include "tests/same_grid.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <set>
+
+namespace masu {
+namespace {
+
+// Primitives by voxel, as for_each_overlap gives them.
+using Lists = std::vector<std::set<PrimitiveIndex>>;
+
+template <class Stored>
+Lists lists_of(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap,
+               bool with_cones = true) {
+  Lists lists(voxel_count(layout.division));
+  PrimitiveIndex number = 0;
+  const auto add = [&](const auto& primitives) {
+    for (const auto& primitive : primitives) {
+      for_each_overlap(layout, overlap, widened(primitive), [&](const Vec3i& voxel) {
+        lists[linear_index(voxel, layout.division)].insert(number);
+      });
+      ++number;
+    }
+  };
+  add(scene.triangles);
+  add(scene.spheres);
+  if (with_cones) add(scene.cones);
+  return lists;
+}
+
+bool includes(const std::set<PrimitiveIndex>& all, const std::set<PrimitiveIndex>& some) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+template <class Act>
+void for_each_voxel_of(const VoxelBox& box, const Act& act) {
+  for_each_voxel({box.first, box.end - Vec3i{1, 1, 1}}, act);
+}
+
+std::int64_t volume(const VoxelBox& box) {
+  const Vec3i w = box.end - box.first;
+  return std::int64_t{w.x} * w.y * w.z;
+}
+
+// A merged grid taken apart: the voxels that lead to each cell, and what it lists.
+struct Cells {
+  const Grid& grid;
+  Vec3i division; // in the smallest voxels
+  std::vector<VoxelBox> own, boxes;
+  std::vector<std::set<PrimitiveIndex>> lists;
+  std::vector<std::uint32_t> of_voxel;
+
+  // Fails where voxels lead astray, cells aren't boxes of voxels, or lists aren't in order.
+  explicit Cells(const Grid& g)
+      : grid(g), division(finest_layout(g).division), own(g.cells.size(), VoxelBox{division, {0, 0, 0}}),
+        lists(g.cells.size()), of_voxel(voxel_count(division)) {
+    const MergedGridView<double> view = merged_view_of<double>(grid);
+    std::vector<std::int64_t> counts(grid.cells.size(), 0);
+    for_each_voxel_of({{0, 0, 0}, division}, [&](const Vec3i& voxel) {
+      const std::uint32_t cell = cell_number(view, voxel);
+      ASSERT_LT(cell, grid.cells.size());
+      of_voxel[linear_index(voxel, division)] = cell;
+      ++counts[cell];
+      for (int axis = 0; axis < 3; ++axis) {
+        own[cell].first.set(axis, std::min(own[cell].first[axis], voxel[axis]));
+        own[cell].end.set(axis, std::max(own[cell].end[axis], voxel[axis] + 1));
+      }
+    });
+    std::size_t references = 0;
+    for (std::size_t i = 0; i < grid.cells.size(); ++i) {
+      boxes.push_back(box_of(grid.cells[i]));
+      EXPECT_GT(counts[i], 0) << "no voxel leads to cell " << i;
+      EXPECT_EQ(counts[i], volume(own[i])) << "not a box of voxels: cell " << i;
+      read_list(i);
+      references += lists[i].size();
+    }
+    EXPECT_EQ(references, grid.references.size());
+  }
+
+private:
+  void read_list(std::size_t cell) {
+    std::uint32_t at = grid.cells[cell].list;
+    if (at == empty_list) return;
+    for (bool last = false; !last; ++at) {
+      ASSERT_LT(at, grid.references.size());
+      const PrimitiveIndex primitive = grid.references[at] & ~last_bit;
+      last = (grid.references[at] & last_bit) != 0;
+      ASSERT_TRUE(lists[cell].empty() || *lists[cell].rbegin() < primitive) << "not in rising order";
+      lists[cell].insert(primitive);
+    }
+  }
+};
+
+template <class Stored>
+class Merged : public testing::Test {
+protected:
+  // Few enough voxels to look at each of them.
+  GridOptions random_rule(Chance& chance) const {
+    GridOptions options = random_grid_options(chance);
+    options.nested_log2 = std::min(options.nested_log2, 3);
+    return options;
+  }
+  GridLayout random_layout(Chance& chance, const TestScene<Stored>& scene, const GridOptions& options) const {
+    const int most = options.kind == GridKind::irregular ? 4 : 24;
+    GridLayout layout = masu::random_layout<Stored>(chance, scene.bounds());
+    layout.division = {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
+    return layout;
+  }
+  Overlap random_overlap(Chance& chance) const { return chance.one_in(2) ? Overlap::exact : Overlap::box; }
+
+  RandomSeed seed_;
+};
+using Stores = testing::Types<float, double>;
+TYPED_TEST_SUITE(Merged, Stores);
+
+// What lies nearer than this to a voxel must be listed in its cell; what lies farther than that must not.
+// Between them is what rounding may decide either way.
+GridLayout with_margin(GridLayout layout, double share) {
+  layout.margin *= share;
+  return layout;
+}
+constexpr double surely = 0.875, perhaps = 1.5;
+
+// What a merged grid must list. A flat cone's test takes for touching what is several margins off, and does
+// so for a voxel rather than for the larger box that a cell was found for: its margin is less by what its
+// side's slope makes of it.
+template <class Stored>
+Lists needed_lists(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+  Lists lists = lists_of(scene, with_margin(layout, surely), overlap, false);
+  auto number = static_cast<PrimitiveIndex>(scene.triangles.size() + scene.spheres.size());
+  for (const auto& cone : scene.cones) {
+    const Cone<double> wide = widened(cone);
+    const double steepest =
+        std::hypot(1.0, (wide.apex_radius - wide.base_radius) / length(wide.apex - wide.base));
+    for_each_overlap(with_margin(layout, surely / (1.5 * steepest)), overlap, wide,
+                     [&](const Vec3i& voxel) { lists[linear_index(voxel, layout.division)].insert(number); });
+    ++number;
+  }
+  return lists;
+}
+
+// needed: by voxel.
+void expect_listed(const Grid& grid, const Lists& needed) {
+  const Cells cells(grid);
+  for_each_voxel_of({{0, 0, 0}, cells.division}, [&](const Vec3i& voxel) {
+    const std::uint64_t place = linear_index(voxel, cells.division);
+    const std::uint32_t cell = cells.of_voxel[place];
+    // The whole of its own voxels, and maybe more.
+    const VoxelBox& box = cells.boxes[cell];
+    for (int axis = 0; axis < 3; ++axis)
+      ASSERT_TRUE(box.first[axis] >= 0 && box.first[axis] <= voxel[axis] && voxel[axis] < box.end[axis] &&
+                  box.end[axis] <= cells.division[axis]);
+    ASSERT_TRUE(includes(cells.lists[cell], needed[place]))
+        << "voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+  });
+}
+
+TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(400); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const GridOptions options = this->random_rule(chance);
+    const Overlap overlap = this->random_overlap(chance);
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
+    expect_listed(grid, needed_lists(scene, finest_layout(grid), overlap));
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+}
+
+TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(20); s > 0; --s) {
+    TestScene<TypeParam> scene;
+    for (int i = 0; i < 500; ++i) {
+      const Vec3d a = chance.in_cube(1), b = a + chance.in_cube(0.1), c = a + chance.in_cube(0.1);
+      scene.triangles.push_back(triangle_of(cast<TypeParam>(a), cast<TypeParam>(b), cast<TypeParam>(c)));
+    }
+    GridOptions options{GridKind::irregular};
+    options.nested_log2 = 3;
+    GridLayout layout = masu::random_layout<TypeParam>(chance, scene.bounds());
+    layout.division = {2, 2, 2};
+    const Grid whole = build_grid(scene.view(), layout, Overlap::exact, options);
+    EXPECT_EQ(whole.detail, options.detail);
+    options.max_map_words = whole.voxel_map.size() / 2;
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact, options);
+    EXPECT_LT(grid.detail, options.detail);
+    EXPECT_LE(grid.voxel_map.size(), options.max_map_words);
+    expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::exact));
+    DeviceLikeExecutor executor;
+    expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, Overlap::exact, options)).grid);
+    options.max_map_words = voxel_count(layout.division);
+    EXPECT_THROW(cpu_builder(scene.view())->build(layout, Overlap::exact, options), Error);
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+}
+
+// nff2bin writes no such scene, but a file may hold one: areas and volumes are then infinite, or nothing.
+TEST(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  GridOptions options;
+  options.kind = GridKind::irregular;
+  options.nested_log2 = 3;
+  for (const double scale : {0x1p520, 0x1p-520}) {
+    for (std::int64_t s = cases(20); s > 0; --s) {
+      TestScene<double> scene;
+      const auto corner = [&] { return chance.in_cube(1) * scale; };
+      for (int i = 0; i < 30; ++i) {
+        const Vec3d a = corner(), b = corner(), c = corner();
+        scene.triangles.push_back(triangle_of(a, b, c));
+      }
+      GridLayout layout = random_layout<double>(chance, scene.bounds());
+      layout.division = {2, 3, 4};
+      const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
+      expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::box));
+      build_grid(scene.view(), layout, Overlap::exact, options);
+      ASSERT_FALSE(testing::Test::HasFailure()) << described(grid) << '\n' << described(scene);
+    }
+  }
+}
+
+TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(400); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const GridOptions options = this->random_rule(chance);
+    const Overlap overlap = this->random_overlap(chance);
+    // The exact test of cones says more of small boxes than of large ones.
+    if (overlap == Overlap::exact) scene.cones.clear();
+    if (scene.count() == 0) continue;
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
+    const Cells cells(grid);
+    const Lists possible = lists_of(scene, with_margin(finest_layout(grid), perhaps), overlap);
+    Lists in_cells(grid.cells.size());
+    for (std::size_t voxel = 0; voxel < possible.size(); ++voxel)
+      in_cells[cells.of_voxel[voxel]].insert(possible[voxel].begin(), possible[voxel].end());
+    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
+      ASSERT_TRUE(includes(in_cells[cell], cells.lists[cell])) << "cell " << cell;
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+}
+
+// A ray that crosses a cell's box misses nothing by it.
+TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::int64_t expanded = 0, over_others = 0;
+  for (std::int64_t s = cases(200); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
+    GridOptions options = this->random_rule(chance);
+    options.kind = GridKind::irregular;
+    options.expansions = chance.one_of({1, 2, 6, 40});
+    const Overlap overlap = this->random_overlap(chance);
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
+    const Cells cells(grid);
+    const Lists needed = needed_lists(scene, finest_layout(grid), overlap);
+    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
+      expanded += volume(cells.boxes[cell]) > volume(cells.own[cell]);
+      for_each_voxel_of(cells.boxes[cell], [&](const Vec3i& voxel) {
+        const std::uint64_t place = linear_index(voxel, cells.division);
+        const std::set<PrimitiveIndex>& others = cells.lists[cells.of_voxel[place]];
+        over_others += cells.of_voxel[place] != cell && !others.empty();
+        ASSERT_TRUE(includes(cells.lists[cell], others) && includes(cells.lists[cell], needed[place]))
+            << "cell " << cell << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+      });
+    }
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+  EXPECT_GT(expanded, cases(100));
+  EXPECT_GT(over_others, cases(10));
+}
+
+TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(200); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
+    GridOptions options = this->random_rule(chance);
+    options.expansions = 0;
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options),
+                                 this->random_overlap(chance), options);
+    const Cells cells(grid);
+    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
+      ASSERT_TRUE(cells.boxes[cell].first == cells.own[cell].first &&
+                  cells.boxes[cell].end == cells.own[cell].end)
+          << "cell " << cell << ' ' << described(grid);
+  }
+}
+
+// --- x ---------------------------------------------------------------------------------------------------
+
+TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(200); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
+    GridOptions options;
+    options.kind = GridKind::x;
+    const Overlap overlap = this->random_overlap(chance);
+    const GridLayout layout = this->random_layout(chance, scene, options);
+    const Grid grid = build_grid(scene.view(), layout, overlap, options);
+    const Cells cells(grid);
+    const Lists lists = lists_of(scene, layout, overlap);
+    for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
+      const auto is_empty = [&](std::int32_t x) {
+        return lists[linear_index({x, voxel.y, voxel.z}, layout.division)].empty();
+      };
+      const std::uint32_t cell = cells.of_voxel[linear_index(voxel, layout.division)];
+      ASSERT_EQ(cells.lists[cell], lists[linear_index(voxel, layout.division)]);
+      VoxelBox run{voxel, voxel + Vec3i{1, 1, 1}};
+      if (is_empty(voxel.x)) {
+        while (run.first.x > 0 && is_empty(run.first.x - 1))
+          --run.first.x;
+        while (run.end.x < layout.division.x && is_empty(run.end.x))
+          ++run.end.x;
+      }
+      ASSERT_TRUE(cells.boxes[cell].first == run.first && cells.boxes[cell].end == run.end);
+    });
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+}
+
+// --- balance ---------------------------------------------------------------------------------------------
+
+// Whether a plane divides the cell so that both halves list fewer.
+template <class Stored>
+bool could_be_divided(const Lists& lists, const VoxelBox& box, const Vec3i& division) {
+  const auto listed = [&](const VoxelBox& part) {
+    std::set<PrimitiveIndex> all;
+    for_each_voxel_of(part, [&](const Vec3i& voxel) {
+      const auto& list = lists[linear_index(voxel, division)];
+      all.insert(list.begin(), list.end());
+    });
+    return all.size();
+  };
+  const std::size_t whole = listed(box);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::int32_t at = box.first[axis] + 1; at < box.end[axis]; ++at) {
+      VoxelBox below = box, above = box;
+      below.end.set(axis, at);
+      above.first.set(axis, at);
+      if (listed(below) < whole && listed(above) < whole) return true;
+    }
+  }
+  return false;
+}
+
+TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::int64_t within = 0, above = 0;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
+    GridOptions options;
+    options.kind = GridKind::balance;
+    options.target = chance.one_of({1U, 2U, 5U, 20U});
+    const GridLayout layout = this->random_layout(chance, scene, options);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
+    const Cells cells(grid);
+    const Lists lists = lists_of(scene, layout, Overlap::box);
+    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
+      if (cells.lists[cell].size() <= options.target) {
+        ++within;
+        continue;
+      }
+      above += volume(cells.own[cell]) > 1;
+      ASSERT_FALSE(could_be_divided<TypeParam>(lists, cells.own[cell], layout.division))
+          << "cell " << cell << " lists " << cells.lists[cell].size() << ", not " << options.target;
+    }
+    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+  }
+  EXPECT_GT(within, cases(1000));
+  EXPECT_GT(above, 0);
+}
+
+// --- All -------------------------------------------------------------------------------------------------
+
+TYPED_TEST(Merged, TheNumberOfThreadsShowsInNoByte) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.1 : 1.0);
+    const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.02)); };
+    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
+  }
+  const SceneView<TypeParam> view = scene.view();
+  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
+    GridOptions options;
+    options.kind = kind;
+    GridLayout layout = this->random_layout(chance, scene, options);
+    layout.division = kind == GridKind::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
+    Grid first;
+    for (const std::size_t threads : {1U, 2U, 4U}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      const Grid grid = build_grid(view, layout, Overlap::exact, options);
+      if (threads == 1) {
+        first = grid;
+        continue;
+      }
+      const auto same_cell = [](const MergedCell& a, const MergedCell& b) {
+        return a.x == b.x && a.y == b.y && a.z == b.z && a.list == b.list;
+      };
+      EXPECT_TRUE(grid.voxel_map == first.voxel_map) << threads;
+      EXPECT_TRUE(std::ranges::equal(grid.cells, first.cells, same_cell)) << threads;
+      EXPECT_TRUE(grid.references == first.references) << threads;
+    }
+  }
+}
+
+TYPED_TEST(Merged, ASceneOfNothingHasEmptyCells) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(100); s > 0; --s) {
+    TestScene<TypeParam> scene;
+    const GridOptions options = this->random_rule(chance);
+    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options),
+                                 this->random_overlap(chance), options);
+    const Cells cells(grid);
+    EXPECT_EQ(grid.references.size(), 0U);
+    for (const auto& list : cells.lists)
+      EXPECT_EQ(list.size(), 0U);
+  }
+}
+
+} // namespace
+} // namespace masu

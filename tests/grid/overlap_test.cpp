@@ -1,0 +1,598 @@
+// Which voxels list a primitive: all that its surface touches, and under the exact test no others; against an
+// oracle that clips triangles, measures distances and cuts voxels up.
+#include "libgrid/build/division.h"
+#include "libgrid/build/overlap/overlap.h"
+#include "tests/stability/oracle/oracle.h"
+#include "tests/stability/test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+#include <tuple>
+#include <utility>
+
+namespace masu {
+namespace {
+
+using oracle::Wide;
+
+constexpr double u = RealTraits<double>::unit_roundoff;
+constexpr double pi = 3.14159265358979;
+
+// --- Voxels ----------------------------------------------------------------------------------------------
+
+struct WideBox {
+  oracle::Point min, max;
+};
+
+WideBox voxel_box(const GridLayout& layout, const Vec3i& voxel) {
+  const oracle::Point low = oracle::point(layout.space.min), extent = oracle::point(layout.space.max) - low;
+  const auto plane = [](Wide from, Wide along, std::int32_t number, std::int32_t division) {
+    return from + along * number / division;
+  };
+  const auto corner = [&](int step) {
+    return oracle::Point{plane(low.x, extent.x, voxel.x + step, layout.division.x),
+                         plane(low.y, extent.y, voxel.y + step, layout.division.y),
+                         plane(low.z, extent.z, voxel.z + step, layout.division.z)};
+  };
+  return {corner(0), corner(1)};
+}
+
+WideBox grown(const WideBox& box, Wide by) {
+  return {box.min - oracle::Point{by, by, by}, box.max + oracle::Point{by, by, by}};
+}
+
+std::string described(const GridLayout& layout) {
+  return "space " + masu::described(layout.space.min) + masu::described(layout.space.max) + " division " +
+         std::to_string(layout.division.x) + 'x' + std::to_string(layout.division.y) + 'x' +
+         std::to_string(layout.division.z) + " margin " + masu::described(layout.margin);
+}
+
+// What the builder lists, in the order of voxels; each must come once and lie in the space.
+class Listing {
+public:
+  template <class Primitive>
+  Listing(const GridLayout& layout, Overlap overlap, const Primitive& primitive)
+      : division_(layout.division) {
+    for_each_overlap(layout, overlap, primitive, [&](const Vec3i& voxel) {
+      for (int axis = 0; axis < 3; ++axis)
+        inside_ = inside_ && voxel[axis] >= 0 && voxel[axis] < division_[axis];
+      voxels_.push_back(number(voxel));
+    });
+    std::sort(voxels_.begin(), voxels_.end());
+  }
+
+  bool lists(const Vec3i& voxel) const {
+    return std::binary_search(voxels_.begin(), voxels_.end(), number(voxel));
+  }
+  bool each_once() const { return std::adjacent_find(voxels_.begin(), voxels_.end()) == voxels_.end(); }
+  bool inside() const { return inside_; }
+  bool within(const Listing& other) const {
+    return std::includes(other.voxels_.begin(), other.voxels_.end(), voxels_.begin(), voxels_.end());
+  }
+  std::size_t size() const { return voxels_.size(); }
+
+private:
+  std::int64_t number(const Vec3i& voxel) const {
+    return (static_cast<std::int64_t>(voxel.z) * division_.y + voxel.y) * division_.x + voxel.x;
+  }
+
+  Vec3i division_;
+  std::vector<std::int64_t> voxels_;
+  bool inside_ = true;
+};
+
+// --- The oracle ------------------------------------------------------------------------------------------
+
+// Whether the triangle meets the closed box: cut by one face's plane after the other, is anything left?
+bool meets(const Triangle<double>& triangle, const WideBox& box) {
+  std::vector<oracle::Point> polygon{oracle::point(triangle.a), oracle::point(triangle.b),
+                                     oracle::point(triangle.c)};
+  const auto cut = [&](auto inside_by) {
+    std::vector<oracle::Point> rest;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const oracle::Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const Wide at_a = inside_by(a), at_b = inside_by(b);
+      if (at_a >= 0) rest.push_back(a);
+      if ((at_a >= 0) != (at_b >= 0)) rest.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+    }
+    polygon = std::move(rest);
+  };
+  cut([&](const oracle::Point& p) { return p.x - box.min.x; });
+  cut([&](const oracle::Point& p) { return box.max.x - p.x; });
+  cut([&](const oracle::Point& p) { return p.y - box.min.y; });
+  cut([&](const oracle::Point& p) { return box.max.y - p.y; });
+  cut([&](const oracle::Point& p) { return p.z - box.min.z; });
+  cut([&](const oracle::Point& p) { return box.max.z - p.z; });
+  return !polygon.empty();
+}
+
+// The box's least and greatest distance from a point.
+std::pair<Wide, Wide> distances(const oracle::Point& p, const WideBox& box) {
+  const auto axis = [](Wide at, Wide low, Wide high) {
+    const Wide gap = oracle::max(0, oracle::max(low - at, at - high));
+    const Wide far = oracle::max(oracle::magnitude(low - at), oracle::magnitude(high - at));
+    return std::pair{gap, far};
+  };
+  const auto [x, fx] = axis(p.x, box.min.x, box.max.x);
+  const auto [y, fy] = axis(p.y, box.min.y, box.max.y);
+  const auto [z, fz] = axis(p.z, box.min.z, box.max.z);
+  return {oracle::norm({x, y, z}), oracle::norm({fx, fy, fz})};
+}
+
+bool shell_within(const Sphere<double>& sphere, const WideBox& box, Wide distance) {
+  const auto [nearest, farthest] = distances(oracle::point(sphere.center), box);
+  const Wide radius = std::abs(sphere.radius);
+  return nearest <= radius + distance && farthest >= radius - distance;
+}
+
+// Whether some part of the box may lie within `distance` of the cone's side: the box is cut up until its
+// parts are far, or small.
+bool side_may_be_within(const Cone<double>& cone, const WideBox& box, Wide distance, int cuts) {
+  const oracle::Point half = (box.max - box.min) * Wide(0.5), center = box.min + half;
+  if (oracle::distance(center, cone) > oracle::norm(half) + distance) return false;
+  if (cuts == 0) return true;
+  for (unsigned part = 0; part < 8; ++part) {
+    const oracle::Point low{(part & 1) != 0 ? center.x : box.min.x, (part & 2) != 0 ? center.y : box.min.y,
+                            (part & 4) != 0 ? center.z : box.min.z};
+    if (side_may_be_within(cone, {low, low + half}, distance, cuts - 1)) return true;
+  }
+  return false;
+}
+
+// --- Random cases ----------------------------------------------------------------------------------------
+
+// A layout as gridbuild makes it, in a scene that reaches to ±scale.
+template <class Real>
+GridLayout random_layout(Chance& chance, double scale, int finest) {
+  const Boxd bounds{{-scale, -scale, -scale}, {scale, scale, scale}};
+  const auto voxels = [&] {
+    return static_cast<std::int32_t>(std::lround(chance.power_of_two(0, std::log2(finest))));
+  };
+  return {space_of<Real>(bounds, chance.one_in(2) ? SpaceRule::tight : SpaceRule::cube),
+          {voxels(), voxels(), voxels()},
+          rounding_margin<Real>(bounds)};
+}
+
+Vec3d random_corner(Chance& chance, const GridLayout& layout) {
+  const Vec3d size = voxel_size(layout);
+  Vec3d corner{};
+  for (int axis = 0; axis < 3; ++axis)
+    corner.set(axis, layout.space.min[axis] + size[axis] * chance.whole(0, layout.division[axis]));
+  return corner;
+}
+
+// In the space's middle half; anywhere along an axis of one voxel.
+Vec3d inner_corner(Chance& chance, const GridLayout& layout) {
+  const Vec3d size = voxel_size(layout);
+  Vec3d corner{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double share = chance.uniform(0.25, 0.75) * layout.division[axis];
+    const double plane = std::clamp(std::round(share), 1.0, std::max(1.0, layout.division[axis] - 1.0));
+    corner.set(axis, layout.space.min[axis] + size[axis] * (layout.division[axis] > 1 ? plane : share));
+  }
+  return corner;
+}
+
+// Points for triangles: anywhere, on the layout's planes, or on its corners.
+Vec3d random_point(Chance& chance, const GridLayout& layout, double scale) {
+  Vec3d p = chance.in_cube(scale);
+  const Vec3d corner = random_corner(chance, layout);
+  for (int axis = 0; axis < 3; ++axis)
+    if (chance.one_in(4)) p.set(axis, corner[axis]);
+  return chance.one_in(8) ? corner : p;
+}
+
+// Not a point, which is listed nowhere.
+template <class Real>
+Triangle<double> random_triangle(Chance& chance, const GridLayout& layout, double scale) {
+  Vec3d a = random_point(chance, layout, scale), b = random_point(chance, layout, scale),
+        c = random_point(chance, layout, scale);
+  const double size = chance.power_of_two(-12, 0);
+  switch (chance.whole(0, 7)) {
+  case 0: // a needle
+    c = a + (b - a) * chance.uniform(0, 1) + chance.in_cube(scale * chance.power_of_two(-50, -3));
+    break;
+  case 1: // a segment
+    c = chance.one_in(2) ? a : a + (b - a) * 0.5;
+    break;
+  case 2: // hardly more than a point
+    b = a;
+    c = a * (1 + 0x1p-20);
+    break;
+  case 3: // across an axis
+    b.z = a.z;
+    c.z = a.z;
+    break;
+  default: // smaller
+    b = a + (b - a) * size;
+    c = a + (c - a) * size;
+    break;
+  }
+  const Triangle<double> triangle = triangle_of(kept<Real>(a), kept<Real>(b), kept<Real>(c));
+  return has_surface(triangle) ? triangle : random_triangle<Real>(chance, layout, scale);
+}
+
+template <class Real>
+Sphere<double> random_sphere(Chance& chance, const GridLayout& layout, double scale) {
+  const double radius = scale / 2 * chance.power_of_two(-12, 0);
+  return {kept<Real>(random_point(chance, layout, scale / 2)),
+          kept<Real>(chance.one_in(4) ? -radius : radius)};
+}
+
+template <class Real>
+Cone<double> random_cone(Chance& chance, const GridLayout& layout, double scale) {
+  const double length = scale / 2 * chance.power_of_two(-12, 0), r0 = scale / 4 * chance.power_of_two(-16, 0);
+  Vec3d axis = chance.direction();
+  if (chance.one_in(2)) {
+    Vec3d along{};
+    along.set(chance.whole(0, 2), chance.sign());
+    axis = chance.one_in(2) ? along : along + axis * chance.power_of_two(-40, -3);
+  }
+  const double r1 = chance.one_of({r0, 0.0, r0 * (1 + 1e-7), scale / 4 * chance.power_of_two(-16, 0)});
+  const Vec3d base = random_point(chance, layout, scale / 4);
+  Cone<double> cone{kept<Real>(base), kept<Real>(r0), kept<Real>(base + axis * length), kept<Real>(r1)};
+  if (cone.base == cone.apex) cone.apex.x = kept<Real>(cone.apex.x + length);
+  if (chance.one_in(2)) {
+    std::swap(cone.base, cone.apex);
+    std::swap(cone.base_radius, cone.apex_radius);
+  }
+  return cone;
+}
+
+// A point of the surface, and its direction outwards.
+struct Sample {
+  Vec3d at, outwards;
+};
+
+Sample on_surface(Chance& chance, const Triangle<double>& t) {
+  double v = chance.uniform(0, 1), w = chance.uniform(0, 1);
+  if (v + w > 1) v = 1 - v, w = 1 - w;
+  if (chance.one_in(4)) v = 0;
+  if (chance.one_in(4)) w = chance.one_in(2) ? 0 : 1 - v;
+  return {t.a + (t.b - t.a) * v + (t.c - t.a) * w, chance.direction()};
+}
+Sample on_surface(Chance& chance, const Sphere<double>& s) {
+  Vec3d out = chance.direction();
+  if (chance.one_in(4)) { // a pole
+    out = {0, 0, 0};
+    out.set(chance.whole(0, 2), chance.sign());
+  }
+  return {s.center + out * std::abs(s.radius), out};
+}
+Sample on_surface(Chance& chance, const Cone<double>& c) {
+  double z = chance.one_of({0.0, 1.0, chance.uniform(0, 1), chance.uniform(0, 1)});
+  if (chance.one_in(4)) z = std::abs(c.base_radius) < std::abs(c.apex_radius) ? 0 : 1;
+  const Vec3d axis = c.apex - c.base, out = across(chance, axis);
+  const double radius = std::abs(c.base_radius) * (1 - z) + std::abs(c.apex_radius) * z;
+  return {c.base + axis * z + out * radius, out};
+}
+
+Triangle<double> moved(const Triangle<double>& t, const Vec3d& by) {
+  return triangle_of(t.a + by, t.b + by, t.c + by);
+}
+Sphere<double> moved(const Sphere<double>& s, const Vec3d& by) {
+  return {s.center + by, s.radius};
+}
+Cone<double> moved(const Cone<double>& c, const Vec3d& by) {
+  return {c.base + by, c.base_radius, c.apex + by, c.apex_radius};
+}
+
+template <class Real, template <class> class Primitive>
+struct Kind {
+  static auto random(Chance& chance, const GridLayout& layout, double scale) {
+    if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {
+      return random_triangle<Real>(chance, layout, scale);
+    } else if constexpr (std::is_same_v<Primitive<Real>, Sphere<Real>>) {
+      return random_sphere<Real>(chance, layout, scale);
+    } else {
+      return random_cone<Real>(chance, layout, scale);
+    }
+  }
+  static GridLayout layout(Chance& chance, double scale, int finest) {
+    return random_layout<Real>(chance, scale, finest);
+  }
+  static auto stored(const Primitive<double>& p) {
+    if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {
+      return triangle_of(kept<Real>(p.a), kept<Real>(p.b), kept<Real>(p.c));
+    } else if constexpr (std::is_same_v<Primitive<Real>, Sphere<Real>>) {
+      return Sphere<double>{kept<Real>(p.center), kept<Real>(p.radius)};
+    } else {
+      return Cone<double>{kept<Real>(p.base), kept<Real>(p.base_radius), kept<Real>(p.apex),
+                          kept<Real>(p.apex_radius)};
+    }
+  }
+};
+using Kinds = testing::Types<Kind<float, Triangle>, Kind<double, Triangle>, Kind<float, Sphere>,
+                             Kind<double, Sphere>, Kind<float, Cone>, Kind<double, Cone>>;
+struct KindNames {
+  template <class K>
+  static std::string GetName(int number) {
+    constexpr std::array names{"triangle_float", "triangle_double", "sphere_float",
+                               "sphere_double",  "cone_float",      "cone_double"};
+    return names[static_cast<std::size_t>(number)];
+  }
+};
+
+template <class K>
+class Overlaps : public testing::Test {
+protected:
+  RandomSeed seed_;
+};
+TYPED_TEST_SUITE(Overlaps, Kinds, KindNames);
+
+// --- What must be listed ---------------------------------------------------------------------------------
+
+// How close to a voxel a surface must be listed: what margin.h needs for hits and walks. The rest of the
+// margin is the builder's own, for its rounding.
+double needed(const GridLayout& layout, double scale) {
+  return layout.margin - 28 * u * scale;
+}
+
+// Of all voxels that the point's neighbourhood meets, the first that the listing lacks.
+const Vec3i* missing(const GridLayout& layout, const Listing& listing, const oracle::Point& at, Wide reach,
+                     Vec3i& voxel) {
+  const oracle::Point low = oracle::point(layout.space.min), extent = oracle::point(layout.space.max) - low;
+  const auto first_last = [&](Wide p, Wide from, Wide along, std::int32_t division) {
+    // A little more on both sides, to be looked at closely.
+    const auto voxel_of = [&](Wide number, double more) {
+      return static_cast<std::int32_t>(
+          std::clamp(std::floor(static_cast<double>(number) + more), 0.0, division - 1.0));
+    };
+    return std::pair{voxel_of((p - reach - from) / along * division, -1e-6),
+                     voxel_of((p + reach - from) / along * division, 1e-6)};
+  };
+  const auto [x0, x1] = first_last(at.x, low.x, extent.x, layout.division.x);
+  const auto [y0, y1] = first_last(at.y, low.y, extent.y, layout.division.y);
+  const auto [z0, z1] = first_last(at.z, low.z, extent.z, layout.division.z);
+  for (voxel.z = z0; voxel.z <= z1; ++voxel.z)
+    for (voxel.y = y0; voxel.y <= y1; ++voxel.y)
+      for (voxel.x = x0; voxel.x <= x1; ++voxel.x)
+        if (distances(at, voxel_box(layout, voxel)).first <= reach && !listing.lists(voxel)) return &voxel;
+  return nullptr;
+}
+
+TYPED_TEST(Overlaps, EveryVoxelNearASampledPointOfTheSurfaceIsListed) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::int64_t lost = 0;
+  std::string first;
+  for (std::int64_t i = cases(1500); i > 0; --i) {
+    const double scale = std::exp2(chance.whole(-10, 20));
+    const GridLayout layout = TypeParam::layout(chance, scale, 48);
+    const auto primitive = TypeParam::random(chance, layout, scale);
+    const Listing exact(layout, Overlap::exact, primitive), box(layout, Overlap::box, primitive);
+    ASSERT_TRUE(exact.each_once() && box.each_once()) << described(primitive) << described(layout);
+    ASSERT_TRUE(exact.inside() && box.inside()) << described(primitive) << described(layout);
+    ASSERT_TRUE(exact.within(box)) << described(primitive) << described(layout);
+    for (int k = 0; k < 100; ++k) {
+      const Sample sample = on_surface(chance, primitive);
+      const oracle::Point at = oracle::point(sample.at);
+      const Wide off = oracle::distance(at, primitive); // the sample's own rounding
+      Vec3i voxel{};
+      if (!missing(layout, exact, at, needed(layout, scale) - off, voxel) || ++lost > 1) continue;
+      first = described(primitive) + ' ' + described(layout) + " not listed in " + std::to_string(voxel.x) +
+              ' ' + std::to_string(voxel.y) + ' ' + std::to_string(voxel.z) + " by " + described(sample.at);
+    }
+  }
+  EXPECT_EQ(lost, 0) << first;
+}
+
+// The surface touches a corner, an edge or a face of the voxels, and may hardly enter them.
+TYPED_TEST(Overlaps, WhatTouchesACornerIsListedAllRound) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::int64_t lost = 0;
+  std::string first;
+  for (std::int64_t i = cases(40'000); i > 0; --i) {
+    const double scale = std::exp2(chance.whole(-10, 20));
+    const GridLayout layout = TypeParam::layout(chance, scale, 16);
+    const auto start = TypeParam::random(chance, layout, scale / 4);
+    const Vec3d corner = inner_corner(chance, layout);
+    const auto primitive = TypeParam::stored(moved(start, corner - on_surface(chance, start).at));
+    if (!has_surface(primitive)) continue; // a point once it is rounded
+    const Listing exact(layout, Overlap::exact, primitive);
+    const oracle::Point at = oracle::point(corner);
+    const Wide off = oracle::distance(at, primitive);
+    Vec3i voxel{};
+    if (!missing(layout, exact, at, needed(layout, scale) - off, voxel) || ++lost > 1) continue;
+    first = described(primitive) + ' ' + described(layout) + " not listed in " + std::to_string(voxel.x) +
+            ' ' + std::to_string(voxel.y) + ' ' + std::to_string(voxel.z) + " by " + described(corner);
+  }
+  EXPECT_EQ(lost, 0) << first;
+}
+
+// --- What must not be listed -----------------------------------------------------------------------------
+
+bool may_be_listed(const Triangle<double>& triangle, const WideBox& voxel, double distance) {
+  const Vec3d ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+  const bool needle = length(cross(ab, ac)) <= 1e-6 * length(ab) * length(ac);
+  return needle || meets(triangle, grown(voxel, distance));
+}
+bool may_be_listed(const Sphere<double>& sphere, const WideBox& voxel, double distance) {
+  return shell_within(sphere, voxel, distance);
+}
+bool may_be_listed(const Cone<double>& cone, const WideBox& voxel, double distance) {
+  // A flat cone is moved along its axis by the margin, and its rim by far more.
+  const double steepest =
+      std::abs(std::abs(cone.apex_radius) - std::abs(cone.base_radius)) / length(cone.apex - cone.base);
+  return side_may_be_within(cone, voxel, 2 * (1 + steepest) * distance, 5);
+}
+bool must_be_listed(const Triangle<double>& triangle, const WideBox& voxel, double distance) {
+  return meets(triangle, grown(voxel, distance));
+}
+bool must_be_listed(const Sphere<double>& sphere, const WideBox& voxel, double distance) {
+  return shell_within(sphere, voxel, distance);
+}
+bool must_be_listed(const Cone<double>&, const WideBox&, double) {
+  return false;
+}
+
+TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  std::int64_t lost = 0, needless = 0;
+  std::string first_lost, first_needless;
+  for (std::int64_t i = cases(2000); i > 0; --i) {
+    const double scale = std::exp2(chance.whole(-10, 20));
+    const GridLayout layout = TypeParam::layout(chance, scale, 12);
+    const auto primitive = TypeParam::random(chance, layout, scale);
+    const Listing exact(layout, Overlap::exact, primitive);
+    for_each_voxel({{0, 0, 0}, layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      const WideBox box = voxel_box(layout, voxel);
+      const bool listed = exact.lists(voxel);
+      const auto where = [&] {
+        return described(primitive) + ' ' + described(layout) + " voxel " + std::to_string(voxel.x) + ' ' +
+               std::to_string(voxel.y) + ' ' + std::to_string(voxel.z);
+      };
+      if (!listed && must_be_listed(primitive, box, needed(layout, scale)) && ++lost == 1)
+        first_lost = where();
+      if (listed && !may_be_listed(primitive, box, layout.margin + 28 * u * scale) && ++needless == 1)
+        first_needless = where();
+    });
+  }
+  EXPECT_EQ(lost, 0) << first_lost;
+  EXPECT_EQ(needless, 0) << first_needless;
+}
+
+// A margin along a flat cone's axis moves its side by many voxels; its rims stay where they are.
+TEST(OverlapsOfAFlatCone, StayByItsRims) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (int i = 0; i < 20; ++i) {
+    const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {50, 50, 50}, 1e-5};
+    const Vec3d up = chance.direction() * 1e-6;
+    const Cone<double> cone{{0, 0, 0}, 0.6, up, 0.3};
+    std::int64_t far = 0, listed = 0;
+    for_each_overlap(layout, Overlap::exact, cone, [&](const Vec3i& voxel) {
+      const WideBox box = voxel_box(layout, voxel);
+      const oracle::Point center = (box.min + box.max) * 0.5;
+      ++listed;
+      far += oracle::distance(center, cone) > oracle::norm(box.max - box.min);
+    });
+    EXPECT_GT(listed, 500);
+    EXPECT_EQ(far, 0) << "of " << listed << ": " << masu::described(cone);
+  }
+}
+
+// --- Touching, to the last bit ---------------------------------------------------------------------------
+
+// Without a margin, and with coordinates that make all arithmetic exact, touching alone decides.
+class Touching : public testing::Test {
+protected:
+  // Multiples of a quarter in the space.
+  Vec3d point(Chance& chance) const {
+    const auto c = [&] { return chance.whole(0, 32) / 4.0; };
+    return {c(), c(), c()};
+  }
+
+  RandomSeed seed_;
+  GridLayout layout_{{{0, 0, 0}, {8, 8, 8}}, {8, 8, 4}, 0};
+};
+
+// Gaps between such things are far larger than this.
+constexpr double next_to_nothing = 1e-20;
+
+TEST_F(Touching, CountsForTriangles) {
+  SCOPED_TRACE(seed_.trace());
+  Chance chance(seed_);
+  for (std::int64_t i = cases(600); i > 0; --i) {
+    Triangle<double> triangle = triangle_of(point(chance), point(chance), point(chance));
+    if (chance.one_in(3)) { // a floor, now and then on the lowest face or the highest
+      const double at = chance.one_of({0.0, 8.0, triangle.a.z});
+      triangle.a.z = triangle.b.z = triangle.c.z = at;
+    }
+    const Listing exact(layout_, Overlap::exact, triangle);
+    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      EXPECT_EQ(exact.lists(voxel), meets(triangle, grown(voxel_box(layout_, voxel), next_to_nothing)))
+          << described(triangle) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+    });
+    if (HasFailure()) return;
+  }
+}
+
+TEST_F(Touching, CountsForSpheres) {
+  SCOPED_TRACE(seed_.trace());
+  Chance chance(seed_);
+  for (std::int64_t i = cases(600); i > 0; --i) {
+    const Sphere<double> sphere{point(chance), chance.whole(1, 16) / 4.0};
+    const Listing exact(layout_, Overlap::exact, sphere);
+    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      EXPECT_EQ(exact.lists(voxel), shell_within(sphere, voxel_box(layout_, voxel), next_to_nothing))
+          << described(sphere) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+    });
+    if (HasFailure()) return;
+  }
+}
+
+TEST_F(Touching, CountsForBoundingBoxes) {
+  SCOPED_TRACE(seed_.trace());
+  Chance chance(seed_);
+  for (std::int64_t i = cases(600); i > 0; --i) {
+    const Triangle<double> triangle = triangle_of(point(chance), point(chance), point(chance));
+    const Boxd around = bounds(triangle);
+    const Listing box(layout_, Overlap::box, triangle);
+    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      const WideBox own = voxel_box(layout_, voxel);
+      const bool apart = own.max.x < around.min.x || own.min.x > around.max.x || own.max.y < around.min.y ||
+                         own.min.y > around.max.y || own.max.z < around.min.z || own.min.z > around.max.z;
+      EXPECT_EQ(box.lists(voxel), !apart)
+          << described(triangle) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+    });
+    if (HasFailure()) return;
+  }
+}
+
+// A cylinder of radius 1 about the middle of the first voxels, 2 wide: it touches all four side faces.
+TEST_F(Touching, CountsForCylinders) {
+  const GridLayout layout{{{-1, -1, 0}, {7, 7, 4}}, {4, 4, 4}, 1e-15};
+  const Cone<double> cylinder{{1, 1, 0}, 1, {1, 1, 2}, 1};
+  const Listing exact(layout, Overlap::exact, cylinder);
+  // From 0 to 2 along x and y it crosses voxels 0 and 1, and along z it ends on the face between 1 and 2.
+  for_each_voxel({{0, 0, 0}, {3, 3, 3}}, [&](const Vec3i& voxel) {
+    EXPECT_EQ(exact.lists(voxel), voxel.x <= 1 && voxel.y <= 1 && voxel.z <= 2)
+        << voxel.x << voxel.y << voxel.z;
+  });
+  const Cone<double> tight{{2, 2, 0}, 1, {2, 2, 2}, 1};
+  const Listing touching(layout, Overlap::exact, tight);
+  // Voxel (1, 1) is 1 to 3 wide: the cylinder touches its faces from inside, and so its four neighbours.
+  for_each_voxel({{0, 0, 0}, {3, 3, 3}}, [&](const Vec3i& voxel) {
+    const int off = std::abs(voxel.x - 1) + std::abs(voxel.y - 1);
+    EXPECT_EQ(touching.lists(voxel), off <= 1 && voxel.z <= 2) << voxel.x << voxel.y << voxel.z;
+  });
+}
+
+// The founding study's box test: a cone by its larger radius round both ends.
+TEST_F(Touching, AConesBoxIsTakenWithItsLargerRadius) {
+  const Boxd box = box_for_overlap(Cone<double>{{1, 2, 3}, -0.5, {1, 2, 7}, -2});
+  EXPECT_EQ(box.min, (Vec3d{-1, 0, 1}));
+  EXPECT_EQ(box.max, (Vec3d{3, 4, 9}));
+}
+
+// All in one plane: the space gets its thickness from the padding alone, and every voxel across it is near.
+TEST_F(Touching, FlatScenesAreListedThroughTheirWholeThickness) {
+  const Triangle<double> floor = triangle_of(Vec3d{0, 0, 5}, Vec3d{4, 0, 5}, Vec3d{0, 4, 5});
+  const Boxd box = bounds(floor);
+  const GridLayout layout{space_of<float>(box, SpaceRule::tight), {4, 4, 1}, rounding_margin<float>(box)};
+  ASSERT_LT(layout.space.min.z, 5);
+  ASSERT_GT(layout.space.max.z, 5);
+  const Listing exact(layout, Overlap::exact, floor);
+  // Those on the diagonal touch it at a corner.
+  for_each_voxel({{0, 0, 0}, {3, 3, 0}}, [&](const Vec3i& voxel) {
+    EXPECT_EQ(exact.lists(voxel), voxel.x + voxel.y <= 4) << voxel.x << voxel.y;
+  });
+}
+
+TEST_F(Touching, ALargeTriangleIsListedInThePlaneOfVoxelsItCrosses) {
+  const Triangle<double> large = triangle_of(Vec3d{0, 0, 0.3}, Vec3d{512, 0, 0.3}, Vec3d{0, 512, 0.3});
+  const GridLayout layout{{{0, 0, 0}, {512, 512, 512}}, {512, 512, 512}, 1e-9};
+  const Listing exact(layout, Overlap::exact, large);
+  // Half of the squares, and the two diagonals of those that the long side crosses or touches.
+  EXPECT_EQ(exact.size(), 512U * 513U / 2 + 511U);
+}
+
+} // namespace
+} // namespace masu

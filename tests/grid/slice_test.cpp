@@ -1,0 +1,236 @@
+// A grid's cells one by one, and those that a plane cuts, against its map looked up voxel by voxel.
+#include "libgrid/statistics/slice.h"
+#include "libgrid/statistics/statistics.h"
+#include "libscene/base/error.h"
+#include "tests/random_grid.h"
+#include "tests/random_scene.h"
+#include "tests/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace masu {
+namespace {
+
+bool contains(const VoxelBox& outer, const VoxelBox& inner) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (inner.first[axis] < outer.first[axis] || inner.end[axis] > outer.end[axis]) return false;
+  }
+  return true;
+}
+
+VoxelRange range_of(const VoxelBox& box) {
+  return {box.first, box.end - Vec3i{1, 1, 1}};
+}
+
+// Random grids as files, small enough to look up every voxel.
+class GridCells : public testing::Test {
+protected:
+  template <class Check> // check(grid, file)
+  void for_random_grids(int count, const Check& check) {
+    const RandomSeed seed;
+    SCOPED_TRACE(seed.trace());
+    Chance chance(seed);
+    for (int i = 0; i < count; ++i) {
+      TestScene<float> scene = SceneMaker<float>(chance, 1).scene();
+      const Grid grid = random_grid<float>(chance, scene.view(), scene.bounds());
+      SCOPED_TRACE(described(grid));
+      const std::string path = folder_.file("grid");
+      write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "any", "any"},
+                 path);
+      check(chance, grid, GridFile(path));
+      if (HasFailure()) return;
+    }
+  }
+
+  // References of each voxel of a box, looked up.
+  template <class Act> // act(voxel, references)
+  static void for_each_looked_up(const Grid& grid, const VoxelBox& box, const Act& act) {
+    with_view<double>(grid, [&](const auto& view) {
+      for_each_voxel(range_of(box), [&](const Vec3i& voxel) { act(voxel, references_in(view, voxel)); });
+    });
+  }
+
+  static constexpr std::uint64_t most_voxels = std::uint64_t{1} << 18;
+  TemporaryFolder folder_;
+};
+
+TEST_F(GridCells, PartitionTheSpaceAndListWhatTheirVoxelsDo) {
+  for_random_grids(60, [](Chance&, const Grid& grid, const GridFile& file) {
+    const Vec3i division = finest_layout(grid).division;
+    std::uint64_t voxels = 0, last = 0;
+    bool is_first = true;
+    std::vector<std::uint32_t> references; // by voxel; 0 and `nothing` yet
+    constexpr std::uint32_t nothing = ~0U;
+    const bool is_small = voxel_count(division) <= most_voxels;
+    if (is_small) references.assign(voxel_count(division), nothing);
+    for_each_cell(file, {whole_of(division)}, [&](const GridCell& cell) {
+      EXPECT_TRUE(is_first || cell.number > last);
+      is_first = false;
+      last = cell.number;
+      EXPECT_EQ(voxel_count(cell.box.end - cell.box.first), cell.voxels);
+      EXPECT_TRUE(contains(cell.expanded, cell.box));
+      EXPECT_TRUE(contains(whole_of(division), cell.expanded));
+      if (grid.kind != GridKind::irregular) {
+        EXPECT_TRUE(contains(cell.box, cell.expanded));
+      }
+      voxels += cell.voxels;
+      if (!is_small) return;
+      for_each_voxel(range_of(cell.box), [&](const Vec3i& voxel) {
+        std::uint32_t& painted = references[linear_index(voxel, division)];
+        EXPECT_EQ(painted, nothing) << "in two cells";
+        painted = cell.references;
+      });
+    });
+    EXPECT_EQ(voxels, voxel_count(division));
+    if (!is_small) return;
+    for_each_looked_up(grid, whole_of(division), [&](const Vec3i& voxel, std::uint32_t expected) {
+      EXPECT_EQ(references[linear_index(voxel, division)], expected);
+    });
+  });
+}
+
+TEST_F(GridCells, OfAFilterAreThoseOfAllThatItLetsThrough) {
+  for_random_grids(60, [](Chance& chance, const Grid& grid, const GridFile& file) {
+    const Vec3i n = finest_layout(grid).division;
+    if (voxel_count(n) > most_voxels && grid.kind == GridKind::uniform) return;
+    CellFilter filter{{}, chance.one_in(2)};
+    for (int axis = 0; axis < 3; ++axis) {
+      const int a = chance.whole(0, n[axis]), b = chance.whole(0, n[axis]);
+      filter.within.first.set(axis, std::min(a, b));
+      filter.within.end.set(axis, std::max(a, b));
+    }
+    std::vector<std::uint64_t> expected, found;
+    for_each_cell(file, {whole_of(n)}, [&](const GridCell& cell) {
+      bool meets = true;
+      for (int axis = 0; axis < 3; ++axis)
+        meets = meets && filter.within.first[axis] < filter.within.end[axis] &&
+                cell.box.first[axis] < filter.within.end[axis] &&
+                cell.box.end[axis] > filter.within.first[axis];
+      if (meets && (cell.references > 0 || !filter.occupied_only)) expected.push_back(cell.number);
+    });
+    for_each_cell(file, filter, [&](const GridCell& cell) { found.push_back(cell.number); });
+    EXPECT_EQ(found, expected);
+  });
+}
+
+TEST_F(GridCells, OfASliceTileItsLayerAndListWhatItsVoxelsDo) {
+  for_random_grids(60, [](Chance& chance, const Grid& grid, const GridFile& file) {
+    const GridLayout finest = finest_layout(grid);
+    const int axis = chance.whole(0, 2);
+    const std::array<int, 2> axes = slice_axes(axis);
+    const std::int64_t columns = finest.division[axes[0]], rows = finest.division[axes[1]];
+    const SlicePlane plane =
+        plane_of_layer(finest, axis, chance.whole(0, finest.division[axis] - 1), "--slice");
+    const Slice slice = slice_of(file, plane, window_of(finest, axis), "--slice");
+    std::int64_t area = 0;
+    for (const SliceCell& cell : slice.cells) {
+      area += std::int64_t{cell.end[0] - cell.first[0]} * (cell.end[1] - cell.first[1]);
+      EXPECT_GE(cell.depth, 0);
+      EXPECT_LE(cell.depth, grid.nested_log2);
+    }
+    EXPECT_EQ(area, columns * rows);
+    if (static_cast<std::uint64_t>(columns * rows) > most_voxels) return;
+    constexpr std::uint32_t nothing = ~0U;
+    std::vector<std::uint32_t> references(static_cast<std::size_t>(columns * rows), nothing);
+    for (const SliceCell& cell : slice.cells) {
+      for (std::int64_t v = cell.first[1]; v < cell.end[1]; ++v) {
+        for (std::int64_t u = cell.first[0]; u < cell.end[0]; ++u) {
+          std::uint32_t& painted = references[static_cast<std::size_t>(v * columns + u)];
+          EXPECT_EQ(painted, nothing) << "two cells";
+          painted = cell.references;
+        }
+      }
+    }
+    VoxelBox layer = whole_of(finest.division);
+    layer.first.set(axis, plane.layer);
+    layer.end.set(axis, plane.layer + 1);
+    for_each_looked_up(grid, layer, [&](const Vec3i& voxel, std::uint32_t expected) {
+      EXPECT_EQ(references[static_cast<std::size_t>(voxel[axes[1]] * columns + voxel[axes[0]])], expected);
+    });
+  });
+}
+
+TEST_F(GridCells, OfAWindowAreThoseOfTheSliceWithAPartInIt) {
+  for_random_grids(40, [](Chance& chance, const Grid& grid, const GridFile& file) {
+    const GridLayout finest = finest_layout(grid);
+    const int axis = chance.whole(0, 2);
+    const std::array<int, 2> axes = slice_axes(axis);
+    const SlicePlane plane =
+        plane_at(finest, axis, chance.uniform(finest.space.min[axis], finest.space.max[axis]), "--slice");
+    SliceWindow window = window_of(finest, axis);
+    VoxelBox box{};
+    for (std::size_t i = 0; i < 2; ++i) { // between the middles of two voxels
+      const int n = finest.division[axes[i]];
+      const int a = chance.whole(0, n - 1), b = chance.whole(0, n - 1);
+      const double size = voxel_size(finest)[axes[i]], low = finest.space.min[axes[i]];
+      box.first.set(axes[i], std::min(a, b));
+      box.end.set(axes[i], std::max(a, b) + 1);
+      window.min[i] = low + (std::min(a, b) + 0.4) * size;
+      window.max[i] = low + (std::max(a, b) + 0.6) * size;
+    }
+    std::vector<std::uint64_t> expected, found;
+    for (const SliceCell& cell : slice_of(file, plane, window_of(finest, axis), "--slice").cells) {
+      bool meets = true;
+      for (std::size_t i = 0; i < 2; ++i)
+        meets = meets && cell.first[i] < box.end[axes[i]] && cell.end[i] > box.first[axes[i]];
+      if (meets) expected.push_back(cell.number);
+    }
+    for (const SliceCell& cell : slice_of(file, plane, window, "--slice").cells)
+      found.push_back(cell.number);
+    EXPECT_EQ(found, expected);
+  });
+}
+
+TEST_F(GridCells, BoxesInTheSceneSumToTheSpace) {
+  for_random_grids(20, [](Chance&, const Grid& grid, const GridFile& file) {
+    const GridLayout finest = finest_layout(file);
+    const Vec3d w = finest.space.max - finest.space.min;
+    double volume = 0;
+    for_each_cell(file, {whole_of(finest.division)}, [&](const GridCell& cell) {
+      const Boxd box = box_in_scene(finest, cell.box);
+      const Vec3d sides = box.max - box.min;
+      volume += sides.x * sides.y * sides.z;
+    });
+    EXPECT_NEAR(volume, w.x * w.y * w.z, 1e-6 * w.x * w.y * w.z);
+    const Boxd all = box_in_scene(finest, whole_of(finest.division));
+    EXPECT_TRUE(all.min == finest.space.min && all.max == finest.space.max);
+    static_cast<void>(grid);
+  });
+}
+
+TEST_F(GridCells, PlanesAreInTheirLayersAndNoneLiesOutside) {
+  for_random_grids(20, [](Chance& chance, const Grid& grid, const GridFile&) {
+    const GridLayout finest = finest_layout(grid);
+    const int axis = chance.whole(0, 2);
+    const double low = finest.space.min[axis], high = finest.space.max[axis];
+    const std::int32_t layers = finest.division[axis];
+    for (int i = 0; i < 20; ++i) {
+      const SlicePlane by_layer = plane_of_layer(finest, axis, chance.whole(0, layers - 1), "--slice");
+      EXPECT_EQ(plane_at(finest, axis, by_layer.position, "--slice").layer, by_layer.layer);
+    }
+    EXPECT_EQ(plane_at(finest, axis, low, "--slice").layer, 0);
+    EXPECT_EQ(plane_at(finest, axis, high, "--slice").layer, layers - 1);
+    const double beyond = (high - low) + std::abs(high) + std::abs(low);
+    for (const double at : {low - beyond, high + beyond, std::nan("")})
+      EXPECT_THROW(plane_at(finest, axis, at, "--slice"), Error);
+    for (const std::int64_t layer : {std::int64_t{-1}, std::int64_t{layers}, std::int64_t{1} << 40})
+      EXPECT_THROW(plane_of_layer(finest, axis, layer, "--slice"), Error);
+  });
+}
+
+TEST_F(GridCells, OfASliceAreNoMoreThanAllowed) {
+  for_random_grids(10, [](Chance&, const Grid& grid, const GridFile& file) {
+    const GridLayout finest = finest_layout(grid);
+    const SlicePlane plane = plane_of_layer(finest, 2, 0, "--slice");
+    const SliceWindow window = window_of(finest, 2);
+    const std::size_t cells = slice_of(file, plane, window, "--slice").cells.size();
+    EXPECT_EQ(slice_of(file, plane, window, "--slice", cells).cells.size(), cells);
+    EXPECT_THROW(slice_of(file, plane, window, "--slice", cells - 1), Error);
+  });
+}
+
+} // namespace
+} // namespace masu

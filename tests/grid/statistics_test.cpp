@@ -1,0 +1,263 @@
+// What a grid lists against what each primitive says of each voxel, and the numbers told of it; the same
+// bytes for any number of threads.
+#include "libgrid/build/builder.h"
+#include "libgrid/build/division.h"
+#include "libgrid/file/grid_file.h"
+#include "libgrid/statistics/statistics.h"
+#include "tests/stability/test_scene.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+namespace masu {
+namespace {
+
+template <class Stored>
+TestScene<Stored> random_scene(Chance& chance, int most) {
+  TestScene<Stored> scene;
+  for (int i = chance.whole(0, most); i > 0; --i) {
+    const Vec3d at = chance.in_cube(1);
+    const double size = chance.power_of_two(-6, -2);
+    const auto corner = [&] { return at + chance.in_cube(size); };
+    switch (chance.whole(0, 2)) {
+    case 0:
+      scene.triangles.push_back(
+          triangle_of(cast<Stored>(corner()), cast<Stored>(corner()), cast<Stored>(corner())));
+      break;
+    case 1:
+      scene.spheres.push_back(sphere_of<Stored>(at, size));
+      break;
+    default:
+      scene.cones.push_back(cone_of<Stored>(corner(), size, corner(), size / 2));
+      break;
+    }
+  }
+  return scene;
+}
+
+// Primitives by voxel, in rising order, as for_each_overlap gives them.
+using Lists = std::map<std::uint64_t, std::vector<PrimitiveIndex>>;
+
+template <class Stored>
+Lists lists_of(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+  Lists lists;
+  PrimitiveIndex number = 0;
+  const auto add = [&](const auto& primitives) {
+    for (const auto& primitive : primitives) {
+      for_each_overlap(layout, overlap, widened(primitive), [&](const Vec3i& voxel) {
+        lists[linear_index(voxel, layout.division)].push_back(number);
+      });
+      ++number;
+    }
+  };
+  add(scene.triangles);
+  add(scene.spheres);
+  add(scene.cones);
+  return lists;
+}
+
+template <class Stored>
+Lists lists_of(const Grid& grid) {
+  const GridView<Stored> view = view_of<Stored>(grid);
+  Lists lists;
+  for_each_voxel({{0, 0, 0}, grid.layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+    const MapEntry entry = look_up(view, voxel);
+    if ((entry.word & occupied_bit) == 0) return;
+    std::vector<PrimitiveIndex>& listed = lists[linear_index(voxel, grid.layout.division)];
+    for (std::uint32_t at = entry.word & ~occupied_bit;; ++at) {
+      listed.push_back(view.references[at] & ~last_bit);
+      if ((view.references[at] & last_bit) != 0) break;
+    }
+  });
+  return lists;
+}
+
+template <class Stored>
+class Built : public testing::Test {
+protected:
+  GridLayout layout(const TestScene<Stored>& scene, const Vec3i& division) const {
+    const Boxd bounds = scene.bounds();
+    return {space_of<Stored>(bounds, SpaceRule::tight), division,
+            is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+  }
+  Vec3i division(Chance& chance, int most) const {
+    return {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
+  }
+
+  RandomSeed seed_;
+};
+using Stores = testing::Types<float, double>;
+TYPED_TEST_SUITE(Built, Stores);
+
+TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t i = cases(60); i > 0; --i) {
+    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
+    const GridLayout layout = this->layout(scene, this->division(chance, 24));
+    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+    const Grid grid = build_grid(scene.view(), layout, overlap);
+    ASSERT_EQ(grid.block_log2, 0);
+    ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, overlap));
+  }
+}
+
+// More primitives than one piece holds, and crowded and lonely buckets side by side.
+TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene;
+  for (int i = 0; i < 20'000; ++i) {
+    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.01 : 1.0);
+    const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.002)); };
+    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
+  }
+  const GridLayout layout = this->layout(scene, {70, 50, 60});
+  ASSERT_EQ(lists_of<TypeParam>(build_grid(scene.view(), layout, Overlap::exact)),
+            lists_of(scene, layout, Overlap::exact));
+}
+
+// Beyond 2²³ voxels the map has two levels; what it leads to is the same.
+TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (const Vec3i& division : {Vec3i{203, 207, 211}, {1, 3000, 3001}, {65535, 131, 1}}) {
+    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 12);
+    scene.spheres.clear(); // slow in so many voxels
+    scene.cones.clear();
+    scene.triangles.push_back(triangle_of<TypeParam>({-1, -1, -1}, {1, 1, 1}, {1, TypeParam(0.9), 1}));
+    const GridLayout layout = this->layout(scene, division);
+    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
+    ASSERT_GT(grid.block_log2, 0);
+    ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, Overlap::exact));
+  }
+}
+
+TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene;
+  for (int i = 0; i < 30'000; ++i) {
+    const Vec3d at = chance.in_cube(1);
+    const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.02)); };
+    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
+  }
+  const SceneView<TypeParam> view = scene.view();
+  for (const Vec3i& division : {Vec3i{31, 32, 33}, {220, 220, 220}}) {
+    const GridLayout layout = this->layout(scene, division);
+    Grid first;
+    for (const std::size_t threads : {1U, 2U, 4U}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      const Grid grid = build_grid(view, layout, Overlap::exact);
+      if (threads == 1) {
+        first = grid;
+        continue;
+      }
+      EXPECT_TRUE(grid.voxel_map == first.voxel_map) << threads;
+      EXPECT_TRUE(grid.references == first.references) << threads;
+    }
+  }
+  DivisionStatistics first;
+  for (const std::size_t threads : {1U, 2U, 4U}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const DivisionStatistics statistics = division_statistics(view);
+    if (threads == 1) first = statistics;
+    EXPECT_EQ(statistics.all.extents, first.all.extents);
+    EXPECT_EQ(statistics.all.projections, first.all.projections);
+    EXPECT_EQ(statistics.crowded.projections, first.crowded.projections);
+  }
+}
+
+TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
+  TestScene<TypeParam> scene;
+  const Grid grid = build_grid(scene.view(), this->layout(scene, {3, 4, 5}), Overlap::exact);
+  EXPECT_EQ(grid.references.size(), 0U);
+  EXPECT_EQ(grid.cells.size(), 0U);
+  EXPECT_TRUE(std::all_of(grid.voxel_map.begin(), grid.voxel_map.end(),
+                          [](std::uint32_t word) { return word == 0; }));
+  const GridStatistics statistics = grid_statistics(view_of<TypeParam>(grid), grid.references);
+  EXPECT_EQ(statistics.voxels, 60U);
+  EXPECT_EQ(statistics.occupied_voxels, 0U);
+  EXPECT_EQ(statistics.max, 0U);
+  EXPECT_EQ(statistics.mean, 0);
+}
+
+// --- Numbers ---------------------------------------------------------------------------------------------
+
+TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t i = cases(40); i > 0; --i) {
+    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
+    const GridLayout layout = this->layout(scene, this->division(chance, 20));
+    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+    const Grid grid = build_grid(scene.view(), layout, overlap);
+    const GridView<TypeParam> view = view_of<TypeParam>(grid);
+    const GridStatistics told = grid_statistics(view, grid.references);
+
+    std::vector<std::uint64_t> counts; // of the occupied voxels
+    std::uint64_t references = 0;
+    for_each_voxel({{0, 0, 0}, layout.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+      const std::uint32_t count = references_in(view, voxel);
+      if (count > 0) counts.push_back(count);
+      references += count;
+    });
+    std::sort(counts.begin(), counts.end());
+    EXPECT_EQ(told.voxels, voxel_count(layout.division));
+    EXPECT_EQ(told.cells, told.voxels);
+    EXPECT_EQ(told.occupied_voxels, counts.size());
+    EXPECT_EQ(told.occupied_cells, counts.size());
+    EXPECT_EQ(told.references, references);
+    EXPECT_EQ(occupied_voxels(scene.view(), layout, overlap), counts.size());
+    if (counts.empty()) continue;
+
+    const auto n = static_cast<double>(counts.size());
+    const double mean = static_cast<double>(references) / n;
+    double squares = 0;
+    for (const std::uint64_t count : counts)
+      squares += (static_cast<double>(count) - mean) * (static_cast<double>(count) - mean);
+    EXPECT_DOUBLE_EQ(told.mean, mean);
+    EXPECT_NEAR(told.stddev, std::sqrt(squares / n), 1e-9 * mean);
+    EXPECT_EQ(told.min, counts.front());
+    EXPECT_EQ(told.max, counts.back());
+    const std::size_t middle = counts.size() / 2;
+    const double median = counts.size() % 2 == 1
+                              ? static_cast<double>(counts[middle])
+                              : static_cast<double>(counts[middle - 1] + counts[middle]) / 2;
+    EXPECT_EQ(told.median, median);
+    // The least number that 99 % of the cells don't pass.
+    const auto not_passing = [&](std::uint64_t limit) {
+      return static_cast<double>(std::upper_bound(counts.begin(), counts.end(), limit) - counts.begin());
+    };
+    EXPECT_GE(not_passing(told.p99), 0.99 * n);
+    EXPECT_LT(not_passing(told.p99 - 1), 0.99 * n);
+    std::vector<std::uint64_t> histogram(counts.back() + 1, 0);
+    for (const std::uint64_t count : counts)
+      ++histogram[count];
+    EXPECT_EQ(told.histogram, histogram);
+    if (this->HasFailure()) return;
+  }
+}
+
+// Voxels without their upper faces: a box that ends on a face isn't in the voxel beyond; one that begins
+// there is.
+TEST(HalfOpenVoxels, HoldWhatLiesOnTheirLowerFaces) {
+  TestScene<double> scene;
+  scene.triangles.push_back(triangle_of<double>({0, 0, 0}, {1, 0, 0}, {0, 1, 0})); // to the faces at 1
+  const GridLayout layout{{{0, 0, 0}, {4, 4, 4}}, {4, 4, 4}, 0};
+  EXPECT_EQ(occupied_half_open(scene.view(), layout), 4U);
+  EXPECT_EQ(occupied_voxels(scene.view(), layout, Overlap::box), 4U);
+  scene.triangles[0] = triangle_of<double>({1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1});
+  EXPECT_EQ(occupied_half_open(scene.view(), layout), 1U);
+  EXPECT_EQ(occupied_voxels(scene.view(), layout, Overlap::box), 8U);
+  // On the space's upper boundary: in the last voxel, for it must be somewhere.
+  scene.triangles[0] = triangle_of<double>({4, 4, 4}, {4, 4, 4}, {4, 4, 4});
+  EXPECT_EQ(occupied_half_open(scene.view(), layout), 1U);
+}
+
+} // namespace
+} // namespace masu

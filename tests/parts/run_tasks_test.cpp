@@ -1,0 +1,58 @@
+// Tasks that are traced and written at the same time, of which one fails.
+#include "tools/jobs/run_tasks.h"
+
+#include "libscene/base/error.h"
+#include "tests/rendering.h"
+#include "tests/scene_builder.h"
+
+#include <tbb/parallel_for.h>
+
+#include <chrono>
+#include <thread>
+
+namespace masu {
+namespace {
+
+// False where it doesn't come within some seconds: where there is one thread only.
+bool comes(const std::atomic<bool>& event) {
+  for (int i = 0; i < 2000 && !event; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return event;
+}
+
+TEST(RunTasks, WhatIsWrittenWhileAnotherTaskFailsIsWhole) {
+  const Rendering rendering(empty_scene({0, 0, 5}, {0, 0, 0}), Store::float32);
+  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    constexpr int tasks = 8, rows = 2000;
+    int next = 0;
+    std::atomic<int> whole = 0, cut = 0;
+    std::atomic<bool> second_begun = false, first_failed = false;
+    const auto trace = [&](std::size_t) {
+      return next < tasks ? std::make_shared<int>(next++) : std::shared_ptr<int>();
+    };
+    const auto write = [&](int task) {
+      if (task == 0) {
+        comes(second_begun);
+        first_failed = true;
+        throw Error(ErrorCode::output, "the first", "can't be written");
+      }
+      second_begun = true;
+      comes(first_failed);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      std::atomic<int> written = 0;
+      tbb::parallel_for(0, rows, [&](int) { ++written; });
+      ++(written == rows ? whole : cut);
+    };
+    try {
+      run_tasks(tracer, 4, trace, write);
+      FAIL() << "the error is lost";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::output);
+    }
+    EXPECT_EQ(cut, 0) << "beside " << whole << " that are whole";
+  }
+}
+
+} // namespace
+} // namespace masu

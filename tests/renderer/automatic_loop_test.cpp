@@ -1,0 +1,174 @@
+// The loop by which a GPU traces a list: by the costs of a sample of its rays.
+#include "renderer/automatic_loop.h"
+
+#include "tests/random_ray.h"
+#include "tests/rendering.h"
+#include "tests/scene_builder.h"
+#include "tests/stability/test_scene.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+namespace masu {
+namespace {
+
+Scene random_scene(SceneChance& chance) {
+  Scene scene = empty_scene({0, -4, 1}, {0, 0, 0});
+  for (int i = 0; i < 60; ++i) {
+    const Vec3d at{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
+    add_sphere(scene, at, chance.between(0.02, 0.2), matte({1, 1, 1}));
+    add_triangle(scene, at, at + chance.direction() * 0.5, at + chance.direction() * 0.5, matte({1, 1, 1}));
+  }
+  return scene;
+}
+
+std::vector<Ray<float>> random_rays(SceneChance& chance, std::size_t count) {
+  std::vector<Ray<float>> rays(count);
+  for (Ray<float>& ray : rays)
+    ray = unbounded_ray(cast<float>(chance.direction() * 3.0), cast<float>(chance.direction()));
+  return rays;
+}
+
+TEST(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
+    GridOptions options;
+    options.kind = kind;
+    const Rendering rendering(random_scene(chance), Store::float32, "6x5x7", options);
+    for (const Query query : {Query::nearest_hit, Query::occlusion}) {
+      // The last warp isn't full.
+      const std::size_t warps = 1 + static_cast<std::size_t>(chance.between(0, 63));
+      const std::vector<Ray<float>> rays = random_rays(chance, warps * 32 + 17);
+      double work = 0, tests = 0, most_work = 0, most_tests = 0;
+      for (std::size_t warp = 0; warp < warps; ++warp) {
+        double longest = 0, most = 0;
+        for (std::size_t i = 0; i < 32; ++i) {
+          RaysRequest request;
+          request.query = query;
+          request.tracing.count = true;
+          std::uint8_t occluded = 0;
+          RayResults results;
+          results.occluded = &occluded;
+          const Counts counts =
+              Tracer(rendering.scene(), &rendering.grid(), Device::cpu)
+                  .trace(RayList(&rays[warp * 32 + i], 1, own_format<float>), results, request)
+                  .counts;
+          const auto of_ray = static_cast<double>(counts.triangle_tests + counts.sphere_tests);
+          longest = std::max(longest, of_ray + static_cast<double>(counts.cells_visited));
+          most = std::max(most, of_ray);
+          work += (of_ray + static_cast<double>(counts.cells_visited)) / static_cast<double>(warps * 32);
+          tests += of_ray / static_cast<double>(warps * 32);
+        }
+        most_work += longest / static_cast<double>(warps);
+        most_tests += most / static_cast<double>(warps);
+      }
+      const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+      const WarpCosts costs = sampled_costs(tracer, rays, query, Precision::automatic);
+      EXPECT_NEAR(costs.work, work, 1e-9 * work);
+      EXPECT_NEAR(costs.tests, tests, 1e-9 * work);
+      EXPECT_NEAR(costs.most_work, most_work, 1e-9 * most_work);
+      EXPECT_NEAR(costs.most_tests, most_tests, 1e-9 * most_work);
+    }
+  }
+}
+
+TEST(AutomaticLoop, SamplesNothingBeyondTheList) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  const Rendering rendering(random_scene(chance), Store::float32);
+  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  for (const std::size_t count : {0U, 1U, 31U, 32U, 2047U, 2048U, 2079U, 2080U, 5000U}) {
+    // All rays are alike: whatever is sampled, means and extremes are one ray's.
+    const std::vector<Ray<float>> rays(count, random_rays(chance, 1).front());
+    const WarpCosts costs = sampled_costs(tracer, rays, Query::nearest_hit, Precision::automatic);
+    EXPECT_DOUBLE_EQ(costs.work, costs.most_work) << count;
+    EXPECT_DOUBLE_EQ(costs.tests, costs.most_tests) << count;
+    EXPECT_EQ(automatic_loop(costs, false), RayLoop::thread_per_ray);
+  }
+}
+
+TEST(AutomaticLoop, RefillsWhereAFewRaysAreLong) {
+  for (const bool is_hierarchy : {false, true}) {
+    EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 60, 40}, is_hierarchy), RayLoop::warp_refill);
+    EXPECT_EQ(automatic_loop(WarpCosts{1, 0.5, 3, 2}, is_hierarchy), RayLoop::thread_per_ray); // too short
+    EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 15, 8}, is_hierarchy), RayLoop::thread_per_ray); // alike
+  }
+  EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 15, 9}, false), RayLoop::warp);
+}
+
+// A rod of spheres in one voxel, which few random rays meet, and those at length.
+Scene rod(const Vec3d& from, const Vec3d& at) {
+  Scene scene = empty_scene(from, at);
+  constexpr int spheres = 400;
+  for (int i = 0; i < spheres; ++i)
+    add_sphere(scene, {(i + 0.5) / spheres, 0, 0}, 0.5 / spheres, matte({1, 1, 1}));
+  scene.camera.width = scene.camera.height = 64;
+  return scene;
+}
+
+RayLoop usual_loop(UsualLoops& loops, const Rendering& rendering, bool coherent) {
+  return loops.of(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), coherent);
+}
+
+TEST(UsualLoops, OfIncoherentRaysIsThatOfRandomRaysWhateverTheCameraSees) {
+  for (const Vec3d& away : {Vec3d{0.5, 2, 0}, Vec3d{0.5, 0, 0}}) {
+    const Rendering rendering(rod({0.5, 1, 0}, away), Store::float32, "1");
+    UsualLoops loops;
+    EXPECT_EQ(usual_loop(loops, rendering, false), RayLoop::warp_refill);
+  }
+}
+
+TEST(UsualLoops, OfCoherentRaysIsThatOfTheCamera) {
+  UsualLoops blind, near, far;
+  const Rendering nothing(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1"); // all rays miss
+  EXPECT_EQ(usual_loop(blind, nothing, true), RayLoop::thread_per_ray);
+  const Rendering within(rod({0.5, 0, 0}, {1, 0, 0}), Store::float32, "1"); // all rays meet all spheres
+  EXPECT_EQ(usual_loop(near, within, true), RayLoop::thread_per_ray);
+  Scene seen = rod({0.5, 0.5, 0}, {0.5, 0, 0});
+  seen.camera.angle = 8; // those of two columns of pixels do
+  const Rendering across(seen, Store::float32, "1");
+  EXPECT_EQ(usual_loop(far, across, true), RayLoop::warp_refill);
+}
+
+// A thread that waits inside a loop's task takes others, which must not wait for what it is doing.
+TEST(UsualLoops, MayBeAskedForByTasksWhileTheyAreFoundOut) {
+  const Rendering rendering(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1");
+  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  for (int round = 0; round < 20; ++round) {
+    UsualLoops loops;
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, 64, 1),
+        [&](const tbb::blocked_range<int>& range) {
+          for (int i = range.begin(); i != range.end(); ++i)
+            EXPECT_EQ(loops.of(tracer, i % 2 == 0),
+                      i % 2 == 0 ? RayLoop::thread_per_ray : RayLoop::warp_refill);
+        },
+        tbb::simple_partitioner());
+  }
+}
+
+TEST(UsualLoops, AreTheSameForAllThreadsThatAskAtOnce) {
+  const Rendering rendering(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1");
+  UsualLoops loops;
+  std::vector<std::thread> threads;
+  std::array<std::array<RayLoop, 2>, 8> found{};
+  for (auto& pair : found)
+    threads.emplace_back([&] {
+      for (const bool coherent : {false, true})
+        pair[coherent ? 1 : 0] = usual_loop(loops, rendering, coherent);
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (const auto& pair : found)
+    EXPECT_EQ(pair, (std::array{RayLoop::warp_refill, RayLoop::thread_per_ray}));
+}
+
+} // namespace
+} // namespace masu

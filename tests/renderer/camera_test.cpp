@@ -1,0 +1,267 @@
+// Camera rays follow the view: right-handed, upright, through the corners or centres of pixels.
+#include "libscene/nff/nff.h"
+#include "renderer/image/image.h"
+#include "tests/rendering.h"
+#include "tests/scene_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+
+namespace masu {
+namespace {
+
+struct View {
+  Vec3d forward, right, up; // of unit length
+};
+
+// A camera of any direction, with an up vector that isn't perpendicular to it.
+View random_view(SceneChance& chance, Camera& camera) {
+  camera.from = chance.direction() * chance.between(0, 5);
+  const Vec3d forward = chance.direction();
+  camera.at = camera.from + forward * chance.between(0.5, 20);
+  camera.up = chance.towards(forward, -0.9);
+  while (std::abs(dot(camera.up, forward)) > 0.9)
+    camera.up = chance.direction();
+  camera.up = camera.up * chance.between(0.1, 10);
+  const Vec3d right = normalized(cross(forward, camera.up));
+  return {forward, right, cross(right, forward)};
+}
+
+TEST(Camera, ImageIsUprightAndNotMirrored) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  for (int i = 0; i < 30; ++i) {
+    Scene scene = empty_scene({0, 0, 5}, {0, 0, 0}); // 90°, 3×3 corner rays
+    const View view = random_view(chance, scene.camera);
+    std::vector<std::size_t> rays;
+    for (const int x : {-1, 0, 1}) {
+      for (const int y : {-1, 0, 1}) {
+        const Vec3d towards = view.forward + view.right * double(x) + view.up * double(y);
+        add_sphere(scene, scene.camera.from + towards * 5.0, 0.1, matte({1, 1, 1}));
+        rays.push_back(static_cast<std::size_t>((1 - y) * 3 + x + 1)); // rows from the top
+      }
+    }
+    const Frame frame = Rendering(scene, Store::float64).frame();
+    for (std::size_t sphere = 0; sphere < rays.size(); ++sphere)
+      EXPECT_EQ(frame.hits[rays[sphere]].name, static_cast<std::int32_t>(sphere));
+  }
+}
+
+TEST(Camera, RaysPassThroughPixelCornersOrCentres) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  for (int i = 0; i < 30; ++i) {
+    Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+    const View view = random_view(chance, scene.camera);
+    const double distance = chance.between(1, 10);
+    scene.camera.angle = chance.between(1, 120);
+    scene.camera.width = static_cast<std::int32_t>(chance.between(1, 9));
+    scene.camera.height = static_cast<std::int32_t>(chance.between(1, 9));
+    add_wall(scene, scene.camera.from + view.forward * distance, view.forward, matte({1, 1, 1}), 1e3);
+    const Rendering rendering(scene, Store::float64);
+    for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
+      FrameRequest request = rendering.request();
+      request.sampling = sampling;
+      const Frame frame = rendering.frame(request);
+      const bool corners = sampling == Sampling::corners;
+      ASSERT_EQ(frame.columns, scene.camera.width + (corners ? 1 : 0));
+      ASSERT_EQ(frame.rows, scene.camera.height + (corners ? 1 : 0));
+      ASSERT_EQ(frame.hits.size(), static_cast<std::size_t>(frame.columns * frame.rows));
+      // The angle spans the height from edge to edge; pixels are square.
+      const double pixel = 2 * std::tan(scene.camera.angle / 360 * std::numbers::pi) / scene.camera.height;
+      for (std::int32_t row = 0; row < frame.rows; ++row) {
+        for (std::int32_t column = 0; column < frame.columns; ++column) {
+          const double offset = corners ? 0 : 0.5;
+          const double x = (column + offset - scene.camera.width / 2.0) * pixel;
+          const double y = (row + offset - scene.camera.height / 2.0) * pixel;
+          const HitRecord hit = frame.hits[static_cast<std::size_t>(row * frame.columns + column)];
+          ASSERT_EQ(hit.name, 0);
+          EXPECT_NEAR(hit.t / (distance * std::sqrt(1 + x * x + y * y)), 1, 1e-6);
+        }
+      }
+    }
+  }
+}
+
+// Every value is written: of rays that miss the scene, too.
+TEST(Camera, APictureInUsedMemoryIsTheSame) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+  scene.camera.width = 70;
+  scene.camera.height = 41;
+  for (int i = 0; i < 3; ++i)
+    add_sphere(scene, chance.direction(), chance.between(0.1, 0.5), matte(chance.color()));
+  const Rendering rendering(scene, Store::float32);
+  for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
+    const Tracer tracer(rendering.scene(), grid, Device::cpu);
+    Frame memory;
+    for (int i = 0; i < 40; ++i) {
+      FrameRequest request = rendering.request();
+      request.hits = chance.between(0, 2) < 1;
+      request.costs = chance.between(0, 2) < 1;
+      request.tracing.count = request.costs;
+      request.window.first_column = static_cast<std::int32_t>(chance.between(0, 35));
+      request.window.columns = 1 + static_cast<std::int32_t>(chance.between(0, 35));
+      request.window.first_row = static_cast<std::int32_t>(chance.between(0, 20));
+      request.window.rows = 1 + static_cast<std::int32_t>(chance.between(0, 20));
+      const Frame fresh = tracer.render(request, 0);
+      if (i % 2 == 0) memory = used_memory(static_cast<std::size_t>(chance.between(0, 3000)));
+      memory = tracer.render(request, 0, std::move(memory));
+      ASSERT_EQ(memory.columns, request.window.columns);
+      ASSERT_EQ(memory.rows, request.window.rows);
+      expect_same_frames(fresh, memory);
+      EXPECT_EQ(fresh.counts.cells_visited, memory.counts.cells_visited);
+    }
+  }
+}
+
+TEST(Camera, AWindowHasTheSameBitsAsTheWhole) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
+  scene.camera.width = 37;
+  scene.camera.height = 29;
+  for (int i = 0; i < 20; ++i)
+    add_sphere(scene, chance.direction() * chance.between(0, 3), chance.between(0.1, 1),
+               matte(chance.color()));
+  for (const Store store : {Store::float32, Store::float64}) {
+    const Rendering rendering(scene, store);
+    for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
+      FrameRequest request = rendering.request();
+      request.sampling = sampling;
+      const Frame whole = rendering.frame(request);
+      for (int i = 0; i < 10; ++i) {
+        RayWindow& window = request.window;
+        window.first_column = static_cast<std::int32_t>(chance.between(0, whole.columns));
+        window.first_row = static_cast<std::int32_t>(chance.between(0, whole.rows));
+        window.columns =
+            1 + static_cast<std::int32_t>(chance.between(0, whole.columns - window.first_column));
+        window.rows = 1 + static_cast<std::int32_t>(chance.between(0, whole.rows - window.first_row));
+        const Frame part = rendering.frame(request);
+        ASSERT_EQ(part.columns, window.columns);
+        ASSERT_EQ(part.rows, window.rows);
+        for (std::int32_t row = 0; row < part.rows; ++row) {
+          const std::int32_t in_part = row * part.columns,
+                             in_whole = (window.first_row + row) * whole.columns + window.first_column;
+          EXPECT_EQ(std::memcmp(&part.radiance[static_cast<std::size_t>(in_part)],
+                                &whole.radiance[static_cast<std::size_t>(in_whole)],
+                                static_cast<std::size_t>(part.columns) * sizeof(Vec3f)),
+                    0);
+          EXPECT_EQ(std::memcmp(&part.hits[static_cast<std::size_t>(in_part)],
+                                &whole.hits[static_cast<std::size_t>(in_whole)],
+                                static_cast<std::size_t>(part.columns) * sizeof(HitRecord)),
+                    0);
+        }
+      }
+    }
+  }
+}
+
+TEST(Camera, AWindowOutsideThePictureIsRefused) {
+  const Rendering rendering(empty_scene({0, 0, 5}, {0, 0, 0}), Store::float32); // 3×3 corner rays
+  for (const RayWindow& window : {RayWindow{-1, 0, 1, 1}, RayWindow{0, -1, 1, 1}, RayWindow{3, 0, 1, 1},
+                                  RayWindow{0, 3, 1, 1}, RayWindow{1, 0, 3, 1}, RayWindow{0, 1, 1, 3},
+                                  RayWindow{0, 0, 1, 0}, RayWindow{1, 1, 0x7fffffff, 1}}) {
+    FrameRequest request = rendering.request();
+    request.window = window;
+    EXPECT_THROW(static_cast<void>(rendering.frame(request)), Error);
+  }
+}
+
+TEST(Camera, AngleIsTheVerticalFieldOfView) {
+  // A tiny target, half the angle above the view direction.
+  for (const double angle : {20.0, 45.0, 90.0, 120.0}) {
+    Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
+    scene.camera.angle = angle;
+    const double half = angle / 360 * std::numbers::pi;
+    add_sphere(scene, Vec3d{0, std::sin(half), -std::cos(half)} * 100.0, 1e-3, matte({1, 1, 1}));
+    const Frame frame = Rendering(scene, Store::float64).frame();
+    for (std::size_t ray = 0; ray < frame.hits.size(); ++ray)
+      EXPECT_EQ(frame.hits[ray].name, ray == 1 ? 0 : -1) << "ray " << ray << " at " << angle << " degrees";
+  }
+}
+
+TEST(Camera, HitherClipsOnlyOnRequest) {
+  Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
+  scene.camera.hither = 2;
+  scene.camera.angle = 1;
+  add_wall(scene, {0, 0, -1}, {0, 0, 1}, matte({1, 0, 0}));
+  add_wall(scene, {0, 0, -3}, {0, 0, 1}, matte({0, 1, 0}));
+  const Rendering rendering(scene, Store::float32);
+  FrameRequest request = rendering.request();
+  EXPECT_EQ(rendering.frame(request).hits[4].name, 0);
+  request.hither = true;
+  EXPECT_EQ(rendering.frame(request).hits[4].name, 1);
+}
+
+TEST(Image, PixelIsTheMeanOfItsCornersOrItsCentre) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  SceneChance chance(seed);
+  Frame frame;
+  frame.columns = 4;
+  frame.rows = 3;
+  for (int i = 0; i < 12; ++i)
+    frame.radiance.push_back(chance.color());
+  ASSERT_EQ(image_width(frame, Sampling::corners), 3);
+  ASSERT_EQ(image_height(frame, Sampling::corners), 2);
+  std::array<Vec3f, 3> corners{};
+  for (std::size_t y = 0; y < 2; ++y) {
+    image_row(frame, Sampling::corners, static_cast<std::int32_t>(y), corners);
+    for (std::size_t x = 0; x < 3; ++x) {
+      const std::size_t i = y * 4 + x;
+      for (int channel = 0; channel < 3; ++channel) {
+        const float sum = frame.radiance[i][channel] + frame.radiance[i + 1][channel] +
+                          frame.radiance[i + 4][channel] + frame.radiance[i + 5][channel];
+        EXPECT_FLOAT_EQ(corners[x][channel], sum / 4);
+      }
+    }
+  }
+  ASSERT_EQ(image_width(frame, Sampling::centers), 4);
+  ASSERT_EQ(image_height(frame, Sampling::centers), 3);
+  std::array<Vec3f, 4> centers{};
+  for (std::size_t y = 0; y < 3; ++y) {
+    image_row(frame, Sampling::centers, static_cast<std::int32_t>(y), centers);
+    EXPECT_TRUE(std::ranges::equal(centers, std::span(frame.radiance).subspan(4 * y, 4)));
+  }
+}
+
+// The radiance of a white diffuse wall that faces all lights: their sum and the ambient light.
+Vec3f wall_lit_by(const std::string& lights) {
+  const Scene scene = parse_nff("v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 0.001\nhither 1\nresolution 2 2\n" +
+                                    lights + "\nf 1 1 1 1 0 0 0 1\np 3\n-9 -9 0\n9 -9 0\n0 9 0\n",
+                                "text");
+  return Rendering(scene, Store::automatic).frame().radiance[4];
+}
+
+TEST(Light, DefaultIntensityDependsOnTheNumberOfLights) {
+  std::string lights;
+  for (int n = 1; n <= 9; ++n) {
+    lights += "l 0 0 1000\n";
+    const float each = std::sqrt(static_cast<float>(n)) / static_cast<float>(2 * n);
+    const Vec3f color = wall_lit_by(lights);
+    EXPECT_NEAR(color.x, each * static_cast<float>(n) + each, 1e-5) << n << " lights"; // ambient on top
+    EXPECT_EQ(color.x, color.y);
+    EXPECT_EQ(color.x, color.z);
+  }
+}
+
+TEST(Light, OwnColourReplacesTheDefaultIntensity) {
+  const float ambient = std::sqrt(2.0F) / 4;
+  const Vec3f color = wall_lit_by("l 0 0 1000 0.5 0.25 0.125\nl 0 0 1000\n");
+  EXPECT_NEAR(color.x, ambient + ambient + 0.5F, 1e-5);
+  EXPECT_NEAR(color.y, ambient + ambient + 0.25F, 1e-5);
+  EXPECT_NEAR(color.z, ambient + ambient + 0.125F, 1e-5);
+}
+
+} // namespace
+} // namespace masu

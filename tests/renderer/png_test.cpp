@@ -1,0 +1,168 @@
+// PNG files: decoded by libpng they hold the pixels given, by any division into runs of bands.
+#include "renderer/image/deflate.h"
+#include "renderer/image/png_file.h"
+#include "tests/stability/random_seed.h"
+#include "tests/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+#include <tbb/global_control.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+// Empty where libpng finds anything wrong; a checksum is such a thing.
+Bytes decoded(const std::string& path, std::int32_t width, std::int32_t height) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return {};
+  EXPECT_EQ(png.width, static_cast<png_uint_32>(width));
+  EXPECT_EQ(png.height, static_cast<png_uint_32>(height));
+  EXPECT_EQ(png.format, static_cast<png_uint_32>(PNG_FORMAT_RGB));
+  png.format = PNG_FORMAT_RGB;
+  Bytes rgb(PNG_IMAGE_SIZE(png));
+  const bool good = png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr) != 0;
+  EXPECT_TRUE(good && png.warning_or_error == 0) << png.message;
+  return good ? rgb : Bytes{};
+}
+
+// Smooth, with noise here and there.
+Bytes picture(std::mt19937_64& random, std::int32_t width, std::int32_t height) {
+  Bytes rgb;
+  for (std::int32_t y = 0; y < height; ++y) {
+    const bool noisy = random() % 4 == 0;
+    for (std::int32_t x = 0; x < width; ++x) {
+      for (int channel = 0; channel < 3; ++channel)
+        rgb.push_back(
+            static_cast<std::uint8_t>(noisy ? random() : static_cast<unsigned>(x / 3 + y * channel)));
+    }
+  }
+  return rgb;
+}
+
+TEST(Png, HoldsThePixelsOfAnySize) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.png");
+  const std::vector<std::pair<std::int32_t, std::int32_t>> sizes{
+      {1, 1},     {2, 1},    {1, 7},       {3, 2},      {640, 480},
+      {65536, 3}, {5, 9999}, {2048, 2100}, {65536, 70}, {2000, 699}};
+  for (const auto& [width, height] : sizes) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height);
+    const Bytes rgb = picture(random, width, height);
+    write_png(rgb, width, height, path);
+    EXPECT_TRUE(decoded(path, width, height) == rgb);
+  }
+}
+
+TEST(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  const TemporaryFolder folder;
+  constexpr std::int32_t width = 1500, height = 3000; // several bands
+  const Bytes rgb = picture(random, width, height);
+  const auto whole = [&](const std::string& name) {
+    write_png(rgb, width, height, folder.file(name));
+    return read_bytes(folder.file(name));
+  };
+  const Bytes expected = whole("whole.png");
+  {
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_TRUE(whole("one.png") == expected);
+  }
+  const auto band = static_cast<std::size_t>(png_band_rows(width));
+  ASSERT_GE(height / band, 3U);
+  for (const std::size_t longest : {1U, 2U, 4U}) { // bands
+    std::vector<std::pair<std::size_t, std::size_t>> runs;
+    for (std::size_t row = 0; row < height; row += runs.back().second)
+      runs.emplace_back(row, std::min<std::size_t>((1 + random() % longest) * band, height - row));
+    std::vector<PngRows> encoded(runs.size());
+    std::vector<std::size_t> order(runs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::shuffle(order.begin(), order.end(), random);
+    for (const std::size_t i : order) {
+      const auto [row, rows] = runs[i];
+      encoded[i] = encoded_rows(std::span(rgb).subspan(row * width * 3, rows * width * 3), width,
+                                row + rows == height);
+    }
+    OutputFile file(folder.file("runs.png"));
+    PngWriter writer(file, width, height);
+    for (const PngRows& rows : encoded)
+      writer.write(rows);
+    file.commit();
+    EXPECT_TRUE(read_bytes(folder.file("runs.png")) == expected) << "runs of up to " << longest;
+  }
+}
+
+TEST(Png, TextsAreChunksAndPixelsStayTheSame) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.png");
+  const Bytes rgb{1, 2, 3, 4, 5, 6};
+  write_png(rgb, 2, 1, path, {{"Software", "Masu"}, {"Source", ""}});
+  EXPECT_TRUE(decoded(path, 2, 1) == rgb);
+  const std::string text = read_text(path);
+  EXPECT_NE(text.find(std::string("tEXtSoftware\0Masu", 17)), std::string::npos);
+  EXPECT_NE(text.find(std::string("tEXtSource\0", 11)), std::string::npos);
+}
+
+// Also of the last chunk, which is empty and which libpng doesn't read.
+TEST(Png, ChunksHaveTheirChecksums) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.png");
+  write_png(Bytes{1, 2, 3}, 1, 1, path, {{"Software", "Masu"}});
+  const Bytes bytes = read_bytes(path);
+  const auto number = [&](std::size_t at) {
+    return static_cast<std::size_t>(bytes[at]) << 24 | static_cast<std::size_t>(bytes[at + 1]) << 16 |
+           static_cast<std::size_t>(bytes[at + 2]) << 8 | bytes[at + 3];
+  };
+  std::size_t at = 8, chunks = 0;
+  for (; at + 12 <= bytes.size(); ++chunks) {
+    const std::size_t length = number(at);
+    ASSERT_LE(at + 12 + length, bytes.size());
+    EXPECT_EQ(number(at + 8 + length), crc32(0, bytes.data() + at + 4, static_cast<uInt>(4 + length)));
+    at += 12 + length;
+  }
+  EXPECT_EQ(at, bytes.size());
+  EXPECT_GE(chunks, 4U);
+}
+
+// zlib inflates pieces one after the other as one stream.
+TEST(Deflate, PiecesAreOneStream) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  for (int i = 0; i < 200; ++i) {
+    Bytes all, stream;
+    const std::size_t pieces = 1 + random() % 6;
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+      Bytes bytes(random() % (i % 10 == 0 ? 2000000 : 3000));
+      const auto values = static_cast<unsigned>(1 + random() % (random() % 2 == 0 ? 4 : 256));
+      std::ranges::generate(bytes, [&] { return static_cast<std::uint8_t>(random() % values); });
+      const Bytes made = deflated(bytes, piece + 1 == pieces);
+      all.insert(all.end(), bytes.begin(), bytes.end());
+      stream.insert(stream.end(), made.begin(), made.end());
+    }
+    Bytes inflated(all.size() + 1);
+    z_stream reader{};
+    ASSERT_EQ(inflateInit2(&reader, -MAX_WBITS), Z_OK);
+    reader.next_in = stream.data();
+    reader.avail_in = static_cast<uInt>(stream.size());
+    reader.next_out = inflated.data();
+    reader.avail_out = static_cast<uInt>(inflated.size());
+    EXPECT_EQ(inflate(&reader, Z_FINISH), Z_STREAM_END);
+    EXPECT_EQ(reader.avail_in, 0U);
+    inflated.resize(reader.total_out);
+    inflateEnd(&reader);
+    EXPECT_TRUE(inflated == all);
+  }
+}
+
+} // namespace
+} // namespace masu

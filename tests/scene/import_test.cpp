@@ -1,0 +1,552 @@
+// Meshes read through Assimp: the same triangles as from NFF, transforms, materials, cameras, lights,
+// normals.
+#include "libscene/file/scene_file.h"
+#include "libscene/mesh/import/import.h"
+#include "libscene/nff/nff.h"
+#include "tests/refused.h"
+#include "tests/stability/random_seed.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <numbers>
+
+// Assimp leaks some of what it has read of an invalid file.
+extern "C" const char* __lsan_default_suppressions() { // NOLINT(bugprone-reserved-identifier)
+  return "leak:libassimp";
+}
+
+namespace masu {
+namespace {
+
+using Random = std::mt19937_64;
+using Polygon = std::vector<Vec3d>;
+
+int whole(Random& random, int from, int to) {
+  return std::uniform_int_distribution(from, to)(random);
+}
+
+ImportedScene parse(std::string_view text, const std::string& extension, const ImportOptions& options = {}) {
+  return parse_mesh({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, extension, "t",
+                    options);
+}
+
+// --- Polygons in several formats ------------------------------------------------------------------------
+
+// A star-shaped polygon, convex or not, in a random plane. Multiples of 1/64, which every format holds
+// exactly.
+Polygon random_polygon(Random& random, int vertices) {
+  const auto raster = [](double x) { return std::round(64 * x) / 64; };
+  std::uniform_real_distribution<double> any(-4, 4), radius(0.25, 2);
+  const Vec3d center{any(random), any(random), any(random)}, slope{any(random) / 8, any(random) / 8, 0};
+  Polygon polygon;
+  for (int i = 0; i < vertices; ++i) {
+    const double angle = 2 * std::numbers::pi * i / vertices, r = radius(random);
+    const double x = raster(r * std::cos(angle)), y = raster(r * std::sin(angle));
+    polygon.push_back(
+        {raster(center.x) + x, raster(center.y) + y, raster(center.z + slope.x * x + slope.y * y)});
+  }
+  return polygon;
+}
+
+std::vector<Polygon> random_polygons(Random& random, int max_vertices) {
+  std::vector<Polygon> polygons;
+  for (int i = 0; i < 20; ++i)
+    polygons.push_back(random_polygon(random, whole(random, 3, max_vertices)));
+  polygons.push_back({{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}); // without area
+  return polygons;
+}
+
+std::string coordinates(const Vec3d& p) {
+  return fmt::format("{:.6f} {:.6f} {:.6f}\n", p.x, p.y, p.z);
+}
+
+std::string nff_of(const std::vector<Polygon>& polygons) {
+  std::string text;
+  for (const Polygon& polygon : polygons) {
+    text += fmt::format("p {}\n", polygon.size());
+    for (const Vec3d& p : polygon)
+      text += coordinates(p);
+  }
+  return text;
+}
+
+std::string obj_of(const std::vector<Polygon>& polygons) {
+  std::string text;
+  for (const Polygon& polygon : polygons) {
+    for (const Vec3d& p : polygon)
+      text += "v " + coordinates(p);
+    text += "f";
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      text += fmt::format(" {}", static_cast<int>(i) - static_cast<int>(polygon.size())); // relative
+    text += "\n";
+  }
+  return text;
+}
+
+std::size_t vertex_count(const std::vector<Polygon>& polygons) {
+  std::size_t count = 0;
+  for (const Polygon& polygon : polygons)
+    count += polygon.size();
+  return count;
+}
+
+std::string ply_header(const std::vector<Polygon>& polygons, const char* format) {
+  return fmt::format(
+      "ply\nformat {} 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      format, vertex_count(polygons), polygons.size());
+}
+
+std::string ply_of(const std::vector<Polygon>& polygons) {
+  std::string text = ply_header(polygons, "ascii"), faces;
+  int next = 0;
+  for (const Polygon& polygon : polygons) {
+    faces += fmt::format("{}", polygon.size());
+    for (const Vec3d& p : polygon) {
+      text += coordinates(p);
+      faces += fmt::format(" {}", next++);
+    }
+    faces += "\n";
+  }
+  return text + faces;
+}
+
+template <class T>
+void append(std::string& bytes, T value) {
+  std::array<char, sizeof(T)> raw{};
+  std::memcpy(raw.data(), &value, sizeof value);
+  bytes.append(raw.data(), raw.size());
+}
+void append_point(std::string& bytes, const Vec3d& p) {
+  for (const double x : {p.x, p.y, p.z})
+    append(bytes, static_cast<float>(x));
+}
+
+std::string binary_ply_of(const std::vector<Polygon>& polygons) {
+  std::string bytes = ply_header(polygons, "binary_little_endian"), faces;
+  std::int32_t next = 0;
+  for (const Polygon& polygon : polygons) {
+    append(faces, static_cast<std::uint8_t>(polygon.size()));
+    for (const Vec3d& p : polygon) {
+      append_point(bytes, p);
+      append(faces, next++);
+    }
+  }
+  return bytes + faces;
+}
+
+std::string stl_of(const std::vector<Polygon>& triangles) {
+  std::string bytes(80, '\0');
+  append(bytes, static_cast<std::uint32_t>(triangles.size()));
+  for (const Polygon& triangle : triangles) {
+    append_point(bytes, {0, 0, 0}); // the normal
+    for (const Vec3d& p : triangle)
+      append_point(bytes, p);
+    append(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+// Binary glTF: one mesh of the triangles, whose primitive has material 0 if `more` lists materials.
+// `nodes`: JSON objects, the first of which is the scene's root.
+std::string glb_of(const std::vector<Polygon>& triangles, const std::string& nodes = R"({"mesh":0})",
+                   const std::string& more = "", const std::string& primitive = "") {
+  std::string body;
+  for (const Polygon& triangle : triangles)
+    for (const Vec3d& p : triangle)
+      append_point(body, p);
+  std::string json =
+      fmt::format(R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],"nodes":[{}],)"
+                  R"("meshes":[{{"name":"m","primitives":[{{"attributes":{{"POSITION":0}}{}}}]}}],)"
+                  R"("accessors":[{{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3"}}],)"
+                  R"("bufferViews":[{{"buffer":0,"byteLength":{}}}],"buffers":[{{"byteLength":{}}}]{}}})",
+                  nodes, primitive, 3 * triangles.size(), body.size(), body.size(), more);
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string bytes = "glTF";
+  append(bytes, std::uint32_t{2});
+  append(bytes, static_cast<std::uint32_t>(12 + 8 + json.size() + 8 + body.size()));
+  append(bytes, static_cast<std::uint32_t>(json.size()));
+  bytes += "JSON" + json;
+  append(bytes, static_cast<std::uint32_t>(body.size()));
+  bytes += std::string("BIN\0", 4) + body;
+  return bytes;
+}
+
+// But for those that keep the numbers of faces without area, which NFF leaves out.
+void expect_same_triangles(const Scene& scene, const Scene& expected) {
+  std::vector<Triangle<double>> surfaces;
+  for (const Triangle<double> t : scene.triangles)
+    if (has_surface(t)) surfaces.push_back(t);
+  ASSERT_EQ(surfaces.size(), expected.triangles.size());
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Triangle<double>&t = surfaces[i], &e = expected.triangles[i];
+    EXPECT_TRUE(t.a == e.a && t.b == e.b && t.c == e.c) << "triangle " << i;
+  }
+  EXPECT_EQ(scene.warnings.degenerate_polygons, expected.warnings.degenerate_polygons);
+  EXPECT_EQ(scene.warnings.degenerate_triangles, expected.warnings.degenerate_triangles);
+  EXPECT_EQ(scene.warnings.self_crossing_polygons, expected.warnings.self_crossing_polygons);
+}
+
+TEST(Import, PolygonsAreTheSameTrianglesAsFromNff) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Polygon> polygons = random_polygons(random, 9);
+    const Scene nff = parse_nff(nff_of(polygons), "t");
+    EXPECT_EQ(nff.warnings.degenerate_polygons, 1U);
+    expect_same_triangles(parse(obj_of(polygons), "obj").scene, nff);
+    expect_same_triangles(parse(ply_of(polygons), "ply").scene, nff);
+    expect_same_triangles(parse(binary_ply_of(polygons), "ply").scene, nff);
+  }
+}
+
+TEST(Import, TrianglesAreTheSameFromEachFormat) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<Polygon> triangles = random_polygons(random, 3);
+    const Scene nff = parse_nff(nff_of(triangles), "t");
+    expect_same_triangles(parse(obj_of(triangles), "obj").scene, nff);
+    expect_same_triangles(parse(binary_ply_of(triangles), "ply").scene, nff);
+    expect_same_triangles(parse(stl_of(triangles), "stl").scene, nff);
+    expect_same_triangles(parse(glb_of(triangles), "glb").scene, nff);
+  }
+}
+
+// --- Numbers of faces ------------------------------------------------------------------------------------
+
+// Points and lines are no faces.
+TEST(Import, TrianglesHaveTheNumbersOfTheirFaces) {
+  const std::string vertices =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e9 1e9 1e9\nv 2e9 2e9 2e9\nv 3e9 3e9 3e9\n";
+  const ImportedScene imported =
+      parse(vertices + "f 5 6 7\nf 1 2 3\nl 1 2\nf 2 2 3\nf 1 2 4\nf 3 2 1\no more\nf 1 1 1\np 3\nf 2 3 1\n",
+            "obj");
+  const Scene& scene = imported.scene;
+  EXPECT_TRUE(scene.faces.empty()); // each triangle is its own face
+  ASSERT_EQ(scene.triangles.size(), 7U);
+  for (const std::size_t i : {0U, 2U, 3U, 5U})
+    EXPECT_FALSE(has_surface(Triangle<double>(scene.triangles[i]))) << i;
+  EXPECT_TRUE(scene.triangles[1].a == (Vec3d{0, 0, 0}));
+  EXPECT_TRUE(scene.triangles[4].a == (Vec3d{0, 1, 0}));
+  EXPECT_TRUE(scene.triangles[6].a == (Vec3d{1, 0, 0}));
+  EXPECT_EQ(scene.triangles[4].object, 0U);
+  EXPECT_EQ(scene.triangles[5].object, 1U);
+  EXPECT_EQ(scene.warnings.degenerate_polygons, 3U);
+  EXPECT_EQ(imported.notes.invalid_faces, 1U);
+  EXPECT_EQ(imported.notes.points_and_lines, 2U);
+  EXPECT_TRUE(bounds(scene).max == (Vec3d{1, 1, 0})); // those of what can be hit
+}
+
+TEST(Import, TrianglesOfPolygonsSayTheirFaces) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Polygon> polygons = random_polygons(random, 9);
+    polygons.push_back({{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {2, 2, 2}}); // without area
+    std::shuffle(polygons.begin(), polygons.end(), random);
+    for (const auto& [extension, text] : {std::pair{"ply", ply_of(polygons)}, {"obj", obj_of(polygons)}}) {
+      const Scene scene = parse(text, extension).scene;
+      ASSERT_EQ(scene.faces.size(), scene.triangles.size());
+      std::vector<int> triangles(polygons.size());
+      for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
+        const Triangle<double> t = scene.triangles[k];
+        const Polygon& face = polygons.at(scene.faces[k]);
+        ++triangles[scene.faces[k]];
+        const auto has_corner = [&](const Vec3d& p) {
+          return std::any_of(face.begin(), face.end(),
+                             [&](const Vec3d& q) { return largest_magnitude(p - q) < 1e-6; });
+        };
+        EXPECT_TRUE(!has_surface(t) || (has_corner(t.a) && has_corner(t.b) && has_corner(t.c)));
+      }
+      EXPECT_TRUE(std::all_of(triangles.begin(), triangles.end(), [](int count) { return count > 0; }));
+      EXPECT_TRUE(std::is_sorted(scene.faces.begin(), scene.faces.end()));
+    }
+  }
+}
+
+// --- Objects and transforms -----------------------------------------------------------------------------
+
+const std::vector<Polygon> one_triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+
+TEST(Import, EachInstanceOfAMeshIsAnObject) {
+  const ImportedScene imported = parse(
+      glb_of(
+          {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
+          R"({"name":"root","children":[1,2],"translation":[10,0,0]},{"name":"a","mesh":0,"scale":[2,2,2]},)"
+          R"({"name":"b","mesh":0,"translation":[0,0,5]})"),
+      "glb");
+  const Scene& scene = imported.scene;
+  EXPECT_EQ(imported.object_names, (std::vector<std::string>{"a/m", "b/m"}));
+  EXPECT_EQ(scene.objects.polygons, 2U);
+  ASSERT_EQ(scene.triangles.size(), 4U);
+  EXPECT_EQ(scene.triangles[0].object, 0U);
+  EXPECT_EQ(scene.triangles[1].object, 0U);
+  EXPECT_EQ(scene.triangles[2].object, 1U);
+  EXPECT_TRUE(scene.triangles[1].b == (Vec3d{12, 0, 2}));
+  EXPECT_TRUE(scene.triangles[3].b == (Vec3d{11, 0, 6}));
+}
+
+TEST(Import, FrontsStayOutsideWhereANodeMirrors) {
+  for (const bool smooth : {false, true}) {
+    const Scene scene = parse(glb_of(one_triangle, R"({"mesh":0,"scale":[-1,1,1]})"), "glb", {smooth}).scene;
+    ASSERT_EQ(scene.triangles.size(), 1U);
+    const Triangle<double>& t = scene.triangles[0];
+    EXPECT_GT(cross(t.b - t.a, t.c - t.a).z, 0);
+    if (smooth) {
+      ASSERT_EQ(scene.normals.size(), 1U);
+      EXPECT_GT(scene.normals[0].a.z, 0.999);
+    }
+  }
+}
+
+// --- Materials ------------------------------------------------------------------------------------------
+
+Material material_of(const std::string& json) {
+  const Scene scene =
+      parse(glb_of(one_triangle, R"({"mesh":0})",
+                   R"(,"extensionsUsed":["KHR_materials_transmission"],"materials":[)" + json + "]",
+                   R"(,"material":0)"),
+            "glb")
+          .scene;
+  EXPECT_EQ(scene.materials.size(), 1U);
+  return scene.materials.at(0);
+}
+
+TEST(Import, MetalnessAndRoughnessBecomeDiffuseAndSpecular) {
+  const Material matte = material_of(
+      R"({"pbrMetallicRoughness":{"baseColorFactor":[0.5,0.25,0.125,1],"metallicFactor":0,"roughnessFactor":1}})");
+  EXPECT_EQ(matte.color, (Vec3f{0.5F, 0.25F, 0.125F}));
+  EXPECT_EQ(matte.diffuse, 1);
+  EXPECT_EQ(matte.specular, 0);
+  EXPECT_EQ(matte.transmittance, 0);
+  const Material mirror = material_of(R"({"pbrMetallicRoughness":{"metallicFactor":1,"roughnessFactor":0}})");
+  EXPECT_EQ(mirror.diffuse, 0);
+  EXPECT_EQ(mirror.specular, 1);
+  EXPECT_TRUE(std::isfinite(mirror.shine));
+  const Material veil = material_of(
+      R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.25],"metallicFactor":0},"alphaMode":"BLEND"})");
+  EXPECT_EQ(veil.transmittance, 0.75F);
+  EXPECT_EQ(veil.diffuse, 0.25F);
+  EXPECT_EQ(veil.refraction_index, 1);
+  const Material opaque =
+      material_of(R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.25],"metallicFactor":0}})");
+  EXPECT_EQ(opaque.transmittance, 0);
+}
+
+TEST(Import, VertexColorsAreTheTrianglesColors) {
+  const ImportedScene imported =
+      parse("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+            "property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 2\n"
+            "property list uchar int vertex_indices\nend_header\n"
+            "0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0 255 0 0\n1 1 0 255 255 255\n3 0 1 2\n3 1 3 2\n",
+            "ply");
+  const Scene& scene = imported.scene;
+  ASSERT_EQ(scene.triangles.size(), 2U);
+  ASSERT_EQ(scene.materials.size(), 2U);
+  EXPECT_EQ(scene.materials[0].color, (Vec3f{1, 0, 0}));
+  EXPECT_EQ(scene.materials[1].color.x, 1);
+  EXPECT_NEAR(scene.materials[1].color.y, 1.0 / 3, 1.0 / 126);
+}
+
+// --- Normals --------------------------------------------------------------------------------------------
+
+// A sphere of radius 2 as an OBJ, each face with vertices of its own.
+std::string sphere_obj(int rings) {
+  std::vector<Polygon> polygons;
+  const auto at = [&](int i, int j) {
+    const double latitude = std::numbers::pi * i / rings,
+                 longitude = std::numbers::pi * (j % (2 * rings)) / rings;
+    return Vec3d{2 * std::sin(latitude) * std::cos(longitude), 2 * std::sin(latitude) * std::sin(longitude),
+                 2 * std::cos(latitude)};
+  };
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < 2 * rings; ++j)
+      polygons.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+  return obj_of(polygons);
+}
+
+TEST(Import, GeneratedNormalsOfASphereAreRadial) {
+  const Scene scene = parse(sphere_obj(32), "obj", {.smooth = true}).scene;
+  ASSERT_EQ(scene.normals.size(), scene.triangles.size());
+  std::map<std::array<double, 3>, Vec3d> at; // one normal for each position
+  for (const SceneTriangle& t : scene.triangles) {
+    const CornerNormals<double>& n = scene.normals[t.normals];
+    for (const auto& [p, normal] : {std::pair{t.a, n.a}, {t.b, n.b}, {t.c, n.c}}) {
+      EXPECT_GT(dot(normal, p) / 2, 0.998);
+      EXPECT_TRUE(at.try_emplace({p.x, p.y, p.z}, normal).first->second == normal);
+    }
+  }
+}
+
+TEST(Import, TheFilesNormalsAreUsedOnlyWhereAskedFor) {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 3 0 4\nf 1//1 2//1 3//1\n";
+  EXPECT_EQ(parse(obj, "obj").scene.triangles.at(0).normals, no_normals);
+  const Scene scene = parse(obj, "obj", {.smooth = true}).scene;
+  ASSERT_EQ(scene.normals.size(), 1U);
+  EXPECT_NEAR(scene.normals[0].b.x, 0.6, 1e-6);
+  EXPECT_NEAR(scene.normals[0].b.z, 0.8, 1e-6);
+  EXPECT_EQ(scene.objects.patches, 1U);
+}
+
+// --- Camera and lights ----------------------------------------------------------------------------------
+
+constexpr const char* camera_and_light =
+    R"(,"extensionsUsed":["KHR_lights_punctual"],"cameras":[{"type":"perspective","perspective":)"
+    R"({"yfov":0.5,"znear":0.25,"aspectRatio":2}}],"extensions":{"KHR_lights_punctual":{"lights":[)"
+    R"({"type":"point","color":[1,0.5,0.25],"intensity":40},{"type":"directional","intensity":10}]}})";
+
+TEST(Import, TheFilesCameraAndLightsAreUsed) {
+  const ImportedScene imported =
+      parse(glb_of(one_triangle,
+                   R"({"mesh":0,"children":[1,2,3]},{"name":"c","camera":0,"translation":[0,0,5]},)"
+                   R"({"name":"l","translation":[1,2,3],"extensions":{"KHR_lights_punctual":{"light":0}}},)"
+                   R"({"name":"d","extensions":{"KHR_lights_punctual":{"light":1}}})",
+                   camera_and_light),
+            "glb");
+  const Scene& scene = imported.scene;
+  EXPECT_TRUE(scene.has_camera);
+  EXPECT_TRUE(imported.notes.has_lights);
+  EXPECT_TRUE(scene.camera.from == (Vec3d{0, 0, 5}));
+  EXPECT_LT(normalized(scene.camera.at - scene.camera.from).z, -0.999);
+  EXPECT_NEAR(scene.camera.angle, 0.5 * 180 / std::numbers::pi, 1e-4);
+  EXPECT_EQ(scene.camera.width, 1024);
+  EXPECT_EQ(scene.camera.height, 512);
+  ASSERT_EQ(scene.lights.size(), 2U);
+  const double each = std::sqrt(2.0) / 4;
+  EXPECT_TRUE(scene.lights[0].position == (Vec3d{1, 2, 3}));
+  EXPECT_NEAR(scene.lights[0].intensity.x, each, 1e-6);
+  EXPECT_NEAR(scene.lights[0].intensity.z, each / 4, 1e-6);
+  EXPECT_GT(scene.lights[1].position.z, 10); // shines along -z
+  EXPECT_NEAR(scene.lights[1].intensity.x, each / 4, 1e-6);
+}
+
+// Whether every corner is inside the picture.
+bool is_framed(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  const Vec3d forward = normalized(camera.at - camera.from), right = normalized(cross(forward, camera.up)),
+              up = cross(right, forward);
+  const double top = std::tan(camera.angle / 2 * std::numbers::pi / 180);
+  const double side = top * camera.width / camera.height;
+  for (const SceneTriangle& t : scene.triangles)
+    for (const Vec3d& p : {t.a, t.b, t.c}) {
+      const Vec3d v = p - camera.from;
+      const double depth = dot(v, forward);
+      if (!(depth > 0) || std::abs(dot(v, right)) > side * depth || std::abs(dot(v, up)) > top * depth)
+        return false;
+    }
+  return true;
+}
+
+TEST(Import, TheAutomaticCameraFramesTheSceneWithItsUpAxis) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  for (int i = 0; i < 20; ++i) {
+    const std::string obj = obj_of(random_polygons(random, 9));
+    for (const UpAxis up : {UpAxis::y, UpAxis::z}) {
+      ImportOptions options;
+      options.up = up;
+      options.width = whole(random, 1, 1000);
+      options.height = whole(random, 1, 1000);
+      const ImportedScene imported = parse(obj, "obj", options);
+      EXPECT_FALSE(imported.scene.has_camera);
+      EXPECT_TRUE(imported.scene.camera.up == (up == UpAxis::y ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1}));
+      EXPECT_EQ(imported.scene.camera.width, options.width);
+      EXPECT_EQ(imported.scene.camera.height, options.height);
+      EXPECT_TRUE(is_framed(imported.scene));
+      EXPECT_EQ(imported.scene.lights.size(), 1U);
+    }
+  }
+}
+
+// --- Invalid files --------------------------------------------------------------------------------------
+
+TEST(Import, WhatIsNoPolygonIsLeftOutAndCounted) {
+  const ImportedScene imported = parse(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv inf 0 0\nf 1 2 3\nl 1 2\np 3\nf 1 2 4\nf 1 2 5\n", "obj");
+  EXPECT_EQ(imported.scene.triangles.size(), 3U); // two of which can't be hit
+  EXPECT_EQ(imported.notes.points_and_lines, 2U);
+  EXPECT_EQ(imported.notes.invalid_faces, 2U);
+}
+
+TEST(Import, InvalidFilesAreRefusedInOneLine) {
+  const auto refused = [](const std::string& text, const std::string& extension,
+                          const std::string& says = "") {
+    return is_refused([&](const std::string&) { parse(text, extension); }, "t", says);
+  };
+  EXPECT_TRUE(refused("", "ply"));
+  EXPECT_TRUE(refused("no mesh at all", "obj"));
+  EXPECT_TRUE(refused("v 0 0 0\nv 1 1 1\nl 1 2\n# and nothing else\n", "obj", "no face"));
+  EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                      "0 0 0\n3 0 1 2\n",
+                      "ply"));
+  EXPECT_TRUE(
+      refused(glb_of(one_triangle, R"({"children":[1]},{"mesh":0,"children":[0]})"), "glb", "recursive"));
+  // Assimp never ends on these headers.
+  EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 82\npropert", "ply", "end_header"));
+  EXPECT_TRUE(refused("PLY\r\nformat ascii 1.0\r\nproperty list\r\nend_header\r\n", "ply", "line 3"));
+  const std::string stl = stl_of(one_triangle);
+  EXPECT_TRUE(refused(stl.substr(0, stl.size() - 1), "stl"));
+  EXPECT_TRUE(is_refused([](const std::string& path) { read_mesh(path); }, "/nonexistent/a.ply", "opened"));
+}
+
+TEST(Import, MoreTrianglesThanAreAllowedAreRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  const std::vector<Polygon> polygons = random_polygons(random, 8);
+  std::uint64_t all = 0;
+  for (const Polygon& polygon : polygons)
+    all += polygon.size() - 2;
+  const auto refused = [](const std::string& text, const std::string& extension, std::uint64_t most) {
+    ImportOptions options;
+    options.max_primitives = most;
+    return is_refused([&](const std::string&) { parse(text, extension, options); }, "t",
+                      fmt::format("has more than {} triangles: split the file", most));
+  };
+  for (const auto& [extension, text] :
+       {std::pair{"ply", binary_ply_of(polygons)}, {"obj", obj_of(polygons)}}) {
+    EXPECT_TRUE(refused(text, extension, all - 1)) << extension;
+    EXPECT_FALSE(refused(text, extension, all)) << extension;
+  }
+  // Each instance has its own.
+  const std::string twice = glb_of(one_triangle, R"({"children":[1,2]},{"mesh":0},{"mesh":0})");
+  EXPECT_TRUE(refused(twice, "glb", 1));
+  EXPECT_FALSE(refused(twice, "glb", 2));
+  EXPECT_EQ(ImportOptions{}.max_primitives, 0x7fffffffU);
+}
+
+TEST(Import, TruncatedFilesAreReadOrRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Random random = seed.engine();
+  const std::vector<Polygon> polygons = random_polygons(random, 5);
+  const std::string ply = binary_ply_of(polygons), obj = obj_of(polygons), glb = glb_of(one_triangle);
+  const auto take = [](const std::string& text, const std::string& extension) {
+    try {
+      parse(text, extension);
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::input);
+      EXPECT_EQ(error.message().find('\n'), std::string::npos);
+    }
+  };
+  for (int i = 0; i < 100; ++i) {
+    take(ply.substr(0, static_cast<std::size_t>(whole(random, 0, static_cast<int>(ply.size())))), "ply");
+    take(obj.substr(0, static_cast<std::size_t>(whole(random, 0, static_cast<int>(obj.size())))), "obj");
+    take(glb.substr(0, static_cast<std::size_t>(whole(random, 0, static_cast<int>(glb.size())))), "glb");
+  }
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,170 @@
+// Files that change while they are read or used, and inputs that aren't files.
+#include "libscene/file/input_file.h"
+
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/input_stream.h"
+#include "libscene/file/scene_file.h"
+#include "renderer/tracer.h"
+#include "tests/refused.h"
+#include "tests/stability/random_seed.h"
+#include "tests/temporary_folder.h"
+#include "tests/tiny_scene.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <random>
+#include <thread>
+
+namespace masu {
+namespace {
+
+class InputFiles : public testing::Test {
+protected:
+  std::string file(const char* name) const { return folder_.file(name); }
+  std::string written(const char* name, std::string_view text) const {
+    write_text(file(name), text);
+    return file(name);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(InputFiles, AreReadWhole) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  for (const std::size_t size :
+       {0UL, 1UL, 4095UL, (2UL << 20) - 1, 2UL << 20, (9UL << 20) + random() % 1000}) {
+    Bytes bytes(size);
+    for (std::uint8_t& byte : bytes)
+      byte = static_cast<std::uint8_t>(random());
+    write_bytes(file("a"), bytes);
+    EXPECT_TRUE(std::ranges::equal(FileContents(file("a")).bytes(), bytes));
+  }
+}
+
+TEST_F(InputFiles, ThatShrinkOrChangeWhileTheyAreReadAreRefused) {
+  const std::string path = written("a", "0123456789");
+  {
+    const InputFile shrinking(path);
+    std::filesystem::resize_file(path, 5);
+    EXPECT_TRUE(is_refused(
+        [&](const std::string&) {
+          Bytes bytes(10);
+          shrinking.read(0, bytes);
+        },
+        path, "truncated"));
+    EXPECT_TRUE(is_refused([&](const std::string&) { shrinking.check_unchanged(); }, path, "changed"));
+  }
+  const InputFile changing(path);
+  changing.check_unchanged();
+  const timespec times[2]{{1, 0}, {1, 0}}; // as if it had been written: the clock may tick slowly
+  ASSERT_EQ(utimensat(AT_FDCWD, path.c_str(), times, 0), 0);
+  EXPECT_TRUE(is_refused([&](const std::string&) { changing.check_unchanged(); }, path, "changed"));
+}
+
+TEST_F(InputFiles, ThatAreNoRegularFilesAreRefusedAtOnce) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  for (const std::string& path : {file("pipe"), std::string("/dev/zero"), std::string("/dev/null")}) {
+    EXPECT_TRUE(is_refused([](const std::string& p) { InputFile{p}; }, path, "isn't a regular file"));
+    EXPECT_TRUE(is_refused([](const std::string& p) { SceneFile{p}; }, path, "isn't a regular file"));
+    EXPECT_TRUE(is_refused([](const std::string& p) { GridFile{p}; }, path, "isn't a regular file"));
+  }
+}
+
+// A sparse file takes no space.
+TEST_F(InputFiles, ThatNeedMoreMemoryThanThereIsAreRefused) {
+  const std::string path = written("a", "");
+  std::filesystem::resize_file(path, std::uintmax_t{1} << 42);
+  EXPECT_TRUE(is_refused([](const std::string& p) { FileContents{p}; }, path, "of memory"));
+}
+
+TEST_F(InputFiles, TextsAreReadFromPipes) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  std::thread writer([&] {
+    const int pipe = open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(write(pipe, "line\n", 5), 5);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    close(pipe);
+  });
+  EXPECT_EQ(read_text_input(file("pipe")), "line\nline\nline\n");
+  writer.join();
+}
+
+TEST_F(InputFiles, EndlessTextsAreRefused) {
+  EXPECT_TRUE(is_refused([](const std::string& p) { read_text_input(p); }, "/dev/zero", "isn't a text"));
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  EXPECT_TRUE(is_refused([](const std::string& p) { read_text_input(p); }, file("pipe"), "nobody writes"));
+}
+
+// Another thread has failed, and nobody writes to the pipe, or who does has stopped.
+TEST_F(InputFiles, AStreamThatIsCancelledWaitsNoLonger) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  for (const bool has_writer : {false, true}) {
+    InputStream stream(file("pipe"));
+    const int writer = has_writer ? open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC) : -1;
+    EXPECT_TRUE(!has_writer || write(writer, "abc", 3) == 3);
+    std::thread canceller([&] { stream.cancel(); });
+    char bytes[10] = {};
+    EXPECT_LE(stream.read(bytes, sizeof bytes), 3U);
+    EXPECT_EQ(stream.read(bytes, sizeof bytes), 0U);
+    canceller.join();
+    if (writer >= 0) close(writer);
+  }
+}
+
+TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
+  ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
+  std::thread writer([&] {
+    const int pipe = open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(write(pipe, "a\0b", 3), 3);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    close(pipe);
+  });
+  InputStream stream(file("pipe"));
+  std::string bytes(100, ' ');
+  bytes.resize(stream.read(bytes.data(), bytes.size()));
+  EXPECT_EQ(bytes, std::string("a\0ba\0ba\0b", 9));
+  writer.join();
+  EXPECT_TRUE(is_refused(
+      [](const std::string& path) {
+        char byte = 0;
+        InputStream(path).read(&byte, 1);
+      },
+      file("pipe"), "nobody writes"));
+}
+
+// In a mapping this would be SIGBUS, or an index that was valid when it was checked.
+TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  const Scene tiny = tiny_scene();
+  for (const Grid& grid : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
+    write_grid(grid, tiny_grid_provenance(write_scene(tiny, Store::float32, file("scene"))), file("grid"));
+    const SceneFile scene(file("scene"));
+    const GridFile opened(file("grid"));
+    const Tracer tracer(scene, &opened, Device::cpu);
+    FrameRequest request;
+    request.camera = tiny.camera;
+    const Frame before = tracer.render(request);
+    for (const char* name : {"scene", "grid"}) {
+      Bytes noise(std::filesystem::file_size(file(name)));
+      for (std::uint8_t& byte : noise)
+        byte = static_cast<std::uint8_t>(random());
+      write_bytes(file(name), noise); // in place
+    }
+    EXPECT_TRUE(std::ranges::equal(tracer.render(request).radiance, before.radiance));
+    for (const char* name : {"scene", "grid"})
+      std::filesystem::resize_file(file(name), 0);
+    EXPECT_TRUE(std::ranges::equal(tracer.render(request).radiance, before.radiance));
+  }
+}
+
+} // namespace
+} // namespace masu

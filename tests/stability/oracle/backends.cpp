@@ -1,0 +1,100 @@
+#include "tests/stability/oracle/backends.h"
+
+#include "libgrid/build/builder.h"
+#include "libgrid/build/division.h"
+#include "libgrid/build/hierarchy.h"
+#include "libscene/file/memory_file.h"
+#include "libscene/file/scene_file.h"
+#include "tests/stability/same_bits.h"
+
+#include <algorithm>
+
+namespace masu::stability {
+namespace {
+
+// The scene as the parser would return it.
+template <class Stored>
+Scene scene_of(const TestScene<Stored>& trial) {
+  Scene scene{};
+  scene.camera = {{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 45, 0.01, 8, 8};
+  scene.has_camera = true;
+  scene.materials = {trial.material};
+  for (const auto& triangle : trial.triangles)
+    scene.triangles.push_back(widened(triangle));
+  for (const auto& sphere : trial.spheres)
+    scene.spheres.push_back(widened(sphere));
+  for (const auto& cone : trial.cones)
+    scene.cones.push_back(widened(cone));
+  scene.sphere_surfaces.resize(scene.spheres.size());
+  scene.cone_surfaces.resize(scene.cones.size());
+  scene.objects.polygons = 1; // one object for all primitives
+  return scene;
+}
+
+template <class Stored>
+void write_built(const SceneFile& scene, const GridWanted& wanted, const std::string& path) {
+  const SceneView<Stored> view = scene.view<Stored>();
+  const GridLayout layout{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
+                          rounding_margin<Stored>(scene.bounds())};
+  GridOptions options;
+  options.kind = wanted.kind;
+  write_grid(build_grid(view, layout, Overlap::exact, options),
+             {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
+              Overlap::exact, "stability", ""},
+             path);
+}
+
+std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const Ray<double>> rays,
+                        Precision precision) {
+  RaysRequest request{{precision}};
+  const RayHits cpu = Tracer(scene, &grid, Device::cpu).hits(rays, request, HitName::primitive);
+  const Tracer on_gpu(scene, &grid, Device::cuda);
+  std::uint64_t different = 0;
+  for (const RayLoop loop : {RayLoop::thread_per_ray, RayLoop::warp, RayLoop::warp_refill}) {
+    request.loop = loop;
+    const RayHits gpu = on_gpu.hits(rays, request, HitName::primitive);
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      different += same_bits(cpu.hits[i], gpu.hits[i]) ? 0 : 1;
+  }
+  return different;
+}
+
+template <class Stored>
+void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
+                  const std::function<void(const Difference&)>& report) {
+  constexpr bool float64 = std::is_same_v<Stored, double>;
+  const MemoryFile scene_file;
+  write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path(),
+              Vec3d{0, 0, 0}); // what the sweeps vary
+  const SceneFile scene(scene_file.path());
+  for (const Mode& mode : float64 ? std::vector<Mode>{doubled} : std::vector<Mode>{fast, robust, doubled}) {
+    Difference difference{sweep.name, step, mode, float64, trial.rays.size(), 0};
+    for (const GridWanted& wanted : trial.grids) {
+      if (wanted.kind == GridKind::hierarchy &&
+          !fits_hierarchy(space_of<Stored>(scene.bounds(), SpaceRule::tight)))
+        continue;
+      const MemoryFile grid;
+      write_built<Stored>(scene, wanted, grid.path());
+      difference.differing += differing(scene, GridFile(grid.path()), trial.rays, mode.precision);
+    }
+    report(difference);
+  }
+}
+
+} // namespace
+
+void compare_backends(const Sweep& sweep, const RunSettings& settings,
+                      const std::function<void(const Difference&)>& report) {
+  const auto rays =
+      std::max(std::size_t{1}, static_cast<std::size_t>(static_cast<double>(settings.rays) * sweep.share));
+  for (const double step : sweep.float32_steps) {
+    Chance chance = chance_for(settings.seed, sweep.name, step);
+    compare_step(sweep, sweep.float32(chance, step, rays), step, report);
+  }
+  for (const double step : sweep.float64_steps) {
+    Chance chance = chance_for(settings.seed, sweep.name, -step);
+    compare_step(sweep, sweep.float64(chance, step, rays), step, report);
+  }
+}
+
+} // namespace masu::stability

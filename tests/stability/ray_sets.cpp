@@ -1,0 +1,120 @@
+#include "tests/stability/ray_sets.h"
+
+#include "libscene/geometry/random_rays.h"
+
+#include <tbb/parallel_for.h>
+
+namespace masu {
+namespace {
+
+// Calls act(ray's index, surface point hit, ray's direction) for each ray, in parallel; the point is null for
+// a miss.
+template <class Stored, class Act>
+void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const Ray<double>> rays,
+                  const Act& act) {
+  const SceneView<Stored> scene = file.view<Stored>();
+  const RayHits hits = Tracer(file, &grid, Device::cpu).hits(relative(RayList(rays)), {}, HitName::primitive);
+  tbb::parallel_for(std::size_t{0}, rays.size(), [&](std::size_t i) {
+    const HitRecord& hit = hits.hits[i];
+    if (hit.name < 0) return act(i, static_cast<const SurfacePoint<Stored>*>(nullptr), Vec3<Stored>{});
+    const Ray<Stored> ray = unbounded_ray(cast<Stored>(rays[i].origin), cast<Stored>(rays[i].direction));
+    const SurfacePoint<Stored> point = surface_at<with_all_kinds>(
+        scene, hit_again(scene, ray,
+                         Hit<Stored>{static_cast<Stored>(hit.t), static_cast<PrimitiveIndex>(hit.name)}));
+    act(i, &point, ray.direction);
+  });
+}
+
+template <class Stored>
+std::vector<Ray<double>> diffuse(const SceneFile& file, const GridFile& grid,
+                                 std::span<const Ray<double>> rays, std::uint64_t seed) {
+  const BoundingSphere sphere = sphere_around(file.bounds());
+  std::vector<Ray<double>> scattered(rays.size());
+  for_each_hit<Stored>(
+      file, grid, rays, [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
+        RandomSequence random(seed, i);
+        if (point == nullptr) {
+          scattered[i] = random_ray<Stored>(sphere, random);
+          return;
+        }
+        const Vec3d normal = cast<double>(facing(*point, incoming).normal);
+        const Vec3<Stored> direction = cast<Stored>(random_diffuse_direction(normal, random));
+        scattered[i] = unbounded_ray(cast<double>(leaving(*point, direction)), cast<double>(direction));
+      });
+  return scattered;
+}
+
+template <class Stored>
+std::vector<Ray<double>> shadow(const SceneFile& file, const GridFile& grid,
+                                std::span<const Ray<double>> rays) {
+  const SceneView<Stored> scene = file.view<Stored>();
+  if (scene.light_count == 0) return {};
+  std::vector<Ray<double>> all(rays.size());
+  std::vector<std::uint8_t> present(rays.size(), 0);
+  for_each_hit<Stored>(file, grid, rays,
+                       [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>&) {
+                         if (point == nullptr) return;
+                         const Vec3<Stored> light = scene.lights[i % scene.light_count].position;
+                         const Vec3<Stored> origin = leaving(*point, light - point->position);
+                         all[i] = {cast<double>(origin), 0, cast<double>(light - origin), 1};
+                         present[i] = 1;
+                       });
+  std::vector<Ray<double>> kept;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (present[i] != 0) kept.push_back(all[i]);
+  }
+  return kept;
+}
+
+template <class Stored>
+std::vector<Ray<double>> primary(const Camera& camera, RayOrder order) {
+  constexpr std::int32_t tile_columns = 8, tile_rows = 4;
+  const CameraRays<Stored> view = camera_rays<Stored>(camera, Sampling::centers, false);
+  std::vector<Ray<double>> rays;
+  rays.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+  const auto add = [&](std::int32_t column, std::int32_t row) {
+    const Ray<Stored> ray = camera_ray(view, column, row);
+    rays.push_back(unbounded_ray(cast<double>(ray.origin), cast<double>(ray.direction)));
+  };
+  const std::int32_t columns = order == RayOrder::tiles ? tile_columns : camera.width;
+  const std::int32_t rows = order == RayOrder::tiles ? tile_rows : 1;
+  for (std::int32_t top = 0; top < camera.height; top += rows) {
+    for (std::int32_t left = 0; left < camera.width; left += columns) {
+      for (std::int32_t row = top; row < std::min(top + rows, camera.height); ++row) {
+        for (std::int32_t column = left; column < std::min(left + columns, camera.width); ++column)
+          add(column, row);
+      }
+    }
+  }
+  return rays;
+}
+
+} // namespace
+
+std::vector<Ray<double>> primary_rays(const SceneFile& scene, const Camera& camera, RayOrder order) {
+  const Camera local = relative_to(scene.origin(), camera);
+  return scene.is_float64() ? primary<double>(local, order) : primary<float>(local, order);
+}
+
+std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const GridFile& grid,
+                                      std::span<const Ray<double>> rays, std::uint64_t seed) {
+  return scene.is_float64() ? diffuse<double>(scene, grid, rays, seed)
+                            : diffuse<float>(scene, grid, rays, seed);
+}
+
+std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
+  const BoundingSphere sphere = sphere_around(scene.bounds());
+  std::vector<Ray<double>> rays(count);
+  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    RandomSequence random(seed, i);
+    rays[i] = scene.is_float64() ? random_ray<double>(sphere, random) : random_ray<float>(sphere, random);
+  });
+  return rays;
+}
+
+std::vector<Ray<double>> shadow_rays(const SceneFile& scene, const GridFile& grid,
+                                     std::span<const Ray<double>> rays) {
+  return scene.is_float64() ? shadow<double>(scene, grid, rays) : shadow<float>(scene, grid, rays);
+}
+
+} // namespace masu

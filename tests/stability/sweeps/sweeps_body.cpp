@@ -1,0 +1,280 @@
+// Closed surfaces: leaks, rays that leave surfaces, and glass.
+#include "tests/stability/random_mesh.h"
+#include "tests/stability/sweeps/sweep.h"
+
+#include <cmath>
+
+namespace masu::stability {
+namespace {
+
+// --- Closed meshes --------------------------------------------------------------------------------------
+
+// Rays from around the mesh's centre to its corners and to points on its edges.
+template <class Stored>
+Trial<Stored> rays_at_edges(Chance& chance, const Mesh<double>& mesh, const Vec3d& at, double size,
+                            std::size_t rays) {
+  Trial<Stored> trial;
+  const auto place = [&](std::size_t corner) { return kept<Stored>(at + mesh.corners[corner] * size); };
+  for (const auto& [a, b, c] : mesh.faces)
+    trial.scene.triangles.push_back(
+        triangle_of<Stored>(cast<Stored>(place(a)), cast<Stored>(place(b)), cast<Stored>(place(c))));
+  for (std::size_t i = 0; i < rays; ++i) {
+    const auto& face = mesh.faces[chance.index(mesh.faces.size())];
+    const std::size_t corner = chance.index(3);
+    const Vec3d a = place(face[corner]), b = place(face[(corner + 1) % 3]);
+    const double share = chance.one_of({0.0, 0.0, 0.5, 0.25, chance.uniform(0, 1)});
+    const Vec3d from = chance.one_in(4) ? at : at + chance.in_cube(0.1 * size);
+    trial.rays.push_back(ray_towards<Stored>(from, a + (b - a) * share));
+  }
+  return trial;
+}
+
+const Vec3d aside{0.8347, -1, 0.6113};
+
+template <class Stored>
+Trial<Stored> in_a_cube(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, cube(), aside * parameter, 1, rays);
+}
+template <class Stored>
+Trial<Stored> in_a_ball(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, octahedron(chance, 2, 0.2), aside * parameter, 1, rays);
+}
+template <class Stored>
+Trial<Stored> in_a_fan(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, double_fan(chance, 60), aside * parameter, 1, rays);
+}
+// A random kind of mesh, of the parameter's size.
+template <class Stored>
+Trial<Stored> in_a_scaled_mesh(Chance& chance, double parameter, std::size_t rays) {
+  return rays_at_edges<Stored>(chance, random_mesh(chance), {0, 0, 0}, parameter / 2, rays);
+}
+
+// --- Rays that leave surfaces ---------------------------------------------------------------------------
+
+// A box, spheres and cones, all convex and disjoint.
+template <class Stored>
+Trial<Stored> bodies(Chance& chance, const Vec3d& at, double size, std::size_t rays) {
+  Trial<Stored> trial;
+  const Mesh<double> box = cube();
+  const auto place = [&](const Vec3d& v) { return at + v * size; };
+  for (const auto& [a, b, c] : box.faces) {
+    const auto corner = [&](std::size_t i) { return cast<Stored>(place(box.corners[i] * 0.3)); };
+    trial.scene.triangles.push_back(triangle_of<Stored>(corner(a), corner(b), corner(c)));
+  }
+  for (const double x : {-0.7, 0.7}) {
+    trial.scene.spheres.push_back(sphere_of<Stored>(place({x, 0, chance.uniform(-0.1, 0.1)}), 0.25 * size));
+    add_cone(trial.scene,
+             cone_of<Stored>(place({x / 2, 0.5, -0.2}), 0.15 * size,
+                             place({x / 2, 0.8, chance.uniform(0.1, 0.3)}), (x < 0 ? 0.05 : 0.15) * size));
+  }
+  for (std::size_t i = 0; i < rays; ++i) {
+    trial.rays.push_back(ray_towards<Stored>(place(chance.direction() * 3.0), place(chance.in_cube(0.8))));
+    trial.aims.push_back(chance.direction());
+  }
+  return trial;
+}
+template <class Stored>
+Trial<Stored> left_scaled(Chance& chance, double parameter, std::size_t rays) {
+  return bodies<Stored>(chance, {0, 0, 0}, parameter, rays);
+}
+template <class Stored>
+Trial<Stored> left_moved(Chance& chance, double parameter, std::size_t rays) {
+  return bodies<Stored>(chance, aside * parameter, 1, rays);
+}
+
+// A slab of some width and a tenth as thick, turned anyhow, and three balls of size 1 above it or sunk into
+// it; all its six sides are drawn as 4 x 4 squares, whose corners are rounded: so neighbours are nearly
+// coplanar. Rays hit it near the balls, and leave it at all angles.
+template <class Stored>
+Trial<Stored> on_a_slab(Chance& chance, double width, double sine, std::size_t rays) {
+  Trial<Stored> trial;
+  const Vec3d up = chance.direction(), u = across(chance, up), v = cross(up, u);
+  constexpr int squares = 4;
+  const Vec3d half[3] = {u * (width / 2), v * (width / 2), up * (width / 20)};
+  const Vec3d middle = up * (-width / 20) + u * (width * chance.uniform(-0.1, 0.1));
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3d center = middle + half[axis] * side, a = half[(axis + 1) % 3], b = half[(axis + 2) % 3];
+      const auto corner = [&](int i, int k) {
+        return cast<Stored>(center + a * (2.0 * i / squares - 1) + b * (2.0 * k / squares - 1));
+      };
+      for (int i = 0; i < squares; ++i) {
+        for (int k = 0; k < squares; ++k) {
+          trial.scene.triangles.push_back(
+              triangle_of<Stored>(corner(i, k), corner(i + 1, k), corner(i + 1, k + 1)));
+          trial.scene.triangles.push_back(
+              triangle_of<Stored>(corner(i, k), corner(i + 1, k + 1), corner(i, k + 1)));
+        }
+      }
+    }
+  }
+  for (const double height : {0.55, 0.5, 0.3})
+    trial.scene.spheres.push_back(
+        sphere_of<Stored>(u * chance.uniform(-2, 2) + v * chance.uniform(-2, 2) + up * height, 0.5));
+  for (std::size_t i = 0; i < rays; ++i) {
+    const double reach = chance.one_in(2) ? 3 : width / 2;
+    const Vec3d at = u * chance.uniform(-reach, reach) + v * chance.uniform(-reach, reach);
+    trial.rays.push_back(ray_towards<Stored>(at + (up * 1.5 + chance.in_cube(1)) * 4.0, at));
+    trial.aims.push_back(chance.direction());
+    trial.sines.push_back(sine > 0 ? sine : std::pow(10.0, chance.uniform(-4, 0)));
+  }
+  return trial;
+}
+template <class Stored>
+Trial<Stored> left_by_contrast(Chance& chance, double parameter, std::size_t rays) {
+  return on_a_slab<Stored>(chance, parameter, 0, rays);
+}
+template <class Stored>
+Trial<Stored> left_grazing(Chance& chance, double parameter, std::size_t rays) {
+  return on_a_slab<Stored>(chance, 100, parameter, rays);
+}
+
+// --- Glass ----------------------------------------------------------------------------------------------
+
+// Spheres within spheres and in a box, all of glass.
+template <class Stored>
+Trial<Stored> glass(Chance& chance, std::size_t rays) {
+  Trial<Stored> trial = bodies<Stored>(chance, {0, 0, 0}, 1, 0);
+  for (const double radius : {0.28, 0.2, 0.15, 0.1, 0.05})
+    trial.scene.spheres.push_back(sphere_of<Stored>({0, 0, 0}, radius));
+  for (const double radius : {0.2, 0.1})
+    trial.scene.spheres.push_back(sphere_of<Stored>({0.7, 0, 0}, radius));
+  for (std::size_t i = 0; i < rays; ++i)
+    trial.rays.push_back(ray_towards<Stored>(chance.direction() * 3.0, chance.in_cube(0.5)));
+  return trial;
+}
+template <class Stored>
+Trial<Stored> glass_of_index(Chance& chance, double parameter, std::size_t rays) {
+  Trial<Stored> trial = glass<Stored>(chance, rays);
+  trial.scene.material = {{0, 0, 0}, 0, 0.25F, 1, 0.75F, static_cast<float>(parameter)};
+  trial.depth = 8;
+  return trial;
+}
+template <class Stored>
+Trial<Stored> deep_glass(Chance& chance, double parameter, std::size_t rays) {
+  Trial<Stored> trial = glass<Stored>(chance, rays);
+  trial.scene.material = {{0, 0, 0}, 0, 0, 1, 1, 1.5F};
+  trial.depth = static_cast<std::int32_t>(parameter);
+  return trial;
+}
+
+// --- Snell's law ----------------------------------------------------------------------------------------
+
+// Rays that reach a surface from behind; the sine of their angle differs from the critical angle's by the
+// relative amount `from_critical`, in either direction.
+template <class Stored>
+Trial<Stored> refracted_by(Chance& chance, double index, double from_critical, std::size_t rays) {
+  Trial<Stored> trial;
+  trial.scene.material = {{0, 0, 0}, 0, 0, 1, 1, static_cast<float>(index)};
+  const Vec3d up = chance.direction(), u = across(chance, up), v = cross(up, u);
+  const auto corner = [&](double x, double y) { return cast<Stored>(u * x + v * y); };
+  trial.scene.triangles = {triangle_of<Stored>(corner(-8, -8), corner(8, -8), corner(0, 8))};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const double sine = std::min(0.9999, (1 + chance.sign() * from_critical) /
+                                             static_cast<double>(trial.scene.material.refraction_index));
+    const double turn = chance.uniform(0, 6.283185307179586);
+    const Vec3d along = u * std::cos(turn) + v * std::sin(turn);
+    const Vec3d direction = along * sine + up * std::sqrt(1 - sine * sine);
+    trial.rays.push_back(ray_along<Stored>(u * chance.uniform(-1, 1) - direction, direction));
+  }
+  return trial;
+}
+template <class Stored>
+Trial<Stored> near_critical(Chance& chance, double parameter, std::size_t rays) {
+  return refracted_by<Stored>(chance, 1.5, parameter, rays);
+}
+template <class Stored>
+Trial<Stored> nearly_no_glass(Chance& chance, double parameter, std::size_t rays) {
+  return refracted_by<Stored>(chance, 1 + parameter, chance.one_of({0.5, 0.1, 1e-3}), rays);
+}
+
+} // namespace
+
+std::vector<Sweep> body_sweeps() {
+  const std::vector<double> distances = powers_of_ten(0, 6), far = powers_of_ten(0, 15, 3);
+  return {
+      {"closed-cube", "distance from the origin; rays at edges and corners from inside", Judge::enclosed, 10,
+       distances, far, in_a_cube<float>, in_a_cube<double>, everywhere, everywhere, everywhere},
+      {"closed-ball", "distance from the origin; rays at edges and corners from inside", Judge::enclosed, 4,
+       distances, far, in_a_ball<float>, in_a_ball<double>, everywhere, everywhere, everywhere},
+      {"closed-fan", "distance from the origin; rays at edges and corners from inside", Judge::enclosed, 4,
+       distances, far, in_a_fan<float>, in_a_fan<double>, everywhere, everywhere, everywhere},
+      {"closed-scaled", "size of a closed mesh; rays at edges and corners from inside", Judge::enclosed, 4,
+       powers_of_ten(-9, 12, 3), powers_of_ten(-89, 100, 21), in_a_scaled_mesh<float>,
+       in_a_scaled_mesh<double>, everywhere, everywhere, everywhere},
+      {"leaving-scaled", "size of the scene whose surfaces rays leave", Judge::leaving, 1,
+       powers_of_ten(-8, 12, 2), powers_of_ten(-80, 80, 20), left_scaled<float>, left_scaled<double>,
+       everywhere, everywhere, everywhere},
+      {"leaving-moved",
+       "distance from the origin of a scene of size 1",
+       Judge::leaving,
+       1,
+       powers_of_ten(0, 6),
+       powers_of_ten(0, 14, 2),
+       left_moved<float>,
+       left_moved<double>,
+       {0, 1e3},
+       everywhere,
+       {0, 1e12}},
+      {"leaving-contrast",
+       "width of a slab over the size of what stands on it",
+       Judge::leaving,
+       1,
+       powers_of_ten(0, 9),
+       powers_of_ten(0, 9, 3),
+       left_by_contrast<float>,
+       left_by_contrast<double>,
+       {10, 1e4},
+       everywhere,
+       everywhere},
+      {"leaving-grazing", "sine of the angle at which rays leave a slab", Judge::leaving, 1,
+       powers_of_ten(-4, 0), powers_of_ten(-12, 0, 4), left_grazing<float>, left_grazing<double>, everywhere,
+       everywhere, everywhere},
+      {"glass",
+       "index of refraction, depth 8",
+       Judge::glass,
+       0.05,
+       {0.01, 0.5, 1, 1 + 1e-6, 1.001, 1.5, 2.4, 100},
+       {1, 1.5},
+       glass_of_index<float>,
+       glass_of_index<double>,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"deep-glass",
+       "depth of the last ray",
+       Judge::glass,
+       0.25,
+       {1, 2, 4, 8, 16, 32},
+       {32},
+       deep_glass<float>,
+       deep_glass<double>,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"critical-angle",
+       "distance of the sine from the critical angle's, relative",
+       Judge::refraction,
+       2,
+       powers_of_ten(-8, -1),
+       powers_of_ten(-16, -1, 3),
+       near_critical<float>,
+       near_critical<double>,
+       {1e-5, 1},
+       everywhere,
+       {1e-13, 1}},
+      {"nearly-air",
+       "index of refraction less 1",
+       Judge::refraction,
+       2,
+       powers_of_ten(-7, 0),
+       {},
+       nearly_no_glass<float>,
+       nullptr,
+       {1e-5, 1},
+       everywhere,
+       everywhere},
+  };
+}
+
+} // namespace masu::stability

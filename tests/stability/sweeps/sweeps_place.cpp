@@ -1,0 +1,171 @@
+// Position and size of the scene, and origins of rays.
+#include "tests/stability/sweeps/sweep.h"
+
+#include <cmath>
+
+namespace masu::stability {
+namespace {
+
+// A point whose coordinates have no special binary representation.
+const Vec3d somewhere{0.8347, -1, 0.6113};
+
+template <class Stored, Kinds kinds = Kinds::all>
+Trial<Stored> moved(Chance& chance, double parameter, std::size_t rays) {
+  const Vec3d at = somewhere * parameter;
+  return {random_scene<Stored>(chance, at, 1, kinds), rays_around<Stored>(chance, at, 1, rays)};
+}
+
+// The largest coordinate is about the parameter; half of it at the last step, near the largest that files
+// allow.
+template <class Stored, Kinds kinds = Kinds::all>
+Trial<Stored> scaled(Chance& chance, double parameter, std::size_t rays) {
+  const double last = std::is_same_v<Stored, float> ? 1e12 : 1e100;
+  const double size = parameter >= last ? parameter / 2 : parameter * 2;
+  Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, size, kinds), {}};
+  trial.rays = rays_around<Stored>(chance, {0, 0, 0}, size, rays);
+  return trial;
+}
+
+// One sphere, and rays from that many radii away, outside the scene's bounds.
+template <class Stored>
+Trial<Stored> ball_from_afar(Chance& chance, double parameter, std::size_t rays) {
+  Trial<Stored> trial;
+  trial.scene.spheres = {sphere_of<Stored>({0.25, -0.5, 0.125}, 1)};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vec3d center{0.25, -0.5, 0.125}, from = center + chance.direction() * parameter;
+    const Vec3d towards = across(chance, center - from);
+    trial.rays.push_back(ray_towards<Stored>(from, center + towards * chance.uniform(0, 1.3)));
+  }
+  return trial;
+}
+
+// The same with a floor that extends beyond the rays' origins, so that they are inside the scene's bounds.
+template <class Stored>
+Trial<Stored> ball_on_a_floor(Chance& chance, double parameter, std::size_t rays) {
+  Trial<Stored> trial = ball_from_afar<Stored>(chance, parameter, rays);
+  const double far = 1.5 * parameter;
+  trial.scene.triangles = {triangle_of<Stored>({static_cast<Stored>(-far), static_cast<Stored>(-far), -2},
+                                               {static_cast<Stored>(far), static_cast<Stored>(-far), -2},
+                                               {0, static_cast<Stored>(far), -2}),
+                           triangle_of<Stored>({static_cast<Stored>(-far), static_cast<Stored>(-far), -2},
+                                               {static_cast<Stored>(-far), static_cast<Stored>(-far),
+                                                static_cast<Stored>(2 * far)},
+                                               {0, static_cast<Stored>(-far), static_cast<Stored>(far)})};
+  return trial;
+}
+
+// A point on a primitive's surface, up to rounding.
+template <class Stored>
+Vec3d point_on(Chance& chance, const TestScene<Stored>& scene) {
+  if (scene.spheres.empty() || chance.one_in(2)) {
+    const Triangle<double> t = widened(scene.triangles[chance.index(scene.triangles.size())]);
+    double u = chance.uniform(0, 1), v = chance.uniform(0, 1);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    return t.a + (t.b - t.a) * u + (t.c - t.a) * v;
+  }
+  const Sphere<double> s = widened(scene.spheres[chance.index(scene.spheres.size())]);
+  return s.center + chance.direction() * std::abs(s.radius);
+}
+
+// Rays that begin at the parameter's distance from a surface.
+template <class Stored, Kinds kinds = Kinds::all>
+Trial<Stored> started(Chance& chance, double parameter, std::size_t rays) {
+  Trial<Stored> trial{random_scene<Stored>(chance, {0, 0, 0}, 1, kinds), {}};
+  for (std::size_t i = 0; i < rays; ++i) {
+    const Vec3d from = point_on(chance, trial.scene) + chance.direction() * parameter;
+    trial.rays.push_back(parameter > 1 ? ray_towards<Stored>(from, chance.in_cube(0.8))
+                                       : ray_along<Stored>(from, chance.direction()));
+  }
+  return trial;
+}
+
+} // namespace
+
+std::vector<Sweep> place_sweeps() {
+  std::vector<double> starts{0};
+  for (const double power : powers_of_ten(-8, 10, 2))
+    starts.push_back(power);
+  return {
+      {"moved",
+       "distance of a scene of size 1 from the origin",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       powers_of_ten(0, 16, 2),
+       moved<float>,
+       moved<double>,
+       {0, 1e3},
+       {0, 1e7},
+       {0, 1e12}},
+      {"moved-triangles",
+       "distance of a scene of size 1 from the origin, triangles alone",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       {},
+       moved<float, Kinds::triangles>,
+       nullptr,
+       {0, 1e3},
+       {0, 1e7},
+       everywhere},
+      {"scaled", "size of the scene", Judge::closest, 1, powers_of_ten(-10, 12, 2),
+       powers_of_ten(-90, 100, 19), scaled<float>, scaled<double>, everywhere, everywhere, everywhere},
+      {"scaled-triangles",
+       "size of the scene, triangles alone",
+       Judge::closest,
+       1,
+       powers_of_ten(-10, 12, 2),
+       {},
+       scaled<float, Kinds::triangles>,
+       nullptr,
+       everywhere,
+       everywhere,
+       everywhere},
+      {"far-ball",
+       "distance of ray origins from a single sphere, in radii",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       powers_of_ten(0, 16, 4),
+       ball_from_afar<float>,
+       ball_from_afar<double>,
+       {10, 1e8},
+       everywhere,
+       {1e4, 1e16}},
+      {"small-ball",
+       "distance of ray origins from a sphere, in radii, within a scene of that size",
+       Judge::closest,
+       1,
+       powers_of_ten(0, 8),
+       powers_of_ten(0, 16, 4),
+       ball_on_a_floor<float>,
+       ball_on_a_floor<double>,
+       {10, 1e4},
+       everywhere,
+       {1e4, 1e12}},
+      {"start",
+       "distance from a surface at which rays begin, scene of size 1",
+       Judge::closest,
+       1,
+       starts,
+       {},
+       started<float>,
+       nullptr,
+       {1e-4, 1e10},
+       everywhere,
+       everywhere},
+      {"start-triangles",
+       "distance from a surface at which rays begin, scene of size 1, triangles alone",
+       Judge::closest,
+       1,
+       starts,
+       {},
+       started<float, Kinds::triangles>,
+       nullptr,
+       {1e-4, 1e10},
+       everywhere,
+       everywhere},
+  };
+}
+
+} // namespace masu::stability

@@ -1,0 +1,222 @@
+// Scenes of tests, made by hand or at random, as views to trace; and random numbers.
+#pragma once
+
+#include "libgrid/trace/trace.h"
+#include "libscene/geometry/cone.h"
+#include "libscene/geometry/margin.h"
+#include "libscene/scene_view.h"
+#include "tests/stability/random_seed.h"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <initializer_list>
+#include <ios>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// --- Random numbers -------------------------------------------------------------------------------------
+
+// The number of cases that a test runs: `usual`, times MASU_TEST_EFFORT of the environment.
+inline std::int64_t cases(std::int64_t usual) {
+  const char* effort = std::getenv("MASU_TEST_EFFORT");
+  return effort == nullptr ? usual
+                           : static_cast<std::int64_t>(static_cast<double>(usual) * std::atof(effort));
+}
+
+class Chance {
+public:
+  explicit Chance(const RandomSeed& seed) : engine_(seed.engine()) {}
+
+  double uniform(double from, double to) { return std::uniform_real_distribution(from, to)(engine_); }
+  int whole(int from, int to) { return std::uniform_int_distribution(from, to)(engine_); }
+  std::size_t index(std::size_t count) {
+    return std::uniform_int_distribution<std::size_t>(0, count - 1)(engine_);
+  }
+  bool one_in(int n) { return whole(1, n) == 1; }
+  double power_of_two(double from, double to) { return std::exp2(uniform(from, to)); }
+  double sign() { return one_in(2) ? 1.0 : -1.0; }
+  template <class T>
+  T one_of(std::initializer_list<T> values) {
+    return values.begin()[index(values.size())];
+  }
+  Vec3d in_box(const Boxd& box) {
+    return {uniform(box.min.x, box.max.x), uniform(box.min.y, box.max.y), uniform(box.min.z, box.max.z)};
+  }
+  Vec3d in_cube(double half) { return in_box({{-half, -half, -half}, {half, half, half}}); }
+  // Of unit length.
+  Vec3d direction() {
+    std::normal_distribution<double> normal;
+    for (;;) {
+      const Vec3d v{normal(engine_), normal(engine_), normal(engine_)};
+      if (dot(v, v) > 1e-6) return normalized(v);
+    }
+  }
+  std::mt19937_64& engine() { return engine_; }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+// A random unit vector orthogonal to `v`.
+inline Vec3d across(Chance& chance, const Vec3d& v) {
+  for (;;) {
+    const Vec3d c = cross(v, chance.direction());
+    if (largest_magnitude(c) > 1e-3 * largest_magnitude(v)) return normalized(c * (1 / largest_magnitude(c)));
+  }
+}
+
+// Moved by `steps` representable numbers.
+template <class Real>
+Real nudged(Real value, int steps) {
+  const Real towards = steps < 0 ? -RealTraits<Real>::largest : RealTraits<Real>::largest;
+  for (int i = std::abs(steps); i > 0; --i)
+    value = std::nextafter(value, towards);
+  return value;
+}
+template <class Real>
+Vec3<Real> nudged(Chance& chance, const Vec3<Real>& v, int most) {
+  return {nudged(v.x, chance.whole(-most, most)), nudged(v.y, chance.whole(-most, most)),
+          nudged(v.z, chance.whole(-most, most))};
+}
+
+// Rounded to Real. Through memory, because GCC 12 drops such conversions when it vectorises them.
+template <class Real>
+double kept(double value) {
+  volatile Real stored = static_cast<Real>(value);
+  return static_cast<double>(stored);
+}
+template <class Real>
+Vec3d kept(const Vec3d& v) {
+  return {kept<Real>(v.x), kept<Real>(v.y), kept<Real>(v.z)};
+}
+template <class Real>
+Boxd kept(const Boxd& box) {
+  return {kept<Real>(box.min), kept<Real>(box.max)};
+}
+
+// --- Scenes ---------------------------------------------------------------------------------------------
+
+template <class Stored>
+Triangle<Stored> triangle_of(const Vec3<Stored>& a, const Vec3<Stored>& b, const Vec3<Stored>& c) {
+  return {a, 0, b, 0, c, no_normals};
+}
+template <class Stored>
+Triangle<Stored> triangle_of(const Vec3d& a, const Vec3d& b,
+                             const Vec3d& c) requires(!std::is_same_v<Stored, double>) {
+  return triangle_of<Stored>(cast<Stored>(a), cast<Stored>(b), cast<Stored>(c));
+}
+template <class Stored>
+Sphere<Stored> sphere_of(const Vec3d& center, double radius) {
+  return {cast<Stored>(center), static_cast<Stored>(radius)};
+}
+template <class Stored>
+Cone<Stored> cone_of(const Vec3d& base, double base_radius, const Vec3d& apex, double apex_radius) {
+  return {cast<Stored>(base), static_cast<Stored>(base_radius), cast<Stored>(apex),
+          static_cast<Stored>(apex_radius)};
+}
+
+// Owns what its view points to.
+template <class Stored>
+struct TestScene {
+  std::vector<Triangle<Stored>> triangles;
+  std::vector<CornerNormals<Stored>> normals;
+  std::vector<Sphere<Stored>> spheres;
+  std::vector<Cone<Stored>> cones;
+  std::vector<Surface> surfaces; // shared by spheres and cones; view() fills it
+  Material material{{1, 1, 1}, 1, 0, 0, 0, 1};
+
+  std::uint32_t count() const {
+    return static_cast<std::uint32_t>(triangles.size() + spheres.size() + cones.size());
+  }
+
+  // As in the scene file.
+  Boxd bounds() const {
+    Boxd box = empty_box<double>();
+    const auto add = [&](const auto& primitives) {
+      for (const auto& primitive : primitives)
+        box = join(box, cast<double>(masu::bounds(primitive)));
+    };
+    add(triangles);
+    add(spheres);
+    add(cones);
+    return box;
+  }
+
+  SceneView<Stored> view() {
+    surfaces.assign(std::max(spheres.size(), cones.size()), Surface{0, 0});
+    const auto number = [](const auto& records) { return static_cast<std::uint32_t>(records.size()); };
+    return {triangles.data(),
+            normals.data(),
+            spheres.data(),
+            surfaces.data(),
+            cones.data(),
+            surfaces.data(),
+            nullptr,
+            &material,
+            nullptr,
+            number(triangles),
+            number(normals),
+            number(spheres),
+            number(cones),
+            1,
+            0,
+            cast<Stored>(padded_bounds<Stored>(bounds())),
+            {0, 0, 0},
+            0,
+            {0, 0, 0}};
+  }
+};
+
+// --- Tracing --------------------------------------------------------------------------------------------
+
+template <class Real, unsigned kinds = with_all_kinds>
+using Robust = Method<WatertightRay<Real>, kinds>;
+
+template <class Real>
+WatertightRay<Real> prepared(const Vec3<Real>& origin, const Vec3<Real>& direction) {
+  WatertightRay<Real> ray;
+  prepare(ray, origin, direction);
+  return ray;
+}
+
+// --- Descriptions ---------------------------------------------------------------------------------------
+
+// With every digit, so that a case can be reproduced.
+template <class T>
+std::string described(const Vec3<T>& v) {
+  std::ostringstream out;
+  out << std::hexfloat << '{' << v.x << ", " << v.y << ", " << v.z << '}';
+  return out.str();
+}
+template <class T>
+std::string described(T value) {
+  std::ostringstream out;
+  out << std::hexfloat << value;
+  return out.str();
+}
+template <class T>
+std::string described(const Triangle<T>& t) {
+  return "triangle " + described(t.a) + ' ' + described(t.b) + ' ' + described(t.c);
+}
+template <class T>
+std::string described(const Sphere<T>& s) {
+  return "sphere " + described(s.center) + " radius " + described(s.radius);
+}
+template <class T>
+std::string described(const Cone<T>& c) {
+  return "cone " + described(c.base) + " radius " + described(c.base_radius) + " to " + described(c.apex) +
+         " radius " + described(c.apex_radius);
+}
+template <class T>
+std::string described(const Vec3<T>& origin, const Vec3<T>& direction) {
+  return "ray " + described(origin) + " towards " + described(direction);
+}
+
+} // namespace masu

@@ -1,0 +1,250 @@
+// What every tool does with its command line and its standard streams.
+#include "tests/tools/run_tool.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+namespace masu {
+namespace {
+
+std::vector<std::string> all_tools() {
+  std::istringstream names(MASU_TOOLS);
+  return {std::istream_iterator<std::string>(names), {}};
+}
+
+bool has_tool(const std::string& name) {
+  const std::vector<std::string> tools = all_tools();
+  return std::ranges::find(tools, name) != tools.end();
+}
+
+// --- Empty values ----------------------------------------------------------------------------------------
+
+// The names at the beginning of the lines of a part of --help.
+std::vector<std::string> names_in_help(const std::string& help, const std::string& heading,
+                                       const std::regex& name) {
+  std::vector<std::string> names;
+  std::istringstream lines(help);
+  bool is_part = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(' ')) is_part = line.starts_with(heading);
+    const std::string begin = line.substr(0, 24);
+    if (!is_part || !std::regex_search(begin, std::regex("^ {1,4}[-a-z]"))) continue;
+    for (std::sregex_iterator found(begin.begin(), begin.end(), name), end; found != end; ++found)
+      names.push_back(found->str(1));
+  }
+  return names;
+}
+
+TEST(EmptyValues, OfEveryOptionOfEveryToolAreUsageErrors) {
+  const std::regex option("(?:^ *|, *)(--?[a-zA-Z][a-z0-9-]*)"), subcommand("^ *([a-z]+)");
+  std::size_t options = 0;
+  for (const std::string& tool : all_tools()) {
+    std::vector<Arguments> commands{{}};
+    for (const std::string& name : names_in_help(run(tool, {"--help"}).out, "Subcommands:", subcommand))
+      commands.push_back({name});
+    EXPECT_EQ(commands.size() > 1, tool == "gridbench");
+    for (const Arguments& command : commands) {
+      const auto with = [&](const Arguments& more) {
+        Arguments all = command;
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+      };
+      const auto is_refused = [&](const Arguments& more) {
+        return failed(run(tool, with(more)), 1, tool, "command line", "is empty");
+      };
+      EXPECT_TRUE(is_refused({""})) << tool;
+      for (const std::string& name : names_in_help(run(tool, with({"--help"})).out, "Options:", option)) {
+        EXPECT_TRUE(is_refused({name, ""})) << tool << " " << name;
+        if (name.starts_with("--")) {
+          EXPECT_TRUE(is_refused({name + "="})) << tool << " " << name;
+        }
+        ++options;
+      }
+    }
+  }
+  EXPECT_GT(options, 150U);
+}
+
+class CommandLine : public ToolTest {
+protected:
+  // Of a command that is right but for what is added.
+  void expect_refused(const std::string& tool, const Arguments& right,
+                      const std::vector<std::string>& options) const {
+    const auto before = folder_.listing();
+    for (const std::string& option : options) {
+      for (const Arguments& empty : {Arguments{option, ""}, {option + "="}}) {
+        Arguments all = right;
+        all.insert(all.end(), empty.begin(), empty.end());
+        EXPECT_TRUE(failed(run(tool, all), 1, tool, "command line", option)) << option;
+        EXPECT_EQ(folder_.listing(), before) << option;
+      }
+    }
+  }
+
+  const std::string text_ = nff("a.nff", small_nff), scene_ = scene("a.scene", text_),
+                    grid_ = grid("a.grid", scene_);
+};
+
+TEST_F(CommandLine, WithoutAValueOfAnOptionIsRefusedAndNothingWritten) {
+  write_text(file("rays"), std::string(24, '\0'));
+  expect_refused("nff2bin", {text_, "-o", file("out")}, {"--tessellate", "--store", "--threads"});
+  expect_refused("gridbuild", {scene_, "-o", file("out")}, {"--division", "--merge", "--target", "--detail"});
+  expect_refused("gridstat", {grid_}, {"--slice", "--cells", "--occupancy"});
+  expect_refused(
+      "gridrender", {scene_, grid_, "-o", file("out.png")},
+      {"--rays", "--views", "--hits", "--stats", "--size", "--from", "--angle", "--crop", "--channels"});
+  expect_refused("gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("out")},
+                 {"--ray-numbers", "--write", "--times"});
+  // Another argument isn't taken for the value.
+  const auto before = folder_.listing();
+  EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "--stats=", file("stats"), "-o", file("out.png")}), 1,
+                     "gridrender", "command line", "--stats="));
+  EXPECT_EQ(folder_.listing(), before);
+}
+
+// --- Standard streams --------------------------------------------------------------------------------------
+
+struct Writing {
+  std::string tool;
+  Arguments arguments; // also its output
+  std::string output;
+  bool is_reproducible = true;
+};
+
+class StandardStreams : public CommandLine {
+protected:
+  StandardStreams() {
+    write_text(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const float rays[]{0, 0, 5, 0, 0, -1};
+    write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays), sizeof rays});
+  }
+
+  static bool is_written(const Writing& writing, const Bytes& expected) {
+    const Bytes bytes = read_bytes(writing.output);
+    return writing.is_reproducible ? bytes == expected : !bytes.empty();
+  }
+
+  // Commands that print nothing on standard output.
+  std::vector<Writing> quiet_writings() const {
+    std::vector<Writing> all{
+        {"nffgen", {"tetra", "--size", "2", "-o", file("out.nff")}, file("out.nff")},
+        {"nff2bin", {text_, "-o", file("out.scene")}, file("out.scene")},
+        {"gridbuild", {scene_, "-o", file("out.grid"), "-q"}, file("out.grid")},
+        {"gridstat", {grid_, "--slice", "z=0", "-o", file("out.svg")}, file("out.svg")},
+        {"gridstat", {grid_, "--cells", file("out.csv")}, file("out.csv")},
+        {"gridrender", {scene_, grid_, "-o", file("out.png"), "--backend", "cpu"}, file("out.png")},
+        {"gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")}, file("hits")},
+    };
+    if (has_tool("mesh2bin"))
+      all.push_back({"mesh2bin", {file("a.obj"), "-o", file("b.scene")}, file("b.scene")});
+    if (has_tool("gridview"))
+      all.push_back({"gridview",
+                     {scene_, grid_, "--export", file("out.html"), "--views", "1", "--size", "8x8"},
+                     file("out.html"),
+                     false}); // it shows seconds
+    return all;
+  }
+};
+
+TEST_F(StandardStreams, FilesAreTheSameWhicheverAreClosed) {
+  for (const Writing& writing : quiet_writings()) {
+    ASSERT_EQ(run(writing.tool, writing.arguments).code, 0) << writing.tool;
+    const Bytes expected = read_bytes(writing.output);
+    for (unsigned set = 1; set < 8; ++set) {
+      Surroundings surroundings;
+      for (const int stream : {0, 1, 2})
+        if ((set >> stream & 1) != 0) surroundings.closed.push_back(stream);
+      std::filesystem::remove(writing.output);
+      EXPECT_EQ(run(writing.tool, writing.arguments, surroundings).code, 0) << writing.tool << " " << set;
+      EXPECT_TRUE(is_written(writing, expected)) << writing.tool << " " << set;
+    }
+  }
+}
+
+TEST_F(StandardStreams, NothingFailsWhereStandardErrorCannotBeWritten) {
+  const Surroundings full{.error = "/dev/full"};
+  for (const Writing& writing : quiet_writings()) {
+    ASSERT_EQ(run(writing.tool, writing.arguments).code, 0) << writing.tool;
+    const Bytes expected = read_bytes(writing.output);
+    std::filesystem::remove(writing.output);
+    EXPECT_EQ(run(writing.tool, writing.arguments, full).code, 0) << writing.tool;
+    EXPECT_TRUE(is_written(writing, expected)) << writing.tool;
+  }
+  const std::string crossing = nff("b.nff", "p 4\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n"); // which is warned of
+  EXPECT_EQ(run("nff2bin", {crossing, "-o", file("b.scene")}, full).code, 0);
+  EXPECT_EQ(run("gridbuild", {scene_, "-o", "-"}, full).code, 0); // reports there
+  EXPECT_EQ(run("nff2bin", {file("none"), "-o", file("b.scene")}, full).code, 2);
+}
+
+TEST_F(StandardStreams, WhatCannotBePrintedIsAnOutputError) {
+  const Surroundings closed{.closed = {1}};
+  const auto fails = [&](const std::string& tool, const Arguments& arguments) {
+    return failed(run(tool, arguments, closed), 3, tool, "standard output");
+  };
+  for (const std::string& tool : all_tools()) {
+    EXPECT_TRUE(fails(tool, {"--help"}));
+    EXPECT_TRUE(fails(tool, {"--version"}));
+  }
+  EXPECT_TRUE(fails("nff2bin", {text_, "--info"}));
+  EXPECT_TRUE(fails("gridbuild", {scene_, "-o", file("out.grid")}));
+  EXPECT_TRUE(fails("gridstat", {grid_}));
+  EXPECT_TRUE(fails("gridstat", {grid_, "--json"}));
+  for (const char* const output : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    EXPECT_TRUE(fails("nffgen", {"tetra", "--size", "2", "-o", output})) << output;
+    EXPECT_TRUE(fails("nff2bin", {text_, "-o", output})) << output;
+    EXPECT_TRUE(fails("gridbuild", {scene_, "-o", output})) << output;
+    EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "-o", output})) << output;
+    EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "--stats", output})) << output;
+    EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "--rays", file("rays"), "--hits", output}))
+        << output;
+    EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "--walk", "1,1", std::string("--json=") + output}))
+        << output;
+  }
+}
+
+TEST_F(StandardStreams, ClosedInputCannotBeRead) {
+  const Surroundings closed{.closed = {0}};
+  for (const char* const input : {"-", "/dev/stdin"}) {
+    EXPECT_EQ(run("nff2bin", {input, "-o", file("out")}, closed).code, 2) << input;
+    EXPECT_EQ(run("nff2bin", {input, "--info"}, closed).code, 2) << input;
+    EXPECT_EQ(run("gridrender", {scene_, grid_, "--views", input, "-o", file("{index}.png")}, closed).code, 2)
+        << input;
+    EXPECT_EQ(run("gridrender", {scene_, grid_, "--rays", input, "--hits", file("out")}, closed).code, 2)
+        << input;
+  }
+}
+
+// By whatever name: reports go to standard error, and what was in the file before stays.
+TEST_F(StandardStreams, OutputMayBeNamed) {
+  ASSERT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("b.png"), "--hits", file("hits")})));
+  ASSERT_TRUE(succeeded(run("nffgen", {"tetra", "--size", "2", "-o", file("b.nff")})));
+  const auto expect_written = [&](const std::string& tool, const Arguments& arguments,
+                                  const std::string& expected) {
+    ASSERT_EQ(run(tool, arguments, {.output = file("out")}).code, 0) << tool;
+    EXPECT_TRUE(read_bytes(file("out")) == read_bytes(expected)) << tool << " into a file";
+    std::string command = std::string(MASU_BIN_DIR) + "/" + tool; // no name has a space
+    for (const std::string& argument : arguments)
+      command += " " + argument;
+    ASSERT_EQ(run("/bin/sh", {"-c", "echo head > $0; (" + command + ") >> $0", file("out")}).code, 0) << tool;
+    EXPECT_EQ(read_text(file("out")), "head\n" + read_text(expected)) << tool << " at a file's end";
+    const ToolResult piped = run("/bin/sh", {"-c", command + " | cat"});
+    EXPECT_EQ(piped.out, read_text(expected)) << tool << " into a pipe";
+  };
+  for (const char* const output : {"-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+    SCOPED_TRACE(output);
+    expect_written("nffgen", {"tetra", "--size", "2", "-o", output}, file("b.nff"));
+    expect_written("nff2bin", {text_, "-o", output}, scene_);
+    expect_written("gridbuild", {scene_, "-o", output}, grid_);
+    expect_written("gridrender", {scene_, grid_, "-o", output}, file("b.png"));
+    expect_written("gridrender", {scene_, grid_, "--hits", output}, file("hits"));
+    EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "-o", output, "--stats", "-"}), 1, "gridrender", "-",
+                       "written twice"));
+    EXPECT_TRUE(failed(run("nff2bin", {text_, "-o", output, "--info"}), 1, "nff2bin", "--info", "mixed"));
+  }
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,191 @@
+// Whatever system call or allocation of a tool fails: its output is the old one or the new one, there is one
+// line and the right exit code, and no other file is left. What a power failure would leave is whole, too.
+#include "tests/stability/random_seed.h"
+#include "tests/stability/test_scene.h"
+#include "tests/tools/run_tool.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+#include <sstream>
+
+namespace masu {
+namespace {
+
+// Sets variables of the environment, for tools that are started meanwhile.
+class Environment {
+public:
+  void set(const std::string& name, const std::string& value) {
+    setenv(name.c_str(), value.c_str(), 1);
+    names_.insert(name);
+  }
+  Environment() = default;
+  ~Environment() {
+    for (const std::string& name : names_)
+      unsetenv(name.c_str());
+  }
+  Environment(const Environment&) = delete;
+  Environment& operator=(const Environment&) = delete;
+
+private:
+  std::set<std::string> names_;
+};
+
+struct Call {
+  const char* name; // as tests/faults/faults.cpp has it
+  std::set<int> codes;
+};
+const Call calls[] = {
+    {"write", {3}},      {"fsync", {3}},   {"rename", {0, 3}}, {"link", {0, 3}},
+    {"open", {0, 2, 3}}, {"read", {0, 2}}, {"mmap", {0, 2}},   {"malloc", {0, 2, 3}},
+};
+
+class Faults : public ToolTest {
+protected:
+  ToolResult run_with(const std::string& fault, const std::string& tool, const Arguments& arguments) const {
+    Environment environment;
+    environment.set("LD_PRELOAD", MASU_FAULTS);
+    environment.set("MASU_FAULT", fault);
+    environment.set("MASU_FAULT_COUNT", counts_.file("count"));
+    environment.set("MASU_FAULT_LOG", counts_.file("log"));
+    return run(tool, arguments);
+  }
+
+  // How many of these calls the tool makes.
+  std::uint64_t count(const Call& call, const std::string& tool, const Arguments& arguments) const {
+    const ToolResult result = run_with(call.name, tool, arguments);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return std::stoull(read_text(counts_.file("count")));
+  }
+
+  // Each call alone, or so many at random; and for system calls all from one on.
+  void expect_survived(const std::string& tool, const Arguments& arguments,
+                       const std::vector<std::string>& outputs) const {
+    const RandomSeed seed;
+    SCOPED_TRACE(tool + ": " + seed.trace());
+    auto random = seed.engine();
+    ASSERT_EQ(run(tool, arguments).code, 0);
+    std::map<std::string, Bytes> complete;
+    for (const std::string& output : outputs)
+      complete[output] = read_bytes(output);
+    const auto before = folder_.listing();
+    for (const Call& call : calls) {
+      const std::uint64_t all = count(call, tool, arguments);
+      std::vector<std::uint64_t> failing(all);
+      std::iota(failing.begin(), failing.end(), std::uint64_t{1});
+      // The first one always: it may come before anything is caught.
+      if (all > 0) std::shuffle(failing.begin() + 1, failing.end(), random);
+      failing.resize(std::min<std::size_t>(failing.size(), static_cast<std::size_t>(cases(20))));
+      for (const std::uint64_t n : failing) {
+        for (const char* const more : {"", "+"}) {
+          // Without any memory the C library's own dlopen faults, which TBB calls.
+          if (*more == '+' && std::string_view(call.name) == "malloc") continue;
+          for (const std::string& output : outputs)
+            write_text(output, "old");
+          const std::string fault = std::string(call.name) + ":" + std::to_string(n) + more;
+          const ToolResult result = run_with(fault, tool, arguments);
+          SCOPED_TRACE(fault + " of " + std::to_string(all) + ": exit code " + std::to_string(result.code) +
+                       ", stderr: " + result.err);
+          EXPECT_TRUE(call.codes.contains(result.code));
+          // The line may be what can't be written.
+          const bool is_silent = *more == '+' && std::string_view(call.name) == "write";
+          EXPECT_EQ(std::ranges::count(result.err, '\n'), result.code == 0 || is_silent ? 0 : 1);
+          EXPECT_EQ(folder_.listing(), before);
+          for (const std::string& output : outputs) {
+            const Bytes bytes = read_bytes(output);
+            const bool is_new = bytes == complete.at(output);
+            EXPECT_TRUE(is_new || (result.code != 0 && bytes == Bytes{'o', 'l', 'd'}))
+                << output << " has " << bytes.size() << " bytes, of " << complete.at(output).size();
+          }
+        }
+      }
+    }
+  }
+
+  const TemporaryFolder counts_;
+};
+
+TEST_F(Faults, Nffgen) {
+  expect_survived("nffgen", {"tetra", "--size", "2", "-o", file("out"), "-q"}, {file("out")});
+}
+
+TEST_F(Faults, Nff2bin) {
+  expect_survived("nff2bin", {nff("a.nff", small_nff), "-o", file("out")}, {file("out")});
+}
+
+TEST_F(Faults, Gridbuild) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff));
+  expect_survived("gridbuild", {in, "-o", file("out"), "-q"}, {file("out")});
+}
+
+TEST_F(Faults, Gridstat) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in, "4");
+  expect_survived("gridstat", {divided, "--slice", "z=0", "-o", file("out.png")}, {file("out.png")});
+}
+
+TEST_F(Faults, GridrenderOfPictures) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
+  expect_survived("gridrender",
+                  {in, divided, "-o", file("out.png"), "--hits", file("hits"), "-q", "--backend", "cpu"},
+                  {file("out.png"), file("hits")});
+}
+
+TEST_F(Faults, GridrenderOfViews) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
+  write_text(file("views"), "{\"name\": \"a\"}\n{\"name\": \"b\", \"angle\": 30}\n");
+  expect_survived("gridrender",
+                  {in, divided, "--views", file("views"), "-o", file("{name}.pfm"), "-q", "--backend", "cpu"},
+                  {file("a.pfm"), file("b.pfm")});
+}
+
+TEST_F(Faults, GridrenderOfRays) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
+  const std::vector<float> rays{0, 0, 5, 0, 0, -1, 1, 1, 5, 0, 0, -1};
+  write_bytes(file("rays"),
+              {reinterpret_cast<const std::uint8_t*>(rays.data()), rays.size() * sizeof(float)});
+  expect_survived("gridrender",
+                  {in, divided, "--rays", file("rays"), "--hits", file("hits"), "-q", "--backend", "cpu"},
+                  {file("hits")});
+}
+
+// A file may get its name only once everything in it is flushed, and its folder is flushed after that: then
+// whatever part of the unflushed writes and names a power failure keeps, the name is of the old file or of
+// all of the new one.
+TEST_F(Faults, APowerFailureLeavesTheOldOrTheNewFile) {
+  const std::string text = nff("a.nff", small_nff), in = scene("a.scene", text), divided = grid("a.grid", in);
+  const auto expect_ordered = [&](const std::string& tool, const Arguments& arguments) {
+    SCOPED_TRACE(tool);
+    ASSERT_EQ(run_with("all", tool, arguments).code, 0);
+    std::set<std::string> unflushed; // descriptors
+    std::string call, descriptor, flushed;
+    std::size_t whole = 0;  // files that have been written and flushed, and have no name yet
+    std::size_t linked = 0; // those that have one: a rename may replace it
+    std::istringstream log(read_text(counts_.file("log")));
+    while (log >> call >> descriptor) {
+      if (call == "write" && descriptor != "1" && descriptor != "2") unflushed.insert(descriptor);
+      if (call == "fsync") whole += unflushed.erase(flushed = descriptor);
+      if (call == "link" || call == "rename") {
+        flushed.clear();
+        if (call == "rename" && linked > 0) continue;
+        ASSERT_GT(whole, 0U) << "a file that isn't flushed gets its name";
+        --whole;
+        ++linked;
+      }
+    }
+    EXPECT_GE(linked, 1U);
+    EXPECT_TRUE(unflushed.empty());
+    EXPECT_FALSE(flushed.empty()) << "the folder isn't flushed after the name was given";
+  };
+  for (int existing = 0; existing < 2; ++existing) { // linked to its name, then renamed
+    expect_ordered("nff2bin", {text, "-o", file("out.scene")});
+    expect_ordered("gridbuild", {in, "-o", file("out.grid"), "-q"});
+    expect_ordered("gridrender", {in, divided, "-o", file("out.png"), "-q", "--backend", "cpu"});
+    expect_ordered("gridrender", {in, divided, "-o", file("out.pfm"), "--hits", file("hits.npy"), "-q",
+                                  "--backend", "cpu"});
+  }
+}
+
+} // namespace
+} // namespace masu

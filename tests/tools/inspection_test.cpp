@@ -1,0 +1,369 @@
+// gridrender's channels, walks and differences: files agree with --hits and --stats, and damaged options and
+// files are refused.
+#include "tests/tools/run_tool.h"
+#include "tools/draw/color_map.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <png.h>
+
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+class Inspection : public ToolTest {
+protected:
+  Arguments with_files(const Arguments& more) const {
+    Arguments arguments{scene_, grid_, "--backend", "cpu"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+  void render(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridrender", with_files(more)))); }
+  testing::AssertionResult refused(int code, const Arguments& more, const std::string& place,
+                                   const std::string& says = "") const {
+    const auto before = folder_.listing();
+    const auto result = failed(run("gridrender", with_files(more)), code, "gridrender", place, says);
+    if (result && folder_.listing() != before) return testing::AssertionFailure() << "a file was left behind";
+    return result;
+  }
+  testing::AssertionResult refused_difference(int code, const Arguments& arguments, const std::string& place,
+                                              const std::string& says = "") const {
+    return failed(run("gridrender", arguments), code, "gridrender", place, says);
+  }
+
+  // Of a PFM of one channel, from the top.
+  std::vector<float> pfm(const std::string& name, std::size_t width, std::size_t height) const {
+    const Bytes bytes = read_bytes(file(name));
+    const std::size_t header = fmt::format("Pf\n{} {}\n-1.0\n", width, height).size();
+    std::vector<float> values(width * height);
+    EXPECT_EQ(bytes.size(), header + 4 * values.size()) << name;
+    if (bytes.size() != header + 4 * values.size()) return values;
+    for (std::size_t row = 0; row < height; ++row)
+      std::memcpy(values.data() + row * width, bytes.data() + header + (height - 1 - row) * width * 4,
+                  width * 4);
+    return values;
+  }
+  template <class T>
+  std::vector<T> npy(const std::string& name, const std::string& header) const {
+    const Bytes bytes = read_bytes(file(name));
+    const std::string text(bytes.begin(), bytes.end());
+    EXPECT_NE(text.find(header), std::string::npos) << name;
+    const std::size_t begin = text.find('\n') + 1;
+    EXPECT_EQ(begin % 64, 0U);
+    std::vector<T> values((bytes.size() - begin) / sizeof(T));
+    std::memcpy(values.data(), bytes.data() + begin, values.size() * sizeof(T));
+    return values;
+  }
+  struct Hit {
+    float t;
+    std::int32_t name;
+  };
+  std::vector<Hit> hits(const std::string& name) const {
+    const Bytes bytes = read_bytes(file(name));
+    std::vector<Hit> records(bytes.size() / sizeof(Hit));
+    std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Hit));
+    return records;
+  }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(read_text(file(name))); }
+  static double sum(const std::vector<float>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+  }
+  static double tests_of(const nlohmann::json& stats) {
+    const auto& tests = stats["intersection_tests"];
+    return tests["triangle"].get<double>() + tests["sphere"].get<double>() + tests["cone"].get<double>();
+  }
+
+  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_, "5");
+};
+
+// --- Channels ---------------------------------------------------------------------------------------------
+
+TEST_F(Inspection, DepthAndObjectAreTheHitsOfThePicture) {
+  render({"-o", file("p.png"), "--hits", file("hits"), "--channels", "depth,object,normal"});
+  const auto records = hits("hits");
+  const auto depth = pfm("p.depth.pfm", 17, 13), object = pfm("p.object.pfm", 17, 13);
+  ASSERT_EQ(records.size(), depth.size());
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    EXPECT_EQ(std::memcmp(&records[i].t, &depth[i], sizeof(float)), 0);
+    EXPECT_EQ(static_cast<float>(records[i].name), object[i]);
+  }
+}
+
+TEST_F(Inspection, CellsAndTestsSumUpToTheStatistics) {
+  for (const char* const sampling : {"corners", "centers"}) {
+    const bool corners = sampling == std::string("corners");
+    const std::size_t width = corners ? 17 : 16, height = corners ? 13 : 12;
+    render({"-o", file("p.pfm"), "--channels", "cells,tests", "--all-rays", "--sampling", sampling, "--stats",
+            file("stats")});
+    const auto stats = json("stats");
+    EXPECT_EQ(sum(pfm("p.cells.pfm", width, height)), stats["cells_visited"].get<double>());
+    EXPECT_EQ(sum(pfm("p.tests.pfm", width, height)), tests_of(stats));
+  }
+}
+
+TEST_F(Inspection, ArraysHaveTheValuesAndTheirTypes) {
+  render({"-o", file("p.png"), "--channels", "depth,normal,object,primitive,cells,tests"});
+  const std::string shape = "(13, 17, )";
+  render({"-o", file("q.png"), "--channels", "depth,normal,object,primitive,cells,tests", "--channel-format",
+          "npy", "--no-picture"});
+  EXPECT_FALSE(std::filesystem::exists(file("q.png")));
+  EXPECT_TRUE(read_bytes(file("p.tests.png")) == read_bytes(file("q.tests.png")));
+  const auto compare = [&](const std::string& channel, const auto& values) {
+    const auto floats = pfm("p." + channel + ".pfm", 17, 13);
+    ASSERT_EQ(values.size(), floats.size());
+    for (std::size_t i = 0; i < floats.size(); ++i)
+      EXPECT_EQ(static_cast<float>(values[i]), floats[i]);
+  };
+  compare("depth", npy<float>("q.depth.npy", "'<f4', 'fortran_order': False, 'shape': " + shape));
+  compare("object", npy<std::int32_t>("q.object.npy", "'<i4', 'fortran_order': False, 'shape': " + shape));
+  compare("primitive", npy<std::int32_t>("q.primitive.npy", "'<i4'"));
+  compare("cells", npy<std::uint32_t>("q.cells.npy", "'<u4'"));
+  compare("tests", npy<std::uint32_t>("q.tests.npy", "'<u4'"));
+  EXPECT_EQ(npy<float>("q.normal.npy", "(13, 17, 3, )").size(), 3U * 13 * 17);
+}
+
+TEST_F(Inspection, ChannelsOfACropArePartsOfTheWhole) {
+  render({"-o", file("p.png"), "--channels", "depth,tests", "--all-rays", "--no-picture"});
+  render(
+      {"-o", file("c.png"), "--channels", "depth,tests", "--all-rays", "--no-picture", "--crop", "3,2,5,4"});
+  for (const std::string channel : {"depth", "tests"}) {
+    const auto whole = pfm("p." + channel + ".pfm", 17, 13), part = pfm("c." + channel + ".pfm", 6, 5);
+    for (std::size_t y = 0; y < 5; ++y)
+      for (std::size_t x = 0; x < 6; ++x)
+        EXPECT_EQ(part[y * 6 + x], whole[(y + 2) * 17 + x + 3]);
+  }
+}
+
+TEST_F(Inspection, ChannelsOfViewsHaveTheNamesOfTheirPictures) {
+  write_text(file("list"),
+             "{\"name\": \"one\"}\n{\"name\": \"two\", \"from\": [1, 4, 3], \"size\": [8, 6]}\n");
+  render({"--views", file("list"), "-o", file("p-{name}-{index}.png"), "--channels", "depth"});
+  EXPECT_TRUE(std::filesystem::exists(file("p-one-0.png")));
+  static_cast<void>(pfm("p-one-0.depth.pfm", 17, 13));
+  static_cast<void>(pfm("p-two-1.depth.pfm", 9, 7));
+  EXPECT_TRUE(std::filesystem::exists(file("p-two-1.depth.png")));
+  // A view named as another one's channel.
+  write_text(file("list"), "{\"name\": \"a\"}\n{\"name\": \"a.depth\"}\n");
+  EXPECT_TRUE(refused(1, {"--views", file("list"), "-o", file("{name}.png"), "--channels", "depth"},
+                      file("a.depth.png"), "twice"));
+}
+
+TEST_F(Inspection, FilesDoNotDependOnGridAndThreads) {
+  for (const std::string channel : {"depth", "normal", "object", "primitive"}) {
+    render({"-o", file("p.png"), "--channels", channel});
+    const std::string base = "p." + channel;
+    const Bytes values = read_bytes(file(base + ".pfm")), picture = read_bytes(file(base + ".png"));
+    EXPECT_TRUE(succeeded(run("gridrender", {scene_, "--brute-force", "--backend", "cpu", "--threads", "1",
+                                             "-o", file("p.png"), "--channels", channel})));
+    EXPECT_TRUE(read_bytes(file(base + ".pfm")) == values);
+    EXPECT_TRUE(read_bytes(file(base + ".png")) == picture);
+  }
+}
+
+TEST_F(Inspection, ChannelOptionsThatMakeNoSenseAreRefused) {
+  const std::string out = file("p.png");
+  EXPECT_TRUE(refused(1, {"-o", out, "--channels", "colour"}, "--channels", "isn't one of depth"));
+  EXPECT_TRUE(refused(1, {"-o", out, "--channels", "depth,"}, "--channels"));
+  EXPECT_TRUE(refused(1, {"-o", out, "--channels", "depth,depth"}, "--channels", "twice"));
+  EXPECT_TRUE(refused(1, {"-o", out, "--channels", "depth", "--channel-format", "exr"}, "command line"));
+  EXPECT_TRUE(refused(1, {"--channels", "depth", "--stats", file("s")}, "--channels", "needs -o"));
+  EXPECT_TRUE(refused(1, {"-o", "-", "--channels", "depth"}, "--channels", "file name"));
+  EXPECT_TRUE(refused(1, {"-o", out, "--all-rays"}, "--all-rays"));
+  EXPECT_TRUE(refused(1, {"-o", out, "--no-picture"}, "--no-picture"));
+  EXPECT_TRUE(refused(1, {"-o", out, "--json"}, "--json"));
+  EXPECT_TRUE(refused(1, {"-o", out, "--hits", file("p.depth.pfm"), "--channels", "depth"},
+                      file("p.depth.pfm"), "twice"));
+  const std::string source = scene("b.depth.png", file("a.nff"));
+  EXPECT_TRUE(failed(run("gridrender", {source, grid_, "-o", file("b.png"), "--channels", "depth"}), 1,
+                     "gridrender", source, "is the input"));
+}
+
+// --- Walks ------------------------------------------------------------------------------------------------
+
+TEST_F(Inspection, AWalksHitAndCountsAreTheChannels) {
+  render({"-o", file("p.png"), "--channels", "depth,primitive,cells,tests", "--no-picture"});
+  const auto depth = pfm("p.depth.pfm", 17, 13), primitive = pfm("p.primitive.pfm", 17, 13),
+             cells = pfm("p.cells.pfm", 17, 13), tests = pfm("p.tests.pfm", 17, 13);
+  std::size_t hits = 0;
+  for (std::size_t i = 0; i < depth.size(); i += 7) {
+    render({"--walk", fmt::format("{},{}", i % 17, i / 17), "--json=" + file("walk")});
+    const auto walk = json("walk");
+    ASSERT_EQ(walk["rays"].size(), 1U);
+    const auto& ray = walk["rays"][0];
+    EXPECT_EQ(ray["kind"], "camera");
+    EXPECT_EQ(ray["hit"].is_null(), std::isinf(depth[i]));
+    if (!ray["hit"].is_null()) {
+      ++hits;
+      EXPECT_EQ(ray["hit"]["t"].get<float>(), depth[i]);
+      EXPECT_EQ(ray["hit"]["primitive"].get<float>(), primitive[i]);
+    }
+    EXPECT_EQ(ray["cells"].get<float>(), cells[i]);
+    EXPECT_EQ(ray["tests"].get<float>(), tests[i]);
+    EXPECT_EQ(ray["steps"].size(), ray["cells"].get<std::size_t>());
+  }
+  EXPECT_GT(hits, 3U);
+}
+
+TEST_F(Inspection, WalksGoToStandardOutputAsTablesOrJson) {
+  const ToolResult table = run("gridrender", with_files({"--walk", "8,6", "--all-rays"}));
+  EXPECT_EQ(table.code, 0);
+  EXPECT_NE(table.out.find("ray 0: camera"), std::string::npos);
+  EXPECT_NE(table.out.find("shadow, spawned by ray 0"), std::string::npos);
+  const ToolResult text = run("gridrender", with_files({"--walk-ray", "3,-4,2,-3,4,-2", "--json"}));
+  EXPECT_EQ(text.code, 0);
+  const auto walk = nlohmann::json::parse(text.out);
+  EXPECT_EQ(walk["rays"][0]["origin"], nlohmann::json({3.0, -4.0, 2.0}));
+  EXPECT_FALSE(walk["rays"][0]["hit"].is_null());
+}
+
+TEST_F(Inspection, RaysThatAreNotThereAreRefused) {
+  EXPECT_TRUE(refused(1, {"--walk", "17,0"}, "walk", "17 x 13"));
+  EXPECT_TRUE(refused(1, {"--walk", "0,13"}, "walk"));
+  EXPECT_TRUE(refused(1, {"--walk", "-1,0"}, "walk"));
+  for (const char* const text : {"1", "1,", "1,2,3", "1.5,2", "a,b", "1, 2", "99999999999,1"})
+    EXPECT_TRUE(refused(1, {"--walk", text}, "--walk")) << text;
+  for (const char* const text : {"1,2,3", "1,2,3,4,5,6,7", "x"})
+    EXPECT_TRUE(refused(1, {"--walk-ray", text}, "--walk-ray")) << text;
+  for (const char* const text : {"1,2,3,0,0,0", "nan,0,0,1,0,0", "0,0,0,inf,0,0"})
+    EXPECT_TRUE(refused(1, {"--walk-ray", text}, "walk", "isn't valid")) << text;
+  EXPECT_TRUE(refused(1, {"--walk", "1,1", "--walk-ray", "0,0,0,1,0,0"}, "command line"));
+  EXPECT_TRUE(refused(1, {"--walk", "1,1", "--turntable", "3"}, "--walk", "one view"));
+  EXPECT_TRUE(refused(1, {"--walk", "1,1", "-o", "-"}, "-o", "standard output"));
+}
+
+// All of a walk is printed, or nothing.
+TEST_F(Inspection, AWalkOfTooManyRaysIsRefused) {
+  std::string text = "v\nfrom 0 -4 0.3\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.01\nresolution 64 64\n"
+                     "f 1 1 1 0 0.5 9 0.5 1.5\n";
+  for (int i = 0; i < 30; ++i)
+    text += fmt::format("s 0 0 0 {}\n", 1 - 0.03 * i);
+  const std::string glass = scene("glass", nff("glass.nff", text));
+  const auto walk = [&, glass_grid = grid("glass.grid", glass)](const char* depth) {
+    return run("gridrender",
+               {glass, glass_grid, "--walk", "32,32", "--all-rays", "--depth", depth, "--json"});
+  };
+  const ToolResult some = walk("8"), too_many = walk("32");
+  ASSERT_EQ(some.code, 0);
+  EXPECT_GT(nlohmann::json::parse(some.out)["rays"].size(), 20U);
+  EXPECT_TRUE(failed(too_many, 1, "gridrender", "--all-rays", "smaller --depth"));
+  EXPECT_EQ(too_many.out, "");
+}
+
+// --- Differences ------------------------------------------------------------------------------------------
+
+TEST_F(Inspection, DifferencesAreMeasuredAndDrawn) {
+  render({"-o", file("a.pfm"), "--channels", "depth", "--sampling", "centers"});
+  render({"-o", file("b.pfm"), "--channels", "depth", "--sampling", "centers", "--from", "3,-4,2.5"});
+  const auto difference = [&](const std::string& a, const std::string& b, const Arguments& more = {}) {
+    Arguments arguments{"--difference", file(a), file(b), "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run("gridrender", arguments);
+    EXPECT_EQ(result.code, 0) << result.err;
+    return nlohmann::json::parse(result.out);
+  };
+  const auto none = difference("a.pfm", "a.pfm");
+  EXPECT_EQ(none["rmse"], 0.0);
+  EXPECT_EQ(none["different_pixels"], 0);
+  EXPECT_TRUE(none["largest_at"].is_null());
+  // Infinities in the same places are equal, others can't be compared.
+  EXPECT_EQ(difference("a.depth.pfm", "a.depth.pfm")["different_pixels"], 0);
+  const auto a = pfm("a.depth.pfm", 16, 12), b = pfm("b.depth.pfm", 16, 12);
+  double squares = 0, largest = 0;
+  std::size_t compared = 0, incomparable = 0, different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    different += a[i] != b[i];
+    if (std::isinf(a[i]) != std::isinf(b[i])) ++incomparable;
+    const double d = a[i] == b[i] ? 0 : std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+    if (std::isinf(d)) continue;
+    ++compared;
+    squares += d * d;
+    largest = std::max(largest, d);
+  }
+  const auto depth = difference("a.depth.pfm", "b.depth.pfm", {"-o", file("d.png")});
+  EXPECT_NEAR(depth["rmse"].get<double>(), std::sqrt(squares / static_cast<double>(compared)), 1e-12);
+  EXPECT_EQ(depth["largest"], largest);
+  EXPECT_EQ(depth["different_pixels"], different);
+  EXPECT_EQ(depth["incomparable_pixels"], incomparable);
+  EXPECT_TRUE(std::filesystem::exists(file("d.png")));
+  EXPECT_GT(difference("a.pfm", "b.pfm")["rmse"], 0.0);
+}
+
+TEST_F(Inspection, DifferencesReadEveryFormat) {
+  render({"-o", file("a.png"), "--channels", "normal", "--sampling", "centers"});
+  render({"-o", file("b.png"), "--channels", "normal", "--channel-format", "npy", "--sampling", "centers"});
+  const auto same = [&](const std::string& a, const std::string& b) {
+    const ToolResult result = run("gridrender", {"--difference", file(a), file(b)});
+    EXPECT_EQ(result.code, 0) << result.err;
+    return result.out == "RMSE 0, largest difference 0; 0 of 192 pixels differ\n";
+  };
+  EXPECT_TRUE(same("a.png", "b.png"));
+  EXPECT_TRUE(same("a.normal.pfm", "b.normal.npy"));
+  // By the PFM's scale: here big-endian.
+  write_text(file("big"),
+             std::string("PF\n1 1\n1.0\n", 11) + std::string("\x3f\x80\0\0\0\0\0\0\x3f\0\0\0", 12));
+  write_text(file("little"),
+             std::string("PF\n1 1\n-1.0\n", 12) + std::string("\0\0\x80\x3f\0\0\0\0\0\0\0\x3f", 12));
+  EXPECT_EQ(run("gridrender", {"--difference", file("big"), file("little")}).out,
+            "RMSE 0, largest difference 0; 0 of 1 pixels differ\n");
+}
+
+TEST_F(Inspection, DamagedPicturesAreRefused) {
+  render({"-o", file("a.png"), "--channels", "depth", "--channel-format", "npy"});
+  render({"-o", file("b.pfm")});
+  const auto refused_as = [&](const std::string& name) {
+    return refused_difference(2, {"--difference", file(name), file(name)}, file(name));
+  };
+  for (const std::string name : {"a.png", "a.depth.npy", "b.pfm"}) {
+    const std::string whole = read_text(file(name));
+    for (std::size_t length = 0; length < whole.size(); length += 1 + whole.size() / 25) {
+      write_text(file("cut"), whole.substr(0, length));
+      EXPECT_TRUE(refused_as("cut")) << name << " cut to " << length;
+    }
+  }
+  write_text(file("huge"), "PF\n4000000000 4000000000\n-1.0\n");
+  EXPECT_TRUE(refused_as("huge"));
+  write_text(file("huge"), "PF\n1000000 1000000\n-1.0\n");
+  EXPECT_TRUE(refused_as("huge"));
+  write_text(file("text"), "hello");
+  EXPECT_TRUE(refused_as("text"));
+  EXPECT_TRUE(refused_difference(2, {"--difference", file("none"), file("a.png")}, file("none")));
+  EXPECT_TRUE(refused_difference(2, {"--difference", file("a.png"), file("a.depth.npy")}, file("a.depth.npy"),
+                                 "one size"));
+  EXPECT_TRUE(refused_difference(1, {"--difference", file("a.png"), file("a.png"), "-o", file("d.pfm")},
+                                 file("d.pfm"), ".png"));
+  EXPECT_TRUE(refused_difference(1, {"--difference", file("a.png"), file("b.pfm"), "-o", file("a.png")},
+                                 file("a.png"), "is the input"));
+  EXPECT_TRUE(
+      refused_difference(1, {"--difference", file("a.png"), file("b.pfm"), "--walk", "1,1"}, "--difference"));
+  EXPECT_TRUE(refused_difference(1, {"--difference", file("a.png")}, "command line"));
+}
+
+// --- Colours ----------------------------------------------------------------------------------------------
+
+// Readable without colour: luminance rises from end to end, as the eye sees it in even steps.
+TEST(ChannelPictures, LightnessRisesEvenly) {
+  const ColorMap map;
+  const auto lightness = [&](double t) { // CIE L*
+    const Rgb rgb = map(t);
+    const auto linear = [](std::uint8_t byte) {
+      const double v = byte / 255.0;
+      return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    const double y = 0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2]);
+    return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+  };
+  for (int i = 1; i <= 100; ++i) {
+    const double step = lightness(i / 100.0) - lightness((i - 1) / 100.0);
+    EXPECT_GT(step, 0.2) << i;
+    EXPECT_LT(step, 1.8) << i;
+  }
+  EXPECT_LT(lightness(0), 20);
+  EXPECT_GT(lightness(1), 85);
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,313 @@
+// End-to-end runs of mesh2bin.
+#include "tests/tools/run_tool.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <set>
+#include <thread>
+
+namespace masu {
+namespace {
+
+class Mesh2bin : public ToolTest {
+protected:
+  std::string mesh(const std::string& name, std::string_view text) const {
+    write_text(file(name), text);
+    return file(name);
+  }
+  // The t of the hits of a list of rays; the records also hold the object.
+  std::vector<float> distances(const std::string& name, const std::string& scene) const {
+    const std::string rays = file("rays"), hits = file("hits");
+    std::vector<float> list;
+    for (int i = 0; i < 32; ++i)
+      for (int j = 0; j < 32; ++j)
+        list.insert(list.end(),
+                    {static_cast<float>(i) / 8 - 2, static_cast<float>(j) / 8 - 2, 5, 0.125F, 0.25F, -1});
+    write_bytes(rays, {reinterpret_cast<const std::uint8_t*>(list.data()), 4 * list.size()});
+    EXPECT_TRUE(succeeded(
+        run("gridrender", {scene, grid(name, scene), "--backend", "cpu", "--rays", rays, "--hits", hits})));
+    const Bytes bytes = read_bytes(hits);
+    std::vector<float> result(bytes.size() / 8);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      std::memcpy(&result[i], bytes.data() + 8 * i, sizeof(float));
+    return result;
+  }
+};
+
+constexpr std::string_view polygons_nff =
+    "p 5\n-1.5 -1.25 0\n1.5 -1.5 0.25\n0.25 0 0\n1.5 1.75 -0.25\n-1.25 1.5 0\np 3\n0 0 1\n1 0 1.5\n0 1 1\n";
+constexpr std::string_view polygons_obj = "v -1.5 -1.25 0\nv 1.5 -1.5 0.25\nv 0.25 0 0\nv 1.5 1.75 -0.25\nv "
+                                          "-1.25 1.5 0\nv 0 0 1\nv 1 0 1.5\nv 0 1 1\n"
+                                          "f 1 2 3 4 5\nf 6 7 8\n";
+
+TEST_F(Mesh2bin, AnObjHasTheSameHitsAsTheSamePolygonsInNff) {
+  const std::string obj = mesh("a.obj", polygons_obj), converted = file("obj.scene");
+  ASSERT_TRUE(succeeded(run("mesh2bin", {obj, "-o", converted})));
+  const std::vector<float> expected = distances("nff.grid", scene("nff.scene", nff("a.nff", polygons_nff)));
+  EXPECT_EQ(distances("obj.grid", converted), expected);
+  EXPECT_EQ(expected.size(), 1024U);
+}
+
+TEST_F(Mesh2bin, WarnsOfWhatItLeavesOut) {
+  const std::string obj = mesh("a.obj", std::string(polygons_obj) + "l 1 2\n");
+  const ToolResult result = run("mesh2bin", {obj, "-o", file("a.scene")});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "mesh2bin: " + obj + ": warning: 1 point(s) and line(s) left out\n");
+}
+
+TEST_F(Mesh2bin, ReportsAndNamesTheObjects) {
+  const std::string obj = mesh("a.obj", "o first\n" + std::string(polygons_obj) + "o second\nf 1 2 3\n");
+  const ToolResult info = run("mesh2bin", {obj, "-o", file("a.scene"), "--info", "--objects", file("names")});
+  EXPECT_TRUE(succeeded(info));
+  EXPECT_NE(info.out.find("objects      2: polygons 2,"), std::string::npos) << info.out;
+  EXPECT_EQ(read_text(file("names")), "first\nsecond\n");
+  EXPECT_EQ(run("mesh2bin", {obj, "--objects", "-"}).out, "first\nsecond\n");
+}
+
+TEST_F(Mesh2bin, RefusesWhatAssimpCantReadWithItsMessage) {
+  EXPECT_TRUE(failed(run("mesh2bin", {file("none.ply"), "-o", file("a.scene")}), 2, "mesh2bin",
+                     file("none.ply"), "opened"));
+  const std::string text = mesh("a.text", "not a mesh");
+  EXPECT_TRUE(
+      failed(run("mesh2bin", {text, "-o", file("a.scene")}), 2, "mesh2bin", text, "No suitable reader"));
+  EXPECT_TRUE(failed(run("mesh2bin", {text, "-o", text}), 1, "mesh2bin", text, "input"));
+  EXPECT_TRUE(
+      failed(run("mesh2bin", {text, "-o", file("a.scene"), "--size", "0x3"}), 1, "mesh2bin", "--size"));
+  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.text"});
+}
+
+// --- Numbers of faces -------------------------------------------------------------------------------------
+
+// Four floats, or integers, a ray.
+std::vector<std::int32_t> numbers_in(const std::string& path) {
+  const Bytes bytes = read_bytes(path);
+  std::vector<std::int32_t> numbers(bytes.size() / sizeof(std::int32_t));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(std::int32_t));
+  return numbers;
+}
+
+// Two faces side by side in each of two objects, seen from above; before, between and after them faces
+// without area. Of triangles, or of squares.
+std::string faces_obj(bool squares) {
+  std::string text = "v 0 0 0\nv 1 1 1\nv 2 2 2\n";
+  for (int x = 0; x < 8; x += 2)
+    text += fmt::format("v {0} 0 0\nv {1} 0 0\nv {1} 1 0\nv {0} 1 0\n", x, x + 1);
+  const auto face = [&](int first) {
+    return squares ? fmt::format("f {} {} {} {}\n", first, first + 1, first + 2, first + 3)
+                   : fmt::format("f {} {} {}\n", first, first + 1, first + 2);
+  };
+  const std::string no_area = "f 1 2 3\n";
+  return text + "o first\n" + no_area + face(4) + no_area + face(8) + "l 1 2\no second\n" + no_area +
+         face(12) + face(16) + no_area;
+}
+
+TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
+  const std::vector<std::int32_t> faces{1, 3, 5, 6}, objects{0, 0, 1, 1};
+  std::vector<float> list;
+  for (int x = 0; x < 4; ++x)
+    list.insert(list.end(), {static_cast<float>(2 * x) + 0.75F, 0.25F, 5, 0, 0, -1});
+  list.insert(list.end(), {0, 9, 5, 0, 0, -1}); // hits nothing
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(list.data()), 4 * list.size()});
+  for (const bool squares : {false, true}) {
+    SCOPED_TRACE(squares ? "squares" : "triangles");
+    const std::string obj = mesh("a.obj", faces_obj(squares)), scene = file("a.scene");
+    const ToolResult made = run("mesh2bin", {obj, "-o", scene, "--info", "--json"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    const auto info = nlohmann::json::parse(made.out);
+    EXPECT_EQ(info["primitives"]["triangles"], squares ? 12 : 8);
+    EXPECT_EQ(info["face_numbers"], squares ? 12 : 0); // which are stored where they aren't the triangles'
+    const std::string divided = grid("a.grid", scene);
+    const auto traced = [&](const Arguments& more) {
+      Arguments arguments{scene, divided, "--backend", "cpu", "--hits", file("hits")};
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+      return numbers_in(file("hits"));
+    };
+    const auto both = traced({"--rays", file("rays"), "--write", "face,object"});
+    const auto named = traced({"--rays", file("rays"), "--hit-name", "face"}); // t, face
+    const auto primitives = traced({"--rays", file("rays"), "--write", "primitive"});
+    ASSERT_EQ(both.size(), 10U);
+    ASSERT_EQ(named.size(), 10U);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      EXPECT_EQ(both[2 * i], faces[i]);
+      EXPECT_EQ(both[2 * i + 1], objects[i]);
+      EXPECT_EQ(named[2 * i + 1], faces[i]);
+      EXPECT_TRUE(squares || primitives[i] == faces[i]);
+    }
+    EXPECT_EQ(both[8], -1);
+    EXPECT_EQ(named[9], -1);
+    // A picture's hits.
+    const Arguments view{"--from", "3.5,0.5,9", "--at", "3.5,0.5,0", "--up", "0,1,0", "--size", "64x64"};
+    Arguments by_face = view, by_object = view;
+    by_face.insert(by_face.end(), {"--hit-name", "face"});
+    const auto seen = traced(by_face), of_object = traced(by_object);
+    ASSERT_EQ(seen.size(), of_object.size());
+    std::set<std::int32_t> all;
+    for (std::size_t i = 1; i < seen.size(); i += 2) {
+      all.insert(seen[i]);
+      EXPECT_EQ(of_object[i], seen[i] < 0 ? -1 : seen[i] < 5 ? 0 : 1);
+    }
+    EXPECT_EQ(all, (std::set<std::int32_t>{-1, 1, 3, 5, 6}));
+  }
+}
+
+// --- Files that a mesh refers to --------------------------------------------------------------------------
+
+TEST_F(Mesh2bin, WritesOverNothingThatItsMeshRefersTo) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", materials = "newmtl m\nKd 1 0 0\n";
+  const std::string obj = mesh("a.obj", "mtllib a.mtl\n" + triangle + "usemtl m\nf 1 2 3\n"),
+                    mtl = mesh("a.mtl", materials), link = file("link");
+  ASSERT_EQ(symlink("a.mtl", link.c_str()), 0);
+  std::string buffer(36, '\0');
+  buffer[14] = buffer[30] = '\x80'; // 1.0 at 12 and 28
+  buffer[15] = buffer[31] = '\x3f';
+  const std::string bin = mesh("g.bin", buffer);
+  const std::string gltf =
+      mesh("g.gltf",
+           R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+           R"("accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],)"
+           R"("bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":"g.bin","byteLength":36}]})");
+  ASSERT_EQ(run("mesh2bin", {gltf, "-o", file("g.scene")}).code, 0); // it is valid
+  const auto refused = [&](const Arguments& arguments, const std::string& output, const std::string& input) {
+    return failed(run("mesh2bin", arguments), 1, "mesh2bin", output, "is the input " + input);
+  };
+  EXPECT_TRUE(refused({obj, "-o", mtl}, mtl, mtl));
+  EXPECT_TRUE(refused({obj, "-o", link}, link, mtl));
+  EXPECT_TRUE(refused({obj, "-o", file("a.scene"), "--objects", mtl}, mtl, mtl));
+  EXPECT_TRUE(refused({gltf, "-o", bin}, bin, bin));
+  EXPECT_EQ(read_text(mtl), materials);
+  EXPECT_EQ(read_text(bin), buffer);
+  EXPECT_EQ(folder_.listing(),
+            (std::vector<std::string>{"a.mtl", "a.obj", "g.bin", "g.gltf", "g.scene", "link"}));
+}
+
+TEST_F(Mesh2bin, DoesntWaitForPipesThatItsMeshRefersTo) {
+  const std::string obj = mesh("a.obj", "mtllib pipe.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_EQ(mkfifo(file("pipe.mtl").c_str(), 0600), 0);
+  EXPECT_EQ(
+      run("/usr/bin/timeout", {"20", std::string(MASU_BIN_DIR) + "/mesh2bin", obj, "-o", file("a.scene")})
+          .code,
+      0);
+}
+
+// --- What Assimp takes ------------------------------------------------------------------------------------
+
+// A text that takes any release of Assimp several seconds: ten million faces.
+std::string large_obj() {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 10'000'000; ++i)
+    text += "f 1 2 3\n";
+  return text;
+}
+
+TEST_F(Mesh2bin, EndsWhatTakesTooLong) {
+  const std::string obj = mesh("a.obj", large_obj());
+  EXPECT_TRUE(failed(run("mesh2bin", {obj, "-o", file("a.scene"), "--time-limit", "1"}), 2, "mesh2bin", obj,
+                     "longer"));
+  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.obj"});
+}
+
+TEST_F(Mesh2bin, GivesLittleMemoryToASmallFile) {
+  for (const char* const format : {"binary_little_endian", "ascii"}) {
+    const std::string ply =
+        mesh("a.ply", std::string("ply\nformat ") + format +
+                          " 1.0\nelement vertex 536870912\nproperty float x\nproperty float y\n"
+                          "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                          "end_header\n0 0 0 0 0 0\n");
+    EXPECT_TRUE(failed(run("mesh2bin", {ply, "-o", file("a.scene")}), 2, "mesh2bin", ply));
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    EXPECT_LT(usage.ru_maxrss, 3 << 20); // KiB: of all children so far
+  }
+}
+
+// A 3MF package that names a model which isn't in it: an assertion of Assimp's prints a line of its own.
+TEST_F(Mesh2bin, PrintsOneLineWhateverAssimpPrints) {
+  using namespace std::string_literals;
+  const std::string
+      name = "_rels/.rels",
+      text = "<Relationships><Relationship Target=\"/n\" Id=\"r\" "
+             "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>",
+      // Date, checksum, both sizes and the name's length: of the archive's one file.
+      entry = "!\0IB\xfc"s + "f\x85\0\0\0\x85\0\0\0\x0b\0\0\0"s;
+  const std::string package =
+      mesh("a.3mf", "PK\3\4\x14\0\0\0\0\0\0\0"s + entry + name + text + "PK\1\2\x14\0\x14\0\0\0\0\0\0\0"s +
+                        entry + "\0\0\0\0\0\0\0\0\x80\1\0\0\0\0"s + name +
+                        "PK\5\6\0\0\0\0\1\0\1\0\x39\0\0\0\xae\0\0\0\0\0"s);
+  EXPECT_TRUE(failed(run("mesh2bin", {package, "-o", file("a.scene")}), 2, "mesh2bin", package));
+}
+
+// Where the loader can't even load the program, it says so with 127.
+TEST_F(Mesh2bin, EndsWithALineWhereThereIsLittleMemory) {
+  const std::string obj = mesh("a.obj", polygons_obj);
+  for (int kilobytes = 18000; kilobytes < 60000; kilobytes += kilobytes < 30000 ? 250 : 2000) {
+    const auto limited = [&](const Arguments& arguments) {
+      Arguments all{"-c", "ulimit -v " + std::to_string(kilobytes) + "; exec \"$0\" \"$@\"",
+                    std::string(MASU_BIN_DIR) + "/mesh2bin"};
+      all.insert(all.end(), arguments.begin(), arguments.end());
+      return run("/bin/sh", all);
+    };
+    // Some releases of oneTBB crash before main() where they find too little memory; and wait for ever, using
+    // the processor, where there is no memory to throw an exception with.
+    if (limited({"--version"}).code < 0) continue;
+    const ToolResult result = limited({obj, "-o", file("a.scene"), "--time-limit", "1"});
+    SCOPED_TRACE(testing::Message() << kilobytes << " KiB: " << result.err);
+    EXPECT_TRUE(result.code == 0 || result.code == 2 || result.code == 127) << result.code;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), result.code == 0 ? 0 : 1);
+  }
+}
+
+TEST_F(Mesh2bin, IsEndedBySignalsWithTheProcessThatReads) {
+  const std::string obj = mesh("a.obj", large_obj());
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGKILL}) {
+    const pid_t process = start("mesh2bin", {obj, "-o", file("a.scene"), "--time-limit", "60"});
+    ASSERT_GT(process, 0);
+    const std::string list =
+        "/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children";
+    std::string child;
+    for (int i = 0; i < 2000 && child.empty(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      child = read_text(list);
+    }
+    ASSERT_FALSE(child.empty()) << "no child process";
+    kill(process, signal);
+    int status = 0;
+    ASSERT_EQ(waitpid(process, &status, 0), process);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << signal;
+    // Of a parent that was killed, the child ends a moment later.
+    const std::string state = "/proc/" + std::to_string(std::stoi(child)) + "/stat";
+    const auto runs = [&] {
+      std::error_code gone;
+      if (!std::filesystem::exists(state, gone)) return false;
+      const std::string text = read_text(state);
+      return !text.empty() && text.find(") Z ") == std::string::npos;
+    };
+    for (int i = 0; i < 2000 && runs(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_FALSE(runs()) << signal;
+  }
+  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.obj"});
+}
+
+// Nodes nested this deep overflow Assimp's stack.
+TEST_F(Mesh2bin, ReportsThatAssimpCrashed) {
+  std::string gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
+  constexpr int depth = 200000;
+  for (int i = 1; i < depth; ++i)
+    gltf += "{\"children\":[" + std::to_string(i) + "]},";
+  const std::string path = mesh("a.gltf", gltf + "{}]}");
+  EXPECT_TRUE(failed(run("mesh2bin", {path, "-o", file("a.scene")}), 2, "mesh2bin", path, "crashed"));
+  EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.gltf"});
+}
+
+} // namespace
+} // namespace masu

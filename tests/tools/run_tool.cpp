@@ -1,0 +1,130 @@
+#include "tests/tools/run_tool.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <sstream>
+
+extern char** environ;
+
+namespace masu {
+namespace {
+
+struct Spawned {
+  pid_t process = -1;
+  int error = 0;
+};
+
+Spawned spawn(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings,
+              const std::string& out, const std::string& err) {
+  const std::string path = tool.starts_with('/') ? tool : std::string(MASU_BIN_DIR) + "/" + tool;
+  std::vector<char*> argv{const_cast<char*>(path.c_str())};
+  for (const std::string& argument : arguments)
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  std::vector<char*> environment;
+  if (!surroundings.environment.empty())
+    environment.push_back(const_cast<char*>(surroundings.environment.c_str()));
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    environment.push_back(*variable);
+  environment.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, 0, surroundings.input.c_str(), O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  for (const int stream : surroundings.closed)
+    posix_spawn_file_actions_addclose(&actions, stream);
+  Spawned spawned;
+  spawned.error =
+      posix_spawn(&spawned.process, path.c_str(), &actions, nullptr, argv.data(), environment.data());
+  posix_spawn_file_actions_destroy(&actions);
+  EXPECT_EQ(spawned.error, 0) << path << " can't be started: " << std::strerror(spawned.error);
+  return spawned;
+}
+
+void expect_success(const ToolResult& result) {
+  EXPECT_TRUE(succeeded(result));
+}
+
+Arguments joined(Arguments first, const Arguments& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
+} // namespace
+
+ToolResult run(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings) {
+  const TemporaryFolder folder;
+  const std::string out = surroundings.output.empty() ? folder.file("out") : surroundings.output;
+  const std::string err = surroundings.error.empty() ? folder.file("err") : surroundings.error;
+  const Spawned spawned = spawn(tool, arguments, surroundings, out, err);
+  ToolResult result;
+  if (spawned.error != 0) return result;
+  int status = 0;
+  if (waitpid(spawned.process, &status, 0) != spawned.process) return result;
+  result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  if (surroundings.output.empty()) result.out = read_text(out);
+  if (surroundings.error.empty()) result.err = read_text(err);
+  return result;
+}
+
+pid_t start(const std::string& tool, const Arguments& arguments) {
+  return spawn(tool, arguments, {}, "/dev/null", "/dev/null").process;
+}
+
+testing::AssertionResult succeeded(const ToolResult& result) {
+  bool only_notes = true;
+  std::istringstream lines(result.err);
+  for (std::string line; std::getline(lines, line);)
+    only_notes = only_notes && (line.find(": traced ") != std::string::npos ||
+                                line.find(": no usable GPU (") != std::string::npos);
+  if (result.code == 0 && only_notes) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << "exit code " << result.code << ", stderr: " << result.err;
+}
+
+testing::AssertionResult failed(const ToolResult& result, int code, const std::string& tool,
+                                const std::string& place, const std::string& says) {
+  const auto no = [&](const std::string& why) {
+    return testing::AssertionFailure()
+           << why << "\nexit code " << result.code << ", stderr: " << result.err << "stdout: " << result.out;
+  };
+  if (result.code != code) return no("the exit code should be " + std::to_string(code));
+  if (!result.out.empty()) return no("stdout should be empty");
+  std::string error = result.err;
+  if (error.starts_with(tool + ": no usable GPU (")) error.erase(0, error.find('\n') + 1); // a note before it
+  if (error.empty() || error.find('\n') != error.size() - 1) return no("stderr should be one line");
+  const std::string head = tool + ": " + place + ": ";
+  if (!error.starts_with(head)) return no("stderr should begin with '" + head + "'");
+  if (error.size() < head.size() + 8) return no("the line should say what is wrong");
+  if (error.find(says, head.size()) == std::string::npos) return no("stderr should say '" + says + "'");
+  return testing::AssertionSuccess();
+}
+
+std::string ToolTest::nff(const std::string& name, std::string_view text) const {
+  write_text(file(name), text);
+  return file(name);
+}
+
+std::string ToolTest::spd(const std::string& name, const std::string& scene, int size) const {
+  const Arguments sized = size > 0 ? Arguments{"--size", std::to_string(size)} : Arguments{};
+  expect_success(run("nffgen", joined({scene, "-o", file(name)}, sized)));
+  return file(name);
+}
+
+std::string ToolTest::scene(const std::string& name, const std::string& nff, const Arguments& more) const {
+  expect_success(run("nff2bin", joined({nff, "-o", file(name)}, more)));
+  return file(name);
+}
+
+std::string ToolTest::grid(const std::string& name, const std::string& scene, const std::string& division,
+                           const Arguments& more) const {
+  expect_success(run("gridbuild", joined({scene, "-o", file(name), "--division", division}, more)));
+  return file(name);
+}
+
+} // namespace masu

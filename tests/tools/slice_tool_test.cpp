@@ -1,0 +1,360 @@
+// gridstat's slices and exported cells, end to end.
+#include "tests/tools/run_tool.h"
+
+#include <nlohmann/json.hpp>
+#include <png.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <sstream>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::vector<std::string> merges{"none", "x", "balance", "irregular"};
+
+std::string text_of(const std::string& path) {
+  const Bytes bytes = read_bytes(path);
+  return {bytes.begin(), bytes.end()};
+}
+
+// What is wrong with XML of elements, attributes, character data and the five entities; empty if nothing is.
+class XmlCheck {
+public:
+  explicit XmlCheck(const std::string& xml) : xml_(xml) {}
+
+  std::string problem() {
+    while (at_ < xml_.size()) {
+      if (xml_[at_] != '<') {
+        if (!open_.empty() ? !character(true) : xml_[at_++] != '\n') return "text";
+      } else if (!tag()) {
+        return "tag";
+      }
+    }
+    return open_.empty() && elements_ > 0 ? "" : "an open element";
+  }
+  // Character data of the elements of this name.
+  std::vector<std::string> texts(const std::string& name) const {
+    const auto found = texts_.find(name);
+    return found == texts_.end() ? std::vector<std::string>{} : found->second;
+  }
+
+private:
+  bool character(bool is_data) {
+    const auto c = static_cast<unsigned char>(xml_[at_]);
+    if (c == '<' || (c < 0x20 && c != '\n')) return false;
+    std::size_t size = 1;
+    if (c == '&') {
+      size = 0;
+      for (const char* const entity : {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"})
+        if (xml_.compare(at_, std::strlen(entity), entity) == 0) size = std::strlen(entity);
+    }
+    if (is_data && !open_.empty()) texts_[open_.back()].back() += xml_.substr(at_, size);
+    at_ += size;
+    return size > 0;
+  }
+  std::string name() {
+    const std::size_t from = at_;
+    while (at_ < xml_.size() &&
+           (std::isalnum(static_cast<unsigned char>(xml_[at_])) != 0 || xml_[at_] == '-'))
+      ++at_;
+    return xml_.substr(from, at_ - from);
+  }
+  bool tag() {
+    ++at_;
+    if (xml_[at_] == '/') {
+      ++at_;
+      const bool closes = !open_.empty() && name() == open_.back();
+      if (closes) open_.pop_back();
+      return closes && xml_[at_++] == '>';
+    }
+    const std::string element = name();
+    if (element.empty() || (open_.empty() && elements_++ > 0)) return false; // one root
+    std::map<std::string, int> attributes;
+    while (at_ < xml_.size() && xml_[at_] == ' ') {
+      ++at_;
+      const std::string attribute = name();
+      if (attribute.empty() || attributes[attribute]++ > 0 || xml_.compare(at_, 2, "=\"") != 0) return false;
+      for (at_ += 2; at_ < xml_.size() && xml_[at_] != '"';)
+        if (!character(false)) return false;
+      ++at_;
+    }
+    const bool is_empty = xml_.compare(at_, 2, "/>") == 0;
+    if (!is_empty && xml_[at_] != '>') return false;
+    at_ += is_empty ? 2 : 1;
+    if (is_empty) return true;
+    open_.push_back(element);
+    texts_[element].emplace_back();
+    return true;
+  }
+
+  const std::string& xml_;
+  std::size_t at_ = 0;
+  int elements_ = 0;
+  std::vector<std::string> open_;
+  std::map<std::string, std::vector<std::string>> texts_;
+};
+
+struct Size {
+  std::uint32_t width, height;
+};
+Size png_size(const std::string& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return {0, 0};
+  const Size size{png.width, png.height};
+  png_image_free(&png);
+  return size;
+}
+
+class SliceTool : public ToolTest {
+protected:
+  Json json_slice(const std::string& grid, const Arguments& more) {
+    Arguments all{grid, "-o", file("slice.json")};
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_TRUE(succeeded(run("gridstat", all)));
+    return Json::parse(text_of(file("slice.json")));
+  }
+  Json statistics(const std::string& grid) { return Json::parse(run("gridstat", {grid, "--json"}).out); }
+
+  struct Csv {
+    std::vector<std::string> names;
+    std::vector<std::vector<double>> rows;
+  };
+  Csv csv_cells(const std::string& grid, const Arguments& more = {}) {
+    Arguments all{grid, "--cells", file("cells.csv")};
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_TRUE(succeeded(run("gridstat", all)));
+    std::istringstream lines(text_of(file("cells.csv")));
+    Csv csv;
+    std::string line, word;
+    std::getline(lines, line);
+    for (std::istringstream words(line); std::getline(words, word, ',');)
+      csv.names.push_back(word);
+    while (std::getline(lines, line)) {
+      csv.rows.emplace_back();
+      for (std::istringstream words(line); std::getline(words, word, ',');)
+        csv.rows.back().push_back(std::stod(word));
+      EXPECT_EQ(csv.rows.back().size(), csv.names.size());
+    }
+    return csv;
+  }
+
+  const std::string scene_ = scene("a.scene", spd("a.nff", "balls", 2));
+};
+
+TEST_F(SliceTool, AnSvgIsWellFormedXmlWhateverItsTitle) {
+  const std::string path = grid("a.grid", scene_, "6", {"--merge", "irregular"});
+  const std::vector<std::string> titles{"balls",
+                                        "<&\"'>",
+                                        "]]>",
+                                        "a\nb\x01\x7f",
+                                        "caf\xc3\xa9 \xe5\x8d\x87",
+                                        "\xff\xc0\x80\xed\xa0\x80\xef\xbf\xbf\xf5\x80\x80\x80\xc3"};
+  for (const std::string& title : titles) {
+    for (const char* const color : {"references", "volume", "depth"}) {
+      EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=50%", "--outline", scene_, "--lines",
+                                             "--title", title, "--color", color, "-o", file("s.svg")})));
+      const std::string svg = text_of(file("s.svg"));
+      XmlCheck check(svg);
+      EXPECT_EQ(check.problem(), "") << title;
+      EXPECT_EQ(check.texts("title").size(), 1U);
+      EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+    }
+  }
+  EXPECT_NE(text_of(file("s.svg")).find("??"), std::string::npos); // bytes that aren't UTF-8
+}
+
+TEST_F(SliceTool, APictureNamesAxesPlaneAndLegend) {
+  const std::string path = grid("a.grid", scene_, "6");
+  for (const auto& [axis, right, up] : {std::array{"x", "y", "z"}, {"y", "x", "z"}, {"z", "x", "y"}}) {
+    EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", std::string(axis) + "=2", "-o", file("s.svg")})));
+    const std::string svg = text_of(file("s.svg"));
+    XmlCheck check(svg);
+    EXPECT_EQ(check.problem(), "");
+    const auto texts = check.texts("text");
+    const auto has = [&](const std::string& text) {
+      return std::ranges::any_of(texts,
+                                 [&](const std::string& t) { return t.find(text) != std::string::npos; });
+    };
+    EXPECT_TRUE(has(std::string(right) + " (scene units)"));
+    EXPECT_TRUE(has(std::string(up) + " (scene units)"));
+    EXPECT_TRUE(has("a.grid, " + std::string(axis) + " = "));
+    EXPECT_TRUE(has("(layer 2 of 6)"));
+    EXPECT_TRUE(has("references"));
+    EXPECT_TRUE(has("empty"));
+  }
+}
+
+TEST_F(SliceTool, PngAndSvgHaveTheSameSizeAndGrowWithIt) {
+  const std::string path = grid("a.grid", scene_, "8x8x4");
+  std::uint32_t last = 0;
+  for (const char* const size : {"64", "200", "640", "1000"}) {
+    EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=1", "--size", size, "-o", file("s.png")})));
+    EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=1", "--size", size, "-o", file("s.svg")})));
+    const Size png = png_size(file("s.png"));
+    EXPECT_GT(png.width, last);
+    last = png.width;
+    EXPECT_NE(text_of(file("s.svg"))
+                  .find("width=\"" + std::to_string(png.width) + "\" height=\"" + std::to_string(png.height) +
+                        "\""),
+              std::string::npos);
+  }
+}
+
+TEST_F(SliceTool, JsonCellsTileTheLayer) {
+  for (const std::string& merge : merges) {
+    const std::string path = grid("a.grid", scene_, "7", {"--merge", merge});
+    for (const char* const plane : {"x=50%", "y=0", "z=100%", "z@0.01"}) {
+      const Json slice = json_slice(path, {"--slice", plane, "--outline", scene_});
+      std::int64_t area = 0;
+      for (const Json& cell : slice["cells"])
+        area += (cell[2].get<std::int64_t>() - cell[0].get<std::int64_t>()) *
+                (cell[3].get<std::int64_t>() - cell[1].get<std::int64_t>());
+      EXPECT_EQ(area, slice["voxels"][0].get<std::int64_t>() * slice["voxels"][1].get<std::int64_t>());
+    }
+    const Json through_middle = json_slice(path, {"--slice", "z@0", "--outline", scene_});
+    EXPECT_GE(through_middle["outline"].size(), 100U);
+    EXPECT_TRUE(json_slice(path, {"--slice", "z@0"})["outline"].empty());
+  }
+}
+
+TEST_F(SliceTool, AWindowHasFewerCellsAndFitsItsLegend) {
+  const std::string path = grid("a.grid", scene_, "16");
+  const Json all = json_slice(path, {"--slice", "z@0"});
+  const Json some = json_slice(path, {"--slice", "z@0", "--window", "-0.5,-0.5,0.5,1000"});
+  EXPECT_LT(some["cells"].size(), all["cells"].size());
+  EXPECT_GT(some["cells"].size(), 0U);
+  EXPECT_EQ(some["window"]["max"][1], all["window"]["max"][1]); // cut to the space
+  EXPECT_EQ(some["window"]["min"][0], -0.5);
+}
+
+TEST_F(SliceTool, AnOutlineOfAnotherGeometryIsRefused) {
+  const std::string path = grid("a.grid", scene_, "4"), other = scene("b.scene", nff("b.nff", small_nff));
+  EXPECT_TRUE(failed(run("gridstat", {path, "--slice", "z=0", "--outline", other, "-o", file("new.png")}), 2,
+                     "gridstat", path));
+  EXPECT_FALSE(std::filesystem::exists(file("new.png")));
+}
+
+TEST_F(SliceTool, ExportedCellsAreThoseOfTheGrid) {
+  for (const std::string& merge : merges) {
+    const std::string path = grid("a.grid", scene_, "5", {"--merge", merge});
+    const Json known = statistics(path);
+    const Csv csv = csv_cells(path);
+    ASSERT_EQ(csv.names.size(), 16U);
+    EXPECT_EQ(csv.names[0], "cell");
+    EXPECT_EQ(csv.names[13], "references");
+    EXPECT_EQ(csv.rows.size(), known["cells"].get<std::size_t>());
+    double volume = 0, voxels = 0, references = 0, occupied = 0, expanded_volume = 0;
+    for (const auto& row : csv.rows) {
+      volume += (row[4] - row[1]) * (row[5] - row[2]) * (row[6] - row[3]);
+      expanded_volume += (row[10] - row[7]) * (row[11] - row[8]) * (row[12] - row[9]);
+      for (std::size_t i = 1; i <= 3; ++i) { // the expanded box holds the cell's own
+        EXPECT_LE(row[i + 6], row[i]);
+        EXPECT_GE(row[i + 9], row[i + 3]);
+      }
+      EXPECT_EQ(row[14], row[13] > 0 ? 1 : 0);
+      references += row[13];
+      occupied += row[14];
+      voxels += row[15];
+    }
+    double space = 1;
+    for (std::size_t i = 0; i < 3; ++i)
+      space *= known["space"]["max"][i].get<double>() - known["space"]["min"][i].get<double>();
+    EXPECT_NEAR(volume, space, 1e-9 * space); // cells partition the space
+    if (merge == "irregular") {
+      EXPECT_GT(expanded_volume, space); // their expanded boxes overlap
+    } else {
+      EXPECT_NEAR(expanded_volume, space, 1e-9 * space);
+    }
+    EXPECT_EQ(voxels, known["voxels"].get<double>());
+    EXPECT_EQ(occupied, known["occupied_cells"].get<double>());
+    // Cells may share a list; so the sum over cells is at least that of lists.
+    EXPECT_GE(references, known["references"].get<double>());
+
+    EXPECT_EQ(csv_cells(path, {"--occupied"}).rows.size(), known["occupied_cells"].get<std::size_t>());
+    std::size_t inside = 0;
+    for (const auto& row : csv.rows)
+      inside += row[1] < 0.25 && row[4] > 0 && row[2] < 0.25 && row[5] > 0 && row[3] < 0.25 && row[6] > 0;
+    EXPECT_EQ(csv_cells(path, {"--within", "0,0,0,0.25,0.25,0.25"}).rows.size(), inside);
+    EXPECT_TRUE(csv_cells(path, {"--within", "100,100,100,101,101,101"}).rows.empty());
+  }
+}
+
+// As a viewer reads it: corners, then faces or edges that name them.
+TEST_F(SliceTool, APlyHasTheBoxOfEachCell) {
+  for (const std::string& merge : merges) {
+    const std::string path = grid("a.grid", scene_, "4", {"--merge", merge});
+    for (const bool expanded : {false, true}) {
+      const Csv csv = csv_cells(path);
+      for (const bool wireframe : {false, true}) {
+        Arguments arguments{path, "--cells", file("cells.ply")};
+        if (expanded) arguments.emplace_back("--expanded");
+        if (wireframe) arguments.emplace_back("--wireframe");
+        ASSERT_TRUE(succeeded(run("gridstat", arguments)));
+        const std::string ply = text_of(file("cells.ply"));
+        const std::string end = "end_header\n";
+        const std::size_t body = ply.find(end) + end.size(), corners = 8 * csv.rows.size();
+        const std::string head = ply.substr(0, body);
+        EXPECT_TRUE(head.starts_with("ply\nformat binary_little_endian 1.0\n"));
+        EXPECT_NE(head.find("element vertex " + std::to_string(corners) + "\n"), std::string::npos);
+        constexpr std::size_t corner_bytes = 3 * 8 + 3 + 4, face_bytes = 1 + 4 * 4, edge_bytes = 2 * 4;
+        ASSERT_EQ(ply.size() - body,
+                  corners * corner_bytes + csv.rows.size() * (wireframe ? 12 * edge_bytes : 6 * face_bytes));
+        std::vector<std::array<double, 3>> at(corners);
+        for (std::size_t i = 0; i < corners; ++i) {
+          std::memcpy(at[i].data(), ply.data() + body + i * corner_bytes, 3 * 8);
+          float quality = 0;
+          std::memcpy(&quality, ply.data() + body + i * corner_bytes + 3 * 8 + 3, 4);
+          EXPECT_EQ(quality, csv.rows[i / 8][13]);
+        }
+        const std::size_t box = expanded ? 7 : 1;
+        double volume = 0;
+        for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+          const auto& row = csv.rows[i];
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_EQ(at[8 * i][axis], row[box + axis]);
+            EXPECT_EQ(at[8 * i + 7][axis], row[box + 3 + axis]);
+          }
+          volume += (row[box + 3] - row[box]) * (row[box + 4] - row[box + 1]) * (row[box + 5] - row[box + 2]);
+        }
+        const char* shape = ply.data() + body + corners * corner_bytes;
+        const auto index = [&] {
+          std::uint32_t number = 0;
+          std::memcpy(&number, shape, 4);
+          shape += 4;
+          return number;
+        };
+        if (wireframe) { // each edge along one axis
+          for (std::size_t i = 0; i < 12 * csv.rows.size(); ++i) {
+            const std::uint32_t a = index(), b = index();
+            EXPECT_EQ(a / 8, b / 8);
+            EXPECT_TRUE((a ^ b) == 1 || (a ^ b) == 2 || (a ^ b) == 4);
+          }
+        } else { // the divergence theorem: faces that close and point outwards enclose the boxes' volume
+          double enclosed = 0;
+          for (std::size_t i = 0; i < 6 * csv.rows.size(); ++i) {
+            ASSERT_EQ(*shape++, 4);
+            std::array<std::uint32_t, 4> face{};
+            for (std::uint32_t& corner : face)
+              corner = index();
+            for (std::size_t k = 1; k + 1 < 4; ++k) {
+              const auto &a = at[face[0]], &b = at[face[k]], &c = at[face[k + 1]];
+              enclosed += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                           a[2] * (b[0] * c[1] - b[1] * c[0])) /
+                          6;
+            }
+          }
+          EXPECT_NEAR(enclosed, volume, 1e-6 * volume);
+        }
+      }
+    }
+  }
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,818 @@
+// Errors: one line on stderr, the exit code of the error, and no files left behind.
+#include "tests/stability/random_seed.h"
+#include "tests/tools/run_tool.h"
+
+#include <fcntl.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <future>
+#include <thread>
+
+namespace masu {
+namespace {
+
+class ToolErrors : public ToolTest {
+protected:
+  // Runs the tool, which must fail and leave the folder's files as they are.
+  testing::AssertionResult fails(int code, const std::string& tool, const Arguments& arguments,
+                                 const std::string& place, const std::string& says = "",
+                                 const Surroundings& surroundings = {}) const {
+    const auto before = folder_.listing();
+    const auto result = failed(run(tool, arguments, surroundings), code, tool, place, says);
+    if (!result) return result;
+    if (folder_.listing() != before) return testing::AssertionFailure() << "a file was left behind";
+    return result;
+  }
+};
+
+// --- NFF ------------------------------------------------------------------------------------------------
+
+struct BadNff {
+  const char* name;
+  std::string text;
+  const char* at; // line and column
+  const char* says;
+};
+void PrintTo(const BadNff& bad, std::ostream* out) {
+  *out << bad.name;
+}
+
+class BadNffText : public ToolErrors, public testing::WithParamInterface<BadNff> {};
+
+TEST_P(BadNffText, IsRefusedWithLineAndColumn) {
+  const std::string path = nff("bad.nff", GetParam().text);
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene")}, path + GetParam().at, GetParam().says));
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "--info"}, path + GetParam().at, GetParam().says));
+}
+
+std::string view(const char* from, const char* at, const char* up, const char* angle,
+                 const char* resolution) {
+  return std::string("v\nfrom ") + from + "\nat " + at + "\nup " + up + "\nangle " + angle +
+         "\nhither 0.1\nresolution " + resolution + "\ns 0 0 0 1\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadNffText,
+    testing::Values(
+        BadNff{"UnknownEntity", "s 0 0 0 1\nq 1 2 3\n", ":2:1", "'q'"},
+        BadNff{"UnknownWord", "s 0 0 0 1\n  sphere 1 2 3\n", ":2:3", "'sphere'"},
+        BadNff{"MissingNumber", "s 0 0 0\np 3\n0 0 0\n1 0 0\n0 1 0\n", ":2:1",
+               "'p' where a number is expected"},
+        BadNff{"MissingNumberAtTheEnd", "s 0 0 0", ":1:8", "the text ends"},
+        BadNff{"OneNumberTooMany", "s 0 0 0 1 2\n", ":1:11", "too many"},
+        BadNff{"NaN", "s nan 0 0 1\n", ":1:3", "'nan'"}, BadNff{"Infinity", "s 0 inf 0 1\n", ":1:5", "'inf'"},
+        BadNff{"NegativeInfinity", "s 0 -inf 0 1\n", ":1:5", "'-inf'"},
+        BadNff{"Overflow", "s 0 0 1e999 1\n", ":1:7", "range"},
+        BadNff{"Hexadecimal", "s 0x10 0 0 1\n", ":1:3", "'0x10'"},
+        BadNff{"Comma", "s 0,5 0 0 1\n", ":1:3", "'0,5'"},
+        BadNff{"TooFarOut", "s 1e101 0 0 1\n", ":1:3", "1e100"},
+        BadNff{"LooksNowhere", view("1 2 3", "1 2 3", "0 0 1", "45", "8 8"), ":1:1", "same point"},
+        BadNff{"UpOfNoLength", view("1 2 3", "0 0 0", "0 0 0", "45", "8 8"), ":4:4", "no length"},
+        BadNff{"UpAlongTheView", view("0 0 3", "0 0 0", "0 0 1", "45", "8 8"), ":1:1", "line of sight"},
+        BadNff{"AngleZero", view("1 2 3", "0 0 0", "0 0 1", "0", "8 8"), ":5:7", "angle"},
+        BadNff{"Angle180", view("1 2 3", "0 0 0", "0 0 1", "180", "8 8"), ":5:7", "angle"},
+        BadNff{"ResolutionZero", view("1 2 3", "0 0 0", "0 0 1", "45", "0 8"), ":7:12", "'0'"},
+        BadNff{"ResolutionNegative", view("1 2 3", "0 0 0", "0 0 1", "45", "8 -8"), ":7:14", "'-8'"},
+        BadNff{"ResolutionHuge", view("1 2 3", "0 0 0", "0 0 1", "45", "8 70000"), ":7:14", "'70000'"},
+        BadNff{"ResolutionFraction", view("1 2 3", "0 0 0", "0 0 1", "45", "8.5 8"), ":7:12", "'8.5'"},
+        BadNff{"NegativeVertexCount", "p -3\n0 0 0\n1 0 0\n0 1 0\n", ":1:3", "'-3'"},
+        BadNff{"TwoVertices", "p 2\n0 0 0\n1 0 0\n", ":1:3", "'2'"},
+        BadNff{"FractionOfAVertex", "p 3.5\n0 0 0\n1 0 0\n0 1 0\n", ":1:3", "'3.5'"},
+        BadNff{"ABillionVertices", "p 1000000000\n0 0 0\n1 0 0\n0 1 0\n", ":1:3", "1000000000"},
+        BadNff{"MoreVerticesThanMemory", "pp 4294967295\n0 0 0 0 0 1\n", ":1:4", "4294967295"},
+        BadNff{"CutInAPolygon", "p 4\n0.5 0.5 0.5\n1.5 0.5 0.5\n1.5 1.5 0.5\n0.5 1.5", ":5:8",
+               "the text ends"},
+        BadNff{"CutInAView", "v\nfrom 1 2", ":2:9", "the text ends"},
+        BadNff{"NormalOfNoLength", "pp 3\n0 0 0 0 0 0\n1 0 0 0 0 1\n0 1 0 0 0 1\n", ":2:7", "no length"},
+        BadNff{"RadiiOfOppositeSigns", "c 0 0 0 1 0 0 1 -1\n", ":1:17", "opposite signs"},
+        BadNff{"NegativeDiffuse", "f 1 1 1 -0.5 0 0 0 1\ns 0 0 0 1\n", ":1:9", "negative"},
+        BadNff{"ColourBeyondFloat", "b 1e39 0 0\ns 0 0 0 1\n", ":1:3", "too large"},
+        BadNff{"Binary",
+               std::string("\x7f"
+                           "ELF\x02\x01\0\0\0",
+                           9),
+               ":1:1", "no NFF entity"},
+        BadNff{"Empty", "", "", "no NFF entity"},
+        BadNff{"OnlyComments", "# nothing\n\n  # more\n", "", "no NFF entity"}),
+    [](const auto& test) { return std::string(test.param.name); });
+
+TEST_F(ToolErrors, NffThatCannotBeReadIsRefused) {
+  EXPECT_TRUE(
+      fails(2, "nff2bin", {file("missing.nff"), "-o", file("a.scene")}, file("missing.nff"), "No such file"));
+  EXPECT_TRUE(fails(2, "nff2bin", {folder_.path().string(), "-o", file("a.scene")}, folder_.path().string(),
+                    "is a directory"));
+  EXPECT_TRUE(fails(2, "nff2bin", {"-", "-o", file("a.scene")}, "stdin", "no NFF entity"));
+}
+
+TEST_F(ToolErrors, InvalidStandardInputIsRefusedWithLineAndColumn) {
+  const std::string path = nff("bad.nff", "s 0 0 0 1\n\n s 1 2 x\n");
+  EXPECT_TRUE(fails(2, "nff2bin", {"-", "-o", file("a.scene")}, "stdin:3:8", "'x'", {path, {}, {}}));
+}
+
+TEST_F(ToolErrors, ASceneTooWideForItsStoreIsRefused) {
+  const std::string path = nff("wide.nff", "s 1e13 0 0 1\n");
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32", "--origin", "none"},
+                    file("a.scene"), "float64"));
+  // One that the origin makes too wide.
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32", "--origin", "1e99,0,0"},
+                    file("a.scene"), "relative to the origin"));
+}
+
+TEST_F(ToolErrors, AnOriginThatIsNoPointIsRefused) {
+  const std::string path = nff("a.nff", small_nff);
+  for (const char* const origin : {"nan,0,0", "0,inf,0", "0,0,1e300", "1,2", "1,2,3,4", "here"})
+    EXPECT_TRUE(fails(1, "nff2bin", {path, "-o", file("a.scene"), "--origin", origin}, "--origin"));
+}
+
+TEST_F(ToolErrors, Float32ArithmeticOnFloat64CoordinatesIsRefused) {
+  const std::string path = scene("a.scene", nff("a.nff", small_nff), {"--store", "float64"});
+  for (const char* const precision : {"fast", "robust"}) {
+    EXPECT_TRUE(
+        fails(1, "gridrender",
+              {path, "--brute-force", "-o", file("a.png"), "--backend", "cpu", "--precision", precision},
+              "--precision", "double"));
+  }
+}
+
+TEST_F(ToolErrors, AConeThatLosesItsLengthInItsStoreIsRefused) {
+  const std::string path =
+      nff("flat.nff", "c 100000000.25 0 0 1 100000001.25 0 0 1\nc 100000000 0 0 1 100000800 0 0 1\n");
+  EXPECT_TRUE(fails(2, "nff2bin", {path, "-o", file("a.scene"), "--store", "float32", "--origin", "none"},
+                    file("a.scene"), "float64"));
+}
+
+// Where --store float32 is too coarse, the scene is written, and a warning recommends float64.
+TEST_F(ToolErrors, Float32ThatIsTooCoarseForTheSceneIsWarnedOf) {
+  const auto warned = [&](const std::string& text, const Arguments& more, const std::string& of) {
+    const std::string path = nff("far.nff", text);
+    Arguments arguments{path, "-o", file("far.scene")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ToolResult result = run("nff2bin", arguments);
+    if (of.empty()) return succeeded(result);
+    const bool good = result.code == 0 && result.err.starts_with("nff2bin: " + path + ": warning: ") &&
+                      result.err.find(of) != std::string::npos &&
+                      std::count(result.err.begin(), result.err.end(), '\n') == 1;
+    return good ? testing::AssertionSuccess()
+                : testing::AssertionFailure() << "exit code " << result.code << ", stderr: " << result.err;
+  };
+  const std::string far = "s 1000000 0 0 1\ns 1000004 0 0 1\n", small = "s 0 0 0 1000\ns 0 0 1000 0.0001\n",
+                    digits = "s 0.123456789012 0 0 1\n";
+  EXPECT_TRUE(warned(far, {"--store", "float32", "--origin", "none"}, "6 across"));
+  EXPECT_TRUE(warned(far, {"--store", "float32"}, ""));
+  EXPECT_TRUE(warned(far, {"--origin", "none"}, "")); // stored as float64, here and below
+  EXPECT_TRUE(warned(small, {"--store", "float32"}, "1 part(s)"));
+  EXPECT_TRUE(warned(small, {}, ""));
+  EXPECT_TRUE(warned(digits, {"--store", "float32"}, ""));
+  EXPECT_TRUE(warned(digits, {}, ""));
+}
+
+// Truncated text is valid or refused: no crash, no incomplete scene file.
+TEST_F(ToolErrors, TruncatedTextIsReadOrRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  int refused = 0;
+  for (int i = 0; i < 25; ++i) {
+    const std::size_t length = random() % small_nff.size();
+    const std::string path = nff("cut.nff", small_nff.substr(0, length));
+    const ToolResult result = run("nff2bin", {path, "-o", file("cut.scene")});
+    EXPECT_EQ(std::filesystem::exists(file("cut.scene")), result.code == 0) << length;
+    if (result.code == 0) {
+      std::filesystem::remove(file("cut.scene"));
+      continue;
+    }
+    ++refused;
+    EXPECT_EQ(result.code, 2) << length << ": " << result.err;
+    EXPECT_TRUE(result.err.starts_with("nff2bin: " + path)) << result.err;
+  }
+  EXPECT_GT(refused, 0);
+}
+
+// --- Scene and grid files -------------------------------------------------------------------------------
+
+class BadFiles : public ToolErrors {
+protected:
+  BadFiles()
+      : scene_(scene("a.scene", nff("a.nff", small_nff))), grid_(grid("a.grid", scene_)),
+        other_scene_(scene("b.scene", nff("b.nff", other_nff))) {}
+
+  // All tools that read such a file must refuse this one.
+  void expect_scene_refused(const std::string& path, const std::string& says = "") const {
+    EXPECT_TRUE(fails(2, "gridbuild", {path, "-o", file("new.grid")}, path, says));
+    EXPECT_TRUE(fails(2, "gridrender", {path, grid_, "-o", file("new.png")}, path, says));
+    EXPECT_TRUE(fails(2, "gridrender", {path, "--brute-force", "-o", file("new.png")}, path, says));
+    EXPECT_TRUE(fails(2, "gridstat", {"--occupancy", path}, path, says));
+  }
+  void expect_grid_refused(const std::string& path, const std::string& says = "") const {
+    EXPECT_TRUE(fails(2, "gridrender", {scene_, path, "-o", file("new.png")}, path, says));
+    EXPECT_TRUE(fails(2, "gridstat", {path}, path, says));
+    EXPECT_TRUE(fails(2, "gridstat", {path, "--slice", "z=0", "-o", file("new.png")}, path, says));
+  }
+
+  const std::string scene_, grid_, other_scene_;
+};
+
+TEST_F(BadFiles, MissingFilesAreRefused) {
+  expect_scene_refused(file("missing"), "No such file");
+  expect_grid_refused(file("missing"), "No such file");
+}
+
+TEST_F(BadFiles, DirectoriesAreRefused) {
+  expect_scene_refused(folder_.path().string(), "is a directory");
+  expect_grid_refused(folder_.path().string(), "is a directory");
+}
+
+TEST_F(BadFiles, EmptyFilesAreRefused) {
+  expect_scene_refused(nff("empty", ""), "isn't a scene file");
+  expect_grid_refused(nff("empty", ""), "isn't a grid file");
+}
+
+TEST_F(BadFiles, NffTextIsRefused) {
+  expect_scene_refused(file("a.nff"), "isn't a scene file");
+  expect_grid_refused(file("a.nff"), "isn't a grid file");
+}
+
+TEST_F(BadFiles, ScenesAndGridsAreNotInterchangeable) {
+  expect_scene_refused(grid_, "isn't a scene file");
+  expect_grid_refused(scene_, "isn't a grid file");
+}
+
+TEST_F(BadFiles, AGridOfAnotherGeometryIsRefused) {
+  const auto refuse = [&](const std::string& scene) {
+    EXPECT_TRUE(fails(2, "gridrender", {scene, grid_, "-o", file("new.png")}, grid_, "another geometry"));
+    EXPECT_TRUE(fails(2, "gridbench", {"oracle", scene, grid_}, grid_, "another geometry"));
+  };
+  refuse(other_scene_);
+  refuse(scene("wide.scene", file("a.nff"), {"--store", "float64"}));
+  std::string moved(small_nff);
+  moved.replace(moved.find("-2 -2 0"), 7, "-2 -2 1");
+  refuse(scene("moved.scene", nff("moved.nff", moved)));
+}
+
+TEST_F(BadFiles, TruncatedFilesAreRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  for (const std::string& whole : {scene_, grid_}) {
+    const Bytes bytes = read_bytes(whole);
+    for (const std::size_t size : {std::size_t{5}, std::size_t{63}, std::size_t{4096},
+                                   static_cast<std::size_t>(random() % bytes.size()), bytes.size() - 1}) {
+      write_bytes(file("cut"), std::span(bytes).first(size));
+      whole == scene_ ? expect_scene_refused(file("cut")) : expect_grid_refused(file("cut"));
+    }
+  }
+}
+
+TEST_F(BadFiles, FilesWithAFlippedBitAreRefused) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  for (const std::string& whole : {scene_, grid_}) {
+    for (int i = 0; i < 5; ++i) {
+      Bytes bytes = read_bytes(whole);
+      bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1U << (random() % 8));
+      write_bytes(file("flipped"), bytes);
+      whole == scene_ ? expect_scene_refused(file("flipped")) : expect_grid_refused(file("flipped"));
+    }
+  }
+}
+
+TEST_F(BadFiles, Nff2binRecognisesSceneFiles) {
+  EXPECT_TRUE(fails(1, "nff2bin", {scene_, "-o", file("new.scene")}, scene_, "scene file already"));
+  Bytes bytes = read_bytes(scene_);
+  bytes.back() ^= 1;
+  write_bytes(file("flipped"), bytes);
+  EXPECT_TRUE(fails(2, "nff2bin", {file("flipped"), "--info"}, file("flipped"), "hash"));
+}
+
+TEST_F(BadFiles, ListsThatHoldNoWholeNumberOfRaysAreRefused) {
+  const auto list = [&](std::size_t floats, const Arguments& more) {
+    const std::vector<float> numbers(floats, 1);
+    write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(numbers.data()), 4 * numbers.size()});
+    Arguments arguments{scene_, grid_, "--rays", file("rays"), "--hits", file("hits")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return fails(2, "gridrender", arguments, file("rays"), "not a whole number of rays");
+  };
+  EXPECT_TRUE(list(5, {}));
+  EXPECT_TRUE(list(7, {}));
+  EXPECT_TRUE(list(12, {"--ray-numbers", "8"}));
+  EXPECT_TRUE(list(6, {"--ray-store", "float64"}));
+  write_bytes(file("rays"), Bytes{1});
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
+                    file("rays"), "not a whole number of rays"));
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("missing"), "--hits", file("hits")},
+                    file("missing"), "No such file"));
+}
+
+// Though 24 bytes of it would be a ray.
+TEST_F(BadFiles, ListsThatAreNotWhatTheirNamesSayAreRefused) {
+  const auto list = [&](const std::string& name, std::string_view text, const std::string& says) {
+    write_text(file(name), text);
+    Arguments arguments{scene_, grid_, "--rays", file(name), "--hits", file("hits")};
+    const auto result = fails(2, "gridrender", arguments, file(name), says);
+    if (!result) return result;
+    arguments[3] = "-";
+    if (name != "rays") return result;
+    return fails(2, "gridrender", arguments, "stdin", says, {file(name), {}, {}});
+  };
+  const std::string text = "ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n";
+  for (const std::size_t size : {24UL, 30UL, 1UL})
+    EXPECT_TRUE(list("rays", text.substr(0, size), "is a text"));
+  std::string long_text = text;
+  while (long_text.size() < 24 * 500)
+    long_text += "1,2,3,4,5,6\n";
+  for (const char* const name : {"rays", "rays.f32", "rays.f64", "rays.txt"})
+    EXPECT_TRUE(list(name, long_text.substr(0, 24 * 500), "is a text"));
+  EXPECT_TRUE(list("rays.npy", text, "isn't a NumPy array"));
+  EXPECT_TRUE(list("rays.npy", std::string(48, '\0'), "isn't a NumPy array"));
+  EXPECT_TRUE(list("rays.f64", std::string(24, '\0'), "not a whole number of rays"));
+  const auto csv = [&](const std::string& content, const std::string& at, const std::string& says) {
+    write_text(file("rays.csv"), content);
+    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.csv"), "--hits", file("hits")},
+                 file("rays.csv") + at, says);
+  };
+  EXPECT_TRUE(csv("", "", "has no line of columns' names"));
+  EXPECT_TRUE(csv(text + "1,2,x,4,5,6\n", ":3:5", "'x' isn't a number"));
+  EXPECT_TRUE(csv(std::string(48, '\0'), ":1:1", "isn't one of the columns"));
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", "/dev/null", "--hits", file("hits")},
+                    "/dev/null", "is a device"));
+}
+
+TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
+  const auto fails_with = [&](const std::string& dictionary, std::size_t floats) {
+    std::string text = "\x93NUMPY\x01";
+    text += '\0';
+    text += static_cast<char>(dictionary.size());
+    text += '\0';
+    write_text(file("rays.npy"), text + dictionary + std::string(4 * floats, '\0'));
+    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.npy"), "--hits", file("hits")},
+                 file("rays.npy"));
+  };
+  for (const char* const dictionary :
+       {"", "{", "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 6",
+        "{'descr': '<f4', 'fortran_order': True, 'shape': (2, 6), }",
+        "{'descr': '<i4', 'fortran_order': False, 'shape': (2, 6), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (12,), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (4, 3), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (-2, 6), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 99999999999999999999), }",
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 6), }",  // less than there is
+        "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 6), }"}) // more
+    EXPECT_TRUE(fails_with(dictionary, 12)) << dictionary;
+  write_text(file("rays.npy"), "\x93NUMPY");
+  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.npy"), "--hits", file("hits")},
+                    file("rays.npy")));
+}
+
+// --- Output ---------------------------------------------------------------------------------------------
+
+TEST_F(BadFiles, UnwritableOutputsAreOutputErrors) {
+  for (const std::string& place :
+       {file("no/folder/new"), folder_.path().string(), std::string("/dev/full")}) {
+    EXPECT_TRUE(fails(3, "nffgen", {"tetra", "--size", "3", "-o", place}, place));
+    EXPECT_TRUE(fails(3, "nff2bin", {file("a.nff"), "-o", place}, place));
+    EXPECT_TRUE(fails(3, "gridbuild", {scene_, "-o", place}, place));
+    EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "--hits", place}, place));
+    EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "--stats", place}, place));
+  }
+  for (const std::string& place : {file("no/folder/new.png"), file("no/folder/new.pfm")})
+    EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "-o", place}, place, "No such file"));
+  const std::string folder = file("folder.png");
+  std::filesystem::create_directory(folder);
+  EXPECT_TRUE(fails(3, "gridrender", {scene_, grid_, "-o", folder}, folder, "is a directory"));
+  EXPECT_TRUE(fails(3, "gridstat", {grid_, "--slice", "z=0", "-o", folder}, folder, "is a directory"));
+  // /dev/full takes nothing.
+  for (const char* const name : {"full.csv", "full.ply"}) {
+    std::filesystem::create_symlink("/dev/full", file(name));
+    EXPECT_TRUE(fails(3, "gridstat", {grid_, "--cells", file(name)}, file(name)));
+  }
+}
+
+TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
+  const Surroundings full{"/dev/null", "/dev/full", {}};
+  const std::string place = "standard output";
+  EXPECT_TRUE(fails(3, "nffgen", {"tetra"}, place, "", full));
+  EXPECT_TRUE(fails(3, "nff2bin", {scene_, "--info"}, place, "", full));
+  EXPECT_TRUE(fails(3, "nff2bin", {file("a.nff"), "--info", "--json"}, place, "", full));
+  EXPECT_TRUE(fails(3, "gridstat", {grid_}, place, "", full));
+  EXPECT_TRUE(fails(3, "gridstat", {grid_, "--json"}, place, "", full));
+  EXPECT_TRUE(failed(run("gridbuild", {scene_, "-o", file("new.grid")}, full), 3, "gridbuild", place));
+  // Subcommands that print row by row.
+  const Arguments quick{"--repeat", "1", "--warm-up", "0", "--size", "16x12"};
+  for (const Arguments& more : {Arguments{}, Arguments{"--json"}}) {
+    const auto with = [&](Arguments arguments, const Arguments& options) {
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      arguments.insert(arguments.end(), more.begin(), more.end());
+      return arguments;
+    };
+    EXPECT_TRUE(
+        fails(3, "gridbench", with({"rays", scene_, grid_, "--random", "100"}, quick), place, "", full));
+    EXPECT_TRUE(fails(3, "gridbench", with({"frame", scene_, grid_}, quick), place, "", full));
+    EXPECT_TRUE(fails(3, "gridbench", with({"stability", "--count", "10"}, {}), place, "", full));
+    EXPECT_TRUE(fails(3, "gridbench", with({"load", scene_, grid_, "--repeat", "1"}, {}), place, "", full));
+  }
+}
+
+// The list's pipe stays open until the tool has ended, or for a minute.
+TEST_F(BadFiles, AWriteErrorDoesntWaitForTheRestOfAList) {
+  const std::string pipe = file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  for (const bool is_named : {false, true}) {
+    std::promise<void> ended;
+    bool ended_first = false;
+    std::thread writer([&] {
+      const int to = open(pipe.c_str(), O_WRONLY | O_CLOEXEC);
+      const Bytes rays(24 * ((std::size_t{1} << 20) + 10)); // a chunk, and some of the next
+      for (std::size_t done = 0; done < rays.size();) {
+        const ssize_t written = write(to, rays.data() + done, rays.size() - done);
+        if (written <= 0) break;
+        done += static_cast<std::size_t>(written);
+      }
+      ended_first = ended.get_future().wait_for(std::chrono::minutes(1)) == std::future_status::ready;
+      close(to);
+    });
+    EXPECT_TRUE(
+        fails(3, "gridrender",
+              {scene_, grid_, "--backend", "cpu", "--rays", is_named ? pipe : "-", "--hits", "/dev/full"},
+              "/dev/full", "", {is_named ? "/dev/null" : pipe, {}, {}}));
+    ended.set_value();
+    writer.join();
+    EXPECT_TRUE(ended_first);
+  }
+  static_cast<void>(std::signal(SIGPIPE, SIG_DFL));
+}
+
+TEST_F(ToolErrors, AClosedPipeIsAnOutputError) {
+  const std::string pipe = file("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread reader([&] {
+    char first = 0;
+    std::ifstream(pipe).get(first);
+    EXPECT_NE(first, 0);
+  });
+  EXPECT_TRUE(fails(3, "nffgen", {"balls"}, "standard output", "", {"/dev/null", pipe, {}}));
+  reader.join();
+}
+
+// --- Inputs are never written ---------------------------------------------------------------------------
+
+class Inputs : public BadFiles {
+protected:
+  Inputs() {
+    scene_ = file("a.scene");
+    rays_ = file("rays");
+    const std::vector<float> ray{0, 0, 5, 0, 0, -1};
+    write_bytes(rays_, {reinterpret_cast<const std::uint8_t*>(ray.data()), 4 * ray.size()});
+    std::filesystem::create_directory(file("sub"));
+  }
+
+  // Other names of the same file.
+  std::vector<std::string> names_of(const std::string& input) const {
+    namespace fs = std::filesystem;
+    const std::string soft = input + ".soft", hard = input + ".hard";
+    if (!fs::is_symlink(soft)) fs::create_symlink(input, soft);
+    if (!fs::exists(hard)) fs::create_hard_link(input, hard);
+    const std::string name = fs::path(input).filename().string();
+    return {input, file("./" + name), file("sub/../" + name), fs::relative(input).string(), soft, hard};
+  }
+
+  // The tool must refuse to write to this input by any of its names. Where outputs need a file name
+  // extension, they are symbolic links with `ending`.
+  void expect_spared(const std::string& input, const std::string& tool, const Arguments& arguments,
+                     const std::string& option, const std::string& ending = "") const {
+    const Bytes before = read_bytes(input);
+    for (const std::string& name : names_of(input)) {
+      std::string output = name;
+      if (!ending.empty()) {
+        output = file("link" + ending);
+        std::filesystem::remove(output);
+        std::filesystem::create_symlink(std::filesystem::absolute(name), output);
+      }
+      Arguments all = arguments;
+      all.insert(all.end(), {option, output});
+      const auto files = folder_.listing();
+      EXPECT_TRUE(failed(run(tool, all), 1, tool, output, "itself")) << input << " as " << output;
+      EXPECT_TRUE(read_bytes(input) == before) << input << " as " << output;
+      EXPECT_EQ(folder_.listing(), files);
+    }
+  }
+
+  std::string scene_, rays_;
+};
+
+TEST_F(Inputs, AreNeverOutputs) {
+  const std::string text = file("a.nff");
+  expect_spared(text, "nff2bin", {text}, "-o");
+  expect_spared(scene_, "gridbuild", {scene_}, "-o");
+  for (const std::string& input : {scene_, grid_, rays_}) {
+    for (const char* const option : {"--stats", "--times", "--hits"})
+      expect_spared(input, "gridrender", {scene_, grid_, "--rays", rays_}, option);
+  }
+  for (const std::string& input : {scene_, grid_}) {
+    for (const char* const ending : {".png", ".pfm"})
+      expect_spared(input, "gridrender", {scene_, grid_}, "-o", ending);
+    expect_spared(input, "gridrender", {scene_, grid_, "--brute-force"}, "--hits");
+  }
+  for (const char* const ending : {".png", ".svg", ".json"}) {
+    expect_spared(grid_, "gridstat", {grid_, "--slice", "z=0"}, "-o", ending);
+    expect_spared(scene_, "gridstat", {grid_, "--slice", "z=0", "--outline", scene_}, "-o", ending);
+  }
+  for (const char* const ending : {".csv", ".ply"})
+    expect_spared(grid_, "gridstat", {grid_}, "--cells", ending);
+}
+
+TEST_F(Inputs, ThatAreLoopsOfLinksCannotBeRead) {
+  std::filesystem::create_symlink("loop", file("loop"));
+  std::filesystem::create_symlink("b", file("a"));
+  std::filesystem::create_symlink("a", file("b"));
+  for (const std::string& loop : {file("loop"), file("a")}) {
+    const auto unread = [&](const std::string& tool, const Arguments& arguments) {
+      return fails(2, tool, arguments, loop, "symbolic links");
+    };
+    EXPECT_TRUE(unread("nff2bin", {loop, "-o", file("new")}));
+    EXPECT_TRUE(unread("gridbuild", {loop, "-o", file("new")}));
+    EXPECT_TRUE(unread("gridstat", {loop}));
+    EXPECT_TRUE(unread("gridstat", {grid_, "--slice", "z=0", "--outline", loop, "-o", file("new.png")}));
+    EXPECT_TRUE(unread("gridrender", {loop, grid_, "-o", file("new.png")}));
+    EXPECT_TRUE(unread("gridrender", {scene_, loop, "-o", file("new.png")}));
+    EXPECT_TRUE(unread("gridrender", {scene_, grid_, "--views", loop, "-o", file("{index}.png")}));
+    EXPECT_TRUE(unread("gridrender", {scene_, grid_, "--rays", loop, "--hits", file("new")}));
+    EXPECT_TRUE(fails(3, "gridbuild", {scene_, "-o", loop}, loop, "symbolic links"));
+  }
+}
+
+TEST_F(Inputs, FromStandardInputAreNeverOutputs) {
+  const Bytes before = read_bytes(file("a.nff"));
+  EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("a.nff")}, {file("a.nff"), {}, {}}), 1, "nff2bin",
+                     file("a.nff"), "itself"));
+  EXPECT_TRUE(read_bytes(file("a.nff")) == before);
+}
+
+TEST_F(Inputs, OfTheTradeoffAreNeverOutputs) {
+  for (const char* const name : {"tradeoff.csv", "charts.csv", "chart.svg", "chart.png", "division.svg"}) {
+    const std::string path = file(name);
+    std::filesystem::copy_file(scene_, path);
+    const std::string other = file("chart.scene"); // whose chart may have that name
+    if (!std::filesystem::exists(other)) std::filesystem::copy_file(scene_, other);
+    const Bytes before = read_bytes(path);
+    const bool is_own_name = std::string_view(name).starts_with("chart.");
+    const Arguments scenes = is_own_name ? Arguments{path} : Arguments{other, path};
+    Arguments arguments{"tradeoff", "-o", folder_.path().string()};
+    arguments.insert(arguments.end(), scenes.begin(), scenes.end());
+    const ToolResult result = run("gridbench", arguments);
+    EXPECT_EQ(result.code, 1) << name << ": " << result.err;
+    EXPECT_TRUE(read_bytes(path) == before) << name;
+    std::filesystem::remove(path);
+  }
+}
+
+TEST_F(Inputs, OutputsOfOneRunAreDistinctFiles) {
+  const std::string a = file("new");
+  std::filesystem::create_symlink("new", file("link"));
+  for (const std::string& other : {a, file("./new"), file("link")}) {
+    EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "--stats", a, "--hits", other}), 1, "gridrender", a,
+                       "written twice"))
+        << other;
+    EXPECT_FALSE(std::filesystem::exists(a));
+  }
+  const std::string picture = file("new.png");
+  EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "-o", picture, "--hits", picture}), 1, "gridrender",
+                     picture, "written twice"));
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "--stats", "/dev/null", "--hits", "/dev/null"})));
+}
+
+// --- Command lines --------------------------------------------------------------------------------------
+
+class BadCommand : public BadFiles {
+protected:
+  testing::AssertionResult refused(const std::string& tool, const Arguments& arguments,
+                                   const std::string& place = "command line") const {
+    return fails(1, tool, arguments, place);
+  }
+};
+
+TEST_F(BadCommand, OfEveryToolIsAUsageError) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridrender"}) {
+    EXPECT_TRUE(refused(tool, {})) << tool;
+    EXPECT_TRUE(refused(tool, {"--no-such-option"})) << tool;
+    EXPECT_TRUE(refused(tool, {"a", "b", "c", "d"})) << tool;
+  }
+  EXPECT_TRUE(refused("gridstat", {}, "GRID"));
+  EXPECT_TRUE(refused("gridstat", {"--no-such-option"}));
+  EXPECT_TRUE(refused("gridstat", {"a", "b"}));
+}
+
+TEST_F(BadCommand, OfNffgenIsAUsageError) {
+  EXPECT_TRUE(refused("nffgen", {"cube"}, "cube"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "0"}, "size 0"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "-1"}, "size -1"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "10", "-o", file("new")}, "size 10"));
+  EXPECT_TRUE(refused("nffgen", {"balls", "--size", "two"}));
+}
+
+TEST_F(BadCommand, OfNff2binIsAUsageError) {
+  const std::string text = file("a.nff");
+  EXPECT_TRUE(refused("nff2bin", {text}));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--json"}));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--store", "float16"}));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", text}, text));
+  EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--threads", "-1"}));
+  for (const char* const facets : {"", "0", "-4", "3", "6", "1028", "12.0", "x", "99999999999999999999"})
+    EXPECT_TRUE(refused("nff2bin", {text, "-o", file("new"), "--tessellate", facets})) << facets;
+  EXPECT_TRUE(refused("nff2bin", {scene_, "--info", "--tessellate", "12"}, scene_));
+}
+
+TEST_F(BadCommand, OfGridbuildIsAUsageError) {
+  EXPECT_TRUE(refused("gridbuild", {scene_}));
+  for (const char* const division : {"0",           "-1",         "x",
+                                     "4x4",         "4x4x0",      "4x4x4x4",
+                                     "65536",       "1e3",        "4.5",
+                                     "cleary",      "cleary:",    "cleary:0",
+                                     "cleary:-1",   "cleary:nan", "cleary:inf",
+                                     "cleary:1e30", "woo:1e9",    "cube-root:1e30",
+                                     "cubic:1",     "auto:2",     "99999999999999999999"}) {
+    EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), "--division", division}, "--division"))
+        << division;
+  }
+  // More voxels than fit in memory.
+  EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), "--division", "65535"}, "--division"));
+  for (const char* const option : {"--space", "--overlap", "--merge", "--threads"})
+    EXPECT_TRUE(refused("gridbuild", {scene_, "-o", file("new"), option, "what"})) << option;
+}
+
+TEST_F(BadCommand, OfGridrenderIsAUsageError) {
+  const auto with = [&](const Arguments& more, const std::string& place = "command line") {
+    Arguments arguments{scene_, grid_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return refused("gridrender", arguments, place);
+  };
+  const std::string picture = file("new.png");
+  EXPECT_TRUE(with({}, "-o"));
+  EXPECT_TRUE(refused("gridrender", {scene_, "-o", picture}, "GRID"));
+  for (const char* const size : {"8", "8x", "x8", "0x8", "8x0", "-8x8", "8x8x8", "65537x1", "8X8", "8x8 "})
+    EXPECT_TRUE(with({"-o", picture, "--size", size}, "--size")) << size;
+  for (const char* const depth : {"0", "-1", "33", "x"})
+    EXPECT_TRUE(with({"-o", picture, "--depth", depth})) << depth;
+  for (const char* const option : {"--backend", "--sampling", "--threads"})
+    EXPECT_TRUE(with({"-o", picture, option, "what"})) << option;
+  for (const char* const name : {"new.bmp", "new", "png", "new.PNG"})
+    EXPECT_TRUE(with({"-o", file(name)}, file(name)));
+  EXPECT_TRUE(with({"-o", file("new"), "--format", "jpg"}));
+  EXPECT_TRUE(with({"--rays", file("rays")}, "--rays"));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--turntable", "2"}, "--rays"));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "-o", picture}, "--rays"));
+  for (const char* const fields : {"T", "t,", ",t", "t,t", "t;object", "occluded"})
+    EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--write", fields}, "--write"))
+        << fields;
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--any-hit", "--write", "t"}, "--write"));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--ray-numbers", "7"}));
+  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits.f64")}, "--hits"));
+  EXPECT_TRUE(with({"-o", picture, "--write", "t"}, "--write"));
+  EXPECT_TRUE(with({"-o", picture, "--any-hit"}, "--any-hit"));
+}
+
+TEST_F(BadCommand, OfGridstatIsAUsageError) {
+  for (const char* const slice : {"z", "z=", "w=0", "z=-1", "z=99999", "=0", "z=0x"})
+    EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
+  for (const char* const slice :
+       {"z@", "z@x", "z@nan", "z@1e99", "z@1 ", "zz=1", "z=1.5", "z=1e1", "z=101%", "z=-1%", "z=nan%", "z=%",
+        "z=99999999999999999999", "z=0x1", "z= 1", "x@0x1p0"})
+    EXPECT_TRUE(refused("gridstat", {grid_, "--slice", slice, "-o", file("new.png")}, "--slice")) << slice;
+  const Arguments slice{grid_, "--slice", "z=0", "-o", file("new.svg")};
+  const auto with_slice = [&](const Arguments& more, const std::string& place = "command line") {
+    Arguments all = slice;
+    all.insert(all.end(), more.begin(), more.end());
+    return refused("gridstat", all, place);
+  };
+  for (const char* const window : {"1", "0,0,1", "0,0,1,1,", "0,0,1,1,1", "1,1,0,0", "0,0,0,1", "nan,0,1,1",
+                                   "0,0,inf,1", "100,100,101,101", "0;0;1;1", "0,0,1,1 "})
+    EXPECT_TRUE(with_slice({std::string("--window=") + window}, "--window")) << window;
+  for (const char* const size : {"0", "63", "4097", "-1", "x", "1e9"})
+    EXPECT_TRUE(with_slice({"--size", size})) << size;
+  EXPECT_TRUE(with_slice({"--color", "red"}));
+  EXPECT_TRUE(with_slice({"--cells", file("new.csv")}));
+  EXPECT_TRUE(with_slice({"--json"}));
+  EXPECT_TRUE(with_slice({"--occupied"}));
+  for (const Arguments& alone : {Arguments{"--lines"},
+                                 {"--color", "depth"},
+                                 {"--window", "0,0,1,1"},
+                                 {"--outline", scene_},
+                                 {"--title", "a"},
+                                 {"--size", "99"},
+                                 {"--occupied"},
+                                 {"--within", "0,0,0,1,1,1"},
+                                 {"--expanded"},
+                                 {"--wireframe"}}) {
+    Arguments all{grid_};
+    all.insert(all.end(), alone.begin(), alone.end());
+    EXPECT_TRUE(refused("gridstat", all)) << alone.front();
+  }
+  const auto with_cells = [&](const char* name, const Arguments& more, const std::string& place) {
+    Arguments all{grid_, "--cells", file(name)};
+    all.insert(all.end(), more.begin(), more.end());
+    return refused("gridstat", all, place);
+  };
+  for (const char* const name : {"new.obj", "new", "new.PLY", "new.csv.gz"})
+    EXPECT_TRUE(with_cells(name, {}, file(name))) << name;
+  for (const char* const within : {"1", "0,0,0,1,1", "a,b,c,d,e,f"})
+    EXPECT_TRUE(with_cells("new.csv", {std::string("--within=") + within}, "command line")) << within;
+  for (const char* const within : {"1,1,1,0,0,0", "nan,0,0,1,1,1", "0,0,0,1,1,inf"})
+    EXPECT_TRUE(with_cells("new.csv", {std::string("--within=") + within}, "--within")) << within;
+  EXPECT_TRUE(with_cells("new.csv", {"--expanded"}, "--expanded"));
+  EXPECT_TRUE(with_cells("new.csv", {"--wireframe"}, "--wireframe"));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--slice", "z=0"}, "--slice"));
+  EXPECT_TRUE(refused("gridstat", {grid_, "-o", file("new.png")})); // without --slice
+  for (const char* const name : {"new.jpg", "new.pfm", "new", "new.PNG", "-"})
+    EXPECT_TRUE(refused("gridstat", {grid_, "--slice", "z=0", "-o", name}, name));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--csv", "--histogram"}));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--json", "--csv"}));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--occupancy", scene_}));
+  EXPECT_TRUE(refused("gridstat", {grid_, "--divisions", "4"}));
+  EXPECT_TRUE(refused("gridstat", {"--occupancy", scene_, "--divisions", "0"}, "--divisions"));
+  EXPECT_TRUE(refused("gridstat", {"--occupancy", scene_, "--divisions", "4,100000"}, "--divisions"));
+}
+
+// The message points to the help that lists the options.
+TEST_F(BadCommand, OfASubcommandPointsToItsHelp) {
+  const auto points_to = [&](const Arguments& arguments, const std::string& command) {
+    return fails(1, "gridbench", arguments, "command line", ": see " + command + " --help\n");
+  };
+  for (const char* const name : {"rays", "frame", "load", "tradeoff", "stability", "oracle"}) {
+    EXPECT_TRUE(points_to({name, "--no-such-option"}, std::string("gridbench ") + name));
+    EXPECT_NE(run("gridbench", {name, "--help"}).out.find("--json"), std::string::npos) << name;
+  }
+  EXPECT_TRUE(points_to({"rays", scene_, grid_, "--sets", "what"}, "gridbench rays"));
+  EXPECT_TRUE(points_to({}, "gridbench"));
+  EXPECT_TRUE(points_to({"what"}, "gridbench"));
+}
+
+TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
+  // Hides all devices.
+  const Surroundings no_device{"/dev/null", {}, "CUDA_VISIBLE_DEVICES=-1"};
+  EXPECT_TRUE(fails(4, "gridrender", {scene_, grid_, "-o", file("new.png"), "--backend", "cuda"}, "cuda",
+                    "--backend cpu", no_device));
+  for (const char* const devices : {"all", "0", "0,1"})
+    EXPECT_TRUE(fails(4, "gridrender", {scene_, grid_, "-o", file("new.png"), "--devices", devices}, "cuda",
+                      "--backend cpu", no_device));
+  EXPECT_TRUE(fails(4, "gridbench", {"load", scene_, grid_, "--backend", "cuda"}, "cuda", "--backend cpu",
+                    no_device));
+  EXPECT_TRUE(fails(4, "gridbuild", {scene_, "-o", file("new.grid"), "--device", "cuda"}, "cuda",
+                    "--device cpu", no_device));
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("new.png")}, no_device)));
+}
+
+TEST(Help, GoesToStandardOutput) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridbench"}) {
+    const ToolResult result = run(tool, {"--help"});
+    EXPECT_TRUE(succeeded(result)) << tool;
+    EXPECT_NE(result.out.find(tool), std::string::npos) << tool;
+    EXPECT_NE(result.out.find("--help"), std::string::npos) << tool;
+  }
+}
+
+TEST(Version, GoesToStandardOutput) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridbench"}) {
+    const ToolResult result = run(tool, {"--version"});
+    EXPECT_TRUE(succeeded(result)) << tool;
+    EXPECT_TRUE(result.out.starts_with(std::string(tool) + ", Masu ")) << result.out;
+  }
+}
+
+// --- Names ----------------------------------------------------------------------------------------------
+
+TEST_F(ToolErrors, ControlCharactersOfNamesAreEscaped) {
+  const std::string name = "a\nb\x1b[2J\xff.nff", shown = "a\\x0ab\\x1b[2J\\xff.nff";
+  EXPECT_TRUE(fails(2, "nff2bin", {file(name), "-o", file("a.scene")}, file(shown), "No such file"));
+  EXPECT_TRUE(fails(2, "gridrender", {file(name), file(name), "-o", file("a.png")}, file(shown)));
+  EXPECT_TRUE(fails(1, "gridstat", {file("a.grid"), "--\x1b[2J"}, "command line", "\\x1b[2J"));
+  const std::string crossing = nff(name, "p 4\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n");
+  const ToolResult warned = run("nff2bin", {crossing, "-o", file("a.scene")});
+  EXPECT_EQ(warned.code, 0);
+  EXPECT_TRUE(warned.err.starts_with("nff2bin: " + file(shown) + ": warning: ")) << warned.err;
+}
+
+// Not even by a zero byte.
+TEST_F(ToolErrors, AreShownWhole) {
+  const std::string in = scene("a.scene", nff("a.nff", small_nff));
+  write_text(file("views"), R"({"na\u0000me": "a"})");
+  EXPECT_TRUE(fails(2, "gridrender",
+                    {in, "--brute-force", "--views", file("views"), "-o", file("{index}.png")},
+                    file("views") + ":1", "'na\\x00me' isn't one of name, from, at, up, angle, size"));
+}
+
+TEST_F(ToolErrors, JsonOfInvalidUtf8IsValid) {
+  const std::string in = scene("\xff.scene", nff("a.nff", small_nff));
+  const ToolResult built = run("gridbuild", {in, "-o", file("\xff.grid"), "--json"});
+  ASSERT_EQ(built.code, 0) << built.err;
+  EXPECT_NE(nlohmann::json::parse(built.out)["command"].dump().find("\xef\xbf\xbd.scene"), std::string::npos);
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,983 @@
+// End-to-end runs of the tools: pictures, hits, statistics and files.
+#include "tests/tools/run_tool.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <set>
+
+namespace masu {
+namespace {
+
+struct Picture {
+  std::uint32_t width = 0, height = 0;
+  Bytes rgb; // top row first
+};
+
+// Decoded by libpng; empty for anything but a PNG.
+Picture decoded_png(const std::string& path) {
+  Picture picture;
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return picture;
+  png.format = PNG_FORMAT_RGB;
+  picture.rgb.resize(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, picture.rgb.data(), 0, nullptr) == 0) return {};
+  picture.width = png.width;
+  picture.height = png.height;
+  return picture;
+}
+
+// A PFM's floats, bottom row first; empty where its header isn't of that size.
+std::vector<float> decoded_pfm(const std::string& path, int width, int height) {
+  const Bytes bytes = read_bytes(path);
+  const std::string header = fmt::format("PF\n{} {}\n-1.0\n", width, height);
+  const std::size_t floats = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
+  if (bytes.size() != header.size() + 4 * floats ||
+      std::memcmp(bytes.data(), header.data(), header.size()) != 0)
+    return {};
+  std::vector<float> values(floats);
+  std::memcpy(values.data(), bytes.data() + header.size(), 4 * floats);
+  return values;
+}
+
+struct Hit {
+  float t;
+  std::int32_t object;
+};
+std::vector<Hit> hits_in(const std::string& path) {
+  const Bytes bytes = read_bytes(path);
+  std::vector<Hit> hits(bytes.size() / sizeof(Hit));
+  if (!hits.empty()) std::memcpy(hits.data(), bytes.data(), hits.size() * sizeof(Hit));
+  EXPECT_EQ(bytes.size() % sizeof(Hit), 0U);
+  return hits;
+}
+
+class Tools : public ToolTest {
+protected:
+  void render(const Arguments& more) const {
+    Arguments arguments{scene_, grid_, "--backend", "cpu"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+  }
+  nlohmann::json json_of(const std::string& tool, const Arguments& arguments) const {
+    const ToolResult result = run(tool, arguments);
+    EXPECT_TRUE(succeeded(result));
+    auto json = nlohmann::json::parse(result.out, nullptr, false);
+    EXPECT_FALSE(json.is_discarded()) << result.out;
+    return json;
+  }
+  nlohmann::json stats_of(const Arguments& more) const {
+    Arguments arguments{"--stats", file("stats.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    render(arguments);
+    return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
+  }
+
+  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_);
+};
+
+// --- Pictures -------------------------------------------------------------------------------------------
+
+TEST_F(Tools, PicturesHaveTheSizeOfTheViewOrOfTheOption) {
+  render({"-o", file("a.pfm")});
+  EXPECT_FALSE(decoded_pfm(file("a.pfm"), 16, 12).empty());
+  render({"-o", file("a.pfm"), "--size", "7x5"});
+  EXPECT_FALSE(decoded_pfm(file("a.pfm"), 7, 5).empty());
+  render({"-o", file("a.png"), "--size", "31x3"});
+  const Picture picture = decoded_png(file("a.png"));
+  EXPECT_EQ(picture.width, 31U);
+  EXPECT_EQ(picture.height, 3U);
+}
+
+std::uint8_t stored(float value) {
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
+}
+std::uint8_t encoded(float value) {
+  const float v = std::clamp(value, 0.0F, 1.0F);
+  return stored(v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F);
+}
+
+TEST_F(Tools, PngsHoldThePfmsValuesInEightBits) {
+  render({"-o", file("a.pfm")});
+  render({"-o", file("stored.png")});
+  render({"-o", file("encoded.png"), "--srgb"});
+  const std::vector<float> values = decoded_pfm(file("a.pfm"), 16, 12);
+  const Picture plain = decoded_png(file("stored.png")), srgb = decoded_png(file("encoded.png"));
+  ASSERT_EQ(values.size(), 16U * 12 * 3);
+  ASSERT_EQ(plain.rgb.size(), values.size());
+  ASSERT_EQ(srgb.rgb.size(), values.size());
+  for (std::size_t row = 0; row < 12; ++row) {
+    for (std::size_t i = 0; i < 16 * 3; ++i) {
+      const float value = values[(11 - row) * 16 * 3 + i];
+      EXPECT_TRUE(std::isfinite(value));
+      EXPECT_EQ(plain.rgb[row * 16 * 3 + i], stored(value));
+      EXPECT_NEAR(srgb.rgb[row * 16 * 3 + i], encoded(value), 1);
+    }
+  }
+}
+
+TEST_F(Tools, SamplingCornersTracesOneMoreRowAndColumnOfRays) {
+  render({"--hits", file("hits"), "--sampling", "corners"});
+  EXPECT_EQ(hits_in(file("hits")).size(), 17U * 13);
+  render({"--hits", file("hits"), "--sampling", "centers"});
+  EXPECT_EQ(hits_in(file("hits")).size(), 16U * 12);
+  render({"--hits", file("default")});
+  render({"--hits", file("hits"), "--sampling", "corners"});
+  EXPECT_TRUE(read_bytes(file("default")) == read_bytes(file("hits")));
+  render({"-o", file("a.pfm"), "--sampling", "corners"});
+  render({"-o", file("b.pfm"), "--sampling", "centers"});
+  EXPECT_FALSE(decoded_pfm(file("b.pfm"), 16, 12).empty());
+  EXPECT_FALSE(read_bytes(file("a.pfm")) == read_bytes(file("b.pfm")));
+}
+
+TEST_F(Tools, AnEmptySceneIsAllBackground) {
+  for (const char* const text :
+       {"b 0.25 0.5 0.75\n", "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\n"
+                             "resolution 4 4\nb 0.25 0.5 0.75\nl 1 1 1\nf 1 1 1 1 1 1 1 1\n"}) {
+    const std::string nothing = scene("nothing.scene", nff("nothing.nff", text));
+    for (const char* const division : {"auto", "5", "cleary:3"}) {
+      const std::string path = grid("nothing.grid", nothing, division);
+      EXPECT_TRUE(succeeded(run("gridrender", {nothing, path, "-o", file("a.pfm"), "--size", "4x4"})));
+      const std::vector<float> values = decoded_pfm(file("a.pfm"), 4, 4);
+      ASSERT_EQ(values.size(), 48U);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_EQ(values[i], (std::array{0.25F, 0.5F, 0.75F})[i % 3]);
+    }
+  }
+}
+
+// View, light and material have defaults.
+TEST_F(Tools, AnObjectWithoutViewLightAndMaterialIsVisible) {
+  const std::string bare = scene("bare.scene", nff("bare.nff", "s 10 20 30 2\n"));
+  EXPECT_TRUE(succeeded(run("gridrender", {bare, grid("bare.grid", bare), "-o", file("a.pfm"), "--hits",
+                                           file("hits"), "--size", "9x9"})));
+  const std::vector<float> values = decoded_pfm(file("a.pfm"), 9, 9);
+  ASSERT_EQ(values.size(), 243U);
+  EXPECT_GT(values[40 * 3], 0.5F);
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  EXPECT_GE(std::ranges::count(hits, 0, &Hit::object), 9);
+}
+
+TEST_F(Tools, DepthOneHasNoReflectionRays) {
+  EXPECT_EQ(stats_of({"--depth", "1"})["reflection_rays"], 0);
+  EXPECT_GT(stats_of({})["reflection_rays"], 0);
+}
+
+// --- Hits and rays --------------------------------------------------------------------------------------
+
+TEST_F(Tools, ListedRaysHitWhatCameraRaysHit) {
+  // The camera rays of small_nff, through pixel corners, as a list.
+  const double from[3] = {3, -4, 2}, sight[3] = {-3, 4, -1.5};
+  const double length = std::sqrt(9 + 16 + 2.25), flat = 5, reach = std::tan(22.5 / 180 * std::acos(-1.0));
+  const double right[3] = {sight[1] / flat, -sight[0] / flat, 0};
+  double up[3];
+  for (int i = 0; i < 3; ++i) // right × forward
+    up[i] = (right[(i + 1) % 3] * sight[(i + 2) % 3] - right[(i + 2) % 3] * sight[(i + 1) % 3]) / length;
+  std::vector<float> rays;
+  for (int row = 0; row <= 12; ++row) {
+    for (int column = 0; column <= 16; ++column) {
+      const double x = (column / 8.0 - 1) * reach * 16 / 12, y = (1 - row / 6.0) * reach;
+      for (const double coordinate : from)
+        rays.push_back(static_cast<float>(coordinate));
+      for (int i = 0; i < 3; ++i)
+        rays.push_back(
+            static_cast<float>(7 * (sight[i] / length + right[i] * x + up[i] * y))); // of any length
+    }
+  }
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--hits", file("camera")});
+  render({"--rays", file("rays"), "--hits", file("listed")});
+  EXPECT_TRUE(succeeded(
+      run("gridrender", {scene_, "--brute-force", "--rays", file("rays"), "--hits", file("brute-force")})));
+  EXPECT_TRUE(read_bytes(file("listed")) == read_bytes(file("brute-force")));
+  const std::vector<Hit> camera = hits_in(file("camera")), listed = hits_in(file("listed"));
+  ASSERT_EQ(camera.size(), 17U * 13);
+  ASSERT_EQ(listed.size(), camera.size());
+  std::set<std::int32_t> objects;
+  for (std::size_t i = 0; i < camera.size(); ++i) {
+    EXPECT_EQ(camera[i].object, listed[i].object) << "ray " << i;
+    objects.insert(camera[i].object);
+    if (camera[i].object < 0) {
+      EXPECT_EQ(listed[i].t, std::numeric_limits<float>::infinity());
+      continue;
+    }
+    // For listed rays t counts in lengths of the direction.
+    const float* const d = rays.data() + 6 * i + 3;
+    const float scale = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    EXPECT_NEAR(listed[i].t * scale, camera[i].t, 1e-4 * camera[i].t);
+  }
+  EXPECT_EQ(objects, (std::set<std::int32_t>{-1, 0, 1})); // background, floor, sphere
+}
+
+TEST_F(Tools, FirstCellHitMissesCloserHitsOfLaterCells) {
+  // In one voxel the first hit is the closest. In two, the floor lies in both and is hit in the first,
+  // although a sphere of the second is closer.
+  const std::string before = scene(
+      "b.scene", nff("b.nff", "v\nfrom -9 0 2\nat 9 0 -2\nup 0 0 1\nangle 10\nhither 1\nresolution 9 9\n"
+                              "f 1 1 1 1 0 0 0 1\np 4\n-9 -9 -1\n9 -9 -1\n9 9 -1\n-9 9 -1\ns 3 0 0 0.9\n"));
+  const auto objects = [&](const char* division, const Arguments& options) {
+    Arguments arguments{before, grid("b.grid", before, division), "--backend", "cpu", "--hits", file("hits")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+    std::vector<std::int32_t> found;
+    for (const Hit& hit : hits_in(file("hits")))
+      found.push_back(hit.object);
+    return found;
+  };
+  const auto right = objects("2x1x1", {}), wrong = objects("2x1x1", {"--first-cell-hit"});
+  EXPECT_EQ(objects("1", {"--first-cell-hit"}), right);
+  ASSERT_EQ(wrong.size(), right.size());
+  int missed = 0;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    missed += right[i] == 1 && wrong[i] == 0 ? 1 : 0;
+    EXPECT_TRUE(right[i] == wrong[i] || (right[i] == 1 && wrong[i] == 0)) << "ray " << i;
+  }
+  EXPECT_GT(missed, 0);
+}
+
+TEST_F(Tools, ListedRaysMayBeFloat64) {
+  // Where float32 numbers are 2 apart: a sphere of radius 1, hit by every other ray.
+  const std::string far = scene("far.scene", nff("far.nff", "f 1 1 1 1 0 0 0 1\ns 20000000.25 0 0 1\n"));
+  const std::string far_grid = grid("far.grid", far);
+  std::vector<double> rays;
+  for (const double aside : {0.0, 1.5, -0.5, -1.125, 1.2, 1.3})
+    rays.insert(rays.end(), {20000000 + aside, -3, 0, 0, 1, 0});
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 8 * rays.size()});
+  EXPECT_TRUE(succeeded(run("gridrender", {far, far_grid, "--rays", file("rays"), "--ray-store", "float64",
+                                           "--hits", file("hits")})));
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  ASSERT_EQ(hits.size(), 6U);
+  const std::array<bool, 6> hit{true, false, true, false, true, false};
+  for (std::size_t i = 0; i < hit.size(); ++i)
+    EXPECT_EQ(hits[i].object, hit[i] ? 0 : -1) << "ray " << i;
+  EXPECT_NEAR(hits[0].t, 3 - std::sqrt(1 - 0.0625), 1e-6);
+}
+
+TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
+  const std::vector<float> rays{
+      0,     0, 5,    0, 0, -1,      // down onto the sphere: distance 4
+      0,     0, 5,    0, 0, -1e-15F, // the same, with a short direction
+      0,     0, 5,    0, 0, -1e15F,  // the same, with a long direction
+      0,     0, 0.5F, 0, 0, 1,       // from inside: distance 0.5
+      0,     0, 5,    0, 0, 1,       // away from the scene
+      1,     1, 1e9F, 0, 0, -1,      // from afar onto the floor
+      1e15F, 0, 0,    0, 1, 0,       // past everything
+  };
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--rays", file("rays"), "--hits", file("hits")});
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  ASSERT_EQ(hits.size(), 7U);
+  const std::array<std::int32_t, 7> objects{1, 1, 1, 1, -1, 0, -1};
+  const std::array<float, 7> distances{4, 4e15F, 4e-15F, 0.5F, 0, 1e9F, 0};
+  for (std::size_t i = 0; i < 7; ++i) {
+    EXPECT_EQ(hits[i].object, objects[i]) << "ray " << i;
+    if (objects[i] < 0) continue;
+    EXPECT_NEAR(hits[i].t / distances[i], 1, 1e-5) << "ray " << i;
+  }
+}
+
+TEST_F(Tools, AnEmptyListOfRaysHasNoHits) {
+  write_text(file("rays"), "");
+  render({"--rays", file("rays"), "--hits", file("hits")});
+  EXPECT_TRUE(hits_in(file("hits")).empty());
+}
+
+TEST_F(Tools, RaysThatArentValidHitNothingAndAreCounted) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinity = std::numeric_limits<float>::infinity();
+  const std::vector<float> good{0, 0, 5, 0, 0, -1};
+  std::vector<float> rays = good;
+  for (std::size_t number = 0; number < 6; ++number) {
+    for (const float bad : {nan, infinity, -infinity, number < 3 ? 2e15F : -2e15F}) {
+      std::vector<float> ray = good;
+      ray[number] = bad;
+      rays.insert(rays.end(), ray.begin(), ray.end());
+    }
+  }
+  rays.insert(rays.end(), {0, 0, 5, 0, 0, 0});
+  rays.insert(rays.end(), {0, 0, 5, 0, 0, 1e-16F});
+  rays.insert(rays.end(), good.begin(), good.end());
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  const ToolResult result =
+      run("gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits"), "--backend", "cpu"});
+  EXPECT_EQ(result.code, 0);
+  EXPECT_NE(result.err.find("26 of 28 rays aren't valid"), std::string::npos) << result.err;
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  ASSERT_EQ(hits.size(), 28U);
+  for (std::size_t i = 0; i < hits.size(); ++i)
+    EXPECT_EQ(hits[i].object, i == 0 || i == 27 ? 1 : -1) << "ray " << i;
+}
+
+TEST_F(Tools, HitsLieBetweenTminAndTmax) {
+  // Down onto the sphere, of which the ray meets the top at t = 4, the bottom at 5, and the floor there.
+  const float infinity = std::numeric_limits<float>::infinity();
+  const struct {
+    float t_min, t_max;
+    bool hit;
+  } cases[] = {{0, infinity, true}, {-1, 4.5F, true},     {0, 3.9F, false},    {4.1F, 4.9F, false},
+               {4.1F, 5.5F, true},  {6, infinity, false}, {4.5F, 4.5F, false}, {5, 3, false}};
+  std::vector<float> rays;
+  for (const auto& c : cases)
+    rays.insert(rays.end(), {0, 0, 5, c.t_min, 0, 0, -1, c.t_max});
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--rays", file("rays"), "--ray-numbers", "8", "--hits", file("hits")});
+  render({"--rays", file("rays"), "--ray-numbers", "8", "--any-hit", "--hits", file("occluded")});
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  const auto occluded = read_bytes(file("occluded"));
+  ASSERT_EQ(hits.size(), std::size(cases));
+  ASSERT_EQ(occluded.size(), std::size(cases));
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    EXPECT_EQ(hits[i].object >= 0, cases[i].hit) << i;
+    EXPECT_EQ(occluded[i] != 0, cases[i].hit) << i;
+    if (!cases[i].hit) continue;
+    EXPECT_GE(hits[i].t, cases[i].t_min);
+    EXPECT_LE(hits[i].t, cases[i].t_max);
+  }
+  EXPECT_NEAR(hits[4].t, 5, 1e-6);
+}
+
+TEST_F(Tools, HitsHaveTheFieldsThatAreAskedFor) {
+  // Down onto the floor's two triangles and onto the sphere, off its pole; and past everything.
+  const std::vector<float> rays{1,    0.5F, 5, 0, 0, -1, -1, 0.5F, 5, 0, 0, -1,
+                                0.3F, 0,    5, 0, 0, -1, 9,  9,    9, 0, 0, 1};
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  render({"--rays", file("rays"), "--write", "normal,t,uv,primitive,object", "--hits", file("hits")});
+  const auto bytes = read_bytes(file("hits"));
+  struct Record {
+    float normal[3], t, uv[2];
+    std::int32_t primitive, object;
+  };
+  ASSERT_EQ(bytes.size(), 4 * sizeof(Record));
+  Record records[4];
+  std::memcpy(records, bytes.data(), bytes.size());
+  std::set<std::int32_t> floor;
+  for (const int i : {0, 1}) {
+    EXPECT_EQ(records[i].object, 0);
+    EXPECT_EQ(records[i].t, 5);
+    EXPECT_EQ(records[i].normal[2], 1);
+    EXPECT_GE(records[i].uv[0], 0);
+    EXPECT_GE(records[i].uv[1], 0);
+    EXPECT_LE(records[i].uv[0] + records[i].uv[1], 1);
+    floor.insert(records[i].primitive);
+  }
+  EXPECT_EQ(floor, (std::set<std::int32_t>{0, 1}));
+  EXPECT_EQ(records[2].object, 1);
+  EXPECT_NEAR(records[2].normal[0], 0.6, 1e-6);
+  EXPECT_NEAR(records[2].normal[2], 0.8, 1e-6);
+  EXPECT_EQ(records[3].object, -1);
+  EXPECT_EQ(records[3].primitive, -1);
+  EXPECT_EQ(records[3].t, std::numeric_limits<float>::infinity());
+}
+
+TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  std::vector<float> rays(6 * 5000);
+  for (float& number : rays)
+    number = coordinate(engine);
+  const std::string_view raw{reinterpret_cast<const char*>(rays.data()), 4 * rays.size()};
+  write_text(file("rays"), raw);
+  std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (5000, 6), }\n";
+  std::string preamble = "\x93NUMPY\x01";
+  preamble += '\0';
+  preamble += static_cast<char>(header.size());
+  preamble += '\0';
+  write_text(file("rays.npy"), preamble + header + std::string(raw));
+  render({"--rays", file("rays"), "--hits", file("hits")});
+  render({"--rays", file("rays.npy"), "--hits", file("from npy")});
+  EXPECT_TRUE(read_bytes(file("hits")) == read_bytes(file("from npy")));
+  const ToolResult piped =
+      run("gridrender", {scene_, grid_, "--rays", "-", "--hits", "-", "--backend", "cpu"},
+          {file("rays"), file("piped"), ""});
+  EXPECT_EQ(piped.code, 0) << piped.err;
+  EXPECT_TRUE(read_bytes(file("hits")) == read_bytes(file("piped")));
+  // The array's header, and after it the same records.
+  render({"--rays", file("rays"), "--hits", file("hits.npy")});
+  const auto hits = read_bytes(file("hits")), array = read_bytes(file("hits.npy"));
+  const std::size_t head = array.size() - hits.size();
+  EXPECT_EQ(head % 64, 0U);
+  const std::string text(array.begin(), array.begin() + static_cast<std::ptrdiff_t>(head));
+  EXPECT_NE(text.find("'descr': [('t', '<f4'), ('object', '<i4'), ]"), std::string::npos) << text;
+  EXPECT_NE(text.find("'shape': (5000 "), std::string::npos) << text;
+  EXPECT_TRUE(std::equal(hits.begin(), hits.end(), array.begin() + static_cast<std::ptrdiff_t>(head)));
+}
+
+// As raw numbers of both sizes, as text, with limits, and with the numbers of an array that are the columns.
+TEST_F(Tools, ListsAreReadAsTheEndOfTheirNameSays) {
+  std::mt19937 engine(8);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  std::vector<float> rays(6 * 3000);
+  for (float& number : rays)
+    number = coordinate(engine);
+  const std::vector<double> wide(rays.begin(), rays.end());
+  std::string text = "ox,oy,oz,dx,dy,dz\n", turned = "tmax,dz,dy,dx,oz,oy,ox\n";
+  for (std::size_t i = 0; i < rays.size(); i += 6) {
+    text += fmt::format("{},{},{},{},{},{}\n", rays[i], rays[i + 1], rays[i + 2], rays[i + 3], rays[i + 4],
+                        rays[i + 5]);
+    turned += fmt::format("inf,{},{},{},{},{},{}\n", rays[i + 5], rays[i + 4], rays[i + 3], rays[i + 2],
+                          rays[i + 1], rays[i]);
+  }
+  const std::string_view raw{reinterpret_cast<const char*>(rays.data()), 4 * rays.size()},
+      raw_wide{reinterpret_cast<const char*>(wide.data()), 8 * wide.size()};
+  write_text(file("rays"), raw);
+  write_text(file("rays.f32"), raw);
+  write_text(file("rays.f64"), raw_wide);
+  write_text(file("rays.csv"), text);
+  write_text(file("turned.csv"), turned);
+  render({"--rays", file("rays"), "--hits", file("expected")});
+  const Bytes expected = read_bytes(file("expected"));
+  for (const char* const name : {"rays.f32", "rays.f64", "rays.csv", "turned.csv"}) {
+    render({"--rays", file(name), "--hits", file("hits")});
+    EXPECT_TRUE(read_bytes(file("hits")) == expected) << name;
+  }
+  // What is said is what counts, as for --format.
+  write_text(file("wide.f32"), raw_wide);
+  render({"--rays", file("wide.f32"), "--ray-store", "float64", "--hits", file("hits")});
+  EXPECT_TRUE(read_bytes(file("hits")) == expected);
+}
+
+// A line of names, and numbers that read back the same.
+std::vector<std::vector<float>> rows_of_csv(const std::string& text, const std::string& names) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, names);
+  std::vector<std::vector<float>> rows;
+  while (std::getline(lines, line)) {
+    std::vector<float>& row = rows.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');)
+      row.push_back(std::strtof(field.c_str(), nullptr));
+  }
+  return rows;
+}
+
+TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  std::vector<float> rays(6 * 40'000); // text of several tasks
+  for (float& number : rays)
+    number = coordinate(engine);
+  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  const auto list = [&](const std::string& hits) {
+    render({"--rays", file("rays"), "--write", "t,uv,normal,object,primitive", "--hits", file(hits)});
+  };
+  struct Record {
+    float numbers[6];
+    std::int32_t object, primitive;
+  };
+  list("raw");
+  list("raw.f32");
+  list("text.csv");
+  const Bytes raw = read_bytes(file("raw"));
+  EXPECT_TRUE(read_bytes(file("raw.f32")) == raw);
+  std::vector<Record> records(raw.size() / sizeof(Record));
+  std::memcpy(records.data(), raw.data(), raw.size());
+  const std::string text = read_text(file("text.csv"));
+  const auto rows = rows_of_csv(text, "t,u,v,nx,ny,nz,object,primitive");
+  ASSERT_EQ(rows.size(), 40'000U);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].size(), 8U);
+    ASSERT_TRUE(std::equal(rows[i].begin(), rows[i].begin() + 6, records[i].numbers)) << i;
+    ASSERT_EQ(rows[i][6], static_cast<float>(records[i].object));
+    ASSERT_EQ(rows[i][7], static_cast<float>(records[i].primitive));
+  }
+  EXPECT_NE(text.find("\ninf,0,0,0,0,0,-1,-1\n"), std::string::npos); // a miss
+  render({"--rays", file("rays"), "--any-hit", "--hits", file("occluded.csv")});
+  const auto occluded = rows_of_csv(read_text(file("occluded.csv")), "occluded");
+  ASSERT_EQ(occluded.size(), records.size());
+  for (std::size_t i = 0; i < occluded.size(); ++i)
+    ASSERT_EQ(occluded[i][0], records[i].object >= 0 ? 1.0F : 0.0F);
+}
+
+TEST_F(Tools, HitsOfPicturesAreWrittenAsTheEndOfTheirNameSaysToo) {
+  const Arguments tall{"--size", "1333x1300", "--depth", "1"}; // two bands
+  const auto hits = [&](const std::string& name, const char* kind) {
+    Arguments arguments{"--hits", file(name), "--hit-name", kind};
+    arguments.insert(arguments.end(), tall.begin(), tall.end());
+    render(arguments);
+    return read_bytes(file(name));
+  };
+  for (const std::string kind : {"object", "primitive"}) {
+    const Bytes raw = hits("raw", kind.c_str()), array = hits("a.npy", kind.c_str());
+    const std::size_t head = array.size() - raw.size();
+    EXPECT_EQ(head, 128U);
+    EXPECT_TRUE(std::equal(raw.begin(), raw.end(), array.begin() + static_cast<std::ptrdiff_t>(head)));
+    const std::string text(array.begin(), array.begin() + static_cast<std::ptrdiff_t>(head));
+    EXPECT_NE(text.find("'descr': [('t', '<f4'), ('" + kind + "', '<i4'), ]"), std::string::npos) << text;
+    EXPECT_NE(text.find("'shape': (1735534 "), std::string::npos) << text;
+    hits("a.csv", kind.c_str());
+    const auto rows = rows_of_csv(read_text(file("a.csv")), "t," + kind);
+    const std::vector<Hit> records = hits_in(file("raw"));
+    ASSERT_EQ(rows.size(), records.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      ASSERT_EQ(rows[i][0], records[i].t);
+      ASSERT_EQ(rows[i][1], static_cast<float>(records[i].object));
+    }
+  }
+}
+
+TEST_F(Tools, HitRecordsHoldObjectsOrPrimitives) {
+  // Object 0 is a sphere, object 1 a square of two triangles; primitives are triangles first.
+  const std::string mixed =
+      scene("mixed.scene", nff("mixed.nff", "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\n"
+                                            "hither 1\nresolution 8 8\ns 0 0 2 1\n"
+                                            "p 4\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n"));
+  const auto names = [&](const char* what) {
+    EXPECT_TRUE(
+        succeeded(run("gridrender", {mixed, "--brute-force", "--hits", file("hits"), "--hit-name", what})));
+    std::set<std::int32_t> seen;
+    for (const Hit& hit : hits_in(file("hits")))
+      seen.insert(hit.object);
+    return seen;
+  };
+  EXPECT_EQ(names("object"), (std::set<std::int32_t>{-1, 0, 1}));
+  EXPECT_EQ(names("primitive"), (std::set<std::int32_t>{-1, 0, 1, 2}));
+}
+
+// --- Numbers --------------------------------------------------------------------------------------------
+
+std::set<std::string> keys(const nlohmann::json& json) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : json.items())
+    names.insert(name);
+  return names;
+}
+
+TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
+  const auto stats = stats_of({});
+  EXPECT_EQ(keys(stats), (std::set<std::string>{"version",         "commit",
+                                                "command",         "backend",
+                                                "device",          "scene_hash",
+                                                "grid_hash",       "views",
+                                                "eye_rays",        "eye_hits",
+                                                "reflection_rays", "refraction_rays",
+                                                "shadow_rays",     "shadow_hits",
+                                                "secondary_hits",  "intersection_tests",
+                                                "cells_visited",   "empty_cells_visited",
+                                                "voxels_skipped",  "seconds",
+                                                "precision",       "precision_reason",
+                                                "double_views"}));
+  EXPECT_EQ(keys(stats["intersection_tests"]), (std::set<std::string>{"triangle", "sphere", "cone"}));
+  EXPECT_EQ(keys(stats["seconds"]),
+            (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
+  EXPECT_EQ(stats["backend"], "cpu");
+  EXPECT_EQ(stats["views"], 1);
+  EXPECT_EQ(json_of("nff2bin", {scene_, "--info", "--json"})["geometry_hash"],
+            json_of("gridstat", {grid_, "--json"})["geometry_hash"]);
+  EXPECT_EQ(stats["command"][1], scene_);
+}
+
+TEST_F(Tools, StatsAddUp) {
+  const auto stats = stats_of({});
+  render({"--hits", file("hits")});
+  const std::vector<Hit> hits = hits_in(file("hits"));
+  EXPECT_EQ(stats["eye_rays"], hits.size());
+  EXPECT_EQ(stats["eye_hits"],
+            hits.size() - static_cast<std::size_t>(std::ranges::count(hits, -1, &Hit::object)));
+  EXPECT_LE(stats["shadow_hits"], stats["shadow_rays"]);
+  EXPECT_LE(stats["secondary_hits"],
+            stats["reflection_rays"].get<int>() + stats["refraction_rays"].get<int>());
+  EXPECT_LE(stats["empty_cells_visited"], stats["cells_visited"]);
+  EXPECT_GT(stats["intersection_tests"]["triangle"], 0);
+  EXPECT_GT(stats["intersection_tests"]["sphere"], 0);
+  EXPECT_EQ(stats["intersection_tests"]["cone"], 0);
+  for (const auto& [name, seconds] : stats["seconds"].items())
+    EXPECT_GE(seconds.get<double>(), 0) << name;
+}
+
+TEST_F(Tools, StatsCountTheSameForAnyNumberOfThreads) {
+  auto one = stats_of({"--threads", "1"}), two = stats_of({"--threads", "2"});
+  for (const char* const name : {"seconds", "command", "device"}) {
+    one.erase(name);
+    two.erase(name);
+  }
+  EXPECT_EQ(one, two);
+}
+
+TEST_F(Tools, InfoIsTheSameForTextAndSceneFile) {
+  auto text = json_of("nff2bin", {file("a.nff"), "--info", "--json"});
+  auto made = json_of("nff2bin", {scene_, "--info", "--json"});
+  EXPECT_EQ(text["objects"]["polygons"], 1);
+  EXPECT_EQ(text["objects"]["spheres"], 1);
+  EXPECT_EQ(text["objects"]["total"], 2);
+  EXPECT_EQ(text["primitives"]["total"], 3);
+  EXPECT_EQ(text["materials"]["total"], 2);
+  EXPECT_EQ(text["lights"], 1);
+  EXPECT_EQ(text["resolution"], (std::vector<int>{16, 12}));
+  EXPECT_EQ(text["store"], "float32");
+  EXPECT_EQ(made["bytes"]["file"], std::filesystem::file_size(scene_));
+  for (const char* const name :
+       {"objects", "primitives", "materials", "lights", "resolution", "store", "bounds"})
+    EXPECT_EQ(text[name], made[name]) << name;
+}
+
+TEST_F(Tools, TessellationKeepsTheObjectCounts) {
+  const std::string made = scene("t.scene", file("a.nff"), {"--tessellate", "12"});
+  auto info = json_of("nff2bin", {made, "--info", "--json"});
+  const auto curved = json_of("nff2bin", {scene_, "--info", "--json"});
+  EXPECT_EQ(info["objects"], curved["objects"]);
+  EXPECT_EQ(info["store"], "float32");
+  EXPECT_EQ(info["primitives"]["triangles"], 2 + 108);
+  EXPECT_EQ(info["primitives"]["spheres"], 0);
+  EXPECT_EQ(info["smooth_triangles"], 108);
+  auto text = json_of("nff2bin", {file("a.nff"), "--tessellate", "12", "--info", "--json"});
+  for (const char* const name : {"objects", "primitives", "smooth_triangles", "store"})
+    EXPECT_EQ(info[name], text[name]) << name;
+}
+
+TEST_F(Tools, GridbuildAndGridstatAgree) {
+  const auto built = json_of("gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--merge",
+                                           "none", "--space", "cube", "--json"});
+  const auto info = json_of("gridstat", {file("b.grid"), "--json"});
+  EXPECT_EQ(built["division"], (std::vector<int>{5, 4, 3}));
+  EXPECT_EQ(info["division"], built["division"]);
+  EXPECT_EQ(info["voxels"], 60);
+  EXPECT_EQ(info["references"], built["references"]);
+  EXPECT_EQ(info["occupied_cells"], built["occupied_cells"]);
+  EXPECT_EQ(info["occupied_voxels"].get<int>() + info["empty_voxels"].get<int>(), 60);
+  EXPECT_EQ(info["space_rule"], "cube");
+  EXPECT_EQ(info["overlap"], "exact");
+  EXPECT_EQ(info["division_rule"], "5x4x3");
+  EXPECT_EQ(info["bytes"]["file"], std::filesystem::file_size(file("b.grid")));
+  EXPECT_TRUE(info["build_seconds"].is_null());
+}
+
+TEST_F(Tools, AGivenDivisionIsNotMerged) {
+  for (const char* const merge : {"auto", "none"}) {
+    EXPECT_TRUE(succeeded(
+        run("gridbuild", {scene_, "-o", file(merge), "--division", "700x700x700", "--merge", merge})));
+  }
+  EXPECT_TRUE(read_bytes(file("auto")) == read_bytes(file("none")));
+}
+
+// However fine a division would still save some of the expected cost.
+TEST_F(Tools, TrianglesThatLieOnEachOtherAreBuiltInBoundedMemory) {
+  constexpr std::size_t count = 100'000;
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+    text += "p 3 -1 -1 0  1 -1 0  0 1 0\n";
+  const std::string in = scene("same.scene", nff("same.nff", text));
+  const auto built = json_of("gridbuild", {in, "-o", file("same.grid"), "--json"});
+  EXPECT_LE(built["references"].get<double>(), 0x1p25 + 256.0 * count);
+}
+
+TEST_F(Tools, BenchLoadComparesLoadingWithPlainCopies) {
+  const auto info =
+      json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3", "--json"});
+  EXPECT_EQ(info["bytes"], std::filesystem::file_size(scene_) + std::filesystem::file_size(grid_));
+  const auto& seconds = info["median_seconds"];
+  for (const char* const name : {"map", "validate", "load", "copy_mapped", "copy_read"})
+    EXPECT_GT(seconds[name].get<double>(), 0) << name;
+  EXPECT_EQ(seconds["upload"], 0);
+  EXPECT_DOUBLE_EQ(info["load_over_copy"]["mapped"].get<double>(),
+                   seconds["load"].get<double>() / seconds["copy_mapped"].get<double>());
+}
+
+TEST_F(Tools, BenchScaleMeasuresEachWorkInStrongAndWeakScaling) {
+  const std::string folder = folder_.path().string(), charts = file("charts");
+  const auto info = json_of("gridbench", {"scale", scene_,     grid_,  "--devices", "cpu",   "--threads",
+                                          "2",     "--views",  "4",    "--size",    "16x12", "--large",
+                                          "64",    "--rays",   "3000", "--repeat",  "1",     "--folder",
+                                          folder,  "--charts", charts, "--json"});
+  std::set<std::string> found;
+  for (const auto& row : info) {
+    const auto work = row["work"].get<std::string>(), scaling = row["scaling"].get<std::string>();
+    const auto workers = row["workers"].get<int>();
+    EXPECT_TRUE(found.insert(fmt::format("{} {} {}", work, scaling, workers)).second);
+    for (const char* const name : {"rays", "seconds", "mrays_per_second", "speedup", "efficiency"})
+      EXPECT_GT(row[name].get<double>(), 0) << work << ' ' << name;
+    if (workers == 1) {
+      EXPECT_EQ(row["efficiency"], 1);
+    }
+    EXPECT_DOUBLE_EQ(row["speedup"].get<double>(), row["efficiency"].get<double>() * workers);
+    // Of weak scaling one of two workers has half of the work.
+    if (work == "list") {
+      EXPECT_EQ(row["rays"], scaling == "weak" && workers == 1 ? 1500 : 3000);
+    }
+    if (work == "views") {
+      EXPECT_EQ(row["rays"], (scaling == "weak" && workers == 1 ? 2 : 4) * 17 * 13);
+    }
+  }
+  EXPECT_EQ(found.size(), 3U * 2 * 2);
+  EXPECT_TRUE(std::filesystem::exists(charts + "/scale.csv"));
+  for (const std::string& name : folder_.listing())
+    EXPECT_FALSE(name.starts_with("masu-scale-")) << name << " was left behind";
+}
+
+// CSV of several grids can be joined: the columns don't depend on the kind of grid.
+TEST_F(Tools, GridstatsCsvHasTheSameColumnsForEveryGrid) {
+  std::set<std::string> headers;
+  for (const char* const merge : {"none", "x", "balance", "irregular"}) {
+    const std::string path = grid("b.grid", scene_, "6", {"--merge", merge});
+    const ToolResult result = run("gridstat", {path, "--csv"});
+    EXPECT_TRUE(succeeded(result));
+    const std::size_t end = result.out.find('\n') + 1;
+    headers.insert(result.out.substr(0, end));
+    const std::string values = result.out.substr(end);
+    EXPECT_EQ(std::ranges::count(values, '\n'), 1);
+    EXPECT_EQ(std::ranges::count(values, ','), std::ranges::count(*headers.begin(), ',')) << values;
+    EXPECT_EQ(values.find("null"), std::string::npos) << values;
+    const auto uniform = keys(json_of("gridstat", {grid_, "--json"}));
+    EXPECT_EQ(keys(json_of("gridstat", {path, "--json"})), uniform);
+  }
+  EXPECT_EQ(headers.size(), 1U);
+}
+
+// --- Files ----------------------------------------------------------------------------------------------
+
+TEST_F(Tools, StandardInputAndAFileGiveTheSameScene) {
+  const ToolResult result = run("nff2bin", {"-", "-o", file("piped.scene")}, {file("a.nff"), {}, {}});
+  EXPECT_TRUE(succeeded(result));
+  EXPECT_TRUE(read_bytes(file("piped.scene")) == read_bytes(scene_));
+}
+
+TEST_F(Tools, NffgenWritesTheSameToAFileAndToStandardOutput) {
+  const ToolResult printed = run("nffgen", {"rings", "--size", "2"});
+  EXPECT_TRUE(succeeded(printed));
+  EXPECT_TRUE(printed.out == read_text(spd("rings.nff", "rings", 2)));
+}
+
+TEST_F(Tools, SceneFilesAreIndependentOfTheNumberOfThreads) {
+  const std::string text = spd("mount.nff", "mount", 6);
+  const Bytes one = read_bytes(scene("one", text, {"--threads", "1"}));
+  EXPECT_TRUE(one == read_bytes(scene("two", text, {"--threads", "2"})));
+}
+
+TEST_F(Tools, Float64IsStoredWhereFloat32IsTooCoarse) {
+  const auto json = [&](const char* text) {
+    return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json", "--origin", "none"});
+  };
+  const auto store = [&](const char* text) { return json(text)["store"]; };
+  const auto reason = [&](const char* text) { return json(text)["store_reason"]; };
+  EXPECT_EQ(store("s 0.1 0 0 1\n"), "float32");
+  EXPECT_EQ(store("s 123.456 0 0 1\n"), "float32");
+  EXPECT_EQ(store("s 0.123456789012 0 0 1\n"), "float32");
+  EXPECT_EQ(reason("s 0.123456789012 0 0 1\n"), "precise");
+  EXPECT_EQ(store("s 1e20 0 0 1\n"), "float64");
+  EXPECT_EQ(reason("s 1e20 0 0 1\n"), "out_of_range");
+  EXPECT_EQ(reason("s 16777217 0 0 1\n"), "far_from_origin");
+  // Float32 numbers: too far from the origin for their size, too small, too flat.
+  EXPECT_EQ(store("s 1000000 0 0 1\n"), "float64");
+  EXPECT_EQ(store("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "float64");
+  EXPECT_EQ(reason("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "small_parts");
+  EXPECT_EQ(store("c 1 0 0 1 1.000000001 0 0 2\n"), "float64");
+  EXPECT_EQ(reason("c 1 0 0 1 1.000000001 0 0 2\n"), "moved_cones");
+  EXPECT_EQ(store("s 1000 0 0 16\n"), "float32");
+}
+
+TEST_F(Tools, InfoTellsTheOriginAndWhatItGains) {
+  const std::string text = nff("far.nff", "s 1000000 0 0 1\ns 1000000 6 0 1\n");
+  const std::string path = scene("far.scene", text, {});
+  for (const nlohmann::json& json :
+       {json_of("nff2bin", {text, "--info", "--json"}), json_of("nff2bin", {path, "--info", "--json"})}) {
+    EXPECT_EQ(json["store"], "float32");
+    EXPECT_EQ(json["origin"], (nlohmann::json{1000000, 3, 0}));
+    EXPECT_EQ(json["bounds"]["max"], (nlohmann::json{1000001, 7, 1}));
+    EXPECT_EQ(json["error_bound"], 4.0 * 128 / (1 << 24));
+    EXPECT_EQ(json["error_bound_without_origin"], 1000001.0 * 128 / (1 << 24));
+  }
+  const nlohmann::json given = json_of("nff2bin", {text, "--info", "--json", "--origin", "999999,-1,0"});
+  EXPECT_EQ(given["origin"], (nlohmann::json{999999, -1, 0}));
+}
+
+// A city of five kilometres in coordinates of a national grid: the hits and the picture are those at zero.
+TEST_F(Tools, ACityInSurveyCoordinatesIsAsExactAsAtZero) {
+  const auto city = [&](double east, double north) {
+    std::string text = fmt::format("v\nfrom {} {} 900\nat {} {} 0\nup 0 0 1\nangle 40\nhither 1\nresolution "
+                                   "64 64\nl {} {} 3000\nf 0.8 0.8 0.7 1 0 0 0 1\n",
+                                   east - 2600, north - 2600, east, north, east + 900, north - 2000);
+    const auto quad = [&](double x0, double y0, double z0, double x1, double y1, double z1, bool flat) {
+      text += "p 4\n";
+      for (const auto& [x, y, z] : flat ? std::array<std::array<double, 3>, 4>{{{x0, y0, z0},
+                                                                                {x1, y0, z0},
+                                                                                {x1, y1, z0},
+                                                                                {x0, y1, z0}}}
+                                        : std::array<std::array<double, 3>, 4>{
+                                              {{x0, y0, z0}, {x1, y1, z0}, {x1, y1, z1}, {x0, y0, z1}}})
+        text += fmt::format("{:.2f} {:.2f} {:.2f}\n", east + x, north + y, z);
+    };
+    quad(-2500, -2500, 0, 2500, 2500, 0, true);
+    for (int i = 0; i < 400; ++i) { // centimetres that are binary fractions: exact wherever the city is
+      const double x = -2400 + 240 * (i % 20) + 0.25 * (i * 7 % 13),
+                   y = -2400 + 240 * (i / 20) + 0.5 * (i * 5 % 11), side = 20 + i % 9 * 8.25,
+                   high = 10 + i * 37 % 101 * 1.75;
+      quad(x, y, high, x + side, y + side, high, true);
+      quad(x, y, 0, x + side, y, high, false);
+      quad(x + side, y, 0, x + side, y + side, high, false);
+      quad(x + side, y + side, 0, x, y + side, high, false);
+      quad(x, y + side, 0, x, y, high, false);
+    }
+    return text;
+  };
+  constexpr double east = 4500000.25, north = 5300000.5;
+  const std::string there = scene("there.scene", nff("there.nff", city(east, north)), {});
+  const nlohmann::json info = json_of("nff2bin", {there, "--info", "--json"});
+  EXPECT_EQ(info["store"], "float32");
+  // At zero there would be none, but the same point among the blocks gives the same coordinates.
+  const auto origin = info["origin"].get<std::array<double, 3>>();
+  const std::string here =
+      scene("here.scene", nff("here.nff", city(0, 0)),
+            {"--origin", fmt::format("{},{},{}", origin[0] - east, origin[1] - north, origin[2])});
+  const auto picture = [&](const std::string& path, const char* name) {
+    const std::string grid_path = grid(std::string(name) + ".grid", path);
+    EXPECT_TRUE(succeeded(run("gridrender", {path, grid_path, "-o", file(std::string(name) + ".pfm"),
+                                             "--hits", file(std::string(name) + ".hits")})));
+    return std::pair(read_bytes(file(std::string(name) + ".pfm")),
+                     read_bytes(file(std::string(name) + ".hits")));
+  };
+  EXPECT_TRUE(picture(here, "here") == picture(there, "there"));
+}
+
+TEST_F(Tools, InfoTellsTheStoreAndWhatFloat32Rounds) {
+  const std::string text = nff("thirds.nff", "s 0 0 0 3.75\np 3 0.3333333333333 0 0 1 0 0 0 1 0\n");
+  const double rounding = std::abs(0.3333333333333 - static_cast<double>(0.3333333333333F));
+  for (const std::string store : {"auto", "float32", "float64"}) {
+    const std::string path = scene("thirds.scene", text, {"--store", store});
+    const std::string stored = store == "float64" ? "float64" : "float32";
+    const std::string reason = store == "float64" ? "asked" : "precise";
+    for (const bool is_text : {true, false}) {
+      const nlohmann::json json =
+          is_text ? json_of("nff2bin", {text, "--store", store, "--info", "--json", "-o", path})
+                  : json_of("nff2bin", {path, "--info", "--json"});
+      EXPECT_EQ(json["store"], stored);
+      EXPECT_EQ(json["store_reason"], reason);
+      EXPECT_TRUE(json["float32"]["suffices"]);
+      EXPECT_EQ(json["float32"]["error_bound"], 3.75 * 128 / (1 << 24));
+      if (is_text || store == "float64")
+        EXPECT_EQ(json["float32"]["rounding"], rounding);
+      else
+        EXPECT_TRUE(json["float32"]["rounding"].is_null());
+      EXPECT_EQ(json["geometry_hash"].get<std::string>().size(), 32U);
+    }
+    const ToolResult table = run("nff2bin", {text, "--store", store, "--info"});
+    EXPECT_TRUE(succeeded(table));
+    EXPECT_NE(table.out.find(stored + (store == "float64" ? ": asked for" : ": precise enough")),
+              std::string::npos)
+        << table.out;
+    EXPECT_NE(table.out.find("of the error bound 2.9e-05"), std::string::npos) << table.out;
+  }
+}
+
+// As fast as another trace: nothing is built again.
+TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
+  std::string changed(small_nff);
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    changed.replace(changed.find(from), from.size(), to);
+  };
+  replace("from 3 -4 2", "from -2 -3 4");
+  replace("at 0 0 0.5", "at 0.25 0 0");
+  replace("angle 45", "angle 60");
+  replace("resolution 16 12", "resolution 23 17");
+  replace("b 0.1 0.2 0.3", "b 0.5 0.25 0");
+  replace("l 5 -5 9", "l -3 1 7 1 0.5 0.5\nl 0 0 30");
+  replace("f 1 0.5 0.25 0.7 0.3 10 0 1", "f 0.25 1 0.5 0.5 0 0 0.5 1.5");
+  replace("f 0.2 0.4 0.9 0.6 0.4 30 0 1", "f 1 1 1 1 0 0 0 1");
+  const std::string other = scene("view.scene", nff("view.nff", changed));
+  const auto geometry = [&](const std::string& path) {
+    return json_of("nff2bin", {path, "--info", "--json"})["geometry_hash"];
+  };
+  EXPECT_EQ(geometry(other), geometry(scene_));
+  EXPECT_NE(geometry(scene("b.scene", nff("b.nff", other_nff))), geometry(scene_));
+  for (const char* const merge : {"none", "x", "balance", "irregular", "bvh", "fastest"}) {
+    const std::string old = grid("old.grid", scene_, "6", {"--merge", merge});
+    EXPECT_EQ(json_of("gridstat", {old, "--json"})["geometry_hash"], geometry(scene_));
+    const auto hits = [&](const Arguments& through, const std::string& name) {
+      Arguments arguments{other, "--backend", "cpu", "--hits", file(name), "-o", file(name + ".pfm")};
+      arguments.insert(arguments.begin() + 1, through.begin(), through.end());
+      EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+      return std::pair(read_bytes(file(name)), read_bytes(file(name + ".pfm")));
+    };
+    const auto found = hits({old}, "old.hits");
+    EXPECT_FALSE(found.first.empty());
+    EXPECT_TRUE(found == hits({"--brute-force"}, "brute.hits")) << merge;
+    EXPECT_TRUE(found == hits({grid("new.grid", other, "6", {"--merge", merge})}, "new.hits")) << merge;
+    EXPECT_TRUE(read_bytes(old) == read_bytes(file("new.grid"))) << merge;
+  }
+}
+
+TEST_F(Tools, EqualBuildsAreEqualFilesUnlessSecondsAreRecorded) {
+  EXPECT_TRUE(read_bytes(grid_) == read_bytes(grid("b.grid", scene_)));
+  grid("c.grid", scene_, "auto", {"--record-seconds"});
+  EXPECT_GE(json_of("gridstat", {file("c.grid"), "--json"})["build_seconds"].get<double>(), 0);
+}
+
+// The scene of small_nff and a cone, scaled.
+std::string scaled_text(double scale) {
+  const auto number = [&](double value) { return fmt::format(" {:.6g}", value * scale); };
+  const auto all = [&](std::initializer_list<double> values) {
+    std::string text;
+    for (const double value : values)
+      text += number(value);
+    return text + "\n";
+  };
+  return "v\nfrom" + all({3, -4, 2}) + "at" + all({0, 0, 0.5}) + "up 0 0 1\nangle 45\nhither" + all({0.1}) +
+         "resolution 48 48\nb 0.1 0.2 0.3\nl" + all({5, -5, 9}) + "f 1 0.5 0.25 0.7 0.3 10 0 1\np 4\n" +
+         all({-2, -2, 0}) + all({2, -2, 0}) + all({2, 2, 0}) + all({-2, 2, 0}) +
+         "f 0.2 0.4 0.9 0.6 0.4 30 0 1\ns" + all({0, 0, 0.5, 0.5}) + "c" + all({1, 1, 0, 0.3, 1, 1, 1, 0.1});
+}
+
+// A scaled scene gives the same picture, or is refused beyond the range of numbers.
+TEST_F(Tools, PicturesAreIndependentOfTheScenesScale) {
+  const auto rendered = [&](int exponent) {
+    const std::string text = nff("scaled.nff", scaled_text(std::pow(10, exponent)));
+    const ToolResult made = run("nff2bin", {text, "-o", file("scaled.scene")});
+    if (std::abs(exponent) > 30 && made.code == 2) return nlohmann::json{};
+    EXPECT_TRUE(succeeded(made));
+    const std::string scaled_grid = grid("scaled.grid", file("scaled.scene"));
+    EXPECT_TRUE(succeeded(run("gridrender", {file("scaled.scene"), scaled_grid, "-o", file("grid.pfm"),
+                                             "--backend", "cpu", "--stats", file("stats.json")})));
+    EXPECT_TRUE(succeeded(run(
+        "gridrender", {file("scaled.scene"), "--brute-force", "-o", file("none.pfm"), "--backend", "cpu"})));
+    EXPECT_TRUE(read_bytes(file("grid.pfm")) == read_bytes(file("none.pfm")))
+        << "the picture depends on the grid";
+    return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
+  };
+  const auto expected = rendered(0);
+  for (const int exponent :
+       {-97, -70, -40, -29, -26, -20, -15, -11, -9, -6, -3, 3, 6, 9, 10, 11, 12, 15, 30, 60, 75, 80, 98}) {
+    SCOPED_TRACE(fmt::format("times 1e{}", exponent));
+    const auto counts = rendered(exponent);
+    if (counts.is_null()) continue;
+    for (const char* const name : {"eye_hits", "reflection_rays", "shadow_rays", "shadow_hits"})
+      EXPECT_NEAR(counts[name].get<double>(), expected[name].get<double>(), 8) << name;
+  }
+}
+
+TEST_F(Tools, BenchStabilityReportsFailuresOfFastOnly) {
+  const auto rows = json_of("gridbench", {"stability", "--sweep", "closed-ball,leaving-scaled", "--count",
+                                          "200", "--seed", "7", "--json"});
+  std::set<std::string> sweeps, failing;
+  for (const auto& row : rows) {
+    sweeps.insert(row["sweep"]);
+    // Embree's, where it is there, and the rays that it finds other hits for.
+    if (!row.contains("mode") || row["mode"].get<std::string>().starts_with("embree")) continue;
+    if (row["missed"].get<int>() + row["false"].get<int>() > 0) failing.insert(row["mode"]);
+  }
+  EXPECT_EQ(sweeps, (std::set<std::string>{"closed-ball", "leaving-scaled"}));
+  EXPECT_EQ(failing, std::set<std::string>{"fast"});
+}
+
+TEST_F(Tools, BenchOracleFindsNoFailuresOfRobustAndDouble) {
+  const auto rows = json_of("gridbench", {"oracle", scene_, grid_, "--count", "2000", "--precision",
+                                          "fast,robust,double", "--json"});
+  ASSERT_EQ(rows.size(), 3U);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row["rays"], 2000);
+    EXPECT_LT(row["unsure"].get<int>(), 200);
+    if (row["precision"] == "fast") continue;
+    for (const char* const failure : {"missed", "false", "wrong", "misplaced"})
+      EXPECT_EQ(row[failure], 0) << failure;
+  }
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,391 @@
+// gridrender's views: cameras given on the command line and in lists, turntables, crops, many pictures of one
+// run.
+#include "tests/stability/random_seed.h"
+#include "tests/tools/run_tool.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <png.h>
+
+#include <cstring>
+#include <set>
+
+namespace masu {
+namespace {
+
+struct Picture {
+  std::size_t width = 0, height = 0;
+  Bytes rgb;
+};
+Picture decoded(const std::string& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  EXPECT_NE(png_image_begin_read_from_file(&png, path.c_str()), 0) << path << ": " << png.message;
+  png.format = PNG_FORMAT_RGB;
+  Picture picture{png.width, png.height, Bytes(PNG_IMAGE_SIZE(png))};
+  EXPECT_NE(png_image_finish_read(&png, nullptr, picture.rgb.data(), 0, nullptr), 0) << path;
+  return picture;
+}
+
+// A part of rows of records; (x, y) from the rows' first.
+Bytes part(std::span<const std::uint8_t> rows, std::size_t row_records, std::size_t record_bytes,
+           std::size_t x, std::size_t y, std::size_t width, std::size_t height) {
+  Bytes bytes;
+  for (std::size_t row = y; row < y + height; ++row) {
+    const auto run = rows.subspan((row * row_records + x) * record_bytes, width * record_bytes);
+    bytes.insert(bytes.end(), run.begin(), run.end());
+  }
+  return bytes;
+}
+
+// Without its header.
+Bytes pfm_floats(const std::string& path, std::size_t width, std::size_t height) {
+  const Bytes bytes = read_bytes(path);
+  const std::size_t header = fmt::format("PF\n{} {}\n-1.0\n", width, height).size();
+  EXPECT_EQ(bytes.size(), header + 12 * width * height);
+  return {bytes.begin() + static_cast<std::ptrdiff_t>(header), bytes.end()};
+}
+
+class Views : public ToolTest {
+protected:
+  ToolResult try_render(const Arguments& more, const Surroundings& surroundings = {}) const {
+    Arguments arguments{scene_, grid_, "--backend", "cpu"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run("gridrender", arguments, surroundings);
+  }
+  void render(const Arguments& more) const { EXPECT_TRUE(succeeded(try_render(more))); }
+  testing::AssertionResult refused(int code, const Arguments& more, const std::string& place,
+                                   const std::string& says = "") const {
+    const auto before = folder_.listing();
+    const auto result = failed(try_render(more), code, "gridrender", place, says);
+    if (result && folder_.listing() != before) return testing::AssertionFailure() << "a file was left behind";
+    return result;
+  }
+  std::string list(const std::string& lines) const {
+    write_text(file("list"), lines);
+    return file("list");
+  }
+
+  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_);
+};
+
+// --- Cameras ----------------------------------------------------------------------------------------------
+
+TEST_F(Views, OptionsReplaceTheScenesCamera) {
+  std::string text(small_nff);
+  text.replace(text.find("from 3 -4 2"), 11, "from 1.5 4 3");
+  text.replace(text.find("at 0 0 0.5"), 10, "at 0.25 -0 1");
+  text.replace(text.find("up 0 0 1"), 8, "up 1 0 0");
+  text.replace(text.find("angle 45"), 8, "angle 60");
+  const std::string moved = scene("b.scene", nff("b.nff", text));
+  EXPECT_TRUE(succeeded(run("gridrender", {moved, "--brute-force", "--backend", "cpu", "-o", file("b.pfm"),
+                                           "--hits", file("b.hits")})));
+  render({"-o", file("a.pfm"), "--hits", file("a.hits"), "--from", "1.5,4,3", "--at", "0.25,-0,1", "--up",
+          "1,0,0", "--angle", "60"});
+  EXPECT_TRUE(read_bytes(file("a.pfm")) == read_bytes(file("b.pfm")));
+  EXPECT_TRUE(read_bytes(file("a.hits")) == read_bytes(file("b.hits")));
+  // What is left out stays the scene's.
+  render({"-o", file("c.pfm")});
+  render({"-o", file("d.pfm"), "--from", "3,-4,2", "--angle", "45"});
+  EXPECT_TRUE(read_bytes(file("c.pfm")) == read_bytes(file("d.pfm")));
+}
+
+TEST_F(Views, CamerasThatCannotSeeAreRefused) {
+  const std::string out = file("new.png");
+  const auto usage = [&](const Arguments& camera, const std::string& place, const std::string& says = "") {
+    Arguments arguments{"-o", out};
+    arguments.insert(arguments.end(), camera.begin(), camera.end());
+    return refused(1, arguments, place, says);
+  };
+  EXPECT_TRUE(usage({"--from", "0,0,0.5"}, "--at", "the point that the view is from"));
+  EXPECT_TRUE(usage({"--from", "0,0,5", "--at", "0,0,-1"}, "--up", "parallel"));
+  EXPECT_TRUE(usage({"--up", "0,0,0"}, "--up", "no length"));
+  EXPECT_TRUE(usage({"--up", "3,-4,1.5"}, "--up", "parallel"));
+  EXPECT_TRUE(usage({"--from", "1e13,0,0"}, "--from", "1e+12"));
+  for (const char* const angle : {"0", "-1", "180", "nan", "inf"})
+    EXPECT_TRUE(usage({"--angle", angle}, "--angle")) << angle;
+  for (const char* const option : {"--from", "--at", "--up"}) {
+    for (const char* const vector : {"1,2", "1,2,3,4", "1,2,x", "1,,3", "nan,0,0", "0,inf,0", "1 2 3"})
+      EXPECT_TRUE(usage({option, vector}, option)) << vector;
+  }
+}
+
+// --- Crops ------------------------------------------------------------------------------------------------
+
+TEST_F(Views, ACropIsTheSameBitsAsInTheWhole) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  auto random = seed.engine();
+  constexpr std::size_t width = 61, height = 47;
+  for (const bool corners : {true, false}) {
+    const std::size_t more = corners ? 1 : 0;
+    const Arguments common{"--size", fmt::format("{}x{}", width, height), "--sampling",
+                           corners ? "corners" : "centers"};
+    const auto made = [&](const char* picture, const Arguments& crop) {
+      Arguments arguments{"-o", file(picture), "--hits", file("hits")};
+      arguments.insert(arguments.end(), common.begin(), common.end());
+      arguments.insert(arguments.end(), crop.begin(), crop.end());
+      render(arguments);
+    };
+    made("whole.png", {});
+    made("whole.pfm", {});
+    const Bytes hits = read_bytes(file("hits")), floats = pfm_floats(file("whole.pfm"), width, height);
+    const Picture whole = decoded(file("whole.png"));
+    for (int i = 0; i < 12; ++i) {
+      const std::size_t x = random() % width, y = random() % height, w = 1 + random() % (width - x),
+                        h = 1 + random() % (height - y);
+      const std::string crop = fmt::format("{},{},{},{}", x, y, w, h);
+      SCOPED_TRACE(crop);
+      made("crop.png", {"--crop", crop});
+      made("crop.pfm", {"--crop", crop});
+      const Picture cropped = decoded(file("crop.png"));
+      EXPECT_EQ(cropped.width, w);
+      EXPECT_EQ(cropped.height, h);
+      EXPECT_TRUE(cropped.rgb == part(whole.rgb, width, 3, x, y, w, h));
+      EXPECT_TRUE(pfm_floats(file("crop.pfm"), w, h) == part(floats, width, 12, x, height - y - h, w, h));
+      EXPECT_TRUE(read_bytes(file("hits")) == part(hits, width + more, 8, x, y, w + more, h + more));
+    }
+  }
+}
+
+TEST_F(Views, ACropOutsideThePictureIsRefused) { // of 16 x 12 pixels
+  for (const char* const crop : {"16,0,1,1", "0,12,1,1", "0,0,17,1", "0,0,1,13", "15,0,2,1", "0,11,1,2",
+                                 "0,0,2147483647,1", "-1,0,1,1", "0,0,0,1", "0,0,1", "0,0,1,1,1", "a,0,1,1"})
+    EXPECT_TRUE(refused(1, {"-o", file("new.png"), std::string("--crop=") + crop}, "--crop")) << crop;
+  render({"-o", file("a.png"), "--crop", "0,0,16,12"});
+}
+
+// --- Many views -------------------------------------------------------------------------------------------
+
+TEST_F(Views, AListsPicturesAreThoseOfSingleRuns) {
+  const std::string views =
+      list("{\"name\": \"front\"}\n"
+           "\n"
+           "{\"name\": \"ä b\", \"from\": [0, -5, 1], \"angle\": 30, \"size\": [9, 7]}\n"
+           "{\"at\": [0.5, 0, 0.5], \"up\": [0, 1, 1]}\r\n");
+  for (const char* const ending : {"png", "pfm"}) {
+    render({"--views", views, "-o", file(fmt::format("v-{{name}}.{}", ending)), "--hits",
+            file("v-{index}.hits"), "--size", "20x10"});
+    const std::vector<std::pair<std::string, Arguments>> singles{
+        {"front", {}},
+        {"ä b", {"--from", "0,-5,1", "--angle", "30", "--size", "9x7"}},
+        {"2", {"--at", "0.5,0,0.5", "--up", "0,1,1"}}};
+    for (std::size_t i = 0; i < singles.size(); ++i) {
+      const auto& [name, camera] = singles[i];
+      const std::string single = file(fmt::format("single.{}", ending));
+      Arguments arguments{"-o", single, "--hits", file("single.hits")};
+      if (i != 1) arguments.insert(arguments.end(), {"--size", "20x10"});
+      arguments.insert(arguments.end(), camera.begin(), camera.end());
+      render(arguments);
+      EXPECT_TRUE(read_bytes(single) == read_bytes(file(fmt::format("v-{}.{}", name, ending)))) << name;
+      EXPECT_TRUE(read_bytes(file("single.hits")) == read_bytes(file(fmt::format("v-{}.hits", i)))) << name;
+    }
+  }
+}
+
+TEST_F(Views, AListMayComeFromStandardInput) {
+  const std::string views = list("{\"angle\": 20}\n{\"angle\": 30}");
+  EXPECT_TRUE(succeeded(try_render({"--views", "-", "-o", file("{index}.png")}, {views, {}, {}})));
+  render({"-o", file("single.png"), "--angle", "30"});
+  EXPECT_TRUE(read_bytes(file("single.png")) == read_bytes(file("1.png")));
+}
+
+TEST_F(Views, FilesAreIndependentOfTheNumberOfThreads) {
+  const auto rendered = [&](const char* threads, const Arguments& more) {
+    Arguments arguments{
+        "--turntable",        "12",        "--size", "40x30", "-o", file("{index}.png"), "--hits",
+        file("{index}.hits"), "--threads", threads};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    render(arguments);
+    std::vector<Bytes> all;
+    for (int i = 0; i < 12; ++i) {
+      all.push_back(read_bytes(file(fmt::format("{:02}.png", i))));
+      all.push_back(read_bytes(file(fmt::format("{:02}.hits", i))));
+    }
+    return all;
+  };
+  const auto one = rendered("1", {});
+  std::set<std::string> distinct;
+  for (const Bytes& bytes : one)
+    distinct.emplace(bytes.begin(), bytes.end());
+  EXPECT_EQ(distinct.size(), one.size());
+  EXPECT_TRUE(rendered("2", {}) == one);
+  EXPECT_TRUE(rendered("7", {}) == one);
+  EXPECT_TRUE(rendered("2", {"--brute-force"}) == one) << "a picture tells of the grid";
+}
+
+TEST_F(Views, StatsOfSeveralViewsAreSums) {
+  const auto stats = [&](const Arguments& more) {
+    Arguments arguments{"--stats", file("stats.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    render(arguments);
+    return nlohmann::json::parse(read_text(file("stats.json")));
+  };
+  const auto first = stats({"--angle", "30"}), second = stats({"--angle", "50", "--size", "5x5"});
+  const auto both = stats({"--views", list("{\"angle\": 30}\n{\"angle\": 50, \"size\": [5, 5]}\n")});
+  EXPECT_EQ(both["views"], 2);
+  for (const char* const name : {"eye_rays", "eye_hits", "shadow_rays", "reflection_rays", "cells_visited"})
+    EXPECT_EQ(both[name].get<int>(), first[name].get<int>() + second[name].get<int>()) << name;
+}
+
+TEST_F(Views, ATurntableBeginsWithTheCameraAndGoesRoundItsUp) {
+  render({"--turntable", "4", "-o", file("{index}.pfm"), "--at", "0,0,0.5", "--from", "3,0,2"});
+  const std::vector<std::string> from{"3,0,2", "0,3,2", "-3,0,2", "0,-3,2"};
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    render({"-o", file("single.pfm"), "--at", "0,0,0.5", "--from=" + from[i]});
+    const Bytes turned = pfm_floats(file(fmt::format("{}.pfm", i)), 16, 12),
+                single = pfm_floats(file("single.pfm"), 16, 12);
+    int different = 0; // sines and cosines are rounded: an edge may move over a ray
+    for (std::size_t at = 0; at < single.size(); at += 4) {
+      float a = 0, b = 0;
+      std::memcpy(&a, turned.data() + at, 4);
+      std::memcpy(&b, single.data() + at, 4);
+      different += std::abs(a - b) > 1e-3F ? 1 : 0;
+    }
+    EXPECT_LE(different, i == 0 ? 0 : 12) << i;
+  }
+}
+
+TEST_F(Views, APictureMayGoToStandardOutput) {
+  render({"-o", file("a.png")});
+  render({"-o", file("a.pfm")});
+  EXPECT_TRUE(succeeded(try_render({"-o", "-"}, {"/dev/null", file("b.png"), {}})));
+  EXPECT_TRUE(succeeded(try_render({"-o", "-", "--format", "pfm"}, {"/dev/null", file("b.pfm"), {}})));
+  EXPECT_TRUE(read_bytes(file("a.png")) == read_bytes(file("b.png")));
+  EXPECT_TRUE(read_bytes(file("a.pfm")) == read_bytes(file("b.pfm")));
+  render({"-o", file("named"), "--format", "png"});
+  EXPECT_TRUE(read_bytes(file("named")) == read_bytes(file("a.png")));
+  EXPECT_TRUE(
+      failed(try_render({"-o", "-"}, {"/dev/null", "/dev/full", {}}), 3, "gridrender", "standard output"));
+  EXPECT_TRUE(refused(1, {"-o", "-", "--hits", "-"}, "-", "written twice"));
+  EXPECT_TRUE(refused(1, {"-o", "-", "--turntable", "2"}, "-", "{index}"));
+}
+
+TEST_F(Views, NamesThatSeveralViewsShareAreRefused) {
+  for (const char* const pattern : {"a.png", "{Name}.png", "{}.png"})
+    EXPECT_TRUE(refused(1, {"--turntable", "2", "-o", file(pattern)}, file(pattern), "{name}"));
+  EXPECT_TRUE(refused(1, {"--turntable", "2", "-o", file("{index}.png"), "--hits", file("hits")},
+                      file("hits"), "{name}"));
+  EXPECT_TRUE(refused(1, {"--turntable", "2", "-o", file("{index}.png"), "--hits", file("{index}.png")},
+                      file("{index}.png"), "written twice"));
+  EXPECT_TRUE(
+      refused(1, {"--views", list("{}\n"), "-o", file("list"), "--format", "png"}, file("list"), "itself"));
+  render({"--turntable", "1", "-o", file("one.png")}); // one view needs no placeholder
+}
+
+TEST_F(Views, InvalidListsAreRefusedByLine) {
+  const auto bad = [&](const std::string& line, const std::string& says) {
+    const std::string path = list("{\"name\": \"good\"}\n\n" + line + "\n");
+    return refused(2, {"--views", path, "-o", file("{name}.png")}, path + ":3", says);
+  };
+  EXPECT_TRUE(bad("[1, 2]", "JSON object"));
+  EXPECT_TRUE(bad("{\"angle\": 3", "JSON object"));
+  EXPECT_TRUE(bad("{\"angle\": 3} {}", "JSON object"));
+  EXPECT_TRUE(bad("{\"form\": [1, 2, 3]}", "'form'"));
+  EXPECT_TRUE(bad("{\"from\": [1, 2]}", "from"));
+  EXPECT_TRUE(bad("{\"from\": [1, 2, \"3\"]}", "from"));
+  EXPECT_TRUE(bad("{\"from\": [1e999, 2, 3]}", ""));
+  EXPECT_TRUE(bad("{\"from\": [1e13, 2, 3]}", "from"));
+  EXPECT_TRUE(bad("{\"from\": [0, 0, 0.5]}", "at"));
+  EXPECT_TRUE(bad("{\"up\": [0, 0, 0]}", "up"));
+  EXPECT_TRUE(bad("{\"angle\": 180}", "angle"));
+  EXPECT_TRUE(bad("{\"angle\": \"45\"}", "angle"));
+  for (const char* const size : {"[0, 1]", "[1, 65537]", "[1]", "[1.5, 2]", "\"8x8\"", "[-1, 2]"})
+    EXPECT_TRUE(bad(fmt::format("{{\"size\": {}}}", size), "size")) << size;
+  for (const char* const name : {"", ".", "..", "a/b", "/", "a\\nb", "\\u0000", "\\u007f"})
+    EXPECT_TRUE(bad(fmt::format("{{\"name\": \"{}\"}}", name), "name")) << name;
+  EXPECT_TRUE(bad("{\"name\": 7}", "name"));
+  EXPECT_TRUE(bad("{\"name\": \"good\"}", ":1"));
+  EXPECT_TRUE(refused(2, {"--views", list("\n"), "-o", file("{name}.png")}, file("list"), "no view"));
+  EXPECT_TRUE(refused(2, {"--views", file("missing"), "-o", file("{name}.png")}, file("missing")));
+  EXPECT_TRUE(
+      refused(2, {"--views", folder_.path().string(), "-o", file("{name}.png")}, folder_.path().string()));
+  // A crop must lie within every picture.
+  const std::string sizes = list("{}\n{\"size\": [4, 4]}\n");
+  EXPECT_TRUE(refused(1, {"--views", sizes, "-o", file("{name}.png"), "--crop", "0,0,5,1"}, "--crop"));
+}
+
+// --- Devices and bands ------------------------------------------------------------------------------------
+
+TEST_F(Views, DevicesAreGpusOrTheCpu) {
+  const auto refused = [&](const Arguments& devices) {
+    Arguments arguments{scene_, grid_, "-o", file("new.png")};
+    arguments.insert(arguments.end(), devices.begin(), devices.end());
+    return failed(run("gridrender", arguments), 1, "gridrender", "--devices");
+  };
+  for (const char* const devices : {"gpu", "0,", ",0", "0 1", "-1", "0,x", "99999999999", "all,0", "cpu,0"})
+    EXPECT_TRUE(refused({std::string("--devices=") + devices})) << devices;
+  EXPECT_TRUE(refused({"--devices", "cpu", "--backend", "cuda"}));
+  EXPECT_TRUE(refused({"--devices", "0", "--backend", "cpu"}));
+  render({"-o", file("a.png")});
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("b.png"), "--devices", "cpu"})));
+  EXPECT_TRUE(read_bytes(file("a.png")) == read_bytes(file("b.png")));
+}
+
+// Of 1048 rows each: records, floats and pixels around their borders are those of crops, which are one band.
+TEST_F(Views, BandsOfLargePicturesAreTheSameBitsAsThePictureUndivided) {
+  constexpr std::size_t width = 1333, height = 2500, band = 1048;
+  for (const bool corners : {true, false}) {
+    const std::size_t more = corners ? 1 : 0;
+    const Arguments common{"--size", "1333x2500",  "--depth",
+                           "1",      "--sampling", corners ? "corners" : "centers"};
+    const auto made = [&](const char* picture, const Arguments& options) {
+      Arguments arguments{"-o", file(picture), "--hits", file("hits"), "--stats", file("stats")};
+      arguments.insert(arguments.end(), common.begin(), common.end());
+      arguments.insert(arguments.end(), options.begin(), options.end());
+      render(arguments);
+      return nlohmann::json::parse(read_text(file("stats")));
+    };
+    made("whole.png", {});
+    const auto stats = made("whole.pfm", {});
+    EXPECT_EQ(stats["eye_rays"], (width + more) * (height + more));
+    const Bytes hits = read_bytes(file("hits")), floats = pfm_floats(file("whole.pfm"), width, height);
+    ASSERT_EQ(hits.size(), 8 * (width + more) * (height + more));
+    std::size_t met = 0;
+    for (std::size_t i = 0; i < hits.size(); i += 8) {
+      std::int32_t name = 0;
+      std::memcpy(&name, hits.data() + i + 4, 4);
+      met += name >= 0 ? 1 : 0;
+    }
+    EXPECT_EQ(stats["eye_hits"], met);
+    const Picture whole = decoded(file("whole.png"));
+    for (const std::size_t y : {std::size_t{0}, band - 20, 2 * band - 20, height - 40}) {
+      const std::string crop = fmt::format("0,{},{},40", y, width);
+      made("crop.png", {"--crop", crop});
+      made("crop.pfm", {"--crop", crop});
+      EXPECT_TRUE(decoded(file("crop.png")).rgb == part(whole.rgb, width, 3, 0, y, width, 40));
+      EXPECT_TRUE(pfm_floats(file("crop.pfm"), width, 40) ==
+                  part(floats, width, 12, 0, height - y - 40, width, 40));
+      EXPECT_TRUE(read_bytes(file("hits")) == part(hits, width + more, 8, 0, y, width + more, 40 + more));
+    }
+    // To a pipe, in order.
+    for (const char* const format : {"png", "pfm"}) {
+      Arguments arguments{"-o", "-", "--format", format};
+      arguments.insert(arguments.end(), common.begin(), common.end());
+      EXPECT_TRUE(succeeded(try_render(arguments, {"/dev/null", file("piped"), {}})));
+      EXPECT_TRUE(read_bytes(file("piped")) == read_bytes(file(fmt::format("whole.{}", format)))) << format;
+    }
+  }
+}
+
+// --- What is said beside the results ----------------------------------------------------------------------
+
+TEST_F(Views, ASummaryIsOneLineAndQuietSilencesIt) {
+  const ToolResult said = try_render({"-o", file("a.png")});
+  EXPECT_TRUE(said.err.starts_with("gridrender: traced 221 rays in ")) << said.err;
+  EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1);
+  EXPECT_EQ(try_render({"-o", file("a.png"), "-q"}).err, "");
+}
+
+TEST_F(Views, PicturesTellTheirSceneAndViewButNotGridOrThreads) {
+  render({"-o", file("a.png"), "--threads", "1"});
+  const std::string text = read_text(file("a.png"));
+  EXPECT_NE(text.find("Source"), std::string::npos);
+  EXPECT_NE(text.find("--from 3,-4,2 --at 0,0,0.5 --up 0,0,1 --angle 45 --size 16x12"), std::string::npos);
+  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid("b.grid", scene_, "3x2x1"), "--backend", "cpu", "-o",
+                                           file("b.png"), "--threads", "2", "--stats", file("stats")})));
+  EXPECT_TRUE(read_bytes(file("b.png")) == read_bytes(file("a.png")));
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,215 @@
+#include "tools/bench/tradeoff/tradeoff_csv.h"
+
+#include "libscene/base/error.h"
+#include "libscene/file/output_file.h"
+#include "tools/bench/tradeoff/tradeoff_front.h"
+
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace masu {
+namespace {
+
+// Measurements are less precise than six digits. No text contains a comma.
+std::string text_of(double value) {
+  return fmt::format("{:.6g}", value);
+}
+std::string text_of(std::uint64_t value) {
+  return fmt::format("{}", value);
+}
+std::string text_of(const std::string& value) {
+  return value;
+}
+std::string text_of(Precision value) {
+  return name_of(value);
+}
+std::string text_of(StopRule value) {
+  return name_of(value);
+}
+std::string text_of(GridKind value) {
+  return name_of(value);
+}
+std::string text_of(Overlap value) {
+  return name_of(value);
+}
+
+// Throws Error(input) where `text` isn't a number of that type.
+template <class Number>
+void read_number(const std::string& text, Number& value) {
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end)
+    throw Error(ErrorCode::input, text, "isn't a valid number");
+}
+void read(const std::string& text, double& value) {
+  read_number(text, value);
+}
+void read(const std::string& text, std::uint64_t& value) {
+  read_number(text, value);
+}
+void read(const std::string& text, std::string& value) {
+  value = text;
+}
+void read(const std::string& text, Precision& value) {
+  value = precision_named(text);
+}
+void read(const std::string& text, StopRule& value) {
+  value = stop_named(text);
+}
+void read(const std::string& text, GridKind& value) {
+  value = merge_named(text);
+}
+void read(const std::string& text, Overlap& value) {
+  value = overlap_named(text);
+}
+
+// Calls act(name, value) for each column, in the file's order.
+template <class Row, class Act>
+void for_each_column(Row& row, const Act& act) {
+  auto& setup = row.setup;
+  auto& configuration = row.configuration;
+  auto& measured = row.measured;
+  auto& accuracy = measured.accuracy;
+  act("scene", row.scene);
+  act("scene_hash", row.scene_hash);
+  act("backend", setup.backend);
+  act("threads", setup.threads);
+  act("primary_size", setup.size);
+  act("random_rays", setup.random);
+  act("compared_of_each", setup.compared);
+  act("picture_size", setup.picture);
+  act("seed", setup.seed);
+  act("repeat", setup.repeat);
+  act("precision", configuration.precision);
+  act("stop_rule", configuration.stop);
+  act("merge", configuration.merge);
+  act("division", configuration.division);
+  act("overlap", configuration.overlap);
+  act("voxels", measured.voxels);
+  act("grid_bytes", measured.grid_bytes);
+  act("scene_bytes", measured.scene_bytes);
+  act("primary_mrays", measured.primary_mrays);
+  act("random_mrays", measured.random_mrays);
+  act("mrays", measured.mrays);
+  act("picture_ms", measured.picture_ms);
+  act("rays_compared", accuracy.rays);
+  act("missed", accuracy.missed);
+  act("false_hits", accuracy.false_hits);
+  act("wrong_primitives", accuracy.wrong_primitives);
+  act("ties", accuracy.ties);
+  act("worst_t_error", accuracy.worst_t);
+  act("median_t_error", accuracy.median_t);
+  act("picture_rmse", accuracy.rmse);
+  act("picture_largest_error", accuracy.largest);
+}
+
+// Both without a newline.
+std::string header() {
+  std::vector<std::string> cells;
+  TradeoffRow row{};
+  for_each_column(row, [&](const char* name, const auto&) { cells.emplace_back(name); });
+  return fmt::format("{}", fmt::join(cells, ","));
+}
+std::string line_of(const TradeoffRow& row) {
+  std::vector<std::string> cells;
+  for_each_column(row, [&](const char*, const auto& value) { cells.push_back(text_of(value)); });
+  return fmt::format("{}", fmt::join(cells, ","));
+}
+
+// `line` is without its newline. Throws Error(input).
+TradeoffRow row_of(const std::string& line) {
+  TradeoffRow row{};
+  std::size_t at = 0;
+  for_each_column(row, [&](const char* name, auto& value) {
+    if (at > line.size()) throw Error(ErrorCode::input, name, "is missing");
+    const std::size_t end = std::min(line.find(',', at), line.size());
+    read(line.substr(at, end - at), value);
+    at = end + 1;
+  });
+  if (at <= line.size()) throw Error(ErrorCode::input, "line", "goes on after its last column");
+  return row;
+}
+
+std::string content_of(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::exists(path, failed)) return {};
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file.good()) throw Error(ErrorCode::input, path, "can't be read");
+  return text;
+}
+
+[[noreturn]] void fail(const std::string& path, const char* doing) {
+  throw Error(ErrorCode::output, path, fmt::format("{}: {}", doing, std::strerror(errno)));
+}
+
+} // namespace
+
+std::vector<TradeoffRow> read_tradeoff_csv(const std::string& path) {
+  const std::string text = content_of(path), first_line = header() + "\n";
+  if (first_line.starts_with(text)) return {}; // an empty file, or part of the header
+  if (!text.starts_with(first_line))
+    throw Error(ErrorCode::input, path + ":1",
+                "isn't the header of a file by gridbench tradeoff: choose another folder with -o, or "
+                "move the file away");
+  std::vector<TradeoffRow> rows;
+  std::size_t number = 2;
+  for (std::size_t at = first_line.size(), end = 0; (end = text.find('\n', at)) != std::string::npos;
+       at = end + 1) {
+    try {
+      rows.push_back(row_of(text.substr(at, end - at)));
+    } catch (const Error& error) {
+      throw Error(ErrorCode::input, fmt::format("{}:{}", path, number),
+                  fmt::format("is damaged: '{}' {}: remove the line, or move the file away", error.place(),
+                              error.message()));
+    }
+    ++number;
+  }
+  return rows;
+}
+
+TradeoffCsv::TradeoffCsv(std::string path) : path_(std::move(path)), file_(std::fopen(path_.c_str(), "abe")) {
+  if (file_ == nullptr) fail(path_, "can't be opened for writing");
+  if (flock(fileno(file_.get()), LOCK_EX | LOCK_NB) != 0)
+    throw Error(ErrorCode::output, path_,
+                "is being written by another run: wait for it, or choose another folder");
+  const std::string text = content_of(path_);
+  const std::size_t whole = text.rfind('\n') + 1; // 0: no complete line
+  std::error_code failed;
+  if (whole < text.size()) std::filesystem::resize_file(path_, whole, failed);
+  if (failed) throw Error(ErrorCode::output, path_, "can't be shortened to whole lines: " + failed.message());
+  if (whole == 0) write(header() + "\n");
+}
+
+void TradeoffCsv::add(const TradeoffRow& row) {
+  write(line_of(row) + "\n");
+}
+
+void TradeoffCsv::write(const std::string& line) {
+  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size() || std::fflush(file_.get()) != 0)
+    fail(path_, "can't be written");
+}
+
+void write_charts_csv(const std::string& path, const std::vector<std::vector<TradeoffRow>>& groups) {
+  std::string text = header() + ",hits_front,picture_front\n";
+  for (const std::vector<TradeoffRow>& rows : groups) {
+    const auto hits = front_of(rows, merit_of_hits), picture = front_of(rows, merit_of_picture);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      text += fmt::format("{},{},{}\n", line_of(rows[i]), std::count(hits.begin(), hits.end(), i),
+                          std::count(picture.begin(), picture.end(), i));
+  }
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+} // namespace masu

@@ -1,0 +1,35 @@
+// Measures one configuration: its speed, and the errors of its hits and picture compared with brute force in
+// double.
+#pragma once
+
+#include "tools/bench/tradeoff/tradeoff.h"
+
+#include <optional>
+
+namespace masu {
+
+// The rays and the picture that every configuration of a scene traces, and the reference results.
+struct TradeoffTask {
+  TradeoffTask(const SceneFile& scene_, const TradeoffSetup& setup_);
+
+  const SceneFile& scene;
+  const TradeoffSetup& setup;
+  std::vector<Ray<double>> primary, random;
+  Camera picture;
+
+  // Results of brute force in double, computed (slowly) by the first call.
+  struct Reference {
+    std::vector<Ray<double>> rays; // evenly spaced in both sets
+    std::vector<HitRecord> hits;   // by primitive
+    HostArray<Vec3f> radiance;
+  };
+  const Reference& reference();
+
+private:
+  std::optional<Reference> reference_;
+};
+
+// The grid is of the task's scene. Throws Error(device).
+Measurement measure(TradeoffTask& task, const GridFile& grid, const Configuration& configuration);
+
+} // namespace masu

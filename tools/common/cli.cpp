@@ -1,0 +1,157 @@
+// Compiled once for all tools, since compiling CLI11 takes longer than most of them.
+#include "tools/common/cli.h"
+
+#include "libscene/base/processor.h"
+#include "libscene/file/output_file.h"
+#include "libscene/file/same_file.h"
+#include "libscene/file/temporary_name.h"
+#include "tools/common/printable.h"
+#include "tools/common/version.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <exception>
+#include <new>
+#include <string_view>
+
+namespace masu {
+void flush_standard_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw Error(ErrorCode::output, "standard output", "can't be written");
+}
+
+void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  std::vector<std::string> written{"/dev/stdout"}; // results and reports
+  if (std::ranges::count_if(outputs, is_standard_output) > 1)
+    throw Error(ErrorCode::usage, "-", "would be written twice: name a file for one of them");
+  for (const std::string& output : outputs) {
+    if (output.empty() || is_standard_output(output)) continue;
+    for (const std::string& other : written) {
+      if (is_same_file(output, other))
+        throw Error(ErrorCode::usage, output, "would be written twice: give each output a name of its own");
+    }
+    written.push_back(output);
+  }
+  for (const std::string& input : inputs) {
+    for (const std::string& output : written) {
+      if (!input.empty() && is_same_file(input == "-" ? "/dev/stdin" : input, output))
+        throw Error(ErrorCode::usage, output,
+                    fmt::format("is the input {} itself: give the output another name", input));
+    }
+  }
+}
+
+namespace {
+
+constexpr const char* no_memory = "memory: there isn't enough: choose a smaller scene or a coarser grid";
+
+// Destructors of libraries (nlohmann's JSON, TBB) allocate memory, and end the process where there is none.
+void end_without_memory() {
+  try {
+    // There is none where not even that for an exception could be had.
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+  } catch (...) {
+    std::abort();
+  }
+  static_cast<void>(std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, no_memory));
+  remove_temporary_names();
+  _exit(static_cast<int>(ErrorCode::input));
+}
+
+// A folder is what can't be read or written, not even by a name of the descriptor (/dev/stdin), which opens
+// it anew.
+void open_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) { // each is the lowest that is free
+    if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+    if (stream == STDERR_FILENO && open("/dev/null", O_WRONLY) >= 0) continue;
+    static_cast<void>(open("/", O_PATH));
+  }
+}
+
+// An empty value would often be taken for none, and that option ignored; --option= even takes the next
+// argument for its value.
+void refuse_empty_values(const std::string& name, int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    const bool ends = argument.starts_with("--") && argument.find('=') == argument.size() - 1;
+    if (!argument.empty() && !ends) continue;
+    throw Error(ErrorCode::usage, "command line",
+                fmt::format("the value {} {} is empty: give one, or leave it out: see {} --help",
+                            ends ? "of" : "after", ends || i > 1 ? argv[ends ? i : i - 1] : name, name));
+  }
+}
+
+} // namespace
+
+void prepare_process() {
+  open_closed_streams();
+  std::set_terminate(end_without_memory);
+}
+
+int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
+             const Printing& prints) {
+  // Where no memory is left for the line, it says that.
+  const auto report = [&](ErrorCode code, std::string_view line) {
+    std::string text;
+    try {
+      text = printable(line);
+    } catch (const std::bad_alloc&) {
+    }
+    if (prints.error())
+      static_cast<void>(std::fprintf(stderr, "%s: %s\n", name, text.empty() ? no_memory : text.c_str()));
+    return static_cast<int>(code);
+  };
+  // A closed pipe and a file-size limit are write errors like any other.
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+  remove_temporary_names_on_signals();
+  prepare_process();
+  try {
+    check_processor();
+    CLI::App app(description, name);
+    app.set_version_flag("--version", fmt::format("{}, {}", name, program_name()));
+    try {
+      body(app, [&] {
+        refuse_empty_values(name, argc, argv);
+        app.parse(argc, argv);
+      });
+    } catch (const CLI::Success& success) { // --help, --version
+      if (prints.help()) app.exit(success);
+    } catch (const CLI::ParseError& error) {
+      std::string command = name; // with the subcommand whose help lists the options
+      for (const CLI::App* const subcommand : app.get_subcommands())
+        command += " " + subcommand->get_name();
+      return report(ErrorCode::usage, fmt::format("command line: {}: see {} --help", error.what(), command));
+    }
+    flush_standard_output();
+    return 0;
+  } catch (const Error& error) {
+    return report(error.code(), error.text());
+  } catch (const std::bad_alloc&) {
+    return report(ErrorCode::input, {});
+  } catch (const std::exception& error) {
+    if (std::ferror(stdout) != 0) return report(ErrorCode::output, "standard output: can't be written");
+    return report(ErrorCode::input, error.what());
+  } catch (...) {
+    return report(ErrorCode::input, "an unknown error");
+  }
+}
+
+Camera resized(Camera camera, const std::string& size) {
+  if (size.empty()) return camera;
+  int width = 0, height = 0, end = 0;
+  if (std::sscanf(size.c_str(), "%dx%d%n", &width, &height, &end) != 2 ||
+      static_cast<std::size_t>(end) != size.size() || width < 1 || height < 1 || width > 65536 ||
+      height > 65536) {
+    throw Error(ErrorCode::usage, "--size", fmt::format("'{}' isn't WxH with 1 to 65536 pixels each", size));
+  }
+  camera.width = width;
+  camera.height = height;
+  return camera;
+}
+
+} // namespace masu

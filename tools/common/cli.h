@@ -1,0 +1,94 @@
+// Shared by all tools: command lines, errors as one line on stderr, exit codes.
+#pragma once
+
+#include "libscene/base/error.h"
+#include "libscene/scene.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <string>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace masu {
+
+// Prints a line on standard error, for which nothing fails: it is lost where it can't be written.
+template <class... Values>
+void print_note(fmt::format_string<Values...> format, Values&&... values) {
+  static_cast<void>(std::fputs(fmt::format(format, std::forward<Values>(values)...).c_str(), stderr));
+}
+
+// Flushes standard output. Throws Error(output) where anything printed could not be written.
+void flush_standard_output();
+
+// Refuses outputs that are an input, or each other, by whatever name. To be called before anything is opened.
+// Empty names are ignored; - is standard input or output (output_file.h). Throws Error(usage, output, …).
+void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
+
+// The first thing that a main does; run_tool() calls it. Standard streams that the process was started
+// without (by >&-, say) are opened, or files would take their descriptors: reading standard input or writing
+// standard output then fails, and what is written to standard error is lost. And from now on a process whose
+// memory doesn't suffice ends with one line and the exit code for that, wherever it is noticed.
+void prepare_process();
+
+// A tool's main: body(app, parse) adds options to the app, calls parse(), and runs the tool. Returns the exit
+// code of libscene/base/error.h; 0 for --help.
+using ToolBody = std::function<void(CLI::App& app, const std::function<void()>& parse)>;
+// Of several processes of a tool, which one prints --help and --version, and which one its error.
+struct Printing {
+  std::function<bool()> help = [] { return true; }, error = [] { return true; };
+};
+int run_tool(const char* name, const char* description, int argc, char** argv, const ToolBody& body,
+             const Printing& prints = {});
+
+// An option whose values have names. The initial `value` is its default, and must be among them.
+template <class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
+                        std::map<std::string, std::type_identity_t<Value>> names, const std::string& help) {
+  std::string all, chosen;
+  for (const auto& [name, named] : names) {
+    all += (all.empty() ? "" : "|") + name;
+    if (named == value) chosen = name;
+  }
+  const auto to_number = [names, all](std::string& text) {
+    const auto found = names.find(text);
+    if (found == names.end()) return fmt::format("'{}' isn't one of {}", text, all);
+    text = std::to_string(static_cast<int>(found->second)); // CLI11 reads enumerations as numbers
+    return std::string();
+  };
+  return app.add_option(option, value, help)
+      ->transform(CLI::Validator(to_number, "", "choice"))
+      ->type_name(all)
+      ->default_str(chosen);
+}
+
+// The camera with the pixels of --size WxH; unchanged where `size` is empty. Throws Error(usage).
+Camera resized(Camera camera, const std::string& size);
+
+// --threads N; 0: all cores.
+class Threads {
+public:
+  void add_to(CLI::App& app) {
+    app.add_option("--threads", threads_, "number of CPU threads; 0: all cores")
+        ->check(CLI::Range(0, 4096))
+        ->capture_default_str();
+  }
+  // The limit is in force while the result lives.
+  tbb::global_control limit(std::size_t cores = std::max(1U, std::thread::hardware_concurrency())) const {
+    return {tbb::global_control::max_allowed_parallelism,
+            threads_ > 0 ? static_cast<std::size_t>(threads_) : cores};
+  }
+
+private:
+  int threads_ = 0;
+};
+
+} // namespace masu

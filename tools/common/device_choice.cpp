@@ -1,0 +1,85 @@
+#include "tools/common/device_choice.h"
+
+#include <charconv>
+#include <numeric>
+
+namespace masu {
+namespace {
+
+constexpr const char* option = "--devices";
+
+// 0,2,…
+std::vector<int> numbers_in(const std::string& text) {
+  std::vector<int> numbers;
+  const char* next = text.data();
+  const char* const end = next + text.size();
+  for (;;) {
+    int number = 0;
+    const auto [stop, error] = std::from_chars(next, end, number);
+    if (error != std::errc() || number < 0 || (stop != end && *stop != ','))
+      throw Error(ErrorCode::usage, option,
+                  fmt::format("'{}' isn't all, cpu or numbers of GPUs such as 0,2", text));
+    numbers.push_back(number);
+    if (stop == end) return numbers;
+    next = stop + 1;
+  }
+}
+
+std::vector<int> numbers_below(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+} // namespace
+
+void DeviceChoice::add_to(CLI::App& app) {
+  add_backend(app, backend);
+  app.add_option(
+      option, devices,
+      "GPUs that share the work: all, or their numbers, such as 0,2; or cpu. Without it the first GPU, "
+      "or what --backend says");
+}
+
+std::vector<int> DeviceChoice::gpus(const char* tool, Ranks& ranks, bool quiet) const {
+  std::vector<int> all = gpus_of_machine(tool, ranks, quiet);
+  if (all.empty() || ranks.count() == 1) return all;
+  const auto rank = static_cast<std::size_t>(ranks.local_rank()),
+             count = static_cast<std::size_t>(ranks.local_count());
+  if (rank >= all.size()) return {all[rank % all.size()]};
+  std::vector<int> mine;
+  for (std::size_t i = rank; i < all.size(); i += count)
+    mine.push_back(all[i]);
+  return mine;
+}
+
+std::vector<int> DeviceChoice::gpus_of_machine(const char* tool, Ranks& ranks, bool quiet) const {
+  if (devices.empty()) {
+    std::uint64_t with_gpu[] = {use_cuda(backend, tool, quiet) ? 1U : 0U};
+    if (ranks.count() == 1) return with_gpu[0] != 0 ? std::vector<int>{0} : std::vector<int>{};
+    ranks.sum(with_gpu);
+    return with_gpu[0] == static_cast<std::uint64_t>(ranks.count()) ? numbers_below(cuda_device_count())
+                                                                    : std::vector<int>{};
+  }
+  const bool on_cpu = devices == "cpu";
+  std::vector<int> named = on_cpu || devices == "all" ? std::vector<int>{} : numbers_in(devices);
+  if (backend != Backend::automatic && on_cpu != (backend == Backend::cpu))
+    throw Error(ErrorCode::usage, option, "contradicts --backend: leave one of them out");
+  if (on_cpu) return {};
+  static_cast<void>(use_cuda(Backend::cuda, tool, quiet));
+  const int count = cuda_device_count();
+  for (const int gpu : named) {
+    if (gpu >= count)
+      throw Error(ErrorCode::device, option,
+                  fmt::format("GPU {} isn't there: the last of {} is {}", gpu, count, count - 1));
+  }
+  if (!named.empty()) return named;
+  return numbers_below(count);
+}
+
+std::string devices_name(const std::vector<int>& gpus) {
+  const std::string one = device_name(!gpus.empty());
+  return gpus.size() > 1 ? fmt::format("{} × {}", gpus.size(), one) : one;
+}
+
+} // namespace masu

@@ -1,0 +1,44 @@
+// Numbers with separators between them, as options and lists of views have them.
+#pragma once
+
+#include "libscene/base/error.h"
+#include "libscene/geometry/vector.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+namespace masu {
+
+// False where the text isn't exactly so many.
+template <class Number, std::size_t count>
+bool read_numbers(std::string_view text, char separator, std::array<Number, count>& numbers) {
+  const char* next = text.data();
+  const char* const end = next + text.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0 && (next == end || *next++ != separator)) return false;
+    const auto [stop, error] = std::from_chars(next, end, numbers[i]);
+    if (error != std::errc()) return false;
+    next = stop;
+  }
+  return next == end;
+}
+
+// With commas. Throws Error(usage, option, …) for what isn't of the form, such as "X,Y".
+template <class Number, std::size_t count>
+std::array<Number, count> parse_numbers(const char* option, const std::string& text, const char* form) {
+  std::array<Number, count> numbers{};
+  if (!read_numbers(text, ',', numbers))
+    throw Error(ErrorCode::usage, option, fmt::format("'{}' isn't {}", text, form));
+  return numbers;
+}
+
+inline Vec3d parse_vector(const char* option, const std::string& text) {
+  const auto v = parse_numbers<double, 3>(option, text, "X,Y,Z");
+  return {v[0], v[1], v[2]};
+}
+
+} // namespace masu

@@ -1,0 +1,70 @@
+#include "tools/lists/npy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace masu {
+namespace {
+
+// What follows 'key': in the dictionary, without blanks before it.
+std::optional<std::string> value_of(const std::string& dictionary, const std::string& key) {
+  const std::size_t found = dictionary.find("'" + key + "'");
+  if (found == std::string::npos) return {};
+  const std::size_t colon = dictionary.find(':', found + key.size() + 2);
+  if (colon == std::string::npos) return {};
+  const std::size_t begin = dictionary.find_first_not_of(" \t", colon + 1);
+  if (begin == std::string::npos) return {};
+  return dictionary.substr(begin);
+}
+
+std::string header_of(std::string dictionary) {
+  constexpr std::size_t preamble = 10, alignment = 64;
+  const std::size_t unpadded = preamble + dictionary.size() + 1;
+  dictionary.append((alignment - unpadded % alignment) % alignment, ' ');
+  dictionary += '\n';
+  std::string header(npy_magic);
+  header += '\x01';
+  header += '\x00';
+  header += static_cast<char>(dictionary.size() & 0xff);
+  header += static_cast<char>(dictionary.size() >> 8 & 0xff);
+  return header + dictionary;
+}
+
+} // namespace
+
+std::optional<NpyArray> parsed_npy_header(const std::string& dictionary) {
+  const auto type = value_of(dictionary, "descr"), fortran = value_of(dictionary, "fortran_order"),
+             shape = value_of(dictionary, "shape");
+  if (!type || !fortran || !shape || !fortran->starts_with("False") || !type->starts_with('\'') ||
+      !shape->starts_with('('))
+    return {};
+  NpyArray array;
+  array.type = type->substr(1, type->find('\'', 1) - 1);
+  for (const char* at = shape->data() + 1;;) {
+    const char* const end = shape->data() + shape->size();
+    at = std::find_if(at, end, [](char c) { return c != ' ' && c != ','; });
+    if (at == end) return {};
+    if (*at == ')') return array;
+    std::uint64_t length = 0;
+    const auto [after, error] = std::from_chars(at, end, length);
+    if (error != std::errc()) return {};
+    array.shape.push_back(length);
+    at = after;
+  }
+}
+
+std::string npy_header(const std::string& type, std::uint64_t count) {
+  // Blanks stand where a larger count would have digits.
+  return header_of(fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({:<20},), }}", type, count));
+}
+
+std::string npy_header(const std::string& type, const std::vector<std::uint64_t>& shape) {
+  std::string sizes;
+  for (const std::uint64_t size : shape)
+    sizes += fmt::format("{}, ", size);
+  return header_of(fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, sizes));
+}
+
+} // namespace masu

@@ -1,0 +1,38 @@
+// Lists of rays from files and pipes: read, traced and written at the same time, however long they are.
+#pragma once
+
+#include "renderer/tracer.h"
+#include "tools/lists/hit_file.h"
+#include "tools/report/tracing_report.h"
+
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// What is written for a ray, one field after the other: t (float), object, primitive and face (int32, -1 for
+// a miss), uv (2 floats), normal (3 floats), occluded (1 byte).
+enum class HitField { t, object, primitive, face, uv, normal, occluded };
+
+// Of a list such as "t,object". Throws Error(usage, --write, …).
+std::vector<HitField> hit_fields(const std::string& names);
+// How they are written.
+std::vector<RecordField> record_fields(const std::vector<HitField>& fields);
+
+struct RayListJob {
+  std::string rays;   // a file, or - for standard input (ray_file.h)
+  std::string hits;   // a file, or - for standard output; empty: nothing is written (hit_file.h)
+  RayFormat format{}; // of what is numbers alone
+  std::vector<HitField> fields{};
+  RaysRequest request{};
+  std::string description{}; // of the scene and of the options that hits depend on
+  int repeat = 1;            // of the tracing, whose seconds are the medians' sum
+};
+
+// Collective (tools/jobs/ranks.h). `progress` gets the share of the list whose hits are written, where it is
+// a file. Throws what RayFile throws, Error(usage) where ranks share a list that isn't a file, Error(output),
+// and what Tracer::trace() throws.
+TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
+                             const std::function<void(double)>& progress);
+
+} // namespace masu

@@ -1,0 +1,152 @@
+#include "tools/render/channel_files.h"
+
+#include "libscene/base/error.h"
+#include "libscene/base/stopwatch.h"
+#include "libscene/file/output_file.h"
+#include "tools/draw/value_picture.h"
+#include "tools/lists/npy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <sstream>
+#include <type_traits>
+
+namespace masu {
+namespace {
+
+// Calls act(values, NumPy's type, numbers a value).
+template <class Act>
+void with_values(const Channels& channels, Channel channel, const Act& act) {
+  switch (channel) {
+  case Channel::depth:
+    return act(std::span(channels.depth), "<f4", 1);
+  case Channel::normal:
+    return act(std::span(channels.normal), "<f4", 3);
+  case Channel::object:
+    return act(std::span(channels.object), "<i4", 1);
+  case Channel::primitive:
+    return act(std::span(channels.primitive), "<i4", 1);
+  case Channel::cells:
+    return act(std::span(channels.cells), "<u4", 1);
+  case Channel::tests:
+    return act(std::span(channels.tests), "<u4", 1);
+  }
+}
+
+void write_npy(const Channels& channels, Channel channel, const std::string& path) {
+  OutputFile file(path);
+  with_values(channels, channel, [&](const auto& values, const char* type, int numbers) {
+    std::vector<std::uint64_t> shape{static_cast<std::uint64_t>(channels.rows),
+                                     static_cast<std::uint64_t>(channels.columns)};
+    if (numbers > 1) shape.push_back(static_cast<std::uint64_t>(numbers));
+    const std::string header = npy_header(type, shape);
+    file.write(header.data(), header.size());
+    file.write(values.data(), values.size_bytes());
+  });
+  file.commit();
+}
+
+void write_pfm(const Channels& channels, Channel channel, const std::string& path) {
+  OutputFile file(path);
+  with_values(channels, channel, [&](const auto& values, const char*, int numbers) {
+    using Value = std::decay_t<decltype(values[0])>;
+    const std::string header = // -1: little-endian
+        fmt::format("{}\n{} {}\n-1.0\n", numbers == 3 ? "PF" : "Pf", channels.columns, channels.rows);
+    file.write(header.data(), header.size());
+    const auto columns = static_cast<std::size_t>(channels.columns);
+    std::vector<float> rounded(columns);
+    for (std::int32_t row = channels.rows; row-- > 0;) { // from the bottom up
+      const auto line = values.subspan(static_cast<std::size_t>(row) * columns, columns);
+      if constexpr (std::is_arithmetic_v<Value>) {
+        std::ranges::transform(line, rounded.begin(), [](Value v) { return static_cast<float>(v); });
+        file.write(rounded.data(), rounded.size() * sizeof(float));
+      } else {
+        file.write(line.data(), line.size_bytes());
+      }
+    }
+  });
+  file.commit();
+}
+
+Picture picture_of(const Channels& channels, Channel channel, bool all_rays) {
+  const std::string cost = all_rays ? "the camera ray and all rays that it spawns" : "the camera ray";
+  const auto map = [&]<class T, class Memory>(const std::vector<T, Memory>& values) {
+    return ValueMap<T>{channels.columns, channels.rows, values};
+  };
+  const auto value_map = [&](const auto& values, const Caption& caption) {
+    const std::vector<double> numbers(values.begin(), values.end());
+    return value_picture(map(numbers), caption);
+  };
+  const char* const without = "nothing is hit";
+  switch (channel) {
+  case Channel::depth:
+    return value_map(channels.depth, {"depth: distance to the nearest hit", "scene units", without});
+  case Channel::normal:
+    return normal_picture(map(channels.normal), {"normal: of the front of the surface hit", "", without});
+  case Channel::object:
+    return name_picture(map(channels.object), {"object: which object is hit", "objects", without});
+  case Channel::primitive:
+    return name_picture(map(channels.primitive),
+                        {"primitive: which primitive is hit", "primitives", without});
+  case Channel::cells:
+    return value_map(channels.cells,
+                     {"cells: grid cells visited by " + cost, "cells", "", Caption::Values::counts});
+  case Channel::tests:
+    return value_map(channels.tests,
+                     {"tests: primitives tested for " + cost, "tests", "", Caption::Values::counts});
+  }
+  return {1, 1};
+}
+
+} // namespace
+
+std::vector<Channel> parse_channels(const std::string& names) {
+  std::vector<Channel> channels;
+  std::istringstream list(names);
+  list.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
+  const auto fail = [](const std::string& why) { throw Error(ErrorCode::usage, "--channels", why); };
+  for (std::string name; std::getline(list, name, ',');) {
+    const auto* const found =
+        std::ranges::find_if(all_channels, [&](Channel channel) { return name == name_of(channel); });
+    if (found == std::end(all_channels))
+      fail(fmt::format("'{}' isn't one of depth, normal, object, primitive, cells, tests", name));
+    if (std::ranges::count(channels, *found) > 0) fail(fmt::format("'{}' is there twice", name));
+    channels.push_back(*found);
+  }
+  if (channels.empty() || names.ends_with(',')) fail(fmt::format("'{}' isn't a list of channels", names));
+  return channels;
+}
+
+ChannelFiles channel_files(const std::string& picture, Channel channel, ChannelFormat format) {
+  const bool has_ending = picture.ends_with(".png") || picture.ends_with(".pfm");
+  const std::string base =
+      (has_ending ? picture.substr(0, picture.size() - 4) : picture) + '.' + name_of(channel);
+  return {base + (format == ChannelFormat::npy ? ".npy" : ".pfm"), base + ".png"};
+}
+
+ChannelsSummary write_channels(const Tracer& tracer, const ChannelsJob& job,
+                               const std::function<void(double)>& progress) {
+  const Stopwatch watch;
+  ChannelsSummary summary;
+  const auto views = static_cast<double>(job.views.size());
+  for (std::size_t i = 0; i < job.views.size(); ++i) {
+    ChannelsRequest request = job.request;
+    request.frame.camera = job.views[i].camera;
+    request.frame.progress = [&](double share) { progress((static_cast<double>(i) + share) / views); };
+    const Channels channels = trace_channels(tracer, request);
+    summary.rays += static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
+    for (const Channel channel : request.channels) {
+      const ChannelFiles files = channel_files(job.pictures[i], channel, job.format);
+      job.format == ChannelFormat::npy ? write_npy(channels, channel, files.values)
+                                       : write_pfm(channels, channel, files.values);
+      const Picture picture = picture_of(channels, channel, request.all_rays);
+      write_png(picture.rgb, picture.width, picture.height, files.picture, job.texts);
+    }
+  }
+  summary.seconds = watch.seconds();
+  return summary;
+}
+
+} // namespace masu

@@ -1,0 +1,45 @@
+// Channels of views as files: the values, and pictures of them.
+#pragma once
+
+#include "renderer/channels.h"
+#include "renderer/image/png_file.h"
+#include "tools/render/views.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+enum class ChannelFormat { pfm, npy };
+
+// Of a list such as "depth,cells". Throws Error(usage, --channels, …).
+std::vector<Channel> parse_channels(const std::string& names);
+
+// The files of a channel beside a picture: of p.png and depth, p.depth.pfm or p.depth.npy, and p.depth.png.
+struct ChannelFiles {
+  std::string values, picture;
+};
+ChannelFiles channel_files(const std::string& picture, Channel channel, ChannelFormat format);
+
+struct ChannelsJob {
+  ChannelsRequest request{}; // of every view but for the camera
+  std::vector<View> views{};
+  std::vector<std::string> pictures{}; // names, a view each: channel_files() says what is written
+  ChannelFormat format = ChannelFormat::pfm;
+  PngTexts texts{};
+};
+
+struct ChannelsSummary {
+  std::uint64_t rays = 0; // camera rays
+  double seconds = 0;     // of tracing and writing
+};
+
+// Traces and writes one view after the other. PFM: float32, one channel, of normals three; .npy: shape (rows,
+// columns), of normals (rows, columns, 3), float32 for depth and normals, int32 for objects and primitives,
+// uint32 for cells and tests. `progress` gets the finished share. Throws as trace_channels() does, and
+// Error(output).
+ChannelsSummary write_channels(const Tracer& tracer, const ChannelsJob& job,
+                               const std::function<void(double)>& progress);
+
+} // namespace masu

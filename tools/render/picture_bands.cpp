@@ -1,0 +1,97 @@
+#include "tools/render/picture_bands.h"
+
+#include "libscene/base/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace masu {
+namespace {
+
+constexpr std::int32_t rows_wanted =
+    128; // so that rows of rays that two bands trace are less than one in a hundred
+
+struct PngPartHead {
+  std::int32_t rows;
+  std::uint32_t adler;
+};
+
+} // namespace
+
+PictureBands::PictureBands(const RayWindow& rays, Sampling sampling)
+    : rays_(rays), sampling_(sampling), more_(sampling == Sampling::corners ? 1 : 0),
+      height_(rays.rows - more_) {
+  const std::int32_t png_rows = png_band_rows(width());
+  band_rows_ = (rows_wanted + png_rows - 1) / png_rows * png_rows;
+}
+
+RayWindow PictureBands::rays(std::size_t band) const {
+  return {rays_.first_column, rays_.first_row + first_row(band), rays_.columns, rows(band) + more_};
+}
+
+std::uint64_t PictureBands::rays_counted(std::size_t band) const {
+  const std::int32_t counted = rows(band) + (is_last(band) ? more_ : 0);
+  return static_cast<std::uint64_t>(counted) * static_cast<std::uint64_t>(rays_.columns);
+}
+
+std::size_t PictureBands::largest_band_rays() const {
+  return static_cast<std::size_t>(rays_.columns) * static_cast<std::size_t>(rows(0) + more_);
+}
+
+std::vector<std::uint8_t> PictureBands::hits(std::size_t band, const Frame& frame) const {
+  const auto* const first = reinterpret_cast<const std::uint8_t*>(frame.hits.data());
+  return {first, first + rays_counted(band) * sizeof(HitRecord)};
+}
+
+std::uint64_t PictureBands::first_hit(std::size_t band) const {
+  return static_cast<std::uint64_t>(first_row(band)) * static_cast<std::uint64_t>(rays_.columns);
+}
+
+std::uint64_t PictureBands::picture_offset(std::size_t band, ImageFormat format) const {
+  if (format == ImageFormat::pfm) {
+    if (is_last(band)) return 0; // the bottom, which the file begins with
+    const auto below = static_cast<std::uint64_t>(height_ - first_row(band) - rows(band));
+    return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
+  }
+  // Compression enlarges nothing by more than that.
+  const std::uint64_t row_bytes = 3 * static_cast<std::uint64_t>(width()) + 1,
+                      band_bytes = row_bytes * static_cast<std::uint64_t>(band_rows_);
+  return band * (band_bytes + band_bytes / 64 + (std::uint64_t{1} << 16));
+}
+
+FilePart PictureBands::picture(std::size_t band, const Frame& frame, const ImageOptions& options) const {
+  FilePart part{picture_offset(band, options.format), {}};
+  if (options.format == ImageFormat::pfm) {
+    part.bytes = pfm_rows(frame, sampling_);
+    const std::string head = is_last(band) ? pfm_head(width(), height_) : "";
+    part.bytes.insert(part.bytes.begin(), head.begin(), head.end());
+    return part;
+  }
+  const PngRows encoded = encoded_rows(rgb_rows(frame, sampling_, options.srgb), width(), is_last(band));
+  const PngPartHead head{encoded.rows, encoded.adler};
+  part.bytes.resize(sizeof head);
+  std::memcpy(part.bytes.data(), &head, sizeof head);
+  part.bytes.insert(part.bytes.end(), encoded.chunks.begin(), encoded.chunks.end());
+  return part;
+}
+
+std::uint64_t PictureBands::hit_count() const {
+  return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows);
+}
+
+std::uint64_t PictureBands::pfm_bytes() const {
+  return pfm_head(width(), height_).size() +
+         static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_) * sizeof(Vec3f);
+}
+
+PngRows png_rows(std::span<const std::uint8_t> part) {
+  PngPartHead head{};
+  if (part.size() < sizeof head)
+    throw Error(ErrorCode::output, "PNG", "a band of it was changed while it was written: run again");
+  std::memcpy(&head, part.data(), sizeof head);
+  return {head.rows, head.adler, {part.begin() + sizeof head, part.end()}};
+}
+
+} // namespace masu

@@ -1,0 +1,50 @@
+// A picture in bands of rows: what is traced at a time, and where it lies in the picture's files.
+#pragma once
+
+#include "renderer/image/image.h"
+#include "tools/jobs/placed_file.h"
+
+namespace masu {
+
+// Bands depend on the size of the picture (or of its part) alone, so files do, too.
+class PictureBands {
+public:
+  // rays: the picture's or a part's.
+  PictureBands(const RayWindow& rays, Sampling sampling);
+
+  std::size_t count() const { return static_cast<std::size_t>((height_ + band_rows_ - 1) / band_rows_); }
+  std::int32_t width() const { return rays_.columns - more_; } // pixels
+  std::int32_t height() const { return height_; }
+
+  // The rays of a band. With Sampling::corners the last row of rays of each band but the last is the next
+  // one's first, which traces it again: the band that doesn't end the picture neither counts nor writes it.
+  RayWindow rays(std::size_t band) const;
+  bool is_last(std::size_t band) const { return band + 1 == count(); }
+  std::uint64_t rays_counted(std::size_t band) const;
+  std::size_t largest_band_rays() const;
+
+  // Of a band's frame: 8-byte records of the hits, and the picture's rows. A PFM file's rows are where they
+  // belong in the file, with its head. A PNG file's have no place before those above them are known: their
+  // offset is that of a slot (partial_file.h) with room for any of them, and png_rows() reads them.
+  std::vector<std::uint8_t> hits(std::size_t band, const Frame& frame) const;
+  std::uint64_t first_hit(std::size_t band) const; // its index in the picture
+  FilePart picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
+  std::uint64_t picture_offset(std::size_t band, ImageFormat format) const;
+
+  // Of the whole files.
+  std::uint64_t hit_count() const;
+  std::uint64_t pfm_bytes() const;
+
+private:
+  std::int32_t first_row(std::size_t band) const { return static_cast<std::int32_t>(band) * band_rows_; }
+  std::int32_t rows(std::size_t band) const { return std::min(band_rows_, height_ - first_row(band)); }
+
+  RayWindow rays_;
+  Sampling sampling_;
+  std::int32_t more_, height_, band_rows_; // more_: rows and columns of rays than of pixels
+};
+
+// Of a PNG part.
+PngRows png_rows(std::span<const std::uint8_t> part);
+
+} // namespace masu

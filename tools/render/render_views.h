@@ -1,0 +1,33 @@
+// Renders many views of a scene, and large ones in bands: some are traced while others are encoded and
+// written.
+#pragma once
+
+#include "renderer/image/image.h"
+#include "renderer/tracer.h"
+#include "tools/render/view_output.h"
+#include "tools/render/views.h"
+#include "tools/report/tracing_report.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+struct ViewsRequest {
+  FrameRequest frame{}; // of every view but for the camera
+  std::vector<View> views{};
+  std::vector<ViewFiles> files{};        // a view each
+  ImageOptions image{};                  // texts: the same for all views, and then each view's own
+  std::vector<RecordField> hit_fields{}; // of HitRecord
+  std::string description{};             // of the scene and of the options that the files depend on
+  int repeat = 1;                        // trace each view so often; seconds are medians
+};
+
+// Collective (tools/jobs/ranks.h). Files are the same bytes for any number of ranks, devices and threads.
+// `progress` gets the finished share, from any thread. When it throws (Error of the tracer and of output
+// files), files of some views have been written, each whole.
+TracingReport render_views(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+                           const std::function<void(double)>& progress);
+
+} // namespace masu

@@ -1,0 +1,224 @@
+#include "tools/render/views.h"
+
+#include "libscene/base/error.h"
+#include "libscene/file/input_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::int32_t largest_side = 65536; // pixels
+
+[[noreturn]] void fail(ErrorCode code, const std::string& place, const std::string& message) {
+  throw Error(code, place, message);
+}
+
+// --- A line of a list -------------------------------------------------------------------------------------
+
+struct Line {
+  std::string place; // path:line
+  Json json;
+
+  [[noreturn]] void fail(const std::string& message) const { throw Error(ErrorCode::input, place, message); }
+
+  std::optional<double> number(const char* key) const {
+    if (!json.contains(key)) return {};
+    if (!json[key].is_number()) fail(fmt::format("{} isn't a number", key));
+    return json[key].get<double>();
+  }
+
+  std::optional<Vec3d> vector(const char* key) const {
+    if (!json.contains(key)) return {};
+    const Json& value = json[key];
+    if (!value.is_array() || value.size() != 3 || !std::ranges::all_of(value, &Json::is_number))
+      fail(fmt::format("{} isn't [x, y, z]", key));
+    return Vec3d{value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+  }
+
+  std::optional<Vec3i> size() const {
+    if (!json.contains("size")) return {};
+    const Json& value = json["size"];
+    const auto is_side = [](const Json& side) {
+      return side.is_number_integer() && side >= 1 && side <= largest_side;
+    };
+    if (!value.is_array() || value.size() != 2 || !std::ranges::all_of(value, is_side))
+      fail(fmt::format("size isn't [width, height] with 1 to {} pixels each", largest_side));
+    return Vec3i{value[0].get<std::int32_t>(), value[1].get<std::int32_t>(), 0};
+  }
+
+  std::optional<std::string> name() const {
+    if (!json.contains("name")) return {};
+    if (!json["name"].is_string()) fail("name isn't a string");
+    auto name = json["name"].get<std::string>();
+    if (name.empty()) fail("name is empty: leave it out, or give a part of a file name");
+    if (name == "." || name == "..")
+      fail(fmt::format("name '{}' is a folder: give a part of a file name", name));
+    const auto is_unsafe = [](char c) {
+      return c == '/' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    };
+    if (std::ranges::any_of(name, is_unsafe))
+      fail("name has a / or a control character: give a part of a file name");
+    return name;
+  }
+};
+
+Line parsed(const std::string& text, std::string place) {
+  Line line{std::move(place), Json::parse(text, nullptr, false)};
+  if (!line.json.is_object()) line.fail("isn't a JSON object: give {\"from\": [x, y, z], …} in one line");
+  constexpr std::array known{"name", "from", "at", "up", "angle", "size"};
+  for (const auto& [key, value] : line.json.items()) {
+    if (std::ranges::find(known, key) == known.end())
+      line.fail(fmt::format("'{}' isn't one of {}", key, fmt::join(known, ", ")));
+  }
+  return line;
+}
+
+} // namespace
+
+Camera changed(Camera camera, const CameraChange& change) {
+  camera.from = change.from.value_or(camera.from);
+  camera.at = change.at.value_or(camera.at);
+  camera.up = change.up.value_or(camera.up);
+  camera.angle = change.angle.value_or(camera.angle);
+  if (change.size) {
+    camera.width = change.size->x;
+    camera.height = change.size->y;
+  }
+  return camera;
+}
+
+std::optional<CameraFault> fault_of(const Camera& camera, const Boxd& places) {
+  constexpr double shortest = 1e-100, nearly_parallel = 1e-12;
+  constexpr Boxd finite{{-1e100, -1e100, -1e100}, {1e100, 1e100, 1e100}};
+  for (const auto& [part, v, within] :
+       {std::tuple("from", camera.from, places), {"at", camera.at, places}, {"up", camera.up, finite}}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(v[axis] >= within.min[axis] && v[axis] <= within.max[axis])) // not NaN either
+        return CameraFault{part, fmt::format("has a coordinate that isn't from {:g} to {:g}",
+                                             within.min[axis], within.max[axis])};
+    }
+  }
+  if (!(camera.angle > 0 && camera.angle < 180))
+    return CameraFault{"angle",
+                       fmt::format("is {}: give more than 0 and less than 180 degrees", camera.angle)};
+  const Vec3d sight = camera.at - camera.from;
+  if (!(largest_magnitude(sight) > shortest)) return CameraFault{"at", "is the point that the view is from"};
+  if (!(largest_magnitude(camera.up) > shortest)) return CameraFault{"up", "has no length"};
+  if (!(largest_magnitude(cross(normalized(sight), normalized(camera.up))) > nearly_parallel))
+    return CameraFault{"up", "is parallel to the line of sight: turn it"};
+  return {};
+}
+
+Boxd camera_places(const SceneFile& scene) {
+  const double reach = scene.is_float64() ? 1e100 : max_float32_reach; // as of scene files
+  const Vec3d& o = scene.origin();
+  return {{o.x - reach, o.y - reach, o.z - reach}, {o.x + reach, o.y + reach, o.z + reach}};
+}
+
+Crop parse_crop(const char* option, const std::string& text) {
+  std::array<std::int32_t, 4> c{};
+  if (!read_numbers(text, ',', c) || c[0] < 0 || c[1] < 0 || c[2] < 1 || c[3] < 1)
+    fail(ErrorCode::usage, option, fmt::format("'{}' isn't X,Y,W,H with at least one pixel", text));
+  return {c[0], c[1], c[2], c[3]};
+}
+
+RayWindow window_of(const Crop& crop, const Camera& camera, Sampling sampling, const char* option) {
+  if (crop.x >= camera.width || crop.y >= camera.height || crop.width > camera.width - crop.x ||
+      crop.height > camera.height - crop.y)
+    fail(ErrorCode::usage, option,
+         fmt::format("{},{},{},{} isn't within a picture of {}x{}", crop.x, crop.y, crop.width, crop.height,
+                     camera.width, camera.height));
+  const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
+  return {crop.x, crop.y, crop.width + more, crop.height + more};
+}
+
+std::vector<View> read_views(const std::string& path, const Camera& base, const Boxd& places) {
+  return parse_views(read_text_input(path), path == "-" ? "stdin" : path, base, places);
+}
+
+std::vector<View> parse_views(const std::string& text, const std::string& name, const Camera& base,
+                              const Boxd& places) {
+  std::istringstream in(text);
+  in.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
+  std::vector<View> views;
+  std::vector<std::string> lines;
+  std::string content;
+  for (std::size_t number = 1; std::getline(in, content); ++number) {
+    if (content.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const Line line = parsed(content, fmt::format("{}:{}", name, number));
+    const Camera camera = changed(
+        base, {line.vector("from"), line.vector("at"), line.vector("up"), line.number("angle"), line.size()});
+    if (const auto fault = fault_of(camera, places))
+      line.fail(fmt::format("{} {}", fault->part, fault->what));
+    views.push_back({line.name().value_or(""), camera});
+    lines.push_back(line.place);
+  }
+  if (views.empty()) fail(ErrorCode::input, name, "has no view: give a JSON object a line");
+  std::unordered_map<std::string, std::size_t> known; // names
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (views[i].name.empty()) views[i].name = index_name(i, views.size());
+    const auto [first, is_new] = known.emplace(views[i].name, i);
+    if (!is_new)
+      fail(ErrorCode::input, lines[i],
+           fmt::format("name '{}' is that of {}: give each view a name of its own", views[i].name,
+                       lines[first->second]));
+  }
+  return views;
+}
+
+std::vector<View> turntable(const Camera& camera, int count) {
+  const Vec3d axis = normalized(camera.up);
+  const Vec3d arm = camera.from - camera.at;
+  const Vec3d along = axis * dot(axis, arm);
+  std::vector<View> views;
+  for (int i = 0; i < count; ++i) {
+    View view{index_name(static_cast<std::size_t>(i), static_cast<std::size_t>(count)), camera};
+    const double turn = 2 * std::numbers::pi * i / count;
+    if (i > 0)
+      view.camera.from =
+          camera.at + along + (arm - along) * std::cos(turn) + cross(axis, arm) * std::sin(turn);
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+std::string index_name(std::size_t index, std::size_t count) {
+  return fmt::format("{:0{}}", index, fmt::formatted_size("{}", std::max<std::size_t>(count, 1) - 1));
+}
+
+std::vector<std::string> file_names(const std::string& pattern, const std::vector<View>& views) {
+  if (pattern.empty()) return std::vector<std::string>(views.size());
+  std::vector<std::string> names;
+  std::unordered_set<std::string> known;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    std::string name = pattern;
+    const auto replace = [&](std::string_view placeholder, const std::string& by) {
+      for (std::size_t at = 0; (at = name.find(placeholder, at)) != std::string::npos; at += by.size())
+        name.replace(at, placeholder.size(), by);
+    };
+    // The name last: it may itself contain what looks like a placeholder.
+    replace("{index}", index_name(i, views.size()));
+    replace("{name}", views[i].name);
+    if (!known.insert(name).second)
+      fail(ErrorCode::usage, pattern,
+           fmt::format("would be written by each of {} views: put {{index}} or {{name}} into it",
+                       views.size()));
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+} // namespace masu

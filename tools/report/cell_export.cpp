@@ -1,0 +1,144 @@
+#include "tools/report/cell_export.h"
+
+#include "libscene/base/error.h"
+#include "libscene/file/output_file.h"
+#include "tools/common/version.h"
+#include "tools/draw/color_map.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+
+namespace masu {
+namespace {
+
+static_assert(std::endian::native == std::endian::little);
+
+constexpr std::uint64_t corners_a_cell = 8, faces_a_cell = 6, edges_a_cell = 12;
+constexpr std::uint64_t most_ply_cells = 0x7fffffff / corners_a_cell; // corners are numbered by 32 bits
+
+// Corner i has the upper x, y or z where bit 0, 1 or 2 of i is set. Counter-clockwise seen from outside.
+constexpr std::array<std::array<std::uint32_t, 4>, faces_a_cell> faces{
+    {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+constexpr std::array<std::array<std::uint32_t, 2>, edges_a_cell> edges{
+    {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
+class Bytes {
+public:
+  explicit Bytes(OutputFile& file) : file_(file) {}
+
+  template <class Value>
+  void put(Value value) {
+    if (size_ + sizeof value > buffer_.size()) flush();
+    std::memcpy(buffer_.data() + size_, &value, sizeof value);
+    size_ += sizeof value;
+  }
+  void flush() {
+    file_.write(buffer_.data(), size_);
+    size_ = 0;
+  }
+
+private:
+  OutputFile& file_;
+  std::array<std::uint8_t, 4096> buffer_{};
+  std::size_t size_ = 0;
+};
+
+void write_csv(const GridFile& file, const CellFilter& filter, OutputFile& out) {
+  const GridLayout finest = finest_layout(file);
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text),
+                 "cell,min_x,min_y,min_z,max_x,max_y,max_z,expanded_min_x,expanded_min_y,expanded_min_z,"
+                 "expanded_max_x,expanded_max_y,expanded_max_z,references,occupied,voxels\n");
+  const auto flush = [&] {
+    out.write(text.data(), text.size());
+    text.clear();
+  };
+  for_each_cell(file, filter, [&](const GridCell& cell) {
+    const auto end = std::back_inserter(text);
+    fmt::format_to(end, "{}", cell.number);
+    for (const VoxelBox& voxels : {cell.box, cell.expanded}) {
+      const Boxd box = box_in_scene(finest, voxels);
+      for (const Vec3d& corner : {box.min, box.max})
+        fmt::format_to(end, ",{},{},{}", corner.x, corner.y, corner.z);
+    }
+    fmt::format_to(end, ",{},{},{}\n", cell.references, cell.references > 0 ? 1 : 0, cell.voxels);
+    constexpr std::size_t piece = std::size_t{1} << 16;
+    if (text.size() > piece) flush();
+  });
+  flush();
+}
+
+// Corners of all cells stand before all faces, and the head has their numbers: three passes over the cells.
+void write_ply(const GridFile& file, const CellExport& options, OutputFile& out) {
+  std::uint64_t cells = 0;
+  std::uint32_t most = 1; // references of a cell
+  for_each_cell(file, options.filter, [&](const GridCell& cell) {
+    ++cells;
+    most = std::max(most, cell.references);
+  });
+  if (cells > most_ply_cells)
+    throw Error(ErrorCode::usage, out.path(),
+                fmt::format("a PLY can't hold {} cells: give --occupied or --within, or write a CSV", cells));
+  const std::string shapes =
+      options.wireframe
+          ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", cells * edges_a_cell)
+          : fmt::format("element face {}\nproperty list uchar int vertex_indices\n", cells * faces_a_cell);
+  const std::string head = fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment Masu {} {}: cells of a grid; quality is the number of "
+      "references\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\nproperty "
+      "uchar "
+      "red\nproperty uchar green\nproperty uchar blue\nproperty float quality\n{}end_header\n",
+      version, commit, cells * corners_a_cell, shapes);
+  out.write(head.data(), head.size());
+
+  const GridLayout finest = finest_layout(file);
+  const ColorMap map;
+  const double range = std::log(std::max<double>(most, 2));
+  Bytes bytes(out);
+  for_each_cell(file, options.filter, [&](const GridCell& cell) {
+    const Boxd box = box_in_scene(finest, options.expanded ? cell.expanded : cell.box);
+    constexpr Rgb empty{230, 230, 230};
+    const Rgb color = cell.references == 0 ? empty : map(1 - std::log(cell.references) / range);
+    for (std::uint32_t corner = 0; corner < corners_a_cell; ++corner) {
+      for (int axis = 0; axis < 3; ++axis)
+        bytes.put((corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis]);
+      bytes.put(color[0]);
+      bytes.put(color[1]);
+      bytes.put(color[2]);
+      bytes.put(static_cast<float>(cell.references));
+    }
+  });
+  for (std::uint64_t cell = 0; cell < cells; ++cell) {
+    const auto first = static_cast<std::uint32_t>(cell * corners_a_cell);
+    if (options.wireframe) {
+      for (const auto& edge : edges)
+        for (const std::uint32_t corner : edge)
+          bytes.put(first + corner);
+    } else {
+      for (const auto& face : faces) {
+        bytes.put(static_cast<std::uint8_t>(face.size()));
+        for (const std::uint32_t corner : face)
+          bytes.put(first + corner);
+      }
+    }
+  }
+  bytes.flush();
+}
+
+} // namespace
+
+void export_cells(const GridFile& file, const CellExport& options, const std::string& path) {
+  OutputFile out(path);
+  if (path.ends_with(".csv"))
+    write_csv(file, options.filter, out);
+  else
+    write_ply(file, options, out);
+  out.commit();
+}
+
+} // namespace masu

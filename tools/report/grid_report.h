@@ -1,0 +1,32 @@
+// Statistics of a grid as JSON: the keys of gridstat --json.
+#pragma once
+
+#include "libgrid/file/grid_file.h"
+#include "libgrid/statistics/map_statistics.h"
+#include "libgrid/statistics/statistics.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace masu {
+
+// Of cells and references, and of the voxel map.
+struct Statistics {
+  GridStatistics cells;
+  MapStatistics map;
+  Vec3i division{}; // in the smallest voxels
+
+  // Looks at all that the grid holds.
+  explicit Statistics(const GridFile& file);
+
+  // Coefficient of variation of the references of occupied cells: 0 when all list the same number.
+  double evenness() const { return cells.mean > 0 ? cells.stddev / cells.mean : 0; }
+};
+
+// histogram: also the number of occupied cells by their references, [references, cells] each.
+nlohmann::ordered_json grid_report(const GridFile& file, const Statistics& statistics, bool histogram);
+
+inline double percent(std::uint64_t part, std::uint64_t whole) {
+  return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+} // namespace masu

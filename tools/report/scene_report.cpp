@@ -1,0 +1,342 @@
+#include "tools/report/scene_report.h"
+
+#include "libscene/file/output_file.h"
+#include "libscene/geometry/margin.h"
+#include "tools/common/number_list.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+#include "tools/common/vector_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <span>
+#include <system_error>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Of a scene in memory or in a file.
+struct Report {
+  ObjectCounts objects;
+  std::uint64_t triangles = 0, smooth = 0, spheres = 0, cones = 0;
+  std::uint64_t corner_normals = 0; // records, which smooth triangles can share
+  std::uint64_t faces = 0;          // records: of the triangles, where their faces have other numbers
+  std::uint64_t materials = 0, reflecting = 0, transmitting = 0, lights = 0;
+  std::int32_t width = 0, height = 0;
+  Vec3d origin{0, 0, 0};
+  Boxd bounds = empty_box<double>(); // in the world
+  bool is_float64 = false;
+  Float32Precision float32;                // what float32 would do to it, or did
+  bool is_rounded = false;                 // to float32 already: by how much isn't known
+  std::optional<std::uint64_t> file_bytes; // where there is a file
+  std::optional<Hash> geometry_hash;       // likewise
+  std::optional<SceneWarnings> warnings;   // of a scene in memory
+};
+
+std::uint64_t count(const std::vector<Material>& materials, bool (*property)(const Material&)) {
+  return static_cast<std::uint64_t>(std::count_if(materials.begin(), materials.end(), property));
+}
+
+template <class Triangles>
+std::uint64_t count_smooth(const Triangles& triangles) {
+  return static_cast<std::uint64_t>(
+      std::count_if(triangles.begin(), triangles.end(),
+                    [](const auto& triangle) { return triangle.normals != no_normals; }));
+}
+
+Report report_of(const Scene& scene, const Vec3d& origin, Store store, const Float32Precision& float32) {
+  Report report;
+  report.origin = origin;
+  report.objects = scene.objects;
+  report.triangles = scene.triangles.size();
+  report.smooth = count_smooth(scene.triangles);
+  report.spheres = scene.spheres.size();
+  report.cones = scene.cones.size();
+  report.corner_normals = scene.normals.size();
+  report.faces = scene.faces.size();
+  report.materials = scene.materials.size();
+  report.reflecting = count(scene.materials, reflects);
+  report.transmitting = count(scene.materials, transmits);
+  report.lights = scene.lights.size();
+  report.width = scene.camera.width;
+  report.height = scene.camera.height;
+  report.bounds = bounds(scene);
+  report.is_float64 = store == Store::float64;
+  report.float32 = float32;
+  report.warnings = scene.warnings;
+  return report;
+}
+
+template <class Stored>
+Report report_of(const SceneFile& file) {
+  const fb::Scene& table = file.table();
+  const SceneView<Stored> view = file.view<Stored>();
+  const SceneSpans<Stored> spans = spans_of(view);
+  const fb::ObjectCounts& objects = *table.objects();
+  Report report;
+  report.objects = {objects.polygons(), objects.patches(), objects.spheres(), objects.cones()};
+  report.triangles = view.triangle_count;
+  report.smooth = count_smooth(spans.triangles);
+  report.spheres = view.sphere_count;
+  report.cones = view.cone_count;
+  report.corner_normals = view.normals_count;
+  report.faces = view.faces != nullptr ? view.triangle_count : 0;
+  report.materials = view.material_count;
+  report.reflecting = table.reflective_materials();
+  report.transmitting = table.transmitting_materials();
+  report.lights = view.light_count;
+  report.width = table.camera()->width();
+  report.height = table.camera()->height();
+  report.origin = file.origin();
+  report.bounds = in_world(file.origin(), file.bounds());
+  report.is_float64 = file.is_float64();
+  report.float32 = float32_precision(spans);
+  report.is_rounded = !file.is_float64();
+  report.file_bytes = file.bytes();
+  report.geometry_hash = file.geometry_hash();
+  return report;
+}
+
+// Bytes of all records; the file's table and padding add a few KiB.
+template <class Stored>
+std::uint64_t record_bytes(const Report& r) {
+  return r.triangles * sizeof(Triangle<Stored>) + r.corner_normals * sizeof(CornerNormals<Stored>) +
+         r.faces * sizeof(std::uint32_t) + r.spheres * (sizeof(Sphere<Stored>) + sizeof(Surface)) +
+         r.cones * (sizeof(Cone<Stored>) + sizeof(Surface)) + r.materials * sizeof(Material) +
+         r.lights * sizeof(Light<Stored>);
+}
+std::uint64_t record_bytes(const Report& r) {
+  return r.is_float64 ? record_bytes<double>(r) : record_bytes<float>(r);
+}
+
+const char* store_name(const Report& r) {
+  return r.is_float64 ? "float64" : "float32";
+}
+
+// --- Why a scene has its store --------------------------------------------------------------------------
+
+// `name` for scripts, `text` for people.
+struct Reason {
+  const char* name;
+  std::string text;
+};
+
+// Why float32 isn't precise enough.
+Reason reason_against(const Float32Precision& p) {
+  if (!p.in_range)
+    return {"out_of_range",
+            fmt::format("float32 takes coordinates from {:g} to {:g}", min_float32_reach, max_float32_reach)};
+  if (p.is_far())
+    return {"far_from_origin", fmt::format("with float32 arithmetic, so far from its origin, surfaces may be "
+                                           "{:.2g} off, and the scene is {:.2g} across",
+                                           p.margin, p.across)};
+  if (p.standing_alone > 0)
+    return {"small_parts", fmt::format("with float32 arithmetic surfaces may be {:.2g} off, and {} part(s) "
+                                       "that stand alone are hardly larger",
+                                       p.margin, p.standing_alone)};
+  return {"moved_cones",
+          fmt::format("float32 moves {} flat cone(s) by more than {:.2g}", p.moved_cones, p.margin)};
+}
+
+// The rule's reason, where the store is the rule's.
+Reason reason_for(const Report& r) {
+  const bool suffices = r.float32.suffices();
+  if (suffices == r.is_float64) return {"asked", fmt::format("asked for by --store {}", store_name(r))};
+  return suffices ? Reason{"precise", "precise enough to tell the scene's parts apart"}
+                  : reason_against(r.float32);
+}
+
+std::string rounding_text(const Report& r) {
+  const Float32Precision& p = r.float32;
+  if (p.margin == 0) return "";
+  const std::string bound = fmt::format("error bound {:.2g}", p.margin);
+  if (r.is_rounded) return fmt::format("unknown, the file is rounded; {}", bound);
+  if (!std::isfinite(p.rounding)) return "out of range";
+  return fmt::format("coordinates by at most {:.2g}, {:.2g} of the {}", p.rounding, p.rounding / p.margin,
+                     bound);
+}
+
+// --- Output ---------------------------------------------------------------------------------------------
+
+Json bounds_json(const Boxd& box) {
+  if (is_empty(box)) return nullptr;
+  return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
+}
+
+// The error bound of the arithmetic that fits the store, with coordinates relative to an origin.
+double error_bound(const Report& r, const Vec3d& origin) {
+  if (is_empty(r.bounds)) return 0;
+  const Boxd box = relative_to(origin, r.bounds);
+  return r.is_float64 ? rounding_margin<double>(box) : rounding_margin<float>(box);
+}
+
+Json float32_json(const Report& r) {
+  const Float32Precision& p = r.float32;
+  Json json{{"suffices", p.suffices()},
+            {"rounding", nullptr},
+            {"error_bound", p.margin},
+            {"rounding_of_error_bound", nullptr},
+            {"across", is_empty(r.bounds) ? 0 : p.across},
+            {"small_parts", p.standing_alone},
+            {"moved_cones", p.moved_cones},
+            {"in_range", p.in_range}};
+  if (!r.is_rounded && std::isfinite(p.rounding)) {
+    json["rounding"] = p.rounding;
+    if (p.margin > 0) json["rounding_of_error_bound"] = p.rounding / p.margin;
+  }
+  return json;
+}
+
+Json to_json(const Report& r) {
+  const ObjectCounts& o = r.objects;
+  Json json{
+      {"objects",
+       {{"polygons", o.polygons},
+        {"patches", o.patches},
+        {"spheres", o.spheres},
+        {"cones", o.cones},
+        {"total", o.polygons + o.patches + o.spheres + o.cones}}},
+      {"primitives",
+       {{"triangles", r.triangles},
+        {"spheres", r.spheres},
+        {"cones", r.cones},
+        {"total", r.triangles + r.spheres + r.cones}}},
+      {"smooth_triangles", r.smooth},
+      {"face_numbers", r.faces},
+      {"materials", {{"total", r.materials}, {"reflect", r.reflecting}, {"transmit", r.transmitting}}},
+      {"lights", r.lights},
+      {"resolution", {r.width, r.height}},
+      {"bounds", bounds_json(r.bounds)},
+      {"origin", vector_json(r.origin)},
+      {"error_bound", error_bound(r, r.origin)},
+      {"error_bound_without_origin", error_bound(r, {0, 0, 0})},
+      {"store", store_name(r)},
+      {"store_reason", reason_for(r).name},
+      {"float32", float32_json(r)},
+      {"bytes", {{"records", record_bytes(r)}, {"file", nullptr}}},
+      {"geometry_hash", nullptr},
+  };
+  json.update(program_version());
+  if (r.file_bytes) json["bytes"]["file"] = *r.file_bytes;
+  if (r.geometry_hash) json["geometry_hash"] = to_hex(*r.geometry_hash);
+  if (r.warnings) {
+    json["warnings"] = {{"degenerate_polygons", r.warnings->degenerate_polygons},
+                        {"degenerate_triangles", r.warnings->degenerate_triangles},
+                        {"degenerate_spheres", r.warnings->degenerate_spheres},
+                        {"degenerate_cones", r.warnings->degenerate_cones},
+                        {"self_crossing_polygons", r.warnings->self_crossing_polygons}};
+  }
+  return json;
+}
+
+void print_table(const Report& r) {
+  const auto line = [](const char* name, const std::string& value) {
+    fmt::print("{:<12} {}\n", name, value);
+  };
+  const ObjectCounts& o = r.objects;
+  line("objects",
+       fmt::format("{}: polygons {}, patches {}, spheres {}, cones {}",
+                   o.polygons + o.patches + o.spheres + o.cones, o.polygons, o.patches, o.spheres, o.cones));
+  line("primitives",
+       fmt::format("{}: triangles {} ({} smooth), spheres {}, cones {}", r.triangles + r.spheres + r.cones,
+                   r.triangles, r.smooth, r.spheres, r.cones));
+  if (r.faces > 0) line("faces", fmt::format("{} numbers: triangles have others than their faces", r.faces));
+  line("materials", fmt::format("{}: {} reflect, {} transmit", r.materials, r.reflecting, r.transmitting));
+  line("lights", fmt::format("{}", r.lights));
+  line("resolution", fmt::format("{} x {}", r.width, r.height));
+  const Boxd& b = r.bounds;
+  line("bounds", is_empty(b) ? "none"
+                             : fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", b.min.x, b.min.y,
+                                           b.min.z, b.max.x, b.max.y, b.max.z));
+  const std::string bound = fmt::format("error bound {:.2g}", error_bound(r, r.origin));
+  line("origin", r.origin == Vec3d{0, 0, 0}
+                     ? fmt::format("none: {}", bound)
+                     : fmt::format("({:.17g}, {:.17g}, {:.17g}): {}, without it {:.2g}", r.origin.x,
+                                   r.origin.y, r.origin.z, bound, error_bound(r, {0, 0, 0})));
+  line("store", fmt::format("{}: {}", store_name(r), reason_for(r).text));
+  if (const std::string rounding = rounding_text(r); !rounding.empty())
+    line(r.is_float64 ? "  float32" : "  rounding", rounding);
+  line("bytes", fmt::format("{} of records{}", record_bytes(r),
+                            r.file_bytes ? fmt::format(", {} of file", *r.file_bytes) : ""));
+  if (r.geometry_hash) line("geometry", to_hex(*r.geometry_hash));
+}
+
+void print(const Report& report, bool json) {
+  if (json)
+    fmt::print("{}\n", json_text(to_json(report)));
+  else
+    print_table(report);
+}
+
+void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings) {
+  const auto line = [&](std::uint64_t number, const char* what) {
+    if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
+  };
+  line(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
+  line(warnings.degenerate_triangles, "vertices on triangles without area left out");
+  line(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
+  line(warnings.degenerate_cones, "cone(s) without length or without radius left out");
+  line(warnings.self_crossing_polygons, "polygon(s) cross themselves: triangulated as well as possible");
+}
+
+// Of --origin; nothing for auto. Throws Error(usage).
+std::optional<Vec3d> wanted_origin(const std::string& text) {
+  if (text == "auto") return {};
+  return text == "none" ? Vec3d{0, 0, 0} : parse_vector("--origin", text);
+}
+
+} // namespace
+
+void SceneOutput::add_to(CLI::App& app) {
+  app.add_option("-o,--output", path, "scene file to write");
+  add_choice(app, "--store", store,
+             {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
+             "number type of coordinates; auto: float32 unless its arithmetic is too coarse for the scene");
+  app.add_option(
+         "--origin", origin,
+         "the point that coordinates are stored relative to, so that errors follow the scene's extent "
+         "and not its place: auto (the bounds' centre, or zero where that is nearer than half their "
+         "diagonal), none (zero) or X,Y,Z")
+      ->capture_default_str();
+  auto* const info_option =
+      app.add_flag("--info", info, "print the numbers of objects and primitives, bounds, store and memory");
+  app.add_flag("--json", json, "print --info as JSON")->needs(info_option);
+}
+
+void SceneOutput::check() const {
+  if (path.empty() && !info)
+    throw Error(ErrorCode::usage, "command line", "nothing to do: give -o FILE, --info or both");
+  if (info && is_standard_output(path))
+    throw Error(ErrorCode::usage, "--info", "would be mixed with the scene on standard output: name a file");
+  static_cast<void>(wanted_origin(origin));
+}
+
+void write_and_report(const char* tool, const std::string& input, const Scene& scene,
+                      const SceneOutput& output) {
+  print_warnings(tool, input, scene.warnings);
+  const Vec3d origin = origin_for(scene, wanted_origin(output.origin), "--origin");
+  const Float32Precision float32 = float32_precision(scene, origin);
+  const Store store = resolved(output.store, float32);
+  Report report;
+  if (output.info) report = report_of(scene, origin, store, float32);
+  if (!output.path.empty()) {
+    report.geometry_hash = write_scene(scene, store, output.path, origin);
+    std::error_code failed; // where the output is a pipe
+    const std::uint64_t bytes = std::filesystem::file_size(output.path, failed);
+    if (!failed) report.file_bytes = bytes;
+    if (store == Store::float32 && !float32.suffices())
+      print_note("{}: {}: warning: {}: use --store float64\n", tool, printable(input),
+                 reason_against(float32).text);
+  }
+  if (output.info) print(report, output.json);
+}
+
+void print_report(const SceneFile& file, bool json) {
+  print(file.is_float64() ? report_of<double>(file) : report_of<float>(file), json);
+}
+
+} // namespace masu

@@ -1,0 +1,27 @@
+// What a run of gridrender took, of all its tasks and ranks together.
+#pragma once
+
+#include "renderer/view_precision.h"
+#include "tools/jobs/task_list.h"
+
+#include <optional>
+
+namespace masu {
+
+// Seconds of tracing overlap those of writing, and those of several devices each other.
+struct TracingReport {
+  TaskTotals totals;
+  std::uint64_t tasks = 0;
+  TraceSeconds seconds;
+  double write_seconds = 0;
+  double elapsed_seconds = 0; // from the first ray to the last byte
+  // Of pictures with Precision::automatic: how many views were traced in double, and why a view was, if any
+  // of this process.
+  std::uint64_t double_views = 0;
+  std::optional<ViewPrecision> precision{};
+};
+
+// Collective: adds the ranks' seconds and totals.
+void sum_up(Ranks& ranks, TracingReport& report);
+
+} // namespace masu

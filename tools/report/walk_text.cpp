@@ -1,0 +1,152 @@
+#include "tools/report/walk_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json json_of(const Vec3<T>& v) {
+  return {v.x, v.y, v.z};
+}
+Json json_of(const Boxd& box) {
+  return {{"min", json_of(box.min)}, {"max", json_of(box.max)}};
+}
+Json finite(double t) {
+  return std::isfinite(t) ? Json(t) : Json();
+}
+
+bool hits(const WalkRay& ray) {
+  return ray.primitive != no_primitive;
+}
+Vec3d position(const WalkRay& ray) {
+  return ray.origin + ray.direction * static_cast<double>(ray.t);
+}
+
+Json json_of(const WalkStep& step, bool has_grid) {
+  Json tests = Json::array();
+  for (const WalkTest& test : step.tests)
+    tests.push_back({{"primitive", test.primitive}, {"t", finite(test.t)}, {"kept", test.kept}});
+  const Json voxels =
+      has_grid ? Json{{"first", json_of(step.voxels.first)}, {"end", json_of(step.voxels.end)}} : Json();
+  return {{"voxels", voxels},          {"box", json_of(step.box)},      {"enter", finite(step.enter)},
+          {"exit", finite(step.exit)}, {"references", step.references}, {"tests", std::move(tests)}};
+}
+
+Json json_of(const WalkRay& ray, bool has_grid) {
+  Json steps = Json::array();
+  for (const WalkStep& step : ray.steps)
+    steps.push_back(json_of(step, has_grid));
+  const Json hit = hits(ray) ? Json{{"t", ray.t},
+                                    {"primitive", ray.primitive},
+                                    {"object", ray.object},
+                                    {"position", json_of(position(ray))}}
+                             : Json();
+  return {{"kind", name_of(ray.kind)},
+          {"parent", ray.parent < 0 ? Json() : Json(ray.parent)},
+          {"origin", json_of(ray.origin)},
+          {"direction", json_of(ray.direction)},
+          {"t_min", ray.t_min},
+          {"t_max", finite(ray.t_max)},
+          {"hit", hit},
+          {"cells", ray.cells},
+          {"tests", ray.tests},
+          {"end", name_of(ray.end)},
+          {"steps", std::move(steps)}};
+}
+
+// --- Tables -----------------------------------------------------------------------------------------------
+
+std::string text_of(const Vec3d& v) {
+  return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
+}
+std::string counted(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// 12 or 12-15 along each axis.
+std::string text_of(const VoxelBox& box) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int32_t first = box.first[axis], last = box.end[axis] - 1;
+    if (axis > 0) text += ' ';
+    text += first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
+  }
+  return text;
+}
+
+std::string outcome(const WalkTest& test) {
+  if (!std::isfinite(test.t)) return "miss";
+  return test.kept ? fmt::format("t {:<12.7g} kept", test.t) : fmt::format("t {:.7g}", test.t);
+}
+
+void append(std::string& text, const WalkRay& ray, std::size_t index, bool has_grid) {
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "ray {}: {}{}\n", index, name_of(ray.kind),
+                 ray.parent < 0 ? "" : fmt::format(", spawned by ray {}", ray.parent));
+  fmt::format_to(out, "  origin {}   direction {}", text_of(ray.origin), text_of(ray.direction));
+  if (ray.t_min > 0) fmt::format_to(out, "   t_min {:.7g}", ray.t_min);
+  if (std::isfinite(ray.t_max)) fmt::format_to(out, "   t_max {:.7g}", ray.t_max);
+  text += '\n';
+  const auto voxels_of = [&](const WalkStep& step) {
+    return has_grid ? text_of(step.voxels) : std::string("everything");
+  };
+  std::size_t widest = 12; // of the voxels
+  for (const WalkStep& step : ray.steps)
+    widest = std::max(widest, voxels_of(step).size());
+  if (!ray.steps.empty())
+    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10}  {:>10}  tests\n", "cell", "voxels x y z", widest, "t enter",
+                   "t exit");
+  for (std::size_t i = 0; i < ray.steps.size(); ++i) {
+    const WalkStep& step = ray.steps[i];
+    const std::size_t line = text.size();
+    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10.7g}  {:>10.7g}  ", has_grid ? fmt::format("{}", i) : "-",
+                   voxels_of(step), widest, step.enter, step.exit);
+    const std::size_t indent = text.size() - line;
+    if (step.tests.empty()) text += "none\n";
+    for (std::size_t k = 0; k < step.tests.size(); ++k)
+      fmt::format_to(out, "{:>{}}primitive {:<8} {}\n", "", k == 0 ? 0 : indent, step.tests[k].primitive,
+                     outcome(step.tests[k]));
+  }
+  if (hits(ray))
+    fmt::format_to(out, "  hit: t {:.9g}, primitive {}, object {}, at {}\n", ray.t, ray.primitive, ray.object,
+                   text_of(position(ray)));
+  else
+    text += "  hit: none\n";
+  fmt::format_to(out, "  end: {}; {}, {}\n", description_of(ray), counted(ray.cells, "cell"),
+                 counted(ray.tests, "test"));
+}
+
+} // namespace
+
+Json walk_json(const WalkReport& report) {
+  Json rays = Json::array();
+  for (const WalkRay& ray : report.rays)
+    rays.push_back(json_of(ray, report.has_grid));
+  const Json grid = report.has_grid
+                        ? Json{{"division", json_of(report.division)}, {"space", json_of(report.space)}}
+                        : Json();
+  return {{"grid", grid}, {"rays", std::move(rays)}};
+}
+
+std::string walk_table(const WalkReport& report) {
+  std::string text;
+  std::uint64_t cells = 0, tests = 0;
+  for (std::size_t i = 0; i < report.rays.size(); ++i) {
+    append(text, report.rays[i], i, report.has_grid);
+    cells += report.rays[i].cells;
+    tests += report.rays[i].tests;
+  }
+  if (report.rays.size() > 1)
+    text += fmt::format("all {} rays: {}, {}\n", report.rays.size(), counted(cells, "cell"),
+                        counted(tests, "test"));
+  return text;
+}
+
+} // namespace masu
