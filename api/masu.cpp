@@ -1,5 +1,5 @@
 // The C interface over the tracer and the builders: arguments are checked, exceptions become statuses.
-#include "api/masu.h"
+#include "masu.h"
 
 #include "libgrid/build/build_grid.h"
 #include "libscene/base/processor.h"
