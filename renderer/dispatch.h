@@ -1,6 +1,7 @@
 // From what a scene holds and a job asks for to the code compiled for it.
 #pragma once
 
+#include "libgrid/trace/any_structure.h"
 #include "renderer/arithmetic.h"
 #include "renderer/render_pixel.h"
 #include "renderer/tracer.h"
@@ -30,18 +31,14 @@ unsigned kinds_in(const SceneView<Stored>& scene) {
 }
 
 // Calls act(Kinds) with the narrowest set compiled that holds the scene's. What it saves on an H200 over the
-// code for all kinds, in a picture's time: triangles alone 9 % (teapot; `fast` 9, `double` 8), triangles and
-// spheres 6 to 12 % (balls, mount; `double` 11 to 16, `fast` less than 5: it has none), cones that are all
-// cylinders 5 % (rings, `robust`). Scenes of doubles are rare: they have the code for all kinds alone.
-template <class TestRay, class Stored, class Act>
+// code for all kinds, in a picture's time: triangles alone 9 % (teapot; `double` 8), triangles and spheres 6
+// to 12 % (balls, mount; `double` 11 to 16), cones that are all cylinders 5 % (rings, `robust`).
+template <class TestRay, class Act>
 void with_kinds(unsigned kinds, const Act& act) {
-  if constexpr (std::is_same_v<Stored, float>) {
-    if ((kinds & ~with_triangles) == 0) return act(Kinds<with_triangles>{});
-    if constexpr (!std::is_same_v<TestRay, TextbookRay>)
-      if ((kinds & with_cones) == 0) return act(Kinds<with_triangles | with_spheres>{});
-    if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
-      if ((kinds & with_tapers) == 0) return act(Kinds<with_all_kinds & ~with_tapers>{});
-  }
+  if ((kinds & ~with_triangles) == 0) return act(Kinds<with_triangles>{});
+  if ((kinds & with_cones) == 0) return act(Kinds<with_triangles | with_spheres>{});
+  if constexpr (std::is_same_v<TestRay, WatertightRay<float>>)
+    if ((kinds & with_tapers) == 0) return act(Kinds<with_all_kinds & ~with_tapers>{});
   act(Kinds<with_all_kinds>{});
 }
 
@@ -52,28 +49,37 @@ inline constexpr bool is_hierarchy<HierarchyView<Real>> = true;
 template <class Real, class Stored>
 inline constexpr bool is_hierarchy<LeafHierarchyView<Real, Stored>> = true;
 
-// Calls act(GridView, MergedGridView, HierarchyView or NoGrid, Method, Counts or NoCounts) for rays of one
-// arithmetic: what a job needs, and no more. Counting, brute force and StopRule::first_cell run the code for
-// all kinds.
+// Whether a structure and a method of their own are compiled for an arithmetic: `fast` is compared with, and
+// scenes of doubles are rare.
+template <class TestRay, class Stored>
+inline constexpr bool is_specialised = !std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float>;
+
+// Calls act(view, Method, Counts or NoCounts) for rays of one arithmetic. What is for use has the code for
+// its structure (GridView, MergedGridView or HierarchyView) and kinds; what is for comparison, counting,
+// brute force and StopRule::first_cell, shares that for AnyStructure and all kinds.
 template <class TestRay, class Stored, class Act>
 void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRules& rules, const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
-  if (grid == nullptr) return act(NoGrid{}, General{}, Counts{});
-  const auto with_view = [&](const auto& view) {
-    if constexpr (!is_hierarchy<std::decay_t<decltype(view)>>) {
-      if (rules.stop == StopRule::first_cell) {
-        using Study = Method<TestRay, with_all_kinds, StopRule::first_cell>;
-        return rules.count ? act(view, Study{}, Counts{}) : act(view, Study{}, NoCounts{});
-      }
-    }
-    if (rules.count) return act(view, General{}, Counts{});
-    if (rules.general) return act(view, General{}, NoCounts{});
-    with_kinds<TestRay, Stored>(
-        rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) { act(view, Method<TestRay, kinds>{}, NoCounts{}); });
+  const auto with_view = [&](const auto& on_view) {
+    if (grid->is_hierarchy()) return on_view(grid->hierarchy_view<Real>());
+    grid->is_merged() ? on_view(grid->merged_view<Real>()) : on_view(grid->view<Real>());
   };
-  if (grid->is_hierarchy()) return with_view(grid->hierarchy_view<Real>());
-  grid->is_merged() ? with_view(grid->merged_view<Real>()) : with_view(grid->view<Real>());
+  if (!is_specialised<TestRay, Stored> || grid == nullptr || rules.count ||
+      rules.stop == StopRule::first_cell) {
+    AnyStructure<Real> any{};
+    if (grid != nullptr) with_view([&](const auto& view) { any = any_structure(view); });
+    any.stop = rules.stop;
+    return rules.count || grid == nullptr ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
+  }
+  if constexpr (is_specialised<TestRay, Stored>) {
+    with_view([&](const auto& view) {
+      if (rules.general) return act(view, General{}, NoCounts{});
+      with_kinds<TestRay>(rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) {
+        act(view, Method<TestRay, kinds>{}, NoCounts{});
+      });
+    });
+  }
 }
 
 // A query as a type.

@@ -55,7 +55,7 @@ struct EndedEarly {};
 template <class Real>
 class RecordedWalk {
 public:
-  static constexpr bool records_walk = true;
+  static constexpr bool is_counted = true, records_walk = true;
 
   // `scale`: what the traced t are to be multiplied by (scale_direction in ray_query.h).
   RecordedWalk(WalkReport& report, const WalkRequest& request, Real scale)
@@ -251,17 +251,16 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   WalkReport report;
   report.has_grid = grid != nullptr;
   report.space = tracer.scene().bounds();
-  if (grid != nullptr) report.space = grid->layout().space;
+  if (grid != nullptr) {
+    report.space = grid->layout().space;
+    report.division = grid->layout().division;
+  }
   TracingRules rules = request.tracing;
   rules.count = true; // the code for all kinds
   with_store_and_arithmetic(
       tracer.scene(), rules.precision, [&]<class TestRay>(const auto& scene, Arithmetic<TestRay>) {
         with_method<TestRay>(scene, grid, rules, [&]<class M, class C>(const auto& accelerator, M, C) {
-          if constexpr (std::is_same_v<C, Counts> && !is_hierarchy<std::decay_t<decltype(accelerator)>>) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(accelerator)>, NoGrid>)
-              report.division = accelerator.division;
-            record<M>(scene, accelerator, request, report);
-          }
+          if constexpr (std::is_same_v<C, Counts>) record<M>(scene, accelerator, request, report);
         });
       });
   move_to_world(tracer.scene().origin(), report);

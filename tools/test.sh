@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs missing packages, builds (with CUDA where there is a toolkit), and runs all tests. GPU tests are skipped where
-# there is no GPU. test.sh --full also runs those labelled slow, which need 6 GB of memory and of disk.
+# Installs missing packages, builds (with CUDA where there is a toolkit), and runs all tests. Its last line counts those
+# that were skipped, and of them those that need a GPU. test.sh --full also runs those labelled slow, which need 6 GB of
+# memory and of disk.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source tools/setup.sh
@@ -13,4 +14,12 @@ build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=ON "${cuda_options[@]}"
 echo "== tests"
 slow=()
 [ "${1:-}" = --full ] && slow=(-C slow)
-ctest --test-dir build --output-on-failure --parallel "$(nproc)" "${slow[@]}"
+status=0
+ctest --test-dir build --output-on-failure --parallel "$(nproc)" --output-junit tests.xml "${slow[@]}" || status=$?
+awk 'BEGIN { RS = "<testcase " }
+  NR > 1 && /status="run"/ { passed++ }
+  NR > 1 && /status="fail"/ { failed++ }
+  NR > 1 && /status="notrun"/ { skipped++; if (/GPU|CUDA/) gpu++ }
+  END { printf "== %d tests passed, %d failed, %d were skipped, %d of them for want of a GPU\n", passed, failed, skipped, gpu }' \
+  build/tests.xml
+exit $status

@@ -22,23 +22,28 @@ enum class StopRule { proven, first_cell };
 // nearest_hit: the hit of smallest t. occlusion: whether anything is hit (Embree: any hit).
 enum class Query { nearest_hit, occlusion };
 
+// A structure's rule: as a type where it is known when a program is compiled.
+using Proven = std::integral_constant<StopRule, StopRule::proven>;
+template <class Grid>
+MASU_HD constexpr Proven stop_rule(const Grid&) {
+  return {};
+}
+
 // Whether a search may end once all cells up to t = exit have been visited. `nearest` is the t of the nearest
 // hit so far, t_max where there is none.
-template <Query query, StopRule stop, class Real>
-MASU_HD inline bool can_terminate(Real nearest, Real t_max, Real exit) {
-  if constexpr (query == Query::occlusion || stop == StopRule::first_cell)
-    return nearest < t_max || t_max <= exit;
+template <Query query, class Real, class Stop = Proven>
+MASU_HD inline bool can_terminate(Real nearest, Real t_max, Real exit, Stop stop = {}) {
+  if (query == Query::occlusion || stop == StopRule::first_cell) return nearest < t_max || t_max <= exit;
   return nearest <= exit;
 }
 
 // How rays are traced, compiled in: the ray says by which tests (PreparedRay<Real>, WatertightRay<Real>,
 // TextbookRay), `kinds` is a set of primitive kinds.
-template <class TestRay_, unsigned kinds_, StopRule stop_ = StopRule::proven>
+template <class TestRay_, unsigned kinds_>
 struct Method {
   using TestRay = TestRay_;
   using Real = typename TestRay::Real;
   static constexpr unsigned kinds = kinds_;
-  static constexpr StopRule stop = stop_;
 };
 
 // Whether counts are also shown each ray, cell and test (renderer/walk_report.h): they have a member
@@ -88,7 +93,7 @@ MASU_ALWAYS_INLINE void prefetch_references(const SceneView<Stored>& scene, cons
 #endif
 
 // Keeps the nearest hit.
-template <class M, class Stored, class Counts>
+template <class M, class Stored, class Counts, class Stop = Proven>
 struct NearestHit {
   using Real = typename M::Real;
   const SceneView<Stored>& scene;
@@ -96,6 +101,7 @@ struct NearestHit {
   Counts& counts;
   Real t_max;
   Hit<Real> hit; // at t_max, of primitive 0, where nothing is hit yet: no primitive wins that tie
+  Stop stop{};
 
   MASU_HD void primitive(PrimitiveIndex number) {
     Real t;
@@ -123,7 +129,7 @@ struct NearestHit {
   }
 #endif
   MASU_HD bool done(Real exit) const {
-    return can_terminate<Query::nearest_hit, M::stop>(hit.t, t_max, exit);
+    return can_terminate<Query::nearest_hit>(hit.t, t_max, exit, stop);
   }
   // What lies beyond can't be the nearest hit; nor what is still to come, whatever it is.
   MASU_HD Real farthest() const {
@@ -170,7 +176,7 @@ struct AnyHit {
     return hit < t_max;
   }
   MASU_HD bool done(Real exit) const {
-    return can_terminate<Query::occlusion, M::stop>(hit, t_max, exit);
+    return can_terminate<Query::occlusion>(hit, t_max, exit);
   }
   MASU_HD Real farthest() const {
     return t_max;
@@ -220,7 +226,8 @@ MASU_HD inline void visit(const NoGrid&, const ClippedRay<Real>&, std::uint32_t 
 }
 
 // The nearest hit at t_min < t < t_max, as of the ray from where it enters the scene's bounds: there t has
-// the most digits. Grid: GridView<Real>, MergedGridView<Real>, HierarchyView<Real> or NoGrid; M: a Method.
+// the most digits. Grid: GridView<Real>, MergedGridView<Real>, HierarchyView<Real>, NoGrid or
+// AnyStructure<Real> (any_structure.h); M: a Method.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Stored>& scene, const Grid& grid,
                                                              const Ray<typename M::Real>& ray,
@@ -232,7 +239,9 @@ MASU_HD inline NearHit<typename M::TestRay> nearest_hit_near(const SceneView<Sto
   if (!meets_bounds) return {{}, {ray.t_max, no_primitive}, 0};
   typename M::TestRay test_ray;
   prepare(test_ray, near.ray.origin, near.ray.direction);
-  NearestHit<M, Stored, Counts> visitor{scene, test_ray, counts, near.ray.t_max, {near.ray.t_max, 0}};
+  const auto stop = stop_rule(grid);
+  NearestHit<M, Stored, Counts, std::decay_t<decltype(stop)>> visitor{
+      scene, test_ray, counts, near.ray.t_max, {near.ray.t_max, 0}, stop};
   visit(grid, near, scene.primitive_count(), visitor);
   if (!(visitor.hit.t < near.ray.t_max)) visitor.hit = {ray.t_max, no_primitive};
   return {test_ray, visitor.hit, near.skipped};

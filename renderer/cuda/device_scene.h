@@ -97,7 +97,10 @@ struct DeviceGrid {
   HierarchyView<Real> moved(HierarchyView<Real>) const {
     return {nodes.data(), references.data()};
   }
-  NoGrid moved(NoGrid) const { return {}; }
+  template <class Real>
+  AnyStructure<Real> moved(const AnyStructure<Real>& any) const {
+    return {any.structure, any.stop, moved(any.uniform), moved(any.merged), moved(any.hierarchy)};
+  }
 };
 
 inline constexpr int leaves_a_block = 128;

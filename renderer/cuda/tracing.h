@@ -25,9 +25,9 @@ template <class M>
 struct DeviceMethod {
   using type = M;
 };
-template <unsigned kinds, StopRule stop>
-requires((kinds & with_cones) != 0) struct DeviceMethod<Method<WatertightRay<float>, kinds, stop>> {
-  using type = Method<PreparedRay<float>, kinds, stop>;
+template <unsigned kinds>
+requires((kinds & with_cones) != 0) struct DeviceMethod<Method<WatertightRay<float>, kinds>> {
+  using type = Method<PreparedRay<float>, kinds>;
 };
 template <class M>
 using OnDevice = typename DeviceMethod<M>::type;
@@ -127,11 +127,12 @@ inline unsigned blocks_of(int threads, std::size_t rays) {
   return static_cast<unsigned>((rays + each - 1) / each);
 }
 
-// Other arithmetics than `robust` trace occlusion, and hierarchies, by a thread a ray: they aren't worth
-// their kernels.
+// `double` traces occlusion, and hierarchies, by a thread a ray, `fast` everything: they aren't worth their
+// kernels.
 template <Query query, class TestRay, class Grid>
 constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
-                                (query == Query::nearest_hit && !is_hierarchy<Grid>);
+                                (std::is_same_v<TestRay, WatertightRay<double>> &&
+                                 query == Query::nearest_hit && !is_hierarchy<Grid>);
 
 // A list of rays, with room for those that culling chooses where that may be worth it.
 template <class Real>
@@ -203,24 +204,31 @@ template <class TestRay, class Stored>
 KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
                        const GridFile* host_grid, const RaysRequest& request,
                        const RayBatch<typename TestRay::Real>& batch) {
+  using Real = typename TestRay::Real;
   KernelSize size{};
   const auto& scene = files.scene.view;
   with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
     const auto grid = files.template moved<M>(view);
     using Accelerator = std::decay_t<decltype(grid)>;
     with_query(request.query, [&]<Query query>(QueryTag<query>) {
-      // Any hit is as good as another: the rule by which a search for the nearest one ends doesn't matter.
-      using Used = std::conditional_t<query == Query::occlusion, Method<TestRay, M::kinds>, M>;
-      if constexpr (std::is_same_v<C, NoCounts> && !std::is_same_v<Accelerator, NoGrid> &&
-                    M::stop == StopRule::proven && has_warp_loops<query, TestRay, Accelerator>) {
-        if constexpr (!is_hierarchy<Accelerator>) {
-          if (request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps) {
-            size = trace_by_warps<query, M>(files, grid, request.loop, batch);
+      // Lists go through uniform grids for comparison: for all kinds.
+      using Used =
+          std::conditional_t<std::is_same_v<Accelerator, GridView<Real>>, Method<TestRay, with_all_kinds>, M>;
+      if constexpr (std::is_same_v<C, NoCounts> && has_warp_loops<query, TestRay, Accelerator>) {
+        const bool by_warps = request.loop != RayLoop::thread_per_ray && batch.count <= max_rays_by_warps;
+        if constexpr (is_any_structure<Accelerator>) {
+          if (by_warps && grid.structure == Structure::merged && grid.stop == StopRule::proven) {
+            size = trace_by_warps<query, Used>(files, grid.merged, request.loop, batch);
+            return;
+          }
+        } else if constexpr (!is_hierarchy<Accelerator>) {
+          if (by_warps) {
+            size = trace_by_warps<query, Used>(files, grid, request.loop, batch);
             return;
           }
         } else {
-          if (request.loop == RayLoop::warp_refill && batch.count <= max_rays_by_warps) {
-            size = trace_with_refill<query, M>(files, grid, batch);
+          if (by_warps && request.loop == RayLoop::warp_refill) {
+            size = trace_with_refill<query, Used>(files, grid, batch);
             return;
           }
         }

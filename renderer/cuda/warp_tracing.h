@@ -81,13 +81,11 @@ inline constexpr int all_fetch = lanes_a_warp, some_fetch = 12, some_fetch_chose
 // Where fewer lanes found a list, the others first go one step further.
 inline constexpr int few_lists = 6;
 
-// The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`. M: with
-// StopRule::proven.
+// The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`. 
 template <bool finishes, Query query, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayQueue<typename M::Real> queue,
                 const int fetching, const RayResults results, const StragglerQueue<typename M::Real> left) {
-  static_assert(M::stop == StopRule::proven);
   using Real = typename M::Real;
   constexpr unsigned warps_a_block = rays_a_block / lanes_a_warp;
   __shared__ WarpRays<typename M::TestRay> block_rays[warps_a_block];
@@ -172,7 +170,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
       }
     }
     const auto go_on = [&] {
-      const bool done = can_terminate<query, M::stop>(rays.nearest[own.ray].get().t, rays.ends[own.ray].t_max,
+      const bool done = can_terminate<query>(rays.nearest[own.ray].get().t, rays.ends[own.ray].t_max,
                                                       own.walk.exit);
       own.under_way = own.walk.leave(grid) & !done & (own.walk.exit < own.end);
     };

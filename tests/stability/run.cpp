@@ -3,6 +3,7 @@
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
 #include "libgrid/build/hierarchy.h"
+#include "libgrid/trace/any_structure.h"
 #include "renderer/dispatch.h"
 #include "tests/stability/oracle/embree_scene.h"
 #include "tests/stability/oracle/exact_hit.h"
@@ -35,28 +36,29 @@ template <class TestRay, class Stored>
 std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>& grids,
                          const std::vector<Ray<double>>& rays, StopRule stop) {
   using Real = typename TestRay::Real;
-  using Proven = Method<TestRay, with_all_kinds>;
+  using M = Method<TestRay, with_all_kinds>;
   std::vector<Found> found(rays.size());
   std::vector<Hit<Real>> first(rays.size());
   const auto for_each_ray = [&](const auto& act) { tbb::parallel_for(std::size_t{0}, rays.size(), act); };
   if (stop == StopRule::first_cell) {
-    using FirstCell = Method<TestRay, with_all_kinds, StopRule::first_cell>;
     with_grid_view<Real>(grids.front(), [&](const auto& view) {
+      AnyStructure<Real> any = any_structure(view);
+      any.stop = stop;
       for_each_ray([&](std::size_t i) {
-        const Hit<Real> hit = find<FirstCell>(scene, view, rays[i]);
+        const Hit<Real> hit = find<M>(scene, any, rays[i]);
         found[i] = {static_cast<double>(hit.t), hit.primitive, true};
       });
     });
     return found;
   }
   for_each_ray([&](std::size_t i) {
-    first[i] = find<Proven>(scene, NoGrid{}, rays[i]);
+    first[i] = find<M>(scene, NoGrid{}, rays[i]);
     found[i] = {static_cast<double>(first[i].t), first[i].primitive, true};
   });
   for (const Grid& grid : grids) {
     with_grid_view<Real>(grid, [&](const auto& view) {
       for_each_ray([&](std::size_t i) {
-        found[i].same = found[i].same && same_hit(find<Proven>(scene, view, rays[i]), first[i]);
+        found[i].same = found[i].same && same_hit(find<M>(scene, view, rays[i]), first[i]);
       });
     });
   }
