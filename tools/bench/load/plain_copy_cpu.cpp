@@ -1,6 +1,5 @@
 #include "libscene/base/stopwatch.h"
-#include "tools/bench/load/file_reader.h"
-#include "tools/bench/load/mapped_file.h"
+#include "libscene/file/file_mapping.h"
 #include "tools/bench/load/plain_copy.h"
 
 #include <cstring>
@@ -18,16 +17,14 @@ void pretend_to_read(const std::uint8_t* bytes) {
 
 double copy_seconds_cpu(const std::string& path, CopyFrom from) {
   const Stopwatch watch;
-  if (from == CopyFrom::mapping) {
-    const MappedFile file(path);
-    const auto copy = std::make_unique_for_overwrite<std::uint8_t[]>(file.bytes().size());
-    std::memcpy(copy.get(), file.bytes().data(), file.bytes().size());
-    pretend_to_read(copy.get());
-    return watch.seconds();
-  }
-  FileReader file(path);
+  const InputFile file(path);
   const auto copy = std::make_unique_for_overwrite<std::uint8_t[]>(file.size());
-  file.read({copy.get(), file.size()});
+  if (from == CopyFrom::mapping) {
+    const FileMapping mapping(file);
+    std::memcpy(copy.get(), mapping.bytes().data(), mapping.bytes().size());
+  } else {
+    file.read(0, {copy.get(), file.size()});
+  }
   pretend_to_read(copy.get());
   return watch.seconds();
 }

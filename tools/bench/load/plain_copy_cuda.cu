@@ -1,8 +1,7 @@
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/device_memory.h"
+#include "libscene/file/file_mapping.h"
 #include "renderer/cuda/host_rays.h"
-#include "tools/bench/load/file_reader.h"
-#include "tools/bench/load/mapped_file.h"
 #include "tools/bench/load/plain_copy.h"
 
 #include <algorithm>
@@ -18,13 +17,12 @@ constexpr std::size_t buffer_bytes = std::size_t{4} << 20;
 double copy_read(const std::string& path) {
   const PinnedBuffer buffer(buffer_bytes);
   const Stopwatch watch;
-  FileReader file(path);
+  const InputFile file(path);
   const DeviceArray<std::uint8_t> copy(file.size());
-  for (std::size_t at = 0; at < copy.size();) {
-    const std::size_t got = file.read(buffer.bytes().first(std::min(buffer_bytes, copy.size() - at)));
-    if (got == 0) throw Error(ErrorCode::input, path, "was cut short while it was read: try again");
-    check(cudaMemcpy(copy.data() + at, buffer.bytes().data(), got, cudaMemcpyHostToDevice));
-    at += got;
+  for (std::size_t at = 0; at < copy.size(); at += buffer_bytes) {
+    const auto piece = buffer.bytes().first(std::min(buffer_bytes, copy.size() - at));
+    file.read(at, piece);
+    check(cudaMemcpy(copy.data() + at, piece.data(), piece.size(), cudaMemcpyHostToDevice));
   }
   check(cudaDeviceSynchronize());
   return watch.seconds();
@@ -32,8 +30,9 @@ double copy_read(const std::string& path) {
 
 double copy_mapped(const std::string& path) {
   const Stopwatch watch;
-  const MappedFile file(path);
-  const DeviceArray<std::uint8_t> copy(file.bytes().data(), file.bytes().size());
+  const InputFile file(path);
+  const FileMapping mapping(file);
+  const DeviceArray<std::uint8_t> copy(mapping.bytes().data(), mapping.bytes().size());
   check(cudaDeviceSynchronize());
   return watch.seconds();
 }
