@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <type_traits>
+#include <unordered_map>
 
 namespace masu {
 namespace {
@@ -47,6 +49,33 @@ Boxd box_of(const Grid& grid, const VoxelBox& voxels) {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
+// Why a walk ends where nothing is hit, unless the ray's end is reached before.
+WalkEnd end_without_hit(Structure structure) {
+  switch (structure) {
+  case Structure::none:
+    return WalkEnd::tested_all;
+  case Structure::hierarchy:
+    return WalkEnd::visited_all;
+  default:
+    return WalkEnd::left_grid;
+  }
+}
+
+// Where a ray is in a box, from its origin on: between t = enter and exit, or nowhere where enter > exit.
+struct Interval {
+  double enter, exit;
+};
+Interval interval_in(const Boxd& box, const Vec3d& origin, const Vec3d& inverse) {
+  Interval interval{0, never};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double low = (box.min[axis] - origin[axis]) * inverse[axis],
+                 high = (box.max[axis] - origin[axis]) * inverse[axis];
+    interval.enter = std::max(interval.enter, std::min(low, high));
+    interval.exit = std::min(interval.exit, std::max(low, high));
+  }
+  return interval;
+}
+
 // Thrown where no other ray is to be traced.
 struct EndedEarly {};
 
@@ -84,8 +113,8 @@ public:
     next.t_max = ray.t_max < RealTraits<Real>::largest ? static_cast<double>(ray.t_max) : never;
     skipped_t_ = near.skipped;
     exit_ = 0;
-    if (meets_bounds) next.end = report_.has_grid ? WalkEnd::left_grid : WalkEnd::tested_all;
-    if (meets_bounds && !report_.has_grid) {
+    if (meets_bounds) next.end = end_without_hit(report_.structure);
+    if (meets_bounds && report_.structure == Structure::none) {
       WalkStep all;
       all.box = report_.space;
       all.enter = from_origin(0);
@@ -117,23 +146,13 @@ public:
   void cell(bool) { ++ray_->cells; }
   template <class Grid>
   void entered(const Grid& grid, const Walk<Real, Grid>& walk) {
-    show_progress();
-    step_ = nullptr;
-    // A step has all its tests, and no steps are left out before it.
-    const bool is_next = is_recorded() && ray_->steps.size() + 1 == ray_->cells;
-    const std::uint32_t references = is_next ? references_of(grid.references, walk.cell.list) : 0;
-    if (!is_next || !takes_room(sizeof(WalkStep) + references * sizeof(WalkTest))) {
-      ++counted_;
-      return;
-    }
-    WalkStep step;
-    step.voxels = cell_voxels(grid, walk.voxel());
-    step.box = box_of(grid, step.voxels);
-    step.enter = from_origin(exit_);
-    step.exit = from_origin(walk.exit);
-    step.references = references;
-    ray_->steps.push_back(std::move(step));
-    step_ = &ray_->steps.back();
+    add_step([&] { return references_of(grid.references, walk.cell.list); },
+             [&](WalkStep& step) {
+               step.voxels = cell_voxels(grid, walk.voxel());
+               step.box = box_of(grid, step.voxels);
+               step.enter = from_origin(exit_);
+               step.exit = from_origin(walk.exit);
+             });
   }
   template <class Grid>
   void left(const Walk<Real, Grid>& walk, bool done) {
@@ -141,6 +160,39 @@ public:
     if (done) ray_->end = ray_->primitive != no_primitive ? WalkEnd::hit : WalkEnd::t_max;
   }
   void skipped(std::int32_t) {}
+
+  // --- Nodes
+
+  void visited(std::uint32_t index, const HierarchyNode& node, const Vec3<Real>& origin,
+               const Vec3<Real>& inverse, Real farthest, const MetBoxes& met) {
+    if (index == 0) depths_.clear();
+    const int depth = index == 0 ? 0 : depths_[index];
+    for (int child = 0; child < std::popcount(node_slots(node)); ++child)
+      depths_[node.first_node + static_cast<std::uint32_t>(child)] = depth + 1;
+    add_step([&] { return static_cast<std::uint32_t>(std::popcount(met.bits & 0xffffff)); },
+             [&](WalkStep& step) {
+               step.node = {index, depth};
+               const auto along = [&](const Boxd& box) {
+                 return interval_in(box, cast<double>(origin), cast<double>(inverse));
+               };
+               step.box = empty_box<double>();
+               for (int slot = 0; slot < boxes_a_node; ++slot) {
+                 const std::uint32_t byte = slot_byte(node.slots, slot);
+                 if (byte == 0) continue;
+                 const Boxd box = box_of(node, slot);
+                 step.box = join(step.box, box);
+                 if ((met.bits & met_bits(byte)) != 0)
+                   ++step.node.met;
+                 else if (along(box).enter <= along(box).exit &&
+                          along(box).enter > static_cast<double>(farthest))
+                   ++step.node.beyond;
+                 else
+                   ++step.node.missed;
+               }
+               step.enter = from_origin(static_cast<Real>(along(step.box).enter));
+               step.exit = from_origin(static_cast<Real>(along(step.box).exit));
+             });
+  }
 
   // --- Tests
 
@@ -157,12 +209,29 @@ public:
   }
   void kept() {
     if (step_ != nullptr) step_->tests.back().kept = true;
+    if (report_.structure == Structure::hierarchy) ray_->end = WalkEnd::hit;
     ray_->t = static_cast<float>(test_.t);
     ray_->primitive = test_.primitive;
   }
 
 private:
   bool is_recorded() const { return ray_ != &not_recorded_; }
+  // A step has all its tests, and no steps are left out before it.
+  template <class References, class Describe>
+  void add_step(const References& references, const Describe& describe) {
+    show_progress();
+    step_ = nullptr;
+    const bool is_next = is_recorded() && ray_->steps.size() + 1 == ray_->cells;
+    WalkStep step;
+    step.references = is_next ? references() : 0;
+    if (!is_next || !takes_room(sizeof(WalkStep) + step.references * sizeof(WalkTest))) {
+      ++counted_;
+      return;
+    }
+    describe(step);
+    ray_->steps.push_back(std::move(step));
+    step_ = &ray_->steps.back();
+  }
   bool takes_room(std::size_t bytes) {
     if (bytes > request_.limits.bytes - bytes_) return false;
     bytes_ += bytes;
@@ -189,6 +258,7 @@ private:
   WalkRay* ray_ = nullptr;   // one of the report's, or not_recorded_
   WalkStep* step_ = nullptr; // null where its tests are only counted
   WalkTest test_{};
+  std::unordered_map<std::uint32_t, int> depths_{}; // of nodes visited, and of theirs
   Real skipped_t_ = 0, exit_ = 0;
   WalkRay not_recorded_{};
   std::size_t bytes_ = 0;     // of WalkLimits
@@ -246,12 +316,12 @@ void move_to_world(const Vec3d& origin, WalkReport& report) {
 WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   check_depth(request.rules.depth);
   const GridFile* const grid = tracer.grid();
-  if (grid != nullptr && grid->is_hierarchy())
-    throw Error(ErrorCode::usage, "walk", "needs a grid of cells: a hierarchy has none");
   WalkReport report;
-  report.has_grid = grid != nullptr;
   report.space = tracer.scene().bounds();
-  if (grid != nullptr) {
+  if (grid != nullptr && grid->is_hierarchy()) {
+    report.structure = Structure::hierarchy;
+  } else if (grid != nullptr) {
+    report.structure = grid->is_merged() ? Structure::merged : Structure::uniform;
     report.space = grid->layout().space;
     report.division = grid->layout().division;
   }
@@ -315,6 +385,8 @@ const char* name_of(WalkEnd end) {
     return "t_max";
   case WalkEnd::left_grid:
     return "left_grid";
+  case WalkEnd::visited_all:
+    return "visited_all";
   case WalkEnd::tested_all:
     return "tested_all";
   }
@@ -327,12 +399,15 @@ std::string description_of(const WalkRay& ray) {
     return "the ray misses the scene's bounds";
   case WalkEnd::hit:
     return ray.kind == RayKind::shadow ? "something is hit: the light is occluded"
-                                       : "nothing in a later cell can be nearer than the hit";
+                                       : "nothing that is still to come can be nearer than the hit";
   case WalkEnd::t_max:
     return ray.kind == RayKind::shadow ? "the light is reached: it isn't occluded"
                                        : "the ray's end is reached";
   case WalkEnd::left_grid:
     return "the ray leaves the grid";
+  case WalkEnd::visited_all:
+    return ray.kind == RayKind::shadow ? "all boxes on the way were visited: the light isn't occluded"
+                                       : "all boxes on the way were visited";
   case WalkEnd::tested_all:
     return "every primitive was tested";
   }

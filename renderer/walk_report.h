@@ -1,9 +1,10 @@
-// A ray's way through the grid, cell by cell, as data: what it visited, what it tested there, what it hit and
-// why it ended. Recorded by the normal code (libgrid/trace/trace.h), on the CPU, whatever device the tracer
-// has.
+// A ray's way through a grid, cell by cell, or through a hierarchy, node by node, as data: what it visited,
+// what it tested there, what it hit and why it ended. Recorded by the normal code (libgrid/trace/trace.h), on
+// the CPU, whatever device the tracer has.
 #pragma once
 
 #include "libgrid/grid_layout.h"
+#include "libgrid/trace/any_structure.h"
 #include "renderer/tracer.h"
 
 #include <cmath>
@@ -23,13 +24,25 @@ struct WalkTest {
   bool kept; // the ray's hit from here on: nearer than all before it, or for a shadow ray any one in range
 };
 
-// A cell visited; without a grid the only step, through all of the scene.
+// A hierarchy's node visited, and what became of its boxes: those met are visited or tested, now or, if
+// nothing nearer is hit before, later.
+struct WalkNode {
+  std::uint32_t index = 0;
+  int depth = 0; // of the root: 0
+  int met = 0;
+  int missed = 0; // by the ray
+  int beyond = 0; // entered beyond the nearest hit, or the ray's end
+};
+
+// A cell or a node visited; without a grid the only step, through all of the scene.
 struct WalkStep {
   VoxelBox voxels{}; // of the cell, in the grid's smallest voxels; of an expanded cell, of its larger box
-  Boxd box{};        // the same in the scene's units
-  double enter = 0;  // t; the first step's is where the ray enters the scene's bounds
-  double exit = 0;   // t; infinity where the ray never leaves, and without a grid
-  std::uint32_t references = 0;  // that the cell lists; a shadow ray ends before the last of them
+  WalkNode node{};
+  Boxd box{};       // in the scene's units; of a node, around all its boxes
+  double enter = 0; // t; the first step's is where the ray enters the scene's bounds
+  double exit = 0;  // t; infinity where the ray never leaves, and without a grid
+  // That the cell lists, or that are in the boxes met. A shadow ray ends before the last of them.
+  std::uint32_t references = 0;
   std::vector<WalkTest> tests{}; // in order
 };
 
@@ -38,10 +51,11 @@ enum class RayKind { camera, reflection, refraction, shadow };
 
 enum class WalkEnd {
   missed, // the ray doesn't meet the scene's bounds: no cell was visited
-  hit,    // the nearest hit is no farther than the last cell's exit; of a shadow ray: something is hit
+  hit,    // nothing that is still to come is nearer than the nearest hit; of a shadow ray: something is hit
   t_max,  // the last cell's exit is beyond the ray's end
   left_grid,
-  tested_all // without a grid
+  visited_all, // nodes whose boxes it meets, and nothing is hit
+  tested_all   // without a grid
 };
 
 struct WalkRay {
@@ -56,12 +70,12 @@ struct WalkRay {
   float t = static_cast<float>(INFINITY);
   PrimitiveIndex primitive = no_primitive;
   std::uint32_t object = no_primitive;
-  std::uint64_t cells = 0, tests = 0; // as Counts has them
+  std::uint64_t cells = 0, tests = 0; // as Counts has them; cells: of a hierarchy, nodes
 };
 
 struct WalkReport {
-  bool has_grid = false;
-  Vec3i division{};            // in the grid's smallest voxels
+  Structure structure = Structure::none;
+  Vec3i division{};            // of a grid, in its smallest voxels
   Boxd space{};                // that is divided; without a grid the scene's bounds
   std::vector<WalkRay> rays{}; // in the order in which they were traced, the camera's first
   Vec3f radiance{};            // that comes back along the first ray, where all rays are traced

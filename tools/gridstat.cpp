@@ -7,6 +7,7 @@
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/draw/slice_picture.h"
+#include "tools/report/bars.h"
 #include "tools/report/cell_export.h"
 #include "tools/report/grid_report.h"
 #include "tools/report/hierarchy_report.h"
@@ -90,25 +91,11 @@ void print_table(const GridFile& file, const Statistics& statistics, const Json&
   line("geometry", json["geometry_hash"].get<std::string>());
 }
 
-// A line for each i with counts[i] > 0, with a bar.
-template <class Name>
-void print_bars(const char* head, const std::vector<std::uint64_t>& counts, const Name& name) {
-  std::uint64_t most = 1;
-  for (const std::uint64_t count : counts)
-    most = std::max(most, count);
-  fmt::print("\n{:>15} {:>10}\n", head, "cells");
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (counts[i] == 0) continue;
-    const auto bar =
-        static_cast<std::size_t>(50 * static_cast<double>(counts[i]) / static_cast<double>(most));
-    fmt::print("{:>15} {:>10} {}\n", name(i), counts[i], std::string(bar, '#'));
-  }
-}
-
 void print_histogram(const Statistics& statistics) {
-  print_bars("references", statistics.cells.histogram, [](std::size_t references) { return references; });
+  print_bars("references", "cells", statistics.cells.histogram,
+             [](std::size_t references) { return references; });
   if (statistics.map.cells_by_size.empty()) return;
-  print_bars("voxels from", statistics.map.cells_by_size,
+  print_bars("voxels from", "cells", statistics.map.cells_by_size,
              [](std::size_t log2) { return std::uint64_t{1} << log2; });
 }
 
@@ -138,16 +125,14 @@ void draw_slice(const GridFile& file, const Settings& settings) {
 }
 
 void write_cells(const GridFile& file, const Settings& settings) {
-  const GridLayout finest = finest_layout(file);
   CellExport options = settings.cell_export;
-  options.filter.within = whole_of(finest.division);
   if (!settings.within.empty()) {
     const auto& w = settings.within;
     const Boxd box{{w[0], w[1], w[2]}, {w[3], w[4], w[5]}};
     const bool is_finite = std::ranges::all_of(w, [](double value) { return std::isfinite(value); });
     if (!is_finite || is_empty(box))
       throw Error(ErrorCode::usage, "--within", "isn't a box: give the least x, y, z, then the greatest");
-    options.filter.within = voxels_covered(finest, box);
+    options.within = box;
   }
   export_cells(file, options, settings.cells);
 }
@@ -155,13 +140,15 @@ void write_cells(const GridFile& file, const Settings& settings) {
 void inspect(const Settings& settings) {
   const GridFile file(settings.grid);
   if (file.is_hierarchy()) {
-    for (const auto& [wanted, option] :
-         {std::pair(!settings.slice.empty(), "--slice"), std::pair(!settings.cells.empty(), "--cells"),
-          std::pair(settings.histogram, "--histogram")})
+    for (const auto& [wanted, option] : {std::pair(!settings.slice.empty(), "--slice"),
+                                         std::pair(settings.cell_export.expanded, "--expanded")})
       if (wanted) throw Error(ErrorCode::usage, option, "needs a grid of cells: a hierarchy has none");
-    return print_hierarchy_report(file, settings.json  ? ReportFormat::json
-                                        : settings.csv ? ReportFormat::csv
-                                                       : ReportFormat::table);
+    if (!settings.cells.empty()) return write_cells(file, settings);
+    return print_hierarchy_report(file,
+                                  settings.json  ? ReportFormat::json
+                                  : settings.csv ? ReportFormat::csv
+                                                 : ReportFormat::table,
+                                  settings.histogram);
   }
   if (!settings.slice.empty()) return draw_slice(file, settings);
   if (!settings.cells.empty()) return write_cells(file, settings);
@@ -276,7 +263,7 @@ int main(int argc, char** argv) {
                 ->excludes(csv)
                 ->excludes(histogram);
         CellExport& cell_export = settings.cell_export;
-        app.add_flag("--occupied", cell_export.filter.occupied_only, "of --cells: only those with references")
+        app.add_flag("--occupied", cell_export.occupied_only, "of --cells: only those with references")
             ->needs(cells);
         app.add_option("--within", settings.within,
                        "of --cells: only those that share space with the box X,Y,Z,X,Y,Z in scene units")

@@ -38,32 +38,45 @@ double area_around(const HierarchyNode& node) {
 
 } // namespace
 
-HierarchyStatistics hierarchy_statistics(std::span<const HierarchyNode> nodes) {
-  HierarchyStatistics found;
-  found.nodes = nodes.size();
+void for_each_box(std::span<const HierarchyNode> nodes, const std::function<void(const HierarchyBox&)>& act) {
   std::vector<std::uint8_t> depths(nodes.size());
-  depths[0] = 1;
-  double visited = 0, tested = 0;
-  const double root = area_around(nodes[0]);
   for (std::size_t i = 0; i < nodes.size(); ++i) { // a node's nodes come after it
     const HierarchyNode& node = nodes[i];
-    found.depth = std::max(found.depth, static_cast<int>(depths[i]));
     const auto held = static_cast<std::uint64_t>(std::popcount(node_slots(node)));
-    found.node_boxes += held;
     for (std::uint64_t child = 0; child < held; ++child)
       depths[node.first_node + child] = static_cast<std::uint8_t>(depths[i] + 1);
     for (int slot = 0; slot < boxes_a_node; ++slot) {
       const std::uint32_t byte = slot_byte(node.slots, slot);
       if (byte == 0) continue;
-      if ((node_slots(node) >> slot & 1) != 0) {
-        visited += area_of(node, slot);
-        continue;
-      }
-      ++found.reference_boxes;
-      found.references += references_in(byte);
-      tested += area_of(node, slot) * references_in(byte);
+      const bool is_node = (node_slots(node) >> slot & 1) != 0;
+      act({static_cast<std::uint32_t>(i), slot, depths[i], is_node ? 0 : references_in(byte)});
     }
   }
+}
+
+HierarchyStatistics hierarchy_statistics(std::span<const HierarchyNode> nodes) {
+  HierarchyStatistics found;
+  found.nodes = nodes.size();
+  double visited = 0, tested = 0;
+  const double root = area_around(nodes[0]);
+  for_each_box(nodes, [&](const HierarchyBox& box) {
+    const double area = area_of(nodes[box.node], box.slot);
+    found.depth = std::max(found.depth, box.depth + 1);
+    if (box.references == 0) {
+      ++found.node_boxes;
+      visited += area;
+      return;
+    }
+    ++found.reference_boxes;
+    found.references += box.references;
+    tested += area * box.references;
+    const auto count = [](std::vector<std::uint64_t>& counts, std::size_t at) {
+      if (counts.size() <= at) counts.resize(at + 1);
+      ++counts[at];
+    };
+    count(found.boxes_by_references, box.references);
+    count(found.boxes_by_depth, static_cast<std::size_t>(box.depth));
+  });
   found.boxes_a_node =
       static_cast<double>(found.node_boxes + found.reference_boxes) / static_cast<double>(nodes.size());
   if (root > 0) {

@@ -4,7 +4,9 @@
 #include "libgrid/trace/hierarchy_view.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <vector>
 
 namespace masu {
 
@@ -18,7 +20,17 @@ struct HierarchyStatistics {
   // (the surface area heuristic's expectation: Goldsmith & Salmon, "Automatic Creation of Object Hierarchies
   // for Ray Tracing", IEEE CG&A 7(5), 1987).
   double nodes_a_ray = 0, tests_a_ray = 0;
+  std::vector<std::uint64_t> boxes_by_references{}, boxes_by_depth{}; // boxes of references
 };
+
+// A box of a node: around another node, or around references.
+struct HierarchyBox {
+  std::uint32_t node;
+  int slot, depth;          // of the node; the root's is 0
+  std::uint32_t references; // 0 for a box around a node
+};
+// In the order of the nodes, and in a node of the slots. Of checked nodes.
+void for_each_box(std::span<const HierarchyNode> nodes, const std::function<void(const HierarchyBox&)>& act);
 
 // Of checked nodes.
 HierarchyStatistics hierarchy_statistics(std::span<const HierarchyNode> nodes);

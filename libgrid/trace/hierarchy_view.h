@@ -8,7 +8,10 @@
 #pragma once
 
 #include "libscene/base/fetch.h"
+#include "libscene/geometry/box.h"
 #include "libscene/geometry/primitives.h"
+
+#include <cmath>
 
 namespace masu {
 
@@ -48,6 +51,20 @@ MASU_HD inline std::uint32_t references_begin(std::uint32_t slot) {
 }
 MASU_HD inline std::uint32_t references_in(std::uint32_t slot) {
   return (slot >> 5 & 1) + (slot >> 6 & 1) + (slot >> 7 & 1);
+}
+
+// Of a slot that holds something, relative to the scene's origin.
+inline Boxd box_of(const HierarchyNode& node, int slot) {
+  Boxd box{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double unit = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127);
+    const auto plane = [&](const std::uint32_t(&planes)[2]) {
+      return std::fma(unit, slot_byte(planes, slot), static_cast<double>(node.origin[axis]));
+    };
+    box.min.set(axis, plane(node.low[axis]));
+    box.max.set(axis, plane(node.high[axis]));
+  }
+  return box;
 }
 
 template <class Real>

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "libgrid/trace/hierarchy_view.h"
+#include "libgrid/trace/walk.h"
 #include "libscene/geometry/clip.h"
 
 #ifdef MASU_HOST_AVX2
@@ -296,6 +297,8 @@ struct HierarchyWalk {
 #endif
       const MetBoxes met = boxes_met(node, visitor.ray.origin, inverse, visitor.farthest());
       visitor.counts.cell(met.bits == 0);
+      if constexpr (records_walk<std::decay_t<decltype(visitor.counts)>>)
+        visitor.counts.visited(next, node, visitor.ray.origin, inverse, visitor.farthest(), met);
       const std::uint32_t nodes = met.bits >> 24;
       references = {node.first_reference, met.bits & 0xffffff};
       next = no_node;

@@ -46,13 +46,6 @@ struct Method {
   static constexpr unsigned kinds = kinds_;
 };
 
-// Whether counts are also shown each ray, cell and test (renderer/walk_report.h): they have a member
-// records_walk. For others no code is compiled.
-template <class Counts>
-inline constexpr bool records_walk = requires {
-  Counts::records_walk;
-};
-
 // intersect(), shown to counts that record it.
 template <unsigned kinds, class TestRay, class Stored, class Counts>
 MASU_HD inline bool test_primitive(const SceneView<Stored>& scene, const TestRay& ray,

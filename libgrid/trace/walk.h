@@ -15,6 +15,13 @@
 
 namespace masu {
 
+// Whether counts are also shown each ray, cell or node, and test (renderer/walk_report.h): they have a member
+// records_walk. For others no code is compiled.
+template <class Counts>
+inline constexpr bool records_walk = requires {
+  Counts::records_walk;
+};
+
 // One axis of the walk: plane i is crossed at t = i · plane_step + plane_start, and at t the ray is
 // t · voxel_step + voxel_start voxels from the space's lower corner.
 template <class Real>

@@ -66,6 +66,9 @@ MASU_HD inline bool clip(const Ray<Real>& ray, const Box<Real>& box, ClippedRay<
   // The box's padding, less the rounding of the box itself.
   constexpr Real padding = (2 * margin_roundings - 16) * RealTraits<Real>::unit_roundoff;
   if (departs(box, ray, padding * largest)) return false;
+#ifdef __CUDA_ARCH__
+#pragma unroll 1 // one clip is nearly always enough
+#endif
   for (int clips = 0; clips < most_clips; ++clips) {
     Real enter;
     if (!crosses(box, clipped.ray, clipped.inverse, enter)) return false;

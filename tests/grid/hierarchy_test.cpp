@@ -24,7 +24,7 @@ namespace masu {
 namespace {
 
 // A box in a node, as tracing sees it: exact, since a unit is no finer than the origin's last digit.
-Boxd box_of(const HierarchyNode& node, int slot) {
+Boxd decoded_box(const HierarchyNode& node, int slot) {
   Boxd box;
   for (int axis = 0; axis < 3; ++axis) {
     const double unit = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127);
@@ -53,7 +53,7 @@ std::vector<std::vector<Boxd>> boxes_of_primitives(const Grid& grid, std::uint32
     std::uint32_t next = node.first_node;
     for (int slot = 0; slot < boxes_a_node; ++slot) {
       const std::uint32_t held = slot_byte(node.slots, slot);
-      const Boxd box = common(around, box_of(node, slot));
+      const Boxd box = common(around, decoded_box(node, slot));
       if ((node_slots(node) >> slot & 1) != 0) {
         descend(next++, box);
         continue;
@@ -129,7 +129,7 @@ protected:
   // Into planes of boxes of a node, or along their edges.
   static void put_on_planes(Chance& chance, const Grid& grid, Ray<TracedReal>& ray) {
     const HierarchyNode& node = grid.nodes[chance.index(grid.nodes.size())];
-    const Boxd box = box_of(node, chance.whole(0, boxes_a_node - 1));
+    const Boxd box = decoded_box(node, chance.whole(0, boxes_a_node - 1));
     for (int axis = 0; axis < 3; ++axis) {
       if (chance.one_in(2)) continue;
       ray.origin.set(axis, static_cast<TracedReal>(chance.one_in(2) ? box.min[axis] : box.max[axis]));

@@ -69,7 +69,7 @@ Channels all_of(const Tracer& tracer, const FrameRequest& frame, bool all_rays =
   return trace_channels(tracer, request);
 }
 
-// Calls check(tracer, request) for random scenes with every kind of grid and with none.
+// Calls check(tracer, request) for random scenes with every kind of grid, with a hierarchy and with none.
 template <class Check>
 void for_random_pictures(std::int64_t scenes, const Check& check) {
   const RandomSeed seed;
@@ -78,16 +78,20 @@ void for_random_pictures(std::int64_t scenes, const Check& check) {
   for (std::int64_t i = 0; i < cases(scenes); ++i) {
     const Scene scene = random_scene(chance);
     const Case with = all_cases[i % std::ssize(all_cases)];
-    for (const GridKind kind : {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular}) {
+    for (const GridKind kind :
+         {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy}) {
       GridOptions options;
       options.kind = kind;
-      const char* const division = kind == GridKind::irregular ? "3x2x4" : i % 8 == 3 ? "70x9x130" : "9x7x11";
+      const char* const division = kind == GridKind::hierarchy   ? "1"
+                                   : kind == GridKind::irregular ? "3x2x4"
+                                   : i % 8 == 3                  ? "70x9x130"
+                                                                 : "9x7x11";
       const Rendering rendering(scene, with.store, division, options);
       FrameRequest request = rendering.request();
       request.tracing.precision = with.precision;
       request.sampling = i % 2 == 0 ? Sampling::corners : Sampling::centers;
       request.hither = i % 3 == 0;
-      if (i % 5 == 4) request.tracing.stop = StopRule::first_cell;
+      if (i % 5 == 4 && kind != GridKind::hierarchy) request.tracing.stop = StopRule::first_cell;
       SCOPED_TRACE(testing::Message() << "scene " << i << " kind " << static_cast<int>(kind) << " precision "
                                       << name_of(with.precision));
       check(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), request, chance);
@@ -195,6 +199,14 @@ TEST(Channels, ThoseThatWereNotRequestedAreEmpty) {
 
 // --- Walks ------------------------------------------------------------------------------------------------
 
+void expect_consistent(const WalkNode& node, std::size_t step) {
+  EXPECT_EQ(node.index == 0, step == 0);
+  EXPECT_EQ(node.depth == 0, step == 0);
+  EXPECT_LE(node.depth, static_cast<int>(step));
+  EXPECT_GE(std::min({node.met, node.missed, node.beyond}), 0);
+  EXPECT_LE(node.met + node.missed + node.beyond, boxes_a_node);
+  EXPECT_GE(node.met + node.missed + node.beyond, 1);
+}
 void expect_consistent(const WalkReport& report) {
   for (std::size_t i = 0; i < report.rays.size(); ++i) {
     const WalkRay& ray = report.rays[i];
@@ -205,15 +217,17 @@ void expect_consistent(const WalkReport& report) {
       EXPECT_NE(report.rays[static_cast<std::size_t>(ray.parent)].kind, RayKind::shadow);
       EXPECT_NE(report.rays[static_cast<std::size_t>(ray.parent)].primitive, no_primitive);
     }
-    EXPECT_EQ(ray.cells, report.has_grid ? ray.steps.size() : 0);
+    EXPECT_EQ(ray.cells, report.structure != Structure::none ? ray.steps.size() : 0);
     EXPECT_EQ(ray.end == WalkEnd::missed, ray.steps.empty());
     std::uint64_t tests = 0;
     WalkTest last{no_primitive, std::numeric_limits<double>::infinity(), false};
     for (std::size_t k = 0; k < ray.steps.size(); ++k) {
       const WalkStep& step = ray.steps[k];
       tests += step.tests.size();
-      EXPECT_EQ(step.enter, k > 0 ? ray.steps[k - 1].exit : step.enter);
-      if (report.has_grid) {
+      const bool is_cell = report.structure == Structure::uniform || report.structure == Structure::merged;
+      if (is_cell) EXPECT_EQ(step.enter, k > 0 ? ray.steps[k - 1].exit : step.enter);
+      if (report.structure == Structure::hierarchy) expect_consistent(step.node, k);
+      if (report.structure != Structure::none) {
         EXPECT_LE(step.tests.size(), step.references);
         EXPECT_TRUE(ray.kind == RayKind::shadow || step.tests.size() == step.references);
       }
@@ -222,12 +236,14 @@ void expect_consistent(const WalkReport& report) {
         EXPECT_LE(test.t, last.t);
         last = test;
       }
-      // The middle of the way through the cell lies in it, but for rounding.
-      if (!report.has_grid || !std::isfinite(step.exit)) continue;
+      // The middle of the way through the box lies in it, but for rounding.
+      if (report.structure == Structure::none || !std::isfinite(step.exit) || !(step.enter < step.exit))
+        continue;
       const Vec3d at = ray.origin + ray.direction * ((step.enter + step.exit) / 2);
       for (int axis = 0; axis < 3; ++axis) {
         EXPECT_GE(at[axis], step.box.min[axis] - 1e-4);
         EXPECT_LE(at[axis], step.box.max[axis] + 1e-4);
+        if (!is_cell) continue;
         EXPECT_LT(step.voxels.first[axis], step.voxels.end[axis]);
         EXPECT_LE(step.voxels.end[axis], report.division[axis]);
       }
@@ -348,7 +364,7 @@ TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
       if (k == 5) walk.limits = {1, 0, static_cast<std::uint64_t>(chance.between(0, 50))};
       const WalkReport part = trace_walk(tracer, walk);
       EXPECT_LE(part.rays.size(), std::max<std::size_t>(walk.limits.rays, 1));
-      if (part.has_grid) { // the first ray is there always
+      if (part.structure != Structure::none) { // the first ray is there always
         EXPECT_LE(recorded_bytes(part) - sizeof(WalkRay), walk.limits.bytes);
       }
       if (part.ended_early) {

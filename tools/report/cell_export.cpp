@@ -1,7 +1,9 @@
 #include "tools/report/cell_export.h"
 
+#include "libgrid/statistics/hierarchy_statistics.h"
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
+#include "libscene/local_origin.h"
 #include "tools/common/version.h"
 #include "tools/draw/color_map.h"
 
@@ -48,25 +50,71 @@ private:
   std::size_t size_ = 0;
 };
 
-void write_csv(const GridFile& file, const CellFilter& filter, OutputFile& out) {
+// A cell or a hierarchy's box, in scene units.
+struct ExportedBox {
+  std::uint64_t number;
+  Boxd box, expanded;
+  std::uint32_t references;
+  std::uint64_t voxels; // of a cell
+  int depth;            // of a hierarchy's box
+};
+
+bool share_space(const Boxd& a, const Boxd& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::max(a.min[axis], b.min[axis]) > std::min(a.max[axis], b.max[axis])) return false;
+  return true;
+}
+
+template <class Act>
+void for_each_exported(const GridFile& file, const CellExport& options, const Act& act) {
+  if (file.is_hierarchy()) {
+    const auto nodes = file.nodes();
+    return for_each_box(nodes, [&](const HierarchyBox& found) {
+      if (options.occupied_only && found.references == 0) return;
+      const Boxd box = in_world(file.origin(), box_of(nodes[found.node], found.slot));
+      if (options.within && !share_space(box, *options.within)) return;
+      const std::uint64_t number =
+          std::uint64_t{found.node} * boxes_a_node + static_cast<unsigned>(found.slot);
+      act(ExportedBox{number, box, box, found.references, 0, found.depth});
+    });
+  }
   const GridLayout finest = finest_layout(file);
+  const VoxelBox within =
+      options.within ? voxels_covered(finest, *options.within) : whole_of(finest.division);
+  for_each_cell(file, {within, options.occupied_only}, [&](const GridCell& cell) {
+    act(ExportedBox{cell.number, box_in_scene(finest, cell.box), box_in_scene(finest, cell.expanded),
+                    cell.references, cell.voxels, 0});
+  });
+}
+
+void write_csv(const GridFile& file, const CellExport& options, OutputFile& out) {
   fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text),
-                 "cell,min_x,min_y,min_z,max_x,max_y,max_z,expanded_min_x,expanded_min_y,expanded_min_z,"
-                 "expanded_max_x,expanded_max_y,expanded_max_z,references,occupied,voxels\n");
+  const auto end = std::back_inserter(text);
   const auto flush = [&] {
     out.write(text.data(), text.size());
     text.clear();
   };
-  for_each_cell(file, filter, [&](const GridCell& cell) {
-    const auto end = std::back_inserter(text);
+  const auto put = [&](const Boxd& box) {
+    for (const Vec3d& corner : {box.min, box.max})
+      fmt::format_to(end, ",{},{},{}", corner.x, corner.y, corner.z);
+  };
+  if (file.is_hierarchy())
+    fmt::format_to(end, "box,depth,min_x,min_y,min_z,max_x,max_y,max_z,references\n");
+  else
+    fmt::format_to(end,
+                   "cell,min_x,min_y,min_z,max_x,max_y,max_z,expanded_min_x,expanded_min_y,expanded_min_z,"
+                   "expanded_max_x,expanded_max_y,expanded_max_z,references,occupied,voxels\n");
+  for_each_exported(file, options, [&](const ExportedBox& cell) {
     fmt::format_to(end, "{}", cell.number);
-    for (const VoxelBox& voxels : {cell.box, cell.expanded}) {
-      const Boxd box = box_in_scene(finest, voxels);
-      for (const Vec3d& corner : {box.min, box.max})
-        fmt::format_to(end, ",{},{},{}", corner.x, corner.y, corner.z);
+    if (file.is_hierarchy()) {
+      fmt::format_to(end, ",{}", cell.depth);
+      put(cell.box);
+      fmt::format_to(end, ",{}\n", cell.references);
+    } else {
+      put(cell.box);
+      put(cell.expanded);
+      fmt::format_to(end, ",{},{},{}\n", cell.references, cell.references > 0 ? 1 : 0, cell.voxels);
     }
-    fmt::format_to(end, ",{},{},{}\n", cell.references, cell.references > 0 ? 1 : 0, cell.voxels);
     constexpr std::size_t piece = std::size_t{1} << 16;
     if (text.size() > piece) flush();
   });
@@ -77,7 +125,7 @@ void write_csv(const GridFile& file, const CellFilter& filter, OutputFile& out) 
 void write_ply(const GridFile& file, const CellExport& options, OutputFile& out) {
   std::uint64_t cells = 0;
   std::uint32_t most = 1; // references of a cell
-  for_each_cell(file, options.filter, [&](const GridCell& cell) {
+  for_each_exported(file, options, [&](const ExportedBox& cell) {
     ++cells;
     most = std::max(most, cell.references);
   });
@@ -96,12 +144,11 @@ void write_ply(const GridFile& file, const CellExport& options, OutputFile& out)
       version, commit, cells * corners_a_cell, shapes);
   out.write(head.data(), head.size());
 
-  const GridLayout finest = finest_layout(file);
   const ColorMap map;
   const double range = std::log(std::max<double>(most, 2));
   Bytes bytes(out);
-  for_each_cell(file, options.filter, [&](const GridCell& cell) {
-    const Boxd box = box_in_scene(finest, options.expanded ? cell.expanded : cell.box);
+  for_each_exported(file, options, [&](const ExportedBox& cell) {
+    const Boxd& box = options.expanded ? cell.expanded : cell.box;
     constexpr Rgb empty{230, 230, 230};
     const Rgb color = cell.references == 0 ? empty : map(1 - std::log(cell.references) / range);
     for (std::uint32_t corner = 0; corner < corners_a_cell; ++corner) {
@@ -135,7 +182,7 @@ void write_ply(const GridFile& file, const CellExport& options, OutputFile& out)
 void export_cells(const GridFile& file, const CellExport& options, const std::string& path) {
   OutputFile out(path);
   if (path.ends_with(".csv"))
-    write_csv(file, options.filter, out);
+    write_csv(file, options, out);
   else
     write_ply(file, options, out);
   out.commit();

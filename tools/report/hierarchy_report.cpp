@@ -6,6 +6,7 @@
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/vector_json.h"
+#include "tools/report/bars.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json report(const GridFile& file, const HierarchyStatistics& s) {
+Json report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
   const fb::Grid& table = file.table();
   const Boxd space = finest_layout(file).space;
   Json json{{"merge", "bvh"},
@@ -37,6 +38,14 @@ Json report(const GridFile& file, const HierarchyStatistics& s) {
             {"geometry_hash", to_hex({table.geometry_hash()->low(), table.geometry_hash()->high()})},
             {"build_seconds", nullptr}};
   if (table.build_seconds() >= 0) json["build_seconds"] = table.build_seconds();
+  const auto pairs = [](const std::vector<std::uint64_t>& counts) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < counts.size(); ++i)
+      if (counts[i] > 0) list.push_back({i, counts[i]});
+    return list;
+  };
+  if (histogram) json["histogram"] = pairs(s.boxes_by_references);
+  if (histogram) json["histogram_by_depth"] = pairs(s.boxes_by_depth);
   json.update(program_version());
   return json;
 }
@@ -59,12 +68,16 @@ void print_table(const GridFile& file, const HierarchyStatistics& s, const Json&
 
 } // namespace
 
-void print_hierarchy_report(const GridFile& file, ReportFormat format) {
+void print_hierarchy_report(const GridFile& file, ReportFormat format, bool histogram) {
   const HierarchyStatistics statistics = hierarchy_statistics(file.nodes());
-  const Json json = report(file, statistics);
+  const Json json = report(file, statistics, histogram);
   switch (format) {
   case ReportFormat::table:
-    return print_table(file, statistics, json);
+    print_table(file, statistics, json);
+    if (!histogram) return;
+    print_bars("references", "boxes", statistics.boxes_by_references,
+               [](std::size_t references) { return references; });
+    return print_bars("depth", "boxes", statistics.boxes_by_depth, [](std::size_t depth) { return depth; });
   case ReportFormat::json:
     return fmt::print("{}\n", json_text(json));
   case ReportFormat::csv:

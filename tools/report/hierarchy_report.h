@@ -7,7 +7,8 @@ namespace masu {
 
 enum class ReportFormat { table, json, csv };
 
-// To standard output. `file` holds a hierarchy.
-void print_hierarchy_report(const GridFile& file, ReportFormat format);
+// To standard output. `file` holds a hierarchy. histogram: also the number of boxes of references by how many
+// they hold, [references, boxes] each, and by depth.
+void print_hierarchy_report(const GridFile& file, ReportFormat format, bool histogram);
 
 } // namespace masu

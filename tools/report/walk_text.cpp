@@ -29,20 +29,34 @@ Vec3d position(const WalkRay& ray) {
   return ray.origin + ray.direction * static_cast<double>(ray.t);
 }
 
-Json json_of(const WalkStep& step, bool has_grid) {
+bool is_grid(Structure structure) {
+  return structure == Structure::uniform || structure == Structure::merged;
+}
+
+Json json_of(const WalkStep& step, Structure structure) {
   Json tests = Json::array();
   for (const WalkTest& test : step.tests)
     tests.push_back({{"primitive", test.primitive}, {"t", finite(test.t)}, {"kept", test.kept}});
-  const Json voxels =
-      has_grid ? Json{{"first", json_of(step.voxels.first)}, {"end", json_of(step.voxels.end)}} : Json();
-  return {{"voxels", voxels},          {"box", json_of(step.box)},      {"enter", finite(step.enter)},
-          {"exit", finite(step.exit)}, {"references", step.references}, {"tests", std::move(tests)}};
+  const Json voxels = is_grid(structure)
+                          ? Json{{"first", json_of(step.voxels.first)}, {"end", json_of(step.voxels.end)}}
+                          : Json();
+  const WalkNode& node = step.node;
+  const Json visited = structure == Structure::hierarchy ? Json{{"index", node.index},
+                                                                {"depth", node.depth},
+                                                                {"boxes_met", node.met},
+                                                                {"boxes_missed", node.missed},
+                                                                {"boxes_beyond", node.beyond}}
+                                                         : Json();
+  return {{"voxels", voxels},          {"node", visited},
+          {"box", json_of(step.box)},  {"enter", finite(step.enter)},
+          {"exit", finite(step.exit)}, {"references", step.references},
+          {"tests", std::move(tests)}};
 }
 
-Json json_of(const WalkRay& ray, bool has_grid) {
+Json json_of(const WalkRay& ray, Structure structure) {
   Json steps = Json::array();
   for (const WalkStep& step : ray.steps)
-    steps.push_back(json_of(step, has_grid));
+    steps.push_back(json_of(step, structure));
   const Json hit = hits(ray) ? Json{{"t", ray.t},
                                     {"primitive", ray.primitive},
                                     {"object", ray.object},
@@ -86,7 +100,19 @@ std::string outcome(const WalkTest& test) {
   return test.kept ? fmt::format("t {:<12.7g} kept", test.t) : fmt::format("t {:.7g}", test.t);
 }
 
-void append(std::string& text, const WalkRay& ray, std::size_t index, bool has_grid) {
+// A cell's voxels, or a node and what became of its boxes.
+std::string place_of(const WalkStep& step, Structure structure) {
+  if (is_grid(structure)) return text_of(step.voxels);
+  if (structure == Structure::none) return "everything";
+  const WalkNode& node = step.node;
+  return fmt::format("{:<8} {:>5}  {:>3} {:>6} {:>6}", node.index, node.depth, node.met, node.missed,
+                     node.beyond);
+}
+const char* place_title(Structure structure) {
+  return structure == Structure::hierarchy ? "node     depth  met missed beyond" : "voxels x y z";
+}
+
+void append(std::string& text, const WalkRay& ray, std::size_t index, Structure structure) {
   auto out = std::back_inserter(text);
   fmt::format_to(out, "ray {}: {}{}\n", index, name_of(ray.kind),
                  ray.parent < 0 ? "" : fmt::format(", spawned by ray {}", ray.parent));
@@ -94,20 +120,20 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, bool has_g
   if (ray.t_min > 0) fmt::format_to(out, "   t_min {:.7g}", ray.t_min);
   if (std::isfinite(ray.t_max)) fmt::format_to(out, "   t_max {:.7g}", ray.t_max);
   text += '\n';
-  const auto voxels_of = [&](const WalkStep& step) {
-    return has_grid ? text_of(step.voxels) : std::string("everything");
-  };
-  std::size_t widest = 12; // of the voxels
+  const std::string title = place_title(structure);
+  std::size_t widest = title.size();
   for (const WalkStep& step : ray.steps)
-    widest = std::max(widest, voxels_of(step).size());
+    widest = std::max(widest, place_of(step, structure).size());
+  const bool is_hierarchy = structure == Structure::hierarchy;
   if (!ray.steps.empty())
-    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10}  {:>10}  tests\n", "cell", "voxels x y z", widest, "t enter",
-                   "t exit");
+    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10}  {:>10}  tests\n", is_hierarchy ? "step" : "cell", title,
+                   widest, "t enter", "t exit");
   for (std::size_t i = 0; i < ray.steps.size(); ++i) {
     const WalkStep& step = ray.steps[i];
     const std::size_t line = text.size();
-    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10.7g}  {:>10.7g}  ", has_grid ? fmt::format("{}", i) : "-",
-                   voxels_of(step), widest, step.enter, step.exit);
+    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10.7g}  {:>10.7g}  ",
+                   structure != Structure::none ? fmt::format("{}", i) : "-", place_of(step, structure),
+                   widest, step.enter, step.exit);
     const std::size_t indent = text.size() - line;
     if (step.tests.empty()) text += "none\n";
     for (std::size_t k = 0; k < step.tests.size(); ++k)
@@ -119,8 +145,8 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, bool has_g
                    text_of(position(ray)));
   else
     text += "  hit: none\n";
-  fmt::format_to(out, "  end: {}; {}, {}\n", description_of(ray), counted(ray.cells, "cell"),
-                 counted(ray.tests, "test"));
+  fmt::format_to(out, "  end: {}; {}, {}\n", description_of(ray),
+                 counted(ray.cells, is_hierarchy ? "node" : "cell"), counted(ray.tests, "test"));
 }
 
 } // namespace
@@ -128,10 +154,11 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, bool has_g
 Json walk_json(const WalkReport& report) {
   Json rays = Json::array();
   for (const WalkRay& ray : report.rays)
-    rays.push_back(json_of(ray, report.has_grid));
-  const Json grid = report.has_grid
-                        ? Json{{"division", json_of(report.division)}, {"space", json_of(report.space)}}
-                        : Json();
+    rays.push_back(json_of(ray, report.structure));
+  const Json division = is_grid(report.structure) ? json_of(report.division) : Json();
+  const Json grid = report.structure == Structure::none
+                        ? Json()
+                        : Json{{"division", division}, {"space", json_of(report.space)}};
   return {{"grid", grid}, {"rays", std::move(rays)}};
 }
 
@@ -139,12 +166,13 @@ std::string walk_table(const WalkReport& report) {
   std::string text;
   std::uint64_t cells = 0, tests = 0;
   for (std::size_t i = 0; i < report.rays.size(); ++i) {
-    append(text, report.rays[i], i, report.has_grid);
+    append(text, report.rays[i], i, report.structure);
     cells += report.rays[i].cells;
     tests += report.rays[i].tests;
   }
   if (report.rays.size() > 1)
-    text += fmt::format("all {} rays: {}, {}\n", report.rays.size(), counted(cells, "cell"),
+    text += fmt::format("all {} rays: {}, {}\n", report.rays.size(),
+                        counted(cells, report.structure == Structure::hierarchy ? "node" : "cell"),
                         counted(tests, "test"));
   return text;
 }

@@ -10,9 +10,10 @@
 namespace masu {
 
 // {grid: {division, space} or null, rays: [{kind, parent, origin, direction, t_min, t_max, hit: {t,
-// primitive, object, position} or null, cells, tests, end, steps: [{voxels: {first, end} or null, box: {min,
-// max}, enter, exit, references, tests: [{primitive, t, kept}]}]}]}. null stands for what isn't there, and
-// for an infinite t: of a miss, of a ray without end.
+// primitive, object, position} or null, cells, tests, end, steps: [{voxels: {first, end} or null, node:
+// {index, depth, boxes_met, boxes_missed, boxes_beyond} or null, box: {min, max}, enter, exit, references,
+// tests: [{primitive, t, kept}]}]}]}. null stands for what isn't there, and for an infinite t: of a miss, of
+// a ray without end.
 nlohmann::ordered_json walk_json(const WalkReport& report);
 
 // Lines of at most about 100 characters, unless numbers are long.

@@ -1,0 +1,125 @@
+// What the tools say of a hierarchy: its boxes and histograms, and walks through it.
+#include "tests/tools/run_tool.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace masu {
+namespace {
+
+using Json = nlohmann::json;
+
+class HierarchyTool : public ToolTest {
+protected:
+  void SetUp() override {
+    scene_ = scene("a.scene", spd("a.nff", "tetra", 3));
+    hierarchy_ = grid("b.grid", scene_, "auto", {"--merge", "bvh"});
+  }
+  Json json_of(const std::string& tool, Arguments arguments) const {
+    arguments.emplace_back("--json");
+    const ToolResult result = run(tool, arguments);
+    EXPECT_TRUE(succeeded(result));
+    return Json::parse(result.out);
+  }
+  // The values of each line but the first.
+  std::vector<std::vector<double>> boxes(const Arguments& more = {}) const {
+    Arguments all{hierarchy_, "--cells", file("boxes.csv")};
+    all.insert(all.end(), more.begin(), more.end());
+    EXPECT_TRUE(succeeded(run("gridstat", all)));
+    const Bytes bytes = read_bytes(file("boxes.csv"));
+    std::istringstream text(std::string(bytes.begin(), bytes.end()));
+    std::string line, value;
+    std::getline(text, line);
+    EXPECT_EQ(line, "box,depth,min_x,min_y,min_z,max_x,max_y,max_z,references");
+    std::vector<std::vector<double>> rows;
+    while (std::getline(text, line)) {
+      rows.emplace_back();
+      for (std::istringstream values(line); std::getline(values, value, ',');)
+        rows.back().push_back(std::stod(value));
+    }
+    return rows;
+  }
+
+  std::string scene_, hierarchy_;
+};
+
+TEST_F(HierarchyTool, ExportedBoxesAreThoseOfItsStatistics) {
+  const Json known = json_of("gridstat", {hierarchy_, "--histogram"});
+  const auto all = boxes();
+  double references = 0, deepest = 0, of_references = 0, inside = 0;
+  for (const auto& row : all) {
+    ASSERT_EQ(row.size(), 9U);
+    for (std::size_t i = 2; i < 5; ++i)
+      EXPECT_LE(row[i], row[i + 3]);
+    references += row[8];
+    of_references += row[8] > 0;
+    deepest = std::max(deepest, row[1]);
+    inside += row[2] <= 0.1 && row[5] >= 0 && row[3] <= 0.1 && row[6] >= 0 && row[4] <= 0.1 && row[7] >= 0;
+  }
+  EXPECT_EQ(all.size(), known["node_boxes"].get<std::size_t>() + known["reference_boxes"].get<std::size_t>());
+  EXPECT_EQ(of_references, known["reference_boxes"]);
+  EXPECT_EQ(references, known["references"]);
+  EXPECT_EQ(deepest + 1, known["depth"]);
+  EXPECT_EQ(boxes({"--occupied"}).size(), known["reference_boxes"]);
+  EXPECT_EQ(boxes({"--within", "0,0,0,0.1,0.1,0.1"}).size(), inside);
+  EXPECT_TRUE(boxes({"--within", "100,100,100,101,101,101"}).empty());
+
+  double counted = 0, held = 0, by_depth = 0;
+  for (const auto& [each, number] : known["histogram"].get<std::vector<std::pair<double, double>>>()) {
+    counted += number;
+    held += each * number;
+  }
+  for (const auto& [depth, number] :
+       known["histogram_by_depth"].get<std::vector<std::pair<double, double>>>())
+    by_depth += number;
+  EXPECT_EQ(counted, of_references);
+  EXPECT_EQ(held, references);
+  EXPECT_EQ(by_depth, of_references);
+}
+
+TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
+  ASSERT_TRUE(succeeded(run("gridstat", {hierarchy_, "--cells", file("boxes.ply"), "--wireframe"})));
+  const Bytes bytes = read_bytes(file("boxes.ply"));
+  const std::string head(bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(1000, std::ssize(bytes)));
+  EXPECT_NE(head.find("element vertex " + std::to_string(8 * boxes().size()) + "\n"), std::string::npos);
+}
+
+TEST_F(HierarchyTool, WhatNeedsCellsIsRefused) {
+  EXPECT_TRUE(failed(run("gridstat", {hierarchy_, "--slice", "z=50%", "-o", file("a.svg")}), 1, "gridstat",
+                     "--slice", "a hierarchy has none"));
+  EXPECT_TRUE(failed(run("gridstat", {hierarchy_, "--cells", file("a.ply"), "--expanded"}), 1, "gridstat",
+                     "--expanded", "a hierarchy has none"));
+}
+
+TEST_F(HierarchyTool, AWalkThroughItEndsAtTheGridsHit) {
+  const std::string cells = grid("c.grid", scene_);
+  int hits = 0;
+  for (int i = 0; i < 8; ++i) {
+    const std::string pixel = std::to_string(60 * i + 40) + "," + std::to_string(500 - 50 * i);
+    const auto ray_through = [&](const std::string& structure) {
+      return json_of("gridrender", {scene_, structure, "--walk", pixel})["rays"][0];
+    };
+    const Json ray = ray_through(hierarchy_), other = ray_through(cells);
+    EXPECT_EQ(ray["hit"], other["hit"]);
+    hits += ray["hit"].is_null() ? 0 : 1;
+    std::size_t tests = 0;
+    for (const Json& step : ray["steps"]) {
+      EXPECT_TRUE(step["voxels"].is_null());
+      tests += step["tests"].size();
+    }
+    EXPECT_EQ(ray["tests"], tests);
+    EXPECT_EQ(ray["cells"], ray["steps"].size());
+    if (!ray["steps"].empty()) {
+      EXPECT_EQ(ray["steps"][0]["node"]["index"], 0);
+    }
+  }
+  EXPECT_GT(hits, 1);
+  const ToolResult table = run("gridrender", {scene_, hierarchy_, "--walk", "256,256"});
+  EXPECT_TRUE(succeeded(table));
+  EXPECT_NE(table.out.find("node     depth  met missed beyond"), std::string::npos);
+}
+
+} // namespace
+} // namespace masu
