@@ -1,4 +1,4 @@
-// The rays of the eye.
+// Camera rays.
 #pragma once
 
 #include "libscene/geometry/ray.h"

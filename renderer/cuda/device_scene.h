@@ -123,7 +123,7 @@ struct DeviceFilesOf {
   DeviceScene<Stored> scene;
   DeviceGrid grid;
   DeviceArray<Triangle<Stored>> leaves; // of a hierarchy of triangles alone: LeafHierarchyView
-  mutable KnownKernels kernels;
+  mutable KernelCache kernels;
 
   DeviceFilesOf(const SceneFile& host_scene, const GridFile* host_grid, cudaMemPool_t pool, Transfer& upload)
       : queue{nullptr, pool}, scene(host_scene, upload), grid(host_grid, upload) {}

@@ -13,7 +13,7 @@ namespace masu {
 inline constexpr int hierarchy_threads = 64; // a block: small ones end soon after their last ray
 
 // Lanes fetch rays once so much has been lost: the idle ones beyond so many, summed over steps.
-inline constexpr int lost_steps = 8, lanes_lost_freely = 4;
+inline constexpr int lost_steps = 8, idle_lanes_tolerated = 4;
 
 template <Query query, class M, class Stored, class Hierarchy>
 __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> / hierarchy_threads)
@@ -76,7 +76,7 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
       }
       if (!goes_on) report();
       if (more) {
-        lost += max(lanes_a_warp - lanes_lost_freely - __popc(__activemask()), 0);
+        lost += max(lanes_a_warp - idle_lanes_tolerated - __popc(__activemask()), 0);
         if (lost >= lost_steps) break;
       }
     }

@@ -59,26 +59,26 @@ std::uint32_t resident_blocks(Kernel* kernel, int threads, int each) {
   return static_cast<std::uint32_t>(multiprocessors * std::max(each > 0 ? each : fitting, 1));
 }
 
-// What a device says of kernels, asked once: it takes longer than a launch. For threads at the same time.
-class KnownKernels {
+// Kernels' attributes, cached: to query them takes longer than a launch. For threads at the same time.
+class KernelCache {
 public:
-  struct Known {
+  struct Attributes {
     KernelSize size;
     std::uint32_t blocks; // of so many threads that are resident at once
   };
   template <class Kernel>
-  Known of(Kernel* kernel, int threads) {
+  Attributes of(Kernel* kernel, int threads) {
     const auto* const key = reinterpret_cast<const void*>(kernel);
     const std::lock_guard lock(mutex_);
-    for (const auto& [known, value] : all_)
-      if (known == key) return value;
+    for (const auto& [cached, attributes] : all_)
+      if (cached == key) return attributes;
     all_.push_back({key, {load(kernel), resident_blocks(kernel, threads, 0)}});
     return all_.back().second;
   }
 
 private:
   std::mutex mutex_;
-  std::vector<std::pair<const void*, Known>> all_;
+  std::vector<std::pair<const void*, Attributes>> all_;
 };
 
 } // namespace masu

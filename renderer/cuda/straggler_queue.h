@@ -1,9 +1,9 @@
 // Rays that a kernel leaves to the next one (CUDA sources only).
 //
-// Of rays that are worked off in the order of a list, those that graze a surface take many times as long as
-// most, and they lie side by side: the last few warps would keep the others waiting for as long as all the
-// rest took. So once a warp has run out of rays, the others leave theirs, and a second kernel deals them
-// out to all warps evenly, so that neighbours part and idle lanes can help.
+// Rays are traced in the order of a list. Those that graze a surface take many times as long as most, and they
+// lie side by side: the last few warps would keep the others waiting for as long as all the rest took. So once
+// the list is drained for one warp, the others leave their rays in a queue. A second kernel deals them out to
+// all warps evenly: neighbours part, and idle lanes can help.
 #pragma once
 
 #include "renderer/cuda/kernel.h"
@@ -20,7 +20,7 @@ struct Straggler {
 
 // What a kernel's warps tell each other. All 0 at first.
 struct WarpProgress {
-  // Given once a warp has no ray any more. Thousands look at every turn: at one place in memory they would
+  // Given once the list is drained for a warp. Thousands poll it at every turn: at one address they would
   // queue up.
   struct alignas(128) Signal {
     std::uint32_t given;
@@ -62,17 +62,17 @@ __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
   return __shfl_sync(all_lanes, before, 0);
 }
 
-// Whether a warp has run out of rays, as lane 0 knew a turn ago: what is asked for now has come when it is
-// looked at next.
-class DrainWatch {
+// Whether the list is drained for any warp, as lane 0 knew a turn ago: the load that poll() begins is finished
+// by the next turn.
+class DrainSignal {
 public:
   // For all lanes of a warp.
-  static __device__ void tell(WarpProgress& progress) {
+  static __device__ void give(WarpProgress& progress) {
     signal(progress, threadIdx.x).store(1, cuda::memory_order_relaxed);
   }
-  // As ask() found it last. For all lanes of a warp.
-  __device__ bool one_has() const { return __shfl_sync(all_lanes, given_, 0) != 0; }
-  __device__ void ask(WarpProgress& progress) {
+  // As poll() found it last. For all lanes of a warp.
+  __device__ bool is_drained() const { return __shfl_sync(all_lanes, given_, 0) != 0; }
+  __device__ void poll(WarpProgress& progress) {
     if (threadIdx.x % lanes_a_warp == 0)
       given_ = signal(progress, blockIdx.x).load(cuda::memory_order_relaxed);
   }

@@ -1,7 +1,7 @@
 // Tracing on a CUDA device: the kernels, and how they are launched. CUDA sources only.
 //
-// Each arithmetic's kernels are compiled in a source of their own (backend_cuda_*.cu), which instantiates
-// render_on_device() and trace_on_device(): so that they are compiled at the same time.
+// Each arithmetic's kernels are compiled in a source of their own (backend_*.cu), which instantiates
+// render_on_device() and queue_batch(): so they are compiled at the same time.
 #pragma once
 
 #include "libscene/base/stopwatch.h"

@@ -4,15 +4,13 @@
 //  - Tests. Lists of cells differ in length, and many rays are in cells that have none. Where at most half of
 //    the lanes have a list, each list is tested by several lanes at once; where next to none have, the others
 //    go one step further first.
-//  - Rays. ThreadGroup whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency
-//  of Ray
+//  - Rays. Lanes whose rays are done fetch new ones, after Aila & Laine, "Understanding the Efficiency of Ray
 //    Traversal on GPUs", HPG 2009: soon where rays side by side have little in common, else all at once.
-//  - Ways. The last rays are dealt out to all warps (renderer/cuda/straggler_queue.h), and the ways that they
-//  have
-//    still to go are cut into pieces, of which each is walked by a lane of its own.
+//  - Segments. The last rays are dealt out to all warps (renderer/cuda/straggler_queue.h). The segments that
+//    remain of them are split over the lanes.
 //
-// None of it shows: which hit is nearest, ties included, depends neither on the order of tests nor on who
-// makes them, and a walk may begin anywhere on the ray's way (libgrid/trace/walk.h).
+// Results are the same: which hit is nearest, ties included, depends neither on the order of tests nor on the
+// lane that makes them, and a walk may begin anywhere along the ray (libgrid/trace/walk.h).
 #pragma once
 
 #include "renderer/cuda/culling.h"
@@ -108,7 +106,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
   bool has_ray = false, more = true, own_rays = true;
-  DrainWatch drained;
+  DrainSignal drain;
   const auto begin = [&](std::uint32_t number) {
     ClippedRay<Real> near{};
     Real scale;
@@ -146,13 +144,13 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
         own_rays = false;
       }
     } else {
-      if (drained.one_has()) {
+      if (drain.is_drained()) {
         const std::uint32_t at = add_for_warp(left.progress->left, __popc(~idle)) + rank_among(~idle, lane);
         if (!own.under_way) return report();
         left.rays[at] = {rays.nearest[lane].get(), own.walk.exit, rays.ends[lane].number};
         return;
       }
-      drained.ask(*left.progress);
+      drain.poll(*left.progress);
       if (more && __popc(idle) >= shared.fetches_at) {
         const std::uint32_t first = add_for_warp(left.progress->next_ray, __popc(idle)),
                             number = first + rank_among(idle, lane);
@@ -165,7 +163,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
         continue;
       }
       if (idle == all_lanes) {
-        DrainWatch::tell(*left.progress);
+        DrainSignal::give(*left.progress);
         return report();
       }
     }
