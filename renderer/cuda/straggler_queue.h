@@ -1,9 +1,9 @@
 // Rays that a kernel leaves to the next one (CUDA sources only).
 //
-// Rays are traced in the order of a list. Those that graze a surface take many times as long as most, and they
-// lie side by side: the last few warps would keep the others waiting for as long as all the rest took. So once
-// the list is drained for one warp, the others leave their rays in a queue. A second kernel deals them out to
-// all warps evenly: neighbours part, and idle lanes can help.
+// Rays are traced in the order of a list. Those that graze a surface take many times as long as most, and
+// they lie side by side: the last few warps would keep the others waiting for as long as all the rest took.
+// So once the list is drained for one warp, the others leave their rays in a queue. A second kernel deals
+// them out to all warps evenly: neighbours part, and idle lanes can help.
 #pragma once
 
 #include "renderer/cuda/kernel.h"
@@ -62,8 +62,8 @@ __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
   return __shfl_sync(all_lanes, before, 0);
 }
 
-// Whether the list is drained for any warp, as lane 0 knew a turn ago: the load that poll() begins is finished
-// by the next turn.
+// Whether the list is drained for any warp, as lane 0 knew a turn ago: the load that poll() begins is
+// finished by the next turn.
 class DrainSignal {
 public:
   // For all lanes of a warp.

@@ -79,7 +79,7 @@ inline constexpr int all_fetch = lanes_a_warp, some_fetch = 12, some_fetch_chose
 // Where fewer lanes found a list, the others first go one step further.
 inline constexpr int few_lists = 6;
 
-// The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`. 
+// The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`.
 template <bool finishes, Query query, class M, class Stored, class Grid>
 __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayQueue<typename M::Real> queue,
@@ -168,8 +168,8 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
       }
     }
     const auto go_on = [&] {
-      const bool done = can_terminate<query>(rays.nearest[own.ray].get().t, rays.ends[own.ray].t_max,
-                                                      own.walk.exit);
+      const bool done =
+          can_terminate<query>(rays.nearest[own.ray].get().t, rays.ends[own.ray].t_max, own.walk.exit);
       own.under_way = own.walk.leave(grid) & !done & (own.walk.exit < own.end);
     };
     if (own.under_way) own.walk.enter(grid);
