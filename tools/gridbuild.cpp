@@ -19,9 +19,11 @@ namespace masu {
 namespace {
 
 enum class Device { cpu, cuda };
+enum class StructureChoice { grid, hierarchy, fastest };
 
 struct Settings {
   std::string scene, output, division = "auto";
+  StructureChoice structure = StructureChoice::grid;
   BuildOptions options;
   Device device = Device::cpu;
   bool record_seconds = false, json = false, quiet = false;
@@ -106,7 +108,7 @@ void build(const Settings& settings, const SceneFile& file) {
 // The library's errors in the command line's words.
 Error translated(const Error& error) {
   if (error.place() == "division") return {error.code(), "--division", error.message()};
-  if (error.place() == "merge") return {error.code(), "--merge", error.message()};
+  if (error.place() == "structure") return {error.code(), "--structure", error.message()};
   if (error.place() == "cuda") return {error.code(), "cuda", error.message() + " (--device cpu)"};
   return error;
 }
@@ -139,19 +141,22 @@ int main(int argc, char** argv) {
         add_choice(
             app, "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
+        add_choice(
+            app, "--structure", settings.structure,
+            {{"grid", StructureChoice::grid},
+             {"bvh", StructureChoice::hierarchy},
+             {"fastest", StructureChoice::fastest}},
+            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes a node), fastest (an "
+            "irregular grid or a hierarchy, whichever some rays traced through both take less time with)");
         add_choice(app, "--merge", settings.options.grid.kind,
                    {{"auto", GridKind::automatic},
                     {"none", GridKind::uniform},
                     {"x", GridKind::x},
                     {"balance", GridKind::balance},
-                    {"irregular", GridKind::irregular},
-                    {"bvh", GridKind::hierarchy},
-                    {"fastest", GridKind::fastest}},
+                    {"irregular", GridKind::irregular}},
                    "which voxels share a cell: auto (none where a division is given; else none or irregular, "
                    "as a cost model says), none, x (empty ones in a run along x), balance (as many as list "
-                   "--target primitives), irregular (voxels are divided further, by expected cost), bvh (no "
-                   "voxels: a bounding volume hierarchy of eight boxes a node), fastest (irregular or bvh, "
-                   "whichever some rays traced through both take less time with)");
+                   "--target primitives), irregular (voxels are divided further, by expected cost)");
         app.add_option("--target", settings.options.grid.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();
@@ -185,6 +190,12 @@ int main(int argc, char** argv) {
                      "no progress on standard error, and no report without --json");
         settings.threads.add_to(app);
         parse();
+        if (settings.structure != StructureChoice::grid) {
+          if (app.count("--merge") > 0)
+            throw Error(ErrorCode::usage, "--merge", "is of --structure grid alone");
+          settings.options.grid.kind =
+              settings.structure == StructureChoice::hierarchy ? GridKind::hierarchy : GridKind::fastest;
+        }
         const auto limit = settings.threads.limit();
         try {
           settings.options.division = parse_division(settings.division); // before anything is read

@@ -20,7 +20,7 @@ namespace masu {
 
 void check_hierarchy(std::uint64_t primitives, double available) {
   const auto fail = [](const std::string& what) {
-    throw Error(ErrorCode::usage, "merge", what + ": build a grid of voxels");
+    throw Error(ErrorCode::usage, "structure", what + ": build a grid of voxels");
   };
   if (primitives > max_hierarchy_primitives)
     fail(fmt::format("{} primitives are more than the {} that a hierarchy's nodes can be numbered for",

@@ -184,7 +184,7 @@ template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
                     const std::function<void(double)>& progress) {
   if (!fits_hierarchy(layout.space))
-    throw Error(ErrorCode::usage, "merge",
+    throw Error(ErrorCode::usage, "structure",
                 "a hierarchy holds coordinates up to 1e15: build a grid of voxels");
   Hierarchy hierarchy = build_hierarchy(scene, layout.margin, progress);
   Grid grid;

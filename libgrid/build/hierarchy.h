@@ -18,14 +18,14 @@ inline constexpr double spare_fragments = 0.3; // a primitive, for what is divid
 inline constexpr auto max_hierarchy_primitives =
     static_cast<std::uint64_t>(static_cast<double>(0x7fffffff) / (1 + spare_fragments));
 
-// Throws Error(usage, "merge", …) for more, and where so many take more than `available` bytes of memory.
+// Throws Error(usage, "structure", …) for more, and where so many take more than `available` bytes of memory.
 void check_hierarchy(std::uint64_t primitives, double available);
 
 // First a binary hierarchy from the top down, by the surface area heuristic over bins (Wald, "On Fast
 // Construction of SAH-based Bounding Volume Hierarchies", RT 2007); then the cheapest nodes of eight boxes
 // that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017). The same for any
 // number of threads. Boxes contain `margin` around each primitive. `progress` gets shares of the work, from
-// any thread. Throws Error(usage, "merge", …) for more primitives than nodes can be numbered for, or than
+// any thread. Throws Error(usage, "structure", …) for more primitives than nodes can be numbered for, or than
 // there is memory for.
 template <class Stored>
 Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
@@ -37,7 +37,7 @@ inline bool fits_hierarchy(const Boxd& space) {
   return largest_magnitude(space) <= reach;
 }
 
-// The same as a grid: of the layout's space and margin, in one voxel. Throws Error(usage, "merge", …) for a
+// The same as a grid: of the layout's space and margin, in one voxel. Throws Error(usage, "structure", …) for a
 // scene that reaches farther than float32 does.
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,

@@ -471,7 +471,7 @@ TEST(Hierarchy, OfASceneThatReachesBeyondFloat32IsRefused) {
     FAIL() << "it was built";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::usage);
-    EXPECT_EQ(error.place(), "merge");
+    EXPECT_EQ(error.place(), "structure");
   }
 }
 

@@ -156,7 +156,9 @@ TEST_P(FilesInUse, ChangedAtAnyMomentGiveTheRightPictureOrALine) {
   if (std::string_view(backend) == "cuda" && cuda_device_count() == 0)
     GTEST_SKIP() << "no GPU: nothing was traced on one";
   const std::string in = scene("a.scene", spd("a.nff", "balls", 3)),
-                    divided = grid("a.grid", in, "auto", {"--merge", merge}), out = file("a.pfm");
+                    divided = grid("a.grid", in, "auto",
+                                   {std::string_view(merge) == "bvh" ? "--structure" : "--merge", merge}),
+                    out = file("a.pfm");
   const Arguments arguments{in, divided, "-o", out, "--size", "400x400", "--backend", backend, "-q"};
   const auto begin = std::chrono::steady_clock::now();
   ASSERT_TRUE(succeeded(run("gridrender", arguments)));

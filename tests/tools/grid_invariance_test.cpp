@@ -86,7 +86,7 @@ TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
       {"5x4x3", {"--merge", "irregular", "--nested", "3", "--step-cost", "0.5", "--overlap", "box"}},
       {"1", {"--merge", "irregular", "--detail", "10", "--alpha", "0.8", "--space", "cube"}},
       {"16", {"--merge", "irregular", "--expand", "0", "--step-cost", "10"}},
-      {"auto", {"--merge", "bvh"}},
+      {"auto", {"--structure", "bvh"}},
   }};
   for (const MergeCase& merge : merges) {
     SCOPED_TRACE(fmt::format("division {}, {}", merge.division, fmt::join(merge.rules, " ")));
@@ -102,7 +102,7 @@ TEST_P(GridInvariance, ResultsInDoubleAreIndependentOfGrids) {
   const bool is_float32 = std::string_view(GetParam().store) == "float32";
   const std::string uniform = built("16", {"--merge", "none"}),
                     merged = built("auto", {"--merge", "irregular"}),
-                    hierarchy = built("auto", {"--merge", "bvh"});
+                    hierarchy = built("auto", {"--structure", "bvh"});
   EXPECT_TRUE(rendered({uniform}) == rendered({uniform, "--precision", is_float32 ? "robust" : "double"}));
   const Result expected = rendered({"--brute-force", "--precision", "double"});
   for (const std::string& path : {uniform, merged, hierarchy})

@@ -15,7 +15,7 @@ class HierarchyTool : public ToolTest {
 protected:
   void SetUp() override {
     scene_ = scene("a.scene", spd("a.nff", "tetra", 3));
-    hierarchy_ = grid("b.grid", scene_, "auto", {"--merge", "bvh"});
+    hierarchy_ = grid("b.grid", scene_, "auto", {"--structure", "bvh"});
   }
   Json json_of(const std::string& tool, Arguments arguments) const {
     arguments.emplace_back("--json");

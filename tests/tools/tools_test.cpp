@@ -887,8 +887,14 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
   };
   EXPECT_EQ(geometry(other), geometry(scene_));
   EXPECT_NE(geometry(scene("b.scene", nff("b.nff", other_nff))), geometry(scene_));
-  for (const char* const merge : {"none", "x", "balance", "irregular", "bvh", "fastest"}) {
-    const std::string old = grid("old.grid", scene_, "6", {"--merge", merge});
+  for (const Arguments& built : std::vector<Arguments>{{"--merge", "none"},
+                                                       {"--merge", "x"},
+                                                       {"--merge", "balance"},
+                                                       {"--merge", "irregular"},
+                                                       {"--structure", "bvh"},
+                                                       {"--structure", "fastest"}}) {
+    SCOPED_TRACE(built.back());
+    const std::string old = grid("old.grid", scene_, "6", built);
     EXPECT_EQ(json_of("gridstat", {old, "--json"})["geometry_hash"], geometry(scene_));
     const auto hits = [&](const Arguments& through, const std::string& name) {
       Arguments arguments{other, "--backend", "cpu", "--hits", file(name), "-o", file(name + ".pfm")};
@@ -898,9 +904,9 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
     };
     const auto found = hits({old}, "old.hits");
     EXPECT_FALSE(found.first.empty());
-    EXPECT_TRUE(found == hits({"--brute-force"}, "brute.hits")) << merge;
-    EXPECT_TRUE(found == hits({grid("new.grid", other, "6", {"--merge", merge})}, "new.hits")) << merge;
-    EXPECT_TRUE(read_bytes(old) == read_bytes(file("new.grid"))) << merge;
+    EXPECT_TRUE(found == hits({"--brute-force"}, "brute.hits"));
+    EXPECT_TRUE(found == hits({grid("new.grid", other, "6", built)}, "new.hits"));
+    EXPECT_TRUE(read_bytes(old) == read_bytes(file("new.grid")));
   }
 }
 

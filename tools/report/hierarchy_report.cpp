@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 Json report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
   const fb::Grid& table = file.table();
   const Boxd space = finest_layout(file).space;
-  Json json{{"merge", "bvh"},
+  Json json{{"structure", "bvh"},
             {"space", {{"min", vector_json(space.min)}, {"max", vector_json(space.max)}}},
             {"primitives", table.primitives()},
             {"nodes", s.nodes},
@@ -62,7 +62,7 @@ void print_table(const GridFile& file, const HierarchyStatistics& s, const Json&
   line("expected per ray", fmt::format("{:.2f} nodes, {:.2f} tests", s.nodes_a_ray, s.tests_a_ray));
   line("bytes", fmt::format("{} (nodes {}, references {})", file.bytes(), file.nodes().size_bytes(),
                             file.references().size_bytes()));
-  line("merge", "bvh");
+  line("structure", "bvh");
   line("geometry", json["geometry_hash"].get<std::string>());
 }
 

@@ -20,7 +20,7 @@ prepare() {
   for name in "${standard[@]}"; do
     nffgen "$name" $(full '' '--size 2') | nff2bin - -o "$name.scene" -q
     gridbuild "$name.scene" -o "$name.grid" --merge irregular -q
-    gridbuild "$name.scene" -o "$name-bvh.grid" --merge bvh -q
+    gridbuild "$name.scene" -o "$name-bvh.grid" --structure bvh -q
     record scenes "$name" nff2bin --info --json "$name.scene"
   done
 }

@@ -42,7 +42,7 @@ echo "| --- | --- | --- | --- | --- | --- | --- |"
 while IFS=: read -r name generate convert; do
   # shellcheck disable=SC2086
   [ -e "$name.scene" ] || nffgen $generate </dev/null | nff2bin - -o "$name.scene" -q $convert
-  [ -e "$name.grid" ] || gridbuild "$name.scene" --merge bvh -o "$name.grid" -q </dev/null
+  [ -e "$name.grid" ] || gridbuild "$name.scene" --structure bvh -o "$name.grid" -q </dev/null
   masu_cpu_rays "$name.scene" "$name.grid" "$@" >"$name.txt" </dev/null
   row "$name" "$name.txt"
 done <<<"$scenes"

@@ -6,7 +6,7 @@ set style histogram cluster gap 1
 set style fill solid 0.9 border -1
 set logscale y 2
 set yrange [0.5:32]
-set title "Rays a second of Masu, through what gridbuild --merge fastest builds, over those of others (H200)"
+set title "Rays a second of Masu, through what gridbuild --structure fastest builds, over those of others (H200)"
 set ylabel "times"
 set grid y
 set xtics rotate by -50 left

@@ -43,7 +43,7 @@ prepare() {
   done | at_once
   for name in "${standard[@]}"; do
     echo "gridbuild $name.scene -o $name.grid -q --threads 1"
-    echo "gridbuild $name.scene -o $name-bvh.grid -q --threads 1 --merge bvh"
+    echo "gridbuild $name.scene -o $name-bvh.grid -q --threads 1 --structure bvh"
     grids | while IFS=: read -r grid options; do
       echo "gridbuild $name.scene -o $name.$grid.grid -q --threads 1 $options"
     done
@@ -122,14 +122,14 @@ rays() {
   local loops
   loops=$(if [ "$backend" = cuda ]; then echo auto,thread_per_ray,warp,warp_refill; else echo auto,thread_per_ray; fi)
   for name in "${large[@]}" balls gears rings tree; do
-    [ -e "$name-bvh.grid" ] || gridbuild "$name.scene" -o "$name-bvh.grid" --merge bvh -q
+    [ -e "$name-bvh.grid" ] || gridbuild "$name.scene" -o "$name-bvh.grid" --structure bvh -q
     record rays "$name" gridbench rays "$name.scene" "$name.grid" "$name-bvh.grid" --loop "$loops" \
       --backend "$backend" --json --size "$size" --random "$(full 4194304 1000)" --warm-up $warm_up --repeat $repeat
   done
 }
 fastest() {
   for name in "${standard[@]}" "${large[@]}"; do
-    record fastest "$name" gridbuild "$name.scene" -o fastest.built --merge fastest --json -q
+    record fastest "$name" gridbuild "$name.scene" -o fastest.built --structure fastest --json -q
   done
 }
 hierarchies() {

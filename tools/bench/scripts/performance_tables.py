@@ -31,7 +31,7 @@ HAVRAN = dict(balls=25.8, gears=35.5, mount=26.9, rings=38.6, teapot=34.4, tetra
 
 
 def fastest(results, scene):
-    """The name of the grid that `--merge fastest` takes: the scene's irregular one, or its hierarchy."""
+    """The name of the grid that `--structure fastest` takes: the scene's irregular one, or its hierarchy."""
     return f"{scene}-bvh" if "nodes" in results["runs"]["fastest"][scene]["output"] else scene
 
 
@@ -136,7 +136,7 @@ def tables(results):
         rows = [[s, *(cell for grid in (s, f"{s}-bvh") for cell in (
                     figure(lambda: speeds(s, grid), "{}"), megabytes(f"{grid}.grid"),
                     ms(lambda: seconds("hierarchies", grid))))] for s in LARGE]
-        return table(["scene", "irregular: Mray/s", "MB", "picture, ms", "`--merge bvh`: Mray/s", "MB", "picture, ms"], rows)
+        return table(["scene", "irregular: Mray/s", "MB", "picture, ms", "`--structure bvh`: Mray/s", "MB", "picture, ms"], rows)
 
     def fastest_pictures():
         time = lambda grid: seconds("hierarchies", grid)

@@ -50,7 +50,7 @@ for size in "${@:-10 11 12 13}"; do
     [ -e s.grid ] && measure "gridrender, 64×64 rays" $triangles "" "$bin/gridrender" s.scene s.grid -o s.pfm --size 64x64 \
       --backend cpu -q
     rm -f s.grid
-    measure "gridbuild --merge bvh" $triangles s.bvh "$bin/gridbuild" s.scene -o s.bvh --merge bvh -q
+    measure "gridbuild --structure bvh" $triangles s.bvh "$bin/gridbuild" s.scene -o s.bvh --structure bvh -q
     rm -f s.bvh s.scene
   done
 done
