@@ -37,8 +37,8 @@ inline bool fits_hierarchy(const Boxd& space) {
   return largest_magnitude(space) <= reach;
 }
 
-// The same as a grid: of the layout's space and margin, in one voxel. Throws Error(usage, "structure", …) for a
-// scene that reaches farther than float32 does.
+// The same as a grid: of the layout's space and margin, in one voxel. Throws Error(usage, "structure", …) for
+// a scene that reaches farther than float32 does.
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
                     const std::function<void(double)>& progress = {});
