@@ -79,28 +79,50 @@ TEST(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
 }
 
 TEST(AutomaticLoop, SamplesNothingBeyondTheList) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
-  const Rendering rendering(random_scene(chance), Store::float32);
+  Scene scene = empty_scene({0, -4, 0}, {0, 0, 0});
+  add_sphere(scene, {0, 0, 0}, 1, matte({1, 1, 1}));
+  const Rendering rendering(scene, Store::float32);
   const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  const Ray<float> hitting = unbounded_ray<float>({0.1F, -4, 0.2F}, {0, 1, 0}),
+                   missing = unbounded_ray<float>({0.1F, -4, 9}, {0, 1, 0});
+  const auto costs_of = [&](const std::vector<Ray<float>>& rays, std::size_t count) {
+    return sampled_costs(tracer, RayList(rays.data(), count, own_format<float>), Query::nearest_hit,
+                         Precision::automatic);
+  };
+  const WarpCosts of_one = costs_of(std::vector<Ray<float>>(32, hitting), 32);
+  EXPECT_GT(of_one.tests, 0);
   for (const std::size_t count : {0U, 1U, 31U, 32U, 2047U, 2048U, 2079U, 2080U, 5000U}) {
-    // All rays are alike: whatever is sampled, means and extremes are one ray's.
-    const std::vector<Ray<float>> rays(count, random_rays(chance, 1).front());
-    const WarpCosts costs = sampled_costs(tracer, rays, Query::nearest_hit, Precision::automatic);
-    EXPECT_DOUBLE_EQ(costs.work, costs.most_work) << count;
-    EXPECT_DOUBLE_EQ(costs.tests, costs.most_tests) << count;
-    EXPECT_EQ(automatic_loop(costs, false), RayLoop::thread_per_ray);
+    // Behind the list stand rays that cost nothing.
+    std::vector<Ray<float>> rays(count, hitting);
+    rays.resize(count + 4096, missing);
+    const WarpCosts costs = costs_of(rays, count);
+    EXPECT_EQ(costs.work, count < 32 ? 0 : of_one.work) << count;
+    EXPECT_EQ(costs.tests, count < 32 ? 0 : of_one.tests) << count;
+    EXPECT_EQ(costs.most_work, count < 32 ? 0 : of_one.work) << count;
   }
 }
 
-TEST(AutomaticLoop, RefillsWhereAFewRaysAreLong) {
-  for (const bool is_hierarchy : {false, true}) {
-    EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 60, 40}, is_hierarchy), RayLoop::warp_refill);
-    EXPECT_EQ(automatic_loop(WarpCosts{1, 0.5, 3, 2}, is_hierarchy), RayLoop::thread_per_ray); // too short
-    EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 15, 8}, is_hierarchy), RayLoop::thread_per_ray); // alike
+TEST(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  Chance chance(seed);
+  for (int i = 0; i < 1000; ++i) {
+    const double work = chance.power_of_two(-2, 8), tests = work * chance.uniform(0, 1);
+    for (const bool is_hierarchy : {false, true}) {
+      // All rays alike: none waits for another.
+      EXPECT_EQ(automatic_loop(WarpCosts{work, tests, work, tests}, is_hierarchy), RayLoop::thread_per_ray);
+      bool refills = false;
+      for (double longest = work; longest < 100 * work + 100; longest *= 1.25) {
+        const RayLoop loop = automatic_loop(WarpCosts{work, tests, longest, tests}, is_hierarchy);
+        EXPECT_TRUE(loop == RayLoop::warp_refill || !refills) << work << ' ' << longest;
+        refills = refills || loop == RayLoop::warp_refill;
+      }
+      EXPECT_TRUE(refills) << work;
+    }
+    // The others wait for the tests of a few: they are shared, where cells have lists.
+    const RayLoop shared = automatic_loop(WarpCosts{work + 10, work, 2 * work + 20, 2 * work}, false);
+    EXPECT_EQ(shared, RayLoop::warp) << work;
   }
-  EXPECT_EQ(automatic_loop(WarpCosts{10, 5, 15, 9}, false), RayLoop::warp);
 }
 
 // A rod of spheres in one voxel, which few random rays meet, and those at length.
