@@ -3,6 +3,7 @@
 #include "libscene/base/error.h"
 #include "tools/common/cli.h"
 #include "tools/common/printable.h"
+#include "tools/draw/axis_ticks.h"
 
 #include <cairo-svg.h>
 #include <fmt/format.h>
@@ -245,6 +246,32 @@ namespace {
 // Of a colour bar's ticks and the space before their labels, of the font's size.
 constexpr double tick_length = 0.3, tick_gap = 0.25;
 } // namespace
+
+double ColorScale::share(double value) const {
+  if (!(high > low)) return 0;
+  if (!logarithmic) return (value - low) / (high - low);
+  return std::log((value + offset) / (low + offset)) / std::log((high + offset) / (low + offset));
+}
+
+std::vector<ColorBarLabel> color_bar_labels(const ColorScale& scale, double height, double text_size) {
+  const double room = 1.3 * text_size / height;
+  std::vector<ColorBarLabel> labels;
+  const auto add = [&](double value) {
+    const double share = scale.share(value);
+    for (const ColorBarLabel& other : labels)
+      if (std::abs(share - other.share) < room) return;
+    const bool is_whole = value == std::floor(value) && std::abs(value) < 1e6;
+    labels.push_back({share, is_whole ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value)});
+  };
+  add(scale.low);
+  add(scale.high);
+  const int most = std::clamp(static_cast<int>(0.9 / room), 2, 8);
+  for (const double tick : scale.logarithmic ? logarithmic_ticks(scale.low > 0 ? scale.low : scale.offset,
+                                                                 scale.high, static_cast<std::size_t>(most))
+                                             : linear_ticks(scale.low, scale.high, most, scale.whole))
+    add(tick);
+  return labels;
+}
 
 void draw_color_bar(cairo_t* cairo, const DrawingBox& box, const std::function<Rgb(double)>& color,
                     std::span<const ColorBarLabel> labels, double text_size) {

@@ -75,10 +75,22 @@ void draw_text_block(cairo_t* cairo, double left, double top, const TextBlock& b
 
 // --- Colour bars ------------------------------------------------------------------------------------------
 
+// From values to 0 … 1.
+struct ColorScale {
+  double low = 0, high = 1;
+  bool logarithmic = false;
+  double offset = 0;  // added before the logarithm: 1 for counts, which may be 0
+  bool whole = false; // of whole numbers alone
+
+  double share(double value) const;
+};
+
 struct ColorBarLabel {
   double share; // of the bar's height from below, 0 to 1
   std::string text;
 };
+// Both ends, and round numbers between them that have room on a bar of that height.
+std::vector<ColorBarLabel> color_bar_labels(const ColorScale& scale, double height, double text_size);
 
 // color(0) below to color(1) above, with a tick for each label at the right. Labels reach half a line beyond
 // the ends.

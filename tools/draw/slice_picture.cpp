@@ -40,7 +40,7 @@ std::optional<double> value_of(const SliceCell& cell, SliceColor color, std::int
 }
 
 // From the least to the greatest value of the cells shown.
-struct ValueScale {
+struct ValueRange {
   SliceColor color;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   bool has_empty = false;
@@ -54,13 +54,9 @@ struct ValueScale {
     }
   }
   bool has_values() const { return low <= high; }
-  bool is_logarithmic() const {
-    return color == SliceColor::volume || (color == SliceColor::references && high > 16);
-  }
-  // From 0 (the least) to 1 (the greatest).
-  double share(double value) const {
-    if (!(high > low)) return 0.5;
-    return is_logarithmic() ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  ColorScale scale() const {
+    const bool is_volume = color == SliceColor::volume;
+    return {low, high, is_volume || (color == SliceColor::references && high > 16), 0, !is_volume};
   }
   // How dark: few references, large and undivided cells are light.
   double darkness_at(double share) const {
@@ -71,23 +67,6 @@ struct ValueScale {
     return color == SliceColor::references ? "references"
            : color == SliceColor::volume   ? "cell volume (voxels)"
                                            : "depth of nesting";
-  }
-  // Both ends, and round numbers between them that leave room for the ends' labels.
-  std::vector<ColorBarLabel> labels(double length, double text_size) const {
-    const auto label_of = [&](double at) {
-      const bool is_whole = at == std::floor(at) && at < 1e6;
-      return ColorBarLabel{share(at), is_whole ? fmt::format("{:.0f}", at) : fmt::format("{:.3g}", at)};
-    };
-    if (!has_values()) return {};
-    if (!(high > low)) return {label_of(low)};
-    const double room = 1.2 * text_size / length;
-    const int most = std::clamp(static_cast<int>(0.8 / room), 2, 8);
-    std::vector<ColorBarLabel> labels{label_of(low)};
-    for (const double tick : is_logarithmic() ? logarithmic_ticks(low, high, static_cast<std::size_t>(most))
-                                              : linear_ticks(low, high, most, true))
-      if (share(tick) > room && share(tick) < 1 - room) labels.push_back(label_of(tick));
-    labels.push_back(label_of(high));
-    return labels;
   }
 };
 
@@ -202,7 +181,7 @@ private:
 struct Chart {
   Plot plot{};
   std::int32_t width = 0, height = 0; // of the page
-  ValueScale scale;
+  ValueRange range;
   TextBlock title{}, subtitle{};
   std::array<std::string, 2> axis_names; // with units
   std::array<std::vector<double>, 2> ticks{};
@@ -243,10 +222,10 @@ void lay_out(Chart& chart, const SliceWindow& window, std::int32_t size, const s
       linear_ticks(window.min[1], window.max[1], std::clamp(static_cast<int>(height / (1.8 * em)), 2, 9));
 
   const double legend = 1.6 * em; // a line's height
-  const double bar_height = height - (chart.scale.has_empty ? legend : 0);
-  chart.bar_labels = chart.scale.labels(bar_height, em);
+  const double bar_height = height - (chart.range.has_empty ? legend : 0);
+  if (chart.range.has_values()) chart.bar_labels = color_bar_labels(chart.range.scale(), bar_height, em);
   const double bar_name = color_bar_label_width(chart.bar_labels, em) + 1.4 * em; // its baseline
-  const double empty = chart.scale.has_empty ? 0.5 * em + text_width("empty", em) : 0;
+  const double empty = chart.range.has_empty ? 0.5 * em + text_width("empty", em) : 0;
 
   const double left = std::ceil(margin + 1.5 * em + widest(chart.ticks[1], em) + (0.25 + tick_length) * em);
   chart.bar.left = left + width + std::round(em);
@@ -294,16 +273,16 @@ void draw_axes(cairo_t* cairo, const Chart& chart) {
 void draw_legend(cairo_t* cairo, const Chart& chart, const ColorMap& map) {
   const double em = chart.plot.em;
   const DrawingBox& bar = chart.bar;
-  if (chart.scale.has_empty) {
+  if (chart.range.has_empty) {
     const DrawingBox patch{bar.left, std::round(chart.plot.box.bottom - 0.9 * em), bar.right,
                            chart.plot.box.bottom};
     draw_frame(cairo, patch, chart.plot.line());
     draw_text(cairo, bar.right + 0.5 * em, (patch.top + patch.bottom + capital_height * em) / 2, "empty", em);
   }
-  if (!chart.scale.has_values()) return;
-  const auto color = [&](double share) { return shade_of(map, chart.scale.darkness_at(share)); };
+  if (!chart.range.has_values()) return;
+  const auto color = [&](double share) { return shade_of(map, chart.range.darkness_at(share)); };
   draw_color_bar(cairo, bar, color, chart.bar_labels, em);
-  draw_name(cairo, chart.bar_name, (bar.top + bar.bottom) / 2, chart.scale.label(), em, bar.height(),
+  draw_name(cairo, chart.bar_name, (bar.top + bar.bottom) / 2, chart.range.label(), em, bar.height(),
             TextDirection::up);
 }
 
@@ -411,10 +390,10 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
   const GridLayout finest = finest_layout(file);
   const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());
   const auto value = [&](const SliceCell& cell) { return value_of(cell, style.color, nested_log2); };
-  ValueScale scale{style.color};
+  ValueRange range{style.color};
   std::size_t count = 0;
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
-    scale.include(value(cell));
+    range.include(value(cell));
     ++count;
   });
   if (is_svg && count > most_svg_cells)
@@ -425,14 +404,15 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
     return fmt::format("{} (scene units)", "xyz"[slice_axes(plane.axis)[i]]);
   };
   const std::string title = style.title.empty() ? title_of(file, plane, finest) : style.title;
-  Chart chart{.scale = scale, .axis_names = {axis_name(0), axis_name(1)}, .outline = outline};
+  Chart chart{.range = range, .axis_names = {axis_name(0), axis_name(1)}, .outline = outline};
   lay_out(chart, window, style.size, title, subtitle_of(file, !outline.empty()));
+  const ColorScale scale = range.scale();
   SliceCells cells;
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
     const std::optional<double> shown = value(cell);
     const DrawingBox box = box_of(chart.plot, finest, plane.axis, cell);
     cells.add(is_svg ? box : on_pixels(box, chart.plot.box),
-              shown ? std::optional(scale.darkness_at(scale.share(*shown))) : std::nullopt, style.lines);
+              shown ? std::optional(range.darkness_at(scale.share(*shown))) : std::nullopt, style.lines);
   });
 
   const Drawing drawing{chart.width, chart.height, [&](cairo_t* cairo) { draw_chart(cairo, chart, cells); }};
@@ -440,9 +420,9 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
   // What the labels say, too: they are outlines of letters.
   const std::string legend =
       fmt::format("{}. Right: {}. Up: {}. Colour: {}", subtitle_of(file, !outline.empty()), axis_name(0),
-                  axis_name(1), scale.label()) +
-      (scale.has_values() ? fmt::format(", {:.3g} to {:.3g}", scale.low, scale.high) : "") +
-      (scale.has_empty ? "; white: empty" : "");
+                  axis_name(1), range.label()) +
+      (range.has_values() ? fmt::format(", {:.3g} to {:.3g}", range.low, range.high) : "") +
+      (range.has_empty ? "; white: empty" : "");
   write_svg(drawing, path, title,
             fmt::format("{}. Masu {} {}: {}", legend, version, commit, fmt::join(command_line(), " ")));
 }

@@ -72,22 +72,9 @@ struct Page {
 
 // --- Scales -----------------------------------------------------------------------------------------------
 
-// From values to 0 … 1.
-struct Scale {
-  double low = 0, high = 1; // what the colours reach
-  double largest = 1;       // of all values
-  bool logarithmic = false;
-  double offset = 0; // added before the logarithm: 1 for counts, which may be 0
-
-  double operator()(double value) const {
-    if (!(high > low)) return 0;
-    if (!logarithmic) return (value - low) / (high - low);
-    return std::log((value + offset) / (low + offset)) / std::log((high + offset) / (low + offset));
-  }
-};
-
-Scale scale_of(std::vector<double> finite, Caption::Values values) {
-  Scale scale;
+// Of all values, which are finite.
+ColorScale scale_of(std::vector<double> finite, Caption::Values values) {
+  ColorScale scale;
   if (finite.empty()) return scale;
   const auto at_share = [&](double share) {
     const auto at =
@@ -95,11 +82,11 @@ Scale scale_of(std::vector<double> finite, Caption::Values values) {
     std::ranges::nth_element(finite, at);
     return *at;
   };
-  scale.largest = at_share(1);
-  const double most = at_share(0.999), median = at_share(0.5), smallest = at_share(0);
-  scale.high = scale.largest > 1.25 * most && most > smallest ? most : scale.largest;
+  const double largest = at_share(1), most = at_share(0.999), median = at_share(0.5), smallest = at_share(0);
+  scale.high = largest > 1.25 * most && most > smallest ? most : largest;
   scale.low = values == Caption::Values::positive ? smallest : 0;
-  scale.offset = values == Caption::Values::counts ? 1 : 0;
+  scale.whole = values == Caption::Values::counts;
+  scale.offset = scale.whole ? 1 : 0;
   // Distances that span more than a factor of 3; large counts, half of them in the lowest tenth of a linear
   // scale.
   scale.logarithmic = values == Caption::Values::positive
@@ -110,46 +97,6 @@ Scale scale_of(std::vector<double> finite, Caption::Values values) {
 
 std::string number(double value) {
   return fmt::format("{:.4g}", value);
-}
-
-// Numbers worth a label, the most welcome ones first: ends, then powers of ten and small multiples of them;
-// of a linear scale, multiples of such a number.
-std::vector<double> labels_of(const Scale& scale, bool whole_numbers) {
-  std::vector<double> labels{scale.low, scale.high};
-  if (scale.logarithmic) {
-    const int first = static_cast<int>(std::floor(std::log10(std::max(scale.low, 1e-30)))) - 1;
-    const int last = static_cast<int>(std::ceil(std::log10(scale.high)));
-    const bool few_decades = (scale.high + scale.offset) / (scale.low + scale.offset) < 50;
-    for (const double digit : few_decades ? std::vector<double>{1, 2, 5} : std::vector<double>{1, 3})
-      for (int power = whole_numbers ? 0 : first; power <= last; ++power)
-        labels.push_back(digit * std::pow(10, power));
-    return labels;
-  }
-  const double span = scale.high - scale.low;
-  if (!(span > 0)) return labels;
-  const double power = std::pow(10, std::floor(std::log10(span / 4)));
-  double step = power;
-  for (const double digit : {2.0, 5.0, 10.0})
-    if (span / step > 6) step = digit * power;
-  if (whole_numbers) step = std::max(1.0, std::round(step));
-  const double first_label = std::ceil(scale.low / step) * step;
-  for (int i = 0; first_label + i * step <= scale.high; ++i)
-    labels.push_back(first_label + i * step);
-  return labels;
-}
-
-// Those of labels_of() that have room on a bar of this height.
-std::vector<ColorBarLabel> bar_labels(const Scale& scale, bool whole_numbers, double height, double em) {
-  std::vector<ColorBarLabel> labels;
-  for (const double label : labels_of(scale, whole_numbers)) {
-    if (label < scale.low || label > scale.high) continue;
-    const double share = scale(label);
-    const auto is_near = [&](const ColorBarLabel& other) {
-      return std::abs(share - other.share) * height < 1.3 * em;
-    };
-    if (std::ranges::none_of(labels, is_near)) labels.push_back({share, number(label)});
-  }
-  return labels;
 }
 
 // --- Names ------------------------------------------------------------------------------------------------
@@ -209,19 +156,20 @@ std::string joined(const std::string& text, const std::string& without) {
 Drawing value_picture(const ValueMap<double>& map, const Caption& caption) {
   std::vector<double> finite;
   std::ranges::copy_if(map.values, std::back_inserter(finite), [](double v) { return std::isfinite(v); });
-  const Scale scale = scale_of(finite, caption.values);
+  const ColorScale scale = scale_of(finite, caption.values);
   std::string note = fmt::format("{}, {} to {}, {} scale", caption.unit, number(scale.low),
                                  number(scale.high), scale.logarithmic ? "log" : "linear");
-  if (scale.high < scale.largest)
-    note += fmt::format("; 0.1 % of the values are larger, up to {}", number(scale.largest));
-  if (finite.empty()) note = caption.unit;
+  if (finite.empty())
+    note = caption.unit;
+  else if (const double largest = std::ranges::max(finite); scale.high < largest)
+    note += fmt::format("; 0.1 % of the values are larger, up to {}", number(largest));
   Page page(map.width, map.height);
   const ColorMap colors;
   for (const double value : map.values)
-    page.colors.push_back(std::isfinite(value) ? colors(scale(value)) : white);
+    page.colors.push_back(std::isfinite(value) ? colors(scale.share(value)) : white);
   const double em = page.em, width = std::round(em), height = page.legend_height();
   std::vector<ColorBarLabel> labels;
-  if (!finite.empty()) labels = bar_labels(scale, caption.values == Caption::Values::counts, height, em);
+  if (!finite.empty()) labels = color_bar_labels(scale, height, em);
   const double legend = 1.8 * em + color_bar_label_width(labels, em);
   return page.drawing(caption.title, joined(note, finite.size() < map.values.size() ? caption.without : ""),
                       legend, [colors, labels, width](cairo_t* cairo, const Page& drawn) {
