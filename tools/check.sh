@@ -37,7 +37,8 @@ if [ "${1:-}" = --full ]; then
   step "unit tests under the sanitizers"
   build build/asan -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMASU_SANITIZE=ON -DMASU_CUDA=OFF -- \
     --target masu_unit_tests masu_library_tests
-  ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
+  LSAN_OPTIONS="suppressions=$PWD/tests/sanitizers/lsan.supp print_suppressions=0" \
+    ctest --test-dir build/asan --output-on-failure --parallel "$cores" -L unit
 
   step "unit tests under ThreadSanitizer"
   tests/sanitizers/tsan_tbb.sh build/tbb

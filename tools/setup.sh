@@ -13,6 +13,7 @@ has() { # package
     ninja-build) command -v ninja >/dev/null ;;
     libassimp-dev) header assimp/scene.h ;;
     libbenchmark-dev) header benchmark/benchmark.h ;;
+    libcairo2-dev) header cairo/cairo.h ;;
     libembree-dev) header embree4/rtcore.h || header embree3/rtcore.h ;;
     libgmp-dev) header gmpxx.h ;;
     libcpp-httplib-dev) header httplib.h ;;
@@ -65,8 +66,8 @@ require() {
   fi
 }
 
-basics=(build-essential cmake flatbuffers-compiler libcli11-dev libdeflate-dev libflatbuffers-dev libfmt-dev libpng-dev
-  libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
+basics=(build-essential cmake flatbuffers-compiler fonts-dejavu-core libcairo2-dev libcli11-dev libdeflate-dev
+  libflatbuffers-dev libfmt-dev libpng-dev libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
 benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays and gridbench stability
 # file: for cpack; help2man: for man pages
 # libgmp-dev: for exact hits

@@ -77,7 +77,7 @@ std::uint64_t failing = 0; // the call that fails, from 1; 0: none
 bool all_after = false;
 std::atomic<bool> counting{false};
 std::atomic<std::uint64_t> calls{0};
-__attribute__((tls_model("initial-exec"))) thread_local int spared = 0; // calls of TBB under way
+__attribute__((tls_model("initial-exec"))) thread_local int spared = 0; // Spares alive
 
 bool fails_now() {
   if (!counting || spared > 0) return false;
@@ -176,25 +176,35 @@ __attribute__((destructor)) void at_end() {
   masu::write_count("MASU_FAULT_COUNT", calls);
 }
 
-// TBB waits for ever where one of its own small allocations or mappings fails while it starts: they don't,
-// here.
-bool is_tbb(const void* caller) {
+// Where one of their own small allocations or mappings fails, TBB waits for ever while it starts, Fontconfig
+// and pixman fault, and Cairo may leave out a part of what it draws: theirs don't, here.
+bool is_spared(const void* caller) {
   Dl_info info{};
-  return dladdr(caller, &info) != 0 && info.dli_fname != nullptr &&
-         std::strstr(info.dli_fname, "libtbb") != nullptr;
+  if (dladdr(caller, &info) == 0 || info.dli_fname == nullptr) return false;
+  for (const char* const library : {"libtbb", "libfontconfig", "libcairo", "libpixman"})
+    if (std::strstr(info.dli_fname, library) != nullptr) return true;
+  return false;
 }
 
-// While it lives no call fails, if it is TBB that calls.
-class SparesTbb {
+// While it lives no call fails, if so wanted.
+class Spares {
 public:
-  explicit SparesTbb(const void* caller) : is_tbb_(counting && is_tbb(caller)) { spared += is_tbb_ ? 1 : 0; }
-  ~SparesTbb() { spared -= is_tbb_ ? 1 : 0; }
-  SparesTbb(const SparesTbb&) = delete;
-  SparesTbb& operator=(const SparesTbb&) = delete;
+  explicit Spares(bool wanted) : wanted_(wanted) { spared += wanted_ ? 1 : 0; }
+  ~Spares() { spared -= wanted_ ? 1 : 0; }
+  Spares(const Spares&) = delete;
+  Spares& operator=(const Spares&) = delete;
 
 private:
-  bool is_tbb_;
+  bool wanted_;
 };
+
+// Fontconfig goes on without the fonts that it can't read, and prints lines of its own: its calls don't fail,
+// here.
+template <class Function, class... Arguments>
+auto call_of_fontconfig(Function*, const char* name, Arguments... arguments) {
+  const Spares spares(true);
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name))(arguments...);
+}
 
 bool is_fault_of_allocations() {
   return fault != nullptr && fault->calls[0] < 0;
@@ -203,7 +213,7 @@ bool is_fault_of_allocations() {
 // The memory of allocate(), or none.
 template <class Allocate>
 void* allocated(const void* caller, const Allocate& allocate) {
-  const SparesTbb spares(caller);
+  const Spares spares(counting && is_spared(caller));
   if (is_fault_of_allocations() && fails_now()) {
     errno = ENOMEM;
     return nullptr;
@@ -241,13 +251,34 @@ __attribute__((visibility("default"))) int posix_memalign(void** memory, std::si
 // To know who calls it.
 __attribute__((visibility("default"))) void* mmap(void* address, std::size_t size, int protection, int flags,
                                                   int file, off_t offset) {
-  const SparesTbb spares(__builtin_return_address(0));
+  const Spares spares(counting && is_spared(__builtin_return_address(0)));
   return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
 }
 __attribute__((visibility("default"))) void* mmap64(void* address, std::size_t size, int protection,
                                                     int flags, int file, off_t offset) {
-  const SparesTbb spares(__builtin_return_address(0));
+  const Spares spares(counting && is_spared(__builtin_return_address(0)));
   return reinterpret_cast<void*>(syscall(SYS_mmap, address, size, protection, flags, file, offset));
+}
+
+// What Cairo calls of Fontconfig to find a font.
+__attribute__((visibility("default"))) void* FcConfigGetCurrent() {
+  return call_of_fontconfig(FcConfigGetCurrent, "FcConfigGetCurrent");
+}
+__attribute__((visibility("default"))) int FcInitBringUptoDate() {
+  return call_of_fontconfig(FcInitBringUptoDate, "FcInitBringUptoDate");
+}
+__attribute__((visibility("default"))) int FcConfigSubstitute(void* config, void* pattern, int kind) {
+  return call_of_fontconfig(FcConfigSubstitute, "FcConfigSubstitute", config, pattern, kind);
+}
+__attribute__((visibility("default"))) void FcDefaultSubstitute(void* pattern) {
+  call_of_fontconfig(FcDefaultSubstitute, "FcDefaultSubstitute", pattern);
+}
+__attribute__((visibility("default"))) void* FcFontMatch(void* config, void* pattern, int* result) {
+  return call_of_fontconfig(FcFontMatch, "FcFontMatch", config, pattern, result);
+}
+__attribute__((visibility("default"))) int FcPatternGetFTFace(void* pattern, const char* object, int number,
+                                                              void** face) {
+  return call_of_fontconfig(FcPatternGetFTFace, "FcPatternGetFTFace", pattern, object, number, face);
 }
 
 __attribute__((visibility("default"))) int __libc_start_main(Main main, int argc, char** argv, void (*init)(),

@@ -22,6 +22,13 @@ TEST(Printable, EscapesWhatATerminalWouldObey) {
   EXPECT_EQ(printable(std::string("\0", 1)), "\\x00");
 }
 
+TEST(Printable, EscapesNoncharacters) {
+  EXPECT_EQ(printable("\xef\xbf\xbf"), "\\xef\\xbf\\xbf");          // U+FFFF
+  EXPECT_EQ(printable("\xef\xb7\x90"), "\\xef\\xb7\\x90");          // U+FDD0
+  EXPECT_EQ(printable("\xf0\x9f\xbf\xbe"), "\\xf0\\x9f\\xbf\\xbe"); // U+1FFFE
+  EXPECT_EQ(printable("\xef\xbf\xbd"), "\xef\xbf\xbd");             // U+FFFD, which is one
+}
+
 TEST(Printable, EscapesInvalidUtf8) {
   EXPECT_EQ(printable("a\xff"), "a\\xff");
   EXPECT_EQ(printable("\xc0\x80"), "\\xc0\\x80");                   // too long

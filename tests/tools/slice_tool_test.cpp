@@ -1,5 +1,6 @@
 // gridstat's slices and exported cells, end to end.
 #include "tests/tools/run_tool.h"
+#include "tools/draw/color_map.h"
 
 #include <nlohmann/json.hpp>
 #include <png.h>
@@ -22,12 +23,15 @@ std::string text_of(const std::string& path) {
   return {bytes.begin(), bytes.end()};
 }
 
-// What is wrong with XML of elements, attributes, character data and the five entities; empty if nothing is.
+// What is wrong with XML of a declaration, elements, attributes, character data and the five entities; empty
+// if nothing is.
 class XmlCheck {
 public:
   explicit XmlCheck(const std::string& xml) : xml_(xml) {}
 
   std::string problem() {
+    const std::string declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
+    if (xml_.starts_with(declaration)) at_ = declaration.size();
     while (at_ < xml_.size()) {
       if (xml_[at_] != '<') {
         if (!open_.empty() ? !character(true) : xml_[at_++] != '\n') return "text";
@@ -60,7 +64,7 @@ private:
   std::string name() {
     const std::size_t from = at_;
     while (at_ < xml_.size() &&
-           (std::isalnum(static_cast<unsigned char>(xml_[at_])) != 0 || xml_[at_] == '-'))
+           (std::isalnum(static_cast<unsigned char>(xml_[at_])) != 0 || xml_[at_] == '-' || xml_[at_] == ':'))
       ++at_;
     return xml_.substr(from, at_ - from);
   }
@@ -75,7 +79,8 @@ private:
     const std::string element = name();
     if (element.empty() || (open_.empty() && elements_++ > 0)) return false; // one root
     std::map<std::string, int> attributes;
-    while (at_ < xml_.size() && xml_[at_] == ' ') {
+    const auto is_at = [&](const char* text) { return xml_.compare(at_, std::strlen(text), text) == 0; };
+    while (is_at(" ") && !is_at(" >")) {
       ++at_;
       const std::string attribute = name();
       if (attribute.empty() || attributes[attribute]++ > 0 || xml_.compare(at_, 2, "=\"") != 0) return false;
@@ -83,7 +88,8 @@ private:
         if (!character(false)) return false;
       ++at_;
     }
-    const bool is_empty = xml_.compare(at_, 2, "/>") == 0;
+    at_ += is_at(" >") ? 1 : 0;
+    const bool is_empty = is_at("/>");
     if (!is_empty && xml_[at_] != '>') return false;
     at_ += is_empty ? 2 : 1;
     if (is_empty) return true;
@@ -163,12 +169,20 @@ TEST_F(SliceTool, AnSvgIsWellFormedXmlWhateverItsTitle) {
       XmlCheck check(svg);
       EXPECT_EQ(check.problem(), "") << title;
       EXPECT_EQ(check.texts("title").size(), 1U);
-      EXPECT_TRUE(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\""));
+      EXPECT_NE(svg.find("\n<svg xmlns=\"http://www.w3.org/2000/svg\""), std::string::npos);
     }
   }
-  EXPECT_NE(text_of(file("s.svg")).find("??"), std::string::npos); // bytes that aren't UTF-8
+  EXPECT_NE(text_of(file("s.svg")).find("\\xff\\xc0"), std::string::npos); // bytes that aren't UTF-8
 }
 
+std::size_t count_of(const std::string& part, const std::string& text) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+// Labels are outlines of letters in an SVG: what they say is in its title and description, too.
 TEST_F(SliceTool, APictureNamesAxesPlaneAndLegend) {
   const std::string path = grid("a.grid", scene_, "6");
   for (const auto& [axis, right, up] : {std::array{"x", "y", "z"}, {"y", "x", "z"}, {"z", "x", "y"}}) {
@@ -176,17 +190,113 @@ TEST_F(SliceTool, APictureNamesAxesPlaneAndLegend) {
     const std::string svg = text_of(file("s.svg"));
     XmlCheck check(svg);
     EXPECT_EQ(check.problem(), "");
-    const auto texts = check.texts("text");
-    const auto has = [&](const std::string& text) {
-      return std::ranges::any_of(texts,
-                                 [&](const std::string& t) { return t.find(text) != std::string::npos; });
+    ASSERT_EQ(check.texts("title").size(), 1U);
+    ASSERT_EQ(check.texts("desc").size(), 1U);
+    const std::string title = check.texts("title")[0], description = check.texts("desc")[0];
+    EXPECT_TRUE(title.starts_with("a.grid, " + std::string(axis) + " = ")) << title;
+    EXPECT_TRUE(title.ends_with("(layer 2 of 6)")) << title;
+    for (const char* const part : {"uniform grid, 6 x 6 x 6 voxels", "Colour: references, ", "white: empty"})
+      EXPECT_NE(description.find(part), std::string::npos) << description;
+    EXPECT_NE(description.find("Right: " + std::string(right) + " (scene units)"), std::string::npos);
+    EXPECT_NE(description.find("Up: " + std::string(up) + " (scene units)"), std::string::npos);
+    EXPECT_NE(description.find("gridstat " + path), std::string::npos) << description;
+  }
+}
+
+TEST_F(SliceTool, EveryLetterOfATitleIsDrawn) {
+  const std::string path = grid("a.grid", scene_, "6");
+  const auto glyphs = [&](const std::string& title) {
+    EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=2", "--title", title, "-o", file("s.svg")})));
+    return count_of("<use ", text_of(file("s.svg")));
+  };
+  const std::size_t one = glyphs("a");
+  EXPECT_GE(one, std::string("auniformgrid,6x6x6voxelsx(sceneunits)y(sceneunits)referencesempty").size());
+  EXPECT_EQ(glyphs("abc\xc3\xa9\xe2\x88\x92"), one + 4);
+  EXPECT_EQ(glyphs(std::string(300, 'm')), one + 299); // however long
+}
+
+TEST_F(SliceTool, WithoutFontsAPictureHasNoText) {
+  const std::string path = grid("a.grid", scene_, "6");
+  write_text(file("fonts.conf"), "<?xml version=\"1.0\"?><fontconfig></fontconfig>");
+  Surroundings surroundings;
+  surroundings.environment = "FONTCONFIG_FILE=" + file("fonts.conf");
+  for (const std::string name : {"s.svg", "s.png"}) {
+    const ToolResult result = run("gridstat", {path, "--slice", "z=2", "-o", file(name)}, surroundings);
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(count_of("\n", result.err), 1U) << result.err;
+    EXPECT_NE(result.err.find("no font was found"), std::string::npos) << result.err;
+  }
+  EXPECT_EQ(count_of("<use ", text_of(file("s.svg"))), 0U);
+  EXPECT_GT(png_size(file("s.png")).width, 640U);
+}
+
+// A pixel shows the darkest of its cells: the picture, read back, is the JSON's cells in the colours of the
+// map.
+TEST_F(SliceTool, PixelsOfAPngAreTheCellsInTheirColors) {
+  for (const std::string& merge : {std::string("none"), std::string("irregular")}) {
+    const std::string path = grid("a.grid", scene_, "16", {"--merge", merge});
+    const Json slice = json_slice(path, {"--slice", "z@0.05"});
+    ASSERT_TRUE(
+        succeeded(run("gridstat", {path, "--slice", "z@0.05", "--size", "640", "-o", file("s.png")})));
+    png_image png{};
+    png.version = PNG_IMAGE_VERSION;
+    ASSERT_NE(png_image_begin_read_from_file(&png, file("s.png").c_str()), 0);
+    png.format = PNG_FORMAT_RGB;
+    Bytes rgb(PNG_IMAGE_SIZE(png));
+    ASSERT_NE(png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr), 0);
+    const auto at = [&](std::size_t x, std::size_t y) {
+      const std::size_t i = 3 * (y * png.width + x);
+      return Rgb{rgb[i], rgb[i + 1], rgb[i + 2]};
     };
-    EXPECT_TRUE(has(std::string(right) + " (scene units)"));
-    EXPECT_TRUE(has(std::string(up) + " (scene units)"));
-    EXPECT_TRUE(has("a.grid, " + std::string(axis) + " = "));
-    EXPECT_TRUE(has("(layer 2 of 6)"));
-    EXPECT_TRUE(has("references"));
-    EXPECT_TRUE(has("empty"));
+    // The plot: within the largest frame of black pixels.
+    const auto is_black = [&](std::size_t x, std::size_t y) { return at(x, y) == Rgb{0, 0, 0}; };
+    std::size_t left = 0, top = 0;
+    for (std::size_t y = 0; y < png.height && top == 0; ++y) {
+      std::size_t run_length = 0;
+      for (std::size_t x = 0; x < png.width; ++x) {
+        run_length = is_black(x, y) ? run_length + 1 : 0;
+        if (run_length == 640) {
+          left = x - 639;
+          top = y;
+        }
+      }
+    }
+    ASSERT_GT(top, 0U);
+    while (is_black(left + 320, top))
+      ++top;
+    while (is_black(left, top))
+      ++left;
+    double high = 0, low = 1e9;
+    for (const Json& cell : slice["cells"]) {
+      if (cell[4] == 0) continue;
+      high = std::max(high, cell[4].get<double>());
+      low = std::min(low, cell[4].get<double>());
+    }
+    ASSERT_GT(high, low);
+    const ColorMap map;
+    const auto voxels = slice["voxels"];
+    const double width = 640,
+                 height = std::round(
+                     640 * (slice["space"]["max"][1].get<double>() - slice["space"]["min"][1].get<double>()) /
+                     (slice["space"]["max"][0].get<double>() - slice["space"]["min"][0].get<double>()));
+    std::size_t compared = 0;
+    for (const Json& cell : slice["cells"]) {
+      const double x0 = cell[0].get<double>() / voxels[0].get<double>() * width,
+                   x1 = cell[2].get<double>() / voxels[0].get<double>() * width;
+      const double y0 = cell[1].get<double>() / voxels[1].get<double>() * height,
+                   y1 = cell[3].get<double>() / voxels[1].get<double>() * height;
+      if (x1 - x0 < 3 || y1 - y0 < 3) continue;
+      const double references = cell[4].get<double>();
+      const double share =
+          high > 16 ? std::log(references / low) / std::log(high / low) : (references - low) / (high - low);
+      const Rgb expected = references == 0 ? Rgb{255, 255, 255} : map(1 - share);
+      const Rgb got = at(left + static_cast<std::size_t>((x0 + x1) / 2),
+                         top + static_cast<std::size_t>(height - (y0 + y1) / 2));
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(got[i], expected[i], 1) << cell; // of the map's steps, the next at most
+      ++compared;
+    }
+    EXPECT_GT(compared, 40U);
   }
 }
 

@@ -35,6 +35,11 @@ bool is_control(std::uint32_t code) {
          (code >= 0x2066 && code <= 0x2069);
 }
 
+// U+FFFE, U+FFFF and their like, which XML and Cairo refuse.
+bool is_noncharacter(std::uint32_t code) {
+  return (code & 0xfffe) == 0xfffe || (code >= 0xfdd0 && code < 0xfdf0);
+}
+
 } // namespace
 
 std::string printable(std::string_view text) {
@@ -42,7 +47,7 @@ std::string printable(std::string_view text) {
   while (!text.empty()) {
     const Character next = first_of(text);
     const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
-    if (next.bytes > 0 && !is_control(next.code)) {
+    if (next.bytes > 0 && !is_control(next.code) && !is_noncharacter(next.code)) {
       result += text.substr(0, bytes);
     } else {
       for (const char c : text.substr(0, bytes))

@@ -5,7 +5,7 @@
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/draw/axis_ticks.h"
-#include "tools/draw/canvas.h"
+#include "tools/draw/drawing.h"
 #include "tools/report/slice_json.h"
 
 #include <fmt/format.h>
@@ -14,13 +14,14 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
 namespace masu {
 namespace {
 
-constexpr Rgb black{0, 0, 0}, white{255, 255, 255}, outline_color{214, 40, 20};
+constexpr Rgb outline_color{214, 40, 20};
 constexpr std::size_t most_svg_cells = std::size_t{1} << 18, most_json_cells = std::size_t{1} << 22;
 
 // --- Values and their colours ----------------------------------------------------------------------------
@@ -39,7 +40,7 @@ std::optional<double> value_of(const SliceCell& cell, SliceColor color, std::int
 }
 
 // From the least to the greatest value of the cells shown.
-struct ValueScale {
+struct ValueRange {
   SliceColor color;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   bool has_empty = false;
@@ -53,36 +54,19 @@ struct ValueScale {
     }
   }
   bool has_values() const { return low <= high; }
-  bool is_logarithmic() const {
-    return color == SliceColor::volume || (color == SliceColor::references && high > 16);
-  }
-  // From 0 (the least) to 1 (the greatest).
-  double share(double value) const {
-    if (!(high > low)) return 0.5;
-    return is_logarithmic() ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+  ColorScale scale() const {
+    const bool is_volume = color == SliceColor::volume;
+    return {low, high, is_volume || (color == SliceColor::references && high > 16), 0, !is_volume};
   }
   // How dark: few references, large and undivided cells are light.
-  double darkness(double value) const {
+  double darkness_at(double share) const {
     if (!(high > low)) return 0.25;
-    return color == SliceColor::volume ? 1 - share(value) : share(value);
+    return color == SliceColor::volume ? 1 - share : share;
   }
   const char* label() const {
     return color == SliceColor::references ? "references"
            : color == SliceColor::volume   ? "cell volume (voxels)"
                                            : "depth of nesting";
-  }
-  // Both ends, and round numbers between them that leave room for the ends' labels.
-  std::vector<double> ticks(double length, double label_height) const {
-    if (!(high > low)) return {low};
-    const int most = std::clamp(static_cast<int>(length / (1.7 * label_height)), 2, 8);
-    std::vector<double> ticks{low};
-    for (const double tick : is_logarithmic() ? logarithmic_ticks(low, high, static_cast<std::size_t>(most))
-                                              : linear_ticks(low, high, most, true)) {
-      const double room = 1.6 * label_height / length;
-      if (share(tick) > room && share(tick) < 1 - room) ticks.push_back(tick);
-    }
-    ticks.push_back(high);
-    return ticks;
   }
 };
 
@@ -97,45 +81,28 @@ bool is_light(Rgb color) {
 
 // --- Where things are ------------------------------------------------------------------------------------
 
-// Scene units to pixels. Both axes have the same scale unless the plot would be too flat for its labels.
-struct Plot {
-  CanvasBox box;
-  SliceWindow window;
-  std::int32_t text_scale;
-
-  double x(double u) const {
-    return box.left + (u - window.min[0]) / (window.max[0] - window.min[0]) * (box.right - box.left);
-  }
-  double y(double v) const {
-    return box.bottom - (v - window.min[1]) / (window.max[1] - window.min[1]) * (box.bottom - box.top);
-  }
-  CanvasPoint point(const std::array<double, 2>& at) const { return {x(at[0]), y(at[1])}; }
-  double width() const { return box.right - box.left; }
-  double height() const { return box.bottom - box.top; }
+struct Point {
+  double x, y;
 };
 
-// In pixels at text scale 1: room for the title, the axes' numbers and names, the legend.
-constexpr double top_margin = 34, bottom_margin = 34, left_margin = 66, right_margin = 92;
+// Scene units to pixels. Both axes have the same scale unless the plot would be too flat for its labels.
+struct Plot {
+  DrawingBox box;
+  SliceWindow window;
+  double em; // the text's size, in pixels
 
-Plot plot_of(const SliceWindow& window, std::int32_t size) {
-  const std::int32_t scale = std::max(1, (size + 160) / 320);
-  const double u = window.max[0] - window.min[0], v = window.max[1] - window.min[1], longer = std::max(u, v);
-  const double shortest = std::min<double>(60 * scale, size);
-  const double width = std::max(std::round(size * (u / longer)), shortest),
-               height = std::max(std::round(size * (v / longer)), shortest);
-  const double left = left_margin * scale, top = top_margin * scale;
-  return {{left, top, left + width, top + height}, window, scale};
-}
-
-std::int32_t canvas_width(const Plot& plot) {
-  return static_cast<std::int32_t>(plot.box.right + right_margin * plot.text_scale);
-}
-std::int32_t canvas_height(const Plot& plot) {
-  return static_cast<std::int32_t>(plot.box.bottom + bottom_margin * plot.text_scale);
-}
+  double x(double u) const {
+    return box.left + (u - window.min[0]) / (window.max[0] - window.min[0]) * box.width();
+  }
+  double y(double v) const {
+    return box.bottom - (v - window.min[1]) / (window.max[1] - window.min[1]) * box.height();
+  }
+  Point point(const std::array<double, 2>& at) const { return {x(at[0]), y(at[1])}; }
+  double line() const { return std::max(1.0, std::round(em / 16)); } // the width of frames and ticks
+};
 
 // A cell's part in the plot.
-CanvasBox box_of(const Plot& plot, const GridLayout& finest, int axis, const SliceCell& cell) {
+DrawingBox box_of(const Plot& plot, const GridLayout& finest, int axis, const SliceCell& cell) {
   VoxelBox voxels{};
   const std::array<int, 2> axes = slice_axes(axis);
   for (std::size_t i = 0; i < 2; ++i) {
@@ -143,224 +110,235 @@ CanvasBox box_of(const Plot& plot, const GridLayout& finest, int axis, const Sli
     voxels.end.set(axes[i], cell.end[i]);
   }
   const Boxd box = box_in_scene(finest, voxels);
-  const auto clamped = [](double at, double low, double high) { return std::clamp(at, low, high); };
-  const CanvasBox& in = plot.box;
-  return {clamped(plot.x(box.min[axes[0]]), in.left, in.right),
-          clamped(plot.y(box.max[axes[1]]), in.top, in.bottom),
-          clamped(plot.x(box.max[axes[0]]), in.left, in.right),
-          clamped(plot.y(box.min[axes[1]]), in.top, in.bottom)};
+  const DrawingBox& in = plot.box;
+  return {std::clamp(plot.x(box.min[axes[0]]), in.left, in.right),
+          std::clamp(plot.y(box.max[axes[1]]), in.top, in.bottom),
+          std::clamp(plot.x(box.max[axes[0]]), in.left, in.right),
+          std::clamp(plot.y(box.min[axes[1]]), in.top, in.bottom)};
 }
 
 // --- Cells -----------------------------------------------------------------------------------------------
 
-// Lines on the left and lower side, which neighbours share; none where they would leave hardly anything.
-constexpr double room_for_lines = 4;
+// Whole pixels, at least one each way within the plot.
+DrawingBox on_pixels(const DrawingBox& box, const DrawingBox& plot) {
+  const double left = std::min(std::round(box.left), plot.right - 1),
+               top = std::min(std::round(box.top), plot.bottom - 1);
+  return {left, top, std::max(std::round(box.right), left + 1), std::max(std::round(box.bottom), top + 1)};
+}
 
-// Cells as pixels of the plot: a pixel shows the darkest of the cells that it touches.
-class CellRaster {
+// Cells by how dark they are, and those that have lines on their left and lower sides, which neighbours
+// share.
+class SliceCells {
 public:
-  explicit CellRaster(const Plot& plot)
-      : left_(static_cast<std::int32_t>(plot.box.left)), top_(static_cast<std::int32_t>(plot.box.top)),
-        columns_(static_cast<std::int32_t>(plot.width())), rows_(static_cast<std::int32_t>(plot.height())),
-        darkness_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), -1),
-        line_(darkness_.size(), false) {}
-
-  void add(const CanvasBox& box, std::optional<double> darkness, bool with_lines) {
-    const std::int32_t left = edge(box.left - left_, columns_), top = edge(box.top - top_, rows_);
-    const std::int32_t right = std::max(edge(box.right - left_, columns_), std::min(left + 1, columns_)),
-                       bottom = std::max(edge(box.bottom - top_, rows_), std::min(top + 1, rows_));
-    for (std::int32_t y = top; darkness && y < bottom; ++y) {
-      for (std::int32_t x = left; x < right; ++x)
-        darkness_[index(x, y)] = std::max(darkness_[index(x, y)], static_cast<float>(*darkness));
-    }
-    if (with_lines && right - left >= room_for_lines && bottom - top >= room_for_lines) {
-      for (std::int32_t y = top; y < bottom; ++y)
-        line_[index(left, y)] = true;
-      for (std::int32_t x = left; x < right; ++x)
-        line_[index(x, bottom - 1)] = true;
-    }
+  // `darkness`: of empty cells none. No lines where they would leave hardly anything.
+  void add(const DrawingBox& box, std::optional<double> darkness, bool with_lines) {
+    constexpr double room_for_lines = 4;
+    const Rgb color = darkness ? shade_of(map_, *darkness) : white;
+    if (darkness) cells_[std::lround(*darkness * most_shade)].push_back(box);
+    if (with_lines && box.width() >= room_for_lines && box.height() >= room_for_lines)
+      (is_light(color) ? with_dark_lines_ : with_light_lines_).push_back(box);
   }
 
-  void draw(Picture& picture, const ColorMap& map, std::int32_t line_width) const {
-    for (std::int32_t y = 0; y < rows_; ++y) {
-      for (std::int32_t x = 0; x < columns_; ++x)
-        picture.fill(left_ + x, top_ + y, 1, 1, color_at_pixel(map, x, y));
+  // From light to dark: a pixel shows the darkest of its cells.
+  void draw(cairo_t* cairo, double line_width) const {
+    cairo_save(cairo);
+    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE); // else the page shines through where cells meet
+    for (const auto& [shade, boxes] : cells_) {
+      for (const DrawingBox& box : boxes)
+        cairo_rectangle(cairo, box.left, box.top, box.width(), box.height());
+      set_color(cairo, shade_of(map_, static_cast<double>(shade) / most_shade));
+      cairo_fill(cairo);
     }
-    for (std::int32_t y = 0; y < rows_; ++y) {
-      for (std::int32_t x = 0; x < columns_; ++x) {
-        if (!line_[index(x, y)]) continue;
-        const Rgb color = color_at_pixel(map, x, y);
-        for (std::int32_t i = 0; i < line_width; ++i)
-          picture.blend(left_ + x, top_ + y - i, is_light(color) ? black : white, 0.4);
-      }
-    }
+    cairo_restore(cairo);
+    draw_lines(cairo, with_dark_lines_, black, line_width);
+    draw_lines(cairo, with_light_lines_, white, line_width);
   }
+  const ColorMap& map() const { return map_; }
 
 private:
-  static std::int32_t edge(double at, std::int32_t end) {
-    return std::clamp(static_cast<std::int32_t>(std::lround(at)), 0, end);
-  }
-  std::size_t index(std::int32_t x, std::int32_t y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
-  }
-  Rgb color_at_pixel(const ColorMap& map, std::int32_t x, std::int32_t y) const {
-    const float darkness = darkness_[index(x, y)];
-    return darkness < 0 ? white : shade_of(map, static_cast<double>(darkness));
+  static constexpr long most_shade = 1023; // the map has so many steps
+
+  // Within the boxes.
+  static void draw_lines(cairo_t* cairo, const std::vector<DrawingBox>& boxes, Rgb color, double width) {
+    for (const DrawingBox& box : boxes) {
+      cairo_move_to(cairo, box.left + width / 2, box.top);
+      cairo_line_to(cairo, box.left + width / 2, box.bottom - width / 2);
+      cairo_line_to(cairo, box.right, box.bottom - width / 2);
+    }
+    set_color(cairo, color, 0.4);
+    cairo_set_line_width(cairo, width);
+    cairo_stroke(cairo);
   }
 
-  std::int32_t left_, top_, columns_, rows_;
-  std::vector<float> darkness_; // -1: empty
-  std::vector<bool> line_;
-};
-
-// What is drawn, whatever the canvas.
-struct Chart {
-  Plot plot;
-  ValueScale scale;
-  const ColorMap& map;
-  std::string title, subtitle;
-  std::array<char, 2> axis_names;
-  std::span<const SectionSegment> outline;
+  ColorMap map_;
+  std::map<long, std::vector<DrawingBox>> cells_; // by darkness
+  std::vector<DrawingBox> with_dark_lines_, with_light_lines_;
 };
 
 // --- Axes, legend and outline ----------------------------------------------------------------------------
 
-// Text that fits so many pixels.
-std::string cut_to(const std::string& text, double pixels, std::int32_t scale) {
-  const auto most = static_cast<std::size_t>(std::max(pixels / (text_advance * scale), 4.0));
-  return text.size() <= most ? text : text.substr(0, most - 3) + "...";
+// What is drawn around the cells.
+struct Chart {
+  Plot plot{};
+  std::int32_t width = 0, height = 0; // of the page
+  ValueRange range;
+  TextBlock title{}, subtitle{};
+  std::array<std::string, 2> axis_names; // with units
+  std::array<std::vector<double>, 2> ticks{};
+  DrawingBox bar{};
+  double bar_name = 0; // x of its baseline
+  std::vector<ColorBarLabel> bar_labels{};
+  std::span<const SectionSegment> outline;
+};
+
+constexpr double tick_length = 0.3; // in em
+
+double widest(std::span<const double> ticks, double em) {
+  double width = 0;
+  for (const double tick : ticks)
+    width = std::max(width, text_width(tick_text(tick), em));
+  return width;
 }
 
-template <class Canvas>
-void draw_frame(Canvas& canvas, const CanvasBox& box, double width) {
-  canvas.box({box.left - width, box.top - width, box.right + width, box.top}, black);
-  canvas.box({box.left - width, box.bottom, box.right + width, box.bottom + width}, black);
-  canvas.box({box.left - width, box.top, box.left, box.bottom}, black);
-  canvas.box({box.right, box.top, box.right + width, box.bottom}, black);
+// As many as fit a horizontal axis of so many pixels.
+std::vector<double> horizontal_ticks(double low, double high, double length, double em) {
+  for (int most = 9;; --most) {
+    std::vector<double> ticks = linear_ticks(low, high, most);
+    if (most == 2 || ticks.size() < 2) return ticks;
+    if (widest(ticks, em) + em < (ticks[1] - ticks[0]) / (high - low) * length) return ticks;
+  }
 }
 
-template <class Canvas>
-void draw_axes(Canvas& canvas, const Chart& chart) {
+// The places of everything, in a page whose plot has `size` pixels along its longer side.
+void lay_out(Chart& chart, const SliceWindow& window, std::int32_t size, const std::string& title,
+             const std::string& subtitle) {
+  const double em = std::max(10, size / 32), margin = 0.6 * em;
+  const double u = window.max[0] - window.min[0], v = window.max[1] - window.min[1], longer = std::max(u, v);
+  const double shortest = std::min<double>(7 * em, size);
+  const double width = std::max(std::round(size * (u / longer)), shortest),
+               height = std::max(std::round(size * (v / longer)), shortest);
+  chart.ticks[0] = horizontal_ticks(window.min[0], window.max[0], width, em);
+  chart.ticks[1] =
+      linear_ticks(window.min[1], window.max[1], std::clamp(static_cast<int>(height / (1.8 * em)), 2, 9));
+
+  const double legend = 1.6 * em; // a line's height
+  const double bar_height = height - (chart.range.has_empty ? legend : 0);
+  if (chart.range.has_values()) chart.bar_labels = color_bar_labels(chart.range.scale(), bar_height, em);
+  const double bar_name = color_bar_label_width(chart.bar_labels, em) + 1.4 * em; // its baseline
+  const double empty = chart.range.has_empty ? 0.5 * em + text_width("empty", em) : 0;
+
+  const double left = std::ceil(margin + 1.5 * em + widest(chart.ticks[1], em) + (0.25 + tick_length) * em);
+  chart.bar.left = left + width + std::round(em);
+  chart.bar.right = chart.bar.left + std::round(em);
+  chart.bar_name = chart.bar.right + bar_name;
+  chart.width = static_cast<std::int32_t>(
+      std::ceil(std::max(chart.bar_name + 0.3 * em, chart.bar.right + empty) + margin));
+  chart.title = text_block(title, em, chart.width - 2 * margin);
+  chart.subtitle = text_block(subtitle, 0.85 * em, chart.width - 2 * margin);
+  const double top = std::ceil(margin + chart.title.height() + chart.subtitle.height() + 0.5 * em);
+  chart.height = static_cast<std::int32_t>(std::ceil(top + height + (tick_length + 3.1) * em + margin));
+  chart.plot = {{left, top, left + width, top + height}, window, em};
+  chart.bar.top = top;
+  chart.bar.bottom = top + std::round(bar_height);
+}
+
+// A name along a side of the plot, in its middle; smaller where the side is short.
+void draw_name(cairo_t* cairo, double x, double y, const std::string& name, double em, double side,
+               TextDirection direction) {
+  const double size = em * std::min(1.0, side / std::max(text_width(name, em), 1.0));
+  draw_text(cairo, x, y, name, size, TextAnchor::middle, direction);
+}
+
+void draw_axes(cairo_t* cairo, const Chart& chart) {
   const Plot& plot = chart.plot;
-  const std::int32_t s = plot.text_scale;
-  const double tick = 3.0 * s, line = std::max(1, s / 2), gap = 3.0 * s;
-  const auto most = [&](double length, double label) {
-    return std::clamp(static_cast<int>(length / label), 2, 9);
-  };
-  const int columns = most(plot.width(), 40.0 * s), rows = most(plot.height(), 20.0 * s);
-  for (const double at : linear_ticks(plot.window.min[0], plot.window.max[0], columns)) {
-    const double x = std::round(plot.x(at)), y = plot.box.bottom;
-    canvas.box({x, y, x + line, y + tick}, black);
-    canvas.text(
-        {{x, y + tick + gap + text_height * s}, tick_text(at), TextAnchor::middle, TextDirection::right, s},
-        black);
+  const DrawingBox& box = plot.box;
+  const double em = plot.em, tick = tick_length * em, line = plot.line();
+  for (const double at : chart.ticks[0]) {
+    const double x = std::round(plot.x(at) - line / 2);
+    fill_box(cairo, {x, box.bottom, x + line, box.bottom + tick}, black);
+    draw_text(cairo, x + line / 2, box.bottom + tick + 1.05 * em, tick_text(at), em, TextAnchor::middle);
   }
-  std::size_t longest = 0;
-  for (const double at : linear_ticks(plot.window.min[1], plot.window.max[1], rows)) {
-    const double x = plot.box.left, y = std::round(plot.y(at));
-    canvas.box({x - tick, y, x, y + line}, black);
-    canvas.text({{x - tick - gap, y + text_height * s / 2.0},
-                 tick_text(at),
-                 TextAnchor::end,
-                 TextDirection::right,
-                 s},
-                black);
-    longest = std::max(longest, tick_text(at).size());
+  for (const double at : chart.ticks[1]) {
+    const double y = std::round(plot.y(at) - line / 2);
+    fill_box(cairo, {box.left - tick, y, box.left, y + line}, black);
+    draw_text(cairo, box.left - tick - 0.25 * em, y + line / 2 + capital_height * em / 2, tick_text(at), em,
+              TextAnchor::end);
   }
-  const double middle_x = (plot.box.left + plot.box.right) / 2,
-               middle_y = (plot.box.top + plot.box.bottom) / 2;
-  canvas.text({{middle_x, plot.box.bottom + tick + 2 * gap + 2.0 * text_height * s + 2.0 * s},
-               fmt::format("{} (scene units)", chart.axis_names[0]),
-               TextAnchor::middle,
-               TextDirection::right,
-               s},
-              black);
-  const double numbers = static_cast<double>(longest) * text_advance * s;
-  canvas.text({{std::max(plot.box.left - tick - 2.5 * gap - numbers, 9.0 * s), middle_y},
-               fmt::format("{} (scene units)", chart.axis_names[1]),
-               TextAnchor::middle,
-               TextDirection::up,
-               s},
-              black);
+  draw_name(cairo, (box.left + box.right) / 2, box.bottom + tick + 2.6 * em, chart.axis_names[0], em,
+            box.width(), TextDirection::right);
+  draw_name(cairo, 1.5 * em, (box.top + box.bottom) / 2, chart.axis_names[1], em, box.height(),
+            TextDirection::up);
 }
 
-template <class Canvas>
-void draw_legend(Canvas& canvas, const Chart& chart) {
-  const std::int32_t s = chart.plot.text_scale;
-  const CanvasBox& plot = chart.plot.box;
-  const double left = plot.right + 12.0 * s, right = left + 12.0 * s, tick = 3.0 * s;
-  const double line = std::max(1, s / 2), height = text_height * s;
-  double bottom = plot.bottom;
-  if (chart.scale.has_empty) {
-    const CanvasBox patch{left, bottom - height - 2.0 * s, right, bottom};
-    canvas.box(patch, white);
-    draw_frame(canvas, patch, line);
-    canvas.text(
-        {{right + tick + 2.0 * s, bottom - 1.0 * s}, "empty", TextAnchor::start, TextDirection::right, s},
-        black);
-    bottom = patch.top - 8.0 * s;
+void draw_legend(cairo_t* cairo, const Chart& chart, const ColorMap& map) {
+  const double em = chart.plot.em;
+  const DrawingBox& bar = chart.bar;
+  if (chart.range.has_empty) {
+    const DrawingBox patch{bar.left, std::round(chart.plot.box.bottom - 0.9 * em), bar.right,
+                           chart.plot.box.bottom};
+    draw_frame(cairo, patch, chart.plot.line());
+    draw_text(cairo, bar.right + 0.5 * em, (patch.top + patch.bottom + capital_height * em) / 2, "empty", em);
   }
-  if (!chart.scale.has_values()) return;
-  const CanvasBox bar{left, plot.top, right, bottom};
-  const double length = bar.bottom - bar.top;
-  const auto steps = static_cast<int>(chart.scale.high > chart.scale.low ? std::min(length, 256.0) : 1);
-  for (int i = 0; i < steps; ++i) {
-    const double share = steps > 1 ? i / (steps - 1.0) : 0.5;
-    const double darkness = steps == 1 ? 0.25 : chart.scale.color == SliceColor::volume ? 1 - share : share;
-    canvas.box({bar.left, bar.bottom - length * (i + 1) / steps, bar.right, bar.bottom - length * i / steps},
-               shade_of(chart.map, darkness));
-  }
-  draw_frame(canvas, bar, line);
-  std::size_t longest = 0;
-  for (const double at : chart.scale.ticks(length, height)) {
-    const double y = std::round(bar.bottom - chart.scale.share(at) * length);
-    const std::string text = fmt::format("{:.3g}", at);
-    const std::string whole = at == std::floor(at) && at < 1e6 ? fmt::format("{:.0f}", at) : text;
-    canvas.box({right, y, right + tick, y + line}, black);
-    canvas.text({{right + tick + 2.0 * s,
-                  std::clamp(y + height / 2, bar.top + height - 3.0 * s, bar.bottom + 3.0 * s)},
-                 whole,
-                 TextAnchor::start,
-                 TextDirection::right,
-                 s},
-                black);
-    longest = std::max(longest, whole.size());
-  }
-  const double numbers = static_cast<double>(std::max<std::size_t>(longest, 2)) * text_advance * s;
-  canvas.text({{right + tick + 6.0 * s + numbers + height, (bar.top + bar.bottom) / 2},
-               chart.scale.label(),
-               TextAnchor::middle,
-               TextDirection::up,
-               s},
-              black);
+  if (!chart.range.has_values()) return;
+  const auto color = [&](double share) { return shade_of(map, chart.range.darkness_at(share)); };
+  draw_color_bar(cairo, bar, color, chart.bar_labels, em);
+  draw_name(cairo, chart.bar_name, (bar.top + bar.bottom) / 2, chart.range.label(), em, bar.height(),
+            TextDirection::up);
 }
 
-template <class Canvas>
-void draw_outline(Canvas& canvas, const Chart& chart) {
-  std::vector<CanvasLine> lines;
-  lines.reserve(chart.outline.size());
-  for (const SectionSegment& segment : chart.outline)
-    lines.push_back({chart.plot.point(segment.from), chart.plot.point(segment.to)});
-  const double width = 0.7 * chart.plot.text_scale;
-  canvas.lines(lines, white, 2 * width, 0.6, chart.plot.box); // readable on dark cells, and without colour
-  canvas.lines(lines, outline_color, width, 1, chart.plot.box);
+// Cuts a segment to a box. Returns whether anything of it is left.
+bool cut_to(const DrawingBox& box, Point& from, Point& to) {
+  const Point d{to.x - from.x, to.y - from.y};
+  double first = 0, last = 1;
+  for (const auto& [step, room] : {std::pair(-d.x, from.x - box.left), std::pair(d.x, box.right - from.x),
+                                   std::pair(-d.y, from.y - box.top), std::pair(d.y, box.bottom - from.y)}) {
+    if (step < 0) first = std::max(first, room / step);
+    if (step > 0) last = std::min(last, room / step);
+    if (step == 0 && room < 0) return false;
+  }
+  if (!(first <= last)) return false;
+  to = {from.x + last * d.x, from.y + last * d.y};
+  from = {from.x + first * d.x, from.y + first * d.y};
+  return true;
 }
 
-// All but the cells, over them.
-template <class Canvas>
-void draw_chart(Canvas& canvas, const Chart& chart) {
-  const Plot& plot = chart.plot;
-  const std::int32_t s = plot.text_scale;
-  draw_outline(canvas, chart);
-  draw_frame(canvas, plot.box, std::max(1, s / 2));
-  draw_axes(canvas, chart);
-  draw_legend(canvas, chart);
-  const double left = 6.0 * s, room = canvas_width(plot) - 2 * left;
-  const auto line = [&](const std::string& text, double baseline) {
-    canvas.text({{left, baseline}, cut_to(text, room, s), TextAnchor::start, TextDirection::right, s}, black);
-  };
-  line(chart.title, 12.0 * s);
-  line(chart.subtitle, 24.0 * s);
+void draw_outline(cairo_t* cairo, const Chart& chart) {
+  const DrawingBox& box = chart.plot.box;
+  const double width = 0.1 * chart.plot.em;
+  // Cairo's coordinates end at 2^23: segments reach far beyond a small window.
+  const DrawingBox near{box.left - 2 * width, box.top - 2 * width, box.right + 2 * width,
+                        box.bottom + 2 * width};
+  cairo_save(cairo);
+  cairo_rectangle(cairo, box.left, box.top, box.width(), box.height());
+  cairo_clip(cairo);
+  cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  Point end{-1, -1};
+  for (const SectionSegment& segment : chart.outline) {
+    Point from = chart.plot.point(segment.from), to = chart.plot.point(segment.to);
+    if (!cut_to(near, from, to)) continue;
+    if (from.x != end.x || from.y != end.y) cairo_move_to(cairo, from.x, from.y); // else a polygon goes on
+    cairo_line_to(cairo, to.x, to.y);
+    end = to;
+  }
+  set_color(cairo, white, 0.6); // readable on dark cells, and without colour
+  cairo_set_line_width(cairo, 2 * width);
+  cairo_stroke_preserve(cairo);
+  set_color(cairo, outline_color);
+  cairo_set_line_width(cairo, width);
+  cairo_stroke(cairo);
+  cairo_restore(cairo);
+}
+
+void draw_chart(cairo_t* cairo, const Chart& chart, const SliceCells& cells) {
+  cells.draw(cairo, chart.plot.line());
+  draw_outline(cairo, chart);
+  draw_frame(cairo, chart.plot.box, chart.plot.line());
+  draw_axes(cairo, chart);
+  draw_legend(cairo, chart, cells.map());
+  const double margin = 0.6 * chart.plot.em;
+  draw_text_block(cairo, margin, margin, chart.title);
+  draw_text_block(cairo, margin, margin + chart.title.height(), chart.subtitle);
 }
 
 std::string by_by(const Vec3i& n) {
@@ -412,64 +390,41 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
   const GridLayout finest = finest_layout(file);
   const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());
   const auto value = [&](const SliceCell& cell) { return value_of(cell, style.color, nested_log2); };
-  ValueScale scale{style.color};
-  std::size_t cells = 0;
+  ValueRange range{style.color};
+  std::size_t count = 0;
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
-    scale.include(value(cell));
-    ++cells;
+    range.include(value(cell));
+    ++count;
   });
-  if (is_svg && cells > most_svg_cells)
+  if (is_svg && count > most_svg_cells)
     throw Error(ErrorCode::usage, path,
-                fmt::format("an SVG of {} cells is too large: give a --window, or write a PNG", cells));
+                fmt::format("an SVG of {} cells is too large: give a --window, or write a PNG", count));
 
-  const std::array<int, 2> axes = slice_axes(plane.axis);
-  const ColorMap map;
-  const Chart chart{plot_of(window, style.size),
-                    scale,
-                    map,
-                    style.title.empty() ? title_of(file, plane, finest) : style.title,
-                    subtitle_of(file, !outline.empty()),
-                    {"xyz"[axes[0]], "xyz"[axes[1]]},
-                    outline};
-  const Plot& plot = chart.plot;
-  const auto for_each_box = [&](const auto& act) { // act(box, how dark)
-    for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
-      const std::optional<double> shown = value(cell);
-      act(box_of(plot, finest, plane.axis, cell),
-          shown ? std::optional(scale.darkness(*shown)) : std::nullopt);
-    });
+  const auto axis_name = [&](std::size_t i) {
+    return fmt::format("{} (scene units)", "xyz"[slice_axes(plane.axis)[i]]);
   };
-  const std::string description =
-      fmt::format("Masu {} {}: {}", version, commit, fmt::join(command_line(), " "));
+  const std::string title = style.title.empty() ? title_of(file, plane, finest) : style.title;
+  Chart chart{.range = range, .axis_names = {axis_name(0), axis_name(1)}, .outline = outline};
+  lay_out(chart, window, style.size, title, subtitle_of(file, !outline.empty()));
+  const ColorScale scale = range.scale();
+  SliceCells cells;
+  for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
+    const std::optional<double> shown = value(cell);
+    const DrawingBox box = box_of(chart.plot, finest, plane.axis, cell);
+    cells.add(is_svg ? box : on_pixels(box, chart.plot.box),
+              shown ? std::optional(range.darkness_at(scale.share(*shown))) : std::nullopt, style.lines);
+  });
 
-  if (is_svg) {
-    SvgCanvas canvas(canvas_width(plot), canvas_height(plot));
-    std::vector<CanvasLine> on_light, on_dark;
-    for_each_box([&](const CanvasBox& box, std::optional<double> darkness) {
-      const Rgb color = darkness ? shade_of(map, *darkness) : white;
-      if (darkness) canvas.cell(box, color);
-      if (!style.lines || box.right - box.left < room_for_lines || box.bottom - box.top < room_for_lines)
-        return;
-      std::vector<CanvasLine>& lines = is_light(color) ? on_light : on_dark;
-      lines.push_back({{box.left, box.top}, {box.left, box.bottom}});
-      lines.push_back({{box.left, box.bottom}, {box.right, box.bottom}});
-    });
-    canvas.finish_cells();
-    const double width = 0.5 * plot.text_scale;
-    canvas.lines(on_light, black, width, 0.4, plot.box);
-    canvas.lines(on_dark, white, width, 0.4, plot.box);
-    draw_chart(canvas, chart);
-    return write_text(canvas.document(chart.title, description), path);
-  }
-  PngCanvas canvas(canvas_width(plot), canvas_height(plot));
-  CellRaster raster(plot);
-  for_each_box(
-      [&](const CanvasBox& box, std::optional<double> darkness) { raster.add(box, darkness, style.lines); });
-  raster.draw(canvas.picture, map, std::max(1, plot.text_scale / 2));
-  draw_chart(canvas, chart);
-  const Picture& picture = canvas.picture;
-  write_png(picture.rgb, picture.width, picture.height, path,
-            {{"Software", fmt::format("Masu {} {}", version, commit)}});
+  const Drawing drawing{chart.width, chart.height, [&](cairo_t* cairo) { draw_chart(cairo, chart, cells); }};
+  if (!is_svg) return write_png(drawing, path, {{"Software", fmt::format("Masu {} {}", version, commit)}});
+  // What the labels say, too: they are outlines of letters.
+  const std::string legend =
+      fmt::format("{}. Right: {}. Up: {}. Colour: {}", subtitle_of(file, !outline.empty()), axis_name(0),
+                  axis_name(1), range.label()) +
+      (range.has_values() ? fmt::format(", {:.3g} to {:.3g}", range.low, range.high) : "") +
+      (range.has_empty ? "; white: empty" : "");
+  write_svg(drawing, path, title,
+            fmt::format("{}. Masu {} {}: {}", legend, version, commit, fmt::join(command_line(), " ")));
 }
 
 } // namespace masu

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/geometry/vector.h"
-#include "tools/draw/picture.h"
+#include "tools/draw/drawing.h"
 
 #include <cstdint>
 #include <span>
@@ -27,12 +27,12 @@ struct Caption {
 // Values as lightness and colour. The scale is linear; or logarithmic, for positive values that span more
 // than a factor of 3, and for counts beyond 50 of which half would lie in the lowest tenth of a linear one. A
 // few values that are far larger than 99.9 % of them don't stretch the scale.
-Picture value_picture(const ValueMap<double>& map, const Caption& caption);
+Drawing value_picture(const ValueMap<double>& map, const Caption& caption);
 
 // Names as colours, neighbouring names as different ones; white for -1.
-Picture name_picture(const ValueMap<std::int32_t>& map, const Caption& caption);
+Drawing name_picture(const ValueMap<std::int32_t>& map, const Caption& caption);
 
 // Unit vectors n as the colours (n + 1) / 2; white for zero.
-Picture normal_picture(const ValueMap<Vec3f>& map, const Caption& caption);
+Drawing normal_picture(const ValueMap<Vec3f>& map, const Caption& caption);
 
 } // namespace masu

@@ -70,7 +70,7 @@ void write_pfm(const Channels& channels, Channel channel, const std::string& pat
   file.commit();
 }
 
-Picture picture_of(const Channels& channels, Channel channel, bool all_rays) {
+Drawing picture_of(const Channels& channels, Channel channel, bool all_rays) {
   const std::string cost = all_rays ? "the camera ray and all rays that it spawns" : "the camera ray";
   const auto map = [&]<class T, class Memory>(const std::vector<T, Memory>& values) {
     return ValueMap<T>{channels.columns, channels.rows, values};
@@ -97,7 +97,7 @@ Picture picture_of(const Channels& channels, Channel channel, bool all_rays) {
     return value_map(channels.tests,
                      {"tests: primitives tested for " + cost, "tests", "", Caption::Values::counts});
   }
-  return {1, 1};
+  return {};
 }
 
 } // namespace
@@ -141,8 +141,7 @@ ChannelsSummary write_channels(const Tracer& tracer, const ChannelsJob& job,
       const ChannelFiles files = channel_files(job.pictures[i], channel, job.format);
       job.format == ChannelFormat::npy ? write_npy(channels, channel, files.values)
                                        : write_pfm(channels, channel, files.values);
-      const Picture picture = picture_of(channels, channel, request.all_rays);
-      write_png(picture.rgb, picture.width, picture.height, files.picture, job.texts);
+      write_png(picture_of(channels, channel, request.all_rays), files.picture, job.texts);
     }
   }
   summary.seconds = watch.seconds();

@@ -53,7 +53,7 @@ Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std
   return result;
 }
 
-Picture difference_picture(const Difference& difference) {
+Drawing difference_picture(const Difference& difference) {
   Caption caption;
   caption.title = fmt::format("difference: the largest of each pixel; rmse {:.4g}, {} of {} pixels differ",
                               difference.rmse, difference.different_pixels, difference.pixels.size());

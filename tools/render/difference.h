@@ -1,7 +1,7 @@
 // How two pictures differ.
 #pragma once
 
-#include "tools/draw/picture.h"
+#include "tools/draw/drawing.h"
 #include "tools/render/picture_file.h"
 
 #include <cstddef>
@@ -23,6 +23,6 @@ struct Difference {
 // Throws Error(input, path, …) for pictures of different sizes or channels; `path` is b's.
 Difference difference_of(const FloatPicture& a, const FloatPicture& b, const std::string& path);
 
-Picture difference_picture(const Difference& difference);
+Drawing difference_picture(const Difference& difference);
 
 } // namespace masu

@@ -128,10 +128,7 @@ void print_difference(const Inspection& inspection, const std::string& output) {
     throw Error(ErrorCode::usage, output, "must end in .png: differences are drawn as PNG");
   const FloatPicture a = read_picture(inspection.difference[0]), b = read_picture(inspection.difference[1]);
   const Difference difference = difference_of(a, b, inspection.difference[1]);
-  if (!output.empty()) {
-    const Picture picture = difference_picture(difference);
-    write_png(picture.rgb, picture.width, picture.height, output, {{"Software", program_name()}});
-  }
+  if (!output.empty()) write_png(difference_picture(difference), output, {{"Software", program_name()}});
   if (inspection.json.empty()) {
     std::string text =
         fmt::format("RMSE {:.6g}, largest difference {:.6g}", difference.rmse, difference.largest);
