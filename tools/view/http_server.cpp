@@ -141,12 +141,6 @@ std::string cookie(const std::string& header, const std::string& name) {
   return {};
 }
 
-// Without the port. Addresses of IPv6 keep their brackets.
-std::string host_name(const std::string& host) {
-  const std::size_t bracket = host.find(']');
-  return host.substr(0, bracket != std::string::npos ? bracket + 1 : host.find(':'));
-}
-
 httplib::Headers reply_headers() {
   return {{"Cache-Control", "no-store"},
           {"Content-Security-Policy", "default-src 'none'; script-src 'self'; style-src 'self'; connect-src "
@@ -162,7 +156,8 @@ httplib::Headers reply_headers() {
 } // namespace
 
 bool is_loopback_host(const std::string& host) {
-  const std::string name = host_name(host);
+  const std::size_t bracket = host.find(']'); // of an address of IPv6
+  const std::string name = host.substr(0, bracket != std::string::npos ? bracket + 1 : host.find(':'));
   return name == "localhost" || name == "127.0.0.1" || name == "[::1]";
 }
 
@@ -228,7 +223,7 @@ bool HttpServer::process_and_close_socket(socket_t socket) {
     }
     Exchange exchange(socket, *head);
     bool closed = false;
-    const auto set_up = [socket](httplib::Request& request) {
+    const auto set_up = [socket](httplib::Request& request) { // its progress: whether to go on
       request.progress = [socket](std::uint64_t, std::uint64_t) { return !has_hung_up(socket); };
     };
     // It takes the addresses of both ends, too, in later versions.
