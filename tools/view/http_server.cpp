@@ -3,7 +3,6 @@
 #include "libscene/base/error.h"
 
 #include <fmt/format.h>
-#include <httplib.h>
 #include <nlohmann/json.hpp>
 
 #include <poll.h>
@@ -13,78 +12,49 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cctype>
 #include <chrono>
-#include <condition_variable>
-#include <list>
-#include <mutex>
 #include <optional>
+#include <semaphore>
+#include <sstream>
 #include <string_view>
-#include <system_error>
-#include <thread>
 
 namespace masu {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 constexpr std::size_t largest_head = 8192; // bytes
-constexpr seconds time_for_head{5}, time_for_next_request{60}, time_for_reply{20};
-
-bool wait_for(int socket, short events, Clock::time_point end) {
-  for (;;) {
-    const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now()).count();
-    if (left <= 0) return false;
-    pollfd entry{socket, events, 0};
-    const int ready = poll(&entry, 1, static_cast<int>(left));
-    if (ready > 0) return true;
-    if (ready < 0 && errno != EINTR) return false;
-  }
-}
-
-bool send_all(int socket, std::string_view bytes, Clock::time_point end) {
-  while (!bytes.empty()) {
-    const ssize_t sent = send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (sent >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(sent));
-    } else if (errno != EINTR &&
-               ((errno != EAGAIN && errno != EWOULDBLOCK) || !wait_for(socket, POLLOUT, end))) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool has_hung_up(int socket) {
-  pollfd entry{socket, POLLRDHUP, 0};
-  return poll(&entry, 1, 0) > 0 && (entry.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
-}
+constexpr seconds time_for_silence{5};
+constexpr seconds time_for_head{5}, time_for_reply{20}; // from the first byte on
+// Served at once, and together with those that wait for a thread. FD_SETSIZE bounds the library's sockets.
+constexpr std::size_t connection_threads = 128, most_connections = 512;
 
 // A request's head up to its empty line; none where the client sends none in time, or too long a one. `rest`
-// has what has come already, and gets what comes behind the head. `patience` is for the first byte.
-std::optional<std::string> read_head(int socket, std::string& rest, seconds patience) {
-  Clock::time_point end = Clock::now() + (rest.empty() ? patience : time_for_head);
+// has what has come already, and gets what comes behind the head. A call takes no longer than the server's
+// read timeout.
+std::optional<std::string> read_head(int socket, std::string& rest) {
+  Clock::time_point end = Clock::now() + time_for_head;
   for (;;) {
     if (const std::size_t length = rest.find("\r\n\r\n"); length != std::string::npos) {
       std::string head = rest.substr(0, length + 4);
       rest.erase(0, length + 4);
       return head;
     }
-    if (rest.size() >= largest_head || !wait_for(socket, POLLIN, end)) return {};
+    if (rest.size() >= largest_head || (!rest.empty() && Clock::now() > end)) return {};
     std::array<char, 2048> bytes{};
-    const ssize_t got = recv(socket, bytes.data(), std::min(bytes.size(), largest_head - rest.size()), 0);
-    if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) return {};
-    if (got <= 0) continue;
-    if (rest.empty()) end = std::min(end, Clock::now() + time_for_head);
+    const std::size_t most = std::min(bytes.size(), largest_head - rest.size());
+    const ssize_t got = TEMP_FAILURE_RETRY(recv(socket, bytes.data(), most, 0));
+    if (got <= 0) return {};
+    if (rest.empty()) end = Clock::now() + time_for_head;
     rest.append(bytes.data(), static_cast<std::size_t>(got));
   }
 }
 
 // The status line of a refusal; null where the head is in order. Ranges are refused since a header of a few
-// bytes could ask for a reply many times over.
+// bytes could ask for a reply many times over, and one of 8 KiB takes the library megabytes of stack to
+// parse.
 const char* fault_of(std::string head) {
   std::ranges::transform(head, head.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -100,7 +70,12 @@ const char* fault_of(std::string head) {
   return nullptr;
 }
 
-// What cpp-httplib reads and writes: a head that has come already, and the socket.
+bool has_hung_up(int socket) {
+  pollfd entry{socket, POLLRDHUP, 0};
+  return poll(&entry, 1, 0) > 0 && (entry.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0;
+}
+
+// What the library reads and writes: a head that has come already, and the socket.
 class Exchange final : public httplib::Stream {
 public:
   Exchange(int socket, const std::string& head) : socket_(socket), head_(head) {}
@@ -108,116 +83,45 @@ public:
   bool is_readable() const override { return !head_.empty(); }
   bool is_writable() const override { return true; }
   ssize_t read(char* bytes, std::size_t size) override {
-    const std::size_t count = std::min(size, head_.size());
-    std::copy_n(head_.data(), count, bytes);
+    const std::size_t count = head_.copy(bytes, size);
     head_.remove_prefix(count);
     return static_cast<ssize_t>(count);
   }
+  // A call takes no longer than the server's write timeout.
   ssize_t write(const char* bytes, std::size_t size) override {
-    if (!send_all(socket_, {bytes, size}, end_)) return -1;
-    return static_cast<ssize_t>(size);
+    const Clock::time_point now = Clock::now();
+    if (!end_) end_ = now + time_for_reply;
+    if (now > *end_) return -1;
+    return TEMP_FAILURE_RETRY(send(socket_, bytes, size, MSG_NOSIGNAL));
   }
   void get_remote_ip_and_port(std::string&, int&) const override {}
   void get_local_ip_and_port(std::string&, int&) const override {}
   socket_t socket() const override { return socket_; }
-  void begin_reply() { end_ = Clock::now() + time_for_reply; }
 
 private:
   int socket_;
   std::string_view head_;
-  Clock::time_point end_ = Clock::now() + time_for_reply;
+  std::optional<Clock::time_point> end_; // of the reply, once it has begun
 };
 
-// Connections that are open. `waiting` is of those whose client has nothing to get: it owes a request.
-class Connections {
+// Beyond `most_connections` none is accepted until one has ended: they wait in the system's queue.
+class BoundedPool final : public httplib::TaskQueue {
 public:
-  struct Entry {
-    int socket;
-    bool waiting;
-  };
-  using Place = std::list<Entry>::iterator;
-
-  Place add(int socket) {
-    const std::lock_guard lock(mutex_);
-    return entries_.insert(entries_.end(), {socket, true});
-  }
-  // Its socket may be closed from then on.
-  void remove(Place place) {
-    const std::lock_guard lock(mutex_);
-    entries_.erase(place);
-  }
-  // To the end of the list, so that the one that has been waiting longest stays first.
-  void set_waiting(Place place, bool waiting) {
-    const std::lock_guard lock(mutex_);
-    place->waiting = waiting;
-    entries_.splice(entries_.end(), entries_, place);
-  }
-  // False where none waits.
-  bool hang_up_longest_waiting() {
-    const std::lock_guard lock(mutex_);
-    const auto entry = std::ranges::find_if(entries_, &Entry::waiting);
-    if (entry == entries_.end()) return false;
-    entry->waiting = false;
-    shutdown(entry->socket, SHUT_RDWR);
-    return true;
-  }
-  void hang_up_all() {
-    const std::lock_guard lock(mutex_);
-    for (const Entry& entry : entries_)
-      shutdown(entry.socket, SHUT_RDWR);
-  }
-
-private:
-  std::mutex mutex_;
-  std::list<Entry> entries_;
-};
-
-// A thread for each connection. Beyond `most`, the connection that has been waiting longest gives way; those
-// that give way are waited for at twice as many. Where none waits, the task runs on the thread that accepts
-// connections, whose connections are refused.
-class ConnectionThreads final : public httplib::TaskQueue {
-public:
-  ConnectionThreads(Connections& connections, std::size_t most) : connections_(connections), most_(most) {}
-
-  using Enqueued =
-      decltype(std::declval<httplib::TaskQueue&>().enqueue({})); // void, and bool in later versions
+  // void, and bool in later versions
+  using Enqueued = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
   Enqueued enqueue(std::function<void()> task) override {
-    if (!start(task)) task();
+    places_.acquire();
+    pool_.enqueue([this, task] {
+      task();
+      places_.release();
+    });
     return static_cast<Enqueued>(true);
   }
-  void shutdown() override {
-    connections_.hang_up_all();
-    std::unique_lock lock(mutex_);
-    ended_.wait(lock, [this] { return threads_ == 0; });
-  }
+  void shutdown() override { pool_.shutdown(); }
 
 private:
-  bool start(const std::function<void()>& task) {
-    std::unique_lock lock(mutex_);
-    if (threads_ >= most_ && !connections_.hang_up_longest_waiting()) return false;
-    if (!ended_.wait_for(lock, seconds(1), [this] { return threads_ < 2 * most_; })) return false;
-    ++threads_;
-    lock.unlock();
-    try {
-      std::thread([this, task] {
-        task();
-        const std::lock_guard end(mutex_);
-        --threads_;
-        ended_.notify_all();
-      }).detach();
-      return true;
-    } catch (const std::system_error&) { // no more threads
-      lock.lock();
-      --threads_;
-      return false;
-    }
-  }
-
-  Connections& connections_;
-  std::size_t most_;
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  std::size_t threads_ = 0;
+  std::counting_semaphore<> places_{most_connections};
+  httplib::ThreadPool pool_{connection_threads};
 };
 
 // Independent of where the first difference is.
@@ -229,20 +133,12 @@ bool are_equal(const std::string& a, const std::string& b) {
 }
 
 std::string cookie(const std::string& header, const std::string& name) {
-  for (std::size_t begin = 0; begin < header.size();) {
-    const std::size_t end = std::min(header.find(';', begin), header.size());
-    const std::size_t first = std::min(header.find_first_not_of(' ', begin), end);
-    if (header.compare(first, name.size() + 1, name + "=") == 0)
-      return header.substr(first + name.size() + 1, end - first - name.size() - 1);
-    begin = end + 1;
+  std::istringstream entries(header);
+  for (std::string entry; std::getline(entries, entry, ';');) {
+    entry.erase(0, entry.find_first_not_of(' '));
+    if (entry.starts_with(name + "=")) return entry.substr(name.size() + 1);
   }
   return {};
-}
-
-// Without the port. Addresses of IPv6 keep their brackets.
-std::string host_name(const std::string& host) {
-  const std::size_t bracket = host.find(']');
-  return host.substr(0, bracket != std::string::npos ? bracket + 1 : host.find(':'));
 }
 
 httplib::Headers reply_headers() {
@@ -260,7 +156,8 @@ httplib::Headers reply_headers() {
 } // namespace
 
 bool is_loopback_host(const std::string& host) {
-  const std::string name = host_name(host);
+  const std::size_t bracket = host.find(']'); // of an address of IPv6
+  const std::string name = host.substr(0, bracket != std::string::npos ? bracket + 1 : host.find(':'));
   return name == "localhost" || name == "127.0.0.1" || name == "[::1]";
 }
 
@@ -278,171 +175,114 @@ std::string random_token() {
   return text;
 }
 
-// --- The server -------------------------------------------------------------------------------------------
-
-class HttpServer::Guarded final : public httplib::Server {
-public:
-  Guarded(const HttpSettings& settings, HttpHandler handler)
-      : settings_(settings), handler_(std::move(handler)) {
-    new_task_queue = [this] { return new ConnectionThreads(connections_, settings_.connections); };
-    set_default_headers(reply_headers());
-    set_tcp_nodelay(true);
-    set_keep_alive_timeout(time_for_next_request.count()); // what replies say of it; converse() keeps it
-    set_keep_alive_max_count(1000000);
-    // Not SO_REUSEPORT, the library's own: two servers would share a port.
-    set_socket_options([](socket_t socket) {
-      const int yes = 1;
-      setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-    });
-    set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
-      answer(request, response);
-      return HandlerResponse::Handled;
-    });
-  }
-
-  // The port, or -1.
-  int bind() {
-    if (settings_.port == 0) return port_ = bind_to_any_port(settings_.address);
-    return port_ = bind_to_port(settings_.address, settings_.port) ? settings_.port : -1;
-  }
-
-  void serve() {
-    accepting_ = std::this_thread::get_id();
-    do {
-      listen_after_bind(); // ends where a connection can't be accepted, too
-      if (!is_ended_ && !bind_to_port(settings_.address, port_))
-        throw Error(ErrorCode::usage, fmt::format("port {}", port_), "was lost: start again");
-    } while (!is_ended_);
-  }
-
-  void end() {
-    is_ended_ = true;
-    stop();
-  }
-
-private:
-  bool process_and_close_socket(socket_t socket) override {
-    const auto place = connections_.add(socket);
-    if (std::this_thread::get_id() == accepting_)
-      refuse(socket, "503 Service Unavailable");
-    else
-      converse(socket, place);
-    connections_.remove(place);
-    ::shutdown(socket, SHUT_RDWR);
-    ::close(socket);
-    return true;
-  }
-
-  static void refuse(int socket, const char* status) {
-    send_all(socket, fmt::format("HTTP/1.1 {}\r\nContent-Length: 0\r\nConnection: close\r\n\r\n", status),
-             Clock::now() + milliseconds(10));
-  }
-
-  void converse(int socket, Connections::Place place) {
-    std::string rest;
-    bool closed = false;
-    for (bool first = true; !closed; first = false) {
-      const auto head = read_head(socket, rest, first ? time_for_head : time_for_next_request);
-      if (!head) return;
-      if (const char* const fault = fault_of(*head)) return refuse(socket, fault);
-      connections_.set_waiting(place, false);
-      Exchange exchange(socket, *head);
-      if (!process(*this, exchange, closed)) return;
-      connections_.set_waiting(place, true);
-    }
-  }
-
-  // process_request() takes the addresses of both ends, too, in later versions.
-  template <class Self>
-  static bool process(Self& self, Exchange& exchange, bool& closed) {
-    const auto set_up = [&exchange](httplib::Request& request) {
-      request.headers.erase(socket_header);
-      request.set_header(socket_header, std::to_string(exchange.socket()));
-      exchange.begin_reply();
-    };
-    if constexpr (requires { self.process_request(exchange, false, closed, set_up); })
-      return self.process_request(exchange, false, closed, set_up);
-    else
-      return self.process_request(exchange, "", 0, "", 0, false, closed, set_up);
-  }
-
-  void answer(const httplib::Request& request, httplib::Response& response) const {
-    const std::string host = request.get_header_value("Host");
-    const auto fail = [&](int status, const char* why) {
-      response.status = status;
-      response.set_content(nlohmann::json{{"error", why}}.dump(), "application/json");
-    };
-    if (request.get_header_value_count("Host") != 1 || host.empty()) return fail(400, "no host is named");
-    if (settings_.token.empty() && !is_loopback_host(host)) return fail(421, "another host is named");
-    if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host &&
-        request.get_header_value("Origin") != "https://" + host)
-      return fail(403, "another origin");
-    const std::string site = request.get_header_value("Sec-Fetch-Site");
-    const bool is_page = request.path == "/";
-    if (!site.empty() && site != "same-origin" && site != "none" &&
-        !(is_page && request.get_header_value("Sec-Fetch-Dest") == "document"))
-      return fail(403, "another site");
-    HttpRequest query{request.path, {}, [&request] { return has_hung_up(socket_of(request)); }};
-    for (const auto& [name, value] : request.params) {
-      if (!query.parameters.emplace(name, value).second) return fail(400, "a parameter is given twice");
-    }
-    if (!settings_.token.empty()) {
-      const std::string name = fmt::format("masu_{}", port_);
-      if (is_page && query.parameters.contains("token") &&
-          are_equal(query.parameters.at("token"), settings_.token)) {
-        response.set_header("Set-Cookie",
-                            fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", name, settings_.token));
-        response.set_header("Location", "/");
-        response.status = 303;
-        return;
-      }
-      if (!are_equal(cookie(request.get_header_value("Cookie"), name), settings_.token))
-        return fail(401, "the token is missing: open the address that gridview printed");
-    }
-    reply(query, response, fail);
-  }
-
-  template <class Fail>
-  void reply(const HttpRequest& query, httplib::Response& response, const Fail& fail) const {
-    try {
-      const HttpReply made = handler_(query);
-      response.status = made.status;
-      if (!made.timing.empty()) response.set_header("Server-Timing", made.timing);
-      if (!made.body.empty()) response.set_content(made.body, made.type);
-    } catch (const Error& error) {
-      fail(error.code() == ErrorCode::usage ? 400 : 500, error.what());
-    } catch (const std::exception& error) {
-      fail(500, error.what());
-    }
-  }
-
-  static int socket_of(const httplib::Request& request) {
-    return std::stoi(request.get_header_value(socket_header));
-  }
-
-  static constexpr const char* socket_header = "Masu-Socket"; // replaces a client's own
-
-  HttpSettings settings_;
-  HttpHandler handler_;
-  Connections connections_;
-  std::thread::id accepting_;
-  std::atomic<bool> is_ended_ = false;
-  int port_ = 0;
-};
-
 HttpServer::HttpServer(const HttpSettings& settings, HttpHandler handler)
-    : server_(std::make_unique<Guarded>(settings, std::move(handler))), port_(server_->bind()) {
+    : settings_(settings), handler_(std::move(handler)), port_(settings.port) {
+  new_task_queue = [] { return new BoundedPool; };
+  set_default_headers(reply_headers());
+  set_tcp_nodelay(true);
+  set_read_timeout(time_for_silence.count());
+  set_write_timeout(time_for_reply.count());
+  set_keep_alive_timeout(time_for_silence.count()); // what replies say of it
+  set_keep_alive_max_count(1000000);
+  // Not SO_REUSEPORT, the library's own: two servers would share a port.
+  set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
+  set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+    answer(request, response);
+    return HandlerResponse::Handled;
+  });
+  if (port_ == 0)
+    port_ = bind_to_any_port(settings.address);
+  else if (!bind_to_port(settings.address, port_))
+    port_ = -1;
   if (port_ < 0)
     throw Error(ErrorCode::usage, fmt::format("{} port {}", settings.address, settings.port),
                 "can't be listened on: choose another --port or --bind");
 }
-HttpServer::~HttpServer() = default;
 
 void HttpServer::serve() {
-  server_->serve();
+  while (!listen_after_bind()) { // a connection can't be accepted
+    stop();                      // later versions listen again only then
+    if (!bind_to_port(settings_.address, port_))
+      throw Error(ErrorCode::usage, fmt::format("port {}", port_), "was lost: start again");
+  }
 }
-void HttpServer::stop() {
-  server_->end();
+
+// The library's own loses requests that come together, and bounds neither a head's length nor its time.
+bool HttpServer::process_and_close_socket(socket_t socket) {
+  std::string rest;
+  while (svr_sock_ != INVALID_SOCKET) {
+    const auto head = read_head(socket, rest);
+    if (!head) break;
+    if (const char* const fault = fault_of(*head)) {
+      const auto reply = fmt::format("HTTP/1.1 {}\r\nContent-Length: 0\r\nConnection: close\r\n\r\n", fault);
+      send(socket, reply.data(), reply.size(), MSG_NOSIGNAL);
+      break;
+    }
+    Exchange exchange(socket, *head);
+    bool closed = false;
+    const auto set_up = [socket](httplib::Request& request) { // its progress: whether to go on
+      request.progress = [socket](std::uint64_t, std::uint64_t) { return !has_hung_up(socket); };
+    };
+    // It takes the addresses of both ends, too, in later versions.
+    const auto process = [&](auto& self) {
+      if constexpr (requires { self.process_request(exchange, false, closed, set_up); })
+        return self.process_request(exchange, false, closed, set_up);
+      else
+        return self.process_request(exchange, "", 0, "", 0, false, closed, set_up);
+    };
+    if (!process(*this) || closed) break;
+  }
+  ::shutdown(socket, SHUT_RDWR);
+  ::close(socket);
+  return true;
+}
+
+void HttpServer::answer(const httplib::Request& request, httplib::Response& response) const {
+  const auto fail = [&](int status, const char* why) {
+    response.status = status;
+    response.set_content(nlohmann::json{{"error", why}}.dump(), "application/json");
+  };
+  const std::string host = request.get_header_value("Host");
+  if (request.get_header_value_count("Host") != 1 || host.empty()) return fail(400, "no host is named");
+  if (settings_.token.empty() && !is_loopback_host(host)) return fail(421, "another host is named");
+  if (request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host &&
+      request.get_header_value("Origin") != "https://" + host)
+    return fail(403, "another origin");
+  const std::string site = request.get_header_value("Sec-Fetch-Site");
+  const bool is_page = request.path == "/";
+  if (!site.empty() && site != "same-origin" && site != "none" &&
+      !(is_page && request.get_header_value("Sec-Fetch-Dest") == "document"))
+    return fail(403, "another site");
+  HttpRequest query{request.path, {}, [&request] { return !request.progress(0, 0); }};
+  for (const auto& [name, value] : request.params) {
+    if (!query.parameters.emplace(name, value).second) return fail(400, "a parameter is given twice");
+  }
+  if (!settings_.token.empty()) {
+    const std::string name = fmt::format("masu_{}", port_);
+    if (is_page && query.parameters.contains("token") &&
+        are_equal(query.parameters.at("token"), settings_.token)) {
+      response.set_header("Set-Cookie",
+                          fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/", name, settings_.token));
+      response.set_header("Location", "/");
+      response.status = 303;
+      return;
+    }
+    if (!are_equal(cookie(request.get_header_value("Cookie"), name), settings_.token))
+      return fail(401, "the token is missing: open the address that gridview printed");
+  }
+  try {
+    const HttpReply made = handler_(query);
+    response.status = made.status;
+    if (!made.timing.empty()) response.set_header("Server-Timing", made.timing);
+    if (!made.body.empty()) response.set_content(made.body, made.type);
+  } catch (const Error& error) {
+    fail(error.code() == ErrorCode::usage ? 400 : 500, error.what());
+  } catch (const std::exception& error) {
+    fail(500, error.what());
+  }
 }
 
 } // namespace masu

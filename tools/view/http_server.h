@@ -1,13 +1,14 @@
-// HTTP for one page, over cpp-httplib, which by itself reads a line of any length for as long as bytes come:
-// so requests' heads are read here, and bounded in size and time, and so are connections.
+// HTTP for one page: cpp-httplib's server, which by itself reads heads of any length for as long as bytes
+// come. Here they are bounded in size and time, and so are connections.
 //
 // Only GET and HEAD are heard, without a body. Requests of other origins, and those that name another host
 // than this one (DNS rebinding), are refused.
 #pragma once
 
+#include <httplib.h>
+
 #include <functional>
 #include <map>
-#include <memory>
 #include <string>
 
 namespace masu {
@@ -31,28 +32,24 @@ struct HttpSettings {
   std::string address = "127.0.0.1";
   int port = 0;        // 0: any that is free
   std::string token{}; // without it nothing is heard but /?token=TOKEN, which sets a cookie; empty: no token
-  std::size_t connections = 128; // at once; beyond, the one that has been silent longest is closed
 };
 
-class HttpServer {
+class HttpServer final : public httplib::Server {
 public:
   // Throws Error(usage) where the address and port can't be had.
   HttpServer(const HttpSettings& settings, HttpHandler handler);
-  ~HttpServer();
-  HttpServer(const HttpServer&) = delete;
-  HttpServer(HttpServer&&) = delete;
-  HttpServer& operator=(const HttpServer&) = delete;
-  HttpServer& operator=(HttpServer&&) = delete;
 
   int port() const { return port_; }
   // Until stop(), which any thread may call.
   void serve();
-  void stop();
 
 private:
-  class Guarded;
-  std::unique_ptr<Guarded> server_;
-  int port_ = 0;
+  bool process_and_close_socket(socket_t socket) override;
+  void answer(const httplib::Request& request, httplib::Response& response) const;
+
+  HttpSettings settings_;
+  HttpHandler handler_;
+  int port_;
 };
 
 // Whether the name of a Host header, "localhost:8080", is that of a loopback address.
