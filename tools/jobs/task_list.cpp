@@ -232,6 +232,16 @@ std::string journal_name(const std::string& output, int rank) {
   return output + journal_infix + std::to_string(rank);
 }
 
+std::vector<std::string> files_beside(const std::vector<std::string>& outputs, const Sharing& sharing) {
+  std::vector<std::string> files;
+  for (const std::string& output : outputs) {
+    if (output.empty() || !sharing.in_parts()) continue;
+    if (files.empty()) files.push_back(journal_name(output, sharing.ranks.rank()));
+    files.push_back(partial_name(output));
+  }
+  return files;
+}
+
 TaskList::TaskList(const Sharing& sharing, const TaskListOf& tasks)
     : sharing_(sharing), count_(tasks.count), left_(tasks.count) {
   if (sharing.in_parts() && !tasks.output.empty()) take_over(tasks);

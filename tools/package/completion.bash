@@ -4,7 +4,7 @@ _masu() {
   local tool=$1 word=$2 previous=$3 subcommand= help choices=
   if [[ ${tool##*/} == gridbench ]]; then
     if [[ $COMP_CWORD -eq 1 ]]; then
-      choices=$("$tool" --help 2>/dev/null | sed -n '/^Subcommands:/,$s/^  \([a-z]\+\).*/\1/p')
+      choices=$("$tool" --help 2>/dev/null | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\).*/\1/p')
     elif [[ ${COMP_WORDS[1]} != -* ]]; then
       subcommand=${COMP_WORDS[1]}
     fi
@@ -17,4 +17,4 @@ _masu() {
   fi
   COMPREPLY=($(compgen -W "$choices" -- "$word"))
 }
-complete -o default -F _masu nffgen nff2bin mesh2bin gridbuild gridstat gridrender gridrender-mpi gridview gridbench
+complete -o default -F _masu nffgen nff2bin mesh2bin gridbuild gridstat gridrender gridrender-mpi gridtrace gridtrace-mpi gridview gridbench
