@@ -36,7 +36,7 @@ constexpr const char* journal_infix = ".journal.";
 // As a journal has it, so that it doesn't depend on the working folder, nor on its bytes being UTF-8.
 std::string absolute_name(const std::string& path) {
   std::error_code unknown;
-  const fs::path absolute = fs::weakly_canonical(path, unknown);
+  const fs::path absolute = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
   return printable(unknown ? path : absolute.string());
 }
 
