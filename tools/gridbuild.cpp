@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
       "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
       "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
-      "  auto           the coarsest that a cost model puts within a few percent of the best",
+      "  auto           the coarsest within a few percent of the best, by a cost model",
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");

@@ -148,8 +148,12 @@ void print_walk(const Settings& settings) {
 
 // --- The command line -------------------------------------------------------------------------------------
 
+// Groups of options.
+constexpr const char *hits_group = "Hits", *rays_group = "Rays", *walk_group = "One ray's way, cell by cell",
+                     *camera_group = "Camera of --pixel";
+
 void add_list_options(CLI::App& app, Settings& settings) {
-  group_options(app, "Hits");
+  group_options(app, hits_group);
   app.add_option("-o,--output", settings.hits,
                  "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
                  "or what --write says; .npy: a NumPy array; .csv: text; - is standard output")
@@ -164,7 +168,7 @@ void add_list_options(CLI::App& app, Settings& settings) {
              "what a record names without --write: object (index in the NFF text, or of mesh2bin's objects), "
              "primitive (index in the scene file) or face (number in the mesh's file)");
   app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
-  group_options(app, "Rays");
+  group_options(app, rays_group);
   app.add_option("--ray-numbers", settings.ray_numbers,
                  "numbers a ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
                  "tmax)")
@@ -178,7 +182,7 @@ void add_list_options(CLI::App& app, Settings& settings) {
 }
 
 void add_walk_options(CLI::App& app, Settings& settings) {
-  group_options(app, "One ray's way, cell by cell");
+  group_options(app, walk_group);
   auto* const ray = app.add_option("--ray", settings.ray, "print the way of this ray, instead of RAYS")
                         ->type_name("X,Y,Z,DX,DY,DZ");
   auto* const pixel = app.add_option("--pixel", settings.pixel,
@@ -188,24 +192,24 @@ void add_walk_options(CLI::App& app, Settings& settings) {
   app.add_flag("--all-rays", settings.all_rays, "and of all rays that it spawns, shadow rays too");
   settings.frame.add_secondary(app);
   app.add_flag("--json{-}", settings.json, "print JSON; --json=FILE writes it to a file");
-  group_options(app, "Camera of --pixel");
+  group_options(app, camera_group);
   settings.frame.add_camera(app);
   settings.frame.add_sampling(app);
   for (CLI::Option* const option : app.get_options([](const CLI::Option*) { return true; })) {
-    if (option->get_group() == "Camera of --pixel") option->needs(pixel);
+    if (option->get_group() == camera_group) option->needs(pixel);
   }
 }
 
 // Options that would have no effect are errors.
-void check_ways(const CLI::App& app, const Settings& settings) {
-  const std::set<std::string> of_lists{"Hits", "Rays", "Reports"}, of_walks{"One ray's way, cell by cell"};
-  const std::set<std::string>& useless = settings.is_walk() ? of_lists : of_walks;
+void refuse_useless(const CLI::App& app, bool is_walk) {
+  const std::set<std::string> of_lists{hits_group, rays_group, "Reports"};
   for (const CLI::Option* const option : app.get_options()) {
-    if (option->count() > 0 &&
-        (useless.contains(option->get_group()) || (settings.is_walk() && option->get_name() == "--resume")))
-      throw Error(ErrorCode::usage, option->get_name(),
-                  settings.is_walk() ? "is for a list of rays: leave it out with --ray and --pixel"
-                                     : "is for one ray's way: give --ray or --pixel");
+    const std::string name = option->get_name(), group = option->get_group();
+    const bool is_used = is_walk ? !of_lists.contains(group) && name != "--resume" : group != walk_group;
+    if (option->count() == 0 || is_used) continue;
+    throw Error(ErrorCode::usage, name,
+                is_walk ? "is for a list of rays: leave it out with --ray and --pixel"
+                        : "is for one ray's way: give --ray or --pixel");
   }
 }
 
@@ -232,7 +236,7 @@ int main(int argc, char** argv) {
         if (tracing.brute_force && settings.rays.empty() && !settings.is_walk())
           std::swap(settings.rays, tracing.grid); // SCENE RAYS
         const auto limit = tracing.threads.limit(cores_of(ranks));
-        check_ways(app, settings);
+        refuse_useless(app, settings.is_walk());
         const Sharing sharing{ranks, tracing.resume};
         check(settings, sharing);
         if (!settings.is_walk()) return trace_list(settings, sharing);

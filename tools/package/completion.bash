@@ -10,10 +10,10 @@ _masu() {
     fi
   fi
   help=$("$tool" $subcommand --help 2>/dev/null)
-  if [[ $previous == --* ]]; then # `--store auto|float32|float64=auto`
-    choices=$(sed -n "s/^ *\(-.,\)\?$previous \([^ =]*|[^ =]*\).*/\2/p" <<<"$help" | tr '|' ' ')
+  if [[ $previous == --* ]]; then # `  --store auto|float32|float64 …`
+    choices=$(sed -n "s/^  \(-.,\)\?$previous \([^ =]*|[^ =]*\).*/\2/p" <<<"$help" | tr '|' ' ')
   elif [[ $word == -* ]]; then
-    choices=$(sed -n 's/^  *\(-.,\)\?\(--[a-z0-9-]*\).*/\2/p' <<<"$help")
+    choices=$(sed -n 's/^  \(-.,\)\?\(--[a-z0-9-]*\).*/\2/p' <<<"$help")
   fi
   COMPREPLY=($(compgen -W "$choices" -- "$word"))
 }
