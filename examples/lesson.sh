@@ -147,16 +147,12 @@ gridstat teapot-irregular.grid --slice y@0 --outline teapot.scene --lines --size
 run gridstat teapot-irregular.grid --cells cells.ply --occupied
 
 section "6. What a ray costs, and its walk"
-if gridrender --help | grep -q -- --channels; then
-  for grid in 32 irregular; do
-    run gridrender -q teapot.scene teapot-$grid.grid -o rays-$grid.png --channels cells,tests --no-picture \
-      --size 160x160 --sampling centers --backend cpu
-  done
-  run gridrender -q teapot.scene teapot-32.grid --walk 150,120 --size 256x256 --sampling centers
-  run gridrender -q teapot.scene teapot-irregular.grid --walk 150,120 --size 256x256 --sampling centers
-else
-  echo "left out: this gridrender has no --channels"
-fi
+for grid in 32 irregular; do
+  run gridrender -q teapot.scene teapot-$grid.grid -o rays-$grid.png --channels cells,tests --no-picture \
+    --size 160x160 --sampling centers --backend cpu
+done
+run gridtrace -q teapot.scene teapot-32.grid --pixel 150,120 --size 256x256 --sampling centers
+run gridtrace -q teapot.scene teapot-irregular.grid --pixel 150,120 --size 256x256 --sampling centers
 
 section "7. The same hits from every grid"
 for grid in teapot-2 teapot-128 teapot-x teapot-balance teapot-irregular; do

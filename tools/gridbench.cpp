@@ -6,6 +6,7 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_tool("gridbench", "Measures the speed and accuracy of tracing, and the speed of loading.", argc,
                   argv, [](CLI::App& app, const auto& parse) {
+                    app.footer("Example:\n  gridbench rays balls.scene balls.grid");
                     add_frame(app);
                     add_rays(app);
                     add_lists(app);
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
                     add_tradeoff(app);
                     add_stability(app);
                     add_oracle(app);
+                    add_difference(app);
                     app.require_subcommand(1);
                     parse();
                   });

@@ -11,6 +11,7 @@
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
+#include "tools/common/scene_input.h"
 
 #include <optional>
 #include <utility>
@@ -129,11 +130,17 @@ int main(int argc, char** argv) {
       "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
       "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
-      "  auto           the coarsest that a cost model puts within a few percent of the best",
+      "  auto           the coarsest within a few percent of the best, by a cost model",
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
-        app.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-        app.add_option("-o,--output", settings.output, "grid file")->required();
+        app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
+        app.add_option("SCENE", settings.scene, "scene file, from nff2bin or mesh2bin")->required();
+        group_options(app, "Output");
+        app.add_option("-o,--output", settings.output, "grid file")->type_name("FILE")->required();
+        app.add_flag("--record-seconds", settings.record_seconds,
+                     "write the build's seconds into the file (equal builds then differ)");
+        app.add_flag("--json", settings.json, "report as JSON");
+        group_options(app, "Voxels");
         app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
         add_choice(
             app, "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
@@ -141,6 +148,7 @@ int main(int argc, char** argv) {
         add_choice(
             app, "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
+        group_options(app, "Cells");
         add_choice(
             app, "--structure", settings.structure,
             {{"grid", StructureChoice::grid},
@@ -181,13 +189,10 @@ int main(int argc, char** argv) {
                        "irregular: rounds of expanding cells over neighbours that list nothing else")
             ->check(CLI::Range(0, 64))
             ->capture_default_str();
+        group_options(app, "General");
         add_choice(app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
                    "who builds: cpu or cuda; the file is the same (a hierarchy is always built by the cpu)");
-        app.add_flag("--record-seconds", settings.record_seconds,
-                     "write the build's seconds into the file (equal builds then differ)");
-        app.add_flag("--json", settings.json, "report as JSON");
-        app.add_flag("-q,--quiet", settings.quiet,
-                     "no progress on standard error, and no report without --json");
+        add_quiet(app, settings.quiet, "no progress on standard error, and no report without --json");
         settings.threads.add_to(app);
         parse();
         if (settings.structure != StructureChoice::grid) {
@@ -199,6 +204,7 @@ int main(int argc, char** argv) {
         const auto limit = settings.threads.limit();
         try {
           settings.options.division = parse_division(settings.division); // before anything is read
+          check_scene_input(settings.scene);
           check_files({settings.scene}, {settings.output});
           const SceneFile scene(settings.scene);
           scene.is_float64() ? build<double>(settings, scene) : build<float>(settings, scene);

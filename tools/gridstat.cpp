@@ -214,6 +214,8 @@ int main(int argc, char** argv) {
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
+        app.footer("Example:\n  gridstat balls.grid --slice z=50% -o slice.png");
+        group_options(app, "Statistics");
         auto* const json = app.add_flag("--json", settings.json, "print JSON");
         auto* const csv =
             app.add_flag("--csv", settings.csv,
@@ -224,6 +226,7 @@ int main(int argc, char** argv) {
                          "also print the number of cells by references, and of merged cells by size")
                 ->excludes(csv);
 
+        group_options(app, "Slices");
         auto* const slice =
             app.add_option("--slice", settings.slice,
                            "draw the cells that a plane cuts: AXIS=K, a layer of the smallest "
@@ -255,6 +258,7 @@ int main(int argc, char** argv) {
             ->capture_default_str()
             ->needs(slice);
 
+        group_options(app, "Cells");
         auto* const cells =
             app.add_option("--cells", settings.cells,
                            "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
@@ -276,6 +280,7 @@ int main(int argc, char** argv) {
         app.add_flag("--wireframe", cell_export.wireframe, "of --cells FILE.ply: edges instead of faces")
             ->needs(cells);
 
+        group_options(app, "Occupancy of a scene");
         auto* const occupancy_option = app.add_option("--occupancy", settings.occupancy,
                                                       "instead of GRID: a scene file, whose occupied voxels "
                                                       "are counted by division and overlap test")

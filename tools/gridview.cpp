@@ -4,6 +4,7 @@
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
+#include "tools/common/scene_input.h"
 #include "tools/view/answers.h"
 #include "tools/view/export.h"
 #include "tools/view/measure.h"
@@ -113,10 +114,12 @@ int main(int argc, char** argv) {
       "gridview", "Shows a scene and its grids as a page in the browser.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
+        app.footer("Example:\n  gridview balls.scene balls.grid");
         app.add_option("SCENE", settings.viewer.scene, "scene file, from nff2bin")->required();
         app.add_option("GRID", settings.viewer.grids, "grid files of the scene, from gridbuild")
             ->required()
             ->expected(1, 16);
+        group_options(app, "Server");
         app.add_option("--port", settings.port,
                        fmt::format("to listen on; 0: any that is free; without it {}, or any where "
                                    "that is taken",
@@ -126,6 +129,7 @@ int main(int argc, char** argv) {
                        "address to listen on; any but loopback's needs the token that is printed")
             ->capture_default_str();
         app.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
+        group_options(app, "Instead of a server");
         auto* const file = app.add_option("--export", settings.exported.path,
                                           "write the page to this .html instead of serving it: pictures "
                                           "around the scene, channels, slices and statistics in one file");
@@ -142,9 +146,10 @@ int main(int argc, char** argv) {
             ->capture_default_str()
             ->needs(measures);
         app.add_option("--size", settings.size, "WxH pixels of --export (640x480) and --measure (1024x1024)");
+        group_options(app, "Tracing");
         add_backend(app, settings.backend);
         add_precision(app, settings.viewer.precision);
-        app.add_flag("-q,--quiet", settings.quiet, "print the address alone");
+        add_quiet(app, settings.quiet, "print the address alone");
         settings.threads.add_to(app);
         parse();
         if (!settings.size.empty()) {
@@ -154,6 +159,7 @@ int main(int argc, char** argv) {
           settings.exported.width = settings.measured.width = camera.width;
           settings.exported.height = settings.measured.height = camera.height;
         }
+        check_scene_input(settings.viewer.scene);
         const auto limit = settings.threads.limit();
         view(settings);
       });

@@ -1,10 +1,10 @@
 // mesh2bin: converts meshes of any format that Assimp reads to a scene file.
 #include "libscene/base/available_memory.h"
-#include "libscene/file/output_file.h"
 #include "libscene/mesh/import/import.h"
 #include "tools/common/child_process.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
+#include "tools/common/text_file.h"
 #include "tools/report/scene_report.h"
 
 #include <sys/resource.h>
@@ -115,9 +115,7 @@ void write_names(const std::vector<std::string>& names, const std::string& path)
   std::string text;
   for (const std::string& name : names)
     text += printable(name) + '\n';
-  OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
+  write_text_file(path, text);
 }
 
 void run(const Settings& settings) {
@@ -153,7 +151,9 @@ int main(int argc, char** argv) {
       "mesh2bin", "Converts a mesh (OBJ, PLY, STL, glTF, FBX, Collada, ...) to a scene file.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
+        app.footer("Example:\n  mesh2bin duck.glb -o duck.scene");
         app.add_option("IN", settings.input, "mesh")->required();
+        group_options(app, "Mesh");
         add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
                    "the up axis of the automatic camera; nothing is rotated");
         app.add_flag("--smooth", settings.import.smooth,
@@ -164,13 +164,13 @@ int main(int argc, char** argv) {
         app.add_option(
             "--objects", settings.objects,
             "write the objects' names, one a line in the order of their numbers; - is standard output");
-        settings.output.add_to(app);
         app.add_option(
                "--time-limit", settings.time_limit,
                "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "
                "more for each MB")
             ->check(CLI::Range(0, 100000000));
-        app.add_flag("-q,--quiet", settings.quiet, "no progress on standard error");
+        settings.output.add_to(app);
+        add_quiet(app, settings.quiet, "no progress on standard error");
         settings.threads.add_to(app);
         parse();
         if (!settings.size.empty()) {

@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
       "nff2bin", "Converts NFF text to a scene file, and reports the content of either.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
+        app.footer("Example:\n  nff2bin balls.nff -o balls.scene");
         app.add_option("IN", settings.input,
                        "NFF file, or - for standard input; with --info also a scene file")
             ->required();
@@ -84,7 +85,7 @@ int main(int argc, char** argv) {
                        "12(N/4)^2 per sphere; the SPD uses 12")
             ->check(CLI::Validator(check_facets, fmt::format("{}..{}", min_facets, max_facets)))
             ->type_name("N");
-        app.add_flag("-q,--quiet", settings.quiet, "no progress on standard error");
+        add_quiet(app, settings.quiet, "no progress on standard error");
         settings.threads.add_to(app);
         parse();
         run(settings);

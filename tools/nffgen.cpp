@@ -20,15 +20,16 @@ void describe(CLI::App& app, Command& command) {
   std::string sizes = "Sizes (standard, largest):";
   for (const masu::SpdInfo& info : masu::spd_scenes())
     sizes += fmt::format("\n  {:<7} {:>2} {:>5}", info.name, info.standard, info.max_size);
-  app.footer(sizes);
+  app.footer(sizes + "\n\nExample:\n  nffgen teapot --size 10 -o teapot.nff");
   app.add_option("scene", command.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
       ->required();
   app.add_option("--size", command.size, "subdivision level (default: the standard size)");
   app.add_option("-o,--output", command.output, "NFF file to write; - is standard output")
+      ->type_name("FILE")
       ->capture_default_str();
   app.add_flag("--no-background", command.no_background,
                "leave out floors, walls, grounds, and the mountain's spheres");
-  app.add_flag("-q,--quiet", command.quiet, "no progress on standard error");
+  masu::add_quiet(app, command.quiet, "no progress on standard error");
 }
 
 void write(const masu::SpdOptions& options, const std::string& output, bool quiet) {

@@ -73,7 +73,7 @@ benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays and gridbench st
 # libgmp-dev: for exact hits
 tests=(file gnuplot-nox help2man libgmp-dev python3-numpy) # beside libgtest-dev, which all of them need
 # libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,
-# openmpi-bin: for gridrender-mpi
+# openmpi-bin: for gridrender-mpi and gridtrace-mpi
 extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)
 
 # Sets cuda_options for cmake.
@@ -132,7 +132,7 @@ build() {
   log=$(mktemp)
   if ! { cmake -S . -B "$folder" "${configure[@]}" >"$log" 2>&1 &&
       { ! grep -q 'mesh2bin: off' "$log" || echo "== no Assimp (libassimp-dev): building without mesh2bin"; } &&
-      { ! grep -q 'gridrender-mpi: off' "$log" || echo "== no MPI (libopenmpi-dev): building without gridrender-mpi"; } &&
+      { ! grep -q 'Tools for MPI: off' "$log" || echo "== no MPI (libopenmpi-dev): building without gridrender-mpi and gridtrace-mpi"; } &&
       { ! grep -q 'gridview: off' "$log" ||
         echo "== no cpp-httplib or libjpeg-turbo (libcpp-httplib-dev, libturbojpeg0-dev, pkg-config): building without gridview"; } &&
       cmake --build "$folder" --parallel "$(nproc)" "$@" 2>&1 | tee "$log" | show_progress; }; then

@@ -31,7 +31,7 @@ NOT_RUN = {
 # Fenced blocks that aren't commands, or can't be run here.
 OTHER_LANGUAGES = {"text": "not code", "json": "not code", "nff": "not code", "cuda": "examples_test.sh has a program"}
 # Programs that are built where what they need was found.
-OPTIONAL_PROGRAMS = ("mesh2bin", "gridview", "gridrender-mpi", "masu_cpu_rays")
+OPTIONAL_PROGRAMS = ("mesh2bin", "gridview", "gridrender-mpi", "gridtrace-mpi", "masu_cpu_rays")
 # How much is done, where it would take minutes, and on which device: a CPU is always there.
 SMALLER = [
     (r"--repeat \d+", "--repeat 1"),
@@ -230,7 +230,7 @@ class Page:
                 continue
             for option in sorted(set(re.findall(r"(?<![\w-])(--?[a-z][a-z0-9-]*)", row))):
                 self.run(line, "{} --help | grep -E -- {} >typed/printed".format(
-                    " ".join(called), shlex.quote(r"(^|[ ,]){}([ ,=]|$)".format(option))),
+                    " ".join(called), shlex.quote(r"(^|[ ,]){}([ ,=[]|$)".format(option))),
                     "{} has {}".format(" ".join(called), option))
 
     def python(self, line, text):

@@ -12,7 +12,7 @@ holds() { # package, file…
   listed=$(dpkg-deb --contents "${package}"_*.deb)
   for file in "$@"; do grep -qF " ./usr/$file" <<<"$listed" || fail "$package has no $file"; done
 }
-holds masu bin/gridrender share/doc/masu/README.md share/doc/masu/examples/lesson.sh
+holds masu bin/gridrender bin/gridtrace share/man/man1/gridtrace.1.gz share/doc/masu/README.md share/doc/masu/examples/lesson.sh
 holds libmasu0 lib/libmasu.so.0
 holds libmasu-dev lib/libmasu.so lib/pkgconfig/masu.pc lib/cmake/masu/masuConfig.cmake include/masu/masu.hpp \
   share/doc/libmasu-dev/examples/depth.c

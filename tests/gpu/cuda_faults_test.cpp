@@ -97,13 +97,12 @@ TEST_F(CudaFaults, GridrenderOfPictures) {
                   {file("out.png"), file("hits")});
 }
 
-TEST_F(CudaFaults, GridrenderOfRays) {
+TEST_F(CudaFaults, GridtraceOfRays) {
   const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
   const std::vector<float> rays{0, 0, 5, 0, 0, -1, 1, 1, 5, 0, 0, -1};
   write_bytes(file("rays"),
               {reinterpret_cast<const std::uint8_t*>(rays.data()), rays.size() * sizeof(float)});
-  expect_survived("gridrender",
-                  {in, divided, "--rays", file("rays"), "--hits", file("hits"), "-q", "--backend", "cuda"},
+  expect_survived("gridtrace", {in, divided, file("rays"), "-o", file("hits"), "-q", "--backend", "cuda"},
                   {file("hits")});
 }
 

@@ -250,15 +250,13 @@ TEST_F(ChangingFiles, PipesWithoutAWriterAndEndlessDevicesAreRefused) {
   ASSERT_EQ(mkfifo(file("pipe.csv").c_str(), 0600), 0);
   std::filesystem::create_symlink("/dev/zero", file("zero.csv"));
   for (const std::string& input : {pipe, file("pipe.csv"), std::string("/dev/zero"), file("zero.csv")})
-    EXPECT_TRUE(failed(run("gridrender", {in, divided, "--rays", input, "--hits", file("hits")}), 2,
-                       "gridrender", input));
-  EXPECT_TRUE(
-      failed(run("gridrender", {in, divided, "--rays", "-", "--hits", file("hits")}, {"/dev/zero", {}, {}}),
-             2, "gridrender", "stdin"));
+    EXPECT_TRUE(failed(run("gridtrace", {in, divided, input, "-o", file("hits")}), 2, "gridtrace", input));
+  EXPECT_TRUE(failed(run("gridtrace", {in, divided, "-", "-o", file("hits")}, {"/dev/zero", {}, {}}), 2,
+                     "gridtrace", "stdin"));
   EXPECT_TRUE(succeeded(run("gridrender", with({in, divided}, picture))));
   for (const std::string& input : {pipe, std::string("/dev/zero")}) {
-    EXPECT_TRUE(failed(run("gridrender", {"--difference", input, file("a.png")}), 2, "gridrender", input));
-    EXPECT_TRUE(failed(run("gridrender", {"--difference", file("a.png"), input}), 2, "gridrender", input));
+    EXPECT_TRUE(failed(run("gridbench", {"difference", input, file("a.png")}), 2, "gridbench", input));
+    EXPECT_TRUE(failed(run("gridbench", {"difference", file("a.png"), input}), 2, "gridbench", input));
   }
 }
 

@@ -22,14 +22,14 @@ bool has_tool(const std::string& name) {
 
 // --- Empty values ----------------------------------------------------------------------------------------
 
-// The names at the beginning of the lines of a part of --help.
-std::vector<std::string> names_in_help(const std::string& help, const std::string& heading,
+// The names at the beginning of the lines of the parts of --help with such headings.
+std::vector<std::string> names_in_help(const std::string& help, const std::regex& heading,
                                        const std::regex& name) {
   std::vector<std::string> names;
   std::istringstream lines(help);
   bool is_part = false;
   for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with(' ')) is_part = line.starts_with(heading);
+    if (!line.empty() && !line.starts_with(' ')) is_part = std::regex_match(line, heading);
     const std::string begin = line.substr(0, 24);
     if (!is_part || !std::regex_search(begin, std::regex("^ {1,4}[-a-z]"))) continue;
     for (std::sregex_iterator found(begin.begin(), begin.end(), name), end; found != end; ++found)
@@ -39,11 +39,13 @@ std::vector<std::string> names_in_help(const std::string& help, const std::strin
 }
 
 TEST(EmptyValues, OfEveryOptionOfEveryToolAreUsageErrors) {
-  const std::regex option("(?:^ *|, *)(--?[a-zA-Z][a-z0-9-]*)"), subcommand("^ *([a-z]+)");
+  const std::regex groups("(?!Subcommands|Positionals|Example).*:"),
+      option("(?:^ *|, *)(--?[a-zA-Z][a-z0-9-]*)"), subcommand("^ *([a-z]+)");
   std::size_t options = 0;
   for (const std::string& tool : all_tools()) {
     std::vector<Arguments> commands{{}};
-    for (const std::string& name : names_in_help(run(tool, {"--help"}).out, "Subcommands:", subcommand))
+    for (const std::string& name :
+         names_in_help(run(tool, {"--help"}).out, std::regex("Subcommands:"), subcommand))
       commands.push_back({name});
     EXPECT_EQ(commands.size() > 1, tool == "gridbench");
     for (const Arguments& command : commands) {
@@ -56,7 +58,7 @@ TEST(EmptyValues, OfEveryOptionOfEveryToolAreUsageErrors) {
         return failed(run(tool, with(more)), 1, tool, "command line", "is empty");
       };
       EXPECT_TRUE(is_refused({""})) << tool;
-      for (const std::string& name : names_in_help(run(tool, with({"--help"})).out, "Options:", option)) {
+      for (const std::string& name : names_in_help(run(tool, with({"--help"})).out, groups, option)) {
         EXPECT_TRUE(is_refused({name, ""})) << tool << " " << name;
         if (name.starts_with("--")) {
           EXPECT_TRUE(is_refused({name + "="})) << tool << " " << name;
@@ -66,6 +68,63 @@ TEST(EmptyValues, OfEveryOptionOfEveryToolAreUsageErrors) {
     }
   }
   EXPECT_GT(options, 150U);
+}
+
+// --- Help and unknown options ------------------------------------------------------------------------------
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+TEST(HelpText, IsAsWideAsTheTerminalAndBreaksNoWords) {
+  for (const std::string& tool : all_tools()) {
+    const std::string usual = run(tool, {"--help"}).out;
+    const std::vector<std::string> words = words_of(usual);
+    EXPECT_EQ(run(tool, {"--help"}, {.environment = "COLUMNS=80"}).out, usual) << tool;
+    for (const std::string& line : lines_of(usual))
+      EXPECT_LE(line.size(), 80U) << tool << ": " << line;
+    for (const char* const width : {"50", "120"})
+      EXPECT_EQ(words_of(run(tool, {"--help"}, {.environment = std::string("COLUMNS=") + width}).out), words)
+          << tool;
+    EXPECT_GT(lines_of(run(tool, {"--help"}, {.environment = "COLUMNS=50"}).out).size(),
+              lines_of(usual).size())
+        << tool;
+  }
+}
+
+TEST(HelpText, HasAnExampleAndNamesTheManPage) {
+  for (const std::string& tool : all_tools()) {
+    const std::vector<std::string> lines = lines_of(run(tool, {"--help"}).out);
+    const auto example = std::ranges::find(lines, "Example:");
+    ASSERT_TRUE(lines.end() - example > 1) << tool;
+    EXPECT_TRUE((example + 1)->starts_with("  " + tool + " ")) << tool;
+    EXPECT_EQ(lines.back(), "Man page: " + tool + "(1)");
+  }
+}
+
+TEST(UnknownOptions, AreAnsweredByTheNearestOne) {
+  const auto meant = [](const std::string& tool, const Arguments& arguments, const std::string& given,
+                        const std::string& nearest) {
+    return failed(run(tool, arguments), 1, tool, given, "unknown option: did you mean " + nearest + "?");
+  };
+  EXPECT_TRUE(meant("gridrender", {"a", "b", "--thread", "4"}, "--thread", "--threads"));
+  EXPECT_TRUE(meant("gridrender", {"--turntabel=3", "--colour=1"}, "--turntabel", "--turntable"));
+  EXPECT_TRUE(meant("gridtrace", {"a", "b", "c", "--anyhit"}, "--anyhit", "--any-hit"));
+  EXPECT_TRUE(meant("gridbuild", {"--divison=4"}, "--divison", "--division"));
+  EXPECT_TRUE(meant("gridbench", {"rays", "a", "b", "--repaet", "3"}, "--repaet", "--repeat"));
+  // Options that moved to another tool are unknown, too.
+  for (const char* const option : {"--rays", "--walk", "--walk-ray", "--difference"})
+    EXPECT_TRUE(
+        failed(run("gridrender", {"a", "b", option, "c"}), 1, "gridrender", option, "unknown option"));
 }
 
 class CommandLine : public ToolTest {
@@ -93,16 +152,35 @@ TEST_F(CommandLine, WithoutAValueOfAnOptionIsRefusedAndNothingWritten) {
   expect_refused("nff2bin", {text_, "-o", file("out")}, {"--tessellate", "--store", "--threads"});
   expect_refused("gridbuild", {scene_, "-o", file("out")}, {"--division", "--merge", "--target", "--detail"});
   expect_refused("gridstat", {grid_}, {"--slice", "--cells", "--occupancy"});
-  expect_refused(
-      "gridrender", {scene_, grid_, "-o", file("out.png")},
-      {"--rays", "--views", "--hits", "--stats", "--size", "--from", "--angle", "--crop", "--channels"});
-  expect_refused("gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("out")},
+  expect_refused("gridrender", {scene_, grid_, "-o", file("out.png")},
+                 {"--views", "--hits", "--stats", "--size", "--from", "--angle", "--crop", "--channels"});
+  expect_refused("gridtrace", {scene_, grid_, file("rays"), "-o", file("out")},
                  {"--ray-numbers", "--write", "--times"});
   // Another argument isn't taken for the value.
   const auto before = folder_.listing();
   EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "--stats=", file("stats"), "-o", file("out.png")}), 1,
                      "gridrender", "command line", "--stats="));
   EXPECT_EQ(folder_.listing(), before);
+}
+
+// --- Files of other kinds ----------------------------------------------------------------------------------
+
+TEST_F(CommandLine, WithAMeshOrNffForASceneSaysWhatConvertsIt) {
+  write_text(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  write_text(file("a.GLB"), "glTF");
+  const std::string output = file("out"), converted = " -o " + scene_;
+  for (const auto& [input, converter] :
+       {std::pair(text_, "nff2bin "), {file("a.obj"), "mesh2bin "}, {file("a.GLB"), "mesh2bin "}}) {
+    const std::string command = converter + input + converted;
+    EXPECT_TRUE(failed(run("gridrender", {input}), 2, "gridrender", input, command));
+    EXPECT_TRUE(
+        failed(run("gridrender", {input, grid_, "-o", file("a.png")}), 2, "gridrender", input, command));
+    EXPECT_TRUE(failed(run("gridtrace", {input}), 2, "gridtrace", input, command));
+    EXPECT_TRUE(failed(run("gridbuild", {input, "-o", output}), 2, "gridbuild", input, command));
+  }
+  // By content, a scene file is one.
+  std::filesystem::copy_file(scene_, file("b.nff"));
+  EXPECT_TRUE(succeeded(run("gridrender", {file("b.nff"), grid_, "-o", file("a.png")})));
 }
 
 // --- Standard streams --------------------------------------------------------------------------------------
@@ -136,7 +214,7 @@ protected:
         {"gridstat", {grid_, "--slice", "z=0", "-o", file("out.svg")}, file("out.svg")},
         {"gridstat", {grid_, "--cells", file("out.csv")}, file("out.csv")},
         {"gridrender", {scene_, grid_, "-o", file("out.png"), "--backend", "cpu"}, file("out.png")},
-        {"gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")}, file("hits")},
+        {"gridtrace", {scene_, grid_, file("rays"), "-o", file("hits")}, file("hits")},
     };
     if (has_tool("mesh2bin"))
       all.push_back({"mesh2bin", {file("a.obj"), "-o", file("b.scene")}, file("b.scene")});
@@ -198,9 +276,8 @@ TEST_F(StandardStreams, WhatCannotBePrintedIsAnOutputError) {
     EXPECT_TRUE(fails("gridbuild", {scene_, "-o", output})) << output;
     EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "-o", output})) << output;
     EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "--stats", output})) << output;
-    EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "--rays", file("rays"), "--hits", output}))
-        << output;
-    EXPECT_TRUE(fails("gridrender", {scene_, grid_, "-q", "--walk", "1,1", std::string("--json=") + output}))
+    EXPECT_TRUE(fails("gridtrace", {scene_, grid_, "-q", file("rays"), "-o", output})) << output;
+    EXPECT_TRUE(fails("gridtrace", {scene_, grid_, "--pixel", "1,1", std::string("--json=") + output}))
         << output;
   }
 }
@@ -212,8 +289,7 @@ TEST_F(StandardStreams, ClosedInputCannotBeRead) {
     EXPECT_EQ(run("nff2bin", {input, "--info"}, closed).code, 2) << input;
     EXPECT_EQ(run("gridrender", {scene_, grid_, "--views", input, "-o", file("{index}.png")}, closed).code, 2)
         << input;
-    EXPECT_EQ(run("gridrender", {scene_, grid_, "--rays", input, "--hits", file("out")}, closed).code, 2)
-        << input;
+    EXPECT_EQ(run("gridtrace", {scene_, grid_, input, "-o", file("out")}, closed).code, 2) << input;
   }
 }
 

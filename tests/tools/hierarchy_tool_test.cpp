@@ -99,7 +99,7 @@ TEST_F(HierarchyTool, AWalkThroughItEndsAtTheGridsHit) {
   for (int i = 0; i < 8; ++i) {
     const std::string pixel = std::to_string(60 * i + 40) + "," + std::to_string(500 - 50 * i);
     const auto ray_through = [&](const std::string& structure) {
-      return json_of("gridrender", {scene_, structure, "--walk", pixel})["rays"][0];
+      return json_of("gridtrace", {scene_, structure, "--pixel", pixel})["rays"][0];
     };
     const Json ray = ray_through(hierarchy_), other = ray_through(cells);
     EXPECT_EQ(ray["hit"], other["hit"]);
@@ -116,7 +116,7 @@ TEST_F(HierarchyTool, AWalkThroughItEndsAtTheGridsHit) {
     }
   }
   EXPECT_GT(hits, 1);
-  const ToolResult table = run("gridrender", {scene_, hierarchy_, "--walk", "256,256"});
+  const ToolResult table = run("gridtrace", {scene_, hierarchy_, "--pixel", "256,256"});
   EXPECT_TRUE(succeeded(table));
   EXPECT_NE(table.out.find("node     depth  met missed beyond"), std::string::npos);
 }

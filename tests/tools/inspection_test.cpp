@@ -1,5 +1,5 @@
-// gridrender's channels, walks and differences: files agree with --hits and --stats, and damaged options and
-// files are refused.
+// Channels of gridrender, ways of gridtrace and differences of gridbench: files agree with --hits and
+// --stats, and damaged options and files are refused.
 #include "tests/tools/run_tool.h"
 #include "tools/draw/color_map.h"
 
@@ -23,16 +23,22 @@ protected:
     return arguments;
   }
   void render(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridrender", with_files(more)))); }
+  void walk(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridtrace", with_files(more)))); }
   testing::AssertionResult refused(int code, const Arguments& more, const std::string& place,
-                                   const std::string& says = "") const {
+                                   const std::string& says = "",
+                                   const std::string& tool = "gridrender") const {
     const auto before = folder_.listing();
-    const auto result = failed(run("gridrender", with_files(more)), code, "gridrender", place, says);
+    const auto result = failed(run(tool, with_files(more)), code, tool, place, says);
     if (result && folder_.listing() != before) return testing::AssertionFailure() << "a file was left behind";
     return result;
   }
+  testing::AssertionResult refused_walk(const Arguments& more, const std::string& place,
+                                        const std::string& says = "") const {
+    return refused(1, more, place, says, "gridtrace");
+  }
   testing::AssertionResult refused_difference(int code, const Arguments& arguments, const std::string& place,
                                               const std::string& says = "") const {
-    return failed(run("gridrender", arguments), code, "gridrender", place, says);
+    return failed(run("gridbench", arguments), code, "gridbench", place, says);
   }
 
   // Of a PFM of one channel, from the top.
@@ -190,10 +196,10 @@ TEST_F(Inspection, AWalksHitAndCountsAreTheChannels) {
              cells = pfm("p.cells.pfm", 17, 13), tests = pfm("p.tests.pfm", 17, 13);
   std::size_t hits = 0;
   for (std::size_t i = 0; i < depth.size(); i += 7) {
-    render({"--walk", fmt::format("{},{}", i % 17, i / 17), "--json=" + file("walk")});
-    const auto walk = json("walk");
-    ASSERT_EQ(walk["rays"].size(), 1U);
-    const auto& ray = walk["rays"][0];
+    walk({"--pixel", fmt::format("{},{}", i % 17, i / 17), "--json=" + file("walk")});
+    const auto rays = json("walk")["rays"];
+    ASSERT_EQ(rays.size(), 1U);
+    const auto& ray = rays[0];
     EXPECT_EQ(ray["kind"], "camera");
     EXPECT_EQ(ray["hit"].is_null(), std::isinf(depth[i]));
     if (!ray["hit"].is_null()) {
@@ -209,11 +215,11 @@ TEST_F(Inspection, AWalksHitAndCountsAreTheChannels) {
 }
 
 TEST_F(Inspection, WalksGoToStandardOutputAsTablesOrJson) {
-  const ToolResult table = run("gridrender", with_files({"--walk", "8,6", "--all-rays"}));
+  const ToolResult table = run("gridtrace", with_files({"--pixel", "8,6", "--all-rays"}));
   EXPECT_EQ(table.code, 0);
   EXPECT_NE(table.out.find("ray 0: camera"), std::string::npos);
   EXPECT_NE(table.out.find("shadow, spawned by ray 0"), std::string::npos);
-  const ToolResult text = run("gridrender", with_files({"--walk-ray", "3,-4,2,-3,4,-2", "--json"}));
+  const ToolResult text = run("gridtrace", with_files({"--ray", "3,-4,2,-3,4,-2", "--json"}));
   EXPECT_EQ(text.code, 0);
   const auto walk = nlohmann::json::parse(text.out);
   EXPECT_EQ(walk["rays"][0]["origin"], nlohmann::json({3.0, -4.0, 2.0}));
@@ -221,18 +227,19 @@ TEST_F(Inspection, WalksGoToStandardOutputAsTablesOrJson) {
 }
 
 TEST_F(Inspection, RaysThatAreNotThereAreRefused) {
-  EXPECT_TRUE(refused(1, {"--walk", "17,0"}, "walk", "17 x 13"));
-  EXPECT_TRUE(refused(1, {"--walk", "0,13"}, "walk"));
-  EXPECT_TRUE(refused(1, {"--walk", "-1,0"}, "walk"));
+  EXPECT_TRUE(refused_walk({"--pixel", "17,0"}, "walk", "17 x 13"));
+  EXPECT_TRUE(refused_walk({"--pixel", "0,13"}, "walk"));
+  EXPECT_TRUE(refused_walk({"--pixel", "-1,0"}, "walk"));
   for (const char* const text : {"1", "1,", "1,2,3", "1.5,2", "a,b", "1, 2", "99999999999,1"})
-    EXPECT_TRUE(refused(1, {"--walk", text}, "--walk")) << text;
+    EXPECT_TRUE(refused_walk({"--pixel", text}, "--pixel")) << text;
   for (const char* const text : {"1,2,3", "1,2,3,4,5,6,7", "x"})
-    EXPECT_TRUE(refused(1, {"--walk-ray", text}, "--walk-ray")) << text;
+    EXPECT_TRUE(refused_walk({"--ray", text}, "--ray")) << text;
   for (const char* const text : {"1,2,3,0,0,0", "nan,0,0,1,0,0", "0,0,0,inf,0,0"})
-    EXPECT_TRUE(refused(1, {"--walk-ray", text}, "walk", "isn't valid")) << text;
-  EXPECT_TRUE(refused(1, {"--walk", "1,1", "--walk-ray", "0,0,0,1,0,0"}, "command line"));
-  EXPECT_TRUE(refused(1, {"--walk", "1,1", "--turntable", "3"}, "--walk", "one view"));
-  EXPECT_TRUE(refused(1, {"--walk", "1,1", "-o", "-"}, "-o", "standard output"));
+    EXPECT_TRUE(refused_walk({"--ray", text}, "walk", "isn't valid")) << text;
+  EXPECT_TRUE(refused_walk({"--pixel", "1,1", "--ray", "0,0,0,1,0,0"}, "command line"));
+  EXPECT_TRUE(refused_walk({"--pixel", "1,1", "--turntable", "3"}, "--turntable"));
+  EXPECT_TRUE(refused_walk({"--pixel", "1,1", "-o", "-"}, "--output", "list of rays"));
+  EXPECT_TRUE(refused_walk({"--pixel", "1,1", "--json=" + scene_}, scene_, "is the input"));
 }
 
 // All of a walk is printed, or nothing.
@@ -243,13 +250,13 @@ TEST_F(Inspection, AWalkOfTooManyRaysIsRefused) {
     text += fmt::format("s 0 0 0 {}\n", 1 - 0.03 * i);
   const std::string glass = scene("glass", nff("glass.nff", text));
   const auto walk = [&, glass_grid = grid("glass.grid", glass)](const char* depth) {
-    return run("gridrender",
-               {glass, glass_grid, "--walk", "32,32", "--all-rays", "--depth", depth, "--json"});
+    return run("gridtrace",
+               {glass, glass_grid, "--pixel", "32,32", "--all-rays", "--depth", depth, "--json"});
   };
   const ToolResult some = walk("8"), too_many = walk("32");
   ASSERT_EQ(some.code, 0);
   EXPECT_GT(nlohmann::json::parse(some.out)["rays"].size(), 20U);
-  EXPECT_TRUE(failed(too_many, 1, "gridrender", "--all-rays", "smaller --depth"));
+  EXPECT_TRUE(failed(too_many, 1, "gridtrace", "--all-rays", "smaller --depth"));
   EXPECT_EQ(too_many.out, "");
 }
 
@@ -259,9 +266,9 @@ TEST_F(Inspection, DifferencesAreMeasuredAndDrawn) {
   render({"-o", file("a.pfm"), "--channels", "depth", "--sampling", "centers"});
   render({"-o", file("b.pfm"), "--channels", "depth", "--sampling", "centers", "--from", "3,-4,2.5"});
   const auto difference = [&](const std::string& a, const std::string& b, const Arguments& more = {}) {
-    Arguments arguments{"--difference", file(a), file(b), "--json"};
+    Arguments arguments{"difference", file(a), file(b), "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    const ToolResult result = run("gridrender", arguments);
+    const ToolResult result = run("gridbench", arguments);
     EXPECT_EQ(result.code, 0) << result.err;
     return nlohmann::json::parse(result.out);
   };
@@ -296,7 +303,7 @@ TEST_F(Inspection, DifferencesReadEveryFormat) {
   render({"-o", file("a.png"), "--channels", "normal", "--sampling", "centers"});
   render({"-o", file("b.png"), "--channels", "normal", "--channel-format", "npy", "--sampling", "centers"});
   const auto same = [&](const std::string& a, const std::string& b) {
-    const ToolResult result = run("gridrender", {"--difference", file(a), file(b)});
+    const ToolResult result = run("gridbench", {"difference", file(a), file(b)});
     EXPECT_EQ(result.code, 0) << result.err;
     return result.out == "RMSE 0, largest difference 0; 0 of 192 pixels differ\n";
   };
@@ -307,7 +314,7 @@ TEST_F(Inspection, DifferencesReadEveryFormat) {
              std::string("PF\n1 1\n1.0\n", 11) + std::string("\x3f\x80\0\0\0\0\0\0\x3f\0\0\0", 12));
   write_text(file("little"),
              std::string("PF\n1 1\n-1.0\n", 12) + std::string("\0\0\x80\x3f\0\0\0\0\0\0\0\x3f", 12));
-  EXPECT_EQ(run("gridrender", {"--difference", file("big"), file("little")}).out,
+  EXPECT_EQ(run("gridbench", {"difference", file("big"), file("little")}).out,
             "RMSE 0, largest difference 0; 0 of 1 pixels differ\n");
 }
 
@@ -315,7 +322,7 @@ TEST_F(Inspection, DamagedPicturesAreRefused) {
   render({"-o", file("a.png"), "--channels", "depth", "--channel-format", "npy"});
   render({"-o", file("b.pfm")});
   const auto refused_as = [&](const std::string& name) {
-    return refused_difference(2, {"--difference", file(name), file(name)}, file(name));
+    return refused_difference(2, {"difference", file(name), file(name)}, file(name));
   };
   for (const std::string name : {"a.png", "a.depth.npy", "b.pfm"}) {
     const std::string whole = read_text(file(name));
@@ -330,16 +337,16 @@ TEST_F(Inspection, DamagedPicturesAreRefused) {
   EXPECT_TRUE(refused_as("huge"));
   write_text(file("text"), "hello");
   EXPECT_TRUE(refused_as("text"));
-  EXPECT_TRUE(refused_difference(2, {"--difference", file("none"), file("a.png")}, file("none")));
-  EXPECT_TRUE(refused_difference(2, {"--difference", file("a.png"), file("a.depth.npy")}, file("a.depth.npy"),
+  EXPECT_TRUE(refused_difference(2, {"difference", file("none"), file("a.png")}, file("none")));
+  EXPECT_TRUE(refused_difference(2, {"difference", file("a.png"), file("a.depth.npy")}, file("a.depth.npy"),
                                  "one size"));
-  EXPECT_TRUE(refused_difference(1, {"--difference", file("a.png"), file("a.png"), "-o", file("d.pfm")},
+  EXPECT_TRUE(refused_difference(1, {"difference", file("a.png"), file("a.png"), "-o", file("d.pfm")},
                                  file("d.pfm"), ".png"));
-  EXPECT_TRUE(refused_difference(1, {"--difference", file("a.png"), file("b.pfm"), "-o", file("a.png")},
+  EXPECT_TRUE(refused_difference(1, {"difference", file("a.png"), file("b.pfm"), "-o", file("a.png")},
                                  file("a.png"), "is the input"));
-  EXPECT_TRUE(
-      refused_difference(1, {"--difference", file("a.png"), file("b.pfm"), "--walk", "1,1"}, "--difference"));
-  EXPECT_TRUE(refused_difference(1, {"--difference", file("a.png")}, "command line"));
+  EXPECT_TRUE(refused_difference(1, {"difference", file("a.png"), file("b.pfm"), "-o", "-"}, "-o",
+                                 "standard output"));
+  EXPECT_TRUE(refused_difference(1, {"difference", file("a.png")}, "command line"));
 }
 
 // --- Colours ----------------------------------------------------------------------------------------------

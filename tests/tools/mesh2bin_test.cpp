@@ -32,8 +32,8 @@ protected:
         list.insert(list.end(),
                     {static_cast<float>(i) / 8 - 2, static_cast<float>(j) / 8 - 2, 5, 0.125F, 0.25F, -1});
     write_bytes(rays, {reinterpret_cast<const std::uint8_t*>(list.data()), 4 * list.size()});
-    EXPECT_TRUE(succeeded(
-        run("gridrender", {scene, grid(name, scene), "--backend", "cpu", "--rays", rays, "--hits", hits})));
+    EXPECT_TRUE(
+        succeeded(run("gridtrace", {scene, grid(name, scene), "--backend", "cpu", rays, "-o", hits})));
     const Bytes bytes = read_bytes(hits);
     std::vector<float> result(bytes.size() / 8);
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -125,15 +125,16 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
     EXPECT_EQ(info["primitives"]["triangles"], squares ? 12 : 8);
     EXPECT_EQ(info["face_numbers"], squares ? 12 : 0); // which are stored where they aren't the triangles'
     const std::string divided = grid("a.grid", scene);
-    const auto traced = [&](const Arguments& more) {
-      Arguments arguments{scene, divided, "--backend", "cpu", "--hits", file("hits")};
+    const auto traced = [&](const std::string& tool, const Arguments& more) {
+      Arguments arguments{scene, divided, "--backend", "cpu"};
       arguments.insert(arguments.end(), more.begin(), more.end());
-      EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+      EXPECT_TRUE(succeeded(run(tool, arguments)));
       return numbers_in(file("hits"));
     };
-    const auto both = traced({"--rays", file("rays"), "--write", "face,object"});
-    const auto named = traced({"--rays", file("rays"), "--hit-name", "face"}); // t, face
-    const auto primitives = traced({"--rays", file("rays"), "--write", "primitive"});
+    const auto both = traced("gridtrace", {file("rays"), "-o", file("hits"), "--write", "face,object"});
+    const auto named =
+        traced("gridtrace", {file("rays"), "-o", file("hits"), "--hit-name", "face"}); // t, face
+    const auto primitives = traced("gridtrace", {file("rays"), "-o", file("hits"), "--write", "primitive"});
     ASSERT_EQ(both.size(), 10U);
     ASSERT_EQ(named.size(), 10U);
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -145,10 +146,11 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
     EXPECT_EQ(both[8], -1);
     EXPECT_EQ(named[9], -1);
     // A picture's hits.
-    const Arguments view{"--from", "3.5,0.5,9", "--at", "3.5,0.5,0", "--up", "0,1,0", "--size", "64x64"};
+    const Arguments view{"--hits",    file("hits"), "--from", "3.5,0.5,9", "--at",
+                         "3.5,0.5,0", "--up",       "0,1,0",  "--size",    "64x64"};
     Arguments by_face = view, by_object = view;
     by_face.insert(by_face.end(), {"--hit-name", "face"});
-    const auto seen = traced(by_face), of_object = traced(by_object);
+    const auto seen = traced("gridrender", by_face), of_object = traced("gridrender", by_object);
     ASSERT_EQ(seen.size(), of_object.size());
     std::set<std::int32_t> all;
     for (std::size_t i = 1; i < seen.size(); i += 2) {

@@ -1,5 +1,5 @@
-// gridrender --resume and gridrender-mpi: whoever shares a run, and however often it is killed, its files are
-// those of one undisturbed process.
+// --resume, gridrender-mpi and gridtrace-mpi: whoever shares a run, and however often it is killed, its files
+// are those of one undisturbed process.
 #include "libscene/file/container.h"
 #include "tests/stability/random_seed.h"
 #include "tests/stability/test_scene.h"
@@ -33,6 +33,7 @@ using Files = std::map<std::string, Bytes>; // by name
 struct Job {
   Arguments arguments;
   std::vector<std::string> outputs;
+  std::string tool = "gridrender";
 };
 
 Arguments joined(Arguments first, const Arguments& more) {
@@ -71,9 +72,10 @@ protected:
           .write(reinterpret_cast<const char*>(rays.data()),
                  static_cast<std::streamsize>(rays.size() * sizeof(float)));
     }
-    return {{scene_, grid_, "--backend", "cpu", "--rays", file("rays"), "--hits", file(prefix + ending),
-             "--write", "t,object,normal"},
-            {prefix + ending}};
+    return {{scene_, grid_, "--backend", "cpu", file("rays"), "-o", file(prefix + ending), "--write",
+             "t,object,normal"},
+            {prefix + ending},
+            "gridtrace"};
   }
   // A chunk and a part of one, as text, of lines of different lengths and blank ones.
   void write_csv_rays() const {
@@ -85,8 +87,9 @@ protected:
     write_text(file("rays.csv"), text);
   }
   Job csv_list(const std::string& prefix) const {
-    return {{scene_, grid_, "--backend", "cpu", "--rays", file("rays.csv"), "--hits", file(prefix + ".csv")},
-            {prefix + ".csv"}};
+    return {{scene_, grid_, "--backend", "cpu", file("rays.csv"), "-o", file(prefix + ".csv")},
+            {prefix + ".csv"},
+            "gridtrace"};
   }
   std::vector<Job> all(const std::string& prefix) const {
     return {views(prefix + "v"),
@@ -195,8 +198,8 @@ double seconds_of(const std::string& tool, const Arguments& arguments) {
 TEST_F(SharedRuns, AResumedRunIsTheSameAsAnUndisturbedOne) {
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], resumed = all("b")[i];
-    EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
-    EXPECT_TRUE(succeeded(run("gridrender", joined(resumed.arguments, {"--resume"}))));
+    EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+    EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume"}))));
     expect_same(resumed, expected);
     expect_nothing_left(resumed);
   }
@@ -209,7 +212,7 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
   const std::size_t kinds = all("x").size();
   std::vector<double> seconds(kinds);
   for (std::size_t i = 0; i < kinds; ++i)
-    seconds[i] = seconds_of("gridrender", all("a")[i].arguments);
+    seconds[i] = seconds_of(all("a")[i].tool, all("a")[i].arguments);
   Killed killed;
   for (int round = 0; killed.runs < cases(10); ++round) {
     const std::size_t i = static_cast<std::size_t>(round) % kinds;
@@ -218,7 +221,7 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
     killed += run_until_whole(
         random, seconds[i],
         [&] {
-          return start("gridrender", joined(resumed.arguments, {"--resume", "-q"}));
+          return start(resumed.tool, joined(resumed.arguments, {"--resume", "-q"}));
         },
         [](pid_t process) { kill(process, SIGKILL); });
     expect_same(resumed, expected);
@@ -231,8 +234,8 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
 // an unchanged one stays the same file.
 TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
   const Job expected = views("a"), resumed = views("b");
-  EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
-  const double seconds = seconds_of("gridrender", resumed.arguments);
+  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+  const double seconds = seconds_of(resumed.tool, resumed.arguments);
   remove(resumed);
   const Arguments arguments = joined(resumed.arguments, {"--resume", "--stats", file("b.json")});
   std::vector<std::string> kept;
@@ -267,7 +270,7 @@ TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
   EXPECT_EQ(inode(kept.at(0)), unchanged);
   expect_same(resumed, expected);
   // Counts are those of all views.
-  EXPECT_TRUE(succeeded(run("gridrender", joined(expected.arguments, {"--stats", file("a.json")}))));
+  EXPECT_TRUE(succeeded(run(expected.tool, joined(expected.arguments, {"--stats", file("a.json")}))));
   const auto a = nlohmann::json::parse(read_text(file("a.json"))),
              b = nlohmann::json::parse(read_text(file("b.json")));
   for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited", "intersection_tests"})
@@ -276,14 +279,14 @@ TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
 
 TEST_F(SharedRuns, AJournalOfOtherOptionsIsIgnored) {
   const Job expected = large("a", "png", "corners"), resumed = large("b", "png", "corners");
-  EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
-  const double seconds = seconds_of("gridrender", resumed.arguments);
-  const pid_t process = start("gridrender", joined(resumed.arguments, {"--srgb", "--resume"}));
+  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+  const double seconds = seconds_of(resumed.tool, resumed.arguments);
+  const pid_t process = start(resumed.tool, joined(resumed.arguments, {"--srgb", "--resume"}));
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds * 0.8));
   kill(process, SIGKILL);
   int status = 0;
   waitpid(process, &status, 0);
-  EXPECT_TRUE(succeeded(run("gridrender", joined(resumed.arguments, {"--resume"}))));
+  EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume"}))));
   expect_same(resumed, expected);
   expect_nothing_left(resumed);
 }
@@ -293,7 +296,7 @@ TEST_F(SharedRuns, AJournalOfOtherOptionsIsIgnored) {
 // A run that ends in the middle: it can't write its files beyond so many bytes.
 ToolResult run_up_to(std::uint64_t bytes, const Job& job) {
   Arguments arguments{"-c", fmt::format("ulimit -f {} && exec \"$0\" \"$@\"", bytes / 512),
-                      std::string(MASU_BIN_DIR) + "/gridrender"};
+                      std::string(MASU_BIN_DIR) + "/" + job.tool};
   return run("/bin/sh",
              joined(std::move(arguments), joined(job.arguments, {"--resume", "-q", "--threads", "1"})));
 }
@@ -359,7 +362,7 @@ TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
   const Case kinds[] = {{picture, resumed_picture, 22'370'000, {"b1.png.partial", "b1.hits.partial"}},
                         {list("a2", ".npy"), list("b2", ".npy"), 42'000'000, {"b2.npy.partial"}}};
   for (const auto& [expected, resumed, bytes, partial] : kinds) {
-    ASSERT_TRUE(succeeded(run("gridrender", expected.arguments)));
+    ASSERT_TRUE(succeeded(run(expected.tool, expected.arguments)));
     const auto before = folder_.listing();
     ASSERT_EQ(run_up_to(bytes, resumed).code, 3);
     const Interrupted interrupted(folder_, before);
@@ -372,7 +375,7 @@ TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
       ASSERT_EQ(changed.lines.size(), 2U);
       damage(changed);
       changed.write(journal);
-      EXPECT_TRUE(succeeded(run("gridrender", joined(resumed.arguments, {"--resume", "-q"}))));
+      EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume", "-q"}))));
       expect_same(resumed, expected);
       expect_nothing_left(resumed);
     };
@@ -429,7 +432,7 @@ TEST_F(SharedRuns, FinishedBandsAndChunksStay) {
 // made again.
 TEST_F(SharedRuns, AFileThatWasFinishedIsWholeOrMadeAgain) {
   const Job expected = list("a", ".hits"), resumed = list("b", ".hits");
-  ASSERT_TRUE(succeeded(run("gridrender", expected.arguments)));
+  ASSERT_TRUE(succeeded(run(expected.tool, expected.arguments)));
   const Bytes whole = read_bytes(file("a.hits"));
   ASSERT_EQ(run_up_to(21'000'000, resumed).code, 3); // the first of three chunks
   const std::string path = file("b.hits.journal.0");
@@ -456,7 +459,7 @@ TEST_F(SharedRuns, AFileThatWasFinishedIsWholeOrMadeAgain) {
     if (damage == "shorter") bytes.pop_back();
     write_bytes(file("b.hits"), bytes);
     journal.write(path);
-    EXPECT_TRUE(succeeded(run("gridrender", joined(resumed.arguments, {"--resume", "-q"}))));
+    EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume", "-q"}))));
     expect_same(resumed, expected);
     expect_nothing_left(resumed);
   }
@@ -468,8 +471,8 @@ TEST_F(SharedRuns, FilesOfOthersAreNeitherReplacedNorRemoved) {
     SCOPED_TRACE(name);
     write_text(file(name), "mine");
     const auto before = folder_.listing();
-    EXPECT_TRUE(failed(run("gridrender", joined(job.arguments, {"--resume"})), 3, "gridrender", file(name),
-                       "is in the way"));
+    EXPECT_TRUE(
+        failed(run(job.tool, joined(job.arguments, {"--resume"})), 3, job.tool, file(name), "is in the way"));
     EXPECT_EQ(folder_.listing(), before);
     EXPECT_EQ(read_text(file(name)), "mine");
     std::filesystem::remove(file(name));
@@ -480,23 +483,24 @@ TEST_F(SharedRuns, FilesOfOthersAreNeitherReplacedNorRemoved) {
   stays("c.hits.journal.0", chunks);
   stays("c.hits.partial", chunks);
   ASSERT_EQ(mkfifo(file("c.hits.journal.0").c_str(), 0600), 0);
-  EXPECT_TRUE(failed(run("gridrender", joined(chunks.arguments, {"--resume"})), 3, "gridrender",
+  EXPECT_TRUE(failed(run(chunks.tool, joined(chunks.arguments, {"--resume"})), 3, chunks.tool,
                      file("c.hits.journal.0"), "is in the way"));
   EXPECT_TRUE(std::filesystem::remove(file("c.hits.journal.0")));
   // Of another rank, which this run hasn't.
   write_text(file("c.hits.journal.7"), "mine");
-  EXPECT_TRUE(succeeded(run("gridrender", joined(chunks.arguments, {"--resume"}))));
+  EXPECT_TRUE(succeeded(run(chunks.tool, joined(chunks.arguments, {"--resume"}))));
   EXPECT_EQ(read_text(file("c.hits.journal.7")), "mine");
 }
 
 TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
   static_cast<void>(list("x", ".hits")); // writes the rays
-  const auto is_spared = [&](const std::string& input, const std::string& name, Arguments arguments) {
+  const auto is_spared = [&](const std::string& input, const std::string& name, Arguments arguments,
+                             const std::string& tool = "gridrender") {
     SCOPED_TRACE(name);
     std::filesystem::copy_file(input, file(name));
     std::ranges::replace(arguments, input, file(name));
     arguments.insert(arguments.end(), {"--backend", "cpu", "--resume"});
-    EXPECT_TRUE(failed(run("gridrender", arguments), 1, "gridrender", file(name), "is the input"));
+    EXPECT_TRUE(failed(run(tool, arguments), 1, tool, file(name), "is the input"));
     EXPECT_TRUE(read_bytes(file(name)) == read_bytes(input));
     std::filesystem::remove(file(name));
   };
@@ -504,12 +508,11 @@ TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
   for (const std::string& input : {scene_, grid_}) {
     is_spared(input, "b.png.partial", {scene_, grid_, "-o", file("b.png")});
     is_spared(input, "b.png.journal.0", {scene_, grid_, "-o", file("b.png")});
-    is_spared(input, "b.hits.partial", {scene_, grid_, "--rays", file("rays"), "--hits", file("b.hits")});
+    is_spared(input, "b.hits.partial", {scene_, grid_, file("rays"), "-o", file("b.hits")}, "gridtrace");
   }
-  is_spared(file("rays"), "b.hits.partial",
-            {scene_, grid_, "--rays", file("rays"), "--hits", file("b.hits")});
-  is_spared(file("rays"), "b.hits.journal.0",
-            {scene_, grid_, "--rays", file("rays"), "--hits", file("b.hits")});
+  is_spared(file("rays"), "b.hits.partial", {scene_, grid_, file("rays"), "-o", file("b.hits")}, "gridtrace");
+  is_spared(file("rays"), "b.hits.journal.0", {scene_, grid_, file("rays"), "-o", file("b.hits")},
+            "gridtrace");
   is_spared(file("views"), "b.png.partial",
             {scene_, grid_, "--views", file("views"), "-o", file("{name}.png")});
   is_spared(file("views"), "a.png.journal.0",
@@ -527,23 +530,23 @@ TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
 TEST_F(SharedRuns, ListsOfTextAreResumedToo) {
   write_csv_rays();
   const Job expected = csv_list("a"), resumed = csv_list("b");
-  EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
+  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
   ASSERT_EQ(run_up_to(30'000'000, resumed).code, 3);
   EXPECT_EQ(Journal(file("b.csv.journal.0")).lines.size(), 1U);
-  EXPECT_TRUE(succeeded(run("gridrender", joined(resumed.arguments, {"--resume"}))));
+  EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume"}))));
   expect_same(resumed, expected);
   expect_nothing_left(resumed);
 }
 
 TEST_F(SharedRuns, WhatCannotBeResumedIsRefused) {
-  const auto refused = [&](const Arguments& more, const std::string& place) {
-    return failed(run("gridrender", joined({scene_, grid_, "--backend", "cpu", "--resume"}, more)), 1,
-                  "gridrender", place);
+  const auto refused = [&](const std::string& tool, const Arguments& more, const std::string& place) {
+    return failed(run(tool, joined({scene_, grid_, "--backend", "cpu", "--resume"}, more)), 1, tool, place);
   };
-  EXPECT_TRUE(refused({"--stats", file("s")}, "--resume"));
-  EXPECT_TRUE(refused({"-o", "-"}, "-"));
-  EXPECT_TRUE(refused({"-o", "/dev/null", "--format", "png"}, "/dev/null"));
-  EXPECT_TRUE(refused({"--rays", "-", "--hits", file("h")}, "--rays"));
+  EXPECT_TRUE(refused("gridrender", {"--stats", file("s")}, "--resume"));
+  EXPECT_TRUE(refused("gridrender", {"-o", "-"}, "-"));
+  EXPECT_TRUE(refused("gridrender", {"-o", "/dev/null", "--format", "png"}, "/dev/null"));
+  EXPECT_TRUE(refused("gridtrace", {"-", "-o", file("h")}, "RAYS"));
+  EXPECT_TRUE(refused("gridtrace", {file("rays"), "--stats", file("s")}, "--resume"));
 }
 
 #ifdef MASU_MPIRUN
@@ -556,22 +559,23 @@ protected:
     // Ranks of one machine need no network, of whose interfaces Open MPI 5 may warn.
     setenv("OMPI_MCA_btl", "^tcp", 1);
   }
-  static Arguments by(int ranks, const Arguments& arguments) {
+  static Arguments by(int ranks, const std::string& tool, const Arguments& arguments) {
     return joined(
-        {"--oversubscribe", "-n", std::to_string(ranks), std::string(MASU_BIN_DIR) + "/gridrender-mpi"},
+        {"--oversubscribe", "-n", std::to_string(ranks), std::string(MASU_BIN_DIR) + "/" + tool + "-mpi"},
         arguments);
+  }
+  static Arguments by(int ranks, const Job& job, const Arguments& more = {}) {
+    return by(ranks, job.tool, joined(job.arguments, more));
   }
 };
 
 TEST_F(MpiRuns, AnyNumberOfRanksWritesTheSameBytes) {
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], shared = all("b")[i];
-    EXPECT_TRUE(succeeded(run("gridrender", joined(expected.arguments, {"--stats", file("a.json")}))));
+    EXPECT_TRUE(succeeded(run(expected.tool, joined(expected.arguments, {"--stats", file("a.json")}))));
     for (const int ranks : {1, 2, 4}) {
       remove(shared);
-      EXPECT_TRUE(
-          succeeded(run(MASU_MPIRUN, by(ranks, joined(shared.arguments, {"--stats", file("b.json")})))))
-          << ranks;
+      EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(ranks, shared, {"--stats", file("b.json")})))) << ranks;
       expect_same(shared, expected);
       expect_nothing_left(shared);
       const auto a = nlohmann::json::parse(read_text(file("a.json"))),
@@ -594,18 +598,19 @@ TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
   std::filesystem::permissions(shell, std::filesystem::perms::owner_all);
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], shared = all("b")[i];
-    EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
+    EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
     // Its daemons, who share a machine after all, may warn of each other.
     const ToolResult result =
-        run(MASU_MPIRUN, joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:2,machine2:1"},
-                                by(3, shared.arguments)));
+        run(MASU_MPIRUN,
+            joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:2,machine2:1"}, by(3, shared)));
     EXPECT_EQ(result.code, 0) << result.err;
     expect_same(shared, expected);
     expect_nothing_left(shared);
   }
   const auto refused =
-      run(MASU_MPIRUN, joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:1,machine2:1"},
-                              by(2, {scene_, file("missing"), "-o", file("a.png"), "--backend", "cpu"})));
+      run(MASU_MPIRUN,
+          joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:1,machine2:1"},
+                 by(2, "gridrender", {scene_, file("missing"), "-o", file("a.png"), "--backend", "cpu"})));
   EXPECT_EQ(refused.code, 2) << refused.err;
 }
 
@@ -617,8 +622,8 @@ TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
   const std::size_t kinds = all("x").size();
   std::vector<double> seconds(kinds);
   for (std::size_t i = 0; i < kinds; ++i) {
-    EXPECT_TRUE(succeeded(run("gridrender", all("a")[i].arguments)));
-    seconds[i] = seconds_of(MASU_MPIRUN, by(2, all("b")[i].arguments));
+    EXPECT_TRUE(succeeded(run(all("a")[i].tool, all("a")[i].arguments)));
+    seconds[i] = seconds_of(MASU_MPIRUN, by(2, all("b")[i]));
   }
   Killed killed;
   for (int round = 0; killed.runs < cases(6); ++round) {
@@ -629,7 +634,7 @@ TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
         random, seconds[i],
         [&] {
           const int ranks = 1 + static_cast<int>(random() % 3);
-          return start(MASU_MPIRUN, by(ranks, joined(resumed.arguments, {"--resume", "-q"})));
+          return start(MASU_MPIRUN, by(ranks, resumed, {"--resume", "-q"}));
         },
         [&](pid_t process) {
           const std::vector<pid_t> ranks = children_of(process);
@@ -657,7 +662,7 @@ TEST_F(MpiRuns, AnErrorIsOneLineAndItsExitCode) {
     return found;
   };
   const auto refused = [&](int code, const Arguments& arguments, const std::string& place) {
-    const ToolResult result = run(MASU_MPIRUN, by(3, arguments));
+    const ToolResult result = run(MASU_MPIRUN, by(3, "gridrender", arguments));
     EXPECT_EQ(result.code, code) << result.err;
     const auto lines = lines_of_tool(result.err);
     ASSERT_EQ(lines.size(), 1U) << result.err;
@@ -665,7 +670,7 @@ TEST_F(MpiRuns, AnErrorIsOneLineAndItsExitCode) {
     // Before what mpirun says: Open MPI 5 ends that with a zero byte.
     EXPECT_LT(result.err.find(lines[0]), result.err.find("MPI_ABORT"));
   };
-  refused(1, {scene_, "--no-such-option"}, "command line");
+  refused(1, {scene_, "--no-such-option"}, "--no-such-option");
   refused(2, {scene_, file("missing"), "-o", file("a.png"), "--backend", "cpu"}, file("missing"));
   refused(3, {scene_, grid_, "-o", file("missing/a.png"), "--backend", "cpu"}, file("missing/a.png"));
   refused(1, {scene_, grid_, "-o", "-", "--backend", "cpu"}, "-");
@@ -674,28 +679,36 @@ TEST_F(MpiRuns, AnErrorIsOneLineAndItsExitCode) {
 TEST_F(MpiRuns, ListsOfTextAreSharedToo) {
   write_csv_rays();
   const Job expected = csv_list("a"), shared = csv_list("b");
-  EXPECT_TRUE(succeeded(run("gridrender", expected.arguments)));
-  EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(2, shared.arguments))));
+  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+  EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(2, shared))));
   expect_same(shared, expected);
   expect_nothing_left(shared);
 }
 
 // Without what MPI starts its processes by, and by mpirun once.
 TEST_F(MpiRuns, HelpAndVersionNeedNoMpi) {
-  for (const char* const option : {"--version", "--help"}) {
-    const ToolResult alone = run("gridrender-mpi", {option}, {"/dev/null", {}, "PATH=/missing"});
-    EXPECT_TRUE(succeeded(alone)) << option;
-    EXPECT_EQ(alone.out, run("gridrender", {option}).out);
-    EXPECT_EQ(run(MASU_MPIRUN, by(3, {option})).out, alone.out);
+  const Surroundings without{"/dev/null", {}, "PATH=/missing"};
+  for (const std::string tool : {"gridrender", "gridtrace"}) {
+    for (const char* const option : {"--version", "--help"}) {
+      const ToolResult alone = run(tool + "-mpi", {option}, without);
+      EXPECT_TRUE(succeeded(alone)) << option;
+      EXPECT_EQ(alone.out, run(tool, {option}).out);
+      EXPECT_EQ(run(MASU_MPIRUN, by(3, tool, {option})).out, alone.out);
+    }
+    EXPECT_TRUE(failed(run(tool + "-mpi", {"--no-such-option"}, without), 1, tool, "--no-such-option"));
   }
-  EXPECT_TRUE(failed(run("gridrender-mpi", {"--no-such-option"}, {"/dev/null", {}, "PATH=/missing"}), 1,
-                     "gridrender", "command line"));
+}
+
+// A ray's way is one rank's work.
+TEST_F(MpiRuns, AWayIsPrintedOnce) {
+  const Arguments walk{scene_, grid_, "--pixel", "8,6"};
+  EXPECT_EQ(run(MASU_MPIRUN, by(3, "gridtrace", walk)).out, run("gridtrace", walk).out);
 }
 
 #else
 
 TEST(MpiRuns, AreTested) {
-  GTEST_SKIP() << "built without MPI: gridrender-mpi isn't there";
+  GTEST_SKIP() << "built without MPI: gridrender-mpi and gridtrace-mpi aren't there";
 }
 
 #endif

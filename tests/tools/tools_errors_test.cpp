@@ -295,31 +295,31 @@ TEST_F(BadFiles, ListsThatHoldNoWholeNumberOfRaysAreRefused) {
   const auto list = [&](std::size_t floats, const Arguments& more) {
     const std::vector<float> numbers(floats, 1);
     write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(numbers.data()), 4 * numbers.size()});
-    Arguments arguments{scene_, grid_, "--rays", file("rays"), "--hits", file("hits")};
+    Arguments arguments{scene_, grid_, file("rays"), "-o", file("hits")};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return fails(2, "gridrender", arguments, file("rays"), "not a whole number of rays");
+    return fails(2, "gridtrace", arguments, file("rays"), "not a whole number of rays");
   };
   EXPECT_TRUE(list(5, {}));
   EXPECT_TRUE(list(7, {}));
   EXPECT_TRUE(list(12, {"--ray-numbers", "8"}));
   EXPECT_TRUE(list(6, {"--ray-store", "float64"}));
   write_bytes(file("rays"), Bytes{1});
-  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits")},
-                    file("rays"), "not a whole number of rays"));
-  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("missing"), "--hits", file("hits")},
-                    file("missing"), "No such file"));
+  EXPECT_TRUE(fails(2, "gridtrace", {scene_, grid_, file("rays"), "-o", file("hits")}, file("rays"),
+                    "not a whole number of rays"));
+  EXPECT_TRUE(fails(2, "gridtrace", {scene_, grid_, file("missing"), "-o", file("hits")}, file("missing"),
+                    "No such file"));
 }
 
 // Though 24 bytes of it would be a ray.
 TEST_F(BadFiles, ListsThatAreNotWhatTheirNamesSayAreRefused) {
   const auto list = [&](const std::string& name, std::string_view text, const std::string& says) {
     write_text(file(name), text);
-    Arguments arguments{scene_, grid_, "--rays", file(name), "--hits", file("hits")};
-    const auto result = fails(2, "gridrender", arguments, file(name), says);
+    Arguments arguments{scene_, grid_, file(name), "-o", file("hits")};
+    const auto result = fails(2, "gridtrace", arguments, file(name), says);
     if (!result) return result;
-    arguments[3] = "-";
+    arguments[2] = "-";
     if (name != "rays") return result;
-    return fails(2, "gridrender", arguments, "stdin", says, {file(name), {}, {}});
+    return fails(2, "gridtrace", arguments, "stdin", says, {file(name), {}, {}});
   };
   const std::string text = "ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n";
   for (const std::size_t size : {24UL, 30UL, 1UL})
@@ -334,14 +334,14 @@ TEST_F(BadFiles, ListsThatAreNotWhatTheirNamesSayAreRefused) {
   EXPECT_TRUE(list("rays.f64", std::string(24, '\0'), "not a whole number of rays"));
   const auto csv = [&](const std::string& content, const std::string& at, const std::string& says) {
     write_text(file("rays.csv"), content);
-    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.csv"), "--hits", file("hits")},
-                 file("rays.csv") + at, says);
+    return fails(2, "gridtrace", {scene_, grid_, file("rays.csv"), "-o", file("hits")}, file("rays.csv") + at,
+                 says);
   };
   EXPECT_TRUE(csv("", "", "has no line of columns' names"));
   EXPECT_TRUE(csv(text + "1,2,x,4,5,6\n", ":3:5", "'x' isn't a number"));
   EXPECT_TRUE(csv(std::string(48, '\0'), ":1:1", "isn't one of the columns"));
-  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", "/dev/null", "--hits", file("hits")},
-                    "/dev/null", "is a device"));
+  EXPECT_TRUE(
+      fails(2, "gridtrace", {scene_, grid_, "/dev/null", "-o", file("hits")}, "/dev/null", "is a device"));
 }
 
 TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
@@ -351,8 +351,7 @@ TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
     text += static_cast<char>(dictionary.size());
     text += '\0';
     write_text(file("rays.npy"), text + dictionary + std::string(4 * floats, '\0'));
-    return fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.npy"), "--hits", file("hits")},
-                 file("rays.npy"));
+    return fails(2, "gridtrace", {scene_, grid_, file("rays.npy"), "-o", file("hits")}, file("rays.npy"));
   };
   for (const char* const dictionary :
        {"", "{", "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 6",
@@ -366,8 +365,7 @@ TEST_F(BadFiles, NumPyArraysThatArentRaysAreRefused) {
         "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 6), }"}) // more
     EXPECT_TRUE(fails_with(dictionary, 12)) << dictionary;
   write_text(file("rays.npy"), "\x93NUMPY");
-  EXPECT_TRUE(fails(2, "gridrender", {scene_, grid_, "--rays", file("rays.npy"), "--hits", file("hits")},
-                    file("rays.npy")));
+  EXPECT_TRUE(fails(2, "gridtrace", {scene_, grid_, file("rays.npy"), "-o", file("hits")}, file("rays.npy")));
 }
 
 // --- Output ---------------------------------------------------------------------------------------------
@@ -438,10 +436,9 @@ TEST_F(BadFiles, AWriteErrorDoesntWaitForTheRestOfAList) {
       ended_first = ended.get_future().wait_for(std::chrono::minutes(1)) == std::future_status::ready;
       close(to);
     });
-    EXPECT_TRUE(
-        fails(3, "gridrender",
-              {scene_, grid_, "--backend", "cpu", "--rays", is_named ? pipe : "-", "--hits", "/dev/full"},
-              "/dev/full", "", {is_named ? "/dev/null" : pipe, {}, {}}));
+    EXPECT_TRUE(fails(3, "gridtrace",
+                      {scene_, grid_, "--backend", "cpu", is_named ? pipe : "-", "-o", "/dev/full"},
+                      "/dev/full", "", {is_named ? "/dev/null" : pipe, {}, {}}));
     ended.set_value();
     writer.join();
     EXPECT_TRUE(ended_first);
@@ -512,8 +509,8 @@ TEST_F(Inputs, AreNeverOutputs) {
   expect_spared(text, "nff2bin", {text}, "-o");
   expect_spared(scene_, "gridbuild", {scene_}, "-o");
   for (const std::string& input : {scene_, grid_, rays_}) {
-    for (const char* const option : {"--stats", "--times", "--hits"})
-      expect_spared(input, "gridrender", {scene_, grid_, "--rays", rays_}, option);
+    for (const char* const option : {"--stats", "--times", "-o"})
+      expect_spared(input, "gridtrace", {scene_, grid_, rays_}, option);
   }
   for (const std::string& input : {scene_, grid_}) {
     for (const char* const ending : {".png", ".pfm"})
@@ -543,7 +540,7 @@ TEST_F(Inputs, ThatAreLoopsOfLinksCannotBeRead) {
     EXPECT_TRUE(unread("gridrender", {loop, grid_, "-o", file("new.png")}));
     EXPECT_TRUE(unread("gridrender", {scene_, loop, "-o", file("new.png")}));
     EXPECT_TRUE(unread("gridrender", {scene_, grid_, "--views", loop, "-o", file("{index}.png")}));
-    EXPECT_TRUE(unread("gridrender", {scene_, grid_, "--rays", loop, "--hits", file("new")}));
+    EXPECT_TRUE(unread("gridtrace", {scene_, grid_, loop, "-o", file("new")}));
     EXPECT_TRUE(fails(3, "gridbuild", {scene_, "-o", loop}, loop, "symbolic links"));
   }
 }
@@ -599,13 +596,13 @@ protected:
 };
 
 TEST_F(BadCommand, OfEveryToolIsAUsageError) {
-  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridrender"}) {
+  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridrender", "gridtrace"}) {
     EXPECT_TRUE(refused(tool, {})) << tool;
-    EXPECT_TRUE(refused(tool, {"--no-such-option"})) << tool;
+    EXPECT_TRUE(refused(tool, {"--no-such-option"}, "--no-such-option")) << tool;
     EXPECT_TRUE(refused(tool, {"a", "b", "c", "d"})) << tool;
   }
   EXPECT_TRUE(refused("gridstat", {}, "GRID"));
-  EXPECT_TRUE(refused("gridstat", {"--no-such-option"}));
+  EXPECT_TRUE(refused("gridstat", {"--no-such-option"}, "--no-such-option"));
   EXPECT_TRUE(refused("gridstat", {"a", "b"}));
 }
 
@@ -665,17 +662,37 @@ TEST_F(BadCommand, OfGridrenderIsAUsageError) {
   for (const char* const name : {"new.bmp", "new", "png", "new.PNG"})
     EXPECT_TRUE(with({"-o", file(name)}, file(name)));
   EXPECT_TRUE(with({"-o", file("new"), "--format", "jpg"}));
-  EXPECT_TRUE(with({"--rays", file("rays")}, "--rays"));
-  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--turntable", "2"}, "--rays"));
-  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "-o", picture}, "--rays"));
+  for (const char* const option : {"--write", "--any-hit"})
+    EXPECT_TRUE(with({"-o", picture, option}, option));
+}
+
+TEST_F(BadCommand, OfGridtraceIsAUsageError) {
+  const auto with = [&](const Arguments& more, const std::string& place = "command line") {
+    Arguments arguments{scene_, grid_};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return refused("gridtrace", arguments, place);
+  };
+  const std::string rays = file("rays"), hits = file("hits");
+  EXPECT_TRUE(with({"-o", hits}, "RAYS"));
+  EXPECT_TRUE(with({rays}, "-o"));
+  EXPECT_TRUE(refused("gridtrace", {scene_, "-o", hits}, "GRID"));
+  EXPECT_TRUE(refused("gridtrace", {scene_, "--brute-force", "-o", hits}, "RAYS"));
+  EXPECT_TRUE(with({rays, "-o", hits, "--turntable", "2"}, "--turntable"));
+  EXPECT_TRUE(with({rays, "-o", hits, "-o", file("other")}));
   for (const char* const fields : {"T", "t,", ",t", "t,t", "t;object", "occluded"})
-    EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--write", fields}, "--write"))
-        << fields;
-  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--any-hit", "--write", "t"}, "--write"));
-  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits"), "--ray-numbers", "7"}));
-  EXPECT_TRUE(with({"--rays", file("rays"), "--hits", file("hits.f64")}, "--hits"));
-  EXPECT_TRUE(with({"-o", picture, "--write", "t"}, "--write"));
-  EXPECT_TRUE(with({"-o", picture, "--any-hit"}, "--any-hit"));
+    EXPECT_TRUE(with({rays, "-o", hits, "--write", fields}, "--write")) << fields;
+  EXPECT_TRUE(with({rays, "-o", hits, "--any-hit", "--write", "t"}, "--write"));
+  EXPECT_TRUE(with({rays, "-o", hits, "--ray-numbers", "7"}));
+  EXPECT_TRUE(with({rays, "-o", file("hits.f64")}, "-o"));
+  // Options without an effect.
+  EXPECT_TRUE(with({rays, "-o", hits, "--json"}, "--json"));
+  EXPECT_TRUE(with({rays, "-o", hits, "--depth", "3"}, "--depth"));
+  EXPECT_TRUE(with({rays, "-o", hits, "--size", "8x8"}));
+  EXPECT_TRUE(with({"--ray", "0,0,5,0,0,-1", "--size", "8x8"}));
+  EXPECT_TRUE(with({rays, "--pixel", "1,1"}, "RAYS"));
+  EXPECT_TRUE(with({"--pixel", "1,1", "-o", hits}, "--output"));
+  EXPECT_TRUE(with({"--pixel", "1,1", "--stats", file("stats")}, "--stats"));
+  EXPECT_TRUE(with({"--pixel", "1,1", "--resume"}, "--resume"));
 }
 
 TEST_F(BadCommand, OfGridstatIsAUsageError) {
@@ -741,11 +758,12 @@ TEST_F(BadCommand, OfGridstatIsAUsageError) {
 
 // The message points to the help that lists the options.
 TEST_F(BadCommand, OfASubcommandPointsToItsHelp) {
-  const auto points_to = [&](const Arguments& arguments, const std::string& command) {
-    return fails(1, "gridbench", arguments, "command line", ": see " + command + " --help\n");
+  const auto points_to = [&](const Arguments& arguments, const std::string& command,
+                             const std::string& place = "command line") {
+    return fails(1, "gridbench", arguments, place, ": see " + command + " --help\n");
   };
-  for (const char* const name : {"rays", "frame", "load", "tradeoff", "stability", "oracle"}) {
-    EXPECT_TRUE(points_to({name, "--no-such-option"}, std::string("gridbench ") + name));
+  for (const char* const name : {"rays", "frame", "load", "tradeoff", "stability", "oracle", "difference"}) {
+    EXPECT_TRUE(points_to({name, "--no-such-option"}, std::string("gridbench ") + name, "--no-such-option"));
     EXPECT_NE(run("gridbench", {name, "--help"}).out.find("--json"), std::string::npos) << name;
   }
   EXPECT_TRUE(points_to({"rays", scene_, grid_, "--sets", "what"}, "gridbench rays"));
@@ -769,7 +787,8 @@ TEST_F(BadFiles, CudaWithoutADeviceIsADeviceError) {
 }
 
 TEST(Help, GoesToStandardOutput) {
-  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridbench"}) {
+  for (const char* const tool :
+       {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridtrace", "gridbench"}) {
     const ToolResult result = run(tool, {"--help"});
     EXPECT_TRUE(succeeded(result)) << tool;
     EXPECT_NE(result.out.find(tool), std::string::npos) << tool;
@@ -778,7 +797,8 @@ TEST(Help, GoesToStandardOutput) {
 }
 
 TEST(Version, GoesToStandardOutput) {
-  for (const char* const tool : {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridbench"}) {
+  for (const char* const tool :
+       {"nffgen", "nff2bin", "gridbuild", "gridstat", "gridrender", "gridtrace", "gridbench"}) {
     const ToolResult result = run(tool, {"--version"});
     EXPECT_TRUE(succeeded(result)) << tool;
     EXPECT_TRUE(result.out.starts_with(std::string(tool) + ", Masu ")) << result.out;
@@ -791,7 +811,7 @@ TEST_F(ToolErrors, ControlCharactersOfNamesAreEscaped) {
   const std::string name = "a\nb\x1b[2J\xff.nff", shown = "a\\x0ab\\x1b[2J\\xff.nff";
   EXPECT_TRUE(fails(2, "nff2bin", {file(name), "-o", file("a.scene")}, file(shown), "No such file"));
   EXPECT_TRUE(fails(2, "gridrender", {file(name), file(name), "-o", file("a.png")}, file(shown)));
-  EXPECT_TRUE(fails(1, "gridstat", {file("a.grid"), "--\x1b[2J"}, "command line", "\\x1b[2J"));
+  EXPECT_TRUE(fails(1, "gridstat", {file("a.grid"), "--\x1b[2J"}, "--\\x1b[2J", "unknown option"));
   const std::string crossing = nff(name, "p 4\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n");
   const ToolResult warned = run("nff2bin", {crossing, "-o", file("a.scene")});
   EXPECT_EQ(warned.code, 0);

@@ -62,11 +62,13 @@ std::vector<Hit> hits_in(const std::string& path) {
 
 class Tools : public ToolTest {
 protected:
-  void render(const Arguments& more) const {
+  void run_on_cpu(const std::string& tool, const Arguments& more) const {
     Arguments arguments{scene_, grid_, "--backend", "cpu"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+    EXPECT_TRUE(succeeded(run(tool, arguments)));
   }
+  void render(const Arguments& more) const { run_on_cpu("gridrender", more); }
+  void trace(const Arguments& more) const { run_on_cpu("gridtrace", more); }
   nlohmann::json json_of(const std::string& tool, const Arguments& arguments) const {
     const ToolResult result = run(tool, arguments);
     EXPECT_TRUE(succeeded(result));
@@ -194,9 +196,9 @@ TEST_F(Tools, ListedRaysHitWhatCameraRaysHit) {
   }
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
   render({"--hits", file("camera")});
-  render({"--rays", file("rays"), "--hits", file("listed")});
-  EXPECT_TRUE(succeeded(
-      run("gridrender", {scene_, "--brute-force", "--rays", file("rays"), "--hits", file("brute-force")})));
+  trace({file("rays"), "-o", file("listed")});
+  EXPECT_TRUE(
+      succeeded(run("gridtrace", {scene_, "--brute-force", file("rays"), "-o", file("brute-force")})));
   EXPECT_TRUE(read_bytes(file("listed")) == read_bytes(file("brute-force")));
   const std::vector<Hit> camera = hits_in(file("camera")), listed = hits_in(file("listed"));
   ASSERT_EQ(camera.size(), 17U * 13);
@@ -251,8 +253,8 @@ TEST_F(Tools, ListedRaysMayBeFloat64) {
   for (const double aside : {0.0, 1.5, -0.5, -1.125, 1.2, 1.3})
     rays.insert(rays.end(), {20000000 + aside, -3, 0, 0, 1, 0});
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 8 * rays.size()});
-  EXPECT_TRUE(succeeded(run("gridrender", {far, far_grid, "--rays", file("rays"), "--ray-store", "float64",
-                                           "--hits", file("hits")})));
+  EXPECT_TRUE(succeeded(
+      run("gridtrace", {far, far_grid, file("rays"), "--ray-store", "float64", "-o", file("hits")})));
   const std::vector<Hit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 6U);
   const std::array<bool, 6> hit{true, false, true, false, true, false};
@@ -272,7 +274,7 @@ TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
       1e15F, 0, 0,    0, 1, 0,       // past everything
   };
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
-  render({"--rays", file("rays"), "--hits", file("hits")});
+  trace({file("rays"), "-o", file("hits")});
   const std::vector<Hit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 7U);
   const std::array<std::int32_t, 7> objects{1, 1, 1, 1, -1, 0, -1};
@@ -286,7 +288,7 @@ TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
 
 TEST_F(Tools, AnEmptyListOfRaysHasNoHits) {
   write_text(file("rays"), "");
-  render({"--rays", file("rays"), "--hits", file("hits")});
+  trace({file("rays"), "-o", file("hits")});
   EXPECT_TRUE(hits_in(file("hits")).empty());
 }
 
@@ -307,7 +309,7 @@ TEST_F(Tools, RaysThatArentValidHitNothingAndAreCounted) {
   rays.insert(rays.end(), good.begin(), good.end());
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
   const ToolResult result =
-      run("gridrender", {scene_, grid_, "--rays", file("rays"), "--hits", file("hits"), "--backend", "cpu"});
+      run("gridtrace", {scene_, grid_, file("rays"), "-o", file("hits"), "--backend", "cpu"});
   EXPECT_EQ(result.code, 0);
   EXPECT_NE(result.err.find("26 of 28 rays aren't valid"), std::string::npos) << result.err;
   const std::vector<Hit> hits = hits_in(file("hits"));
@@ -328,8 +330,8 @@ TEST_F(Tools, HitsLieBetweenTminAndTmax) {
   for (const auto& c : cases)
     rays.insert(rays.end(), {0, 0, 5, c.t_min, 0, 0, -1, c.t_max});
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
-  render({"--rays", file("rays"), "--ray-numbers", "8", "--hits", file("hits")});
-  render({"--rays", file("rays"), "--ray-numbers", "8", "--any-hit", "--hits", file("occluded")});
+  trace({file("rays"), "--ray-numbers", "8", "-o", file("hits")});
+  trace({file("rays"), "--ray-numbers", "8", "--any-hit", "-o", file("occluded")});
   const std::vector<Hit> hits = hits_in(file("hits"));
   const auto occluded = read_bytes(file("occluded"));
   ASSERT_EQ(hits.size(), std::size(cases));
@@ -349,7 +351,7 @@ TEST_F(Tools, HitsHaveTheFieldsThatAreAskedFor) {
   const std::vector<float> rays{1,    0.5F, 5, 0, 0, -1, -1, 0.5F, 5, 0, 0, -1,
                                 0.3F, 0,    5, 0, 0, -1, 9,  9,    9, 0, 0, 1};
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
-  render({"--rays", file("rays"), "--write", "normal,t,uv,primitive,object", "--hits", file("hits")});
+  trace({file("rays"), "--write", "normal,t,uv,primitive,object", "-o", file("hits")});
   const auto bytes = read_bytes(file("hits"));
   struct Record {
     float normal[3], t, uv[2];
@@ -391,16 +393,15 @@ TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
   preamble += static_cast<char>(header.size());
   preamble += '\0';
   write_text(file("rays.npy"), preamble + header + std::string(raw));
-  render({"--rays", file("rays"), "--hits", file("hits")});
-  render({"--rays", file("rays.npy"), "--hits", file("from npy")});
+  trace({file("rays"), "-o", file("hits")});
+  trace({file("rays.npy"), "-o", file("from npy")});
   EXPECT_TRUE(read_bytes(file("hits")) == read_bytes(file("from npy")));
-  const ToolResult piped =
-      run("gridrender", {scene_, grid_, "--rays", "-", "--hits", "-", "--backend", "cpu"},
-          {file("rays"), file("piped"), ""});
+  const ToolResult piped = run("gridtrace", {scene_, grid_, "-", "-o", "-", "--backend", "cpu"},
+                               {file("rays"), file("piped"), ""});
   EXPECT_EQ(piped.code, 0) << piped.err;
   EXPECT_TRUE(read_bytes(file("hits")) == read_bytes(file("piped")));
   // The array's header, and after it the same records.
-  render({"--rays", file("rays"), "--hits", file("hits.npy")});
+  trace({file("rays"), "-o", file("hits.npy")});
   const auto hits = read_bytes(file("hits")), array = read_bytes(file("hits.npy"));
   const std::size_t head = array.size() - hits.size();
   EXPECT_EQ(head % 64, 0U);
@@ -432,15 +433,15 @@ TEST_F(Tools, ListsAreReadAsTheEndOfTheirNameSays) {
   write_text(file("rays.f64"), raw_wide);
   write_text(file("rays.csv"), text);
   write_text(file("turned.csv"), turned);
-  render({"--rays", file("rays"), "--hits", file("expected")});
+  trace({file("rays"), "-o", file("expected")});
   const Bytes expected = read_bytes(file("expected"));
   for (const char* const name : {"rays.f32", "rays.f64", "rays.csv", "turned.csv"}) {
-    render({"--rays", file(name), "--hits", file("hits")});
+    trace({file(name), "-o", file("hits")});
     EXPECT_TRUE(read_bytes(file("hits")) == expected) << name;
   }
   // What is said is what counts, as for --format.
   write_text(file("wide.f32"), raw_wide);
-  render({"--rays", file("wide.f32"), "--ray-store", "float64", "--hits", file("hits")});
+  trace({file("wide.f32"), "--ray-store", "float64", "-o", file("hits")});
   EXPECT_TRUE(read_bytes(file("hits")) == expected);
 }
 
@@ -468,7 +469,7 @@ TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
     number = coordinate(engine);
   write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
   const auto list = [&](const std::string& hits) {
-    render({"--rays", file("rays"), "--write", "t,uv,normal,object,primitive", "--hits", file(hits)});
+    trace({file("rays"), "--write", "t,uv,normal,object,primitive", "-o", file(hits)});
   };
   struct Record {
     float numbers[6];
@@ -491,7 +492,7 @@ TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
     ASSERT_EQ(rows[i][7], static_cast<float>(records[i].primitive));
   }
   EXPECT_NE(text.find("\ninf,0,0,0,0,0,-1,-1\n"), std::string::npos); // a miss
-  render({"--rays", file("rays"), "--any-hit", "--hits", file("occluded.csv")});
+  trace({file("rays"), "--any-hit", "-o", file("occluded.csv")});
   const auto occluded = rows_of_csv(read_text(file("occluded.csv")), "occluded");
   ASSERT_EQ(occluded.size(), records.size());
   for (std::size_t i = 0; i < occluded.size(); ++i)

@@ -207,14 +207,14 @@ class Page(unittest.TestCase):
         return self.js("return [...document.querySelectorAll('.walk-steps tbody tr')].map((row) => [...row.cells].map((cell) => cell.textContent))")
 
     def printed(self, grid, index=0, scene_path=None):
-        """The page's ray as gridrender walks it through a grid."""
+        """The page's ray as gridtrace walks it through a grid."""
         ray = self.js("return walkPanel.ray")
         numbers = ",".join(map(repr, ray["origin"] + ray["direction"]))
         more = ["--all-rays", "--depth", ray["depth"]] if ray["all"] else []
-        return json.loads(tools.run("gridrender", scene_path or scene[0], grid, f"--walk-ray={numbers}", *more, "--json", "-q"))["rays"][index]
+        return json.loads(tools.run("gridtrace", scene_path or scene[0], grid, f"--ray={numbers}", *more, "--json", "-q"))["rays"][index]
 
     def assert_shows(self, printed, shown, cells_drawn):
-        """The counts of a picture, and the boxes of cells drawn in it, are those of a walk that gridrender printed."""
+        """The counts of a picture, and the boxes of cells drawn in it, are those of a walk that gridtrace printed."""
         text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
         self.assertEqual(shown["counts"], f"{text(printed['cells'], 'cell')}, {text(printed['tests'], 'test')}")
         self.assertEqual(shown["table"], [str(printed["cells"]), str(printed["tests"])])
@@ -240,13 +240,13 @@ class Page(unittest.TestCase):
             self.show(fragment=damaged)  # the scene's own camera, for what makes no sense
             self.assertEqual(self.camera()["angle"], 45)
 
-    def test_a_picked_pixels_walk_is_that_of_gridrender(self):
+    def test_a_picked_pixels_walk_is_that_of_gridtrace(self):
         for dx, dy in [(0, 0), (-60, 40), (150, -120)]:
             self.pick(dx, dy)
             pixel, walk = self.js("return [walkPanel.pixel, walkPanel.walk]")
             self.assertEqual(len(self.listed()), len(walk["rays"][0]["steps"]))
             command = [word for word in shlex.split(self.js("return command()")) if word not in ("-o", "picture.png")]
-            printed = json.loads(tools.run(*command, "--sampling", "centers", "--walk", f"{pixel['x']},{pixel['y']}", "--json"))
+            printed = json.loads(tools.run("gridtrace", *command[1:], "--sampling", "centers", "--pixel", f"{pixel['x']},{pixel['y']}", "--json"))
             self.assertEqual(printed["rays"], walk["rays"])
         self.screenshot("walk")
         steps = len(walk["rays"][0]["steps"])
@@ -368,7 +368,7 @@ class Page(unittest.TestCase):
                     self.screenshot(f"more-rays-{depth}")
                 if not more:
                     ray = self.js("return [...walkPanel.ray.origin, ...walkPanel.ray.direction].join()")
-                    printed = json.loads(tools.run("gridrender", *glass, f"--walk-ray={ray}", "--all-rays", "--depth", depth, "--json", "-q"))
+                    printed = json.loads(tools.run("gridtrace", *glass, f"--ray={ray}", "--all-rays", "--depth", depth, "--json", "-q"))
                     self.assertEqual(len(printed["rays"]), rays + count)
                     self.assertEqual(printed["rays"][:rays], self.js("return walkPanel.walk.rays"))
             self.browser.get("about:blank")

@@ -114,6 +114,7 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
     check_processor();
     CLI::App app(description, name);
     app.set_version_flag("--version", fmt::format("{}, {}", name, program_name()));
+    app.formatter_fn(help_text);
     try {
       body(app, [&] {
         refuse_empty_values(name, argc, argv);
@@ -125,7 +126,10 @@ int run_tool(const char* name, const char* description, int argc, char** argv, c
       std::string command = name; // with the subcommand whose help lists the options
       for (const CLI::App* const subcommand : app.get_subcommands())
         command += " " + subcommand->get_name();
-      return report(ErrorCode::usage, fmt::format("command line: {}: see {} --help", error.what(), command));
+      const std::string unknown = unknown_option(app, command);
+      return report(ErrorCode::usage,
+                    !unknown.empty() ? unknown
+                                     : fmt::format("command line: {}: see {} --help", error.what(), command));
     }
     flush_standard_output();
     return 0;

@@ -3,6 +3,7 @@
 
 #include "libscene/base/error.h"
 #include "libscene/scene.h"
+#include "tools/common/help.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,8 +40,8 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<std::
 // memory doesn't suffice ends with one line and the exit code for that, wherever it is noticed.
 void prepare_process();
 
-// A tool's main: body(app, parse) adds options to the app, calls parse(), and runs the tool. Returns the exit
-// code of libscene/base/error.h; 0 for --help.
+// A tool's main: body(app, parse) adds options and an example, the footer, to the app, calls parse(), and
+// runs the tool. Returns the exit code of libscene/base/error.h; 0 for --help.
 using ToolBody = std::function<void(CLI::App& app, const std::function<void()>& parse)>;
 // Of several processes of a tool, which one prints --help and --version, and which one its error.
 struct Printing {
@@ -70,6 +71,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
       ->default_str(chosen);
 }
 
+// -q, among the general options.
+inline void add_quiet(CLI::App& app, bool& quiet, const std::string& help) {
+  app.add_flag("-q,--quiet", quiet, help)->group("General");
+}
+
 // The camera with the pixels of --size WxH; unchanged where `size` is empty. Throws Error(usage).
 Camera resized(Camera camera, const std::string& size);
 
@@ -79,7 +85,8 @@ public:
   void add_to(CLI::App& app) {
     app.add_option("--threads", threads_, "number of CPU threads; 0: all cores")
         ->check(CLI::Range(0, 4096))
-        ->capture_default_str();
+        ->capture_default_str()
+        ->group("General");
   }
   // The limit is in force while the result lives.
   tbb::global_control limit(std::size_t cores = std::max(1U, std::thread::hardware_concurrency())) const {

@@ -1,4 +1,4 @@
-// The options --backend and --devices of gridrender: where it traces.
+// The options --backend and --devices of gridrender and gridtrace: where they trace.
 #pragma once
 
 #include "tools/common/backend_choice.h"

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -149,8 +150,9 @@ Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
   int provided = 0;
   if (MPI_Init_thread(argc, argv, MPI_THREAD_SERIALIZED, &provided) != MPI_SUCCESS ||
       provided < MPI_THREAD_SERIALIZED) {
-    static_cast<void>(std::fputs(
-        "gridrender: MPI: has no threads (MPI_THREAD_SERIALIZED): take another build of it\n", stderr));
+    static_cast<void>(
+        std::fprintf(stderr, "%s: MPI: has no threads (MPI_THREAD_SERIALIZED): take another build of it\n",
+                     program_invocation_short_name));
     MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ErrorCode::device));
   }
   MPI_Comm_rank(MPI_COMM_WORLD, &state.rank);

@@ -36,7 +36,7 @@ constexpr const char* journal_infix = ".journal.";
 // As a journal has it, so that it doesn't depend on the working folder, nor on its bytes being UTF-8.
 std::string absolute_name(const std::string& path) {
   std::error_code unknown;
-  const fs::path absolute = fs::weakly_canonical(path, unknown);
+  const fs::path absolute = fs::weakly_canonical(fs::absolute(path, unknown), unknown);
   return printable(unknown ? path : absolute.string());
 }
 
@@ -230,6 +230,16 @@ void write_file(const std::string& path, const std::string& text) {
 
 std::string journal_name(const std::string& output, int rank) {
   return output + journal_infix + std::to_string(rank);
+}
+
+std::vector<std::string> files_beside(const std::vector<std::string>& outputs, const Sharing& sharing) {
+  std::vector<std::string> files;
+  for (const std::string& output : outputs) {
+    if (output.empty() || !sharing.in_parts()) continue;
+    if (files.empty()) files.push_back(journal_name(output, sharing.ranks.rank()));
+    files.push_back(partial_name(output));
+  }
+  return files;
 }
 
 TaskList::TaskList(const Sharing& sharing, const TaskListOf& tasks)

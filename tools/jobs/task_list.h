@@ -47,6 +47,9 @@ struct TaskListOf {
 
 // OUTPUT.journal.RANK
 std::string journal_name(const std::string& output, int rank);
+// The files beside outputs while several processes or runs make them; the first output that has a name names
+// the journals. Throws Error(usage) for an output that can't have any.
+std::vector<std::string> files_beside(const std::vector<std::string>& outputs, const Sharing& sharing);
 
 // For threads at the same time, but for what is collective (tools/jobs/ranks.h). To be resumed, each rank
 // keeps a journal: a line of JSON for the run's hash and its partial files, and one for each finished task,

@@ -54,6 +54,12 @@ void append_line(std::vector<std::uint8_t>& text, const std::vector<RecordField>
 
 } // namespace
 
+void check_hits_name(const char* option, const std::string& path) {
+  if (path.ends_with(".f64"))
+    throw Error(ErrorCode::usage, option,
+                "has no numbers of 64 bits: let the name end in .npy or .csv, or give it no ending");
+}
+
 HitFormat::HitFormat(const std::string& path, std::vector<RecordField> fields)
     : path_(path), form_(path.ends_with(".npy")   ? Form::npy
                          : path.ends_with(".csv") ? Form::text

@@ -20,6 +20,9 @@ struct RecordField {
   const char* columns; // of CSV
 };
 
+// Throws Error(usage, option, …) for a name that promises what isn't written: numbers of 64 bits.
+void check_hits_name(const char* option, const std::string& path);
+
 class HitFormat {
 public:
   HitFormat(const std::string& path, std::vector<RecordField> fields);

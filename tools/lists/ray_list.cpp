@@ -5,7 +5,6 @@
 #include "renderer/automatic_loop.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
-#include "tools/lists/ray_file.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -25,34 +24,6 @@ namespace {
 
 constexpr std::size_t rays_a_chunk = std::size_t{1} << 20;
 constexpr std::size_t rays_a_task = 1 << 14;
-
-struct FieldFormat {
-  const char* name;
-  HitField field;
-  const char* type; // as NumPy has it
-  std::size_t bytes;
-  const char* columns = nullptr; // of CSV, where it has several
-};
-constexpr FieldFormat field_formats[] = {
-    {"t", HitField::t, "'<f4'", 4},
-    {"object", HitField::object, "'<i4'", 4},
-    {"primitive", HitField::primitive, "'<i4'", 4},
-    {"face", HitField::face, "'<i4'", 4},
-    {"uv", HitField::uv, "'<f4', (2,)", 8, "u,v"},
-    {"normal", HitField::normal, "'<f4', (3,)", 12, "nx,ny,nz"},
-    {"occluded", HitField::occluded, "'|u1'", 1},
-};
-
-const FieldFormat& format_of(HitField field) {
-  return *std::ranges::find(field_formats, field, &FieldFormat::field);
-}
-
-std::size_t record_bytes_of(const std::vector<HitField>& fields) {
-  std::size_t bytes = 0;
-  for (const HitField field : fields)
-    bytes += format_of(field).bytes;
-  return bytes;
-}
 
 // --- A chunk of the list -----------------------------------------------------------------------------------
 
@@ -122,13 +93,16 @@ struct Chunk {
 
   // A record a ray.
   std::vector<std::uint8_t> records(const std::vector<HitField>& fields) const {
-    const std::size_t record_bytes = record_bytes_of(fields);
+    const std::vector<RecordField> layout = record_fields(fields);
+    std::size_t record_bytes = 0;
+    for (const RecordField& field : layout)
+      record_bytes += field.bytes;
     std::vector<std::uint8_t> records(count * record_bytes);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rays_a_task), [&](const auto& range) {
       std::size_t offset = 0;
-      for (const HitField field : fields) {
-        const std::size_t bytes = format_of(field).bytes;
-        const auto* const from = static_cast<const std::uint8_t*>(array(field));
+      for (std::size_t k = 0; k < fields.size(); ++k) {
+        const std::size_t bytes = layout[k].bytes;
+        const auto* const from = static_cast<const std::uint8_t*>(array(fields[k]));
         for (std::size_t i = range.begin(); i != range.end(); ++i)
           std::memcpy(records.data() + i * record_bytes + offset, from + i * bytes, bytes);
         offset += bytes;
@@ -347,34 +321,6 @@ private:
 };
 
 } // namespace
-
-std::vector<RecordField> record_fields(const std::vector<HitField>& fields) {
-  std::vector<RecordField> of_record;
-  for (const HitField field : fields) {
-    const FieldFormat& format = format_of(field);
-    of_record.push_back(
-        {format.name, format.type, format.bytes, format.columns != nullptr ? format.columns : format.name});
-  }
-  return of_record;
-}
-
-std::vector<HitField> hit_fields(const std::string& names) {
-  std::vector<HitField> fields;
-  for (std::size_t begin = 0; begin <= names.size();) {
-    const std::size_t end = std::min(names.find(',', begin), names.size());
-    const std::string name = names.substr(begin, end - begin);
-    const auto* const found =
-        std::ranges::find_if(field_formats, [&](const auto& f) { return name == f.name; });
-    if (found == std::end(field_formats))
-      throw Error(ErrorCode::usage, "--write",
-                  fmt::format("'{}' isn't one of t, object, primitive, face, uv, normal, occluded", name));
-    if (std::ranges::count(fields, found->field) > 0)
-      throw Error(ErrorCode::usage, "--write", fmt::format("has {} twice", name));
-    fields.push_back(found->field);
-    begin = end + 1;
-  }
-  return fields;
-}
 
 TracingReport trace_ray_list(const Tracer& tracer, const RayListJob& job, const Sharing& sharing,
                              const std::function<void(double)>& progress) {

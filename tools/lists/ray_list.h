@@ -2,22 +2,14 @@
 #pragma once
 
 #include "renderer/tracer.h"
-#include "tools/lists/hit_file.h"
+#include "tools/lists/hit_fields.h"
+#include "tools/lists/ray_file.h"
 #include "tools/report/tracing_report.h"
 
 #include <string>
 #include <vector>
 
 namespace masu {
-
-// What is written for a ray, one field after the other: t (float), object, primitive and face (int32, -1 for
-// a miss), uv (2 floats), normal (3 floats), occluded (1 byte).
-enum class HitField { t, object, primitive, face, uv, normal, occluded };
-
-// Of a list such as "t,object". Throws Error(usage, --write, …).
-std::vector<HitField> hit_fields(const std::string& names);
-// How they are written.
-std::vector<RecordField> record_fields(const std::vector<HitField>& fields);
 
 struct RayListJob {
   std::string rays;   // a file, or - for standard input (ray_file.h)

@@ -292,7 +292,8 @@ std::optional<Vec3d> wanted_origin(const std::string& text) {
 } // namespace
 
 void SceneOutput::add_to(CLI::App& app) {
-  app.add_option("-o,--output", path, "scene file to write");
+  group_options(app, "Scene file");
+  app.add_option("-o,--output", path, "scene file to write")->type_name("FILE");
   add_choice(app, "--store", store,
              {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
              "number type of coordinates; auto: float32 unless its arithmetic is too coarse for the scene");

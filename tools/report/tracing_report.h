@@ -1,4 +1,4 @@
-// What a run of gridrender took, of all its tasks and ranks together.
+// What a run of gridrender or gridtrace took, of all its tasks and ranks together.
 #pragma once
 
 #include "renderer/view_precision.h"

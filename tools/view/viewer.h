@@ -103,7 +103,7 @@ public:
     Precision precision;
   };
   PickedRay camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const;
-  // As gridrender --walk-ray --json has it, but bounded: `more_rays` are counted that aren't among `rays`,
+  // As gridtrace --ray --json has it, but bounded: `more_rays` are counted that aren't among `rays`,
   // `ended_early` says that there are still more. A ray's `steps` are the first of its `cells`.
   nlohmann::ordered_json walk(const RayWalkRequest& request, const IsGone& is_gone) const;
   // {axis, axes, position, range, voxels, min, step, cells, outline, truncated}: cells as [first u, first v,

@@ -32,7 +32,7 @@ at_once() { xargs -P "$cores" -d '\n' -I{} bash -c '{}'; } # lines of standard i
 
 machine() {
   {
-    echo "commit=$(for tool in nffgen nff2bin grid{build,stat,render,bench}; do "$tool" --version; done |
+    echo "commit=$(for tool in nffgen nff2bin grid{build,stat,render,trace,bench}; do "$tool" --version; done |
       sed -nE 's/.*\(commit (.*)\)/\1/p' | sort -u | paste -sd ' ')"
     echo "date=$(date -u +%F)"
     echo "backend=$backend"

@@ -1,8 +1,8 @@
 #include "tools/bench/tradeoff/tradeoff_csv.h"
 
 #include "libscene/base/error.h"
-#include "libscene/file/output_file.h"
 #include "tools/bench/tradeoff/tradeoff_front.h"
+#include "tools/common/text_file.h"
 
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -207,9 +207,7 @@ void write_charts_csv(const std::string& path, const std::vector<std::vector<Tra
       text += fmt::format("{},{},{}\n", line_of(rows[i]), std::count(hits.begin(), hits.end(), i),
                           std::count(picture.begin(), picture.end(), i));
   }
-  OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
+  write_text_file(path, text);
 }
 
 } // namespace masu

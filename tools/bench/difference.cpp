@@ -1,4 +1,4 @@
-#include "tools/render/difference.h"
+#include "tools/bench/difference.h"
 
 #include "libscene/base/error.h"
 #include "tools/draw/value_picture.h"

@@ -1,8 +1,8 @@
 // How two pictures differ.
 #pragma once
 
+#include "tools/bench/picture_file.h"
 #include "tools/draw/drawing.h"
-#include "tools/render/picture_file.h"
 
 #include <cstddef>
 

@@ -1,4 +1,4 @@
-#include "tools/render/picture_file.h"
+#include "tools/bench/picture_file.h"
 
 #include "libscene/base/error.h"
 #include "libscene/file/input_file.h"

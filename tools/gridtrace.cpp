@@ -1,0 +1,245 @@
+// gridtrace: reads a scene and its grid, and traces a list of rays through them, or prints one ray's way.
+#include "renderer/walk_report.h"
+#include "tools/common/number_list.h"
+#include "tools/common/printable.h"
+#include "tools/common/progress.h"
+#include "tools/common/provenance.h"
+#include "tools/common/text_file.h"
+#include "tools/jobs/tracing_tool.h"
+#include "tools/lists/ray_list.h"
+#include "tools/render/frame_options.h"
+#include "tools/report/walk_text.h"
+
+#include <set>
+
+namespace masu {
+namespace {
+
+// Of a walk that is printed: all of it, or an error. A ray's own walk is no larger than the grid and its
+// lists, but rays may double in number with each depth.
+constexpr std::size_t most_walk_rays = 32768;
+
+struct Settings {
+  TracingOptions tracing;
+  // A list.
+  std::string rays, hits, write;
+  int ray_numbers = 6;
+  Store ray_store = Store::automatic;
+  bool relative = false; // rays, to the scene's origin
+  bool any_hit = false;
+  HitName hit_name = HitName::object;
+  // One ray's way.
+  std::string ray, pixel;
+  std::string json; // empty: a table; -: standard output
+  bool all_rays = false;
+  FrameOptions frame;
+
+  bool is_walk() const { return !ray.empty() || !pixel.empty(); }
+};
+
+// Of the file of rays, where that is numbers alone.
+RayFormat ray_format(const Settings& settings) {
+  const bool is_float64 = settings.ray_store == Store::automatic ? settings.rays.ends_with(".f64")
+                                                                 : settings.ray_store == Store::float64;
+  return {is_float64, settings.ray_numbers, settings.relative};
+}
+
+std::string written_fields(const Settings& settings) {
+  if (!settings.write.empty()) return settings.write;
+  return settings.any_hit ? "occluded" : usual_fields(settings.hit_name);
+}
+
+void check(const Settings& settings, const Sharing& sharing) {
+  const auto fail = [](const char* option, const char* why) { throw Error(ErrorCode::usage, option, why); };
+  const TracingOptions& tracing = settings.tracing;
+  tracing.check("gridtrace");
+  if (settings.is_walk()) {
+    if (!settings.rays.empty()) fail("RAYS", "is a list: leave it out, or leave out --ray and --pixel");
+    check_files({tracing.scene, tracing.grid}, {settings.json});
+    return;
+  }
+  if (settings.rays.empty()) fail("RAYS", "is missing: name a list of rays, or give --ray or --pixel");
+  if (settings.hits.empty() && !tracing.has_report()) fail("-o", "is missing: nothing would be written");
+  if (settings.any_hit && !settings.write.empty() && settings.write != "occluded")
+    fail("--write", "can only be occluded with --any-hit");
+  if (!settings.any_hit && settings.write == "occluded") fail("--write", "occluded needs --any-hit");
+  if (tracing.resume && settings.hits.empty()) fail("--resume", "needs -o: nothing else is kept");
+  check_hits_name("-o", settings.hits);
+  if (sharing.in_parts() && settings.rays == "-") fail("RAYS", "must name a file, for ranks and --resume");
+  std::vector<std::string> outputs = files_beside({settings.hits}, sharing);
+  outputs.insert(outputs.end(), {settings.hits, tracing.stats, tracing.times});
+  check_files({tracing.scene, tracing.grid, settings.rays}, outputs);
+}
+
+// --- A list -----------------------------------------------------------------------------------------------
+
+std::string description_of(const Settings& settings, const OpenedScene& opened, const TracingRules& rules) {
+  return run_description(
+      opened, rules,
+      fmt::format("--precision {}{} --write {} names {} rays {} {}{}", name_of(rules.precision),
+                  rules.stop == StopRule::first_cell ? " --first-cell-hit" : "", written_fields(settings),
+                  static_cast<int>(settings.hit_name), settings.ray_numbers,
+                  static_cast<int>(settings.ray_store), settings.relative ? " relative" : ""));
+}
+
+void trace_list(const Settings& settings, const Sharing& sharing) {
+  Ranks& ranks = sharing.ranks;
+  const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
+  const OpenedScene opened("gridtrace", settings.tracing,
+                           settings.tracing.devices.gpus("gridtrace", ranks, quiet));
+  RayListJob job{settings.rays, settings.hits, ray_format(settings)};
+  job.fields = hit_fields(written_fields(settings));
+  job.request.tracing = settings.tracing.tracing();
+  job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
+  job.repeat = settings.tracing.repeat;
+  job.description = description_of(settings, opened, job.request.tracing);
+  const auto trace = [&] {
+    Progress progress("tracing", quiet);
+    return trace_ray_list(opened.tracer(), job, sharing, progress.callback());
+  };
+  const TracingReport report = trace();
+  if (ranks.rank() > 0) return;
+  const TaskTotals& totals = report.totals;
+  if (totals.invalid > 0)
+    print_note("gridtrace: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
+               "a direction below 1e-15\n",
+               printable(settings.rays), totals.invalid, totals.rays);
+  write_reports("gridtrace", settings.tracing, opened, ranks,
+                {0, report, report.elapsed_seconds, " with reading and writing"}, quiet);
+}
+
+// --- One ray's way ----------------------------------------------------------------------------------------
+
+WalkRequest walk_request(const Settings& settings, const OpenedScene& opened) {
+  FrameRequest frame = settings.frame.frame(settings.tracing.rules);
+  WalkRequest walk{frame.tracing};
+  if (!settings.pixel.empty()) {
+    const auto pixel = parse_numbers<std::int32_t, 2>("--pixel", settings.pixel, "X,Y");
+    frame.camera = settings.frame.camera(opened.scene());
+    settings.frame.check(frame.camera, opened.scene());
+    walk = camera_walk(opened.tracer(), frame, pixel[0], pixel[1]);
+  } else {
+    const auto n = parse_numbers<double, 6>("--ray", settings.ray, "X,Y,Z,DX,DY,DZ");
+    walk.ray = unbounded_ray<double>({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+  }
+  walk.all_rays = settings.all_rays;
+  walk.rules = frame.rules;
+  walk.limits.rays = most_walk_rays;
+  walk.limits.counted = 0;
+  return walk;
+}
+
+// On the CPU.
+void print_walk(const Settings& settings) {
+  const OpenedScene opened("gridtrace", settings.tracing, {});
+  const WalkReport report = trace_walk(opened.tracer(), walk_request(settings, opened));
+  if (report.more_rays > 0)
+    throw Error(ErrorCode::usage, "--all-rays",
+                fmt::format("finds more than {} rays: give a smaller --depth", most_walk_rays));
+  if (settings.json.empty()) return write_text_file("-", walk_table(report));
+  using Json = nlohmann::ordered_json;
+  const GridFile* const grid = opened.tracer().grid();
+  Json json = provenance();
+  json["scene_hash"] = to_hex(opened.scene().hash());
+  json["grid_hash"] = grid != nullptr ? Json(to_hex(grid->hash())) : Json();
+  json.update(walk_json(report));
+  write_text_file(settings.json, json_text(json) + "\n");
+}
+
+// --- The command line -------------------------------------------------------------------------------------
+
+// Groups of options.
+constexpr const char *hits_group = "Hits", *rays_group = "Rays", *walk_group = "One ray's way, cell by cell",
+                     *camera_group = "Camera of --pixel";
+
+void add_list_options(CLI::App& app, Settings& settings) {
+  group_options(app, hits_group);
+  app.add_option("-o,--output", settings.hits,
+                 "write a record for each ray: float t (infinity for a miss), int32 object (-1 for a miss), "
+                 "or what --write says; .npy: a NumPy array; .csv: text; - is standard output")
+      ->type_name("HITS");
+  app.add_option(
+         "--write", settings.write,
+         "fields of a record: a list of t, object, primitive, face, uv, normal (default t,object), or "
+         "occluded, with --any-hit")
+      ->type_name("LIST");
+  add_choice(app, "--hit-name", settings.hit_name,
+             {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
+             "what a record names without --write: object (index in the NFF text, or of mesh2bin's objects), "
+             "primitive (index in the scene file) or face (number in the mesh's file)");
+  app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
+  group_options(app, rays_group);
+  app.add_option("--ray-numbers", settings.ray_numbers,
+                 "numbers a ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
+                 "tmax)")
+      ->check(CLI::IsMember(std::set<int>{6, 8}))
+      ->capture_default_str();
+  add_choice(app, "--ray-store", settings.ray_store,
+             {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
+             "type of these numbers; auto: float64 where the file's name ends in .f64");
+  app.add_flag("--relative", settings.relative,
+               "rays are relative to the scene's local origin, and not in the world");
+}
+
+void add_walk_options(CLI::App& app, Settings& settings) {
+  group_options(app, walk_group);
+  auto* const ray = app.add_option("--ray", settings.ray, "print the way of this ray, instead of RAYS")
+                        ->type_name("X,Y,Z,DX,DY,DZ");
+  auto* const pixel = app.add_option("--pixel", settings.pixel,
+                                     "print the way of this camera ray, counted from the picture's top left")
+                          ->type_name("X,Y")
+                          ->excludes(ray);
+  app.add_flag("--all-rays", settings.all_rays, "and of all rays that it spawns, shadow rays too");
+  settings.frame.add_secondary(app);
+  app.add_flag("--json{-}", settings.json, "print JSON; --json=FILE writes it to a file");
+  group_options(app, camera_group);
+  settings.frame.add_camera(app);
+  settings.frame.add_sampling(app);
+  for (CLI::Option* const option : app.get_options([](const CLI::Option*) { return true; })) {
+    if (option->get_group() == camera_group) option->needs(pixel);
+  }
+}
+
+// Options that would have no effect are errors.
+void refuse_useless(const CLI::App& app, bool is_walk) {
+  const std::set<std::string> of_lists{hits_group, rays_group, "Reports"};
+  for (const CLI::Option* const option : app.get_options()) {
+    const std::string name = option->get_name(), group = option->get_group();
+    const bool is_used = is_walk ? !of_lists.contains(group) && name != "--resume" : group != walk_group;
+    if (option->count() == 0 || is_used) continue;
+    throw Error(ErrorCode::usage, name,
+                is_walk ? "is for a list of rays: leave it out with --ray and --pixel"
+                        : "is for one ray's way: give --ray or --pixel");
+  }
+}
+
+} // namespace
+} // namespace masu
+
+int main(int argc, char** argv) {
+  using namespace masu;
+  return run_ranks_tool(
+      "gridtrace", "Traces a list of rays through a scene's grid, or prints one ray's way.", argc, argv,
+      [](CLI::App& app, const auto& parse) {
+        Settings settings;
+        app.footer("Example:\n  gridtrace balls.scene balls.grid rays.npy -o hits.npy --write t,normal");
+        settings.tracing.add_files(app);
+        app.add_option("RAYS", settings.rays,
+                       "list of rays: numbers; .npy, a NumPy array of shape (N, 6) or (N, 8); .csv, text "
+                       "whose first line is ox,oy,oz,dx,dy,dz, with tmin and tmax among them or not; - is "
+                       "standard input");
+        add_list_options(app, settings);
+        add_walk_options(app, settings);
+        settings.tracing.add_to(app);
+        Ranks& ranks = parse();
+        TracingOptions& tracing = settings.tracing;
+        if (tracing.brute_force && settings.rays.empty() && !settings.is_walk())
+          std::swap(settings.rays, tracing.grid); // SCENE RAYS
+        const auto limit = tracing.threads.limit(cores_of(ranks));
+        refuse_useless(app, settings.is_walk());
+        const Sharing sharing{ranks, tracing.resume};
+        check(settings, sharing);
+        if (!settings.is_walk()) return trace_list(settings, sharing);
+        if (ranks.rank() == 0) print_walk(settings);
+      });
+}

@@ -1,0 +1,82 @@
+// What gridrender and gridtrace share: a scene and its grid, where and how rays are traced, by which
+// processes, and the reports of it.
+#pragma once
+
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/file_mapping.h"
+#include "renderer/tracer.h"
+#include "tools/common/device_choice.h"
+#include "tools/jobs/ranks.h"
+#include "tools/jobs/task_list.h"
+#include "tools/report/tracing_report.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+struct TracingOptions {
+  std::string scene, grid, stats, times;
+  DeviceChoice devices;
+  TracingRules rules; // but for `count`
+  Threads threads;
+  int repeat = 1;
+  bool brute_force = false, quiet = false, resume = false;
+
+  void add_files(CLI::App& app); // SCENE, GRID
+  void add_to(CLI::App& app);    // all others
+  // Throws Error(usage) where SCENE or GRID is missing, Error(input) where SCENE has to be converted first.
+  void check(const char* tool) const;
+  TracingRules tracing() const;
+  bool has_report() const { return !stats.empty() || !times.empty(); }
+};
+
+// The scene and the grid, and what traces rays through them.
+class OpenedScene {
+public:
+  // gpus: none for the CPU. Throws as SceneFile, GridFile and Tracer do.
+  OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus);
+
+  const SceneFile& scene() const { return scene_; }
+  const Tracer& tracer() const { return tracer_; }
+  const std::vector<int>& gpus() const { return gpus_; }
+  double map_seconds() const { return sum_of(&LoadSeconds::map); }
+  double validate_seconds() const { return sum_of(&LoadSeconds::validate); }
+
+private:
+  double sum_of(double LoadSeconds::*part) const {
+    return scene_.load_seconds().*part + (grid_ ? grid_->load_seconds().*part : 0);
+  }
+
+  const MappingFaults faults_;
+  const std::vector<int> gpus_;
+  const SceneFile scene_;
+  const std::unique_ptr<const GridFile> grid_; // none with --brute-force
+  const Tracer tracer_;
+};
+
+// What all files of a run depend on, by which --resume knows them; `options`: the tool's own.
+std::string run_description(const OpenedScene& opened, const TracingRules& tracing,
+                            const std::string& options);
+
+// What was traced.
+struct Outcome {
+  std::uint64_t views = 0; // 0: a list
+  TracingReport report;
+  double rays_seconds = 0;  // in which the rays were traced,
+  const char* besides = ""; // and what else was done in them
+};
+
+// Writes --stats and --times, and the line that says what was traced unless `quiet`. By rank 0.
+void write_reports(const char* tool, const TracingOptions& options, const OpenedScene& opened,
+                   const Ranks& ranks, const Outcome& outcome, bool quiet);
+
+// The main of a tool whose processes may be ranks (run_tool() of tools/common/cli.h): parse() returns them.
+// --help and --version need no MPI.
+using RanksToolBody = std::function<void(CLI::App& app, const std::function<Ranks&()>& parse)>;
+int run_ranks_tool(const char* name, const char* description, int argc, char** argv,
+                   const RanksToolBody& body);
+
+} // namespace masu

@@ -1,0 +1,56 @@
+#include "tools/render/frame_options.h"
+
+#include "tools/render/views.h"
+
+namespace masu {
+
+void FrameOptions::add_camera(CLI::App& app) {
+  app.add_option("--size", size, "pixels instead of the view's resolution")->type_name("WxH");
+  app.add_option("--from", from, "where the camera is, instead of the scene's")->type_name("X,Y,Z");
+  app.add_option("--at", at, "the point in the middle of the picture")->type_name("X,Y,Z");
+  app.add_option("--up", up, "the direction that is up in the picture")->type_name("X,Y,Z");
+  app.add_option("--angle", angle, "degrees that the picture's height spans")->type_name("DEGREES");
+}
+
+void FrameOptions::add_sampling(CLI::App& app) {
+  add_choice(app, "--sampling", sampling, {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
+             "rays through pixel corners, four averaged (corners), or through pixel centers");
+  app.add_flag("--hither", hither, "ignore hits in front of the view's hither plane");
+}
+
+void FrameOptions::add_secondary(CLI::App& app) {
+  app.add_option("--depth", depth, "largest depth of rays; camera rays have depth 1")
+      ->check(CLI::Range(1, largest_depth))
+      ->capture_default_str();
+  app.add_flag("--spd-rules", spd_rules,
+               "spawn the secondary rays that the SPD counts, even those of weight zero");
+}
+
+bool FrameOptions::changes_camera() const {
+  return !from.empty() || !at.empty() || !up.empty() || angle;
+}
+
+Camera FrameOptions::camera(const SceneFile& scene) const {
+  const auto vector = [](const char* option, const std::string& text) {
+    return text.empty() ? std::optional<Vec3d>() : parse_vector(option, text);
+  };
+  return changed(resized(scene.camera(), size),
+                 {vector("--from", from), vector("--at", at), vector("--up", up), angle, {}});
+}
+
+void FrameOptions::check(const Camera& camera, const SceneFile& scene) const {
+  if (!changes_camera()) return;
+  if (const auto fault = fault_of(camera, camera_places(scene)))
+    throw Error(ErrorCode::usage, std::string("--") + fault->part, fault->what);
+}
+
+FrameRequest FrameOptions::frame(const TracingRules& tracing) const {
+  FrameRequest request;
+  request.tracing = tracing;
+  request.sampling = sampling;
+  request.hither = hither;
+  request.rules = {depth, spd_rules, HitName::object};
+  return request;
+}
+
+} // namespace masu

@@ -1,0 +1,33 @@
+// Options of camera rays: where the camera is, how pixels are sampled, which rays are spawned.
+#pragma once
+
+#include "renderer/tracer.h"
+#include "tools/common/cli.h"
+
+#include <optional>
+#include <string>
+
+namespace masu {
+
+struct FrameOptions {
+  std::string size, from, at, up;
+  std::optional<double> angle;
+  Sampling sampling = Sampling::corners;
+  bool hither = false;
+  int depth = 5;
+  bool spd_rules = false;
+
+  void add_camera(CLI::App& app);    // --size, --from, --at, --up, --angle
+  void add_sampling(CLI::App& app);  // --sampling, --hither
+  void add_secondary(CLI::App& app); // --depth, --spd-rules
+  // Whether another camera than the scene's is asked for.
+  bool changes_camera() const;
+  // The scene's, changed; whether it can see isn't checked. Throws Error(usage).
+  Camera camera(const SceneFile& scene) const;
+  // Throws Error(usage, option, …) for a camera that was changed and can't see.
+  void check(const Camera& camera, const SceneFile& scene) const;
+  // But for the camera.
+  FrameRequest frame(const TracingRules& tracing) const;
+};
+
+} // namespace masu
