@@ -69,7 +69,8 @@ template <Query query, class M, class Stored, class Grid, class C>
 std::size_t trace_eights(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays,
                          const RayResults& results, std::size_t first, std::size_t end) {
 #ifdef MASU_HOST_AVX2
-  if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted && !is_any_structure<Grid>) {
+  if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
+                !is_any_structure<Grid>) {
     EightRays eight;
     for (; first + EightRays::count <= end; first += EightRays::count) {
       eight.load(rays.rays, rays.format, first);
