@@ -225,7 +225,9 @@ void expect_consistent(const WalkReport& report) {
       const WalkStep& step = ray.steps[k];
       tests += step.tests.size();
       const bool is_cell = report.structure == Structure::uniform || report.structure == Structure::merged;
-      if (is_cell) EXPECT_EQ(step.enter, k > 0 ? ray.steps[k - 1].exit : step.enter);
+      if (is_cell) {
+        EXPECT_EQ(step.enter, k > 0 ? ray.steps[k - 1].exit : step.enter);
+      }
       if (report.structure == Structure::hierarchy) expect_consistent(step.node, k);
       if (report.structure != Structure::none) {
         EXPECT_LE(step.tests.size(), step.references);
