@@ -1,5 +1,6 @@
 #include "renderer/walk_report.h"
 
+#include "libgrid/statistics/cells.h"
 #include "libgrid/statistics/statistics.h"
 #include "libscene/base/error.h"
 #include "renderer/dispatch.h"
@@ -323,7 +324,7 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   } else if (grid != nullptr) {
     report.structure = grid->is_merged() ? Structure::merged : Structure::uniform;
     report.space = grid->layout().space;
-    report.division = grid->layout().division;
+    report.division = finest_layout(*grid).division;
   }
   TracingRules rules = request.tracing;
   rules.count = true; // the code for all kinds
