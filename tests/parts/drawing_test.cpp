@@ -107,11 +107,16 @@ TEST_F(DrawingTest, APageOfPartsIsDrawnAsAWhole) {
                                  cairo_translate(cairo, -left, 0);
                                  draw(cairo);
                                }});
-    // Cairo 1.18 places glyphs at quarters of a pixel, and rounds by the distance from the page's left side.
-    constexpr int faint = 48;
-    for (std::int32_t v = 0; v < 30; ++v)
-      for (std::int32_t u = 0; u < 400; ++u)
-        ASSERT_NEAR(part.at(u, v)[0], page.at(left + u, v)[0], faint) << u << ' ' << v;
+    // Cairo 1.18 places glyphs at quarters of a pixel, and rounds by the distance from the page's left side. So
+    // some of the ink of ten columns, but no more than a shifted stem has, may be in the next ten.
+    constexpr int columns = 10, of_a_stem = 3200;
+    for (std::int32_t first = 0; first < 400; first += columns) {
+      int difference = 0;
+      for (std::int32_t v = 0; v < 30; ++v)
+        for (std::int32_t u = first; u < first + columns; ++u)
+          difference += part.at(u, v)[0] - page.at(left + u, v)[0];
+      ASSERT_LE(std::abs(difference), of_a_stem) << left << ' ' << first;
+    }
   }
 }
 
