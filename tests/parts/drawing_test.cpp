@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
 #include <set>
@@ -107,8 +108,8 @@ TEST_F(DrawingTest, APageOfPartsIsDrawnAsAWhole) {
                                  cairo_translate(cairo, -left, 0);
                                  draw(cairo);
                                }});
-    // Cairo 1.18 places glyphs at quarters of a pixel, and rounds by the distance from the page's left side. So
-    // some of the ink of ten columns, but no more than a shifted stem has, may be in the next ten.
+    // Cairo 1.18 places glyphs at quarters of a pixel, and rounds by the distance from the page's left side.
+    // So some of the ink of ten columns, but no more than a shifted stem has, may be in the next ten.
     constexpr int columns = 10, of_a_stem = 3200;
     for (std::int32_t first = 0; first < 400; first += columns) {
       int difference = 0;
