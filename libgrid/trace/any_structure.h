@@ -18,10 +18,6 @@ struct AnyStructure {
 };
 
 template <class Real>
-AnyStructure<Real> any_structure(const NoGrid&) {
-  return {};
-}
-template <class Real>
 AnyStructure<Real> any_structure(const GridView<Real>& view) {
   AnyStructure<Real> any{Structure::uniform};
   any.uniform = view;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "libscene/file/output_file.h"
-#include "tools/common/in_order.h"
+#include "tools/jobs/in_order.h"
 
 #include <cstdint>
 #include <string>
