@@ -176,7 +176,7 @@ template <class Stored>
 void build(const SceneFile& file, const std::string& path, const BuildOptions& options, int device) {
   const SceneView<Stored> scene = file.view<Stored>();
   const auto builder = device == MASU_CPU ? cpu_builder(scene) : cuda_builder(scene, device);
-  const auto [grid, provenance] = build_grid(*builder, file.bounds(), file.geometry_hash(), options);
+  const auto [grid, provenance] = build_grid(*builder, file.geometry(), options);
   write_grid(grid, provenance, path);
 }
 
@@ -278,9 +278,9 @@ masu_status masu_describe(const masu_tracer* tracer, masu_description* descripti
       description->triangles = view.triangle_count;
       description->spheres = view.sphere_count;
       description->cones = view.cone_count;
-      description->materials = view.material_count;
     };
     scene.is_float64() ? count(scene.view<double>()) : count(scene.view<float>());
+    description->materials = static_cast<std::uint32_t>(scene.counts().materials);
     const Vec3d origin = scene.origin();
     const Boxd box = in_world(origin, scene.bounds());
     for (int axis = 0; axis < 3; ++axis) {

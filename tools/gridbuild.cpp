@@ -64,7 +64,7 @@ void build(const Settings& settings, const SceneFile& file) {
   const auto builder =
       settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
   const Stopwatch watch;
-  auto [grid, made] = build_grid(*builder, file.bounds(), file.geometry_hash(), settings.options);
+  auto [grid, made] = build_grid(*builder, file.geometry(), settings.options);
   progress.reset();
   const double seconds = watch.seconds();
   if (settings.record_seconds) made.build_seconds = seconds;

@@ -104,8 +104,8 @@ std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane&
                                        const SliceWindow& window, std::int32_t pixels) {
   const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
   constexpr double deviation = 0.1; // in pixels
-  return section_of(scene.view<Stored>(),
-                    {plane.axis, plane.position, window.min, window.max, deviation * longer / pixels});
+  return section_of(scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max,
+                                           deviation * longer / pixels, scene.origin()});
 }
 
 void draw_slice(const GridFile& file, const Settings& settings) {

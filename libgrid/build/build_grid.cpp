@@ -99,7 +99,7 @@ Grid build_fastest(GridBuilder<Stored>& builder, const GridLayout& nested, const
 } // namespace
 
 template <class Stored>
-DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& geometry_hash,
+DescribedGrid build_grid(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
                          const BuildOptions& options) {
   const DivisionStatistics statistics = division_statistics(builder.scene());
   const bool automatic_division = options.division.kind == DivisionRule::Kind::automatic;
@@ -111,7 +111,7 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
       rule.kind = DivisionRule::Kind::fixed;
       rule.fixed = {1, 1, 1};
     }
-    const GridLayout layout = make_grid_layout<Stored>(bounds, options.space, rule, statistics);
+    const GridLayout layout = make_grid_layout<Stored>(geometry.bounds, options.space, rule, statistics);
     check_memory(layout, expected_references(statistics.all, layout), automatic_division);
     return layout;
   };
@@ -128,16 +128,16 @@ DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const
     return builder.build(layout_for(kind), options.overlap, of_kind(kind, options.grid));
   };
   DescribedGrid result{built(), {}};
-  result.provenance = {geometry_hash,
+  result.provenance = {geometry.hash,
                        builder.scene().primitive_count(),
-                       builder.scene().origin,
+                       geometry.origin,
                        options.space,
                        options.overlap,
                        options.division.text,
                        merge_text(result.grid, options.grid)};
   return result;
 }
-template DescribedGrid build_grid(GridBuilder<float>&, const Boxd&, const Hash&, const BuildOptions&);
-template DescribedGrid build_grid(GridBuilder<double>&, const Boxd&, const Hash&, const BuildOptions&);
+template DescribedGrid build_grid(GridBuilder<float>&, const SceneGeometry&, const BuildOptions&);
+template DescribedGrid build_grid(GridBuilder<double>&, const SceneGeometry&, const BuildOptions&);
 
 } // namespace masu

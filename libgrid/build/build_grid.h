@@ -3,6 +3,7 @@
 
 #include "libgrid/build/builder.h"
 #include "libgrid/file/grid_file.h"
+#include "libscene/file/scene_file.h"
 
 namespace masu {
 
@@ -11,7 +12,7 @@ struct DescribedGrid {
   GridProvenance provenance; // for its file
 };
 
-// A grid of the builder's scene; `bounds` are those of all its primitives, `geometry_hash` its file's.
+// A grid of the builder's scene, whose geometry is given.
 //
 // Kind automatic: where options.division isn't automatic, that division, uniform. Else a uniform and an
 // irregular grid are built, and the one is taken that a random ray is expected to cross at less cost
@@ -25,7 +26,7 @@ struct DescribedGrid {
 // Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
 // as the builder does.
 template <class Stored>
-DescribedGrid build_grid(GridBuilder<Stored>& builder, const Boxd& bounds, const Hash& geometry_hash,
+DescribedGrid build_grid(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
                          const BuildOptions& options);
 
 } // namespace masu

@@ -14,7 +14,7 @@ template <class Stored>
 Grid built(TestScene<Stored>& scene, GridKind kind) {
   BuildOptions options;
   options.grid.kind = kind;
-  return build_grid(*cpu_builder(scene.view()), scene.bounds(), Hash{1, 2}, options).grid;
+  return build_grid(*cpu_builder(scene.view()), {scene.bounds(), Hash{1, 2}}, options).grid;
 }
 
 template <class Stored>

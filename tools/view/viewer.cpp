@@ -100,8 +100,9 @@ Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceW
   constexpr std::size_t most = 200000;
   const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
   Json lines = Json::array();
-  for (const SectionSegment& line : section_of(
-           scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max, 2e-4 * longer})) {
+  for (const SectionSegment& line :
+       section_of(scene.view<Stored>(),
+                  {plane.axis, plane.position, window.min, window.max, 2e-4 * longer, scene.origin()})) {
     if (lines.size() == most) break;
     lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
   }
