@@ -115,8 +115,8 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
   options.grid.kind = plan.merge;
   options.overlap = plan.overlap;
   const auto [grid, provenance] =
-      scene.is_float64() ? build_grid(*cpu_builder(scene.view<double>()), scene.geometry(), options)
-                         : build_grid(*cpu_builder(scene.view<float>()), scene.geometry(), options);
+      scene.is_float64() ? build_chosen(*cpu_builder(scene.view<double>()), scene.geometry(), options)
+                         : build_chosen(*cpu_builder(scene.view<float>()), scene.geometry(), options);
   const MemoryFile file; // its contents live on in the grid
   write_grid(grid, provenance, file.path());
   return GridFile(file.path());
