@@ -334,6 +334,9 @@ class Page(unittest.TestCase):
         self.wait_walk()
         self.assertEqual(self.js(look), before)
         self.find("#walk-all").click()
+        self.js("location.hash = arguments[0]", f"#grid={scene[1]}")
+        wait_until(lambda: self.js("return panes.length") == 1, "one picture")
+        self.wait_sharp()
 
     def test_a_link_tells_grids_of_one_name_apart(self):
         grids = []
