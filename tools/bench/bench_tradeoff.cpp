@@ -114,7 +114,7 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
   options.division = parse_division(plan.division);
   options.grid.kind = plan.merge;
   options.overlap = plan.overlap;
-  const auto [grid, provenance] =
+  const auto [grid, provenance, considered] =
       scene.is_float64() ? build_chosen(*cpu_builder(scene.view<double>()), scene.geometry(), options)
                          : build_chosen(*cpu_builder(scene.view<float>()), scene.geometry(), options);
   const MemoryFile file; // its contents live on in the grid
