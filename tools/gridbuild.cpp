@@ -141,7 +141,9 @@ int main(int argc, char** argv) {
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");
         group_options(app, "Voxels");
-        app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
+        app.add_option("--division", settings.division, "how many voxels: see above")
+            ->type_name("RULE")
+            ->capture_default_str();
         add_choice(
             app, "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
             "what is divided: tight (the objects' bounds) or cube (the smallest about the local origin)");
@@ -191,7 +193,7 @@ int main(int argc, char** argv) {
             ->capture_default_str();
         group_options(app, "General");
         add_choice(app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
-                   "who builds: cpu or cuda; the file is the same (a hierarchy is always built by the cpu)");
+                   "where to build; the file is the same (a hierarchy is always built on the CPU)");
         add_quiet(app, settings.quiet, "no progress on standard error, and no report without --json");
         settings.threads.add_to(app);
         parse();
