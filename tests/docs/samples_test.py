@@ -40,7 +40,7 @@ class Samples(unittest.TestCase):
         return subprocess.run(["sh", "-c", line], cwd=cls.folder.name, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
 
     def test_samples_are_what_is_printed(self):
-        for document in ["tools.md", "lesson.md"]:
+        for document in ["tools/gridstat.md", "lesson.md"]:
             found = list(samples(document))
             self.assertTrue(found)
             for command, lines in found:
