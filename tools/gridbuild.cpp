@@ -124,11 +124,11 @@ int main(int argc, char** argv) {
       "Builds the voxel grid of a scene, or a bounding volume hierarchy.\n\nDivision rules, for N primitives "
       "in a space of sides w "
       "and volume V:\n"
-      "  N              N voxels an axis\n"
+      "  N              N voxels per axis\n"
       "  NXxNYxNZ       so many along x, y, z\n"
-      "  cube-root:D    D * cbrt(N) an axis\n"
+      "  cube-root:D    D * cbrt(N) per axis\n"
       "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
-      "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
+      "  heterogeneous:D  D * w * cbrt(N / V) per axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
       "  auto           the coarsest within a few percent of the best, by a cost model",
       argc, argv, [](CLI::App& app, const auto& parse) {
@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");
         group_options(app, "Voxels");
-        app.add_option("--division", settings.division, "how many voxels: see above")
+        app.add_option("--division", settings.division, "voxels per axis, by a division rule")
             ->type_name("RULE")
             ->capture_default_str();
         add_choice(
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
             {{"grid", StructureChoice::grid},
              {"bvh", StructureChoice::hierarchy},
              {"fastest", StructureChoice::fastest}},
-            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes a node), fastest (an "
+            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest (an "
             "irregular grid or a hierarchy, whichever some rays traced through both take less time with)");
         add_choice(app, "--merge", settings.options.grid.kind,
                    {{"auto", GridKind::automatic},
@@ -171,7 +171,7 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();
         app.add_option("--nested", settings.options.grid.nested_log2,
-                       "irregular: each voxel is divided into at most 2^N an axis")
+                       "irregular: each voxel is divided into at most 2^N per axis")
             ->check(CLI::Range(0, 15))
             ->capture_default_str();
         app.add_option("--step-cost", settings.options.grid.step_cost,

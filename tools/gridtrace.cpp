@@ -172,7 +172,7 @@ void add_list_options(CLI::App& app, Settings& settings) {
   app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
   group_options(app, rays_group);
   app.add_option("--ray-numbers", settings.ray_numbers,
-                 "numbers a ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
+                 "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
                  "tmax)")
       ->check(CLI::IsMember(std::set<int>{6, 8}))
       ->capture_default_str();

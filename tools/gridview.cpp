@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
             ->needs(file);
         auto* const measures =
             app.add_flag("--measure", settings.measures,
-                         "instead of serving, measure pictures a second over loopback, and print JSON")
+                         "instead of serving, measure pictures per second over loopback, and print JSON")
                 ->excludes(file);
         app.add_option("--repeat", settings.measured.repeat, "of --measure: pictures")
             ->check(CLI::Range(1, 100000))
