@@ -1,6 +1,6 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds; or builds a
 // bounding volume hierarchy instead.
-#include "libgrid/build/build_grid.h"
+#include "libgrid/build/chosen_structure.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "libscene/base/stopwatch.h"
@@ -38,9 +38,27 @@ void print_report(const Settings& settings, fmt::format_string<Values...> format
   fmt::print(format, std::forward<Values>(values)...);
 }
 
+// What was built in order to choose, with cells or nodes, and tests, per ray of each sample.
+nlohmann::ordered_json considered_json(const std::vector<Considered>& considered) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Considered& one : considered) {
+    nlohmann::ordered_json json{{"structure", one.kind == GridKind::hierarchy   ? "bvh"
+                                              : one.kind == GridKind::irregular ? "irregular"
+                                                                                : "uniform"},
+                                {"division", {one.division.x, one.division.y, one.division.z}},
+                                {"expected_time", one.expected_time}};
+    const auto add = [&](const char* set, const RayCost& ray) { json[set] = {ray.steps, ray.tests}; };
+    add("across", one.costs.across);
+    add("aimed", one.costs.aimed);
+    add("scattered", one.costs.scattered);
+    all.push_back(std::move(json));
+  }
+  return all;
+}
+
 // Of a build that took so many seconds, with writing.
 void report_hierarchy(const Settings& settings, const SceneFile& file, const HierarchyStatistics& built,
-                      double seconds, double total_seconds) {
+                      const std::vector<Considered>& considered, double seconds, double total_seconds) {
   if (settings.json) {
     nlohmann::ordered_json json{{"nodes", built.nodes},
                                 {"depth", built.depth},
@@ -49,6 +67,7 @@ void report_hierarchy(const Settings& settings, const SceneFile& file, const Hie
                                 {"total_seconds", total_seconds},
                                 {"device", "cpu"},
                                 {"scene_hash", to_hex(file.hash())}};
+    if (!considered.empty()) json["considered"] = considered_json(considered);
     json.update(provenance());
     print_report(settings, "{}\n", json_text(json, -1));
   } else if (!settings.quiet) {
@@ -64,13 +83,14 @@ void build(const Settings& settings, const SceneFile& file) {
   const auto builder =
       settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
   const Stopwatch watch;
-  auto [grid, made] = build_grid(*builder, file.bounds(), file.geometry_hash(), settings.options);
+  auto [grid, made, considered] = build_chosen(*builder, file.geometry(), settings.options);
   progress.reset();
   const double seconds = watch.seconds();
   if (settings.record_seconds) made.build_seconds = seconds;
   write_grid(grid, made, settings.output);
   if (grid.kind == GridKind::hierarchy)
-    return report_hierarchy(settings, file, hierarchy_statistics(grid.nodes), seconds, watch.seconds());
+    return report_hierarchy(settings, file, hierarchy_statistics(grid.nodes), considered, seconds,
+                            watch.seconds());
   const Vec3i n = grid.layout.division;
   const GridStatistics counted = grid.kind == GridKind::uniform
                                      ? grid_statistics(view_of<double>(grid), grid.references)
@@ -90,6 +110,7 @@ void build(const Settings& settings, const SceneFile& file) {
                  {"total_seconds", watch.seconds()},
                  {"device", settings.device == Device::cuda ? cuda_device_name() : "cpu"},
                  {"scene_hash", to_hex(file.hash())}});
+    if (!considered.empty()) json["considered"] = considered_json(considered);
     json.update(provenance());
     print_report(settings, "{}\n", json_text(json, -1));
   } else if (!settings.quiet) {
@@ -130,7 +151,7 @@ int main(int argc, char** argv) {
       "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
       "  heterogeneous:D  D * w * cbrt(N / V) per axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
-      "  auto           the coarsest within a few percent of the best, by a cost model",
+      "  auto           by a cost model, and by a sample of rays traced through coarser and finer ones",
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
@@ -156,8 +177,12 @@ int main(int argc, char** argv) {
             {{"grid", StructureChoice::grid},
              {"bvh", StructureChoice::hierarchy},
              {"fastest", StructureChoice::fastest}},
-            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest (an "
-            "irregular grid or a hierarchy, whichever some rays traced through both take less time with)");
+            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest "
+            "(a grid or a hierarchy, whichever a sample of rays is expected to take the least time through)");
+        add_choice(
+            app, "--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
+            "the processor that will trace: what the automatic choices (--structure fastest, --merge auto, "
+            "--division auto) count a step and a test by");
         add_choice(app, "--merge", settings.options.grid.kind,
                    {{"auto", GridKind::automatic},
                     {"none", GridKind::uniform},
@@ -165,7 +190,8 @@ int main(int argc, char** argv) {
                     {"balance", GridKind::balance},
                     {"irregular", GridKind::irregular}},
                    "which voxels share a cell: auto (none where a division is given; else none or irregular, "
-                   "as a cost model says), none, x (empty ones in a run along x), balance (as many as list "
+                   "whichever a sample of rays is expected to take less time through), none, x (empty ones "
+                   "in a run along x), balance (as many as list "
                    "--target primitives), irregular (voxels are divided further, by expected cost)");
         app.add_option("--target", settings.options.grid.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))

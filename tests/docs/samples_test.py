@@ -28,7 +28,7 @@ class Samples(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.run_line("nffgen teapot | nff2bin - -o teapot.scene")
-        cls.run_line("gridbuild teapot.scene -o teapot.grid; gridbuild teapot.scene -o teapot-irregular.grid --merge irregular")
+        cls.run_line("gridbuild teapot.scene -o teapot.grid; gridbuild teapot.scene -o teapot-irregular.grid --merge irregular --division 13x13x5")
 
     @classmethod
     def tearDownClass(cls):

@@ -1,7 +1,6 @@
 #include "tools/report/hierarchy_report.h"
 
 #include "libgrid/statistics/cells.h"
-#include "libgrid/statistics/hierarchy_statistics.h"
 #include "tools/common/flat_csv.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
@@ -18,7 +17,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
+void print_table(const GridFile& file, const HierarchyStatistics& s, const Json& json) {
+  const auto line = [](const char* name, const std::string& value) {
+    fmt::print("{:<28} {}\n", name, value);
+  };
+  line("nodes", fmt::format("{}, {} deep", s.nodes, s.depth));
+  line("  boxes of nodes", fmt::format("{}", s.node_boxes));
+  line("  boxes of references", fmt::format("{}", s.reference_boxes));
+  line("  boxes a node", fmt::format("{:.2f} of 8", s.boxes_a_node));
+  line("references", fmt::format("{} to {} primitives", s.references, file.table().primitives()));
+  line("expected per ray", fmt::format("{:.2f} nodes, {:.2f} tests", s.nodes_a_ray, s.tests_a_ray));
+  line("bytes", fmt::format("{} (nodes {}, references {})", file.bytes(), file.nodes().size_bytes(),
+                            file.references().size_bytes()));
+  line("structure", "bvh");
+  line("geometry", json["geometry_hash"].get<std::string>());
+}
+
+} // namespace
+
+Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
   const fb::Grid& table = file.table();
   const Boxd space = finest_layout(file).space;
   Json json{{"structure", "bvh"},
@@ -50,27 +67,9 @@ Json report(const GridFile& file, const HierarchyStatistics& s, bool histogram) 
   return json;
 }
 
-void print_table(const GridFile& file, const HierarchyStatistics& s, const Json& json) {
-  const auto line = [](const char* name, const std::string& value) {
-    fmt::print("{:<28} {}\n", name, value);
-  };
-  line("nodes", fmt::format("{}, {} deep", s.nodes, s.depth));
-  line("  boxes of nodes", fmt::format("{}", s.node_boxes));
-  line("  boxes of references", fmt::format("{}", s.reference_boxes));
-  line("  boxes a node", fmt::format("{:.2f} of 8", s.boxes_a_node));
-  line("references", fmt::format("{} to {} primitives", s.references, file.table().primitives()));
-  line("expected per ray", fmt::format("{:.2f} nodes, {:.2f} tests", s.nodes_a_ray, s.tests_a_ray));
-  line("bytes", fmt::format("{} (nodes {}, references {})", file.bytes(), file.nodes().size_bytes(),
-                            file.references().size_bytes()));
-  line("structure", "bvh");
-  line("geometry", json["geometry_hash"].get<std::string>());
-}
-
-} // namespace
-
 void print_hierarchy_report(const GridFile& file, ReportFormat format, bool histogram) {
   const HierarchyStatistics statistics = hierarchy_statistics(file.nodes());
-  const Json json = report(file, statistics, histogram);
+  const Json json = hierarchy_report(file, statistics, histogram);
   switch (format) {
   case ReportFormat::table:
     print_table(file, statistics, json);

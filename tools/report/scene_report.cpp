@@ -83,9 +83,9 @@ Report report_of(const SceneFile& file) {
   report.smooth = count_smooth(spans.triangles);
   report.spheres = view.sphere_count;
   report.cones = view.cone_count;
-  report.corner_normals = view.normals_count;
+  report.corner_normals = file.counts().normals;
   report.faces = view.faces != nullptr ? view.triangle_count : 0;
-  report.materials = view.material_count;
+  report.materials = file.counts().materials;
   report.reflecting = table.reflective_materials();
   report.transmitting = table.transmitting_materials();
   report.lights = view.light_count;
