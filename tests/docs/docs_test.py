@@ -24,6 +24,7 @@ NOT_RUN = {
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
     r"^gridbench lists ": "needs a GPU",
+    r"^tools/bench/scripts/choice\.py": "measures a GPU, for minutes",
     r"^ssh ": "needs another machine",
     r"^srun ": "needs Slurm",
     r"--map-by ppr:4:node": "needs two machines",
