@@ -151,7 +151,7 @@ int main(int argc, char** argv) {
       "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
       "  heterogeneous:D  D * w * cbrt(N / V) per axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
-      "  auto           by a cost model, and by a sample of rays traced through coarser and finer ones",
+      "  auto           by a cost model, and a sample of rays through some divisions",
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
