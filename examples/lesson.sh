@@ -125,7 +125,8 @@ section "4. Merged voxels"
 for scene in teapot balls; do
   gridbuild -q $scene.scene -o $scene-x.grid --division 32 --merge x
   gridbuild -q $scene.scene -o $scene-balance.grid --division 32 --merge balance
-  gridbuild -q $scene.scene -o $scene-irregular.grid --merge irregular
+  division=13x13x5; if [ $scene = balls ]; then division=50x50x3; fi # of the lesson's figures
+  gridbuild -q $scene.scene -o $scene-irregular.grid --merge irregular --division $division
   heads cells occupied references a_cell bytes
   columns "cells occupied_cells references references_per_occupied_cell.mean bytes.file" \
     $scene-32.grid $scene-x.grid $scene-balance.grid $scene-irregular.grid

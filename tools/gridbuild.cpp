@@ -145,13 +145,13 @@ int main(int argc, char** argv) {
       "Builds the voxel grid of a scene, or a bounding volume hierarchy.\n\nDivision rules, for N primitives "
       "in a space of sides w "
       "and volume V:\n"
-      "  N              N voxels an axis\n"
+      "  N              N voxels per axis\n"
       "  NXxNYxNZ       so many along x, y, z\n"
-      "  cube-root:D    D * cbrt(N) an axis\n"
+      "  cube-root:D    D * cbrt(N) per axis\n"
       "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
-      "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
+      "  heterogeneous:D  D * w * cbrt(N / V) per axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
-      "  auto           by a cost model, and by a sample of rays traced through coarser and finer ones",
+      "  auto           by a cost model, and a sample of rays through some divisions",
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
@@ -162,7 +162,9 @@ int main(int argc, char** argv) {
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");
         group_options(app, "Voxels");
-        app.add_option("--division", settings.division, "how many voxels: see above")->capture_default_str();
+        app.add_option("--division", settings.division, "voxels per axis, by a division rule")
+            ->type_name("RULE")
+            ->capture_default_str();
         add_choice(
             app, "--space", settings.options.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
             "what is divided: tight (the objects' bounds) or cube (the smallest about the local origin)");
@@ -170,13 +172,13 @@ int main(int argc, char** argv) {
             app, "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
         group_options(app, "Cells");
-        add_choice(app, "--structure", settings.structure,
-                   {{"grid", StructureChoice::grid},
-                    {"bvh", StructureChoice::hierarchy},
-                    {"fastest", StructureChoice::fastest}},
-                   "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest "
-                   "(a grid or a "
-                   "hierarchy, whichever a sample of rays is expected to take the least time through)");
+        add_choice(
+            app, "--structure", settings.structure,
+            {{"grid", StructureChoice::grid},
+             {"bvh", StructureChoice::hierarchy},
+             {"fastest", StructureChoice::fastest}},
+            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest "
+            "(a grid or a hierarchy, whichever a sample of rays is expected to take the least time through)");
         add_choice(
             app, "--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
             "the processor that will trace: what the automatic choices (--structure fastest, --merge auto, "
@@ -195,7 +197,7 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(1U, 1U << 20))
             ->capture_default_str();
         app.add_option("--nested", settings.options.grid.nested_log2,
-                       "irregular: each voxel is divided into at most 2^N an axis")
+                       "irregular: each voxel is divided into at most 2^N per axis")
             ->check(CLI::Range(0, 15))
             ->capture_default_str();
         app.add_option("--step-cost", settings.options.grid.step_cost,
@@ -217,7 +219,7 @@ int main(int argc, char** argv) {
             ->capture_default_str();
         group_options(app, "General");
         add_choice(app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},
-                   "who builds: cpu or cuda; the file is the same (a hierarchy is always built by the cpu)");
+                   "where to build; the file is the same (a hierarchy is always built on the CPU)");
         add_quiet(app, settings.quiet, "no progress on standard error, and no report without --json");
         settings.threads.add_to(app);
         parse();

@@ -231,7 +231,7 @@ void add_options(CLI::App& app, Settings& settings) {
   app.add_option("--crop", settings.crop, "render only these pixels of the picture")->type_name("X,Y,W,H");
   auto* const views =
       app.add_option("--views", settings.views,
-                     "render the views of a list, a JSON object a line: name, from, at, up, angle, size; "
+                     "render the views of a list, a JSON object per line: name, from, at, up, angle, size; "
                      "- is standard input")
           ->type_name("FILE");
   app.add_option("--turntable", settings.turntable, "render N views around the point looked at")

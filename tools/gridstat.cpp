@@ -231,16 +231,19 @@ int main(int argc, char** argv) {
             app.add_option("--slice", settings.slice,
                            "draw the cells or boxes that a plane cuts: AXIS=K, a layer of the smallest "
                            "voxels; AXIS=P%, of the space; AXIS@X, in scene units")
+                ->type_name("PLANE")
                 ->excludes(json)
                 ->excludes(csv)
                 ->excludes(histogram);
         app.add_option("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json")
+            ->type_name("FILE")
             ->needs(slice);
-        app.add_option("--window", settings.window,
-                       "of --slice: what to show, LEFT,BOTTOM,RIGHT,TOP in scene units; default: all")
+        app.add_option("--window", settings.window, "of --slice: what to show, in scene units; default: all")
+            ->type_name("LEFT,BOTTOM,RIGHT,TOP")
             ->needs(slice);
         app.add_option("--outline", settings.outline,
                        "of --slice: the grid's scene file, whose cut through the plane is drawn")
+            ->type_name("SCENE")
             ->needs(slice);
         SliceStyle& style = settings.style;
         add_choice(app, "--color", style.color,
@@ -268,6 +271,7 @@ int main(int argc, char** argv) {
         auto* const cells =
             app.add_option("--cells", settings.cells,
                            "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
+                ->type_name("FILE")
                 ->excludes(slice)
                 ->excludes(json)
                 ->excludes(csv)
@@ -275,8 +279,10 @@ int main(int argc, char** argv) {
         CellExport& cell_export = settings.cell_export;
         app.add_flag("--occupied", cell_export.occupied_only, "of --cells: only those with references")
             ->needs(cells);
-        app.add_option("--within", settings.within,
-                       "of --cells: only those that share space with the box X,Y,Z,X,Y,Z in scene units")
+        app.add_option(
+               "--within", settings.within,
+               "of --cells: only those that share space with the box between two corners, in scene units")
+            ->type_name("X,Y,Z,X,Y,Z")
             ->delimiter(',')
             ->expected(6)
             ->needs(cells);
@@ -290,10 +296,12 @@ int main(int argc, char** argv) {
         auto* const occupancy_option = app.add_option("--occupancy", settings.occupancy,
                                                       "instead of GRID: a scene file, whose occupied voxels "
                                                       "are counted by division and overlap test")
+                                           ->type_name("SCENE")
                                            ->excludes(grid)
                                            ->excludes(slice)
                                            ->excludes(cells);
         app.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
+            ->type_name("LIST")
             ->delimiter(',')
             ->capture_default_str()
             ->needs(occupancy_option);

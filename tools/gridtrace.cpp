@@ -1,4 +1,5 @@
-// gridtrace: reads a scene and its grid, and traces a list of rays through them, or prints one ray's way.
+// gridtrace: reads a scene and its grid, and traces a list of rays through them, or prints the walk of one
+// ray.
 #include "renderer/walk_report.h"
 #include "tools/common/number_list.h"
 #include "tools/common/printable.h"
@@ -108,7 +109,8 @@ void trace_list(const Settings& settings, const Sharing& sharing) {
                 {0, report, report.elapsed_seconds, " with reading and writing"}, quiet);
 }
 
-// --- One ray's way ----------------------------------------------------------------------------------------
+// --- Walk of one ray
+// ----------------------------------------------------------------------------------------
 
 WalkRequest walk_request(const Settings& settings, const OpenedScene& opened) {
   FrameRequest frame = settings.frame.frame(settings.tracing.rules);
@@ -149,8 +151,8 @@ void print_walk(const Settings& settings) {
 // --- The command line -------------------------------------------------------------------------------------
 
 // Groups of options.
-constexpr const char *hits_group = "Hits", *rays_group = "Rays", *walk_group = "One ray's way, cell by cell",
-                     *camera_group = "Camera of --pixel";
+constexpr const char *hits_group = "Hits", *rays_group = "Rays",
+                     *walk_group = "Walk of one ray, cell by cell", *camera_group = "Camera of --pixel";
 
 void add_list_options(CLI::App& app, Settings& settings) {
   group_options(app, hits_group);
@@ -170,7 +172,7 @@ void add_list_options(CLI::App& app, Settings& settings) {
   app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
   group_options(app, rays_group);
   app.add_option("--ray-numbers", settings.ray_numbers,
-                 "numbers a ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
+                 "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
                  "tmax)")
       ->check(CLI::IsMember(std::set<int>{6, 8}))
       ->capture_default_str();
@@ -183,10 +185,10 @@ void add_list_options(CLI::App& app, Settings& settings) {
 
 void add_walk_options(CLI::App& app, Settings& settings) {
   group_options(app, walk_group);
-  auto* const ray = app.add_option("--ray", settings.ray, "print the way of this ray, instead of RAYS")
+  auto* const ray = app.add_option("--ray", settings.ray, "print the walk of this ray, instead of RAYS")
                         ->type_name("X,Y,Z,DX,DY,DZ");
   auto* const pixel = app.add_option("--pixel", settings.pixel,
-                                     "print the way of this camera ray, counted from the picture's top left")
+                                     "print the walk of this camera ray, counted from the picture's top left")
                           ->type_name("X,Y")
                           ->excludes(ray);
   app.add_flag("--all-rays", settings.all_rays, "and of all rays that it spawns, shadow rays too");
@@ -209,7 +211,7 @@ void refuse_useless(const CLI::App& app, bool is_walk) {
     if (option->count() == 0 || is_used) continue;
     throw Error(ErrorCode::usage, name,
                 is_walk ? "is for a list of rays: leave it out with --ray and --pixel"
-                        : "is for one ray's way: give --ray or --pixel");
+                        : "is for the walk of one ray: give --ray or --pixel");
   }
 }
 
@@ -219,7 +221,7 @@ void refuse_useless(const CLI::App& app, bool is_walk) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_ranks_tool(
-      "gridtrace", "Traces a list of rays through a scene's grid, or prints one ray's way.", argc, argv,
+      "gridtrace", "Traces a list of rays through a scene's grid, or prints the walk of one ray.", argc, argv,
       [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.footer("Example:\n  gridtrace balls.scene balls.grid rays.npy -o hits.npy --write t,normal");

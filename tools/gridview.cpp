@@ -121,31 +121,34 @@ int main(int argc, char** argv) {
             ->expected(1, 16);
         group_options(app, "Server");
         app.add_option("--port", settings.port,
-                       fmt::format("to listen on; 0: any that is free; without it {}, or any where "
+                       fmt::format("port to listen on; 0: any that is free; without it {}, or any where "
                                    "that is taken",
                                    usual_port))
             ->check(CLI::Range(0, 65535));
         app.add_option("--bind", settings.address,
                        "address to listen on; any but loopback's needs the token that is printed")
+            ->type_name("ADDRESS")
             ->capture_default_str();
         app.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
         group_options(app, "Instead of a server");
         auto* const file = app.add_option("--export", settings.exported.path,
                                           "write the page to this .html instead of serving it: pictures "
-                                          "around the scene, channels, slices and statistics in one file");
+                                          "around the scene, channels, slices and statistics in one file")
+                               ->type_name("FILE");
         app.add_option("--views", settings.exported.views, "of --export: how many, on a circle")
             ->check(CLI::Range(1, 360))
             ->capture_default_str()
             ->needs(file);
         auto* const measures =
             app.add_flag("--measure", settings.measures,
-                         "instead of serving, measure pictures a second over loopback, and print JSON")
+                         "instead of serving, measure pictures per second over loopback, and print JSON")
                 ->excludes(file);
         app.add_option("--repeat", settings.measured.repeat, "of --measure: pictures")
             ->check(CLI::Range(1, 100000))
             ->capture_default_str()
             ->needs(measures);
-        app.add_option("--size", settings.size, "WxH pixels of --export (640x480) and --measure (1024x1024)");
+        app.add_option("--size", settings.size, "pixels of --export (640x480) and --measure (1024x1024)")
+            ->type_name("WxH");
         group_options(app, "Tracing");
         add_backend(app, settings.backend);
         add_precision(app, settings.viewer.precision);

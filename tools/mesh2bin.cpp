@@ -152,7 +152,8 @@ int main(int argc, char** argv) {
       [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.footer("Example:\n  mesh2bin duck.glb -o duck.scene");
-        app.add_option("IN", settings.input, "mesh")->required();
+        app.add_option("IN", settings.input, "mesh; the format is that of its name, or else of its content")
+            ->required();
         group_options(app, "Mesh");
         add_choice(app, "--up", settings.import.up, {{"y", UpAxis::y}, {"z", UpAxis::z}},
                    "the up axis of the automatic camera; nothing is rotated");
@@ -162,8 +163,9 @@ int main(int argc, char** argv) {
         app.add_option("--size", settings.size, "width and height of the picture in pixels")
             ->type_name("WxH");
         app.add_option(
-            "--objects", settings.objects,
-            "write the objects' names, one a line in the order of their numbers; - is standard output");
+               "--objects", settings.objects,
+               "write the objects' names, one a line in the order of their numbers; - is standard output")
+            ->type_name("FILE");
         app.add_option(
                "--time-limit", settings.time_limit,
                "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "

@@ -2,9 +2,9 @@
 
 Commands are indented blocks. Those of a page are run one after another in one shell (bash), with the programs of BUILD,
 which stand where a build would have put them, and must end with 0. An indented block that begins with `$ ` also has what
-its commands print, which must be the same. A synopsis, which has optional parts in brackets, names options that `--help`
-must have. Fenced blocks say their language; Python, C and C++ are run, too. What can't be run is named below with the
-reason; anything else fails. FOLDER is made anew, and kept. Environment: PYTHON, an interpreter with NumPy.
+its commands print, which must be the same. Fenced blocks say their language; Python, C and C++ are run, too. What can't
+be run is named below with the reason; anything else fails. FOLDER is made anew, and kept. Environment: PYTHON, an
+interpreter with NumPy.
 """
 
 import os
@@ -24,6 +24,7 @@ NOT_RUN = {
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
     r"^gridbench lists ": "needs a GPU",
+    r"^tools/bench/scripts/choice\.py": "measures a GPU, for minutes",
     r"^ssh ": "needs another machine",
     r"^srun ": "needs Slurm",
     r"--map-by ppr:4:node": "needs two machines",
@@ -51,7 +52,7 @@ SMALLER = [
     (r"--devices \S+", "--devices cpu"),
     (r"/opt/masu", "$PWD/opt/masu"),
 ]
-# Scenes that a page takes for made, as tools.md makes them.
+# Scenes that a page takes for made, as docs/tools/README.md makes them.
 SCENES = r"\b((balls|gears|mount|nurbs|rings|teapot|tetra|tree)(?:-\d+)?)\.(?:scene|grid)\b"
 
 # What stands for the programs of other packages while commands are typed. `cmake --build` of this source puts the
@@ -87,7 +88,7 @@ ctest() { # the tested build's tests are listed: there must be some
   esac
 }
 gridview() { # which serves until it is ended
-  if [[ $* = *--export* || $* = *--help* ]]; then command gridview "$@"; return; fi
+  if [[ $* = *--export* || $* = *--measure* || $* = *--help* ]]; then command gridview "$@"; return; fi
   command gridview "$@" --port 0 >typed/address &
   until [ -s typed/address ]; do kill -0 $! 2>/dev/null || break; sleep 0.1; done
   kill $! 2>/dev/null || true # ended by itself: with which code?
@@ -152,10 +153,6 @@ def commands(text):
     return found
 
 
-def is_synopsis(text):
-    return re.search(r"\[-|\[options\]", text) is not None
-
-
 def is_console(text):
     return text.startswith("$ ")
 
@@ -192,6 +189,11 @@ class Page:
         self.script.append("say {}".format(shlex.quote("{}:{}: not run: {} ({})".format(
             self.name, line, command, reason))))
 
+    def make_scenes(self, command):
+        for name, scene in sorted(set(re.findall(SCENES, command))):
+            if not re.search(r"-o {}\.(scene|grid)\b".format(name), command):
+                self.script.append("scene {} {}".format(name, scene))
+
     def type(self, line, command):
         reason = reason_not_run(command)
         missing = self.missing_program(command)
@@ -201,9 +203,7 @@ class Page:
         typed = command
         for pattern, smaller in SMALLER:
             command = re.sub(pattern, smaller, command)
-        for name, scene in sorted(set(re.findall(SCENES, command))):
-            if not re.search(r"-o {}\.(scene|grid)\b".format(name), command):
-                self.script.append("scene {} {}".format(name, scene))
+        self.make_scenes(command)
         self.run(line, command, typed if typed == command else typed + "\n   run as: " + command)
 
     def console(self, line, text):
@@ -216,22 +216,11 @@ class Page:
             if missing:
                 self.skip(line + start, command, missing + " isn't built")
                 continue
+            self.make_scenes(command)
             printed = "".join(row + "\n" for row in rows[start + 1:end])
             expected = self.file("{}.expected".format(line + start), printed)
             self.run(line + start, "{{ {}; }} >typed/printed".format(command), command)
             self.run(line + start, "diff -u {} typed/printed".format(expected), "prints what the page shows")
-
-    def synopsis(self, line, text):
-        for row in re.sub(r"\n +", " ", text).split("\n"):
-            words = row.split()
-            called = words[:2] if re.fullmatch(r"[a-z]+", words[1]) else words[:1]
-            if self.missing_program(row):
-                self.skip(line, row, called[0] + " isn't built")
-                continue
-            for option in sorted(set(re.findall(r"(?<![\w-])(--?[a-z][a-z0-9-]*)", row))):
-                self.run(line, "{} --help | grep -E -- {} >typed/printed".format(
-                    " ".join(called), shlex.quote(r"(^|[ ,]){}([ ,=[]|$)".format(option))),
-                    "{} has {}".format(" ".join(called), option))
 
     def python(self, line, text):
         if "import torch" in text:
@@ -242,13 +231,14 @@ class Page:
                      self.file("{}.py".format(line), self.python_text), "Python")
 
     def compiled(self, line, language, text):
-        """What belongs into a function becomes main(), after the page's own and the usual headers."""
+        """A program; or what belongs into a function, which becomes main(), after the page's own and the usual headers."""
         rows = text.split("\n")
         headers = "#include <math.h>\n#include <stdio.h>\n#include <masu/masu.h>\n"
         own = "".join(row + "\n" for row in rows if row.startswith("#"))
         body = "".join(row + "\n" for row in rows if not row.startswith("#"))
         name, compiler = ("c", "cc -std=c99") if language == "c" else ("cpp", "c++ -std=c++20")
-        source = self.file("{}.{}".format(line, name), headers + own + "int main(void) {\n" + body + "return 0;\n}\n")
+        program = text if "int main(" in text else headers + own + "int main(void) {\n" + body + "return 0;\n}\n"
+        source = self.file("{}.{}".format(line, name), program)
         self.run(line, "{} -I{t}/include {} -o typed/program -L{t}/api -lmasu -Wl,-rpath,{t}/api && "
                        "typed/program".format(compiler, source, t=shlex.quote(str(self.tested))), language)
 
@@ -264,8 +254,6 @@ class Page:
                 self.name, line, language, ", ".join(OTHER_LANGUAGES)))
         elif is_console(text):
             self.console(line, text)
-        elif is_synopsis(text):
-            self.synopsis(line, text)
         else:
             for number, command in commands(text):
                 self.type(line + number, command)
@@ -283,7 +271,7 @@ def configured_options(tested):
 
 def stale_lists(source):
     """What NOT_RUN names and no page types any more."""
-    pages = [source / "README.md"] + sorted((source / "docs").glob("*.md"))
+    pages = [source / "README.md"] + sorted((source / "docs").rglob("*.md"))
     typed = [command for page in pages for _, language, text in blocks(page.read_text(encoding="utf-8"))
              if not language for _, command in commands(text)]
     return [pattern for pattern in NOT_RUN if not any(re.search(pattern, command) for command in typed)]

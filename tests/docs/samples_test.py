@@ -28,7 +28,7 @@ class Samples(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.run_line("nffgen teapot | nff2bin - -o teapot.scene")
-        cls.run_line("gridbuild teapot.scene -o teapot.grid; gridbuild teapot.scene -o teapot-irregular.grid --merge irregular")
+        cls.run_line("gridbuild teapot.scene -o teapot.grid; gridbuild teapot.scene -o teapot-irregular.grid --merge irregular --division 13x13x5")
 
     @classmethod
     def tearDownClass(cls):
@@ -40,7 +40,7 @@ class Samples(unittest.TestCase):
         return subprocess.run(["sh", "-c", line], cwd=cls.folder.name, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
 
     def test_samples_are_what_is_printed(self):
-        for document in ["tools.md", "lesson.md"]:
+        for document in ["tools/gridstat.md", "lesson.md"]:
             found = list(samples(document))
             self.assertTrue(found)
             for command, lines in found:

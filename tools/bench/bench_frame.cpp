@@ -144,6 +144,7 @@ void add_frame(CLI::App& app) {
           "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
           "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
           "take the next tile from a counter); default: all")
+      ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember(names));
   frame
@@ -156,7 +157,7 @@ void add_frame(CLI::App& app) {
   add_first_cell_hit(frame, settings.tracing.stop);
   frame.add_flag("--general", settings.tracing.general,
                  "use the kernel for all kinds of primitives, not the one for those in the scene");
-  frame.add_option("--size", settings.size, "size of the picture, WxH")->capture_default_str();
+  frame.add_option("--size", settings.size, "size of the picture")->type_name("WxH")->capture_default_str();
   add_choice(frame, "--sampling", settings.sampling,
              {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
              "rays through pixel corners or centers");

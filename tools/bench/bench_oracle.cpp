@@ -127,6 +127,7 @@ void add_oracle(CLI::App& app) {
       ->capture_default_str();
   oracle.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
   oracle.add_option("--precision", settings.precisions, "precisions: fast, robust, double")
+      ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double"}))
       ->capture_default_str();

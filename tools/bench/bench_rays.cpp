@@ -166,7 +166,8 @@ void add_rays(CLI::App& app) {
   rays.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   rays.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
   rays.add_option("--sets", settings.sets,
-                  "sets of rays: primary, diffuse, random (closest hit), shadow (any hit)")
+                  "sets of rays: primary, diffuse, random (closest hit), shadow (any hit); default: all")
+      ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"primary", "diffuse", "random", "shadow"}));
   add_backend(rays, settings.backend);
@@ -177,15 +178,17 @@ void add_rays(CLI::App& app) {
           "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
           "tests), warp_refill (warp, and idle threads fetch the next ray), or auto (by what a sample of the "
           "rays costs)")
+      ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember(loop_names()));
   rays.add_option("--precision", settings.precisions, "auto, fast, robust, double (see gridrender --help)")
+      ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double"}));
   add_first_cell_hit(rays, settings.tracing.stop);
   rays.add_flag("--general", settings.tracing.general,
                 "use the kernel for all kinds of primitives, not the one for those in the scene");
-  rays.add_option("--size", settings.size, "number of primary rays, WxH")->capture_default_str();
+  rays.add_option("--size", settings.size, "number of primary rays")->type_name("WxH")->capture_default_str();
   rays.add_option("--random", settings.random, "number of random rays")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
       ->capture_default_str();

@@ -303,7 +303,7 @@ void add_scale(CLI::App& app) {
   command.add_option("--views", settings.views, "number of views; 0: none")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  command.add_option("--size", settings.size, "WxH pixels of a view")->capture_default_str();
+  command.add_option("--size", settings.size, "pixels of a view")->type_name("WxH")->capture_default_str();
   command.add_option("--large", settings.large, "pixels of the large view's sides; 0: none")
       ->check(CLI::Range(0, 65536))
       ->capture_default_str();
@@ -311,8 +311,10 @@ void add_scale(CLI::App& app) {
       ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 32))
       ->capture_default_str();
   command.add_option("--folder", settings.folder, "where pictures are written, and removed again")
+      ->type_name("FOLDER")
       ->capture_default_str();
-  command.add_option("--charts", settings.charts, "a folder that gets scale.csv, scale.svg and scale.png");
+  command.add_option("--charts", settings.charts, "a folder that gets scale.csv, scale.svg and scale.png")
+      ->type_name("FOLDER");
   command.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
   command.add_option("--repeat", settings.repeat, "timed runs after an untimed one; the median counts")
       ->check(CLI::Range(1, 1000))

@@ -193,7 +193,9 @@ void add_stability(CLI::App& app) {
   CLI::App& stability =
       *app.add_subcommand("stability", "Where each precision fails: missed, false and wrong hits, compared "
                                        "with an oracle, as one parameter varies");
-  stability.add_option("--sweep", settings.sweeps, "sweeps to run; default: all")->delimiter(',');
+  stability.add_option("--sweep", settings.sweeps, "sweeps to run; default: all")
+      ->type_name("LIST")
+      ->delimiter(',');
   stability.add_option("--count", settings.run.rays, "rays per step, approximately")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30))
       ->capture_default_str();
@@ -204,6 +206,7 @@ void add_stability(CLI::App& app) {
           "show only these: fast, robust, double, of pictures auto, first-cell-hit (robust, with "
           "gridrender's --first-cell-hit), and of triangles embree and embree-robust, where this program "
           "was built with Embree")
+      ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double", "first-cell-hit",
                                                   "embree", "embree-robust"}));

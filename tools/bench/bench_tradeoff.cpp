@@ -363,11 +363,13 @@ void add_tradeoff(CLI::App& app) {
       .add_option(
           "-o,--output", settings.folder,
           "folder for tradeoff.csv, charts.csv and charts; rows that it has already aren't measured again")
+      ->type_name("FOLDER")
       ->required();
   add_backend(tradeoff, settings.backend);
   const auto add_list = [&](const char* option, std::vector<std::string>& list, const char* help,
                             const std::set<std::string>& among) {
-    CLI::Option* const added = tradeoff.add_option(option, list, help)->delimiter(',')->capture_default_str();
+    CLI::Option* const added =
+        tradeoff.add_option(option, list, help)->type_name("LIST")->delimiter(',')->capture_default_str();
     if (!among.empty()) added->check(CLI::IsMember(among));
   };
   add_list("--precisions", settings.precisions, "precisions (see gridrender --help)",
@@ -383,7 +385,8 @@ void add_tradeoff(CLI::App& app) {
            "divisions (see gridbuild --help); irregular grids always use auto, bvh has none", {});
   add_list("--curve", settings.curve,
            "divisions of the chart of time against division (uniform grids, exact overlap, robust)", {});
-  tradeoff.add_option("--size", settings.size, "number of primary rays, WxH [256x256; 1024x1024 on a GPU]");
+  tradeoff.add_option("--size", settings.size, "number of primary rays [256x256; 1024x1024 on a GPU]")
+      ->type_name("WxH");
   tradeoff.add_option("--random", settings.random, "number of random rays [65536; 1048576 on a GPU]")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
   tradeoff
@@ -391,8 +394,9 @@ void add_tradeoff(CLI::App& app) {
                   "rays of each of the two sets that are compared with brute force, at most [32768; 1048576 "
                   "on a GPU]")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
-  tradeoff.add_option("--picture", settings.picture,
-                      "size of the pictures (depth 5), WxH [128x128; 512x512 on a GPU]");
+  tradeoff
+      .add_option("--picture", settings.picture, "size of the pictures (depth 5) [128x128; 512x512 on a GPU]")
+      ->type_name("WxH");
   tradeoff.add_option("--repeat", settings.repeat, "timed runs, of which the median counts [3; 15 on a GPU]")
       ->check(CLI::Range(1, 1000));
   tradeoff.add_option("--seed", settings.seed, "seed of the random rays")->capture_default_str();

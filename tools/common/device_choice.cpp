@@ -36,9 +36,10 @@ std::vector<int> numbers_below(int count) {
 void DeviceChoice::add_to(CLI::App& app) {
   add_backend(app, backend);
   app.add_option(
-      option, devices,
-      "GPUs that share the work: all, or their numbers, such as 0,2; or cpu. Without it the first GPU, "
-      "or what --backend says");
+         option, devices,
+         "GPUs that share the work: all, or their numbers, such as 0,2; or cpu. Without it the first GPU, "
+         "or what --backend says")
+      ->type_name("LIST");
 }
 
 std::vector<int> DeviceChoice::gpus(const char* tool, Ranks& ranks, bool quiet) const {

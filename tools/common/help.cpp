@@ -96,8 +96,10 @@ std::string line_of(const CLI::Option& option, std::size_t width) {
   const auto note = [&](const std::string& text) { notes += (notes.empty() ? " (" : "; ") + text; };
   if (!value.range.empty()) note(value.range);
   if (!option.get_default_str().empty()) note("default " + option.get_default_str());
+  std::string excluded;
   for (const CLI::Option* const other : option.get_excludes())
-    note("not with " + other->get_name());
+    excluded += (excluded.empty() ? "not with " : ", ") + other->get_name();
+  if (!excluded.empty()) note(excluded);
   if (!notes.empty()) notes += ")";
   return wrapped(names, option.get_description() + notes, names_width, width);
 }

@@ -166,7 +166,7 @@ std::vector<View> parse_views(const std::string& text, const std::string& name, 
     views.push_back({line.name().value_or(""), camera});
     lines.push_back(line.place);
   }
-  if (views.empty()) fail(ErrorCode::input, name, "has no view: give a JSON object a line");
+  if (views.empty()) fail(ErrorCode::input, name, "has no view: give a JSON object per line");
   std::unordered_map<std::string, std::size_t> known; // names
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (views[i].name.empty()) views[i].name = index_name(i, views.size());

@@ -302,6 +302,7 @@ void SceneOutput::add_to(CLI::App& app) {
          "the point that coordinates are stored relative to, so that errors follow the scene's extent "
          "and not its place: auto (the bounds' centre, or zero where that is nearer than half their "
          "diagonal), none (zero) or X,Y,Z")
+      ->type_name("ORIGIN")
       ->capture_default_str();
   auto* const info_option =
       app.add_flag("--info", info, "print the numbers of objects and primitives, bounds, store and memory");
