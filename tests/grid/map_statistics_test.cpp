@@ -4,7 +4,7 @@
 #include "libgrid/file/grid_file.h"
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -86,16 +86,12 @@ bool meets(const Vec3d& origin, const Vec3d& direction, const Vec3d& low, const 
 }
 
 template <class Stored>
-class MapStatisticsOf : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class MapStatisticsOf : public RandomTest {};
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(MapStatisticsOf, Stores);
 
 TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
     const GridLayout layout = layout_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
@@ -174,8 +170,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
 }
 
 TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
     const GridLayout layout =
@@ -205,8 +200,7 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
 
 // The same grid with a map of blocks is expected to cost less by the blocks that are empty.
 TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 8);
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
   const GridLayout layout = layout_for(scene, n);
@@ -239,8 +233,7 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
 
 // Lines through the space, all equally likely: a direction, and a place in a disc at right angles to it.
 TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(3); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 30);
     const GridLayout layout = layout_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});

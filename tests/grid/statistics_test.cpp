@@ -4,7 +4,7 @@
 #include "libgrid/build/division.h"
 #include "libgrid/file/grid_file.h"
 #include "libgrid/statistics/statistics.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -77,7 +77,7 @@ Lists lists_of(const Grid& grid) {
 }
 
 template <class Stored>
-class Built : public testing::Test {
+class Built : public RandomTest {
 protected:
   GridLayout layout(const TestScene<Stored>& scene, const Vec3i& division) const {
     const Boxd bounds = scene.bounds();
@@ -87,15 +87,12 @@ protected:
   Vec3i division(Chance& chance, int most) const {
     return {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
   }
-
-  RandomSeed seed_;
 };
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(Built, Stores);
 
 TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
     const GridLayout layout = this->layout(scene, this->division(chance, 24));
@@ -108,8 +105,7 @@ TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
 
 // More primitives than one piece holds, and crowded and lonely buckets side by side.
 TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   TestScene<TypeParam> scene;
   for (int i = 0; i < 20'000; ++i) {
     const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.01 : 1.0);
@@ -123,8 +119,7 @@ TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
 
 // Beyond 2²³ voxels the map has two levels; what it leads to is the same.
 TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (const Vec3i& division : {Vec3i{203, 207, 211}, {1, 3000, 3001}, {65535, 131, 1}}) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 12);
     scene.spheres.clear(); // slow in so many voxels
@@ -138,8 +133,7 @@ TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
 }
 
 TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   TestScene<TypeParam> scene;
   for (int i = 0; i < 30'000; ++i) {
     const Vec3d at = chance.in_cube(1);
@@ -189,8 +183,7 @@ TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
 // --- Numbers ---------------------------------------------------------------------------------------------
 
 TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(40); i > 0; --i) {
     TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
     const GridLayout layout = this->layout(scene, this->division(chance, 20));

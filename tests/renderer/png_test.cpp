@@ -1,7 +1,7 @@
 // PNG files: decoded by libpng they hold the pixels given, by any division into runs of bands.
 #include "renderer/image/deflate.h"
 #include "renderer/image/png_file.h"
-#include "tests/stability/random_seed.h"
+#include "tests/random_test.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -14,6 +14,9 @@
 
 namespace masu {
 namespace {
+
+using Deflate = RandomTest;
+using Png = RandomTest;
 
 // Empty where libpng finds anything wrong; a checksum is such a thing.
 Bytes decoded(const std::string& path, std::int32_t width, std::int32_t height) {
@@ -44,10 +47,8 @@ Bytes picture(std::mt19937_64& random, std::int32_t width, std::int32_t height) 
   return rgb;
 }
 
-TEST(Png, HoldsThePixelsOfAnySize) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(Png, HoldsThePixelsOfAnySize) {
+  auto random = seed_.engine();
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   const std::vector<std::pair<std::int32_t, std::int32_t>> sizes{
@@ -61,10 +62,8 @@ TEST(Png, HoldsThePixelsOfAnySize) {
   }
 }
 
-TEST(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
+  auto random = seed_.engine();
   const TemporaryFolder folder;
   constexpr std::int32_t width = 1500, height = 3000; // several bands
   const Bytes rgb = picture(random, width, height);
@@ -101,7 +100,7 @@ TEST(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
   }
 }
 
-TEST(Png, TextsAreChunksAndPixelsStayTheSame) {
+TEST_F(Png, TextsAreChunksAndPixelsStayTheSame) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   const Bytes rgb{1, 2, 3, 4, 5, 6};
@@ -113,7 +112,7 @@ TEST(Png, TextsAreChunksAndPixelsStayTheSame) {
 }
 
 // Also of the last chunk, which is empty and which libpng doesn't read.
-TEST(Png, ChunksHaveTheirChecksums) {
+TEST_F(Png, ChunksHaveTheirChecksums) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   write_png(Bytes{1, 2, 3}, 1, 1, path, {{"Software", "Masu"}});
@@ -134,10 +133,8 @@ TEST(Png, ChunksHaveTheirChecksums) {
 }
 
 // zlib inflates pieces one after the other as one stream.
-TEST(Deflate, PiecesAreOneStream) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(Deflate, PiecesAreOneStream) {
+  auto random = seed_.engine();
   for (int i = 0; i < 200; ++i) {
     Bytes all, stream;
     const std::size_t pieces = 1 + random() % 6;

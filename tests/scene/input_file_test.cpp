@@ -5,8 +5,8 @@
 #include "libscene/file/input_stream.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
+#include "tests/random_test.h"
 #include "tests/refused.h"
-#include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"
 
@@ -20,7 +20,7 @@
 namespace masu {
 namespace {
 
-class InputFiles : public testing::Test {
+class InputFiles : public RandomTest {
 protected:
   std::string file(const char* name) const { return folder_.file(name); }
   std::string written(const char* name, std::string_view text) const {
@@ -31,9 +31,7 @@ protected:
 };
 
 TEST_F(InputFiles, AreReadWhole) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   for (const std::size_t size :
        {0UL, 1UL, 4095UL, (2UL << 20) - 1, 2UL << 20, (9UL << 20) + random() % 1000}) {
     Bytes bytes(size);
@@ -141,9 +139,7 @@ TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
 
 // In a mapping this would be SIGBUS, or an index that was valid when it was checked.
 TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   const Scene tiny = tiny_scene();
   for (const Grid& grid : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
     write_grid(grid, tiny_grid_provenance(write_scene(tiny, Store::float32, file("scene"))), file("grid"));
