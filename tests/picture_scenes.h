@@ -47,9 +47,8 @@ inline void add_thicket(Scene& scene, Chance& chance, const Vec3d& at, double si
                chance.one_in(2) ? glass(1.5F) : mirror());
 }
 
-// Things as small as they are near, off the middle of a floor of size 1.
-inline Scene from_nearby(Chance& chance, double distance, std::int32_t side) {
-  const Vec3d at{0.25, -0.125, 0};
+// Things as small as they are near, about a point of a floor of size 1.
+inline Scene from_nearby(Chance& chance, const Vec3d& at, double distance, std::int32_t side) {
   Scene scene = picture_scene(at + Vec3d{0.5, -0.75, 0.45} * distance, at + Vec3d{0, 0, 0.075} * distance,
                               at + Vec3d{0.75, 0.5, 1.25} * distance, side);
   add_quad(scene, {0, 0, 0}, {0.5, 0, 0}, {0, 0.5, 0}, picture_gray);

@@ -2,6 +2,7 @@
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
 #include "libscene/base/error.h"
+#include "tests/random_scene.h"
 #include "tests/random_test.h"
 
 #include <gtest/gtest.h>
@@ -166,11 +167,7 @@ TYPED_TEST(Spaces, OfNothingCanBeDividedAllTheSame) {
 
 TestScene<float> scattered(Chance& chance, int triangles, double size) {
   TestScene<float> scene;
-  for (int i = 0; i < triangles; ++i) {
-    const Vec3d at = chance.in_cube(1);
-    const auto corner = [&] { return cast<float>(at + chance.in_cube(size)); };
-    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
-  }
+  add_triangles(scene, chance, triangles, size);
   return scene;
 }
 

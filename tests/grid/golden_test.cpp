@@ -10,7 +10,6 @@
 #include "tests/refused.h"
 #include "tests/tiny_files.h"
 
-#include <cmath>
 #include <cstring>
 #include <map>
 

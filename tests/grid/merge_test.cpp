@@ -9,7 +9,6 @@
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <set>
@@ -182,10 +181,7 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(20); s > 0; --s) {
     TestScene<TypeParam> scene;
-    for (int i = 0; i < 500; ++i) {
-      const Vec3d a = chance.in_cube(1), b = a + chance.in_cube(0.1), c = a + chance.in_cube(0.1);
-      scene.triangles.push_back(triangle_of(cast<TypeParam>(a), cast<TypeParam>(b), cast<TypeParam>(c)));
-    }
+    add_triangles(scene, chance, 500, 0.1);
     GridOptions options{GridKind::irregular};
     options.nested_log2 = 3;
     GridLayout layout = masu::random_layout<TypeParam>(chance, scene.bounds());
@@ -379,38 +375,6 @@ TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
 }
 
 // --- All -------------------------------------------------------------------------------------------------
-
-TYPED_TEST(Merged, TheNumberOfThreadsShowsInNoByte) {
-  Chance& chance = this->chance_;
-  TestScene<TypeParam> scene;
-  for (int i = 0; i < 20'000; ++i) {
-    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.1 : 1.0);
-    const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.02)); };
-    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
-  }
-  const SceneView<TypeParam> view = scene.view();
-  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
-    GridOptions options;
-    options.kind = kind;
-    GridLayout layout = this->random_layout(chance, scene, options);
-    layout.division = kind == GridKind::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
-    Grid first;
-    for (const std::size_t threads : {1U, 2U, 4U}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Grid grid = build_grid(view, layout, Overlap::exact, options);
-      if (threads == 1) {
-        first = grid;
-        continue;
-      }
-      const auto same_cell = [](const MergedCell& a, const MergedCell& b) {
-        return a.x == b.x && a.y == b.y && a.z == b.z && a.list == b.list;
-      };
-      EXPECT_TRUE(grid.voxel_map == first.voxel_map) << threads;
-      EXPECT_TRUE(std::ranges::equal(grid.cells, first.cells, same_cell)) << threads;
-      EXPECT_TRUE(grid.references == first.references) << threads;
-    }
-  }
-}
 
 TYPED_TEST(Merged, ASceneOfNothingHasEmptyCells) {
   Chance& chance = this->chance_;

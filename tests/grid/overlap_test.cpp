@@ -9,8 +9,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
-#include <span>
 #include <tuple>
 #include <utility>
 

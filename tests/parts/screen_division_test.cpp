@@ -43,7 +43,8 @@ TEST_F(ScreenDivisions, EveryOneRendersTheSamePicture) {
   Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
   for (int i = 0; i < 20; ++i) {
     const Vec3d center = chance_.in_cube(2);
-    add_sphere(scene, center, chance_.uniform(0.1, 0.8), i % 3 == 0 ? mirror() : matte(random_color(chance_)));
+    add_sphere(scene, center, chance_.uniform(0.1, 0.8),
+               i % 3 == 0 ? mirror() : matte(random_color(chance_)));
   }
   add_light(scene, {3, 4, 5});
   const Rendering rendering(scene, Store::float32);

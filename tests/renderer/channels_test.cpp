@@ -15,30 +15,27 @@ namespace {
 
 // Mirrors, glass and matte things of every kind, lights, and a camera among or before them.
 Scene random_scene(Chance& chance) {
-  const auto place = [&](double reach) {
-    return chance.in_cube(reach);
-  };
   const auto material = [&] {
-    Material m = random_share(chance) < 0.3F   ? mirror()
-                 : random_share(chance) < 0.4F ? glass(1.5F)
-                                         : matte(random_color(chance));
-    if (random_share(chance) < 0.3F) m.specular = 0.5F;
+    Material m = chance.uniform(0, 1) < 0.3   ? mirror()
+                 : chance.uniform(0, 1) < 0.4 ? glass(1.5F)
+                                              : matte(random_color(chance));
+    if (chance.uniform(0, 1) < 0.3) m.specular = 0.5F;
     return m;
   };
-  const double near = random_share(chance) < 0.3F ? 0.5 : 4;
-  Scene scene = empty_scene(chance.direction() * near, place(0.3));
+  const double near = chance.uniform(0, 1) < 0.3 ? 0.5 : 4;
+  Scene scene = empty_scene(chance.direction() * near, chance.in_cube(0.3));
   scene.camera.width = chance.whole(5, 13);
   scene.camera.height = chance.whole(4, 10);
   scene.camera.angle = chance.uniform(20, 80);
   for (int i = chance.whole(0, 3); i > 0; --i)
-    add_light(scene, place(5));
+    add_light(scene, chance.in_cube(5));
   for (int i = chance.whole(1, 11); i > 0; --i) {
-    const Vec3d at = place(1), b = place(0.5), c = place(0.5);
+    const Vec3d at = chance.in_cube(1), b = chance.in_cube(0.5), c = chance.in_cube(0.5);
     add_sphere(scene, at, chance.uniform(0.02, 0.3), material());
     add_triangle(scene, at + b, at + c, at, material());
-    add_cone(scene, {at, 0.1, at + b, random_share(chance) < 0.5F ? 0.1 : 0.02}, material());
+    add_cone(scene, {at, 0.1, at + b, chance.uniform(0, 1) < 0.5 ? 0.1 : 0.02}, material());
   }
-  if (random_share(chance) < 0.5F) add_wall(scene, {0, 0, -1}, {0, 0, 1}, material(), 3);
+  if (chance.uniform(0, 1) < 0.5) add_wall(scene, {0, 0, -1}, {0, 0, 1}, material(), 3);
   return scene;
 }
 

@@ -1,11 +1,11 @@
 // PNG files: decoded by libpng they hold the pixels given, by any division into runs of bands.
 #include "renderer/image/deflate.h"
 #include "renderer/image/png_file.h"
+#include "tests/decoded_image.h"
 #include "tests/random_test.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
-#include <png.h>
 #include <tbb/global_control.h>
 #include <zlib.h>
 
@@ -18,19 +18,11 @@ namespace {
 using Deflate = RandomTest;
 using Png = RandomTest;
 
-// Empty where libpng finds anything wrong; a checksum is such a thing.
 Bytes decoded(const std::string& path, std::int32_t width, std::int32_t height) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return {};
-  EXPECT_EQ(png.width, static_cast<png_uint_32>(width));
-  EXPECT_EQ(png.height, static_cast<png_uint_32>(height));
-  EXPECT_EQ(png.format, static_cast<png_uint_32>(PNG_FORMAT_RGB));
-  png.format = PNG_FORMAT_RGB;
-  Bytes rgb(PNG_IMAGE_SIZE(png));
-  const bool good = png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr) != 0;
-  EXPECT_TRUE(good && png.warning_or_error == 0) << png.message;
-  return good ? rgb : Bytes{};
+  const DecodedPng png = decoded_png(path);
+  EXPECT_EQ(png.width, static_cast<std::size_t>(width));
+  EXPECT_EQ(png.height, static_cast<std::size_t>(height));
+  return png.rgb;
 }
 
 // Smooth, with noise here and there.

@@ -45,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(Stores, Render, testing::Values(Store::float32, Store::
 Material lit_from(Scene& scene, Chance& chance, const Vec3d& normal) {
   scene.ambient = random_share(chance);
   for (int i = 0; i < 3; ++i)
-    add_light(scene, random_towards(chance, normal) * chance.uniform(2, 20), cast<double>(random_color(chance)));
+    add_light(scene, random_towards(chance, normal) * chance.uniform(2, 20),
+              cast<double>(random_color(chance)));
   return {random_color(chance),
           random_share(chance),
           0.2F + 0.8F * random_share(chance),
@@ -84,10 +85,14 @@ TEST_P(Render, ASphereIsShadedByTheFormula) {
 TEST_P(Render, AConeIsShadedByTheFormula) {
   for (int i = 0; i < 50; ++i) {
     // The middle of the side's line that lies towards `out` comes to the origin.
-    const Vec3d axis = chance_.direction(), out = normalized(cross(axis, random_towards(chance_, axis, -0.9)));
-    const double r0 = chance_.uniform(0.2, 1), r1 = i % 3 == 0 ? r0 : i % 3 == 1 ? 0 : chance_.uniform(0.2, 1);
+    const Vec3d axis = chance_.direction(),
+                out = normalized(cross(axis, random_towards(chance_, axis, -0.9)));
+    const double r0 = chance_.uniform(0.2, 1), r1 = i % 3 == 0   ? r0
+                                                    : i % 3 == 1 ? 0
+                                                                 : chance_.uniform(0.2, 1);
     const Vec3d base = axis * -1.0 - out * ((r0 + r1) / 2), apex = base + axis * 2.0;
-    const Vec3d normal = normalized(out * 2.0 - axis * (r1 - r0)), to_viewer = random_towards(chance_, normal);
+    const Vec3d normal = normalized(out * 2.0 - axis * (r1 - r0)),
+                to_viewer = random_towards(chance_, normal);
     Scene scene = empty_scene(to_viewer * chance_.uniform(1, 10), {0, 0, 0});
     const Material material = lit_from(scene, chance_, normal);
     add_cone(scene, {base, r0, apex, r1}, material);

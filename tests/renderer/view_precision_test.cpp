@@ -37,7 +37,7 @@ TEST(ViewPrecision, PicturesOfSmallThingsAndOfThoseFarFromZeroAreRight) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  expect_right("small", from_nearby(chance, 4e-4, 128));
+  expect_right("small", from_nearby(chance, {0, 0, 0}, 4e-4, 128));
   expect_right("far", far_away(chance, 1000, 128));
 }
 
@@ -71,7 +71,7 @@ TEST(ViewPrecision, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   Chance chance(seed);
-  const Rendering stored(from_nearby(chance, 4e-4, 128), Store::float64);
+  const Rendering stored(from_nearby(chance, {0, 0, 0}, 4e-4, 128), Store::float64);
   const Tracer tracer(stored.scene(), &stored.grid(), Device::cpu);
   EXPECT_EQ(view_precision(tracer, stored.request()).precision, Precision::doubled);
   EXPECT_TRUE(view_precision(tracer, stored.request()).is_stored);

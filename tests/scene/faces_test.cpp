@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace masu {
 namespace {
@@ -72,12 +71,8 @@ TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(60); s > 0; --s) {
     TestScene<Stored> scene;
-    for (int i = chance.whole(1, 200); i > 0; --i) {
-      const Vec3d at = chance.in_cube(1);
-      const double size = chance.power_of_two(-8, 0);
-      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
-      scene.triangles.push_back(triangle_of<Stored>(corner(), corner(), corner()));
-    }
+    for (int i = chance.whole(1, 200); i > 0; --i)
+      add_triangles(scene, chance, 1, chance.power_of_two(-8, 0));
     std::vector<PrimitiveIndex> numbers;
     TestScene<Stored> more = with_points(chance, scene, numbers);
     GridLayout layout = random_layout<Stored>(chance, scene.bounds());

@@ -190,24 +190,17 @@ void expect_same_triangles(const Scene& scene, const Scene& expected) {
 }
 
 TEST_F(Import, PolygonsAreTheSameTrianglesAsFromNff) {
-  for (int i = 0; i < 20; ++i) {
-    const std::vector<Polygon> polygons = random_polygons(chance_, 9);
+  for (int i = 0; i < 40; ++i) {
+    const int max_vertices = i % 2 == 0 ? 9 : 3;
+    const std::vector<Polygon> polygons = random_polygons(chance_, max_vertices);
     const Scene nff = parse_nff(nff_of(polygons), "t");
     EXPECT_EQ(nff.warnings.degenerate_polygons, 1U);
     expect_same_triangles(parse(obj_of(polygons), "obj").scene, nff);
     expect_same_triangles(parse(ply_of(polygons), "ply").scene, nff);
     expect_same_triangles(parse(binary_ply_of(polygons), "ply").scene, nff);
-  }
-}
-
-TEST_F(Import, TrianglesAreTheSameFromEachFormat) {
-  for (int i = 0; i < 20; ++i) {
-    const std::vector<Polygon> triangles = random_polygons(chance_, 3);
-    const Scene nff = parse_nff(nff_of(triangles), "t");
-    expect_same_triangles(parse(obj_of(triangles), "obj").scene, nff);
-    expect_same_triangles(parse(binary_ply_of(triangles), "ply").scene, nff);
-    expect_same_triangles(parse(stl_of(triangles), "stl").scene, nff);
-    expect_same_triangles(parse(glb_of(triangles), "glb").scene, nff);
+    if (max_vertices > 3) continue;
+    expect_same_triangles(parse(stl_of(polygons), "stl").scene, nff);
+    expect_same_triangles(parse(glb_of(polygons), "glb").scene, nff);
   }
 }
 
@@ -216,9 +209,9 @@ TEST_F(Import, TrianglesAreTheSameFromEachFormat) {
 // Points and lines are no faces.
 TEST_F(Import, TrianglesHaveTheNumbersOfTheirFaces) {
   const std::string vertices =
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e9 1e9 1e9\nv 2e9 2e9 2e9\nv 3e9 3e9 3e9\n";
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 1e9 1e9 1e9\nv 2e9 2e9 2e9\nv 3e9 3e9 3e9\nv inf 0 0\n";
   const ImportedScene imported =
-      parse(vertices + "f 5 6 7\nf 1 2 3\nl 1 2\nf 2 2 3\nf 1 2 4\nf 3 2 1\no more\nf 1 1 1\np 3\nf 2 3 1\n",
+      parse(vertices + "f 5 6 7\nf 1 2 3\nl 1 2\nf 2 2 3\nf 1 2 4\nf 3 2 1\no more\nf 1 1 8\np 3\nf 2 3 1\n",
             "obj");
   const Scene& scene = imported.scene;
   EXPECT_TRUE(scene.faces.empty()); // each triangle is its own face
@@ -230,8 +223,8 @@ TEST_F(Import, TrianglesHaveTheNumbersOfTheirFaces) {
   EXPECT_TRUE(scene.triangles[6].a == (Vec3d{1, 0, 0}));
   EXPECT_EQ(scene.triangles[4].object, 0U);
   EXPECT_EQ(scene.triangles[5].object, 1U);
-  EXPECT_EQ(scene.warnings.degenerate_polygons, 3U);
-  EXPECT_EQ(imported.notes.invalid_faces, 1U);
+  EXPECT_EQ(scene.warnings.degenerate_polygons, 2U);
+  EXPECT_EQ(imported.notes.invalid_faces, 2U);
   EXPECT_EQ(imported.notes.points_and_lines, 2U);
   EXPECT_TRUE(bounds(scene).max == (Vec3d{1, 1, 0})); // those of what can be hit
 }
@@ -454,14 +447,6 @@ TEST_F(Import, TheAutomaticCameraFramesTheSceneWithItsUpAxis) {
 }
 
 // --- Invalid files --------------------------------------------------------------------------------------
-
-TEST_F(Import, WhatIsNoPolygonIsLeftOutAndCounted) {
-  const ImportedScene imported = parse(
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv inf 0 0\nf 1 2 3\nl 1 2\np 3\nf 1 2 4\nf 1 2 5\n", "obj");
-  EXPECT_EQ(imported.scene.triangles.size(), 3U); // two of which can't be hit
-  EXPECT_EQ(imported.notes.points_and_lines, 2U);
-  EXPECT_EQ(imported.notes.invalid_faces, 2U);
-}
 
 TEST_F(Import, InvalidFilesAreRefusedInOneLine) {
   const auto refused = [](const std::string& text, const std::string& extension,

@@ -14,7 +14,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <random>
 #include <thread>
 
 namespace masu {
@@ -26,6 +25,17 @@ protected:
   std::string written(const char* name, std::string_view text) const {
     write_text(file(name), text);
     return file(name);
+  }
+  // Into the pipe, a little at a time.
+  std::thread written_thrice(const std::string& text) const {
+    return std::thread([path = file("pipe"), text] {
+      const int pipe = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(write(pipe, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      close(pipe);
+    });
   }
   TemporaryFolder folder_;
 };
@@ -80,14 +90,7 @@ TEST_F(InputFiles, ThatNeedMoreMemoryThanThereIsAreRefused) {
 
 TEST_F(InputFiles, TextsAreReadFromPipes) {
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
-  std::thread writer([&] {
-    const int pipe = open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC);
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(write(pipe, "line\n", 5), 5);
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    close(pipe);
-  });
+  std::thread writer = written_thrice("line\n");
   EXPECT_EQ(read_text_input(file("pipe")), "line\nline\nline\n");
   writer.join();
 }
@@ -116,14 +119,7 @@ TEST_F(InputFiles, AStreamThatIsCancelledWaitsNoLonger) {
 
 TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
-  std::thread writer([&] {
-    const int pipe = open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC);
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(write(pipe, "a\0b", 3), 3);
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    close(pipe);
-  });
+  std::thread writer = written_thrice(std::string("a\0b", 3));
   InputStream stream(file("pipe"));
   std::string bytes(100, ' ');
   bytes.resize(stream.read(bytes.data(), bytes.size()));

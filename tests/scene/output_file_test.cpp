@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstring>
 #include <functional>
 #include <thread>
 

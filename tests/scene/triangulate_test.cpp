@@ -12,7 +12,6 @@
 #include <map>
 #include <numbers>
 #include <numeric>
-#include <random>
 #include <ranges>
 #include <set>
 #include <utility>

@@ -66,26 +66,22 @@ protected:
 
 // --- Channels ---------------------------------------------------------------------------------------------
 
-TEST_F(Inspection, DepthAndObjectAreTheHitsOfThePicture) {
-  render({"-o", file("p.png"), "--hits", file("hits"), "--channels", "depth,object,normal"});
-  const auto records = read_records<Hit>(file("hits"));
-  const auto depth = pfm("p.depth.pfm", 17, 13), object = pfm("p.object.pfm", 17, 13);
-  ASSERT_EQ(records.size(), depth.size());
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    EXPECT_EQ(std::memcmp(&records[i].t, &depth[i], sizeof(float)), 0);
-    EXPECT_EQ(static_cast<float>(records[i].name), object[i]);
-  }
-}
-
-TEST_F(Inspection, CellsAndTestsSumUpToTheStatistics) {
+TEST_F(Inspection, ChannelsAreTheHitsAndSumUpToTheStatistics) {
   for (const char* const sampling : {"corners", "centers"}) {
-    const bool corners = sampling == std::string("corners");
-    const std::size_t width = corners ? 17 : 16, height = corners ? 13 : 12;
-    render({"-o", file("p.pfm"), "--channels", "cells,tests", "--all-rays", "--sampling", sampling, "--stats",
-            file("stats")});
+    const std::size_t more = sampling == std::string_view("corners") ? 1 : 0, width = 16 + more,
+                      height = 12 + more;
+    render({"-o", file("p.pfm"), "--hits", file("hits"), "--channels", "depth,object,normal,cells,tests",
+            "--all-rays", "--sampling", sampling, "--stats", file("stats")});
     const auto stats = json("stats");
     EXPECT_EQ(sum(pfm("p.cells.pfm", width, height)), stats["cells_visited"].get<double>());
     EXPECT_EQ(sum(pfm("p.tests.pfm", width, height)), tests_of(stats));
+    const auto records = read_records<Hit>(file("hits"));
+    const auto depth = pfm("p.depth.pfm", width, height), object = pfm("p.object.pfm", width, height);
+    ASSERT_EQ(records.size(), depth.size());
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      EXPECT_EQ(std::memcmp(&records[i].t, &depth[i], sizeof(float)), 0);
+      EXPECT_EQ(static_cast<float>(records[i].name), object[i]);
+    }
   }
 }
 
@@ -137,15 +133,14 @@ TEST_F(Inspection, ChannelsOfViewsHaveTheNamesOfTheirPictures) {
 }
 
 TEST_F(Inspection, FilesDoNotDependOnGridAndThreads) {
-  for (const std::string channel : {"depth", "normal", "object", "primitive"}) {
-    render({"-o", file("p.png"), "--channels", channel});
-    const std::string base = "p." + channel;
-    const Bytes values = read_bytes(file(base + ".pfm")), picture = read_bytes(file(base + ".png"));
-    EXPECT_TRUE(succeeded(run("gridrender", {scene_, "--brute-force", "--backend", "cpu", "--threads", "1",
-                                             "-o", file("p.png"), "--channels", channel})));
-    EXPECT_TRUE(read_bytes(file(base + ".pfm")) == values);
-    EXPECT_TRUE(read_bytes(file(base + ".png")) == picture);
-  }
+  const Arguments channels{"--channels", "depth,normal,object,primitive", "-o"};
+  render(joined(channels, {file("p.png")}));
+  EXPECT_TRUE(
+      succeeded(run("gridrender", joined({scene_, "--brute-force", "--backend", "cpu", "--threads", "1"},
+                                         joined(channels, {file("q.png")})))));
+  for (const std::string channel : {"depth", "normal", "object", "primitive"})
+    for (const std::string ending : {".pfm", ".png"})
+      EXPECT_TRUE(read_bytes(file("p." + channel + ending)) == read_bytes(file("q." + channel + ending)));
 }
 
 TEST_F(Inspection, ChannelOptionsThatMakeNoSenseAreRefused) {

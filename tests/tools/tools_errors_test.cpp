@@ -285,7 +285,8 @@ TEST_F(BadFiles, AFullStandardOutputIsAnOutputError) {
     EXPECT_TRUE(
         fails(3, "gridbench", with({"rays", scene_, grid_, "--random", "100"}, quick), place, "", full));
     EXPECT_TRUE(fails(3, "gridbench", with({"frame", scene_, grid_}, quick), place, "", full));
-    EXPECT_TRUE(fails(3, "gridbench", with({"stability", "--count", "10"}, {}), place, "", full));
+    EXPECT_TRUE(
+        fails(3, "gridbench", with({"stability", "--sweep", "tip", "--count", "10"}, {}), place, "", full));
     EXPECT_TRUE(fails(3, "gridbench", with({"load", scene_, grid_, "--repeat", "1"}, {}), place, "", full));
   }
 }

@@ -19,7 +19,7 @@ Scene from_afar(Chance& chance, double distance) {
 }
 
 Scene close_up(Chance& chance, double distance) {
-  return from_nearby(chance, distance, side);
+  return from_nearby(chance, {0.25, -0.125, 0}, distance, side); // off the floor's middle
 }
 
 // Things of size 1 on a floor.
