@@ -168,6 +168,20 @@ void PrintTo(const Wrong<Parts>& wrong, std::ostream* out) {
 }
 inline const auto by_name = [](const auto& test) { return std::string(test.param.name); };
 
+template <class Parts, class Field>
+Wrong<Parts> set(const char* name, Field Parts::*field, const std::type_identity_t<Field>& value) {
+  return {name, [=](Parts& p) { p.*field = value; }};
+}
+// Makes the table list sections falsely.
+template <class Parts>
+Wrong<Parts> listed(const char* name, const std::function<void(std::vector<fb::Section>&)>& change) {
+  return {name, [change](Parts& p) { p.falsify = change; }};
+}
+template <class Parts>
+Wrong<Parts> table(const char* name, const std::function<void(Bytes&)>& change) {
+  return {name, [change](Parts& p) { p.damage_table = change; }};
+}
+
 using WrongGrid = Wrong<GridParts>;
 inline WrongGrid word(const char* name, fb::GridSection kind, std::size_t i, std::uint32_t value) {
   return {name, [=](GridParts& p) { p.set(kind, i, value); }};
@@ -175,11 +189,17 @@ inline WrongGrid word(const char* name, fb::GridSection kind, std::size_t i, std
 inline WrongGrid without(const char* name, fb::GridSection kind) {
   return {name, [kind](GridParts& p) { p.drop(kind); }};
 }
+inline WrongGrid resized(const char* name, fb::GridSection kind, std::size_t bytes) {
+  return {name, [=](GridParts& p) { p.section(kind).bytes.resize(bytes); }};
+}
 inline WrongGrid division(const char* name, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  return {name, [=](GridParts& p) { p.division = {x, y, z}; }};
+  return set(name, &GridParts::division, {x, y, z});
 }
 inline WrongGrid blocks(const char* name, std::uint32_t log2) {
-  return {name, [log2](GridParts& p) { p.block_log2 = log2; }};
+  return set(name, &GridParts::block_log2, log2);
+}
+inline WrongGrid merged_as(const char* name, int merge) {
+  return set(name, &GridParts::merge, static_cast<fb::Merge>(merge));
 }
 
 // What a GPU's tracer does with files before it traces.

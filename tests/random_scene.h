@@ -6,6 +6,41 @@
 
 namespace masu {
 
+// Triangles of about that size, anywhere within ±1, or half of them within ±crowd.
+template <class Stored>
+void add_triangles(TestScene<Stored>& scene, Chance& chance, int count, double size, double crowd = 1) {
+  for (int i = 0; i < count; ++i) {
+    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? crowd : 1.0);
+    const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
+    const Vec3<Stored> a = corner(), b = corner(), c = corner();
+    scene.triangles.push_back(triangle_of(a, b, c));
+  }
+}
+
+// Up to so many primitives of any kind, small and apart, within about ±1.
+template <class Stored>
+TestScene<Stored> scattered_scene(Chance& chance, int most) {
+  TestScene<Stored> scene;
+  for (int i = chance.whole(0, most); i > 0; --i) {
+    const Vec3d at = chance.in_cube(1);
+    const double size = chance.power_of_two(-6, -2);
+    const auto corner = [&] { return at + chance.in_cube(size); };
+    switch (chance.whole(0, 2)) {
+    case 0:
+      scene.triangles.push_back(
+          triangle_of(cast<Stored>(corner()), cast<Stored>(corner()), cast<Stored>(corner())));
+      break;
+    case 1:
+      scene.spheres.push_back(sphere_of<Stored>(at, size));
+      break;
+    default:
+      scene.cones.push_back(cone_of<Stored>(corner(), size, corner(), size / 2));
+      break;
+    }
+  }
+  return scene;
+}
+
 // Makes scenes; everything lies within ±scale of some point.
 template <class Stored>
 class SceneMaker {

@@ -2,9 +2,7 @@
 #pragma once
 
 #include "libscene/scene.h"
-#include "tests/stability/random_seed.h"
-
-#include <random>
+#include "tests/stability/test_scene.h"
 
 namespace masu {
 
@@ -57,6 +55,15 @@ inline void add_triangle(Scene& scene, const Vec3d& a, const Vec3d& b, const Vec
   scene.triangles.push_back({a, object, b, add_material(scene, material), c, no_normals});
   ++scene.objects.polygons;
 }
+// A parallelogram about `center`, of two triangles.
+inline void add_quad(Scene& scene, const Vec3d& center, const Vec3d& u, const Vec3d& v,
+                     const Material& material) {
+  const Vec3d a = center - u - v, b = center + u - v, c = center + u + v, d = center - u + v;
+  const std::uint32_t object = object_count(scene), used = add_material(scene, material);
+  scene.triangles.push_back({a, object, b, used, c, no_normals});
+  scene.triangles.push_back({a, object, c, used, d, no_normals});
+  ++scene.objects.polygons;
+}
 // A triangle that contains a disc of radius `reach` about `center`, with the front towards `normal`.
 inline void add_wall(Scene& scene, const Vec3d& center, const Vec3d& normal, const Material& material,
                      double reach = 100) {
@@ -70,27 +77,18 @@ inline void add_light(Scene& scene, const Vec3d& position, const Vec3d& intensit
   scene.lights.push_back({position, intensity});
 }
 
-// Random numbers, colours and directions.
-class SceneChance {
-public:
-  explicit SceneChance(const RandomSeed& seed) : engine_(seed.engine()) {}
-
-  double between(double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
+inline float random_share(Chance& chance) {
+  return static_cast<float>(chance.uniform(0, 1));
+}
+inline Vec3f random_color(Chance& chance) {
+  return {random_share(chance), random_share(chance), random_share(chance)};
+}
+// A direction whose cosine with `axis` is larger than `min_cosine`.
+inline Vec3d random_towards(Chance& chance, const Vec3d& axis, double min_cosine = 0.15) {
+  for (;;) {
+    const Vec3d v = chance.direction();
+    if (dot(v, axis) > min_cosine) return v;
   }
-  float share() { return static_cast<float>(between(0, 1)); }
-  Vec3f color() { return {share(), share(), share()}; }
-  // A direction whose cosine with `axis` is larger than `min_cosine`.
-  Vec3d towards(const Vec3d& axis, double min_cosine = 0.15) {
-    for (;;) {
-      const Vec3d v{between(-1, 1), between(-1, 1), between(-1, 1)};
-      if (dot(v, v) <= 1 && dot(v, v) > 0.01 && dot(normalized(v), axis) > min_cosine) return normalized(v);
-    }
-  }
-  Vec3d direction() { return towards({0, 0, 1}, -2); }
-
-private:
-  std::mt19937_64 engine_;
-};
+}
 
 } // namespace masu

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -78,6 +79,20 @@ inline void write_bytes(const std::string& path, std::span<const std::uint8_t> b
 }
 inline void write_text(const std::string& path, std::string_view text) {
   write_bytes(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+// Records, such as rays' numbers and hits, as they are in memory.
+template <class Record>
+std::vector<Record> read_records(const std::string& path) {
+  const Bytes bytes = read_bytes(path);
+  EXPECT_EQ(bytes.size() % sizeof(Record), 0U) << path;
+  std::vector<Record> records(bytes.size() / sizeof(Record));
+  if (!records.empty()) std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Record));
+  return records;
+}
+template <class Record>
+void write_records(const std::string& path, const std::vector<Record>& records) {
+  write_bytes(path, {reinterpret_cast<const std::uint8_t*>(records.data()), records.size() * sizeof(Record)});
 }
 
 } // namespace masu

@@ -1,9 +1,10 @@
-// A damaged grid, as gridrender opens it for a device.
+// Damaged grids, as gridrender opens them for a device.
 #pragma once
 
 #include "renderer/tracer.h"
 #include "tests/hostile_files.h"
 #include "tests/tiny_scene.h"
+#include "tests/tracing_probe.h"
 
 namespace masu {
 
@@ -25,6 +26,44 @@ inline testing::AssertionResult is_refused_by_tracer(Device device) {
     static_cast<void>(Tracer(scene, &grid, device).render(request));
   };
   return is_refused(open_and_render, grid_path);
+}
+
+struct OpenedAndRefused {
+  int opened = 0, refused = 0;
+};
+
+// Opens the grid with its file as `parts` are, and traces what opens.
+inline void open_and_trace(const GridParts& parts, const SceneFile& scene, const std::string& path,
+                           OpenedAndRefused& count) {
+  parts.write(path);
+  try {
+    const GridFile grid(path);
+    ++count.opened;
+    trace_a_little(scene, &grid);
+  } catch (const Error& error) {
+    ++count.refused;
+    ASSERT_EQ(error.code(), ErrorCode::input) << error.what();
+    ASSERT_EQ(error.place(), path);
+  }
+}
+
+// With any bit of its sections flipped.
+inline OpenedAndRefused with_any_flipped_bit(const Grid& grid, const std::string& merge_rule) {
+  const TemporaryFolder folder;
+  const std::string scene_path = folder.file("scene"), path = folder.file("grid");
+  write_scene(tiny_scene(), Store::float32, scene_path);
+  const SceneFile scene(scene_path);
+  write_grid(grid, tiny_grid_provenance(scene.geometry_hash(), merge_rule), path);
+  const GridParts parts(path);
+  OpenedAndRefused count;
+  for (std::size_t section = 0; section < parts.sections.size(); ++section) {
+    for (std::size_t bit = 0; bit < 8 * parts.sections[section].bytes.size(); ++bit) {
+      GridParts spoilt = parts;
+      spoilt.sections[section].bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+      open_and_trace(spoilt, scene, path, count);
+    }
+  }
+  return count;
 }
 
 } // namespace masu

@@ -1,5 +1,6 @@
 // The C interface, and that of C++ over it: right answers on the CPU, and an error for whatever is wrong,
 // never a fault.
+#include "libscene/geometry/vector.h"
 #include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
@@ -12,7 +13,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <random>
@@ -84,8 +84,22 @@ protected:
     ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), nullptr));
   }
 
+  // Of what is prepared, on the CPU; open until the test's end.
+  masu_tracer* opened() {
+    masu_tracer* tracer = nullptr;
+    EXPECT_EQ(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer), MASU_OK)
+        << masu_error();
+    return opened_.emplace_back(tracer);
+  }
+  ~Library() override { std::ranges::for_each(opened_, masu_close); }
+
   const masu::TemporaryFolder folder_;
   const masu::RandomSeed seed_;
+  std::mt19937_64 engine_ = seed_.engine();
+
+private:
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
+  std::vector<masu_tracer*> opened_;
 };
 
 struct Found {
@@ -115,41 +129,22 @@ Found found_by(const masu_tracer* tracer, const std::vector<masu_ray>& rays, mas
 
 // Möller & Trumbore in double: t of a triangle, or infinity.
 double expected_t(const Mesh& mesh, std::size_t triangle, const masu_ray& ray) {
-  double a[3], b[3], c[3], o[3], d[3], e[3], f[3], s[3];
-  for (int i = 0; i < 3; ++i) {
-    a[i] = static_cast<double>(mesh.vertices[9 * triangle + static_cast<std::size_t>(i)]);
-    b[i] = static_cast<double>(mesh.vertices[9 * triangle + 3 + static_cast<std::size_t>(i)]);
-    c[i] = static_cast<double>(mesh.vertices[9 * triangle + 6 + static_cast<std::size_t>(i)]);
-    o[i] = static_cast<double>(ray.origin[i]);
-    d[i] = static_cast<double>(ray.direction[i]);
-    e[i] = b[i] - a[i];
-    f[i] = c[i] - a[i];
-    s[i] = o[i] - a[i];
-  }
-  const auto cross = [](const double* x, const double* y, double* z) {
-    for (int i = 0; i < 3; ++i)
-      z[i] = x[(i + 1) % 3] * y[(i + 2) % 3] - x[(i + 2) % 3] * y[(i + 1) % 3];
-  };
-  const auto dot = [](const double* x, const double* y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; };
-  double p[3], q[3];
-  cross(d, f, p);
-  cross(s, e, q);
+  const auto vector = [](const float* v) { return masu::cast<double>(masu::Vec3f{v[0], v[1], v[2]}); };
+  const float* const corners = mesh.vertices.data() + 9 * triangle;
+  const masu::Vec3d a = vector(corners), e = vector(corners + 3) - a, f = vector(corners + 6) - a,
+                    s = vector(ray.origin) - a, d = vector(ray.direction), p = cross(d, f), q = cross(s, e);
   const double determinant = dot(e, p), u = dot(s, p) / determinant, v = dot(d, q) / determinant,
                t = dot(f, q) / determinant;
-  return u >= 0 && v >= 0 && u + v <= 1 && t > static_cast<double>(ray.tmin) &&
-                 t < static_cast<double>(ray.tmax)
-             ? t
-             : std::numeric_limits<double>::infinity();
+  const bool is_hit = u >= 0 && v >= 0 && u + v <= 1 && t > static_cast<double>(ray.tmin) &&
+                      t < static_cast<double>(ray.tmax);
+  return is_hit ? t : std::numeric_limits<double>::infinity();
 }
 
 TEST_F(Library, FindsWhatBruteForceFinds) {
-  SCOPED_TRACE(seed_.trace());
-  std::mt19937_64 engine(seed_.value());
-  const Mesh mesh = random_mesh(engine, 200);
+  const Mesh mesh = random_mesh(engine_, 200);
   prepare(mesh);
-  masu_tracer* tracer = nullptr;
-  ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer));
-  const std::vector<masu_ray> rays = random_rays(engine, 5000);
+  masu_tracer* const tracer = opened();
+  const std::vector<masu_ray> rays = random_rays(engine_, 5000);
   const Found found = found_by(tracer, rays);
   int hits = 0, unsure = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -194,20 +189,16 @@ TEST_F(Library, FindsWhatBruteForceFinds) {
   }
   EXPECT_GT(hits, 100);
   EXPECT_LT(unsure, 10);
-  masu_close(tracer);
 }
 
 TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
-  SCOPED_TRACE(seed_.trace());
-  std::mt19937_64 engine(seed_.value());
-  prepare(random_mesh(engine, 300));
-  masu_tracer *tracer = nullptr, *brute_force = nullptr;
-  ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer));
+  prepare(random_mesh(engine_, 300));
+  masu_tracer *const tracer = opened(), *brute_force = nullptr;
   ASSERT_DONE(masu_open_brute_force(file("scene").c_str(), nullptr, 0, &brute_force));
   masu_description description{};
   ASSERT_DONE(masu_describe(brute_force, &description));
   EXPECT_EQ(description.grid_bytes, 0U);
-  std::vector<masu_ray> rays = random_rays(engine, 2000);
+  std::vector<masu_ray> rays = random_rays(engine_, 2000);
   EXPECT_TRUE(found_by(tracer, rays) == found_by(brute_force, rays));
   // Six numbers each, floats and doubles.
   std::vector<float> floats;
@@ -241,14 +232,11 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);
   masu_close(brute_force);
-  masu_close(tracer);
 }
 
 // No file is left, nor written.
 TEST_F(Library, WithoutAGridOneIsBuiltInMemory) {
-  SCOPED_TRACE(seed_.trace());
-  std::mt19937_64 engine(seed_.value());
-  prepare(random_mesh(engine, 300));
+  prepare(random_mesh(engine_, 300));
   masu_grid_options options;
   masu_default_grid_options(&options);
   options.kind = MASU_GRID_BVH; // the fastest on a CPU, of scattered triangles
@@ -258,8 +246,7 @@ TEST_F(Library, WithoutAGridOneIsBuiltInMemory) {
     return std::distance(begin(all), end(all));
   };
   const auto before = files();
-  masu_tracer *with_file = nullptr, *without = nullptr;
-  ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &with_file));
+  masu_tracer *const with_file = opened(), *without = nullptr;
   ASSERT_DONE(masu_open(file("scene").c_str(), nullptr, MASU_CPU, &without));
   EXPECT_EQ(files(), before);
   masu_description expected{}, description{};
@@ -267,17 +254,14 @@ TEST_F(Library, WithoutAGridOneIsBuiltInMemory) {
   ASSERT_DONE(masu_describe(without, &description));
   EXPECT_GT(description.grid_bytes, 0U);
   EXPECT_EQ(description.grid_bytes, expected.grid_bytes);
-  const std::vector<masu_ray> rays = random_rays(engine, 2000);
+  const std::vector<masu_ray> rays = random_rays(engine_, 2000);
   EXPECT_TRUE(found_by(with_file, rays) == found_by(without, rays));
   masu_close(without);
-  masu_close(with_file);
 }
 
 // A ray is what its type says, and nothing else is taken for one.
 TEST_F(Library, InCppTypesDecideTheFormat) {
-  SCOPED_TRACE(seed_.trace());
-  std::mt19937_64 engine(seed_.value());
-  prepare(random_mesh(engine, 300));
+  prepare(random_mesh(engine_, 300));
   const masu::Tracer tracer(file("scene"), file("grid"));
   const auto check = [&](const auto& rays, masu_ray_format format) {
     masu_query query{};
@@ -294,7 +278,7 @@ TEST_F(Library, InCppTypesDecideTheFormat) {
     tracer.occluded(rays.data(), rays.size(), found.occluded.data());
     EXPECT_TRUE(found == expected);
   };
-  const std::vector<masu_ray> rays = random_rays(engine, 1000);
+  const std::vector<masu_ray> rays = random_rays(engine_, 1000);
   std::vector<masu_ray64> doubles;
   std::vector<std::array<float, 6>> six;
   std::vector<std::array<double, 6>> six_doubles;
@@ -327,13 +311,9 @@ TEST_F(Library, InCppTypesDecideTheFormat) {
 }
 
 TEST_F(Library, AnswersThreadsAtTheSameTime) {
-  SCOPED_TRACE(seed_.trace());
-  std::mt19937_64 engine(seed_.value());
-  prepare(random_mesh(engine, 500));
-  masu_tracer* tracers[2]{};
-  for (masu_tracer*& tracer : tracers)
-    ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer));
-  const std::vector<masu_ray> rays = random_rays(engine, 20000);
+  prepare(random_mesh(engine_, 500));
+  masu_tracer* const tracers[]{opened(), opened()};
+  const std::vector<masu_ray> rays = random_rays(engine_, 20000);
   const Found expected = found_by(tracers[0], rays);
   std::vector<std::thread> threads;
   std::vector<int> right(8);
@@ -351,13 +331,10 @@ TEST_F(Library, AnswersThreadsAtTheSameTime) {
     thread.join();
   for (const int r : right)
     EXPECT_EQ(r, 5);
-  for (masu_tracer* const tracer : tracers)
-    masu_close(tracer);
 }
 
 TEST_F(Library, NoGpusAreTheCpu) {
-  std::mt19937_64 engine(seed_.value());
-  prepare(random_mesh(engine, 10));
+  prepare(random_mesh(engine_, 10));
   masu_tracer* tracer = nullptr;
   ASSERT_DONE(masu_open_devices(file("scene").c_str(), file("grid").c_str(), nullptr, 0, &tracer));
   masu_description description{};
@@ -373,10 +350,8 @@ TEST_F(Library, NoGpusAreTheCpu) {
 }
 
 TEST_F(Library, RaysThatArentValidHitNothing) {
-  std::mt19937_64 engine(seed_.value());
-  prepare(random_mesh(engine, 50));
-  masu_tracer* tracer = nullptr;
-  ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer));
+  prepare(random_mesh(engine_, 50));
+  masu_tracer* const tracer = opened();
   std::vector<masu_ray> rays;
   const masu_ray good{{0, 0, 0}, 0, {1, 0, 0}, infinity};
   for (int number = 0; number < 8; ++number) {
@@ -403,7 +378,6 @@ TEST_F(Library, RaysThatArentValidHitNothing) {
       EXPECT_EQ(found.occluded[i], 0) << i;
     }
   }
-  masu_close(tracer);
 }
 
 TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
@@ -415,8 +389,7 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   meshes[1].color = color;
   ASSERT_DONE(masu_write_scene(file("scene").c_str(), meshes, 2, MASU_STORE_AUTO, nullptr));
   ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), nullptr));
-  masu_tracer* tracer = nullptr;
-  ASSERT_DONE(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer));
+  masu_tracer* const tracer = opened();
   masu_description description{};
   ASSERT_DONE(masu_describe(tracer, &description));
   EXPECT_EQ(description.triangles, 5U);
@@ -435,12 +408,10 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   EXPECT_EQ(primitive.object, 1U);
   EXPECT_EQ(primitive.color[1], 0.5F);
   EXPECT_EQ(masu_describe_primitive(tracer, 5, &primitive), MASU_ERROR_USAGE);
-  masu_close(tracer);
 }
 
 TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
-  std::mt19937_64 engine(seed_.value());
-  const Mesh mesh = random_mesh(engine, 10);
+  const Mesh mesh = random_mesh(engine_, 10);
   prepare(mesh);
   const std::string scene = file("scene"), grid = file("grid");
   masu_tracer* tracer = nullptr;
@@ -458,13 +429,13 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   EXPECT_EQ(masu_open(scene.c_str(), scene.c_str(), MASU_CPU, &tracer), MASU_ERROR_INPUT);
   EXPECT_EQ(masu_open(scene.c_str(), grid.c_str(), -2, &tracer), MASU_ERROR_DEVICE);
   EXPECT_EQ(masu_open(scene.c_str(), grid.c_str(), 1000, &tracer), MASU_ERROR_DEVICE);
-  const Mesh other = random_mesh(engine, 10);
+  const Mesh other = random_mesh(engine_, 10);
   const masu_mesh other_view = other.view();
   ASSERT_DONE(masu_write_scene(file("other").c_str(), &other_view, 1, MASU_STORE_AUTO, nullptr));
   EXPECT_EQ(masu_open(file("other").c_str(), grid.c_str(), MASU_CPU, &tracer), MASU_ERROR_INPUT);
 
   ASSERT_DONE(masu_open(scene.c_str(), grid.c_str(), MASU_CPU, &tracer));
-  const std::vector<masu_ray> rays = random_rays(engine, 4);
+  const std::vector<masu_ray> rays = random_rays(engine_, 4);
   Found found(rays.size());
   const masu_hits hits = found.hits(), nothing{};
   masu_query query{};
@@ -491,23 +462,21 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   masu_close(nullptr);
 
   const std::string out = file("out");
-  masu_mesh bad = mesh.view();
-  EXPECT_EQ(masu_write_scene(nullptr, &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_write_scene(out.c_str(), nullptr, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
-  bad.vertex_count -= 1;
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
-  bad = mesh.view();
-  bad.indices = nullptr;
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
-  bad = mesh.view();
-  bad.vertices = nullptr;
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
+  const auto written_with = [&](const auto& change) {
+    masu_mesh bad = mesh.view();
+    change(bad);
+    return masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr);
+  };
   Mesh infinite = mesh;
   infinite.vertices[4] = infinity;
-  bad = infinite.view();
-  EXPECT_EQ(masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
-  bad = mesh.view();
-  EXPECT_EQ(masu_write_scene(file("no/folder").c_str(), &bad, 1, MASU_STORE_AUTO, nullptr),
+  EXPECT_EQ(written_with([](masu_mesh& bad) { bad.vertex_count -= 1; }), MASU_ERROR_USAGE);
+  EXPECT_EQ(written_with([](masu_mesh& bad) { bad.indices = nullptr; }), MASU_ERROR_USAGE);
+  EXPECT_EQ(written_with([](masu_mesh& bad) { bad.vertices = nullptr; }), MASU_ERROR_USAGE);
+  EXPECT_EQ(written_with([&](masu_mesh& bad) { bad = infinite.view(); }), MASU_ERROR_USAGE);
+  const masu_mesh good = mesh.view();
+  EXPECT_EQ(masu_write_scene(nullptr, &good, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(out.c_str(), nullptr, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_write_scene(file("no/folder").c_str(), &good, 1, MASU_STORE_AUTO, nullptr),
             MASU_ERROR_OUTPUT);
 
   masu_grid_options options;
@@ -531,24 +500,21 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   masu_default_grid_options(nullptr);
 }
 
+// Container (tests/scene/container_test.cpp) has each byte and length.
 TEST_F(Library, DamagedFilesAreErrors) {
-  SCOPED_TRACE(seed_.trace());
-  std::mt19937_64 engine(seed_.value());
-  prepare(random_mesh(engine, 100));
-  for (const char* const name : {"scene", "grid"}) {
-    std::ifstream in(file(name), std::ios::binary);
-    std::string bytes((std::istreambuf_iterator<char>(in)), {});
-    for (int round = 0; round < 200; ++round) {
-      std::string damaged = bytes;
-      damaged[engine() % damaged.size()] ^= static_cast<char>(1 << engine() % 8);
-      if (round % 4 == 0) damaged.resize(engine() % damaged.size());
-      std::ofstream(file("damaged"), std::ios::binary) << damaged;
-      const std::string scene = file(name == std::string("scene") ? "damaged" : "scene"),
-                        grid = file(name == std::string("grid") ? "damaged" : "grid");
+  prepare(random_mesh(engine_, 100));
+  for (const std::string name : {"scene", "grid"}) {
+    const masu::Bytes whole = masu::read_bytes(file(name.c_str()));
+    for (int round = 0; round < 20; ++round) {
+      masu::Bytes damaged = whole;
+      damaged[engine_() % damaged.size()] ^= static_cast<std::uint8_t>(1U << engine_() % 8);
+      if (round % 4 == 0) damaged.resize(engine_() % damaged.size());
+      masu::write_bytes(file("damaged"), damaged);
       masu_tracer* tracer = nullptr;
-      EXPECT_EQ(masu_open(scene.c_str(), grid.c_str(), MASU_CPU, &tracer), MASU_ERROR_INPUT);
+      EXPECT_EQ(masu_open(file(name == "scene" ? "damaged" : "scene").c_str(),
+                          file(name == "grid" ? "damaged" : "grid").c_str(), MASU_CPU, &tracer),
+                MASU_ERROR_INPUT);
       EXPECT_EQ(tracer, nullptr);
-      masu_close(tracer);
     }
   }
 }

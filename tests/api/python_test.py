@@ -1,5 +1,7 @@
 """The Python module on the CPU, with arrays of NumPy. Environment: PYTHONPATH=api/python MASU_LIBRARY=…/libmasu.so."""
 
+import concurrent.futures
+import functools
 import gc
 import os
 import pathlib
@@ -30,6 +32,13 @@ def run_python(text, **environment):
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
 
 
+def run_threads(works):
+    """Calls each on a thread of its own; raises what one of them raised."""
+    with concurrent.futures.ThreadPoolExecutor(len(works)) as threads:
+        for future in [threads.submit(work) for work in works]:
+            future.result()
+
+
 class WithFolder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -45,6 +54,12 @@ class WithFolder(unittest.TestCase):
         masu.write_scene(self.file(name + ".scene"), vertices, faces, **options)
         masu.build_grid(self.file(name + ".scene"), self.file(name + ".grid"))
         return vertices, faces
+
+    def assert_refused(self, status, says, call, *arguments, **options):
+        with self.assertRaises(masu.Error) as raised:
+            call(*arguments, **options)
+        self.assertEqual(raised.exception.status, status)
+        self.assertIn(says, str(raised.exception))
 
     def tracer(self, name="random"):
         tracer = masu.Tracer(self.file(name + ".scene"), self.file(name + ".grid"))
@@ -295,13 +310,9 @@ class Scenes(WithFolder):
         self.assertRaises(TypeError, masu.write_scene, path, vertices, faces, meshes=[(vertices, faces)])
         self.assertRaises(ValueError, masu.write_scene, path, vertices, faces, store="float16")
         self.assertRaises(TypeError, masu.write_scene, path, vertices, faces, store=1)
-        with self.assertRaises(masu.Error) as raised:
-            masu.write_scene(path, np.where(vertices == vertices[0, 0], np.nan, vertices), faces)
-        self.assertEqual(raised.exception.status, masu.Status.USAGE)
-        with self.assertRaises(masu.Error) as raised:
-            masu.write_scene(self.file("nowhere/a.scene"), vertices, faces)
-        self.assertEqual(raised.exception.status, masu.Status.OUTPUT)
-        self.assertIn("nowhere", str(raised.exception))
+        self.assert_refused(masu.Status.USAGE, "", masu.write_scene, path,
+                            np.where(vertices == vertices[0, 0], np.nan, vertices), faces)
+        self.assert_refused(masu.Status.OUTPUT, "nowhere", masu.write_scene, self.file("nowhere/a.scene"), vertices, faces)
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_wrong_options_of_grids_are_refused(self):
@@ -316,12 +327,8 @@ class Scenes(WithFolder):
             with self.assertRaises(error, msg=str(options)):
                 masu.build_grid(*arguments, **options)
         self.assertFalse(os.path.exists(arguments[1]))
-        with self.assertRaises(masu.Error) as raised:
-            masu.build_grid(self.file("none.scene"), arguments[1])
-        self.assertEqual(raised.exception.status, masu.Status.INPUT)
-        with self.assertRaises(masu.Error) as raised:
-            masu.build_grid(arguments[0], arguments[0])
-        self.assertEqual(raised.exception.status, masu.Status.USAGE)
+        self.assert_refused(masu.Status.INPUT, "none", masu.build_grid, self.file("none.scene"), arguments[1])
+        self.assert_refused(masu.Status.USAGE, "", masu.build_grid, arguments[0], arguments[0])
         self.assertEqual(masu.Tracer(arguments[0]).describe().triangles, 10)
 
     def test_paths_of_any_kind(self):
@@ -392,10 +399,7 @@ class Tracers(WithFolder):
         pathlib.Path(self.file("text.scene")).write_text("v\n")
         for scene, grid in (("none.scene", None), ("text.scene", None), ("random.scene", "none.grid"),
                             ("random.scene", "random.scene"), ("random.scene", "other.grid")):
-            with self.assertRaises(masu.Error) as raised:
-                masu.Tracer(self.file(scene), grid and self.file(grid))
-            self.assertEqual(raised.exception.status, masu.Status.INPUT)
-            self.assertIn(os.path.basename(grid or scene), str(raised.exception))
+            self.assert_refused(masu.Status.INPUT, grid or scene, masu.Tracer, self.file(scene), grid and self.file(grid))
 
     def test_devices(self):
         self.scene(10)
@@ -405,9 +409,7 @@ class Tracers(WithFolder):
                 masu.Tracer(self.file("random.scene"), device=device)
         beyond = masu.gpu_count()
         for device in (beyond, "cuda:{}".format(beyond)):
-            with self.assertRaises(masu.Error) as raised:
-                masu.Tracer(self.file("random.scene"), device=device)
-            self.assertEqual(raised.exception.status, masu.Status.DEVICE)
+            self.assert_refused(masu.Status.DEVICE, "", masu.Tracer, self.file("random.scene"), device=device)
 
     def test_a_closed_tracer_is_refused(self):
         self.scene(10)
@@ -451,23 +453,14 @@ class Tracers(WithFolder):
         tracer = self.tracer()
         lists = [random_rays(self.random, 500) for _ in range(8)]
         expected = [tracer.nearest(rays) for rays in lists]
-        failures = []
 
         def work(rays, hits):
-            try:
-                for _ in range(10):
-                    same_bits(self, tracer.nearest(rays), hits)
-                    with self.assertRaises(IndexError):
-                        tracer.primitive(10**6)
-            except BaseException as error:
-                failures.append(error)
+            for _ in range(10):
+                same_bits(self, tracer.nearest(rays), hits)
+                with self.assertRaises(IndexError):
+                    tracer.primitive(10**6)
 
-        threads = [threading.Thread(target=work, args=pair) for pair in zip(lists, expected)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        self.assertEqual(failures, [])
+        run_threads([functools.partial(work, *pair) for pair in zip(lists, expected)])
 
     def test_closing_waits_for_other_threads(self):
         self.scene()
@@ -475,45 +468,28 @@ class Tracers(WithFolder):
         expected = self.tracer().nearest(rays)
         for _ in range(5):
             tracer = self.tracer()
-            failures, begun = [], threading.Barrier(5)
+            begun = threading.Barrier(5)
 
             def work():
                 begun.wait()
-                try:
+                with self.assertRaises(ValueError):
                     while True:
                         same_bits(self, tracer.nearest(rays), expected)
-                except ValueError:
-                    pass
-                except BaseException as error:
-                    failures.append(error)
 
-            threads = [threading.Thread(target=work) for _ in range(4)]
-            for thread in threads:
-                thread.start()
-            begun.wait()
-            tracer.close()
-            for thread in threads:
-                thread.join()
-            self.assertEqual(failures, [])
+            def close():
+                begun.wait()
+                tracer.close()
+
+            run_threads([work] * 4 + [close])
 
     def test_errors_are_of_the_thread(self):
         self.scene(10)
-        failures = []
 
         def work(name):
             for _ in range(50):
-                try:
-                    masu.Tracer(self.file(name))
-                except masu.Error as error:
-                    if name not in str(error):
-                        failures.append(str(error))
+                self.assert_refused(masu.Status.INPUT, name, masu.Tracer, self.file(name))
 
-        threads = [threading.Thread(target=work, args=("none{}.scene".format(index),)) for index in range(4)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        self.assertEqual(failures, [])
+        run_threads([functools.partial(work, "none{}.scene".format(index)) for index in range(4)])
 
 
 class Module(unittest.TestCase):

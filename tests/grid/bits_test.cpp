@@ -1,6 +1,6 @@
 // Bit operations of the grid's map, compared with strings of binary digits.
 #include "libgrid/bits.h"
-#include "tests/stability/random_seed.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 namespace masu {
 namespace {
 
+using Bits = RandomTest;
+
 std::string digits(std::uint32_t word) {
   std::string all;
   for (int bit = 31; bit >= 0; --bit)
@@ -16,10 +18,8 @@ std::string digits(std::uint32_t word) {
   return all;
 }
 
-TEST(Bits, AppendedTakesTheTopBits) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto engine = seed.engine();
+TEST_F(Bits, AppendedTakesTheTopBits) {
+  auto engine = seed_.engine();
   for (int i = 0; i < 10'000; ++i) {
     const auto bits = static_cast<std::uint32_t>(engine()), from = static_cast<std::uint32_t>(engine());
     const auto count = static_cast<std::int32_t>(engine() % 32);
@@ -28,10 +28,8 @@ TEST(Bits, AppendedTakesTheTopBits) {
   }
 }
 
-TEST(Bits, MovedToTopShiftsTheLowestBits) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto engine = seed.engine();
+TEST_F(Bits, MovedToTopShiftsTheLowestBits) {
+  auto engine = seed_.engine();
   for (int i = 0; i < 10'000; ++i) {
     const auto from = static_cast<std::uint32_t>(engine());
     const auto count = static_cast<std::int32_t>(engine() % 32);
@@ -41,7 +39,7 @@ TEST(Bits, MovedToTopShiftsTheLowestBits) {
   }
 }
 
-TEST(Bits, HalfSelectsSixteenBits) {
+TEST_F(Bits, HalfSelectsSixteenBits) {
   EXPECT_EQ(half(0x12345678, -1), 0x5678);
   EXPECT_EQ(half(0x12345678, 0), 0x1234);
   EXPECT_EQ(half(0xfedcba98, -1), 0xba98);

@@ -4,7 +4,7 @@
 #include "libgrid/statistics/statistics.h"
 #include "libscene/base/error.h"
 #include "tests/hostile_files.h"
-#include "tests/stability/random_seed.h"
+#include "tests/random_test.h"
 #include "tests/tiny_scene.h"
 #include "tests/tracing_probe.h"
 
@@ -14,6 +14,8 @@
 
 namespace masu {
 namespace {
+
+using DamagedFile = RandomTest;
 
 constexpr int cases = 1500;
 
@@ -87,10 +89,8 @@ void build_and_trace(const SceneFile& scene, const std::string& path) {
   }
 }
 
-TEST(DamagedFile, ASceneThatOpensCanBeTraced) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(DamagedFile, ASceneThatOpensCanBeTraced) {
+  auto random = seed_.engine();
   const TemporaryFolder folder;
   const std::string path = folder.file("scene");
   for (const Store store : {Store::float32, Store::float64}) {
@@ -116,10 +116,8 @@ void describe(const GridFile& file) {
                                      : grid_statistics(file.view<double>(), file.references()));
 }
 
-TEST(DamagedFile, AGridThatOpensCanBeTraced) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(DamagedFile, AGridThatOpensCanBeTraced) {
+  auto random = seed_.engine();
   const TemporaryFolder folder;
   const std::string scene_path = folder.file("scene"), path = folder.file("grid");
   for (const Store store : {Store::float32, Store::float64}) {

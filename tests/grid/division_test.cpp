@@ -2,7 +2,8 @@
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
 #include "libscene/base/error.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,10 @@
 
 namespace masu {
 namespace {
+
+using AutomaticDivision = RandomTest;
+using AutomaticDivisions = RandomTest;
+using CostModel = RandomTest;
 
 using Kind = DivisionRule::Kind;
 
@@ -118,15 +123,13 @@ TEST(DivisionRules, RefuseMoreVoxelsThanAnAxisCanHave) {
 // --- Spaces ----------------------------------------------------------------------------------------------
 
 template <class Real>
-class Spaces : public testing::Test {};
+class Spaces : public RandomTest {};
 using Arithmetics = testing::Types<float, double>;
 TYPED_TEST_SUITE(Spaces, Arithmetics);
 
 TYPED_TEST(Spaces, HoldTheBoundsAndTheirMargin) {
   using Real = TypeParam;
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(10'000); i > 0; --i) {
     const double scale = chance.power_of_two(-20, 30);
     const Vec3d at = chance.in_cube(chance.one_of({0.0, scale, 1000 * scale}));
@@ -164,22 +167,15 @@ TYPED_TEST(Spaces, OfNothingCanBeDividedAllTheSame) {
 
 TestScene<float> scattered(Chance& chance, int triangles, double size) {
   TestScene<float> scene;
-  for (int i = 0; i < triangles; ++i) {
-    const Vec3d at = chance.in_cube(1);
-    const auto corner = [&] { return cast<float>(at + chance.in_cube(size)); };
-    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
-  }
+  add_triangles(scene, chance, triangles, size);
   return scene;
 }
 
-TEST(CostModel, ExpectsAboutTheReferencesThatAreMade) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(CostModel, ExpectsAboutTheReferencesThatAreMade) {
   for (std::int64_t i = cases(20); i > 0; --i) {
-    TestScene<float> scene = scattered(chance, 2000, chance.power_of_two(-6, -1));
+    TestScene<float> scene = scattered(chance_, 2000, chance_.power_of_two(-6, -1));
     const GridLayout layout{space_of<float>(scene.bounds(), SpaceRule::tight),
-                            {chance.whole(1, 40), chance.whole(1, 40), chance.whole(1, 40)},
+                            {chance_.whole(1, 40), chance_.whole(1, 40), chance_.whole(1, 40)},
                             rounding_margin<float>(scene.bounds())};
     const SceneView<float> view = scene.view();
     const double expected = expected_references(division_statistics(view).all, layout);
@@ -191,7 +187,7 @@ TEST(CostModel, ExpectsAboutTheReferencesThatAreMade) {
   }
 }
 
-TEST(CostModel, AddsUpExtentsAndProjections) {
+TEST_F(CostModel, AddsUpExtentsAndProjections) {
   TestScene<double> scene;
   scene.triangles.push_back(triangle_of<double>({0, 0, 0}, {2, 0, 0}, {0, 3, 0}));
   SurfaceSums sums = division_statistics(scene.view()).all;
@@ -207,11 +203,8 @@ TEST(CostModel, AddsUpExtentsAndProjections) {
 }
 
 // The dense box is where nearly all primitives are; a far-off few don't count, nor how large a floor is.
-TEST(CostModel, LooksAtTheCrowd) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
-  TestScene<float> scene = scattered(chance, 1000, 0.01);
+TEST_F(CostModel, LooksAtTheDenseBox) {
+  TestScene<float> scene = scattered(chance_, 1000, 0.01);
   scene.triangles.push_back(triangle_of<float>({-500, -500, -1}, {500, -500, -1}, {0, 500, -1}));
   const DivisionStatistics statistics = division_statistics(scene.view());
   EXPECT_EQ(statistics.all.primitives, 1001U);
@@ -220,13 +213,10 @@ TEST(CostModel, LooksAtTheCrowd) {
     EXPECT_LT(statistics.dense_box.max[axis] - statistics.dense_box.min[axis], 20);
 }
 
-TEST(AutomaticDivision, GrowsWithTheNumberOfPrimitives) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(AutomaticDivision, GrowsWithTheNumberOfPrimitives) {
   std::uint64_t fewer = 0;
   for (const int triangles : {10, 300, 10'000, 100'000}) {
-    TestScene<float> scene = scattered(chance, triangles, 0.5 / std::cbrt(triangles));
+    TestScene<float> scene = scattered(chance_, triangles, 0.5 / std::cbrt(triangles));
     const Boxd space = space_of<float>(scene.bounds(), SpaceRule::tight);
     const Vec3i division = choose_division({}, division_statistics(scene.view()), space);
     const std::uint64_t voxels = voxel_count(division);
@@ -238,11 +228,8 @@ TEST(AutomaticDivision, GrowsWithTheNumberOfPrimitives) {
   }
 }
 
-TEST(AutomaticDivision, HasVoxelsOfAboutEqualSides) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
-  TestScene<float> scene = scattered(chance, 5000, 0.05);
+TEST_F(AutomaticDivision, HasVoxelsOfAboutEqualSides) {
+  TestScene<float> scene = scattered(chance_, 5000, 0.05);
   for (Triangle<float>& t : scene.triangles) {
     for (Vec3f* const corner : {&t.a, &t.b, &t.c})
       *corner = {corner->x * 4, corner->y * 2, corner->z};
@@ -254,7 +241,7 @@ TEST(AutomaticDivision, HasVoxelsOfAboutEqualSides) {
   EXPECT_NEAR(side.y / side.z, 1, 0.2);
 }
 
-TEST(AutomaticDivision, CopesWithFlatAndLonelyThings) {
+TEST_F(AutomaticDivision, CopesWithFlatAndLonelyThings) {
   TestScene<float> floor;
   for (int i = 0; i < 400; ++i) {
     const float x = static_cast<float>(i % 20), y = static_cast<float>(i / 20);
@@ -274,7 +261,7 @@ TEST(AutomaticDivision, CopesWithFlatAndLonelyThings) {
 }
 
 // Rods side by side, each as long as the whole: their centers lie in one line, but not what rays meet.
-TEST(AutomaticDivision, DividesRowsOfLongThings) {
+TEST_F(AutomaticDivision, DividesRowsOfLongThings) {
   TestScene<float> rods;
   for (int i = 0; i < 10'000; ++i) {
     const double x = i;
@@ -285,11 +272,8 @@ TEST(AutomaticDivision, DividesRowsOfLongThings) {
   EXPECT_GE(division.x, 50);
 }
 
-TEST(AutomaticDivision, StaysCoarseOnlyWhereTheFloorIsLargeNotTheCrowd) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
-  TestScene<float> scene = scattered(chance, 10'000, 0.02);
+TEST_F(AutomaticDivision, StaysCoarseOnlyWhereTheFloorIsLargeNotTheCrowd) {
+  TestScene<float> scene = scattered(chance_, 10'000, 0.02);
   const auto side = [&] {
     const Boxd space = space_of<float>(scene.bounds(), SpaceRule::tight);
     return voxel_size({space, choose_division({}, division_statistics(scene.view()), space), 0}).x;
@@ -301,18 +285,15 @@ TEST(AutomaticDivision, StaysCoarseOnlyWhereTheFloorIsLargeNotTheCrowd) {
 }
 
 // However many large primitives lie on each other, and so on any machine.
-TEST(AutomaticDivisions, MakeABoundedNumberOfReferences) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(AutomaticDivisions, MakeABoundedNumberOfReferences) {
   for (const std::size_t count : {1000U, 30'000U, 300'000U}) {
     for (const double spread : {0.0, 1e-6, 1.0}) { // coincident, or nearly so, or anywhere
       for (int shape = 0; shape < 3; ++shape) {    // flat triangles, any triangles, spheres
         TestScene<float> scene;
-        const Vec3d a = chance.in_cube(1), b = chance.in_cube(1), c = chance.in_cube(1);
+        const Vec3d a = chance_.in_cube(1), b = chance_.in_cube(1), c = chance_.in_cube(1);
         const auto near = [&](Vec3d p) {
           if (shape == 0) p.z = 0;
-          return cast<float>(p + chance.in_cube(1) * spread);
+          return cast<float>(p + chance_.in_cube(1) * spread);
         };
         for (std::size_t i = 0; i < count; ++i) {
           if (shape < 2)

@@ -4,6 +4,7 @@
 #include "libgrid/build/passes/tbb_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,9 @@
 
 namespace masu {
 namespace {
+
+using Lists = RandomTest;
+using Stretch = RandomTest;
 
 using Primitives = std::set<PrimitiveIndex>;
 
@@ -98,20 +102,17 @@ private:
   std::vector<std::array<bool, 6>> blocked_;
 };
 
-TEST(Stretch, MovesFacesAsDefined) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(Stretch, MovesFacesAsDefined) {
   std::int64_t cells = 0, gave_up = 0;
   for (std::int64_t s = cases(150); s > 0; --s) {
-    TestScene<float> scene = SceneMaker<float>(chance, chance.power_of_two(-10, 20)).scene();
-    GridOptions options = random_grid_options(chance);
+    TestScene<float> scene = SceneMaker<float>(chance_, chance_.power_of_two(-10, 20)).scene();
+    GridOptions options = random_grid_options(chance_);
     options.kind = GridKind::irregular;
     options.expansions = 0;
-    GridLayout layout = random_layout<float>(chance, scene.bounds());
-    layout.division = {chance.whole(1, 12), chance.whole(1, 12), chance.whole(1, 12)};
-    Grid slow = build_grid(scene.view(), layout, chance.one_in(2) ? Overlap::exact : Overlap::box, options);
-    const int rounds = chance.whole(0, 5);
+    GridLayout layout = random_layout<float>(chance_, scene.bounds());
+    layout.division = {chance_.whole(1, 12), chance_.whole(1, 12), chance_.whole(1, 12)};
+    Grid slow = build_grid(scene.view(), layout, chance_.one_in(2) ? Overlap::exact : Overlap::box, options);
+    const int rounds = chance_.whole(0, 5);
     Grid fast = slow;
     TbbExecutor executor;
     expand_cells(executor, merged_view_of<double>(fast), fast.cells.size(), fast.cells.data(), rounds);
@@ -129,18 +130,15 @@ TEST(Stretch, MovesFacesAsDefined) {
   EXPECT_GT(gave_up, 0);
 }
 
-TEST(Lists, ContainedAsSetsAre) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(Lists, ContainedAsSetsAre) {
   std::int64_t contained = 0;
   for (std::int64_t s = cases(20000); s > 0; --s) {
     std::vector<PrimitiveIndex> references;
     const auto random_list = [&]() {
       const auto begin = static_cast<std::uint32_t>(references.size());
-      const PrimitiveIndex step = chance.one_of({1U, 2U, 1000U, 1U << 24});
+      const PrimitiveIndex step = chance_.one_of({1U, 2U, 1000U, 1U << 24});
       for (PrimitiveIndex i = 0; i < 8; ++i) {
-        if (chance.one_in(3)) references.push_back(i * step);
+        if (chance_.one_in(3)) references.push_back(i * step);
       }
       if (begin == references.size()) return empty_list;
       references.back() |= last_bit;

@@ -3,6 +3,7 @@
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 #include "tests/ray_case.h"
 
 #include <algorithm>
@@ -78,10 +79,7 @@ Ray<Real> far_ray(Chance& chance, const Boxd& box, double distance) {
 }
 
 template <class Real>
-class FarRay : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class FarRay : public RandomTest {};
 TYPED_TEST_SUITE(FarRay, Arithmetics);
 
 template <class Real>
@@ -96,8 +94,7 @@ Boxd random_bounds(Chance& chance) {
 
 TYPED_TEST(FarRay, ClippingIsAccurateAndConservative) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   double worst_off = 0, worst_late = 0, worst_outside = 0;
   std::string worst_case;
   for (std::int64_t i = cases(200'000); i > 0; --i) {
@@ -189,8 +186,7 @@ TestScene<Real> small_scene(Chance& chance) {
 
 TYPED_TEST(FarRay, FindsTheOraclesNearestHit) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::map<oracle::Result, std::int64_t> results;
   std::int64_t wrong = 0;
   std::string first;
@@ -227,8 +223,7 @@ TYPED_TEST(FarRay, FindsTheOraclesNearestHit) {
 // Hit points of a far camera are as accurate as those of a near one.
 TYPED_TEST(FarRay, SurfacePointsAreAccurate) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   double worst = 0;
   std::string worst_case;
   for (std::int64_t s = cases(5000); s > 0; --s) {
@@ -261,8 +256,7 @@ TYPED_TEST(FarRay, SurfacePointsAreAccurate) {
 // However far away: t is from near the scene, and fine enough for what the ray meets.
 TYPED_TEST(FarRay, HitsAreIndependentOfTheGridAtAnyDistance) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   constexpr double one_clip = 256, two_clips = 256 / 12.0 / RealTraits<Real>::unit_roundoff; // scene sizes
   struct Hits {
     std::int64_t near = 0, far = 0, beyond = 0; // by how often the ray is clipped: once, twice, more

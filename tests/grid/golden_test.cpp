@@ -8,36 +8,32 @@
 #include "tests/grid/golden/scene_float32.h"
 #include "tests/grid/golden/scene_float64.h"
 #include "tests/refused.h"
-#include "tests/tiny_scene.h"
+#include "tests/tiny_files.h"
 
-#include <cmath>
 #include <cstring>
-#include <functional>
+#include <map>
 
 namespace masu {
 namespace {
 
 constexpr Hash golden_geometry_hash{0x0123456789abcdef, 0xfedcba9876543210};
 
-struct Golden {
-  const char* name;
-  const char* hex;
-  std::function<void(const std::string& path)> write;
-};
+const std::map<std::string_view, const char*> golden_bytes{{"scene_float32", golden_scene_float32},
+                                                           {"scene_float64", golden_scene_float64},
+                                                           {"grid", golden_grid},
+                                                           {"grid_of_blocks", golden_grid_of_blocks},
+                                                           {"merged_grid", golden_merged_grid},
+                                                           {"hierarchy", golden_hierarchy}};
 
-void PrintTo(const Golden& golden, std::ostream* out) {
-  *out << golden.name;
-}
-
-class GoldenFile : public testing::TestWithParam<Golden> {};
+class GoldenFile : public testing::TestWithParam<TinyFile> {};
 
 // To accept a new format: raise the version (scene_file_kind, grid_file_kind), then paste the test's output.
 TEST_P(GoldenFile, IsWrittenByteForByte) {
   const TemporaryFolder folder;
   const std::string path = folder.file("file");
-  GetParam().write(path);
+  GetParam().write(path, golden_geometry_hash);
   const Bytes written = read_bytes(path);
-  const Bytes golden = bytes_of_hex_lines(GetParam().hex);
+  const Bytes golden = bytes_of_hex_lines(golden_bytes.at(GetParam().name));
   const auto differ = std::ranges::mismatch(written, golden);
   EXPECT_TRUE(written == golden)
       << "tests/grid/golden/" << GetParam().name << ".h differs from byte " << differ.in1 - written.begin()
@@ -46,32 +42,8 @@ TEST_P(GoldenFile, IsWrittenByteForByte) {
       << hex_lines(written);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, GoldenFile,
-    testing::Values(Golden{"scene_float32", golden_scene_float32,
-                           [](const std::string& path) { write_scene(tiny_scene(), Store::float32, path); }},
-                    Golden{"scene_float64", golden_scene_float64,
-                           [](const std::string& path) { write_scene(tiny_scene(), Store::float64, path); }},
-                    Golden{"grid", golden_grid,
-                           [](const std::string& path) {
-                             write_grid(tiny_grid(), tiny_grid_provenance(golden_geometry_hash), path);
-                           }},
-                    Golden{"grid_of_blocks", golden_grid_of_blocks,
-                           [](const std::string& path) {
-                             write_grid(tiny_grid_of_blocks(), tiny_grid_provenance(golden_geometry_hash),
-                                        path);
-                           }},
-                    Golden{"merged_grid", golden_merged_grid,
-                           [](const std::string& path) {
-                             write_grid(tiny_merged_grid(),
-                                        tiny_grid_provenance(golden_geometry_hash, "irregular"), path);
-                           }},
-                    Golden{"hierarchy", golden_hierarchy,
-                           [](const std::string& path) {
-                             write_grid(tiny_hierarchy(), tiny_grid_provenance(golden_geometry_hash, "bvh"),
-                                        path);
-                           }}),
-    [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, GoldenFile, testing::ValuesIn(tiny_files()),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 std::string written_golden(const TemporaryFolder& folder, const char* hex) {
   const std::string path = folder.file("golden");

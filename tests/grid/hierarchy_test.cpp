@@ -4,16 +4,14 @@
 #include "libgrid/build/binary_hierarchy.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
-#include "libgrid/trace/trace.h"
 #include "libscene/base/error.h"
-#include "renderer/counts.h"
+#include "tests/grid/walk_comparison.h"
 #include "tests/random_grid.h"
-#include "tests/random_ray.h"
 #include "tests/random_scene.h"
+#include "tests/surface_point.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <array>
 #include <bit>
@@ -74,54 +72,24 @@ struct Traced {
 };
 
 template <class T>
-class HierarchyWalks : public testing::Test {
+class HierarchyWalks : public WalkComparison<typename T::Stored, typename T::Real> {
 protected:
   using StoredReal = typename T::Stored;
   using TracedReal = typename T::Real;
 
-  static Ray<TracedReal> cast_ray(const Ray<StoredReal>& ray) {
-    return {cast<TracedReal>(ray.origin), static_cast<TracedReal>(ray.t_min), cast<TracedReal>(ray.direction),
-            static_cast<TracedReal>(ray.t_max)};
-  }
-
-  // Counts the rays whose result depends on the hierarchy.
   template <class MakeRay>
-  void compare(Chance& chance, TestScene<StoredReal>& scene, const Grid& grid, int rays,
-               const MakeRay& make_ray) {
-    const SceneView<StoredReal> view = scene.view();
-    const HierarchyView<TracedReal> through = hierarchy_view_of<TracedReal>(grid);
-    for (int i = 0; i < rays; ++i) {
-      Ray<TracedReal> ray = make_ray();
-      NoCounts counts;
-      const Hit<TracedReal> expected = nearest_hit<Robust<TracedReal>>(view, NoGrid{}, ray, counts),
-                            found = nearest_hit<Robust<TracedReal>>(view, through, ray, counts);
-      const bool is_hit = expected.primitive != no_primitive;
-      hits_ += is_hit;
-      const bool same = found.primitive == expected.primitive && same_bits(found.t, expected.t);
-      // Between bounds at, before and beyond the hit.
-      if (is_hit && chance.one_in(2))
-        ray.t_max = chance.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
-      if (is_hit && chance.one_in(3))
-        ray.t_min =
-            chance.one_of({expected.t, nudged(expected.t, -1), nudged(expected.t, 1), expected.t / 2});
-      const Hit<TracedReal> within = nearest_hit<Robust<TracedReal>>(view, NoGrid{}, ray, counts),
-                            found_within = nearest_hit<Robust<TracedReal>>(view, through, ray, counts);
-      const bool same_within =
-          found_within.primitive == within.primitive && same_bits(found_within.t, within.t);
-      const bool same_occlusion = is_occluded<Robust<TracedReal>>(view, through, ray, counts) ==
-                                  is_occluded<Robust<TracedReal>>(view, NoGrid{}, ray, counts);
-      if ((same && same_within && same_occlusion) || ++different_ > 1) continue;
-      first_ = described(ray.origin, ray.direction) + " t_min " + described(ray.t_min) + " t_max " +
-               described(ray.t_max) + ": " + described(same ? found_within : found) + ", expected " +
-               described(same ? within : expected) + '\n' + described(scene);
-    }
+  void compare(TestScene<StoredReal>& scene, const Grid& grid, int rays, const MakeRay& make_ray) {
+    this->compare_through(scene, hierarchy_view_of<TracedReal>(grid), rays, make_ray,
+                          [] { return "a hierarchy"; });
   }
-  void compare(Chance& chance, TestScene<StoredReal>& scene, const Grid& grid, int rays) {
+  void compare(TestScene<StoredReal>& scene, const Grid& grid, int rays) {
     const Boxd bounds = scene.bounds();
-    RayMaker<StoredReal> maker(chance, scene, bounds, grid);
-    compare(chance, scene, grid, rays, [&] {
-      Ray<TracedReal> ray = cast_ray(maker.ray());
-      if (chance.one_in(4)) put_on_planes(chance, grid, ray);
+    RayMaker<StoredReal> maker(this->chance_, scene, bounds, grid);
+    compare(scene, grid, rays, [&] {
+      const Ray<StoredReal> made = maker.ray();
+      Ray<TracedReal> ray{cast<TracedReal>(made.origin), static_cast<TracedReal>(made.t_min),
+                          cast<TracedReal>(made.direction), static_cast<TracedReal>(made.t_max)};
+      if (this->chance_.one_in(4)) put_on_planes(this->chance_, grid, ray);
       return ray;
     });
   }
@@ -142,22 +110,17 @@ protected:
       ray.direction.set(axis, std::ldexp(ray.direction[axis], -exponent));
     if (largest_magnitude(ray.direction) == 0) ray.direction = {1, 0, 0};
   }
-
-  RandomSeed seed_;
-  std::int64_t hits_ = 0, different_ = 0;
-  std::string first_;
 };
 using Ways = testing::Types<Traced<float, float>, Traced<float, double>, Traced<double, double>>;
 TYPED_TEST_SUITE(HierarchyWalks, Ways);
 
 TYPED_TEST(HierarchyWalks, FindTheHitsOfTryingEveryPrimitive) {
   using Stored = typename TypeParam::Stored;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(2000); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
     const Grid grid = hierarchy_of(scene);
-    this->compare(chance, scene, grid, 200);
+    this->compare(scene, grid, 200);
   }
   EXPECT_EQ(this->different_, 0) << this->first_;
   EXPECT_GT(this->hits_, cases(60'000));
@@ -166,8 +129,7 @@ TYPED_TEST(HierarchyWalks, FindTheHitsOfTryingEveryPrimitive) {
 // Several levels of nodes, with primitives large and small that overlap: some are cut by spatial splits.
 TYPED_TEST(HierarchyWalks, FindThemAmongThousandsOfPrimitives) {
   using Stored = typename TypeParam::Stored;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::size_t cut = 0;
   for (std::int64_t s = cases(16); s > 0; --s) {
     TestScene<Stored> scene;
@@ -191,7 +153,7 @@ TYPED_TEST(HierarchyWalks, FindThemAmongThousandsOfPrimitives) {
     const Grid grid = hierarchy_of(scene);
     EXPECT_GT(hierarchy_statistics(grid.nodes).depth, 2);
     cut += grid.references.size() - scene.count();
-    this->compare(chance, scene, grid, 250);
+    this->compare(scene, grid, 250);
   }
   EXPECT_EQ(this->different_, 0) << this->first_;
   EXPECT_GT(this->hits_, cases(1000));
@@ -201,8 +163,7 @@ TYPED_TEST(HierarchyWalks, FindThemAmongThousandsOfPrimitives) {
 TYPED_TEST(HierarchyWalks, FindThemAlongDirectionsWithTinyComponents) {
   using Stored = typename TypeParam::Stored;
   using Real = typename TypeParam::Real;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
   for (std::int64_t s = cases(500); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).flat();
@@ -212,7 +173,7 @@ TYPED_TEST(HierarchyWalks, FindThemAlongDirectionsWithTinyComponents) {
     for (int axis = 0; axis < 3; ++axis)
       if (bounds.min[axis] == bounds.max[axis]) across_plane = axis;
     const auto place = [&] { return cast<Real>(chance.in_box(bounds)); };
-    this->compare(chance, scene, grid, 200, [&] {
+    this->compare(scene, grid, 200, [&] {
       const Vec3<Real> origin = place();
       Vec3<Real> direction = place() - origin;
       direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, -20)));
@@ -226,8 +187,7 @@ TYPED_TEST(HierarchyWalks, FindThemAlongDirectionsWithTinyComponents) {
 // As large, as small and as far from the origin as scene files allow.
 TYPED_TEST(HierarchyWalks, FindThemInScenesOfAnyScaleAndPlace) {
   using Stored = typename TypeParam::Stored;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   const bool wide = std::is_same_v<Stored, double>;
   for (std::int64_t s = cases(400); s > 0; --s) {
     const double scale = chance.power_of_two(wide ? -298 : -31, wide ? 49 : 39);
@@ -250,7 +210,7 @@ TYPED_TEST(HierarchyWalks, FindThemInScenesOfAnyScaleAndPlace) {
       if (scene.count() == 0) continue;
     }
     const Grid grid = hierarchy_of(scene);
-    this->compare(chance, scene, grid, 200);
+    this->compare(scene, grid, 200);
   }
   EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
 }
@@ -285,25 +245,16 @@ TYPED_TEST(HierarchyWalks, FindNothingInAnEmptyScene) {
   EXPECT_FALSE(is_occluded<Robust<Real>>(scene.view(), hierarchy_view_of<Real>(grid), ray, counts));
 }
 
-// What a blind or hostile caller may hand over.
 TYPED_TEST(HierarchyWalks, EndForRaysOfAnyNumbers) {
   using Stored = typename TypeParam::Stored;
   using Real = typename TypeParam::Real;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
-  const auto number = [&]() -> Real {
-    constexpr Real infinity = std::numeric_limits<Real>::infinity();
-    return chance.one_of<Real>(
-        {0, Real(-0.0), 1, -1, Real(0.5), infinity, -infinity, std::numeric_limits<Real>::quiet_NaN(),
-         std::numeric_limits<Real>::denorm_min(), RealTraits<Real>::largest, -RealTraits<Real>::largest,
-         RealTraits<Real>::smallest_normal, static_cast<Real>(chance.uniform(-1, 1))});
-  };
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(30); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).scene();
     const Grid grid = hierarchy_of(scene);
     const SceneView<Stored> view = scene.view();
     for (int i = 0; i < 2000; ++i) {
-      const Ray<Real> ray{{number(), number(), number()}, number(), {number(), number(), number()}, number()};
+      const Ray<Real> ray = ray_of_any_numbers<Real>(chance);
       Counts counts;
       nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid), ray, counts);
       ASSERT_LE(counts.cells_visited, grid.nodes.size());
@@ -314,44 +265,14 @@ TYPED_TEST(HierarchyWalks, EndForRaysOfAnyNumbers) {
 // --- What the builder promises ---------------------------------------------------------------------------
 
 template <class Stored>
-class BuiltHierarchy : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class BuiltHierarchy : public RandomTest {};
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(BuiltHierarchy, Stores);
-
-// A random point of a primitive's surface.
-template <class T>
-Vec3d point_of(Chance& chance, const Triangle<T>& t) {
-  const Vec3d a = cast<double>(t.a), b = cast<double>(t.b), c = cast<double>(t.c);
-  double u = chance.one_of({0.0, 1.0, chance.uniform(0, 1)}), v = chance.uniform(0, 1);
-  if (u + v > 1) u = 1 - u, v = 1 - v;
-  return a + (b - a) * u + (c - a) * v;
-}
-template <class T>
-Vec3d point_of(Chance& chance, const Sphere<T>& s) {
-  Vec3d out = chance.direction();
-  if (chance.one_in(3)) {
-    out = {};
-    out.set(chance.whole(0, 2), chance.sign());
-  }
-  return cast<double>(s.center) + out * std::abs(static_cast<double>(s.radius));
-}
-template <class T>
-Vec3d point_of(Chance& chance, const Cone<T>& c) {
-  const Vec3d base = cast<double>(c.base), axis = cast<double>(c.apex) - base;
-  const double z = chance.one_of({0.0, 1.0, chance.uniform(0, 1)}),
-               r0 = std::abs(static_cast<double>(c.base_radius)),
-               r1 = std::abs(static_cast<double>(c.apex_radius));
-  return base + axis * z + across(chance, axis) * (r0 + (r1 - r0) * z);
-}
 
 // The walk is proven for hits up to 89 u M off their surface; the rest of the margin is for the walk itself.
 TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
   using Stored = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(500); s > 0 && !this->HasFailure(); --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
     const Grid grid = hierarchy_of(scene);
@@ -363,7 +284,8 @@ TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
         ASSERT_EQ(boxes[i].empty(), !has_surface(primitive)) << "primitive " << i << '\n' << described(scene);
         if (boxes[i].empty()) return;
         for (int k = 0; k < 20; ++k) {
-          const Vec3d at = point_of(chance, primitive), near = chance.in_cube(grid.layout.margin * 0.999);
+          const Vec3d at = on_surface(chance, widened(primitive)).at,
+                      near = chance.in_cube(grid.layout.margin * 0.999);
           const Vec3d point = at + near;
           ASSERT_TRUE(std::ranges::any_of(
               boxes[i], [&](const Boxd& box) { return contains(grown(box, unsure), point); }))
@@ -376,8 +298,7 @@ TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
 }
 
 TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   const TemporaryFolder folder;
   const std::string path = folder.file("a.grid");
   for (std::int64_t s = cases(100); s > 0; --s) {
@@ -417,35 +338,8 @@ TYPED_TEST(BuiltHierarchy, IsNeverTooDeepForTheWalk) {
   }
 }
 
-TYPED_TEST(BuiltHierarchy, IsTheSameForAnyNumberOfThreads) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
-  TestScene<TypeParam> scene;
-  for (int i = 0; i < 60'000; ++i) {
-    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.1 : 1.0);
-    const double size = chance.one_in(100) ? 0.5 : 0.01;
-    const auto near = [&] { return cast<TypeParam>(at + chance.in_cube(size)); };
-    scene.triangles.push_back(triangle_of(near(), near(), near()));
-    if (i % 10 == 0) scene.spheres.push_back(sphere_of<TypeParam>(at, 0.01));
-    if (i % 10 == 1)
-      scene.cones.push_back(cone_of<TypeParam>(at, 0.01, at + chance.direction() * 0.02, 0.005));
-  }
-  const auto built = [&](std::size_t threads) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return hierarchy_of(scene);
-  };
-  const Grid one = built(1);
-  for (const std::size_t threads : {std::size_t{2}, std::size_t{3}, std::size_t{16}}) {
-    const Grid grid = built(threads);
-    EXPECT_EQ(grid.references, one.references);
-    ASSERT_EQ(grid.nodes.size(), one.nodes.size());
-    EXPECT_EQ(std::memcmp(grid.nodes.data(), one.nodes.data(), one.nodes.size() * sizeof(HierarchyNode)), 0);
-  }
-}
-
 TYPED_TEST(BuiltHierarchy, StatisticsCountWhatIsThere) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
     const Grid grid = hierarchy_of(scene);
@@ -516,8 +410,7 @@ MetBoxes boxes_met_one_by_one(const HierarchyNode& node, const Vec3<Real>& origi
 // However many boxes the processor's instructions take at once: so what is visited is the same everywhere.
 TYPED_TEST(BuiltHierarchy, BoxesMetAreTheSameOneByOne) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t met = 0, missed = 0;
   for (std::int64_t s = cases(500); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();

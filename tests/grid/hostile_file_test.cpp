@@ -14,6 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using fb::GridSection;
 using fb::SceneSection;
 
+using G = GridParts;
+using P = SceneParts;
 using WrongScene = Wrong<SceneParts>;
 
 class HostileScene : public testing::TestWithParam<WrongScene> {};
@@ -25,31 +27,18 @@ TEST_P(HostileScene, IsRefused) {
   expect_refused<SceneFile>(path, GetParam());
 }
 
-fb::Camera with_from(const fb::Camera& c, const fb::Vec3& from) {
-  return {from, c.at(), c.up(), c.angle(), c.hither(), c.width(), c.height()};
-}
-fb::Camera with_at(const fb::Camera& c, const fb::Vec3& at) {
-  return {c.from(), at, c.up(), c.angle(), c.hither(), c.width(), c.height()};
-}
-fb::Camera with_up(const fb::Camera& c, const fb::Vec3& up) {
-  return {c.from(), c.at(), up, c.angle(), c.hither(), c.width(), c.height()};
-}
-WrongScene angle(const char* name, double value) {
-  return {name, [value](SceneParts& p) {
-            const fb::Camera& c = p.camera;
-            p.camera = {c.from(), c.at(), c.up(), value, c.hither(), c.width(), c.height()};
-          }};
-}
-WrongScene hither(const char* name, double value) {
-  return {name, [value](SceneParts& p) {
-            const fb::Camera& c = p.camera;
-            p.camera = {c.from(), c.at(), c.up(), c.angle(), value, c.width(), c.height()};
-          }};
-}
-WrongScene size(const char* name, std::int32_t width, std::int32_t height) {
+struct CameraFields {
+  fb::Vec3 from, at, up;
+  double angle, hither;
+  std::int32_t width, height;
+};
+template <class Field>
+WrongScene camera(const char* name, Field CameraFields::*field, const std::type_identity_t<Field>& value) {
   return {name, [=](SceneParts& p) {
             const fb::Camera& c = p.camera;
-            p.camera = {c.from(), c.at(), c.up(), c.angle(), c.hither(), width, height};
+            CameraFields f{c.from(), c.at(), c.up(), c.angle(), c.hither(), c.width(), c.height()};
+            f.*field = value;
+            p.camera = {f.from, f.at, f.up, f.angle, f.hither, f.width, f.height};
           }};
 }
 WrongScene triangle(const char* name, const std::function<void(Triangle<float>&)>& change) {
@@ -68,107 +57,58 @@ WrongScene surface(const char* name, SceneSection kind, const Surface& value) {
 WrongScene lacking(const char* name, SceneSection kind) {
   return {name, [kind](SceneParts& p) { p.drop(kind); }};
 }
-WrongScene objects(const char* name, const fb::ObjectCounts& counts) {
-  return {name, [counts](SceneParts& p) { p.objects = counts; }};
+WrongScene longer(const char* name, SceneSection kind, std::size_t by) {
+  return {name, [=](SceneParts& p) {
+            Bytes& bytes = p.section(kind).bytes;
+            bytes.resize(bytes.size() + by);
+          }};
 }
+
+using F = CameraFields; // See tiny_scene.h: it looks from (1, 2, 6) at (0, 0, 0.5).
 
 INSTANTIATE_TEST_SUITE_P(
     Camera, HostileScene,
-    testing::Values(
-        angle("AngleZero", 0), angle("AngleNegative", -45), angle("Angle180", 180), angle("AngleNaN", nan),
-        angle("AngleInfinite", infinity), hither("HitherNaN", nan), hither("HitherInfinite", infinity),
-        size("WidthZero", 0, 6), size("HeightZero", 8, 0), size("WidthNegative", -1, 6),
-        size("HeightSmallest", 8, std::numeric_limits<std::int32_t>::min()), size("WidthTooLarge", 65537, 6),
-        WrongScene{"FromNaN",
-                   [](SceneParts& p) {
-                     p.camera = with_from(p.camera, {nan, 0, 0});
-                   }},
-        WrongScene{"FromInfinite",
-                   [](SceneParts& p) {
-                     p.camera = with_from(p.camera, {0, infinity, 0});
-                   }},
-        WrongScene{"AtNaN",
-                   [](SceneParts& p) {
-                     p.camera = with_at(p.camera, {0, 0, nan});
-                   }},
-        WrongScene{"UpInfinite",
-                   [](SceneParts& p) {
-                     p.camera = with_up(p.camera, {-infinity, 0, 1});
-                   }},
-        WrongScene{"NoDirection", [](SceneParts& p) { p.camera = with_at(p.camera, p.camera.from()); }},
-        WrongScene{"UpZero",
-                   [](SceneParts& p) {
-                     p.camera = with_up(p.camera, {0, 0, 0});
-                   }},
-        WrongScene{"UpAlongTheView",
-                   [](SceneParts& p) {
-                     const fb::Vec3 &from = p.camera.from(), &at = p.camera.at();
-                     p.camera = with_up(p.camera, {at.x() - from.x(), at.y() - from.y(), at.z() - from.z()});
-                   }}),
+    testing::Values(camera("AngleZero", &F::angle, 0), camera("AngleNegative", &F::angle, -45),
+                    camera("Angle180", &F::angle, 180), camera("AngleNaN", &F::angle, nan),
+                    camera("AngleInfinite", &F::angle, infinity), camera("HitherNaN", &F::hither, nan),
+                    camera("HitherInfinite", &F::hither, infinity), camera("WidthZero", &F::width, 0),
+                    camera("HeightZero", &F::height, 0), camera("WidthNegative", &F::width, -1),
+                    camera("HeightSmallest", &F::height, std::numeric_limits<std::int32_t>::min()),
+                    camera("WidthTooLarge", &F::width, 65537), camera("FromNaN", &F::from, {nan, 0, 0}),
+                    camera("FromInfinite", &F::from, {0, infinity, 0}), camera("AtNaN", &F::at, {0, 0, nan}),
+                    camera("UpInfinite", &F::up, {-infinity, 0, 1}), camera("NoDirection", &F::at, {1, 2, 6}),
+                    camera("UpZero", &F::up, {0, 0, 0}), camera("UpAlongTheView", &F::up, {-1, -2, -5.5})),
     by_name);
+
+void empty_table(Bytes& bytes) {
+  flatbuffers::FlatBufferBuilder builder;
+  builder.Finish(flatbuffers::Offset<fb::Scene>(builder.EndTable(builder.StartTable())));
+  bytes.assign(builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize());
+}
+
+constexpr std::uint64_t one = 1;
 
 INSTANTIATE_TEST_SUITE_P(
     Table, HostileScene,
     testing::Values(
-        WrongScene{"StoreUnknown", [](SceneParts& p) { p.store = static_cast<fb::Store>(2); }},
-        WrongScene{"StoreOutOfRange", [](SceneParts& p) { p.store = static_cast<fb::Store>(255); }},
-        WrongScene{"StoreOfTheOtherWidth", [](SceneParts& p) { p.store = fb::Store::float64; }},
-        WrongScene{"OriginNaN",
-                   [](SceneParts& p) {
-                     p.origin = {0, nan, 0};
-                   }},
-        WrongScene{"OriginInfinite",
-                   [](SceneParts& p) {
-                     p.origin = {-infinity, 0, 0};
-                   }},
-        WrongScene{"OriginTooFar",
-                   [](SceneParts& p) {
-                     p.origin = {0, 0, 1e300};
-                   }},
-        WrongScene{"BoundsNaN",
-                   [](SceneParts& p) {
-                     p.bounds = {{nan, 0, 0}, {1, 1, 1}};
-                   }},
-        WrongScene{"BoundsInfinite",
-                   [](SceneParts& p) {
-                     p.bounds = {{0, 0, 0}, {1, infinity, 1}};
-                   }},
-        WrongScene{"BoundsBeyondFloat32",
-                   [](SceneParts& p) {
-                     p.bounds = {{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
-                   }},
-        WrongScene{"BoundsInsideOut",
-                   [](SceneParts& p) {
-                     p.bounds = {{1, -10, -10}, {-1, 10, 10}};
-                   }},
-        WrongScene{"BoundsTooSmall",
-                   [](SceneParts& p) {
-                     p.bounds = {{0, 0, 0}, {1e-3, 1e-3, 1e-3}};
-                   }},
-        objects("NoObjects", {0, 0, 0, 0}), objects("FewerObjects", {1, 1, 1, 0}),
-        objects("ObjectsBeyond31Bits", {std::uint64_t{1} << 31, 1, 1, 1}),
-        objects("ObjectsThatOverflow", {std::uint64_t{1} << 63, std::uint64_t{1} << 63, 4, 0}),
-        WrongScene{"TableEmpty", [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.clear(); }; }},
-        WrongScene{"TableOfOneByte",
-                   [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.resize(1); }; }},
-        WrongScene{
-            "TableCutShort",
-            [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.resize(bytes.size() / 2); }; }},
-        WrongScene{
-            "TableOfZeros",
-            [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.assign(bytes.size(), 0); }; }},
-        WrongScene{
-            "TableOfOnes",
-            [](SceneParts& p) { p.damage_table = [](Bytes& bytes) { bytes.assign(bytes.size(), 0xff); }; }},
-        WrongScene{"TableWithNothingInIt",
-                   [](SceneParts& p) {
-                     p.damage_table = [](Bytes& bytes) {
-                       flatbuffers::FlatBufferBuilder builder;
-                       builder.Finish(flatbuffers::Offset<fb::Scene>(builder.EndTable(builder.StartTable())));
-                       bytes.assign(builder.GetBufferPointer(),
-                                    builder.GetBufferPointer() + builder.GetSize());
-                     };
-                   }}),
+        set("StoreUnknown", &P::store, static_cast<fb::Store>(2)),
+        set("StoreOutOfRange", &P::store, static_cast<fb::Store>(255)),
+        set("StoreOfTheOtherWidth", &P::store, fb::Store::float64), set("OriginNaN", &P::origin, {0, nan, 0}),
+        set("OriginInfinite", &P::origin, {-infinity, 0, 0}), set("OriginTooFar", &P::origin, {0, 0, 1e300}),
+        set("BoundsNaN", &P::bounds, {{nan, 0, 0}, {1, 1, 1}}),
+        set("BoundsInfinite", &P::bounds, {{0, 0, 0}, {1, infinity, 1}}),
+        set("BoundsBeyondFloat32", &P::bounds, {{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}}),
+        set("BoundsInsideOut", &P::bounds, {{1, -10, -10}, {-1, 10, 10}}),
+        set("BoundsTooSmall", &P::bounds, {{0, 0, 0}, {1e-3, 1e-3, 1e-3}}),
+        set("NoObjects", &P::objects, {0, 0, 0, 0}), set("FewerObjects", &P::objects, {1, 1, 1, 0}),
+        set("ObjectsBeyond31Bits", &P::objects, {one << 31, 1, 1, 1}),
+        set("ObjectsThatOverflow", &P::objects, {one << 63, one << 63, 4, 0}),
+        table<P>("TableEmpty", [](Bytes& bytes) { bytes.clear(); }),
+        table<P>("TableOfOneByte", [](Bytes& bytes) { bytes.resize(1); }),
+        table<P>("TableCutShort", [](Bytes& bytes) { bytes.resize(bytes.size() / 2); }),
+        table<P>("TableOfZeros", [](Bytes& bytes) { bytes.assign(bytes.size(), 0); }),
+        table<P>("TableOfOnes", [](Bytes& bytes) { bytes.assign(bytes.size(), 0xff); }),
+        table<P>("TableWithNothingInIt", empty_table)),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -202,16 +142,8 @@ INSTANTIATE_TEST_SUITE_P(
         sphere("RadiusNaN", [](Sphere<float>& s) { s.radius = std::nanf(""); }),
         cone("ConesEndNaN", [](Cone<float>& c) { c.apex.y = std::nanf(""); }),
         cone("ConesRadiusInfinite", [](Cone<float>& c) { c.base_radius = HUGE_VALF; }),
-        WrongScene{"OneSurfaceTooMany",
-                   [](SceneParts& p) {
-                     Bytes& bytes = p.section(SceneSection::sphere_surfaces).bytes;
-                     bytes.insert(bytes.end(), 8, 0);
-                   }},
-        WrongScene{"OneConeTooMany",
-                   [](SceneParts& p) {
-                     Bytes& bytes = p.section(SceneSection::cones).bytes;
-                     bytes.insert(bytes.end(), 32, 0);
-                   }}),
+        longer("OneSurfaceTooMany", SceneSection::sphere_surfaces, 8),
+        longer("OneConeTooMany", SceneSection::cones, 32)),
     by_name);
 
 // With numbers of the faces of both triangles, or of others.
@@ -231,16 +163,6 @@ INSTANTIATE_TEST_SUITE_P(Faces, HostileScene,
                                          faces("OfAnotherRecordSize", {0, 1}, 2)),
                          by_name);
 
-// Makes the table describe one section falsely.
-WrongScene listed(const char* name, std::size_t i,
-                  const std::function<fb::Section(const fb::Section&)>& change) {
-  return {name, [=](SceneParts& p) {
-            p.falsify = [=](std::vector<fb::Section>& layout) { layout[i] = change(layout[i]); };
-          }};
-}
-WrongScene layout(const char* name, const std::function<void(std::vector<fb::Section>&)>& change) {
-  return {name, [change](SceneParts& p) { p.falsify = change; }};
-}
 fb::Section at_offset(const fb::Section& s, std::uint64_t offset) {
   return {s.kind(), s.record_bytes(), s.count(), offset, s.hash()};
 }
@@ -249,36 +171,42 @@ fb::Section of_records(const fb::Section& s, std::uint32_t bytes, std::uint64_t 
 }
 constexpr std::uint64_t far = std::numeric_limits<std::uint64_t>::max();
 
+// Section i of the table's list.
+WrongScene one_listed(const char* name, std::size_t i,
+                      const std::function<fb::Section(const fb::Section&)>& change) {
+  return listed<P>(name, [=](std::vector<fb::Section>& layout) { layout[i] = change(layout[i]); });
+}
+WrongScene moved(const char* name, std::size_t i, std::uint64_t by) {
+  return one_listed(name, i, [=](const fb::Section& s) { return at_offset(s, s.offset() + by); });
+}
+WrongScene at(const char* name, std::size_t i, std::uint64_t offset) {
+  return one_listed(name, i, [=](const fb::Section& s) { return at_offset(s, offset); });
+}
+WrongScene of(const char* name, std::size_t i, std::uint32_t record_bytes, std::uint64_t records) {
+  return one_listed(name, i, [=](const fb::Section& s) { return of_records(s, record_bytes, records); });
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Layout, HostileScene,
     testing::Values(
-        listed("Misaligned", 1, [](const fb::Section& s) { return at_offset(s, s.offset() + 4); }),
-        listed("Overlapping", 2, [](const fb::Section& s) { return at_offset(s, 0); }),
-        listed("AfterAGap", 7, [](const fb::Section& s) { return at_offset(s, s.offset() + 256); }),
-        listed("BeyondTheFile", 7, [](const fb::Section& s) { return at_offset(s, s.offset() + (1 << 20)); }),
-        listed("BeyondAllFiles", 7, [](const fb::Section& s) { return at_offset(s, far - 255); }),
-        listed("OfTheLastOffset", 7, [](const fb::Section& s) { return at_offset(s, far); }),
-        listed("OfNoRecords", 7, [](const fb::Section& s) { return of_records(s, 8, 0); }),
-        listed("OfRecordsWithoutSize", 7, [](const fb::Section& s) { return of_records(s, 0, 1); }),
-        listed("OfAnotherRecordSize", 7, [](const fb::Section& s) { return of_records(s, 4, 2); }),
-        listed("OfOneRecordTooMany", 7, [](const fb::Section& s) { return of_records(s, 8, 2); }),
-        listed("OfARecordTooFew", 0, [](const fb::Section& s) { return of_records(s, 24, 1); }),
-        listed("OfASizeThatOverflows", 7,
-               [](const fb::Section& s) { return of_records(s, 8, (far >> 3) + 2); }),
-        listed("OfTheLargestSize", 0, [](const fb::Section& s) { return of_records(s, 0xffffffff, far); }),
-        listed("OfAnotherHash", 3,
-               [](const fb::Section& s) {
-                 return fb::Section(s.kind(), s.record_bytes(), s.count(), s.offset(),
-                                    {s.hash().low() ^ 1, s.hash().high()});
-               }),
-        listed("OfAnEarlierKind", 5,
-               [](const fb::Section& s) {
-                 return fb::Section(3, s.record_bytes(), s.count(), s.offset(), s.hash());
-               }),
-        layout("OutOfOrder", [](std::vector<fb::Section>& l) { std::swap(l[2], l[3]); }),
-        layout("SectionTwice", [](std::vector<fb::Section>& l) { l.insert(l.begin() + 4, l[4]); }),
-        layout("SectionMissing", [](std::vector<fb::Section>& l) { l.pop_back(); }),
-        layout("NoSections", [](std::vector<fb::Section>& l) { l.clear(); })),
+        moved("Misaligned", 1, 4), at("Overlapping", 2, 0), moved("AfterAGap", 7, 256),
+        moved("BeyondTheFile", 7, 1 << 20), at("BeyondAllFiles", 7, far - 255), at("OfTheLastOffset", 7, far),
+        of("OfNoRecords", 7, 8, 0), of("OfRecordsWithoutSize", 7, 0, 1), of("OfAnotherRecordSize", 7, 4, 2),
+        of("OfOneRecordTooMany", 7, 8, 2), of("OfARecordTooFew", 0, 24, 1),
+        of("OfASizeThatOverflows", 7, 8, (far >> 3) + 2), of("OfTheLargestSize", 0, 0xffffffff, far),
+        one_listed("OfAnotherHash", 3,
+                   [](const fb::Section& s) {
+                     return fb::Section(s.kind(), s.record_bytes(), s.count(), s.offset(),
+                                        {s.hash().low() ^ 1, s.hash().high()});
+                   }),
+        one_listed("OfAnEarlierKind", 5,
+                   [](const fb::Section& s) {
+                     return fb::Section(3, s.record_bytes(), s.count(), s.offset(), s.hash());
+                   }),
+        listed<P>("OutOfOrder", [](std::vector<fb::Section>& l) { std::swap(l[2], l[3]); }),
+        listed<P>("SectionTwice", [](std::vector<fb::Section>& l) { l.insert(l.begin() + 4, l[4]); }),
+        listed<P>("SectionMissing", [](std::vector<fb::Section>& l) { l.pop_back(); }),
+        listed<P>("NoSections", [](std::vector<fb::Section>& l) { l.clear(); })),
     by_name);
 
 // A correct list of sections at an offset that isn't aligned for a Section.
@@ -334,7 +262,7 @@ TEST_P(HostileGridOfBlocks, IsRefused) {
 }
 
 WrongGrid space(const char* name, const fb::Box& box) {
-  return {name, [box](GridParts& p) { p.space = box; }};
+  return set(name, &G::space, box);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -348,18 +276,11 @@ INSTANTIATE_TEST_SUITE_P(
                     word("LastReferenceBeyond", GridSection::references, 2, 4 | last_bit),
                     word("ReferenceFarBeyond", GridSection::references, 1, 0x7fffffff),
                     word("ReferenceToNoPrimitive", GridSection::references, 0, no_primitive),
-                    WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }},
-                    WrongGrid{"OfASceneWithNone", [](GridParts& p) { p.primitives = 0; }},
-                    WrongGrid{"OriginNaN",
-                              [](GridParts& p) {
-                                p.origin = {nan, 0, 0};
-                              }},
-                    WrongGrid{"OriginTooFar",
-                              [](GridParts& p) {
-                                p.origin = {0, 1e300, 0};
-                              }},
-                    WrongGrid{"OfAMergedGrid", [](GridParts& p) { p.merge = fb::Merge::balance; }},
-                    WrongGrid{"OfAnUnknownMerge", [](GridParts& p) { p.merge = static_cast<fb::Merge>(5); }}),
+                    set("OfASceneWithFewerPrimitives", &G::primitives, 3),
+                    set("OfASceneWithNone", &G::primitives, 0),
+                    set("OriginNaN", &G::origin, fb::Vec3(nan, 0, 0)),
+                    set("OriginTooFar", &G::origin, fb::Vec3(0, 1e300, 0)), merged_as("OfAMergedGrid", 2),
+                    merged_as("OfAnUnknownMerge", 5)),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -368,8 +289,7 @@ INSTANTIATE_TEST_SUITE_P(
                     word("ListFarBeyond", GridSection::voxel_map, 3, 0xffffffff),
                     word("EmptyWithANumber", GridSection::voxel_map, 2, 1),
                     word("TooLarge", GridSection::voxel_map, 4, 0),
-                    WrongGrid{"TooSmall",
-                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(12); }},
+                    resized("TooSmall", GridSection::voxel_map, 12),
                     without("Missing", GridSection::voxel_map), blocks("InBlocks", 1),
                     blocks("InLargeBlocks", 5), blocks("InBlocksTooLarge", 6), blocks("InBlocksOf31Bits", 31),
                     blocks("InBlocksOf32Bits", 32), blocks("InBlocksOfAllBits", 0xffffffff),
@@ -394,42 +314,27 @@ INSTANTIATE_TEST_SUITE_P(Space, HostileGrid,
 INSTANTIATE_TEST_SUITE_P(
     Sections, HostileGrid,
     testing::Values(
-        WrongGrid{"RecordsOfTwoBytes",
-                  [](GridParts& p) {
-                    p.falsify = [](std::vector<fb::Section>& l) { l[0] = of_records(l[0], 2, 8); };
-                  }},
-        WrongGrid{"RecordsOfEightBytes",
-                  [](GridParts& p) {
-                    p.falsify = [](std::vector<fb::Section>& l) { l[1] = of_records(l[1], 8, 2); };
-                  }},
-        WrongGrid{
-            "OutOfOrder",
-            [](GridParts& p) { p.falsify = [](std::vector<fb::Section>& l) { std::swap(l[0], l[1]); }; }},
-        WrongGrid{"SectionMissing",
-                  [](GridParts& p) { p.falsify = [](std::vector<fb::Section>& l) { l.pop_back(); }; }},
-        WrongGrid{"TableEmpty", [](GridParts& p) { p.damage_table = [](Bytes& bytes) { bytes.clear(); }; }},
-        WrongGrid{
-            "TableOfOnes",
-            [](GridParts& p) { p.damage_table = [](Bytes& bytes) { bytes.assign(bytes.size(), 0xff); }; }}),
+        listed<G>("RecordsOfTwoBytes", [](std::vector<fb::Section>& l) { l[0] = of_records(l[0], 2, 8); }),
+        listed<G>("RecordsOfEightBytes", [](std::vector<fb::Section>& l) { l[1] = of_records(l[1], 8, 2); }),
+        listed<G>("OutOfOrder", [](std::vector<fb::Section>& l) { std::swap(l[0], l[1]); }),
+        listed<G>("SectionMissing", [](std::vector<fb::Section>& l) { l.pop_back(); }),
+        table<G>("TableEmpty", [](Bytes& bytes) { bytes.clear(); }),
+        table<G>("TableOfOnes", [](Bytes& bytes) { bytes.assign(bytes.size(), 0xff); })),
     by_name);
 
-INSTANTIATE_TEST_SUITE_P(
-    Map, HostileGridOfBlocks,
-    testing::Values(word("BlockBeyond", GridSection::voxel_map, 1, occupied_bit | 2),
-                    word("BlockFarBeyond", GridSection::voxel_map, 0, 0xffffffff),
-                    word("BlocksShared", GridSection::voxel_map, 1, occupied_bit | 1),
-                    word("EmptyBlockWithANumber", GridSection::voxel_map, 1, 1),
-                    word("ListBeyond", GridSection::voxel_map, 3, occupied_bit | 5),
-                    word("EmptyVoxelWithANumber", GridSection::voxel_map, 5, 2),
-                    word("OneWordTooMany", GridSection::voxel_map, 19, 0),
-                    WrongGrid{"OneWordTooFew",
-                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(18 * 4); }},
-                    WrongGrid{"NoBlockMaps",
-                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(3 * 4); }},
-                    WrongGrid{"FewerWordsThanBlocks",
-                              [](GridParts& p) { p.section(GridSection::voxel_map).bytes.resize(2 * 4); }},
-                    blocks("NotInBlocks", 0), blocks("InLargerBlocks", 2)),
-    by_name);
+INSTANTIATE_TEST_SUITE_P(Map, HostileGridOfBlocks,
+                         testing::Values(word("BlockBeyond", GridSection::voxel_map, 1, occupied_bit | 2),
+                                         word("BlockFarBeyond", GridSection::voxel_map, 0, 0xffffffff),
+                                         word("BlocksShared", GridSection::voxel_map, 1, occupied_bit | 1),
+                                         word("EmptyBlockWithANumber", GridSection::voxel_map, 1, 1),
+                                         word("ListBeyond", GridSection::voxel_map, 3, occupied_bit | 5),
+                                         word("EmptyVoxelWithANumber", GridSection::voxel_map, 5, 2),
+                                         word("OneWordTooMany", GridSection::voxel_map, 19, 0),
+                                         resized("OneWordTooFew", GridSection::voxel_map, 18 * 4),
+                                         resized("NoBlockMaps", GridSection::voxel_map, 3 * 4),
+                                         resized("FewerWordsThanBlocks", GridSection::voxel_map, 2 * 4),
+                                         blocks("NotInBlocks", 0), blocks("InLargerBlocks", 2)),
+                         by_name);
 
 } // namespace
 } // namespace masu

@@ -1,13 +1,11 @@
 // Hierarchies with correct hashes and invalid contents are refused with an error; none leads traversal out of
 // its arrays or into an endless loop.
 #include "libgrid/build/hierarchy.h"
-#include "tests/hostile_files.h"
-#include "tests/stability/random_seed.h"
-#include "tests/tracing_probe.h"
+#include "tests/random_test.h"
+#include "tests/unchecked_grid.h"
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace masu {
 namespace {
@@ -52,46 +50,41 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN(),
 // reference each.
 INSTANTIATE_TEST_SUITE_P(
     Nodes, HostileHierarchy,
-    testing::Values(
-        origin("OriginNaN", 0, nan), origin("OriginInfinite", 1, infinity),
-        origin("OriginMinusInfinite", 2, -infinity), first_node("NodeOfItself", 0, 0),
-        first_node("NodeBeyond", 0, 2), first_node("NodeFarBeyond", 0, 0xffffffff),
-        node("ACycle", 1,
-             [](HierarchyNode& n) {
-               n.exponents |= 1U << 24;
-               n.slots[0] = node_slot;
-               n.first_node = 0;
-             }),
-        node("ANodeTwice", 1,
-             [](HierarchyNode& n) {
-               n.exponents |= 1U << 24;
-               n.slots[0] = node_slot;
-               n.first_node = 1;
-             }),
-        node("OneMoreNode", 0,
-             [](HierarchyNode& n) {
-               n.exponents |= 1U << 31;
-               n.slots[1] |= (node_slot | 7) << 24;
-             }),
-        node("NodeOnlyInTheMask", 0, [](HierarchyNode& n) { n.exponents |= 1U << 24; }),
-        node("NodeOnlyInTheSlot", 0, [](HierarchyNode& n) { n.exponents &= 0xffffff; }),
-        node("NodeUnreached", 0,
-             [](HierarchyNode& n) {
-               n.exponents &= 0xffffff;
-               n.slots[1] = 0;
-             }),
-        slot("SlotOfAnother", 0, 6, node_slot | 5), slot("NodeWithTwoBits", 0, 6, 0x78 | 6),
-        slot("NodeWithoutItsBit", 0, 6, 0x18 | 6), slot("ReferencesAsANode", 0, 1, 0x38 | 1),
-        without("None", GridSection::nodes), with_section("AVoxelMap", GridSection::voxel_map, 4),
-        with_section("Cells", GridSection::cells, 16), division("Divided", 2, 1, 1),
-        WrongGrid{
-            "OneNodeTooMany",
-            [](GridParts& p) { p.section(GridSection::nodes).bytes.resize(3 * sizeof(HierarchyNode)); }},
-        WrongGrid{"OneNodeTooFew",
-                  [](GridParts& p) { p.section(GridSection::nodes).bytes.resize(sizeof(HierarchyNode)); }},
-        WrongGrid{"OfAUniformGrid", [](GridParts& p) { p.merge = fb::Merge::none; }},
-        WrongGrid{"OfAnIrregularGrid", [](GridParts& p) { p.merge = fb::Merge::irregular; }},
-        WrongGrid{"MergedInNoKnownWay", [](GridParts& p) { p.merge = static_cast<fb::Merge>(5); }}),
+    testing::Values(origin("OriginNaN", 0, nan), origin("OriginInfinite", 1, infinity),
+                    origin("OriginMinusInfinite", 2, -infinity), first_node("NodeOfItself", 0, 0),
+                    first_node("NodeBeyond", 0, 2), first_node("NodeFarBeyond", 0, 0xffffffff),
+                    node("ACycle", 1,
+                         [](HierarchyNode& n) {
+                           n.exponents |= 1U << 24;
+                           n.slots[0] = node_slot;
+                           n.first_node = 0;
+                         }),
+                    node("ANodeTwice", 1,
+                         [](HierarchyNode& n) {
+                           n.exponents |= 1U << 24;
+                           n.slots[0] = node_slot;
+                           n.first_node = 1;
+                         }),
+                    node("OneMoreNode", 0,
+                         [](HierarchyNode& n) {
+                           n.exponents |= 1U << 31;
+                           n.slots[1] |= (node_slot | 7) << 24;
+                         }),
+                    node("NodeOnlyInTheMask", 0, [](HierarchyNode& n) { n.exponents |= 1U << 24; }),
+                    node("NodeOnlyInTheSlot", 0, [](HierarchyNode& n) { n.exponents &= 0xffffff; }),
+                    node("NodeUnreached", 0,
+                         [](HierarchyNode& n) {
+                           n.exponents &= 0xffffff;
+                           n.slots[1] = 0;
+                         }),
+                    slot("SlotOfAnother", 0, 6, node_slot | 5), slot("NodeWithTwoBits", 0, 6, 0x78 | 6),
+                    slot("NodeWithoutItsBit", 0, 6, 0x18 | 6), slot("ReferencesAsANode", 0, 1, 0x38 | 1),
+                    without("None", GridSection::nodes), with_section("AVoxelMap", GridSection::voxel_map, 4),
+                    with_section("Cells", GridSection::cells, 16), division("Divided", 2, 1, 1),
+                    resized("OneNodeTooMany", GridSection::nodes, 3 * sizeof(HierarchyNode)),
+                    resized("OneNodeTooFew", GridSection::nodes, sizeof(HierarchyNode)),
+                    merged_as("OfAUniformGrid", 0), merged_as("OfAnIrregularGrid", 3),
+                    merged_as("MergedInNoKnownWay", 5)),
     by_name);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -104,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                     word("PrimitiveBeyond", GridSection::references, 1, 4),
                     word("WithAListsEnd", GridSection::references, 3, 3 | last_bit),
                     without("Missing", GridSection::references),
-                    WrongGrid{"OfASceneWithFewerPrimitives", [](GridParts& p) { p.primitives = 3; }}),
+                    set("OfASceneWithFewerPrimitives", &GridParts::primitives, 3)),
     by_name);
 
 // A chain of nodes, each in a slot of the one before.
@@ -131,75 +124,34 @@ TEST(HostileHierarchyDepth, IsRefusedBeyondTheWalksStack) {
   }
 }
 
-class DamagedHierarchy : public testing::Test {
-protected:
-  void open_and_trace(const GridParts& parts) {
-    parts.write(path_);
-    try {
-      const GridFile grid(path_);
-      ++opened_;
-      trace_a_little(scene_, &grid);
-    } catch (const Error& error) {
-      ++refused_;
-      ASSERT_EQ(error.code(), ErrorCode::input) << error.what();
-      ASSERT_EQ(error.place(), path_);
-    }
-  }
-
-  static Scene scene_of_spheres() {
-    Scene scene = tiny_scene();
-    std::mt19937_64 random(1);
-    std::uniform_real_distribution<double> place(-2, 2);
-    scene.spheres.clear();
-    for (std::size_t i = 0; i < 400; ++i)
-      scene.spheres.push_back({{place(random), place(random), place(random)}, 0.1});
-    scene.sphere_surfaces.assign(scene.spheres.size(), {2, 2});
-    return scene;
-  }
-  // Of a scene and its hierarchy in files.
-  SceneFile written(const Scene& scene) const {
-    write_scene(scene, Store::float32, folder_.file("scene"));
-    return SceneFile(folder_.file("scene"));
-  }
-
-  const TemporaryFolder folder_;
-  const std::string path_ = folder_.file("grid");
-  const SceneFile scene_ = written(scene_of_spheres());
-  int opened_ = 0, refused_ = 0;
-};
+using DamagedHierarchy = RandomTest;
 
 TEST_F(DamagedHierarchy, AnyFlippedBitIsRefusedOrHarmless) {
-  const SceneFile tiny = written(tiny_scene());
-  write_grid(tiny_hierarchy(), tiny_grid_provenance(tiny.geometry_hash(), "bvh"), path_);
-  const GridParts parts(path_);
-  for (std::size_t section = 0; section < parts.sections.size(); ++section) {
-    for (std::size_t bit = 0; bit < 8 * parts.sections[section].bytes.size(); ++bit) {
-      GridParts spoilt = parts;
-      spoilt.sections[section].bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
-      spoilt.write(path_);
-      try {
-        const GridFile grid(path_);
-        ++opened_;
-        trace_a_little(tiny, &grid);
-      } catch (const Error& error) {
-        ++refused_;
-        ASSERT_EQ(error.code(), ErrorCode::input) << error.what();
-        ASSERT_EQ(error.place(), path_);
-      }
-    }
-  }
-  EXPECT_GT(opened_, 500); // planes may be anything
-  EXPECT_GT(refused_, 200);
+  const auto [opened, refused] = with_any_flipped_bit(tiny_hierarchy(), "bvh");
+  EXPECT_GT(opened, 500); // planes may be anything
+  EXPECT_GT(refused, 200);
+}
+
+Scene scene_of_spheres(Chance& chance) {
+  Scene scene = tiny_scene();
+  scene.spheres.clear();
+  for (std::size_t i = 0; i < 400; ++i)
+    scene.spheres.push_back({chance.in_cube(2), 0.1});
+  scene.sphere_surfaces.assign(scene.spheres.size(), {2, 2});
+  return scene;
 }
 
 // Several levels of nodes, each with anything for an exponent, a plane, a slot or a number.
 TEST_F(DamagedHierarchy, OfManyNodesIsRefusedOrHarmless) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
-  build_a_little(scene_, Overlap::exact, GridKind::hierarchy, path_);
-  const GridParts parts(path_);
-  const GridFile whole(path_);
+  auto random = seed_.engine();
+  const TemporaryFolder folder;
+  const std::string scene_path = folder.file("scene"), path = folder.file("grid");
+  write_scene(scene_of_spheres(chance_), Store::float32, scene_path);
+  const SceneFile scene(scene_path);
+  build_a_little(scene, Overlap::exact, GridKind::hierarchy, path);
+  const GridParts parts(path);
+  const GridFile whole(path);
+  OpenedAndRefused count;
   ASSERT_GT(whole.nodes().size(), 20U);
   const auto numbers = static_cast<std::uint32_t>(whole.nodes().size() + whole.references().size());
   for (int i = 0; i < 1500; ++i) {
@@ -237,11 +189,11 @@ TEST_F(DamagedHierarchy, OfManyNodesIsRefusedOrHarmless) {
         }
       });
     }
-    open_and_trace(spoilt);
+    open_and_trace(spoilt, scene, path, count);
     if (HasFatalFailure()) return;
   }
-  EXPECT_GT(opened_, 100);
-  EXPECT_GT(refused_, 100);
+  EXPECT_GT(count.opened, 100);
+  EXPECT_GT(count.refused, 100);
 }
 
 } // namespace

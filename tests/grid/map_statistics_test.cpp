@@ -4,7 +4,8 @@
 #include "libgrid/file/grid_file.h"
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -15,23 +16,6 @@
 
 namespace masu {
 namespace {
-
-template <class Stored>
-TestScene<Stored> random_scene(Chance& chance, int most) {
-  TestScene<Stored> scene;
-  for (int i = chance.whole(0, most); i > 0; --i) {
-    const Vec3d at = chance.in_cube(1);
-    const double size = chance.power_of_two(-6, -2);
-    if (chance.one_in(2)) {
-      scene.spheres.push_back(sphere_of<Stored>(at, size));
-    } else {
-      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
-      const Vec3<Stored> a = corner(), b = corner(), c = corner();
-      scene.triangles.push_back(triangle_of(a, b, c));
-    }
-  }
-  return scene;
-}
 
 template <class Stored>
 GridLayout layout_for(const TestScene<Stored>& scene, const Vec3i& division) {
@@ -86,18 +70,14 @@ bool meets(const Vec3d& origin, const Vec3d& direction, const Vec3d& low, const 
 }
 
 template <class Stored>
-class MapStatisticsOf : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class MapStatisticsOf : public RandomTest {};
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(MapStatisticsOf, Stores);
 
 TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(60); i > 0; --i) {
-    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 40);
     const GridLayout layout = layout_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
@@ -169,10 +149,9 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
 }
 
 TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(20); i > 0; --i) {
-    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 40);
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 40);
     const GridLayout layout =
         layout_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
@@ -200,9 +179,8 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
 
 // The same grid with a map of blocks is expected to cost less by the blocks that are empty.
 TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
-  TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 8);
+  Chance& chance = this->chance_;
+  TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 8);
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
   const GridLayout layout = layout_for(scene, n);
   const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
@@ -234,10 +212,9 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
 
 // Lines through the space, all equally likely: a direction, and a place in a disc at right angles to it.
 TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(3); i > 0; --i) {
-    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 30);
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 30);
     const GridLayout layout = layout_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);

@@ -5,16 +5,18 @@
 #include "tests/grid/device_like_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <set>
 
 namespace masu {
 namespace {
+
+using MergedOutOfRange = RandomTest;
 
 // Primitives by voxel, as for_each_overlap gives them.
 using Lists = std::vector<std::set<PrimitiveIndex>>;
@@ -102,7 +104,7 @@ private:
 };
 
 template <class Stored>
-class Merged : public testing::Test {
+class Merged : public RandomTest {
 protected:
   // Few enough voxels to look at each of them.
   GridOptions random_rule(Chance& chance) const {
@@ -117,8 +119,6 @@ protected:
     return layout;
   }
   Overlap random_overlap(Chance& chance) const { return chance.one_in(2) ? Overlap::exact : Overlap::box; }
-
-  RandomSeed seed_;
 };
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(Merged, Stores);
@@ -166,8 +166,7 @@ void expect_listed(const Grid& grid, const Lists& needed) {
 }
 
 TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(400); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const GridOptions options = this->random_rule(chance);
@@ -179,14 +178,10 @@ TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
 }
 
 TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(20); s > 0; --s) {
     TestScene<TypeParam> scene;
-    for (int i = 0; i < 500; ++i) {
-      const Vec3d a = chance.in_cube(1), b = a + chance.in_cube(0.1), c = a + chance.in_cube(0.1);
-      scene.triangles.push_back(triangle_of(cast<TypeParam>(a), cast<TypeParam>(b), cast<TypeParam>(c)));
-    }
+    add_triangles(scene, chance, 500, 0.1);
     GridOptions options{GridKind::irregular};
     options.nested_log2 = 3;
     GridLayout layout = masu::random_layout<TypeParam>(chance, scene.bounds());
@@ -207,22 +202,19 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
 }
 
 // nff2bin writes no such scene, but a file may hold one: areas and volumes are then infinite, or nothing.
-TEST(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
   GridOptions options;
   options.kind = GridKind::irregular;
   options.nested_log2 = 3;
   for (const double scale : {0x1p520, 0x1p-520}) {
     for (std::int64_t s = cases(20); s > 0; --s) {
       TestScene<double> scene;
-      const auto corner = [&] { return chance.in_cube(1) * scale; };
+      const auto corner = [&] { return chance_.in_cube(1) * scale; };
       for (int i = 0; i < 30; ++i) {
         const Vec3d a = corner(), b = corner(), c = corner();
         scene.triangles.push_back(triangle_of(a, b, c));
       }
-      GridLayout layout = random_layout<double>(chance, scene.bounds());
+      GridLayout layout = random_layout<double>(chance_, scene.bounds());
       layout.division = {2, 3, 4};
       const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
       expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::box));
@@ -233,8 +225,7 @@ TEST(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
 }
 
 TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(400); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
     const GridOptions options = this->random_rule(chance);
@@ -256,8 +247,7 @@ TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
 
 // A ray that crosses a cell's box misses nothing by it.
 TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t expanded = 0, over_others = 0;
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
@@ -285,8 +275,7 @@ TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
 }
 
 TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
     GridOptions options = this->random_rule(chance);
@@ -304,8 +293,7 @@ TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
 // --- x ---------------------------------------------------------------------------------------------------
 
 TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
     GridOptions options;
@@ -360,8 +348,7 @@ bool could_be_divided(const Lists& lists, const VoxelBox& box, const Vec3i& divi
 }
 
 TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t within = 0, above = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
@@ -389,42 +376,8 @@ TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
 
 // --- All -------------------------------------------------------------------------------------------------
 
-TYPED_TEST(Merged, TheNumberOfThreadsShowsInNoByte) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
-  TestScene<TypeParam> scene;
-  for (int i = 0; i < 20'000; ++i) {
-    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.1 : 1.0);
-    const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.02)); };
-    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
-  }
-  const SceneView<TypeParam> view = scene.view();
-  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
-    GridOptions options;
-    options.kind = kind;
-    GridLayout layout = this->random_layout(chance, scene, options);
-    layout.division = kind == GridKind::irregular ? Vec3i{7, 6, 5} : Vec3i{31, 40, 33};
-    Grid first;
-    for (const std::size_t threads : {1U, 2U, 4U}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Grid grid = build_grid(view, layout, Overlap::exact, options);
-      if (threads == 1) {
-        first = grid;
-        continue;
-      }
-      const auto same_cell = [](const MergedCell& a, const MergedCell& b) {
-        return a.x == b.x && a.y == b.y && a.z == b.z && a.list == b.list;
-      };
-      EXPECT_TRUE(grid.voxel_map == first.voxel_map) << threads;
-      EXPECT_TRUE(std::ranges::equal(grid.cells, first.cells, same_cell)) << threads;
-      EXPECT_TRUE(grid.references == first.references) << threads;
-    }
-  }
-}
-
 TYPED_TEST(Merged, ASceneOfNothingHasEmptyCells) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene;
     const GridOptions options = this->random_rule(chance);

@@ -1,7 +1,7 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
 #include "libgrid/build/passes/merge_passes.h"
 #include "libgrid/build/passes/serial_executor.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,8 @@
 
 namespace masu {
 namespace {
+
+using NestedMap = RandomTest;
 
 bool holds(const VoxelBox& box, const Vec3i& voxel) {
   return voxel.x >= box.first.x && voxel.x < box.end.x && voxel.y >= box.first.y && voxel.y < box.end.y &&
@@ -84,18 +86,15 @@ HostArray<std::uint32_t> map_of(const std::vector<VoxelBox>& cells, const Vec3i&
   return std::move(grid.voxel_map);
 }
 
-TEST(NestedMap, LeadsEveryVoxelOfARandomPartitionToItsCell) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(NestedMap, LeadsEveryVoxelOfARandomPartitionToItsCell) {
   for (std::int64_t i = cases(1000); i > 0; --i) {
-    const std::int32_t log2 = chance.whole(0, 5), side = 1 << log2;
-    const Vec3i cube{chance.whole(0, 3), chance.whole(0, 3), chance.whole(0, 3)};
+    const std::int32_t log2 = chance_.whole(0, 5), side = 1 << log2;
+    const Vec3i cube{chance_.whole(0, 3), chance_.whole(0, 3), chance_.whole(0, 3)};
     const Vec3i first{cube.x << log2, cube.y << log2, cube.z << log2};
     const VoxelBox whole{first, first + Vec3i{side, side, side}};
     std::vector<VoxelBox> cells;
-    divide(chance, whole, chance.whole(0, 9), cells);
-    std::shuffle(cells.begin(), cells.end(), chance.engine());
+    divide(chance_, whole, chance_.whole(0, 9), cells);
+    std::shuffle(cells.begin(), cells.end(), chance_.engine());
 
     const HostArray<std::uint32_t> words = map_of(cells, cube, log2);
     Follower follower(words, 64);
@@ -116,7 +115,7 @@ TEST(NestedMap, LeadsEveryVoxelOfARandomPartitionToItsCell) {
 }
 
 // One cell takes no words, and a cell for each voxel about one a voxel.
-TEST(NestedMap, TakesFewWords) {
+TEST_F(NestedMap, TakesFewWords) {
   EXPECT_EQ(map_of({{{0, 0, 0}, {16, 16, 16}}}, {0, 0, 0}, 4).size(), 64U);
   std::vector<VoxelBox> voxels;
   for_each_voxel({{0, 0, 0}, {15, 15, 15}}, [&](const Vec3i& voxel) {

@@ -2,19 +2,20 @@
 // oracle that clips triangles, measures distances and cuts voxels up.
 #include "libgrid/build/division.h"
 #include "libgrid/build/overlap/overlap.h"
+#include "tests/random_test.h"
 #include "tests/stability/oracle/oracle.h"
-#include "tests/stability/test_scene.h"
+#include "tests/surface_point.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
-#include <span>
 #include <tuple>
 #include <utility>
 
 namespace masu {
 namespace {
+
+using OverlapsOfAFlatCone = RandomTest;
 
 using oracle::Wide;
 
@@ -242,34 +243,6 @@ Cone<double> random_cone(Chance& chance, const GridLayout& layout, double scale)
   return cone;
 }
 
-// A point of the surface, and its direction outwards.
-struct Sample {
-  Vec3d at, outwards;
-};
-
-Sample on_surface(Chance& chance, const Triangle<double>& t) {
-  double v = chance.uniform(0, 1), w = chance.uniform(0, 1);
-  if (v + w > 1) v = 1 - v, w = 1 - w;
-  if (chance.one_in(4)) v = 0;
-  if (chance.one_in(4)) w = chance.one_in(2) ? 0 : 1 - v;
-  return {t.a + (t.b - t.a) * v + (t.c - t.a) * w, chance.direction()};
-}
-Sample on_surface(Chance& chance, const Sphere<double>& s) {
-  Vec3d out = chance.direction();
-  if (chance.one_in(4)) { // a pole
-    out = {0, 0, 0};
-    out.set(chance.whole(0, 2), chance.sign());
-  }
-  return {s.center + out * std::abs(s.radius), out};
-}
-Sample on_surface(Chance& chance, const Cone<double>& c) {
-  double z = chance.one_of({0.0, 1.0, chance.uniform(0, 1), chance.uniform(0, 1)});
-  if (chance.one_in(4)) z = std::abs(c.base_radius) < std::abs(c.apex_radius) ? 0 : 1;
-  const Vec3d axis = c.apex - c.base, out = across(chance, axis);
-  const double radius = std::abs(c.base_radius) * (1 - z) + std::abs(c.apex_radius) * z;
-  return {c.base + axis * z + out * radius, out};
-}
-
 Triangle<double> moved(const Triangle<double>& t, const Vec3d& by) {
   return triangle_of(t.a + by, t.b + by, t.c + by);
 }
@@ -317,10 +290,7 @@ struct KindNames {
 };
 
 template <class K>
-class Overlaps : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class Overlaps : public RandomTest {};
 TYPED_TEST_SUITE(Overlaps, Kinds, KindNames);
 
 // --- What must be listed ---------------------------------------------------------------------------------
@@ -355,8 +325,7 @@ const Vec3i* missing(const GridLayout& layout, const Listing& listing, const ora
 }
 
 TYPED_TEST(Overlaps, EveryVoxelNearASampledPointOfTheSurfaceIsListed) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t lost = 0;
   std::string first;
   for (std::int64_t i = cases(1500); i > 0; --i) {
@@ -368,7 +337,7 @@ TYPED_TEST(Overlaps, EveryVoxelNearASampledPointOfTheSurfaceIsListed) {
     ASSERT_TRUE(exact.inside() && box.inside()) << described(primitive) << described(layout);
     ASSERT_TRUE(exact.within(box)) << described(primitive) << described(layout);
     for (int k = 0; k < 100; ++k) {
-      const Sample sample = on_surface(chance, primitive);
+      const auto sample = on_surface(chance, primitive);
       const oracle::Point at = oracle::point(sample.at);
       const Wide off = oracle::distance(at, primitive); // the sample's own rounding
       Vec3i voxel{};
@@ -382,8 +351,7 @@ TYPED_TEST(Overlaps, EveryVoxelNearASampledPointOfTheSurfaceIsListed) {
 
 // The surface touches a corner, an edge or a face of the voxels, and may hardly enter them.
 TYPED_TEST(Overlaps, WhatTouchesACornerIsListedAllRound) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t lost = 0;
   std::string first;
   for (std::int64_t i = cases(40'000); i > 0; --i) {
@@ -431,8 +399,7 @@ bool must_be_listed(const Cone<double>&, const WideBox&, double) {
 }
 
 TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t lost = 0, needless = 0;
   std::string first_lost, first_needless;
   for (std::int64_t i = cases(2000); i > 0; --i) {
@@ -458,13 +425,10 @@ TYPED_TEST(Overlaps, TheExactTestListsWhatTheOracleDoes) {
 }
 
 // A margin along a flat cone's axis moves its side by many voxels; its rims stay where they are.
-TEST(OverlapsOfAFlatCone, StayByItsRims) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(OverlapsOfAFlatCone, StayByItsRims) {
   for (int i = 0; i < 20; ++i) {
     const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {50, 50, 50}, 1e-5};
-    const Vec3d up = chance.direction() * 1e-6;
+    const Vec3d up = chance_.direction() * 1e-6;
     const Cone<double> cone{{0, 0, 0}, 0.6, up, 0.3};
     std::int64_t far = 0, listed = 0;
     for_each_overlap(layout, Overlap::exact, cone, [&](const Vec3i& voxel) {
@@ -481,15 +445,26 @@ TEST(OverlapsOfAFlatCone, StayByItsRims) {
 // --- Touching, to the last bit ---------------------------------------------------------------------------
 
 // Without a margin, and with coordinates that make all arithmetic exact, touching alone decides.
-class Touching : public testing::Test {
+class Touching : public RandomTest {
 protected:
   // Multiples of a quarter in the space.
-  Vec3d point(Chance& chance) const {
-    const auto c = [&] { return chance.whole(0, 32) / 4.0; };
+  Vec3d point() {
+    const auto c = [&] { return chance_.whole(0, 32) / 4.0; };
     return {c(), c(), c()};
   }
+  // Of primitives that make() returns, those voxels are listed that touch(primitive, voxel) says.
+  template <class Make, class Touch>
+  void expect_listed(Overlap overlap, const Make& make, const Touch& touch) {
+    for (std::int64_t i = cases(600); i > 0 && !HasFailure(); --i) {
+      const auto primitive = make();
+      const Listing listing(layout_, overlap, primitive);
+      for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
+        EXPECT_EQ(listing.lists(voxel), touch(primitive, voxel_box(layout_, voxel)))
+            << described(primitive) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+      });
+    }
+  }
 
-  RandomSeed seed_;
   GridLayout layout_{{{0, 0, 0}, {8, 8, 8}}, {8, 8, 4}, 0};
 };
 
@@ -497,53 +472,38 @@ protected:
 constexpr double next_to_nothing = 1e-20;
 
 TEST_F(Touching, CountsForTriangles) {
-  SCOPED_TRACE(seed_.trace());
-  Chance chance(seed_);
-  for (std::int64_t i = cases(600); i > 0; --i) {
-    Triangle<double> triangle = triangle_of(point(chance), point(chance), point(chance));
-    if (chance.one_in(3)) { // a floor, now and then on the lowest face or the highest
-      const double at = chance.one_of({0.0, 8.0, triangle.a.z});
-      triangle.a.z = triangle.b.z = triangle.c.z = at;
-    }
-    const Listing exact(layout_, Overlap::exact, triangle);
-    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      EXPECT_EQ(exact.lists(voxel), meets(triangle, grown(voxel_box(layout_, voxel), next_to_nothing)))
-          << described(triangle) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
-    });
-    if (HasFailure()) return;
-  }
+  expect_listed(
+      Overlap::exact,
+      [&] {
+        Triangle<double> triangle = triangle_of(point(), point(), point());
+        if (chance_.one_in(3)) { // a floor, now and then on the lowest face or the highest
+          const double at = chance_.one_of({0.0, 8.0, triangle.a.z});
+          triangle.a.z = triangle.b.z = triangle.c.z = at;
+        }
+        return triangle;
+      },
+      [](const auto& triangle, const WideBox& voxel) {
+        return meets(triangle, grown(voxel, next_to_nothing));
+      });
 }
 
 TEST_F(Touching, CountsForSpheres) {
-  SCOPED_TRACE(seed_.trace());
-  Chance chance(seed_);
-  for (std::int64_t i = cases(600); i > 0; --i) {
-    const Sphere<double> sphere{point(chance), chance.whole(1, 16) / 4.0};
-    const Listing exact(layout_, Overlap::exact, sphere);
-    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      EXPECT_EQ(exact.lists(voxel), shell_within(sphere, voxel_box(layout_, voxel), next_to_nothing))
-          << described(sphere) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
-    });
-    if (HasFailure()) return;
-  }
+  expect_listed(
+      Overlap::exact,
+      [&] {
+        return Sphere<double>{point(), chance_.whole(1, 16) / 4.0};
+      },
+      [](const auto& sphere, const WideBox& voxel) { return shell_within(sphere, voxel, next_to_nothing); });
 }
 
 TEST_F(Touching, CountsForBoundingBoxes) {
-  SCOPED_TRACE(seed_.trace());
-  Chance chance(seed_);
-  for (std::int64_t i = cases(600); i > 0; --i) {
-    const Triangle<double> triangle = triangle_of(point(chance), point(chance), point(chance));
-    const Boxd around = bounds(triangle);
-    const Listing box(layout_, Overlap::box, triangle);
-    for_each_voxel({{0, 0, 0}, layout_.division - Vec3i{1, 1, 1}}, [&](const Vec3i& voxel) {
-      const WideBox own = voxel_box(layout_, voxel);
-      const bool apart = own.max.x < around.min.x || own.min.x > around.max.x || own.max.y < around.min.y ||
-                         own.min.y > around.max.y || own.max.z < around.min.z || own.min.z > around.max.z;
-      EXPECT_EQ(box.lists(voxel), !apart)
-          << described(triangle) << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
-    });
-    if (HasFailure()) return;
-  }
+  expect_listed(
+      Overlap::box, [&] { return triangle_of(point(), point(), point()); },
+      [](const auto& triangle, const WideBox& own) {
+        const Boxd around = bounds(triangle);
+        return own.max.x >= around.min.x && own.min.x <= around.max.x && own.max.y >= around.min.y &&
+               own.min.y <= around.max.y && own.max.z >= around.min.z && own.min.z <= around.max.z;
+      });
 }
 
 // A cylinder of radius 1 about the middle of the first voxels, 2 wide: it touches all four side faces.

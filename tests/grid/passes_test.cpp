@@ -3,6 +3,7 @@
 #include "tests/grid/device_like_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 #include "tests/same_grid.h"
 
 #include <algorithm>
@@ -13,15 +14,15 @@
 namespace masu {
 namespace {
 
+using Executors = RandomTest;
+
 template <class Stored>
-class Executor : public testing::Test {};
+class Executor : public RandomTest {};
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(Executor, Stores);
 
 TYPED_TEST(Executor, BuildTheSameUniformGrid) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   DeviceLikeExecutor executor;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
@@ -34,9 +35,7 @@ TYPED_TEST(Executor, BuildTheSameUniformGrid) {
 }
 
 TYPED_TEST(Executor, BuildTheSameUniformGridOfBlocks) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   DeviceLikeExecutor executor;
   for (std::int64_t s = cases(3); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
@@ -49,9 +48,7 @@ TYPED_TEST(Executor, BuildTheSameUniformGridOfBlocks) {
 }
 
 TYPED_TEST(Executor, BuildTheSameMergedGrid) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   DeviceLikeExecutor executor;
   std::int64_t divided = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
@@ -68,9 +65,7 @@ TYPED_TEST(Executor, BuildTheSameMergedGrid) {
 
 // On the host's cores one part after another; rows of many pairs all at once.
 TYPED_TEST(Executor, BuildTheSameMergedGridOfManyParts) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   DeviceLikeExecutor executor;
   for (std::int64_t s = cases(4); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
@@ -114,10 +109,7 @@ struct EmitKeys {
 };
 
 // A division's keys have up to 49 bits: the voxels of 65535³, and the voxels that fill its last blocks.
-TEST(Executors, SortKeysOfAnyWidth) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(Executors, SortKeysOfAnyWidth) {
   constexpr int widest = 49;
   EXPECT_EQ(std::bit_width(StorageOrder({largest_division, largest_division, largest_division}, 3).size()),
             widest);
@@ -126,7 +118,7 @@ TEST(Executors, SortKeysOfAnyWidth) {
     const std::uint64_t end = std::uint64_t{1} << bits;
     std::vector<std::uint64_t> keys{0, end - 1, end / 2};
     while (keys.size() < 5000 * EmitKeys::rows)
-      keys.push_back(chance.one_in(4) ? keys[chance.index(keys.size())] : chance.engine()() % end);
+      keys.push_back(chance_.one_in(4) ? keys[chance_.index(keys.size())] : chance_.engine()() % end);
     std::vector<std::pair<std::uint64_t, std::uint32_t>> expected;
     for (std::uint32_t k = 0; k < keys.size(); ++k)
       expected.emplace_back(keys[k], k);

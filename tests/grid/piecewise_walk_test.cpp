@@ -5,6 +5,7 @@
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ namespace masu {
 namespace {
 
 template <class Real>
-class PiecewiseWalk : public testing::Test {};
+class PiecewiseWalk : public RandomTest {};
 using Arithmetics = testing::Types<float, double>;
 TYPED_TEST_SUITE(PiecewiseWalk, Arithmetics);
 
@@ -71,9 +72,7 @@ Hit<Real> found_in_pieces(Chance& chance, const SceneView<Real>& scene, const Vi
 
 TYPED_TEST(PiecewiseWalk, FindsTheHitsOfTryingEveryPrimitive) {
   using Real = TypeParam;
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   std::int64_t hits = 0;
   for (std::int64_t s = cases(1000); s > 0 && !this->HasFailure(); --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();

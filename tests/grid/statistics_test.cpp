@@ -4,40 +4,18 @@
 #include "libgrid/build/division.h"
 #include "libgrid/file/grid_file.h"
 #include "libgrid/statistics/statistics.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_scene.h"
+#include "tests/random_test.h"
+#include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <map>
-#include <span>
 
 namespace masu {
 namespace {
-
-template <class Stored>
-TestScene<Stored> random_scene(Chance& chance, int most) {
-  TestScene<Stored> scene;
-  for (int i = chance.whole(0, most); i > 0; --i) {
-    const Vec3d at = chance.in_cube(1);
-    const double size = chance.power_of_two(-6, -2);
-    const auto corner = [&] { return at + chance.in_cube(size); };
-    switch (chance.whole(0, 2)) {
-    case 0:
-      scene.triangles.push_back(
-          triangle_of(cast<Stored>(corner()), cast<Stored>(corner()), cast<Stored>(corner())));
-      break;
-    case 1:
-      scene.spheres.push_back(sphere_of<Stored>(at, size));
-      break;
-    default:
-      scene.cones.push_back(cone_of<Stored>(corner(), size, corner(), size / 2));
-      break;
-    }
-  }
-  return scene;
-}
 
 // Primitives by voxel, in rising order, as for_each_overlap gives them.
 using Lists = std::map<std::uint64_t, std::vector<PrimitiveIndex>>;
@@ -77,7 +55,7 @@ Lists lists_of(const Grid& grid) {
 }
 
 template <class Stored>
-class Built : public testing::Test {
+class Built : public RandomTest {
 protected:
   GridLayout layout(const TestScene<Stored>& scene, const Vec3i& division) const {
     const Boxd bounds = scene.bounds();
@@ -87,17 +65,14 @@ protected:
   Vec3i division(Chance& chance, int most) const {
     return {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
   }
-
-  RandomSeed seed_;
 };
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(Built, Stores);
 
 TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(60); i > 0; --i) {
-    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 60);
     const GridLayout layout = this->layout(scene, this->division(chance, 24));
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
     const Grid grid = build_grid(scene.view(), layout, overlap);
@@ -108,14 +83,9 @@ TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
 
 // More primitives than one piece holds, and crowded and lonely buckets side by side.
 TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   TestScene<TypeParam> scene;
-  for (int i = 0; i < 20'000; ++i) {
-    const Vec3d at = chance.in_cube(1) * (chance.one_in(2) ? 0.01 : 1.0);
-    const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.002)); };
-    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
-  }
+  add_triangles(scene, chance, 20'000, 0.002, 0.01);
   const GridLayout layout = this->layout(scene, {70, 50, 60});
   ASSERT_EQ(lists_of<TypeParam>(build_grid(scene.view(), layout, Overlap::exact)),
             lists_of(scene, layout, Overlap::exact));
@@ -123,10 +93,9 @@ TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
 
 // Beyond 2²³ voxels the map has two levels; what it leads to is the same.
 TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (const Vec3i& division : {Vec3i{203, 207, 211}, {1, 3000, 3001}, {65535, 131, 1}}) {
-    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 12);
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 12);
     scene.spheres.clear(); // slow in so many voxels
     scene.cones.clear();
     scene.triangles.push_back(triangle_of<TypeParam>({-1, -1, -1}, {1, 1, 1}, {1, TypeParam(0.9), 1}));
@@ -138,38 +107,43 @@ TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
 }
 
 TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
   TestScene<TypeParam> scene;
-  for (int i = 0; i < 30'000; ++i) {
-    const Vec3d at = chance.in_cube(1);
-    const auto corner = [&] { return cast<TypeParam>(at + chance.in_cube(0.02)); };
-    scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
+  add_triangles(scene, this->chance_, 30'000, 0.02, 0.1);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3d at = this->chance_.in_cube(1);
+    scene.spheres.push_back(sphere_of<TypeParam>(at, 0.01));
+    scene.cones.push_back(cone_of<TypeParam>(at, 0.01, at + this->chance_.direction() * 0.02, 0.005));
   }
   const SceneView<TypeParam> view = scene.view();
-  for (const Vec3i& division : {Vec3i{31, 32, 33}, {220, 220, 220}}) {
-    const GridLayout layout = this->layout(scene, division);
-    Grid first;
-    for (const std::size_t threads : {1U, 2U, 4U}) {
+  // Calls check(what make() makes with one thread, what it makes with more).
+  const auto compare = [](const auto& make, const auto& check) {
+    const auto made = [&](std::size_t threads) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      const Grid grid = build_grid(view, layout, Overlap::exact);
-      if (threads == 1) {
-        first = grid;
-        continue;
-      }
-      EXPECT_TRUE(grid.voxel_map == first.voxel_map) << threads;
-      EXPECT_TRUE(grid.references == first.references) << threads;
+      return make();
+    };
+    const auto first = made(1);
+    for (const std::size_t threads : {2U, 3U, 16U}) {
+      SCOPED_TRACE(threads);
+      check(first, made(threads));
     }
+  };
+  const std::pair<GridKind, Vec3i> grids[] = {
+      {GridKind::uniform, {31, 32, 33}}, {GridKind::uniform, {220, 220, 220}},
+      {GridKind::x, {31, 40, 33}},       {GridKind::balance, {31, 40, 33}},
+      {GridKind::irregular, {7, 6, 5}},  {GridKind::hierarchy, {1, 1, 1}}};
+  for (const auto& [kind, division] : grids) {
+    SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind));
+    GridOptions options;
+    options.kind = kind;
+    const GridLayout layout = this->layout(scene, division);
+    compare([&] { return build_grid(view, layout, Overlap::exact, options); }, expect_same);
   }
-  DivisionStatistics first;
-  for (const std::size_t threads : {1U, 2U, 4U}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const DivisionStatistics statistics = division_statistics(view);
-    if (threads == 1) first = statistics;
-    EXPECT_EQ(statistics.all.extents, first.all.extents);
-    EXPECT_EQ(statistics.all.projections, first.all.projections);
-    EXPECT_EQ(statistics.dense.projections, first.dense.projections);
-  }
+  compare([&] { return division_statistics(view); },
+          [](const DivisionStatistics& a, const DivisionStatistics& b) {
+            EXPECT_EQ(a.all.extents, b.all.extents);
+            EXPECT_EQ(a.all.projections, b.all.projections);
+            EXPECT_EQ(a.dense.projections, b.dense.projections);
+          });
 }
 
 TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
@@ -189,10 +163,9 @@ TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
 // --- Numbers ---------------------------------------------------------------------------------------------
 
 TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t i = cases(40); i > 0; --i) {
-    TestScene<TypeParam> scene = random_scene<TypeParam>(chance, 60);
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 60);
     const GridLayout layout = this->layout(scene, this->division(chance, 20));
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
     const Grid grid = build_grid(scene.view(), layout, overlap);

@@ -1,8 +1,6 @@
 // The grid never shows: through any grid a ray finds the same bits as by trying every primitive.
-#include "libgrid/trace/trace.h"
-#include "renderer/counts.h"
+#include "tests/grid/walk_comparison.h"
 #include "tests/random_grid.h"
-#include "tests/random_ray.h"
 #include "tests/random_scene.h"
 
 #include <gtest/gtest.h>
@@ -18,48 +16,18 @@ namespace {
 // --- Hits ------------------------------------------------------------------------------------------------
 
 template <class Real>
-class GridWalk : public testing::Test {
+class GridWalk : public WalkComparison<Real, Real> {
 protected:
-  // Counts the rays whose answer depends on whether there is a grid.
-  void compare(Chance& chance, TestScene<Real>& scene, const Grid& grid, int rays_to_try) {
+  void compare(TestScene<Real>& scene, const Grid& grid, int rays_to_try) {
     const Boxd bounds = scene.bounds();
-    RayMaker<Real> rays(chance, scene, bounds, grid);
-    compare_each(chance, scene, grid, rays_to_try, [&] { return rays.ray(); });
+    RayMaker<Real> rays(this->chance_, scene, bounds, grid);
+    compare_each(scene, grid, rays_to_try, [&] { return rays.ray(); });
   }
   template <class MakeRay>
-  void compare_each(Chance& chance, TestScene<Real>& scene, const Grid& grid, int rays_to_try,
-                    const MakeRay& make_ray) {
+  void compare_each(TestScene<Real>& scene, const Grid& grid, int rays_to_try, const MakeRay& make_ray) {
     with_view<Real>(grid, [&](const auto& grid_view) {
-      compare_through(chance, scene, grid, grid_view, rays_to_try, make_ray);
+      this->compare_through(scene, grid_view, rays_to_try, make_ray, [&] { return described(grid); });
     });
-  }
-
-  RandomSeed seed_;
-  std::int64_t hits_ = 0, different_ = 0;
-  std::string first_;
-
-private:
-  template <class View, class MakeRay>
-  void compare_through(Chance& chance, TestScene<Real>& scene, const Grid& grid, const View& grid_view,
-                       int rays_to_try, const MakeRay& make_ray) {
-    const SceneView<Real> view = scene.view();
-    for (int i = 0; i < rays_to_try; ++i) {
-      Ray<Real> ray = make_ray();
-      NoCounts counts;
-      const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
-      const Hit<Real> found = nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
-      hits_ += expected.primitive != no_primitive;
-      const bool same = found.primitive == expected.primitive && same_bits(found.t, expected.t);
-      // Anything nearer than about the hit, or the whole ray.
-      if (expected.primitive != no_primitive && chance.one_in(2))
-        ray.t_max = chance.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
-      const bool same_shadow = is_occluded<Robust<Real>>(view, grid_view, ray, counts) ==
-                               is_occluded<Robust<Real>>(view, NoGrid{}, ray, counts);
-      if ((same && same_shadow) || ++different_ > 1) continue;
-      first_ = described(ray.origin, ray.direction) + " t_max " + described(ray.t_max) + ": " +
-               described(found) + ", expected " + described(expected) + "; " + described(grid) + '\n' +
-               described(scene);
-    }
   }
 };
 using Arithmetics = testing::Types<float, double>;
@@ -67,12 +35,11 @@ TYPED_TEST_SUITE(GridWalk, Arithmetics);
 
 TYPED_TEST(GridWalk, FindsTheHitsOfTryingEveryPrimitive) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(2000); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
     const Grid grid = random_grid(chance, scene.view(), scene.bounds());
-    this->compare(chance, scene, grid, 300);
+    this->compare(scene, grid, 300);
   }
   EXPECT_EQ(this->different_, 0) << this->first_;
   EXPECT_GT(this->hits_, cases(100'000));
@@ -81,8 +48,7 @@ TYPED_TEST(GridWalk, FindsTheHitsOfTryingEveryPrimitive) {
 // Edge-on to triangles in a plane, but for the smallest numbers.
 TYPED_TEST(GridWalk, FindsThemAlongDirectionsWithTinyComponents) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
   for (std::int64_t s = cases(1000); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).flat();
@@ -92,7 +58,7 @@ TYPED_TEST(GridWalk, FindsThemAlongDirectionsWithTinyComponents) {
     for (int axis = 0; axis < 3; ++axis)
       if (bounds.min[axis] == bounds.max[axis]) across_plane = axis;
     const auto place = [&] { return cast<Real>(chance.in_box(bounds)); };
-    this->compare_each(chance, scene, grid, 200, [&] {
+    this->compare_each(scene, grid, 200, [&] {
       const Vec3<Real> origin = place();
       Vec3<Real> direction = place() - origin;
       direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, lowest / 2)));
@@ -105,8 +71,7 @@ TYPED_TEST(GridWalk, FindsThemAlongDirectionsWithTinyComponents) {
 // Close to the tip, where all roots of the cone's quadratic meet; the grid's planes pass by it.
 TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(1000); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).pointed();
     const Boxd bounds = scene.bounds();
@@ -135,7 +100,7 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
       }
     }
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
-    this->compare_each(chance, scene, grid, 200, [&] {
+    this->compare_each(scene, grid, 200, [&] {
       const Cone<Real>& cone = scene.cones[chance.index(scene.cones.size())];
       const Vec3d tip = cast<double>(cone.apex), axis = normalized(cast<double>(cone.base) - tip);
       const Vec3d off = chance.in_cube(chance.power_of_two(-40, -20));
@@ -150,8 +115,7 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
 // So fine that the builder makes a map of two levels by itself.
 TYPED_TEST(GridWalk, FindsThemThroughMillionsOfVoxels) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = std::max<std::int64_t>(cases(4), 1); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).fine();
     const Boxd bounds = scene.bounds();
@@ -160,7 +124,7 @@ TYPED_TEST(GridWalk, FindsThemThroughMillionsOfVoxels) {
                             rounding_margin<Real>(bounds)};
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
-    this->compare(chance, scene, grid, 3000);
+    this->compare(scene, grid, 3000);
   }
   EXPECT_EQ(this->different_, 0) << this->first_;
   EXPECT_GT(this->hits_, cases(1000));
@@ -169,8 +133,7 @@ TYPED_TEST(GridWalk, FindsThemThroughMillionsOfVoxels) {
 // Code that is compiled for fewer kinds of primitives does the same.
 TYPED_TEST(GridWalk, FindsTheSameWithoutTheCodeForAbsentKinds) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(200); s > 0 && !this->HasFailure(); --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
     if (chance.one_in(3)) scene.triangles.clear();
@@ -236,8 +199,7 @@ void expect_nearest(const SceneView<Real>& scene, const View& grid, Ray<Real> ra
 
 TYPED_TEST(GridWalk, TiesGoToTheLowestPrimitive) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t ties = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
@@ -295,8 +257,7 @@ struct WholeWalk {
 
 TYPED_TEST(GridWalk, EndsAndGoesForward) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(400); s > 0 && !this->HasFailure(); --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
     const SceneView<Real> view = scene.view();
@@ -351,8 +312,7 @@ struct Wayfarer {
 // Visited or skipped, the voxels on a ray's way are the same however they are joined.
 TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::int64_t skipped = 0;
   for (std::int64_t s = cases(100); s > 0 && !this->HasFailure(); --s) {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
@@ -385,23 +345,14 @@ TYPED_TEST(GridWalk, EveryVoxelOnTheWayIsVisitedOrSkipped) {
   EXPECT_GT(skipped, cases(1000));
 }
 
-// What a blind or hostile caller may hand over: every walk still ends.
 TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   TestScene<Real> scene;
   scene.triangles.push_back(triangle_of<Real>({0, 0, 0}, {1, 0, 0}, {0, 1, 1}));
   scene.spheres.push_back({{0, 0, 0}, Real(0.5)});
   const SceneView<Real> view = scene.view();
   const Boxd bounds = scene.bounds();
-  const auto number = [&]() -> Real {
-    constexpr Real infinity = std::numeric_limits<Real>::infinity();
-    return chance.one_of<Real>(
-        {0, Real(-0.0), 1, -1, Real(0.5), infinity, -infinity, std::numeric_limits<Real>::quiet_NaN(),
-         std::numeric_limits<Real>::denorm_min(), RealTraits<Real>::largest, -RealTraits<Real>::largest,
-         RealTraits<Real>::smallest_normal, static_cast<Real>(chance.uniform(-1, 1))});
-  };
   const GridLayout layout{space_of<Real>(bounds, SpaceRule::tight), {5, 6, 7}, rounding_margin<Real>(bounds)};
   const Grid uniform = build_grid(view, layout, Overlap::exact);
   std::vector<Grid> grids{uniform, in_blocks(uniform, 2)};
@@ -412,8 +363,7 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
   for (const Grid& grid : grids) {
     with_view<Real>(grid, [&](const auto& grid_view) {
       for (std::int64_t i = cases(5'000); i > 0 && !this->HasFailure(); --i) {
-        const Ray<Real> ray{
-            {number(), number(), number()}, number(), {number(), number(), number()}, number()};
+        const Ray<Real> ray = ray_of_any_numbers<Real>(chance);
         NoCounts counts;
         nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
         const Vec3<Real>& d = ray.direction;

@@ -28,12 +28,12 @@ TEST(ColorMap, LightnessGrowsEvenlySoThatItReadsWithoutColor) {
   const double low = lightness(map(0)), high = lightness(map(1));
   EXPECT_LT(low, 20);
   EXPECT_GT(high, 85);
-  for (int i = 0; i <= 32; ++i) {
-    const double at = i / 32.0;
+  for (int i = 0; i <= 100; ++i) {
+    const double at = i / 100.0, step = lightness(map(at)) - lightness(map(at - 0.01));
     EXPECT_NEAR(lightness(map(at)), low + at * (high - low), 0.05 * (high - low)) << at;
-    if (i > 0) {
-      EXPECT_GT(lightness(map(at)), lightness(map((i - 1) / 32.0)));
-    }
+    if (i == 0) continue;
+    EXPECT_GT(step, 0.2) << at;
+    EXPECT_LT(step, 1.8) << at;
   }
 }
 

@@ -1,11 +1,10 @@
 // Pages that Cairo draws.
-#include "tests/temporary_folder.h"
+#include "tests/decoded_image.h"
 #include "tools/draw/drawing.h"
 
 #include "libscene/base/error.h"
 
 #include <gtest/gtest.h>
-#include <png.h>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +22,7 @@ struct Pixels {
   Bytes rgb;
 
   Rgb at(std::int32_t x, std::int32_t y) const {
-    const std::size_t i =
-        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    const auto i = 3 * static_cast<std::size_t>(y * width + x);
     return {rgb[i], rgb[i + 1], rgb[i + 2]};
   }
 };
@@ -35,13 +33,8 @@ protected:
 
   Pixels drawn(const Drawing& drawing) const {
     write_png(drawing, file("page.png"), {});
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    EXPECT_NE(png_image_begin_read_from_file(&png, file("page.png").c_str()), 0);
-    png.format = PNG_FORMAT_RGB;
-    Pixels pixels{static_cast<std::int32_t>(png.width), static_cast<std::int32_t>(png.height),
-                  Bytes(PNG_IMAGE_SIZE(png))};
-    EXPECT_NE(png_image_finish_read(&png, nullptr, pixels.rgb.data(), 0, nullptr), 0);
+    const DecodedPng png = decoded_png(file("page.png"));
+    const Pixels pixels{static_cast<std::int32_t>(png.width), static_cast<std::int32_t>(png.height), png.rgb};
     EXPECT_EQ(pixels.width, drawing.width);
     EXPECT_EQ(pixels.height, drawing.height);
     return pixels;

@@ -1,4 +1,5 @@
 // However a picture's rays are divided among workers, each is traced once, and the picture is the same.
+#include "tests/random_test.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 #include "tools/bench/screen_division/screen_division.h"
@@ -13,9 +14,11 @@
 namespace masu {
 namespace {
 
+using ScreenDivisions = RandomTest;
+
 constexpr std::array all_divisions{ScreenDivision::block, ScreenDivision::cyclic, ScreenDivision::persistent};
 
-TEST(ScreenDivision, BlocksAndCyclesHoldEachTileOnceAndAboutAsMany) {
+TEST_F(ScreenDivisions, BlocksAndCyclesHoldEachTileOnceAndAboutAsMany) {
   for (const std::uint32_t tiles : {1U, 2U, 7U, 64U, 1000U}) {
     for (const std::uint32_t workers : {1U, 2U, 3U, 64U, 1001U}) {
       for (const ScreenDivision division : {ScreenDivision::block, ScreenDivision::cyclic}) {
@@ -36,14 +39,12 @@ TEST(ScreenDivision, BlocksAndCyclesHoldEachTileOnceAndAboutAsMany) {
   }
 }
 
-TEST(ScreenDivision, EveryOneRendersTheSamePicture) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+TEST_F(ScreenDivisions, EveryOneRendersTheSamePicture) {
   Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
   for (int i = 0; i < 20; ++i) {
-    const Vec3d center{chance.between(-2, 2), chance.between(-2, 2), chance.between(-2, 2)};
-    add_sphere(scene, center, chance.between(0.1, 0.8), i % 3 == 0 ? mirror() : matte(chance.color()));
+    const Vec3d center = chance_.in_cube(2);
+    add_sphere(scene, center, chance_.uniform(0.1, 0.8),
+               i % 3 == 0 ? mirror() : matte(random_color(chance_)));
   }
   add_light(scene, {3, 4, 5});
   const Rendering rendering(scene, Store::float32);

@@ -16,17 +16,17 @@
 namespace masu {
 namespace {
 
-Scene random_scene(SceneChance& chance) {
+Scene random_scene(Chance& chance) {
   Scene scene = empty_scene({0, -4, 1}, {0, 0, 0});
   for (int i = 0; i < 60; ++i) {
-    const Vec3d at{chance.between(-1, 1), chance.between(-1, 1), chance.between(-1, 1)};
-    add_sphere(scene, at, chance.between(0.02, 0.2), matte({1, 1, 1}));
+    const Vec3d at = chance.in_cube(1);
+    add_sphere(scene, at, chance.uniform(0.02, 0.2), matte({1, 1, 1}));
     add_triangle(scene, at, at + chance.direction() * 0.5, at + chance.direction() * 0.5, matte({1, 1, 1}));
   }
   return scene;
 }
 
-std::vector<Ray<float>> random_rays(SceneChance& chance, std::size_t count) {
+std::vector<Ray<float>> random_rays(Chance& chance, std::size_t count) {
   std::vector<Ray<float>> rays(count);
   for (Ray<float>& ray : rays)
     ray = unbounded_ray(cast<float>(chance.direction() * 3.0), cast<float>(chance.direction()));
@@ -36,14 +36,14 @@ std::vector<Ray<float>> random_rays(SceneChance& chance, std::size_t count) {
 TEST(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+  Chance chance(seed);
   for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
     GridOptions options;
     options.kind = kind;
     const Rendering rendering(random_scene(chance), Store::float32, "6x5x7", options);
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       // The last warp isn't full.
-      const std::size_t warps = 1 + static_cast<std::size_t>(chance.between(0, 63));
+      const std::size_t warps = 1 + static_cast<std::size_t>(chance.uniform(0, 63));
       const std::vector<Ray<float>> rays = random_rays(chance, warps * 32 + 17);
       double work = 0, tests = 0, most_work = 0, most_tests = 0;
       for (std::size_t warp = 0; warp < warps; ++warp) {

@@ -1,6 +1,7 @@
 // Camera rays follow the view: right-handed, upright, through the corners or centres of pixels.
 #include "libscene/nff/nff.h"
 #include "renderer/image/image.h"
+#include "tests/random_test.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 
@@ -8,36 +9,35 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <numbers>
 
 namespace masu {
 namespace {
+
+using CameraRays = RandomTest;
+using Images = RandomTest;
 
 struct View {
   Vec3d forward, right, up; // of unit length
 };
 
 // A camera of any direction, with an up vector that isn't perpendicular to it.
-View random_view(SceneChance& chance, Camera& camera) {
-  camera.from = chance.direction() * chance.between(0, 5);
+View random_view(Chance& chance, Camera& camera) {
+  camera.from = chance.direction() * chance.uniform(0, 5);
   const Vec3d forward = chance.direction();
-  camera.at = camera.from + forward * chance.between(0.5, 20);
-  camera.up = chance.towards(forward, -0.9);
+  camera.at = camera.from + forward * chance.uniform(0.5, 20);
+  camera.up = random_towards(chance, forward, -0.9);
   while (std::abs(dot(camera.up, forward)) > 0.9)
     camera.up = chance.direction();
-  camera.up = camera.up * chance.between(0.1, 10);
+  camera.up = camera.up * chance.uniform(0.1, 10);
   const Vec3d right = normalized(cross(forward, camera.up));
   return {forward, right, cross(right, forward)};
 }
 
-TEST(Camera, ImageIsUprightAndNotMirrored) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+TEST_F(CameraRays, ImageIsUprightAndNotMirrored) {
   for (int i = 0; i < 30; ++i) {
     Scene scene = empty_scene({0, 0, 5}, {0, 0, 0}); // 90°, 3×3 corner rays
-    const View view = random_view(chance, scene.camera);
+    const View view = random_view(chance_, scene.camera);
     std::vector<std::size_t> rays;
     for (const int x : {-1, 0, 1}) {
       for (const int y : {-1, 0, 1}) {
@@ -52,17 +52,14 @@ TEST(Camera, ImageIsUprightAndNotMirrored) {
   }
 }
 
-TEST(Camera, RaysPassThroughPixelCornersOrCentres) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+TEST_F(CameraRays, RaysPassThroughPixelCornersOrCentres) {
   for (int i = 0; i < 30; ++i) {
     Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
-    const View view = random_view(chance, scene.camera);
-    const double distance = chance.between(1, 10);
-    scene.camera.angle = chance.between(1, 120);
-    scene.camera.width = static_cast<std::int32_t>(chance.between(1, 9));
-    scene.camera.height = static_cast<std::int32_t>(chance.between(1, 9));
+    const View view = random_view(chance_, scene.camera);
+    const double distance = chance_.uniform(1, 10);
+    scene.camera.angle = chance_.uniform(1, 120);
+    scene.camera.width = chance_.whole(1, 8);
+    scene.camera.height = chance_.whole(1, 8);
     add_wall(scene, scene.camera.from + view.forward * distance, view.forward, matte({1, 1, 1}), 1e3);
     const Rendering rendering(scene, Store::float64);
     for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
@@ -90,30 +87,27 @@ TEST(Camera, RaysPassThroughPixelCornersOrCentres) {
 }
 
 // Every value is written: of rays that miss the scene, too.
-TEST(Camera, APictureInUsedMemoryIsTheSame) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+TEST_F(CameraRays, APictureInUsedMemoryIsTheSame) {
   Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
   scene.camera.width = 70;
   scene.camera.height = 41;
   for (int i = 0; i < 3; ++i)
-    add_sphere(scene, chance.direction(), chance.between(0.1, 0.5), matte(chance.color()));
+    add_sphere(scene, chance_.direction(), chance_.uniform(0.1, 0.5), matte(random_color(chance_)));
   const Rendering rendering(scene, Store::float32);
   for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
     const Tracer tracer(rendering.scene(), grid, Device::cpu);
     Frame memory;
     for (int i = 0; i < 40; ++i) {
       FrameRequest request = rendering.request();
-      request.hits = chance.between(0, 2) < 1;
-      request.costs = chance.between(0, 2) < 1;
+      request.hits = chance_.uniform(0, 2) < 1;
+      request.costs = chance_.uniform(0, 2) < 1;
       request.tracing.count = request.costs;
-      request.window.first_column = static_cast<std::int32_t>(chance.between(0, 35));
-      request.window.columns = 1 + static_cast<std::int32_t>(chance.between(0, 35));
-      request.window.first_row = static_cast<std::int32_t>(chance.between(0, 20));
-      request.window.rows = 1 + static_cast<std::int32_t>(chance.between(0, 20));
+      request.window.first_column = chance_.whole(0, 34);
+      request.window.columns = 1 + chance_.whole(0, 34);
+      request.window.first_row = chance_.whole(0, 19);
+      request.window.rows = 1 + chance_.whole(0, 19);
       const Frame fresh = tracer.render(request, 0);
-      if (i % 2 == 0) memory = used_memory(static_cast<std::size_t>(chance.between(0, 3000)));
+      if (i % 2 == 0) memory = used_memory(static_cast<std::size_t>(chance_.uniform(0, 3000)));
       memory = tracer.render(request, 0, std::move(memory));
       ASSERT_EQ(memory.columns, request.window.columns);
       ASSERT_EQ(memory.rows, request.window.rows);
@@ -123,16 +117,13 @@ TEST(Camera, APictureInUsedMemoryIsTheSame) {
   }
 }
 
-TEST(Camera, AWindowHasTheSameBitsAsTheWhole) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+TEST_F(CameraRays, AWindowHasTheSameBitsAsTheWhole) {
   Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
   scene.camera.width = 37;
   scene.camera.height = 29;
   for (int i = 0; i < 20; ++i)
-    add_sphere(scene, chance.direction() * chance.between(0, 3), chance.between(0.1, 1),
-               matte(chance.color()));
+    add_sphere(scene, chance_.direction() * chance_.uniform(0, 3), chance_.uniform(0.1, 1),
+               matte(random_color(chance_)));
   for (const Store store : {Store::float32, Store::float64}) {
     const Rendering rendering(scene, store);
     for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
@@ -141,11 +132,11 @@ TEST(Camera, AWindowHasTheSameBitsAsTheWhole) {
       const Frame whole = rendering.frame(request);
       for (int i = 0; i < 10; ++i) {
         RayWindow& window = request.window;
-        window.first_column = static_cast<std::int32_t>(chance.between(0, whole.columns));
-        window.first_row = static_cast<std::int32_t>(chance.between(0, whole.rows));
+        window.first_column = static_cast<std::int32_t>(chance_.uniform(0, whole.columns));
+        window.first_row = static_cast<std::int32_t>(chance_.uniform(0, whole.rows));
         window.columns =
-            1 + static_cast<std::int32_t>(chance.between(0, whole.columns - window.first_column));
-        window.rows = 1 + static_cast<std::int32_t>(chance.between(0, whole.rows - window.first_row));
+            1 + static_cast<std::int32_t>(chance_.uniform(0, whole.columns - window.first_column));
+        window.rows = 1 + static_cast<std::int32_t>(chance_.uniform(0, whole.rows - window.first_row));
         const Frame part = rendering.frame(request);
         ASSERT_EQ(part.columns, window.columns);
         ASSERT_EQ(part.rows, window.rows);
@@ -166,7 +157,7 @@ TEST(Camera, AWindowHasTheSameBitsAsTheWhole) {
   }
 }
 
-TEST(Camera, AWindowOutsideThePictureIsRefused) {
+TEST_F(CameraRays, AWindowOutsideThePictureIsRefused) {
   const Rendering rendering(empty_scene({0, 0, 5}, {0, 0, 0}), Store::float32); // 3×3 corner rays
   for (const RayWindow& window : {RayWindow{-1, 0, 1, 1}, RayWindow{0, -1, 1, 1}, RayWindow{3, 0, 1, 1},
                                   RayWindow{0, 3, 1, 1}, RayWindow{1, 0, 3, 1}, RayWindow{0, 1, 1, 3},
@@ -177,7 +168,7 @@ TEST(Camera, AWindowOutsideThePictureIsRefused) {
   }
 }
 
-TEST(Camera, AngleIsTheVerticalFieldOfView) {
+TEST_F(CameraRays, AngleIsTheVerticalFieldOfView) {
   // A tiny target, half the angle above the view direction.
   for (const double angle : {20.0, 45.0, 90.0, 120.0}) {
     Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
@@ -190,7 +181,7 @@ TEST(Camera, AngleIsTheVerticalFieldOfView) {
   }
 }
 
-TEST(Camera, HitherClipsOnlyOnRequest) {
+TEST_F(CameraRays, HitherClipsOnlyOnRequest) {
   Scene scene = empty_scene({0, 0, 0}, {0, 0, -1});
   scene.camera.hither = 2;
   scene.camera.angle = 1;
@@ -203,15 +194,12 @@ TEST(Camera, HitherClipsOnlyOnRequest) {
   EXPECT_EQ(rendering.frame(request).hits[4].name, 1);
 }
 
-TEST(Image, PixelIsTheMeanOfItsCornersOrItsCentre) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+TEST_F(Images, PixelIsTheMeanOfItsCornersOrItsCentre) {
   Frame frame;
   frame.columns = 4;
   frame.rows = 3;
   for (int i = 0; i < 12; ++i)
-    frame.radiance.push_back(chance.color());
+    frame.radiance.push_back(random_color(chance_));
   ASSERT_EQ(image_width(frame, Sampling::corners), 3);
   ASSERT_EQ(image_height(frame, Sampling::corners), 2);
   std::array<Vec3f, 3> corners{};

@@ -14,31 +14,28 @@ namespace masu {
 namespace {
 
 // Mirrors, glass and matte things of every kind, lights, and a camera among or before them.
-Scene random_scene(SceneChance& chance) {
-  const auto place = [&](double reach) {
-    return Vec3d{chance.between(-reach, reach), chance.between(-reach, reach), chance.between(-reach, reach)};
-  };
+Scene random_scene(Chance& chance) {
   const auto material = [&] {
-    Material m = chance.share() < 0.3F   ? mirror()
-                 : chance.share() < 0.4F ? glass(1.5F)
-                                         : matte(chance.color());
-    if (chance.share() < 0.3F) m.specular = 0.5F;
+    Material m = chance.uniform(0, 1) < 0.3   ? mirror()
+                 : chance.uniform(0, 1) < 0.4 ? glass(1.5F)
+                                              : matte(random_color(chance));
+    if (chance.uniform(0, 1) < 0.3) m.specular = 0.5F;
     return m;
   };
-  const double near = chance.share() < 0.3F ? 0.5 : 4;
-  Scene scene = empty_scene(chance.direction() * near, place(0.3));
-  scene.camera.width = static_cast<std::int32_t>(chance.between(5, 14));
-  scene.camera.height = static_cast<std::int32_t>(chance.between(4, 11));
-  scene.camera.angle = chance.between(20, 80);
-  for (int i = static_cast<int>(chance.between(0, 4)); i > 0; --i)
-    add_light(scene, place(5));
-  for (int i = static_cast<int>(chance.between(1, 12)); i > 0; --i) {
-    const Vec3d at = place(1), b = place(0.5), c = place(0.5);
-    add_sphere(scene, at, chance.between(0.02, 0.3), material());
+  const double near = chance.uniform(0, 1) < 0.3 ? 0.5 : 4;
+  Scene scene = empty_scene(chance.direction() * near, chance.in_cube(0.3));
+  scene.camera.width = chance.whole(5, 13);
+  scene.camera.height = chance.whole(4, 10);
+  scene.camera.angle = chance.uniform(20, 80);
+  for (int i = chance.whole(0, 3); i > 0; --i)
+    add_light(scene, chance.in_cube(5));
+  for (int i = chance.whole(1, 11); i > 0; --i) {
+    const Vec3d at = chance.in_cube(1), b = chance.in_cube(0.5), c = chance.in_cube(0.5);
+    add_sphere(scene, at, chance.uniform(0.02, 0.3), material());
     add_triangle(scene, at + b, at + c, at, material());
-    add_cone(scene, {at, 0.1, at + b, chance.share() < 0.5F ? 0.1 : 0.02}, material());
+    add_cone(scene, {at, 0.1, at + b, chance.uniform(0, 1) < 0.5 ? 0.1 : 0.02}, material());
   }
-  if (chance.share() < 0.5F) add_wall(scene, {0, 0, -1}, {0, 0, 1}, material(), 3);
+  if (chance.uniform(0, 1) < 0.5) add_wall(scene, {0, 0, -1}, {0, 0, 1}, material(), 3);
   return scene;
 }
 
@@ -74,7 +71,7 @@ template <class Check>
 void for_random_pictures(std::int64_t scenes, const Check& check) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+  Chance chance(seed);
   for (std::int64_t i = 0; i < cases(scenes); ++i) {
     const Scene scene = random_scene(chance);
     const Case with = all_cases[i % std::ssize(all_cases)];
@@ -103,7 +100,7 @@ void for_random_pictures(std::int64_t scenes, const Check& check) {
 
 TEST(Channels, DepthObjectAndPrimitiveAreThePicturesHits) {
   std::size_t hits = 0;
-  for_random_pictures(40, [&](const Tracer& tracer, FrameRequest request, SceneChance&) {
+  for_random_pictures(40, [&](const Tracer& tracer, FrameRequest request, Chance&) {
     const Channels channels = all_of(tracer, request);
     for (const HitName name : {HitName::object, HitName::primitive}) {
       request.rules.hit_name = name;
@@ -124,7 +121,7 @@ TEST(Channels, DepthObjectAndPrimitiveAreThePicturesHits) {
 
 // The sums over all rays are what --stats counts.
 TEST(Channels, CellsAndTestsSumUpToThePicturesCounts) {
-  for_random_pictures(40, [](const Tracer& tracer, const FrameRequest& request, SceneChance&) {
+  for_random_pictures(40, [](const Tracer& tracer, const FrameRequest& request, Chance&) {
     const Channels all = all_of(tracer, request, true);
     const Frame frame = tracer.render(request);
     EXPECT_EQ(sum(all.cells), frame.counts.cells_visited);
@@ -148,7 +145,7 @@ TEST(Channels, CellsAndTestsSumUpToThePicturesCounts) {
 }
 
 TEST(Channels, OfAWindowAreAPartOfThePictures) {
-  for_random_pictures(12, [](const Tracer& tracer, FrameRequest request, SceneChance&) {
+  for_random_pictures(12, [](const Tracer& tracer, FrameRequest request, Chance&) {
     for (const bool all_rays : {false, true}) {
       request.window = {};
       const Channels whole = all_of(tracer, request, all_rays);
@@ -173,7 +170,7 @@ TEST(Channels, OfAWindowAreAPartOfThePictures) {
 }
 
 TEST(Channels, CostsOfAPictureChangeNothingElse) {
-  for_random_pictures(8, [](const Tracer& tracer, FrameRequest request, SceneChance&) {
+  for_random_pictures(8, [](const Tracer& tracer, FrameRequest request, Chance&) {
     request.tracing.count = false;
     const Frame plain = tracer.render(request);
     request.costs = true;
@@ -186,7 +183,7 @@ TEST(Channels, CostsOfAPictureChangeNothingElse) {
 }
 
 TEST(Channels, ThoseThatWereNotRequestedAreEmpty) {
-  for_random_pictures(4, [](const Tracer& tracer, const FrameRequest& request, SceneChance&) {
+  for_random_pictures(4, [](const Tracer& tracer, const FrameRequest& request, Chance&) {
     for (const Channel channel : all_channels) {
       const Channels one = trace_channels(tracer, {{channel}, request});
       const std::size_t sizes[] = {one.depth.size(),     one.normal.size(), one.object.size(),
@@ -257,11 +254,11 @@ void expect_consistent(const WalkReport& report) {
 }
 
 TEST(Walk, OfACameraRayHasTheChannelsHitAndCounts) {
-  for_random_pictures(40, [](const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+  for_random_pictures(40, [](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
     const Channels channels = all_of(tracer, request);
     for (int k = 0; k < 6; ++k) {
-      const auto column = static_cast<std::int32_t>(chance.between(0, channels.columns)),
-                 row = static_cast<std::int32_t>(chance.between(0, channels.rows));
+      const auto column = static_cast<std::int32_t>(chance.uniform(0, channels.columns)),
+                 row = static_cast<std::int32_t>(chance.uniform(0, channels.rows));
       const auto i = static_cast<std::size_t>(row * channels.columns + column);
       const WalkReport report = trace_walk(tracer, camera_walk(tracer, request, column, row));
       ASSERT_EQ(report.rays.size(), 1U);
@@ -278,12 +275,12 @@ TEST(Walk, OfACameraRayHasTheChannelsHitAndCounts) {
 
 TEST(Walk, OfAllRaysHasThePixelsColorAndCounts) {
   std::size_t kinds[4] = {};
-  for_random_pictures(40, [&](const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+  for_random_pictures(40, [&](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
     const Channels channels = all_of(tracer, request, true);
     const Frame frame = tracer.render(request);
     for (int k = 0; k < 6; ++k) {
-      const auto column = static_cast<std::int32_t>(chance.between(0, channels.columns)),
-                 row = static_cast<std::int32_t>(chance.between(0, channels.rows));
+      const auto column = static_cast<std::int32_t>(chance.uniform(0, channels.columns)),
+                 row = static_cast<std::int32_t>(chance.uniform(0, channels.rows));
       const auto i = static_cast<std::size_t>(row * channels.columns + column);
       WalkRequest walk = camera_walk(tracer, request, column, row);
       walk.all_rays = true;
@@ -307,12 +304,12 @@ TEST(Walk, OfAllRaysHasThePixelsColorAndCounts) {
 }
 
 TEST(Walk, OfAGivenRayHasTheHitOfAList) {
-  for_random_pictures(20, [](const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+  for_random_pictures(20, [](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
     for (int k = 0; k < 10; ++k) {
-      Ray<double> ray = unbounded_ray(chance.direction() * chance.between(0, 5),
-                                      chance.direction() * std::exp2(chance.between(-30, 30)));
-      if (k % 2 == 0) ray.t_max = chance.between(0, 3) / length(ray.direction);
-      if (k % 3 == 0) ray.t_min = chance.between(0, 1) / length(ray.direction);
+      Ray<double> ray = unbounded_ray(chance.direction() * chance.uniform(0, 5),
+                                      chance.direction() * std::exp2(chance.uniform(-30, 30)));
+      if (k % 2 == 0) ray.t_max = chance.uniform(0, 3) / length(ray.direction);
+      if (k % 3 == 0) ray.t_min = chance.uniform(0, 1) / length(ray.direction);
       RaysRequest rays;
       rays.tracing = request.tracing;
       const RayHits found = tracer.hits(std::vector{ray}, rays, HitName::primitive);
@@ -343,10 +340,10 @@ std::size_t recorded_bytes(const WalkReport& report) {
 }
 
 // A walk of all rays of a random pixel.
-WalkRequest random_walk(const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+WalkRequest random_walk(const Tracer& tracer, const FrameRequest& request, Chance& chance) {
   const RayWindow all = all_rays(request.camera, request.sampling);
-  const auto column = static_cast<std::int32_t>(chance.between(0, all.columns)),
-             row = static_cast<std::int32_t>(chance.between(0, all.rows));
+  const auto column = static_cast<std::int32_t>(chance.uniform(0, all.columns)),
+             row = static_cast<std::int32_t>(chance.uniform(0, all.rows));
   WalkRequest walk = camera_walk(tracer, request, column, row);
   walk.all_rays = true;
   return walk;
@@ -354,16 +351,16 @@ WalkRequest random_walk(const Tracer& tracer, const FrameRequest& request, Scene
 
 TEST(Walk, BeyondItsLimitsIsCountedAndNotRecorded) {
   std::size_t more = 0, cut = 0, ended = 0;
-  for_random_pictures(40, [&](const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+  for_random_pictures(40, [&](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
     WalkRequest walk = random_walk(tracer, request, chance);
     const WalkReport all = trace_walk(tracer, walk);
     EXPECT_EQ(all.more_rays, 0U);
     EXPECT_FALSE(all.ended_early);
     for (int k = 0; k < 6; ++k) {
       walk.limits = {};
-      if (k % 2 == 0) walk.limits.rays = static_cast<std::size_t>(chance.between(0, 8));
-      if (k % 3 == 0) walk.limits.bytes = static_cast<std::size_t>(chance.between(0, 8000));
-      if (k == 5) walk.limits = {1, 0, static_cast<std::uint64_t>(chance.between(0, 50))};
+      if (k % 2 == 0) walk.limits.rays = static_cast<std::size_t>(chance.uniform(0, 8));
+      if (k % 3 == 0) walk.limits.bytes = static_cast<std::size_t>(chance.uniform(0, 8000));
+      if (k == 5) walk.limits = {1, 0, static_cast<std::uint64_t>(chance.uniform(0, 50))};
       const WalkReport part = trace_walk(tracer, walk);
       EXPECT_LE(part.rays.size(), std::max<std::size_t>(walk.limits.rays, 1));
       if (part.structure != Structure::none) { // the first ray is there always
@@ -420,10 +417,10 @@ TEST(Walk, EndsWhereItsProgressThrows) {
 }
 
 TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
-  for_random_pictures(20, [](const Tracer& tracer, const FrameRequest& request, SceneChance& chance) {
+  for_random_pictures(20, [](const Tracer& tracer, const FrameRequest& request, Chance& chance) {
     WalkRequest walk = random_walk(tracer, request, chance);
     const WalkReport first = trace_walk(tracer, walk);
-    for (const double length : {1.0, std::exp2(chance.between(-30, 30))}) {
+    for (const double length : {1.0, std::exp2(chance.uniform(-30, 30))}) {
       walk.ray = unbounded_ray(first.rays[0].origin, first.rays[0].direction * length);
       walk.is_relative = false; // it is reported in the world
       const WalkReport again = trace_walk(tracer, walk);
@@ -437,7 +434,7 @@ TEST(Walk, OfAllRaysStartsFromARayAsItReportsIt) {
 }
 
 TEST(Walk, RefusesRaysThatAreNotThere) {
-  for_random_pictures(1, [](const Tracer& tracer, const FrameRequest& request, SceneChance&) {
+  for_random_pictures(1, [](const Tracer& tracer, const FrameRequest& request, Chance&) {
     const RayWindow all = all_rays(request.camera, request.sampling);
     EXPECT_THROW(camera_walk(tracer, request, all.columns, 0), Error);
     EXPECT_THROW(camera_walk(tracer, request, 0, all.rows), Error);

@@ -1,11 +1,11 @@
 // PNG files: decoded by libpng they hold the pixels given, by any division into runs of bands.
 #include "renderer/image/deflate.h"
 #include "renderer/image/png_file.h"
-#include "tests/stability/random_seed.h"
+#include "tests/decoded_image.h"
+#include "tests/random_test.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
-#include <png.h>
 #include <tbb/global_control.h>
 #include <zlib.h>
 
@@ -15,19 +15,14 @@
 namespace masu {
 namespace {
 
-// Empty where libpng finds anything wrong; a checksum is such a thing.
+using Deflate = RandomTest;
+using Png = RandomTest;
+
 Bytes decoded(const std::string& path, std::int32_t width, std::int32_t height) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return {};
-  EXPECT_EQ(png.width, static_cast<png_uint_32>(width));
-  EXPECT_EQ(png.height, static_cast<png_uint_32>(height));
-  EXPECT_EQ(png.format, static_cast<png_uint_32>(PNG_FORMAT_RGB));
-  png.format = PNG_FORMAT_RGB;
-  Bytes rgb(PNG_IMAGE_SIZE(png));
-  const bool good = png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr) != 0;
-  EXPECT_TRUE(good && png.warning_or_error == 0) << png.message;
-  return good ? rgb : Bytes{};
+  const DecodedPng png = decoded_png(path);
+  EXPECT_EQ(png.width, static_cast<std::size_t>(width));
+  EXPECT_EQ(png.height, static_cast<std::size_t>(height));
+  return png.rgb;
 }
 
 // Smooth, with noise here and there.
@@ -44,10 +39,8 @@ Bytes picture(std::mt19937_64& random, std::int32_t width, std::int32_t height) 
   return rgb;
 }
 
-TEST(Png, HoldsThePixelsOfAnySize) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(Png, HoldsThePixelsOfAnySize) {
+  auto random = seed_.engine();
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   const std::vector<std::pair<std::int32_t, std::int32_t>> sizes{
@@ -61,10 +54,8 @@ TEST(Png, HoldsThePixelsOfAnySize) {
   }
 }
 
-TEST(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
+  auto random = seed_.engine();
   const TemporaryFolder folder;
   constexpr std::int32_t width = 1500, height = 3000; // several bands
   const Bytes rgb = picture(random, width, height);
@@ -101,7 +92,7 @@ TEST(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
   }
 }
 
-TEST(Png, TextsAreChunksAndPixelsStayTheSame) {
+TEST_F(Png, TextsAreChunksAndPixelsStayTheSame) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   const Bytes rgb{1, 2, 3, 4, 5, 6};
@@ -113,7 +104,7 @@ TEST(Png, TextsAreChunksAndPixelsStayTheSame) {
 }
 
 // Also of the last chunk, which is empty and which libpng doesn't read.
-TEST(Png, ChunksHaveTheirChecksums) {
+TEST_F(Png, ChunksHaveTheirChecksums) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a.png");
   write_png(Bytes{1, 2, 3}, 1, 1, path, {{"Software", "Masu"}});
@@ -134,10 +125,8 @@ TEST(Png, ChunksHaveTheirChecksums) {
 }
 
 // zlib inflates pieces one after the other as one stream.
-TEST(Deflate, PiecesAreOneStream) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(Deflate, PiecesAreOneStream) {
+  auto random = seed_.engine();
   for (int i = 0; i < 200; ++i) {
     Bytes all, stream;
     const std::size_t pieces = 1 + random() % 6;

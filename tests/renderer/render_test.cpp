@@ -1,4 +1,5 @@
 // Pictures follow the rules: shading by its formula, mirrors and glass by their laws, shadows, depth.
+#include "tests/random_test.h"
 #include "tests/renderer/shading_reference.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
@@ -23,7 +24,7 @@ void expect_color(const Vec3f& actual, const Vec3f& expected) {
 }
 
 // All of it holds for either store, and so for either arithmetic.
-class Render : public testing::TestWithParam<Store> {
+class Render : public RandomTest, public testing::WithParamInterface<Store> {
 protected:
   Frame render(const Scene& scene, std::int32_t depth = 5) const {
     const Rendering rendering(scene, GetParam());
@@ -41,14 +42,15 @@ const auto by_store = [](const auto& test) {
 INSTANTIATE_TEST_SUITE_P(Stores, Render, testing::Values(Store::float32, Store::float64), by_store);
 
 // A material with a highlight, and lights before the surface at the origin that faces `normal`.
-Material lit_from(Scene& scene, SceneChance& chance, const Vec3d& normal) {
-  scene.ambient = chance.share();
+Material lit_from(Scene& scene, Chance& chance, const Vec3d& normal) {
+  scene.ambient = random_share(chance);
   for (int i = 0; i < 3; ++i)
-    add_light(scene, chance.towards(normal) * chance.between(2, 20), cast<double>(chance.color()));
-  return {chance.color(),
-          chance.share(),
-          0.2F + 0.8F * chance.share(),
-          static_cast<float>(chance.between(1, 30)),
+    add_light(scene, random_towards(chance, normal) * chance.uniform(2, 20),
+              cast<double>(random_color(chance)));
+  return {random_color(chance),
+          random_share(chance),
+          0.2F + 0.8F * random_share(chance),
+          static_cast<float>(chance.uniform(1, 30)),
           0,
           1};
 }
@@ -58,13 +60,10 @@ Vec3d with_background(const Vec3d& direct, const Material& material) {
 }
 
 TEST_P(Render, ATriangleIsShadedByTheFormulaFromEitherSide) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   for (int i = 0; i < 50; ++i) {
-    const Vec3d normal{0, 0, 1}, to_viewer = chance.towards(normal);
-    Scene scene = empty_scene(to_viewer * chance.between(1, 10), {0, 0, 0});
-    const Material material = lit_from(scene, chance, normal);
+    const Vec3d normal{0, 0, 1}, to_viewer = random_towards(chance_, normal);
+    Scene scene = empty_scene(to_viewer * chance_.uniform(1, 10), {0, 0, 0});
+    const Material material = lit_from(scene, chance_, normal);
     add_wall(scene, {0, 0, 0}, i % 2 == 0 ? normal : -normal, material, 1);
     const Vec3d direct = direct_light_of(scene, material, {0, 0, 0}, normal, to_viewer);
     expect_color(color_ahead(scene), with_background(direct, material), tolerance());
@@ -72,14 +71,11 @@ TEST_P(Render, ATriangleIsShadedByTheFormulaFromEitherSide) {
 }
 
 TEST_P(Render, ASphereIsShadedByTheFormula) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   for (int i = 0; i < 50; ++i) {
-    const Vec3d normal = chance.direction(), to_viewer = chance.towards(normal);
-    Scene scene = empty_scene(to_viewer * chance.between(1, 10), {0, 0, 0});
-    const Material material = lit_from(scene, chance, normal);
-    const double radius = chance.between(0.1, 3);
+    const Vec3d normal = chance_.direction(), to_viewer = random_towards(chance_, normal);
+    Scene scene = empty_scene(to_viewer * chance_.uniform(1, 10), {0, 0, 0});
+    const Material material = lit_from(scene, chance_, normal);
+    const double radius = chance_.uniform(0.1, 3);
     add_sphere(scene, normal * -radius, radius, material);
     const Vec3d direct = direct_light_of(scene, material, {0, 0, 0}, normal, to_viewer);
     expect_color(color_ahead(scene), with_background(direct, material), tolerance());
@@ -87,17 +83,18 @@ TEST_P(Render, ASphereIsShadedByTheFormula) {
 }
 
 TEST_P(Render, AConeIsShadedByTheFormula) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   for (int i = 0; i < 50; ++i) {
     // The middle of the side's line that lies towards `out` comes to the origin.
-    const Vec3d axis = chance.direction(), out = normalized(cross(axis, chance.towards(axis, -0.9)));
-    const double r0 = chance.between(0.2, 1), r1 = i % 3 == 0 ? r0 : i % 3 == 1 ? 0 : chance.between(0.2, 1);
+    const Vec3d axis = chance_.direction(),
+                out = normalized(cross(axis, random_towards(chance_, axis, -0.9)));
+    const double r0 = chance_.uniform(0.2, 1), r1 = i % 3 == 0   ? r0
+                                                    : i % 3 == 1 ? 0
+                                                                 : chance_.uniform(0.2, 1);
     const Vec3d base = axis * -1.0 - out * ((r0 + r1) / 2), apex = base + axis * 2.0;
-    const Vec3d normal = normalized(out * 2.0 - axis * (r1 - r0)), to_viewer = chance.towards(normal);
-    Scene scene = empty_scene(to_viewer * chance.between(1, 10), {0, 0, 0});
-    const Material material = lit_from(scene, chance, normal);
+    const Vec3d normal = normalized(out * 2.0 - axis * (r1 - r0)),
+                to_viewer = random_towards(chance_, normal);
+    Scene scene = empty_scene(to_viewer * chance_.uniform(1, 10), {0, 0, 0});
+    const Material material = lit_from(scene, chance_, normal);
     add_cone(scene, {base, r0, apex, r1}, material);
     const Vec3d direct = direct_light_of(scene, material, {0, 0, 0}, normal, to_viewer);
     expect_color(color_ahead(scene), with_background(direct, material), tolerance());
@@ -105,17 +102,14 @@ TEST_P(Render, AConeIsShadedByTheFormula) {
 }
 
 TEST_P(Render, APatchIsShadedByTheNormalBetweenItsCorners) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   for (int i = 0; i < 50; ++i) {
-    const Vec3d front{0, 0, 1}, to_viewer = chance.towards(front, 0.6);
+    const Vec3d front{0, 0, 1}, to_viewer = random_towards(chance_, front, 0.6);
     Scene scene = empty_scene(to_viewer * 5.0, {0, 0, 0});
-    const Material material = lit_from(scene, chance, front);
-    const Vec3d a = chance.towards(front, 0.8), b = chance.towards(front, 0.8),
-                c = chance.towards(front, 0.8);
+    const Material material = lit_from(scene, chance_, front);
+    const Vec3d a = random_towards(chance_, front, 0.8), b = random_towards(chance_, front, 0.8),
+                c = random_towards(chance_, front, 0.8);
     add_triangle(scene, {-1, -1, 0}, {2, -1, 0}, {-1, 2, 0}, material); // about the origin
-    scene.normals = {{a * chance.between(0.1, 9), b * chance.between(0.1, 9), c * chance.between(0.1, 9)}};
+    scene.normals = {{a * chance_.uniform(0.1, 9), b * chance_.uniform(0.1, 9), c * chance_.uniform(0.1, 9)}};
     scene.triangles[0].normals = 0;
     const Vec3d normal = normalized(a + b + c);
     const Vec3d direct = direct_light_of(scene, material, {0, 0, 0}, normal, to_viewer);
@@ -155,36 +149,30 @@ TEST_P(Render, AMirrorShowsTheBackground) {
 }
 
 TEST_P(Render, AMirrorShowsWhatStandsInTheMirroredDirection) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   for (int i = 0; i < 50; ++i) {
-    const Vec3d normal = chance.direction(), to_viewer = chance.towards(normal, 0.3);
+    const Vec3d normal = chance_.direction(), to_viewer = random_towards(chance_, normal, 0.3);
     if (dot(to_viewer, normal) > 0.95) continue; // the target would stand before the eye
     Scene scene = empty_scene(to_viewer * 4.0, {0, 0, 0});
     add_wall(scene, {0, 0, 0}, normal, mirror(), 1);
     const Vec3d seen = normal * (2 * dot(normal, to_viewer)) - to_viewer;
-    const Vec3f color = chance.color();
+    const Vec3f color = random_color(chance_);
     add_sphere(scene, seen * 3.0, 0.02, matte(color));
     expect_color(color_ahead(scene), color);
   }
 }
 
 TEST_P(Render, GlassBendsBySnellsLawOnEitherSide) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   for (int i = 0; i < 60; ++i) {
-    const float index = static_cast<float>(chance.between(1.05, 2));
+    const float index = static_cast<float>(chance_.uniform(1.05, 2));
     const bool enters = i % 2 == 0; // the eye is in the air, before the front
-    const Vec3d normal = chance.direction(), to_viewer = chance.towards(normal, 0.05);
+    const Vec3d normal = chance_.direction(), to_viewer = random_towards(chance_, normal, 0.05);
     const double ratio = enters ? 1 / static_cast<double>(index) : static_cast<double>(index);
     const Vec3d sideways = (to_viewer - normal * dot(normal, to_viewer)) * -ratio;
     const double depth_square = 1 - dot(sideways, sideways);
     if (depth_square < 0.02) continue; // nearly or fully mirrored
     Scene scene = empty_scene(to_viewer * 4.0, {0, 0, 0});
     add_wall(scene, {0, 0, 0}, enters ? normal : -normal, glass(index), 1);
-    const Vec3f color = chance.color();
+    const Vec3f color = random_color(chance_);
     add_sphere(scene, (sideways - normal * std::sqrt(depth_square)) * 3.0, 0.02, matte(color));
     expect_color(color_ahead(scene), color);
   }
@@ -207,14 +195,11 @@ TEST_P(Render, BeyondTheCriticalAngleNothingIsRefracted) {
 }
 
 TEST_P(Render, GlassOfIndexOneIsInvisible) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
   scene.camera.width = scene.camera.height = 31;
   for (int i = 0; i < 20; ++i)
-    add_sphere(scene, {chance.between(-4, 4), chance.between(-4, 4), chance.between(-9, -4)}, 0.5,
-               matte(chance.color()));
+    add_sphere(scene, {chance_.uniform(-4, 4), chance_.uniform(-4, 4), chance_.uniform(-9, -4)}, 0.5,
+               matte(random_color(chance_)));
   const Frame without = render(scene);
   add_sphere(scene, {0, 0, 0}, 2, glass(1));
   add_sphere(scene, {0, 1, 0}, 0.5, glass(1)); // inside the first
@@ -246,16 +231,13 @@ std::vector<std::pair<const char*, Block>> blockers() {
 }
 
 TEST_P(Render, AnyObjectBetweenPointAndLightThrowsAShadow) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
   for (const auto& [name, block] : blockers()) {
     for (const double share : {0.5, 0.02, 1.5, -0.5}) { // of the way from the point to the light
       SCOPED_TRACE(testing::Message() << name << " at " << share);
-      const Vec3d normal = chance.direction(), to_light = chance.towards(normal);
-      Vec3d to_viewer = chance.towards(normal);
+      const Vec3d normal = chance_.direction(), to_light = random_towards(chance_, normal);
+      Vec3d to_viewer = random_towards(chance_, normal);
       while (dot(to_viewer, to_light) > 0.7)
-        to_viewer = chance.towards(normal);
+        to_viewer = random_towards(chance_, normal);
       Scene scene = empty_scene(to_viewer * 20.0, {0, 0, 0});
       scene.ambient = 0.25F;
       scene.camera.angle = 1e-3;

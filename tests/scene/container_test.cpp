@@ -1,8 +1,8 @@
 // Scene and grid files: equal input gives equal bytes, and any damage is detected.
+#include "tests/random_test.h"
 #include "tests/refused.h"
-#include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
-#include "tests/tiny_scene.h"
+#include "tests/tiny_files.h"
 
 #include <fcntl.h>
 #include <tbb/global_control.h>
@@ -18,67 +18,23 @@
 namespace masu {
 namespace {
 
+using ContainerHash = RandomTest;
+
 std::string written_scene(const TemporaryFolder& folder, const Scene& scene, Store store = Store::automatic) {
   const std::string path = folder.file("written.scene");
   write_scene(scene, store, path);
   return path;
 }
 
-// A kind of file: writes a small one, and opens it.
-struct Kind {
-  const char* name;
-  const char* called; // in messages
-  std::function<void(const std::string& path)> write;
-  std::function<void(const std::string& path)> open;
-  FileKind file_kind;
-};
-
-void PrintTo(const Kind& kind, std::ostream* out) {
-  *out << kind.name;
-}
-
-std::vector<Kind> kinds() {
-  const auto open_scene = [](const std::string& path) { const SceneFile file(path); };
-  const auto open_grid = [](const std::string& path) { const GridFile file(path); };
-  return {
-      {"Float32Scene", "scene",
-       [](const std::string& path) { write_scene(tiny_scene(), Store::float32, path); }, open_scene,
-       scene_file_kind},
-      {"Float64Scene", "scene",
-       [](const std::string& path) { write_scene(tiny_scene(), Store::float64, path); }, open_scene,
-       scene_file_kind},
-      {"Grid", "grid",
-       [](const std::string& path) {
-         write_grid(tiny_grid(), tiny_grid_provenance({1, 2}), path);
-       },
-       open_grid, grid_file_kind},
-      {"GridOfBlocks", "grid",
-       [](const std::string& path) {
-         write_grid(tiny_grid_of_blocks(), tiny_grid_provenance({1, 2}), path);
-       },
-       open_grid, grid_file_kind},
-      {"MergedGrid", "grid",
-       [](const std::string& path) {
-         write_grid(tiny_merged_grid(), tiny_grid_provenance({1, 2}, "irregular"), path);
-       },
-       open_grid, grid_file_kind},
-      {"Hierarchy", "grid",
-       [](const std::string& path) {
-         write_grid(tiny_hierarchy(), tiny_grid_provenance({1, 2}, "bvh"), path);
-       },
-       open_grid, grid_file_kind},
-  };
-}
-
-class Container : public testing::TestWithParam<Kind> {
+class Container : public RandomTest, public testing::WithParamInterface<TinyFile> {
 protected:
   void SetUp() override {
-    GetParam().write(path_);
+    GetParam().write(path_, {1, 2});
     ASSERT_NO_THROW(GetParam().open(path_));
   }
 
   testing::AssertionResult refused(const std::string& path, const std::string& says = "") const {
-    return is_refused(GetParam().open, path, says);
+    return is_refused([](const std::string& name) { GetParam().open(name); }, path, says);
   }
 
   // Overwrites one byte of the file in place.
@@ -93,7 +49,7 @@ protected:
   const std::string path_ = folder_.file("small");
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Container, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(All, Container, testing::ValuesIn(tiny_files()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Container, AnyFlippedBitOfThePreludeIsDetected) {
@@ -109,9 +65,7 @@ TEST_P(Container, AnyFlippedBitOfThePreludeIsDetected) {
 }
 
 TEST_P(Container, AnyChangedByteIsDetected) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   const Bytes bytes = read_bytes(path_);
   for (std::size_t at = 0; at < bytes.size(); ++at) {
     set_byte(at, static_cast<std::uint8_t>(bytes[at] ^ (1U << (random() % 8))));
@@ -146,35 +100,35 @@ TEST_P(Container, MissingAndOtherFilesAreRefused) {
   EXPECT_TRUE(refused("/dev/null", "isn't a regular file"));
   EXPECT_TRUE(refused("", "can't be opened"));
   write_text(path_, "");
-  EXPECT_TRUE(refused(path_, std::string("isn't a ") + GetParam().called));
+  EXPECT_TRUE(refused(path_, std::string("isn't a ") + GetParam().kind.name));
   write_text(path_, "v\nfrom 0 0 5\nat 0 0 0\n");
-  EXPECT_TRUE(refused(path_, std::string("isn't a ") + GetParam().called));
+  EXPECT_TRUE(refused(path_, std::string("isn't a ") + GetParam().kind.name));
 }
 
 TEST_P(Container, TheOtherKindIsRefused) {
-  for (const Kind& other : kinds()) {
-    if (other.file_kind.magic == GetParam().file_kind.magic) continue;
-    other.write(path_);
-    EXPECT_TRUE(refused(path_, std::string("isn't a ") + GetParam().called)) << other.name;
+  for (const TinyFile& other : tiny_files()) {
+    if (other.kind.magic == GetParam().kind.magic) continue;
+    other.write(path_, {1, 2});
+    EXPECT_TRUE(refused(path_, std::string("isn't a ") + GetParam().kind.name)) << other.name;
   }
 }
 
 TEST_P(Container, OtherVersionsAreRefusedAndNamed) {
   for (const std::uint32_t version : {0U, 1U, 2U, 3U, 4U, 0xffffffffU}) {
-    FileKind kind = GetParam().file_kind;
+    FileKind kind = GetParam().kind;
     if (kind.version == version) continue;
     kind.version = version;
     const Bytes table(32, 1);
     write_container(path_, kind, table, {}, {});
     EXPECT_TRUE(refused(path_, "version " + std::to_string(version)));
-    EXPECT_TRUE(refused(path_, "version " + std::to_string(GetParam().file_kind.version)));
+    EXPECT_TRUE(refused(path_, "version " + std::to_string(GetParam().kind.version)));
     EXPECT_TRUE(refused(path_, kind.remake));
   }
 }
 
 TEST_P(Container, TheSameInputGivesTheSameBytes) {
   const std::string again = folder_.file("again");
-  GetParam().write(again);
+  GetParam().write(again, {1, 2});
   EXPECT_TRUE(read_bytes(path_) == read_bytes(again));
 }
 
@@ -191,10 +145,8 @@ struct LargeFile {
   }
 };
 
-TEST(ContainerHash, CoversEveryPieceOfALargeSection) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(ContainerHash, CoversEveryPieceOfALargeSection) {
+  auto random = seed_.engine();
   LargeFile large;
   const auto layout = lay_out(large.sections);
   const std::size_t piece_words = std::size_t{1} << 19;
@@ -208,7 +160,7 @@ TEST(ContainerHash, CoversEveryPieceOfALargeSection) {
   EXPECT_EQ(lay_out(large.sections)[0].hash().low(), layout[0].hash().low());
 }
 
-TEST(ContainerHash, IsTheSameForAnyNumberOfThreads) {
+TEST_F(ContainerHash, IsTheSameForAnyNumberOfThreads) {
   const LargeFile large;
   std::set<std::pair<std::uint64_t, std::uint64_t>> hashes;
   for (const std::size_t threads : {1U, 2U, 3U}) {
@@ -274,34 +226,28 @@ const std::vector<SceneChange>& scene_changes() {
   return changes;
 }
 
-TEST(SceneHash, DependsOnEveryPartOfTheScene) {
+// Of every part, and of the store; that of the geometry, of what a grid is built from alone.
+TEST(SceneHashes, DependOnTheScene) {
   const TemporaryFolder folder;
+  std::set<std::string> hashes, geometry_hashes;
   for (const Store store : {Store::float32, Store::float64}) {
-    std::set<std::string> hashes{to_hex(SceneFile(written_scene(folder, tiny_scene(), store)).hash())};
+    const auto hashes_of = [&](const Scene& scene) {
+      const SceneFile file(written_scene(folder, scene, store));
+      return std::pair(to_hex(file.hash()), to_hex(file.geometry_hash()));
+    };
+    const auto [whole, unchanged] = hashes_of(tiny_scene());
+    EXPECT_TRUE(hashes.insert(whole).second && geometry_hashes.insert(unchanged).second)
+        << "the stores' hashes are equal";
     for (const SceneChange& change : scene_changes()) {
       Scene scene = tiny_scene();
       change.act(scene);
-      EXPECT_TRUE(hashes.insert(to_hex(SceneFile(written_scene(folder, scene, store)).hash())).second)
-          << change.what << ": the hash didn't change";
-    }
-  }
-}
-
-TEST(GeometryHash, DependsOnWhatAGridIsBuiltFromAlone) {
-  const TemporaryFolder folder;
-  std::set<std::string> hashes;
-  for (const Store store : {Store::float32, Store::float64}) {
-    const std::string unchanged =
-        to_hex(SceneFile(written_scene(folder, tiny_scene(), store)).geometry_hash());
-    EXPECT_TRUE(hashes.insert(unchanged).second) << "the stores' hashes are equal";
-    for (const SceneChange& change : scene_changes()) {
-      Scene scene = tiny_scene();
-      change.act(scene);
-      const std::string hash = to_hex(SceneFile(written_scene(folder, scene, store)).geometry_hash());
+      const auto [hash, geometry_hash] = hashes_of(scene);
+      EXPECT_TRUE(hashes.insert(hash).second) << change.what << ": the hash didn't change";
       if (change.of_geometry)
-        EXPECT_TRUE(hashes.insert(hash).second) << change.what << ": the hash didn't change";
+        EXPECT_TRUE(geometry_hashes.insert(geometry_hash).second)
+            << change.what << ": the hash didn't change";
       else
-        EXPECT_EQ(hash, unchanged) << change.what;
+        EXPECT_EQ(geometry_hash, unchanged) << change.what;
     }
   }
 }
@@ -316,13 +262,6 @@ TEST(GeometryHash, IsReturnedByTheWriter) {
       EXPECT_EQ(written, SceneFile(folder.file("a.scene")).geometry_hash());
     }
   }
-}
-
-TEST(SceneHash, DiffersBetweenStores) {
-  const TemporaryFolder folder;
-  const Hash narrow = SceneFile(written_scene(folder, tiny_scene(), Store::float32)).hash();
-  const Hash wide = SceneFile(written_scene(folder, tiny_scene(), Store::float64)).hash();
-  EXPECT_NE(narrow, wide);
 }
 
 TEST(SceneStore, AutomaticIsFloat64WhereFloat32DoesNotSuffice) {

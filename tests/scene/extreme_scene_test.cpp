@@ -4,13 +4,15 @@
 #include "libscene/file/memory_file.h"
 #include "libscene/file/scene_file.h"
 #include "libscene/nff/nff.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_test.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace masu {
 namespace {
+
+using ExtremeScene = RandomTest;
 
 // Numbers that are often near a limit of some type.
 std::string number(Chance& chance) {
@@ -69,13 +71,10 @@ void expect_openable(const Scene& scene, Store store, const std::string& text) {
   EXPECT_NO_THROW(SceneFile(file.path())) << text;
 }
 
-TEST(ExtremeScene, WrittenFilesCanBeOpened) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(ExtremeScene, WrittenFilesCanBeOpened) {
   int written = 0;
   for (std::int64_t i = 0; i < cases(20000); ++i) {
-    const std::string text = extreme_text(chance);
+    const std::string text = extreme_text(chance_);
     try {
       const Scene scene = parse_nff(text, "t");
       ++written;
@@ -88,7 +87,7 @@ TEST(ExtremeScene, WrittenFilesCanBeOpened) {
   EXPECT_GT(written, 0);
 }
 
-TEST(ExtremeScene, DenormalNormalsKeepTheirDirection) {
+TEST_F(ExtremeScene, DenormalNormalsKeepTheirDirection) {
   for (const char* const tiny : {"5e-324", "1e-310", "1e-300", "1e-13"}) {
     const std::string normal = std::string(" 0 0 ") + tiny;
     const Scene scene = parse_nff("pp 3 0 0 0" + normal + " 1 0 0" + normal + " 0 1 0" + normal, "t");

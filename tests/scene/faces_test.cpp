@@ -5,6 +5,7 @@
 #include "libscene/mesh/triangulate.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 #include "tests/refused.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
@@ -14,10 +15,12 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace masu {
 namespace {
+
+using FaceNumbers = RandomTest;
+using FacesWithoutArea = RandomTest;
 
 constexpr std::array all_kinds{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
                                GridKind::hierarchy};
@@ -59,23 +62,17 @@ TestScene<Stored> with_points(Chance& chance, const TestScene<Stored>& scene,
 }
 
 template <class Stored>
-class Points : public testing::Test {};
+class Points : public RandomTest {};
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(Points, Stores);
 
 TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
   using Stored = TypeParam;
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   for (std::int64_t s = cases(60); s > 0; --s) {
     TestScene<Stored> scene;
-    for (int i = chance.whole(1, 200); i > 0; --i) {
-      const Vec3d at = chance.in_cube(1);
-      const double size = chance.power_of_two(-8, 0);
-      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
-      scene.triangles.push_back(triangle_of<Stored>(corner(), corner(), corner()));
-    }
+    for (int i = chance.whole(1, 200); i > 0; --i)
+      add_triangles(scene, chance, 1, chance.power_of_two(-8, 0));
     std::vector<PrimitiveIndex> numbers;
     TestScene<Stored> more = with_points(chance, scene, numbers);
     GridLayout layout = random_layout<Stored>(chance, scene.bounds());
@@ -95,7 +92,7 @@ TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
   }
 }
 
-TEST(FacesWithoutArea, ManyOfThemTakeNoSpaceInGrids) {
+TEST_F(FacesWithoutArea, ManyOfThemTakeNoSpaceInGrids) {
   Scene scene = empty_scene({0, 0, 5}, {0, 0, 0});
   add_triangle(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, matte({1, 1, 1}));
   for (int i = 0; i < 100000; ++i)
@@ -137,33 +134,30 @@ std::array<Vec3d, 3> needle(Chance& chance) {
   }
 }
 
-TEST(FacesWithoutArea, AreNeverHit) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(FacesWithoutArea, AreNeverHit) {
   std::size_t hits = 0;
   for (std::int64_t s = cases(6); s > 0; --s) {
     ArrayMesh mesh;
     std::vector<bool> is_surface;
     std::vector<Ray<double>> rays;
     for (int i = 0; i < 300; ++i) {
-      is_surface.push_back(chance.one_in(10));
+      is_surface.push_back(chance_.one_in(10));
       if (is_surface.back()) {
-        const Vec3d at = chance.in_cube(1);
-        mesh.add(at, at + chance.in_cube(0.3), at + chance.in_cube(0.3));
+        const Vec3d at = chance_.in_cube(1);
+        mesh.add(at, at + chance_.in_cube(0.3), at + chance_.in_cube(0.3));
         is_surface.back() =
             has_area(*(mesh.vertices.end() - 3), *(mesh.vertices.end() - 2), mesh.vertices.back());
         continue;
       }
-      const auto [a, b, c] = needle(chance);
+      const auto [a, b, c] = needle(chance_);
       mesh.add(a, b, c);
       for (int k = 0; k < 40; ++k) {
-        const Vec3d at = fma(c - a, chance.uniform(0, 1), a), from = chance.in_cube(2);
+        const Vec3d at = fma(c - a, chance_.uniform(0, 1), a), from = chance_.in_cube(2);
         rays.push_back({from, 0, at - from, INFINITY});
       }
     }
     const std::array meshes{mesh.view()};
-    const Store store = chance.one_in(3) ? Store::float64 : Store::float32;
+    const Store store = chance_.one_in(3) ? Store::float64 : Store::float32;
     for (const GridKind kind : all_kinds) {
       const Rendering rendering(scene_of(meshes), store, "8", of_kind(kind));
       for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
@@ -186,7 +180,7 @@ TEST(FacesWithoutArea, AreNeverHit) {
 }
 
 // However far away they are.
-TEST(FacesWithoutArea, ChangeNeitherBoundsNorTheStore) {
+TEST_F(FacesWithoutArea, ChangeNeitherBoundsNorTheStore) {
   ArrayMesh mesh;
   mesh.add({1, 0, 0}, {2, 0, 0}, {1, 1, 0});
   const std::array plain{mesh.view()};
@@ -201,7 +195,7 @@ TEST(FacesWithoutArea, ChangeNeitherBoundsNorTheStore) {
   EXPECT_TRUE(scene.camera.from == expected.camera.from);
 }
 
-TEST(FacesWithoutArea, MakeASceneInWhichNothingIsHitWhereThereAreNoOthers) {
+TEST_F(FacesWithoutArea, MakeASceneInWhichNothingIsHitWhereThereAreNoOthers) {
   ArrayMesh mesh;
   mesh.add({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   mesh.add({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
@@ -235,12 +229,9 @@ Scene scene_with_faces(Chance& chance) {
   return scene;
 }
 
-TEST(FaceNumbers, AreReadBackAsWritten) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(FaceNumbers, AreReadBackAsWritten) {
   const TemporaryFolder folder;
-  const Scene scene = scene_with_faces(chance), plain = tiny_scene();
+  const Scene scene = scene_with_faces(chance_), plain = tiny_scene();
   for (const Store store : {Store::float32, Store::float64}) {
     write_scene(scene, store, folder.file("scene"));
     const SceneFile file(folder.file("scene"));
@@ -254,20 +245,17 @@ TEST(FaceNumbers, AreReadBackAsWritten) {
   EXPECT_EQ(SceneFile(folder.file("scene")).view<float>().faces, nullptr);
 }
 
-TEST(FaceNumbers, NameHits) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(FaceNumbers, NameHits) {
   std::size_t hits = 0;
   for (std::int64_t s = cases(5); s > 0; --s) {
     for (const bool has_faces : {true, false}) {
-      Scene scene = scene_with_faces(chance);
+      Scene scene = scene_with_faces(chance_);
       if (!has_faces) scene.faces.clear();
       const Rendering rendering(scene, Store::float32);
       const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
       std::vector<Ray<double>> rays;
       for (int i = 0; i < 1003; ++i)
-        rays.push_back({chance.in_cube(2), 0, chance.direction(), INFINITY});
+        rays.push_back({chance_.in_cube(2), 0, chance_.direction(), INFINITY});
       const auto check = [&](const auto& by_primitive, const auto& by_face) {
         for (std::size_t i = 0; i < by_primitive.size(); ++i) {
           const std::int32_t primitive = by_primitive[i].name;

@@ -181,21 +181,21 @@ TEST(Float32Precision, PartsOfRandomTrianglesAreThoseOfTheDefinition) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   std::uint64_t counted = 0, scenes_without = 0;
-  SceneChance chance(seed);
+  Chance chance(seed);
   for (int i = 0; i < 300; ++i) {
     Scene scene = wall_of_size_1();
     // Corners on a few points of a fine lattice, some of them off by less than rounding.
-    const double lattice = 0.3 * size, spread = chance.between(1, 40);
+    const double lattice = 0.3 * size, spread = chance.uniform(1, 40);
     const auto corner = [&] {
-      const auto on_lattice = [&] { return std::floor(chance.between(0, spread)) * lattice; };
+      const auto on_lattice = [&] { return std::floor(chance.uniform(0, spread)) * lattice; };
       const Vec3d at{0.5 + on_lattice(), 0.5 + on_lattice(), 0.5};
-      return at + Vec3d{chance.between(0, 1e-9), 0, 0};
+      return at + Vec3d{chance.uniform(0, 1e-9), 0, 0};
     };
-    const int triangles = static_cast<int>(chance.between(1, 60));
+    const int triangles = static_cast<int>(chance.uniform(1, 60));
     for (int n = 0; n < triangles; ++n) {
       const Vec3d a = corner();
       const auto near = [&] {
-        const auto off = [&] { return std::floor(chance.between(-2, 3)) * lattice; };
+        const auto off = [&] { return std::floor(chance.uniform(-2, 3)) * lattice; };
         return a + Vec3d{off(), off(), 0};
       };
       if (n % 7 == 6)

@@ -5,8 +5,8 @@
 #include "libscene/file/input_stream.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
+#include "tests/random_test.h"
 #include "tests/refused.h"
-#include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"
 
@@ -14,26 +14,34 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <random>
 #include <thread>
 
 namespace masu {
 namespace {
 
-class InputFiles : public testing::Test {
+class InputFiles : public RandomTest {
 protected:
   std::string file(const char* name) const { return folder_.file(name); }
   std::string written(const char* name, std::string_view text) const {
     write_text(file(name), text);
     return file(name);
   }
+  // Into the pipe, a little at a time.
+  std::thread written_thrice(const std::string& text) const {
+    return std::thread([path = file("pipe"), text] {
+      const int pipe = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+      for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(write(pipe, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+      close(pipe);
+    });
+  }
   TemporaryFolder folder_;
 };
 
 TEST_F(InputFiles, AreReadWhole) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   for (const std::size_t size :
        {0UL, 1UL, 4095UL, (2UL << 20) - 1, 2UL << 20, (9UL << 20) + random() % 1000}) {
     Bytes bytes(size);
@@ -82,14 +90,7 @@ TEST_F(InputFiles, ThatNeedMoreMemoryThanThereIsAreRefused) {
 
 TEST_F(InputFiles, TextsAreReadFromPipes) {
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
-  std::thread writer([&] {
-    const int pipe = open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC);
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(write(pipe, "line\n", 5), 5);
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    close(pipe);
-  });
+  std::thread writer = written_thrice("line\n");
   EXPECT_EQ(read_text_input(file("pipe")), "line\nline\nline\n");
   writer.join();
 }
@@ -118,14 +119,7 @@ TEST_F(InputFiles, AStreamThatIsCancelledWaitsNoLonger) {
 
 TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
   ASSERT_EQ(mkfifo(file("pipe").c_str(), 0600), 0);
-  std::thread writer([&] {
-    const int pipe = open(file("pipe").c_str(), O_WRONLY | O_CLOEXEC);
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(write(pipe, "a\0b", 3), 3);
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    close(pipe);
-  });
+  std::thread writer = written_thrice(std::string("a\0b", 3));
   InputStream stream(file("pipe"));
   std::string bytes(100, ' ');
   bytes.resize(stream.read(bytes.data(), bytes.size()));
@@ -141,9 +135,7 @@ TEST_F(InputFiles, StreamsOfPipesEndWithTheirWriters) {
 
 // In a mapping this would be SIGBUS, or an index that was valid when it was checked.
 TEST_F(InputFiles, ScenesAndGridsInUseDontFollowTheirFiles) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   const Scene tiny = tiny_scene();
   for (const Grid& grid : {tiny_grid(), tiny_grid_of_blocks(), tiny_merged_grid()}) {
     write_grid(grid, tiny_grid_provenance(write_scene(tiny, Store::float32, file("scene"))), file("grid"));

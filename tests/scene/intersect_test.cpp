@@ -1,5 +1,6 @@
 // Intersection of rays with single primitives, compared with an exact oracle: computed hits lie within the
 // error bound of libscene/geometry/margin.h, on which the results' independence of the grid rests.
+#include "tests/random_test.h"
 #include "tests/ray_case.h"
 
 #include <map>
@@ -8,10 +9,7 @@ namespace masu {
 namespace {
 
 template <class K>
-class RayAndPrimitive : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class RayAndPrimitive : public RandomTest {};
 TYPED_TEST_SUITE(RayAndPrimitive, Kinds, KindNames);
 
 // The largest distance of a computed hit from the surface, in u M.
@@ -75,8 +73,7 @@ TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAlongDirectionsWithTinyComponents) 
 // silhouette; the error of t, measured perpendicular to the surface, is within that bound.
 TYPED_TEST(RayAndPrimitive, AgreesWithTheOracle) {
   using Real = typename TypeParam::Real;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   std::map<oracle::Result, std::int64_t> results;
   std::int64_t wrong = 0;
   std::string first;

@@ -4,9 +4,9 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/nff/nff.h"
 #include "libscene/spd/spd.h"
+#include "tests/random_test.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
-#include "tests/stability/test_scene.h"
 #include "tests/tiny_scene.h"
 
 #include <gtest/gtest.h>
@@ -18,6 +18,8 @@
 
 namespace masu {
 namespace {
+
+using LocalOrigin = RandomTest;
 
 constexpr double step = 0x1p-12; // coordinates are multiples of it, up to 2^5: exact up to 2^41 away
 
@@ -116,56 +118,47 @@ void expect_same_results(const Rendering& a, const Rendering& b, const Vec3d& fr
   expect_same_hits(found, hits(b, random_rays(second, from_b)));
 }
 
-TEST(LocalOrigin, AMovedSceneIsTheSameBitsAboutItsOwnOrigin) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(LocalOrigin, AMovedSceneIsTheSameBitsAboutItsOwnOrigin) {
   for (int i = 0; i < cases(30); ++i) {
-    const Scene scene = random_scene(chance);
-    const Store store = chance.one_of({Store::automatic, Store::float32, Store::float64});
+    const Scene scene = random_scene(chance_);
+    const Store store = chance_.one_of({Store::automatic, Store::float32, Store::float64});
     // Both far enough to have an origin.
-    const Vec3d by = far_away(chance, 100), other = far_away(chance, 100);
+    const Vec3d by = far_away(chance_, 100), other = far_away(chance_, 100);
     SCOPED_TRACE(testing::Message() << by.x << ' ' << by.y << ' ' << by.z << ", " << other.x << ' ' << other.y
                                     << ' ' << other.z);
     const Rendering a(moved(scene, by), store), b(moved(scene, other), store);
     EXPECT_EQ(a.scene().origin() - by, b.scene().origin() - other);
     EXPECT_EQ(a.scene().bounds().min, b.scene().bounds().min);
     EXPECT_EQ(a.scene().bounds().max, b.scene().bounds().max);
-    expect_same_results(a, b, by, other, seed);
+    expect_same_results(a, b, by, other, seed_);
   }
 }
 
-TEST(LocalOrigin, AMovedSceneIsTheSameBitsAsAtZeroWhereItIsCentredThere) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(LocalOrigin, AMovedSceneIsTheSameBitsAsAtZeroWhereItIsCentredThere) {
   for (int i = 0; i < cases(15); ++i) {
-    Scene scene = random_scene(chance);
+    Scene scene = random_scene(chance_);
     for (const Vec3d& corner : {Vec3d{-16, -16, -16}, Vec3d{16, 16, 16}})
       add_triangle(scene, corner, corner * 0.5, {0, 0, corner.z}, matte({1, 1, 1}));
-    const Vec3d by = far_away(chance, 100);
+    const Vec3d by = far_away(chance_, 100);
     const Rendering a(scene, Store::automatic), b(moved(scene, by), Store::automatic);
     EXPECT_EQ(a.scene().origin(), (Vec3d{0, 0, 0}));
     EXPECT_EQ(b.scene().origin(), by);
-    expect_same_results(a, b, {0, 0, 0}, by, seed);
+    expect_same_results(a, b, {0, 0, 0}, by, seed_);
   }
 }
 
-TEST(LocalOrigin, AGivenOneMakesAnySceneTheSameBitsAsAtZero) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(LocalOrigin, AGivenOneMakesAnySceneTheSameBitsAsAtZero) {
   for (int i = 0; i < cases(30); ++i) {
-    const Scene scene = random_scene(chance);
-    const Vec3d by = far_away(chance, 1);
+    const Scene scene = random_scene(chance_);
+    const Vec3d by = far_away(chance_, 1);
     const Rendering a(scene, Store::automatic, "auto", {}, Vec3d{0, 0, 0}),
         b(moved(scene, by), Store::automatic, "auto", {}, by);
     EXPECT_EQ(b.scene().origin(), by);
-    expect_same_results(a, b, {0, 0, 0}, by, seed);
+    expect_same_results(a, b, {0, 0, 0}, by, seed_);
   }
 }
 
-TEST(LocalOrigin, IsZeroForTheStandardScenes) {
+TEST_F(LocalOrigin, IsZeroForTheStandardScenes) {
   const TemporaryFolder folder;
   for (const SpdInfo& info : spd_scenes()) {
     SCOPED_TRACE(info.name);
@@ -179,16 +172,13 @@ TEST(LocalOrigin, IsZeroForTheStandardScenes) {
 }
 
 // The largest coordinate, of which error bounds are multiples, is half the scene's extent.
-TEST(LocalOrigin, BoundsErrorsByTheExtent) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(LocalOrigin, BoundsErrorsByTheExtent) {
   for (int i = 0; i < cases(200); ++i) {
     Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
-    const Vec3d at = chance.direction() * std::pow(10.0, chance.uniform(-3, 12));
-    const double size = largest_magnitude(at) * std::pow(10.0, chance.uniform(-9, 3));
+    const Vec3d at = chance_.direction() * std::pow(10.0, chance_.uniform(-3, 12));
+    const double size = largest_magnitude(at) * std::pow(10.0, chance_.uniform(-9, 3));
     for (int k = 0; k < 10; ++k)
-      add_sphere(scene, at + chance.in_cube(size), size * chance.uniform(0.01, 0.3), matte({1, 1, 1}));
+      add_sphere(scene, at + chance_.in_cube(size), size * chance_.uniform(0.01, 0.3), matte({1, 1, 1}));
     const Boxd box = bounds(scene);
     const Vec3d origin = automatic_origin(scene);
     const double half = largest_magnitude(box.max - box.min) / 2;
@@ -202,7 +192,7 @@ TEST(LocalOrigin, BoundsErrorsByTheExtent) {
   }
 }
 
-TEST(LocalOrigin, RaysOfFloatsKeepTheirDigitsRelativeToIt) {
+TEST_F(LocalOrigin, RaysOfFloatsKeepTheirDigitsRelativeToIt) {
   Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
   const Vec3d at{4.5e6, 5.25e6, 100};
   add_sphere(scene, at, 1, matte({1, 1, 1}));
@@ -220,7 +210,7 @@ TEST(LocalOrigin, RaysOfFloatsKeepTheirDigitsRelativeToIt) {
   EXPECT_NEAR(wide.hits[0].t, 10 - std::sqrt(1 - 0.125 * 0.125 - 0.0625 * 0.0625), 1e-5);
 }
 
-TEST(LocalOrigin, ThatIsNoPointIsRefused) {
+TEST_F(LocalOrigin, ThatIsNoPointIsRefused) {
   const TemporaryFolder folder;
   const Scene scene = tiny_scene();
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(),

@@ -1,4 +1,5 @@
 // Closed meshes are watertight.
+#include "tests/random_test.h"
 #include "tests/ray_case.h"
 #include "tests/stability/random_mesh.h"
 
@@ -8,18 +9,14 @@ namespace {
 using Arithmetics = testing::Types<float, double>;
 
 template <class Real>
-class RayAndMesh : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class RayAndMesh : public RandomTest {};
 TYPED_TEST_SUITE(RayAndMesh, Arithmetics);
 
 // The side of an edge is decided exactly, so that a hit doesn't depend on the corners' order or winding. (t
 // may differ in its last bits: its sums are rounded in another order.)
 TYPED_TEST(RayAndMesh, HitIsIndependentOfTheOrderOfCorners) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   double worst = 0;
   for (std::int64_t i = cases(200'000); i > 0; --i) {
     const auto c = random_triangle_case<Real>(chance, chance.power_of_two(-10, 20));
@@ -59,8 +56,7 @@ Mesh<Real> placed(Chance& chance, const Mesh<double>& mesh, bool raster, Vec3<Re
 
 TYPED_TEST(RayAndMesh, ClosedMeshIsWatertightAtEdgesAndCorners) {
   using Real = TypeParam;
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
+  Chance& chance = this->chance_;
   constexpr int rays_a_mesh = 1000;
   std::int64_t leaks = 0;
   std::string first;

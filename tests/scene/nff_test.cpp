@@ -1,6 +1,6 @@
 #include "libscene/base/error.h"
 #include "libscene/nff/nff.h"
-#include "tests/stability/random_seed.h"
+#include "tests/random_test.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -20,15 +20,7 @@
 namespace masu {
 namespace {
 
-using Random = std::mt19937_64;
-
-int whole(Random& random, int from, int to) {
-  return std::uniform_int_distribution(from, to)(random);
-}
-template <class T>
-const T& pick(Random& random, const std::vector<T>& from) {
-  return from[static_cast<std::size_t>(whole(random, 0, static_cast<int>(from.size()) - 1))];
-}
+using Nff = RandomTest;
 
 Scene parse(const std::string& text, const NffOptions& options = {}) {
   return parse_nff(text, "t", options);
@@ -39,66 +31,66 @@ Scene parse(const std::string& text, const NffOptions& options = {}) {
 using Entity = std::vector<std::string>;
 
 // Up to six significant digits, as most files have.
-std::string number_text(Random& random) {
+std::string number_text(Chance& chance) {
   std::array<char, 32> text{};
-  const int digits = whole(random, 1, 999999);
-  const int decimals = whole(random, 0, 6);
-  std::snprintf(text.data(), text.size(), "%s%.*f", whole(random, 0, 1) ? "-" : "", decimals,
+  const int digits = chance.whole(1, 999999);
+  const int decimals = chance.whole(0, 6);
+  std::snprintf(text.data(), text.size(), "%s%.*f", chance.whole(0, 1) ? "-" : "", decimals,
                 digits / std::pow(10.0, decimals));
   return text.data();
 }
 
-Entity with_numbers(Random& random, Entity entity, int count) {
+Entity with_numbers(Chance& chance, Entity entity, int count) {
   for (int i = 0; i < count; ++i)
-    entity.push_back(number_text(random));
+    entity.push_back(number_text(chance));
   return entity;
 }
 
-Entity random_view(Random& random) {
+Entity random_view(Chance& chance) {
   Entity entity{"v"};
   const auto part = [&](const Entity& tokens) { entity.insert(entity.end(), tokens.begin(), tokens.end()); };
-  if (whole(random, 0, 3)) part(with_numbers(random, {"from"}, 3));
-  if (whole(random, 0, 3)) part({"angle", "33.5"});
-  if (whole(random, 0, 3)) part(with_numbers(random, {"at"}, 3));
-  if (whole(random, 0, 3)) part({"hither", "1"});
-  if (whole(random, 0, 3)) part({"resolution", "64", "32"});
-  if (whole(random, 0, 3)) part({"up", "0.1", "0.2", "1"});
+  if (chance.whole(0, 3)) part(with_numbers(chance, {"from"}, 3));
+  if (chance.whole(0, 3)) part({"angle", "33.5"});
+  if (chance.whole(0, 3)) part(with_numbers(chance, {"at"}, 3));
+  if (chance.whole(0, 3)) part({"hither", "1"});
+  if (chance.whole(0, 3)) part({"resolution", "64", "32"});
+  if (chance.whole(0, 3)) part({"up", "0.1", "0.2", "1"});
   return entity;
 }
 
-Entity random_entity(Random& random) {
-  switch (whole(random, 0, 9)) {
+Entity random_entity(Chance& chance) {
+  switch (chance.whole(0, 9)) {
   case 0:
-    return random_view(random);
+    return random_view(chance);
   case 1:
-    return with_numbers(random, {"b"}, 3);
+    return with_numbers(chance, {"b"}, 3);
   case 2:
-    return with_numbers(random, {"l"}, whole(random, 0, 1) ? 3 : 6);
+    return with_numbers(chance, {"l"}, chance.whole(0, 1) ? 3 : 6);
   case 3:
-    return {"f",   pick<std::string>(random, {"0.1", "0.2"}), "1", "1",
-            "0.5", pick<std::string>(random, {"0", "1"}),     "3", "0",
+    return {"f",   chance.one_of<std::string>({"0.1", "0.2"}), "1", "1",
+            "0.5", chance.one_of<std::string>({"0", "1"}),     "3", "0",
             "0"};
   case 4:
-    return {"c", "0", "0", "0", "1", "0", "0", number_text(random), "0.5"};
+    return {"c", "0", "0", "0", "1", "0", "0", number_text(chance), "0.5"};
   case 5:
-    return {"pp", "3", "0", "0", "0", "0", "0", "1", "1", "0", number_text(random),
+    return {"pp", "3", "0", "0", "0", "0", "0", "1", "1", "0", number_text(chance),
             "0",  "1", "1", "0", "1", "0", "1", "1", "1"};
   case 6: {
-    const int vertices = whole(random, 3, 9);
-    return with_numbers(random, {"p", std::to_string(vertices)}, 3 * vertices);
+    const int vertices = chance.whole(3, 9);
+    return with_numbers(chance, {"p", std::to_string(vertices)}, 3 * vertices);
   }
   case 7:
-    return {"s", "1", "2", "3", pick<std::string>(random, {"0", "1", "-1"})};
+    return {"s", "1", "2", "3", chance.one_of<std::string>({"0", "1", "-1"})};
   default:
-    return with_numbers(random, {"s"}, 4);
+    return with_numbers(chance, {"s"}, 4);
   }
 }
 
-std::vector<Entity> random_entities(Random& random, int count) {
+std::vector<Entity> random_entities(Chance& chance, int count) {
   std::vector<Entity> entities;
   entities.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
-    entities.push_back(random_entity(random));
+    entities.push_back(random_entity(chance));
   return entities;
 }
 
@@ -112,46 +104,46 @@ std::string plainly(const std::vector<Entity>& entities) {
 }
 
 // Another spelling of the number: a sign, leading zeros, an exponent, no zero before the point.
-std::string respelled(Random& random, const std::string& number) {
+std::string respelled(Chance& chance, const std::string& number) {
   const bool is_negative = number[0] == '-';
   const std::string digits = number.substr(is_negative ? 1 : 0);
-  std::string result = is_negative ? "-" : whole(random, 0, 2) == 0 ? "+" : "";
+  std::string result = is_negative ? "-" : chance.whole(0, 2) == 0 ? "+" : "";
   const std::size_t point = digits.find('.');
-  if (whole(random, 0, 2) == 0) {
+  if (chance.whole(0, 2) == 0) {
     const std::size_t decimals = point == std::string::npos ? 0 : digits.size() - point - 1;
-    result.append(static_cast<std::size_t>(whole(random, 0, 2)), '0');
+    result.append(static_cast<std::size_t>(chance.whole(0, 2)), '0');
     result += digits.substr(0, point);
     if (decimals > 0) result += digits.substr(point + 1);
-    if (whole(random, 0, 3) == 0) result += ".";
-    result += whole(random, 0, 1) ? "e-" : "E-0";
+    if (chance.whole(0, 3) == 0) result += ".";
+    result += chance.whole(0, 1) ? "e-" : "E-0";
     return result += std::to_string(decimals);
   }
-  return result += digits.rfind("0.", 0) == 0 && whole(random, 0, 1) ? digits.substr(1) : digits;
+  return result += digits.rfind("0.", 0) == 0 && chance.whole(0, 1) ? digits.substr(1) : digits;
 }
 
-std::string random_blank(Random& random) {
+std::string random_blank(Chance& chance) {
   std::string blank;
-  for (int i = whole(random, 1, 3); i > 0; --i)
-    blank += pick<std::string>(random, {" ", "\t", "\n", "\r\n", "\r", "\v", "\f", "\n\n", "#\n",
-                                        "# s 1 2 3 4\n", "#f 1 1 1 1 1 1 1 1\r\n", "# pp 3 \xC3\xA4 v\r"});
+  for (int i = chance.whole(1, 3); i > 0; --i)
+    blank += chance.one_of<std::string>({" ", "\t", "\n", "\r\n", "\r", "\v", "\f", "\n\n", "#\n",
+                                         "# s 1 2 3 4\n", "#f 1 1 1 1 1 1 1 1\r\n", "# pp 3 \xC3\xA4 v\r"});
   return blank;
 }
 
-std::string in_some_way(Random& random, const std::vector<Entity>& entities) {
-  std::string text = whole(random, 0, 1) ? "\xEF\xBB\xBF" : "";
-  if (whole(random, 0, 1)) text += random_blank(random);
+std::string in_some_way(Chance& chance, const std::vector<Entity>& entities) {
+  std::string text = chance.whole(0, 1) ? "\xEF\xBB\xBF" : "";
+  if (chance.whole(0, 1)) text += random_blank(chance);
   for (const Entity& entity : entities)
     for (std::size_t i = 0; i < entity.size(); ++i) {
       const bool is_number = entity[i].find_first_of("0123456789") != std::string::npos;
       const bool is_count = i == 1 && entity[0][0] == 'p';
-      text += is_number && !is_count ? respelled(random, entity[i]) : entity[i];
-      text += whole(random, 0, 1) ? " " : random_blank(random);
+      text += is_number && !is_count ? respelled(chance, entity[i]) : entity[i];
+      text += chance.whole(0, 1) ? " " : random_blank(chance);
     }
   return text;
 }
 
-NffOptions random_options(Random& random) {
-  return {whole(random, 0, 4), static_cast<std::size_t>(whole(random, 1, 200))};
+NffOptions random_options(Chance& chance) {
+  return {chance.whole(0, 4), static_cast<std::size_t>(chance.whole(1, 200))};
 }
 
 // --- Comparison
@@ -215,28 +207,22 @@ std::optional<std::string> error_of(const std::string& text, const NffOptions& o
 
 // --- The same scene
 
-TEST(Nff, SceneIsIndependentOfSpelling) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Random random = seed.engine();
+TEST_F(Nff, SceneIsIndependentOfSpelling) {
   for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
-    const auto entities = random_entities(random, whole(random, 1, 40));
+    const auto entities = random_entities(chance_, chance_.whole(1, 40));
     const auto expected_error = error_of(plainly(entities));
-    const std::string text = in_some_way(random, entities);
+    const std::string text = in_some_way(chance_, entities);
     SCOPED_TRACE(text);
     if (expected_error) // a view without direction, by chance
-      EXPECT_TRUE(error_of(text, random_options(random)));
+      EXPECT_TRUE(error_of(text, random_options(chance_)));
     else
-      expect_same(parse(plainly(entities)), parse(text, random_options(random)));
+      expect_same(parse(plainly(entities)), parse(text, random_options(chance_)));
   }
 }
 
-TEST(Nff, SceneIsIndependentOfPieces) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Random random = seed.engine();
+TEST_F(Nff, SceneIsIndependentOfPieces) {
   for (int i = 0; i < 100 && !testing::Test::HasFailure(); ++i) {
-    const std::string text = "f 1 0 0 1 0 0 0 1\n" + plainly(random_entities(random, whole(random, 1, 400)));
+    const std::string text = "f 1 0 0 1 0 0 0 1\n" + plainly(random_entities(chance_, chance_.whole(1, 400)));
     if (error_of(text)) continue;
     const Scene scene = parse(text);
     for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, std::size_t{100}, std::size_t{1000}})
@@ -245,20 +231,17 @@ TEST(Nff, SceneIsIndependentOfPieces) {
   }
 }
 
-TEST(Nff, ErrorIsIndependentOfPieces) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Random random = seed.engine();
+TEST_F(Nff, ErrorIsIndependentOfPieces) {
   for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
-    std::string text = plainly(random_entities(random, 50));
-    for (int k = whole(random, 1, 3); k > 0; --k)
-      text[static_cast<std::size_t>(whole(random, 0, static_cast<int>(text.size()) - 1))] =
-          pick<char>(random, {'x', ' ', '\n', '#', '-', '.', 'p', 's', '9'});
-    EXPECT_EQ(error_of(text), error_of(text, random_options(random))) << text;
+    std::string text = plainly(random_entities(chance_, 50));
+    for (int k = chance_.whole(1, 3); k > 0; --k)
+      text[static_cast<std::size_t>(chance_.whole(0, static_cast<int>(text.size()) - 1))] =
+          chance_.one_of<char>({'x', ' ', '\n', '#', '-', '.', 'p', 's', '9'});
+    EXPECT_EQ(error_of(text), error_of(text, random_options(chance_))) << text;
   }
 }
 
-TEST(Nff, MorePrimitivesThanAreAllowedAreRefused) {
+TEST_F(Nff, MorePrimitivesThanAreAllowedAreRefused) {
   std::string text = "p 4 0 0 0 1 0 0 1 1 0 0 1 0\n";
   for (int i = 0; i < 8; ++i)
     text += fmt::format("s {} 0 0 1\nc {} 0 0 1 {} 0 1 1\n", i, i, i);
@@ -285,7 +268,7 @@ constexpr const char* small_scene =
     "p 5\n0 0 0\n1 0 0\n1 1 0\n0.5 0.5 0\n0 1 0\n"
     "c 0 0 0 1 0 0 1 0.5\ns 1e0 -2 +3 .5 # the end";
 
-TEST(Nff, EveryTruncationParsesOrThrows) {
+TEST_F(Nff, EveryTruncationParsesOrThrows) {
   const std::string text = small_scene;
   EXPECT_FALSE(error_of(text));
   for (std::size_t length = 0; length < text.size(); ++length) {
@@ -300,36 +283,30 @@ TEST(Nff, EveryTruncationParsesOrThrows) {
   }
 }
 
-TEST(Nff, EveryChangedByteParsesOrThrows) {
+TEST_F(Nff, EveryChangedByteParsesOrThrows) {
   const std::string text = small_scene;
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Random random = seed.engine();
   for (std::size_t at = 0; at < text.size(); ++at)
     for (const char c :
-         {'\0', '\n', ' ', '#', '-', '.', 'e', '9', '\xFF', static_cast<char>(whole(random, 0, 255))}) {
+         {'\0', '\n', ' ', '#', '-', '.', 'e', '9', '\xFF', static_cast<char>(chance_.whole(0, 255))}) {
       std::string changed = text;
       changed[at] = c;
-      error_of(changed, random_options(random));
+      error_of(changed, random_options(chance_));
     }
 }
 
-TEST(Nff, GarbageParsesOrThrows) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Random random = seed.engine();
+TEST_F(Nff, GarbageParsesOrThrows) {
   for (int i = 0; i < 2000; ++i) {
     std::string text;
-    for (int k = whole(random, 0, 60); k > 0; --k)
-      text += pick<std::string>(
-          random, {"p ",      "3 ",          "pp ",    "s ",           "c ",   "1 ",  "0 ", "-1 ", "1e300 ",
-                   "1e-300 ", "f ",          "v ",     "from ",        "up ",  "at ", "\n", "l ",  "b ",
-                   "2.5 ",    "resolution ", "angle ", "99999999999 ", "\xFF", "#",   "e",  "."});
-    error_of(text, random_options(random));
+    for (int k = chance_.whole(0, 60); k > 0; --k)
+      text += chance_.one_of<std::string>(
+          {"p ",      "3 ",          "pp ",    "s ",           "c ",   "1 ",  "0 ", "-1 ", "1e300 ",
+           "1e-300 ", "f ",          "v ",     "from ",        "up ",  "at ", "\n", "l ",  "b ",
+           "2.5 ",    "resolution ", "angle ", "99999999999 ", "\xFF", "#",   "e",  "."});
+    error_of(text, random_options(chance_));
   }
 }
 
-TEST(Nff, ErrorsHavePositionAndCause) {
+TEST_F(Nff, ErrorsHavePositionAndCause) {
   const std::vector<std::array<std::string, 3>> cases{
       {"", "t: ", "has no NFF entity"},
       {" # s 0 0 0 1", "t: ", "has no NFF entity"},
@@ -362,6 +339,7 @@ TEST(Nff, ErrorsHavePositionAndCause) {
       {"p 3.5 0 0 0 1 0 0 0 1 0 0 0 0", "t:1:3: ", "'3.5' is no whole number"},
       {"p 4000000000 0 0 0", "t:1:3: ", "more than the rest of the text can hold"},
       {"pp 99999999999 0 0 0", "t:1:4: ", "'99999999999' is no whole number"},
+      {"pp 4294967295\n0 0 0 0 0 1", "t:1:4: ", "4294967295"},
       {"p 3\n0 0 0\n1 0 0\n0 1          ", "t:4:14: ", "the text ends"},
       {"pp 3 0 0 0 0 0 1 1 0 0 0 0 0 0 1 0 0 0 1", "t:1:24: ", "normal has no length"},
       {"l 0 0", "t:1:6: ", "l x y z [r g b]"},
@@ -383,6 +361,9 @@ TEST(Nff, ErrorsHavePositionAndCause) {
       {"v resolution 0 5", "t:1:14: ", "whole number from 1 to 65536"},
       {"v resolution 5 65537", "t:1:16: ", "whole number from 1 to 65536"},
       {"v resolution 5 1.5", "t:1:16: ", "whole number"},
+      {"v resolution 5 -8", "t:1:16: ", "'-8'"},
+      {"v\nfrom 1 2", "t:2:9: ", "the text ends"},
+      {std::string("\x7f\x45LF\2\1\0\0\0", 9), "t:1:1: ", "no NFF entity"},
       {"v from 0 0 0 to 1 1 1", "t:1:14: ", "'to' is no NFF entity"},
       {"from 0 0 0", "t:1:1: ", "'from' is no NFF entity"},
   };
@@ -393,7 +374,7 @@ TEST(Nff, ErrorsHavePositionAndCause) {
   }
 }
 
-TEST(Nff, MissingFileIsNamed) {
+TEST_F(Nff, MissingFileIsNamed) {
   try {
     read_nff("/no/such/file.nff");
     FAIL();
@@ -403,7 +384,7 @@ TEST(Nff, MissingFileIsNamed) {
   }
 }
 
-TEST(Nff, FileParsesAsItsText) {
+TEST_F(Nff, FileParsesAsItsText) {
   const std::string path =
       (std::filesystem::temp_directory_path() / ("masu_nff_test_" + std::to_string(std::random_device{}())))
           .string();
@@ -414,22 +395,19 @@ TEST(Nff, FileParsesAsItsText) {
 
 // --- Numbers
 
-std::string random_digits(Random& random, int least, int most) {
+std::string random_digits(Chance& chance, int least, int most) {
   std::string digits;
-  for (int i = whole(random, least, most); i > 0; --i)
-    digits += static_cast<char>('0' + whole(random, 0, 9));
+  for (int i = chance.whole(least, most); i > 0; --i)
+    digits += static_cast<char>('0' + chance.whole(0, 9));
   return digits;
 }
 
-TEST(Nff, NumbersRoundToNearest) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Random random = seed.engine();
+TEST_F(Nff, NumbersRoundToNearest) {
   for (int i = 0; i < 50000; ++i) {
-    std::string number = whole(random, 0, 1) ? "-" : "";
-    number += random_digits(random, 1, 12);
-    if (whole(random, 0, 3)) number.append(".").append(random_digits(random, 0, 12));
-    if (whole(random, 0, 9) == 0) number.append("e").append(std::to_string(whole(random, -60, 60)));
+    std::string number = chance_.whole(0, 1) ? "-" : "";
+    number += random_digits(chance_, 1, 12);
+    if (chance_.whole(0, 3)) number.append(".").append(random_digits(chance_, 0, 12));
+    if (chance_.whole(0, 9) == 0) number.append("e").append(std::to_string(chance_.whole(-60, 60)));
     const double expected = std::strtod(number.c_str(), nullptr);
     ASSERT_EQ(parse("s " + number + " 0 0 1").spheres.at(0).center.x, expected) << number;
   }
@@ -437,7 +415,7 @@ TEST(Nff, NumbersRoundToNearest) {
 
 // --- Contents of a scene
 
-TEST(Nff, ViewIsReadAsWritten) {
+TEST_F(Nff, ViewIsReadAsWritten) {
   const Scene scene = parse("v up 0 1 0.5 resolution 640 480 hither 0.25 angle 30 at 4 5 6 from 1 2 3");
   const Camera& camera = scene.camera;
   EXPECT_TRUE(scene.has_camera);
@@ -449,14 +427,14 @@ TEST(Nff, ViewIsReadAsWritten) {
   EXPECT_EQ(camera.height, 480);
 }
 
-TEST(Nff, LastViewAndBackgroundApply) {
+TEST_F(Nff, LastViewAndBackgroundApply) {
   const Scene scene = parse("v from 1 2 3 at 0 0 0\nb 1 1 1\nv from 4 5 6 at 0 0 0 angle 20\nb 0.5 0.25 0");
   EXPECT_TRUE(scene.camera.from == (Vec3d{4, 5, 6}));
   EXPECT_EQ(scene.camera.angle, 20);
   EXPECT_TRUE(scene.background == (Vec3f{0.5F, 0.25F, 0}));
 }
 
-TEST(Nff, ViewAlongZHasADefaultUp) {
+TEST_F(Nff, ViewAlongZHasADefaultUp) {
   const Camera camera = parse("v from 0 0 9 at 0 0 0").camera;
   EXPECT_TRUE(camera.up == (Vec3d{0, 1, 0}));
 }
@@ -469,14 +447,10 @@ double off_axis(const Camera& camera, const Vec3d& point) {
   return std::acos(std::min(1.0, dot(sight, to))) * 180 / std::numbers::pi;
 }
 
-TEST(Nff, DefaultViewShowsTheWholeScene) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Random random = seed.engine();
-  const auto uniform = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
+TEST_F(Nff, DefaultViewShowsTheWholeScene) {
   for (int i = 0; i < 200; ++i) {
-    const double scale = std::pow(10.0, 90 * uniform());
-    const Vec3d offset = Vec3d{uniform(), uniform(), uniform()} * (scale * whole(random, 0, 1000));
+    const double scale = std::pow(10.0, chance_.uniform(-90, 90));
+    const Vec3d offset = chance_.in_cube(1) * (scale * chance_.whole(0, 1000));
     const auto text = [&](const Vec3d& p) {
       std::array<char, 100> numbers{};
       std::snprintf(numbers.data(), numbers.size(), " %.17g %.17g %.17g", p.x, p.y, p.z);
@@ -485,7 +459,7 @@ TEST(Nff, DefaultViewShowsTheWholeScene) {
     std::vector<Vec3d> corners;
     std::string polygons;
     for (int k = 0; k < 12; ++k) {
-      corners.push_back(offset + Vec3d{uniform(), uniform(), uniform()} * scale);
+      corners.push_back(offset + chance_.in_cube(1) * scale);
       polygons += (k % 3 == 0 ? "\np 3" : "") + text(corners.back());
     }
     const Scene scene = parse(polygons);
@@ -496,7 +470,7 @@ TEST(Nff, DefaultViewShowsTheWholeScene) {
   }
 }
 
-TEST(Nff, DefaultViewOfATinySceneHasADirection) {
+TEST_F(Nff, DefaultViewOfATinySceneHasADirection) {
   for (const char* text : {"b 0 0 0", "s 0 0 0 0", "s 5 5 5 1e-90", "s 1e12 0 0 1e-9", "s 0 0 0 1e-99",
                            "v from 0 0 0\ns 0 0 0 1", "v at 0 0 0", "v"}) {
     const Camera camera = parse(text).camera;
@@ -509,7 +483,7 @@ TEST(Nff, DefaultViewOfATinySceneHasADirection) {
   }
 }
 
-TEST(Nff, LightsShareTheDefaultIntensity) {
+TEST_F(Nff, LightsShareTheDefaultIntensity) {
   const Scene scene = parse("l 1 2 3\nl 4 5 6 0.5 0.25 2\nl 7 8 9\nl 0 0 1");
   ASSERT_EQ(scene.lights.size(), 4U);
   EXPECT_FLOAT_EQ(scene.ambient, 0.25F); // √4 / 8
@@ -518,7 +492,7 @@ TEST(Nff, LightsShareTheDefaultIntensity) {
   EXPECT_TRUE(scene.lights[1].position == (Vec3d{4, 5, 6}));
 }
 
-TEST(Nff, DefaultLightIsAtTheCamera) {
+TEST_F(Nff, DefaultLightIsAtTheCamera) {
   const Scene scene = parse("v from 1 2 3 at 0 0 0");
   ASSERT_EQ(scene.lights.size(), 1U);
   EXPECT_TRUE(scene.lights[0].position == (Vec3d{1, 2, 3}));
@@ -527,7 +501,7 @@ TEST(Nff, DefaultLightIsAtTheCamera) {
   EXPECT_TRUE(scene.background == (Vec3f{0, 0, 0}));
 }
 
-TEST(Nff, MaterialsAreUsedAndDistinct) {
+TEST_F(Nff, MaterialsAreUsedAndDistinct) {
   const std::string text = "s 0 0 0 1\n"
                            "f 1 0 0 1 0 0 0 1\ns 0 0 0 1\ns 0 0 0 1\n"
                            "f 0 1 0 1 0 0 0 1\n"
@@ -548,13 +522,13 @@ TEST(Nff, MaterialsAreUsedAndDistinct) {
   }
 }
 
-TEST(Nff, RefractionIndexZeroOfATransmittingMaterialIsOne) {
+TEST_F(Nff, RefractionIndexZeroOfATransmittingMaterialIsOne) {
   EXPECT_EQ(parse("f 1 1 1 1 0 0 0.5 0\ns 0 0 0 1").materials[0].refraction_index, 1);
   EXPECT_EQ(parse("f 1 1 1 1 0 0 0.5 -2\ns 0 0 0 1").materials[0].refraction_index, 1);
   EXPECT_EQ(parse("f 1 1 1 1 0 0 0 0\ns 0 0 0 1").materials[0].refraction_index, 0);
 }
 
-TEST(Nff, DegenerateObjectsAreDroppedButCounted) {
+TEST_F(Nff, DegenerateObjectsAreDroppedButCounted) {
   const Scene scene = parse("p 3 0 0 0 1 1 1 2 2 2\n"
                             "s 0 0 0 0\ns 0 0 0 -1\n"
                             "c 1 1 1 1 1 1 1 2\nc 0 0 0 0 0 0 1 0\nc 0 0 0 1 0 0 1 0\n"
@@ -571,7 +545,7 @@ TEST(Nff, DegenerateObjectsAreDroppedButCounted) {
   EXPECT_EQ(scene.triangles[1].normals, no_normals);
 }
 
-TEST(Nff, PatchNormalsBelongToTheirCorners) {
+TEST_F(Nff, PatchNormalsBelongToTheirCorners) {
   // Each normal's z encodes its vertex.
   const Scene scene = parse("p 3 0 0 0 1 0 0 0 1 0\n"
                             "pp 5  0 0 0 0 0 1  4 0 0 0 0 2  4 4 0 0 0 3  2 1 0 0 0 4  0 4 0 0 0 5\n"
@@ -592,7 +566,7 @@ TEST(Nff, PatchNormalsBelongToTheirCorners) {
   EXPECT_TRUE(last.a == (Vec3d{0, 0, 1}) && last.b == (Vec3d{0, 0, 1}) && last.c == (Vec3d{0, 0, -3}));
 }
 
-TEST(Nff, PolygonsKeepTheirOrderAndOrientation) {
+TEST_F(Nff, PolygonsKeepTheirOrderAndOrientation) {
   const Scene scene = parse("p 4 0 0 0 1 0 0 1 1 0 0 1 0\np 4 0 1 0 1 1 0 1 0 0 0 0 0");
   ASSERT_EQ(scene.triangles.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {

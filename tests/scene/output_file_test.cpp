@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstring>
 #include <functional>
 #include <thread>
 
@@ -41,49 +40,50 @@ testing::AssertionResult fails_as_output(const std::string& path, const std::fun
   return testing::AssertionFailure() << "nothing was thrown";
 }
 
+// Runs act in a child process, which it must end by that signal.
+void expect_ended_by(int signal, const std::function<void()>& act) {
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    act();
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
+}
+
 TEST(OutputFile, CommitLeavesOneFile) {
   const TemporaryFolder folder;
   const std::string path = folder.file("a");
-  write_whole(path, "new");
-  EXPECT_EQ(read_text(path), "new");
-  EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
-}
-
-TEST(OutputFile, CommitReplacesAnExistingFile) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("a");
-  write_text(path, "something much longer than the new text");
-  write_whole(path, "new");
-  EXPECT_EQ(read_text(path), "new");
-  EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
-}
-
-TEST(OutputFile, CommitMayLeaveAnEmptyFile) {
-  const TemporaryFolder folder;
-  write_whole(folder.file("a"), "");
-  EXPECT_EQ(read_text(folder.file("a")), "");
-}
-
-TEST(OutputFile, NothingRemainsWithoutCommit) {
-  const TemporaryFolder folder;
-  {
-    OutputFile file(folder.file("a"));
-    put(file, "half");
+  for (const std::string text : {"something much longer than the new text", "new", ""}) {
+    write_whole(path, text);
+    EXPECT_EQ(read_text(path), text);
+    EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
   }
-  EXPECT_TRUE(folder.listing().empty());
 }
 
-TEST(OutputFile, ExistingFileIsUnchangedWithoutCommit) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("a");
-  write_text(path, "old");
-  {
-    OutputFile file(path);
-    put(file, std::string(100000, 'x'));
-    EXPECT_EQ(read_text(path), "old");
+TEST(OutputFile, WithoutCommitAllIsAsBefore) {
+  const std::string text(1'000'000, 'x');
+  for (const bool exists : {false, true}) {
+    for (const bool is_killed : {false, true}) {
+      const TemporaryFolder folder;
+      const std::string path = folder.file("a");
+      if (exists) write_text(path, "old");
+      const auto before = folder.listing();
+      const auto write = [&] {
+        OutputFile file(path);
+        put(file, text);
+        EXPECT_EQ(folder.listing(), before);
+        if (is_killed) std::raise(SIGKILL);
+      };
+      is_killed ? expect_ended_by(SIGKILL, write) : write();
+      EXPECT_EQ(folder.listing(), before);
+      if (exists) {
+        EXPECT_EQ(read_text(path), "old");
+      }
+    }
   }
-  EXPECT_EQ(read_text(path), "old");
-  EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
 }
 
 TEST(OutputFile, OpenReadersKeepTheOldFile) {
@@ -93,39 +93,6 @@ TEST(OutputFile, OpenReadersKeepTheOldFile) {
   std::ifstream reader(path, std::ios::binary);
   write_whole(path, "new");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(reader), {}), "old");
-}
-
-TEST(OutputFile, ExistingFileIsUnchangedWhenTheWriterIsKilled) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("a");
-  write_text(path, "old");
-  const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    OutputFile file(path);
-    put(file, std::string(1000000, 'x'));
-    std::raise(SIGKILL);
-    _exit(0);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
-  EXPECT_EQ(read_text(path), "old");
-}
-
-TEST(OutputFile, NoFileAppearsWhenTheWriterIsKilled) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("a");
-  const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    OutputFile file(path);
-    put(file, std::string(1000000, 'x'));
-    std::raise(SIGKILL);
-    _exit(0);
-  }
-  ASSERT_EQ(waitpid(child, nullptr, 0), child);
-  EXPECT_TRUE(folder.listing().empty());
 }
 
 TEST(OutputFile, ImpossiblePathIsAnOutputError) {
@@ -196,25 +163,17 @@ TEST(OutputFile, PipesAreWrittenDirectly) {
   EXPECT_TRUE(std::filesystem::is_fifo(path));
 }
 
-TEST(OutputFile, SymbolicLinkIsFollowed) {
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.file("elsewhere"));
-  write_text(folder.file("elsewhere/target"), "old");
-  std::filesystem::create_symlink(folder.file("elsewhere/target"), folder.file("link"));
-  write_whole(folder.file("link"), "new");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
-  EXPECT_EQ(read_text(folder.file("elsewhere/target")), "new");
-}
-
-TEST(OutputFile, DanglingLinkIsFollowed) {
+TEST(OutputFile, LinksAreFollowedToAFileThatIsThereOrNot) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("elsewhere"));
   std::filesystem::create_symlink("elsewhere/target", folder.file("inner"));
-  std::filesystem::create_symlink("inner", folder.file("outer"));
-  write_whole(folder.file("outer"), "new");
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("outer")));
-  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("inner")));
-  EXPECT_EQ(read_text(folder.file("elsewhere/target")), "new");
+  std::filesystem::create_symlink(folder.file("inner"), folder.file("outer"));
+  for (const char* const text : {"old", "new"}) {
+    write_whole(folder.file("outer"), text);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("outer")));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder.file("inner")));
+    EXPECT_EQ(read_text(folder.file("elsewhere/target")), text);
+  }
 }
 
 TEST(OutputFile, CycleOfLinksIsAnOutputError) {
@@ -238,15 +197,6 @@ TEST(OutputFile, LongestNamesCanBeWritten) {
   EXPECT_TRUE(fails_as_output(folder.file(std::string(256, 'a')),
                               [&] { const OutputFile file(folder.file(std::string(256, 'a'))); }));
   EXPECT_TRUE(folder.listing().empty());
-}
-
-TEST(OutputFile, FileHasNoNameBeforeCommit) {
-  const TemporaryFolder folder;
-  write_text(folder.file("a"), "old");
-  OutputFile replacing(folder.file("a")), creating(folder.file("b"));
-  put(replacing, std::string(100000, 'x'));
-  put(creating, std::string(100000, 'x'));
-  EXPECT_EQ(folder.listing(), std::vector<std::string>{"a"});
 }
 
 TEST(OutputFile, ReplacingKeepsPermissions) {
@@ -297,19 +247,6 @@ TEST(OutputFile, PlantedLinkIsNotFollowed) {
     EXPECT_EQ(read_text(folder.file("victim")), "precious");
     EXPECT_TRUE(std::filesystem::is_symlink(planted));
   }
-}
-
-// Runs act in a child process, which it must end by that signal.
-void expect_ended_by(int signal, const std::function<void()>& act) {
-  const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    act();
-    _exit(0);
-  }
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == signal) << status;
 }
 
 TEST(OutputFile, SignalsRemoveTemporaryNames) {

@@ -1,7 +1,6 @@
 // Divisions of real.h.
 #include "libscene/geometry/real.h"
-#include "tests/stability/random_seed.h"
-#include "tests/stability/test_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -10,19 +9,14 @@
 namespace masu {
 namespace {
 
-class FastDivide : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class FastDivide : public RandomTest {};
 
 TEST_F(FastDivide, IsRoundedLikeDivision) {
-  SCOPED_TRACE(seed_.trace());
-  Chance chance(seed_);
   std::int64_t others = 0;
   const std::int64_t tries = cases(1'000'000);
   for (std::int64_t i = tries; i > 0; --i) {
-    const float over = static_cast<float>(chance.uniform(-1, 1) * chance.power_of_two(-30, 30)),
-                by = static_cast<float>(chance.uniform(-1, 1) * chance.power_of_two(-60, 60));
+    const float over = static_cast<float>(chance_.uniform(-1, 1) * chance_.power_of_two(-30, 30)),
+                by = static_cast<float>(chance_.uniform(-1, 1) * chance_.power_of_two(-60, 60));
     if (over == 0 || by == 0) continue;
     const float is = fast_divide(over, by), should = over / by;
     others += is != should;
@@ -39,8 +33,6 @@ TEST_F(FastDivide, ByZeroIsHugeOrNaN) {
 }
 
 TEST_F(FastDivide, FiniteInverseIsNeverInfinite) {
-  SCOPED_TRACE(seed_.trace());
-  Chance chance(seed_);
   constexpr float largest = RealTraits<float>::largest;
   for (const float nothing : {0.0F, std::numeric_limits<float>::denorm_min()}) {
     EXPECT_EQ(std::abs(finite_inverse(nothing)), largest);
@@ -48,7 +40,7 @@ TEST_F(FastDivide, FiniteInverseIsNeverInfinite) {
   }
   EXPECT_EQ(std::abs(finite_inverse(0.0)), RealTraits<double>::largest);
   for (std::int64_t i = cases(1'000'000); i > 0; --i) {
-    const float v = static_cast<float>(chance.uniform(-1, 1) * chance.power_of_two(-149, 125));
+    const float v = static_cast<float>(chance_.uniform(-1, 1) * chance_.power_of_two(-149, 125));
     const float is = finite_inverse(v), should = 1 / v;
     if (std::abs(v) >= RealTraits<float>::smallest_normal) {
       ASSERT_TRUE(is == should || std::nextafter(is, should) == should) << v;

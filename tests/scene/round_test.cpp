@@ -1,4 +1,5 @@
 // Rays and the special cases of spheres and cones: insides, open ends, bounds.
+#include "tests/random_test.h"
 #include "tests/ray_case.h"
 
 namespace masu {
@@ -21,7 +22,7 @@ bool misses(const Primitive& primitive, const Vec3<Real>& origin, const Vec3<Rea
 }
 
 template <class Real>
-class RayAndRound : public testing::Test {};
+class RayAndRound : public RandomTest {};
 TYPED_TEST_SUITE(RayAndRound, Arithmetics);
 
 TYPED_TEST(RayAndRound, NegativeRadiusShowsOnlyTheInside) {
@@ -59,9 +60,7 @@ TYPED_TEST(RayAndRound, ConesAreOpenAtTheirEnds) {
 // far from the axis, where there must be no hit.
 TYPED_TEST(RayAndRound, RaysBeyondTheEndsMiss) {
   using Real = TypeParam;
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
   std::int64_t hits = 0;
   std::string first;
@@ -89,9 +88,7 @@ TYPED_TEST(RayAndRound, RaysBeyondTheEndsMiss) {
 // Scenes whose cones are all cylinders use specialised code: adding a cone must not change any hit.
 TYPED_TEST(RayAndRound, CylinderCodeGivesTheBitsOfConeCode) {
   using Real = TypeParam;
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   std::int64_t hits = 0;
   for (std::int64_t i = cases(100'000); i > 0; --i) {
     Case<Real, Cone<Real>> c = random_case<Real, Cone>(chance, chance.power_of_two(-10, 20));
@@ -110,9 +107,7 @@ TYPED_TEST(RayAndRound, CylinderCodeGivesTheBitsOfConeCode) {
 // Rays are clipped to this box, and voxels list cones by it: it must contain every point of the side.
 TYPED_TEST(RayAndRound, BoundsContainTheWholeCone) {
   using Real = TypeParam;
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance& chance = this->chance_;
   double worst = 0;
   std::string worst_case;
   for (std::int64_t i = cases(50'000); i > 0; --i) {

@@ -1,6 +1,7 @@
 // The curves in which planes cut primitives, against what defines the primitives.
 #include "libscene/section.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,8 @@
 
 namespace masu {
 namespace {
+
+using Section = RandomTest;
 
 constexpr double no_limit = 1e300;
 
@@ -95,16 +98,13 @@ double size_of(const Boxd& box) {
   return std::max(length(box.max - box.min), largest_magnitude(box));
 }
 
-TEST(Section, LiesOnItsPrimitives) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(Section, LiesOnItsPrimitives) {
   std::size_t segments = 0;
   for (int i = 0; i < 300; ++i) {
-    TestScene<double> scene = SceneMaker<double>(chance, 1).scene();
+    TestScene<double> scene = SceneMaker<double>(chance_, 1).scene();
     const Boxd box = scene.bounds();
-    const int axis = chance.whole(0, 2);
-    const double position = chance.uniform(box.min[axis], box.max[axis]);
+    const int axis = chance_.whole(0, 2);
+    const double position = chance_.uniform(box.min[axis], box.max[axis]);
     const SectionOptions plane = everywhere(axis, position, 1e-3);
     for (const SectionSegment& segment : section_of(scene.view(), plane)) {
       ++segments;
@@ -120,20 +120,17 @@ TEST(Section, LiesOnItsPrimitives) {
 }
 
 // Any point of a primitive is near a segment of the plane through it.
-TEST(Section, HasEveryPointOfItsPrimitives) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(Section, HasEveryPointOfItsPrimitives) {
   for (int i = 0; i < 400; ++i) {
-    TestScene<double> scene = SceneMaker<double>(chance, 1).scene();
+    TestScene<double> scene = SceneMaker<double>(chance_, 1).scene();
     const SceneView<double> view = scene.view();
     if (view.primitive_count() == 0) continue;
-    const auto index = static_cast<PrimitiveIndex>(chance.index(view.primitive_count()));
+    const auto index = static_cast<PrimitiveIndex>(chance_.index(view.primitive_count()));
     with_primitive(view, index, [&](const auto& primitive) {
-      const Vec3d p = point_on(chance, primitive);
+      const Vec3d p = point_on(chance_, primitive);
       const Boxd own = bounds(primitive);
       const double extent = length(own.max - own.min);
-      const int axis = chance.whole(0, 2);
+      const int axis = chance_.whole(0, 2);
       const SectionOptions plane = everywhere(axis, p[axis], 1e-4 * extent);
       double nearest = std::numeric_limits<double>::infinity();
       for (const SectionSegment& segment : section_of(view, plane)) {
@@ -153,17 +150,14 @@ TEST(Section, HasEveryPointOfItsPrimitives) {
   }
 }
 
-TEST(Section, OfTheWindowHasAllThatIsInIt) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(Section, OfTheWindowHasAllThatIsInIt) {
   for (int i = 0; i < 100; ++i) {
-    TestScene<double> scene = SceneMaker<double>(chance, 1).scene();
+    TestScene<double> scene = SceneMaker<double>(chance_, 1).scene();
     const Boxd box = scene.bounds();
-    const int axis = chance.whole(0, 2);
-    SectionOptions plane = everywhere(axis, chance.uniform(box.min[axis], box.max[axis]), 1e-3);
+    const int axis = chance_.whole(0, 2);
+    SectionOptions plane = everywhere(axis, chance_.uniform(box.min[axis], box.max[axis]), 1e-3);
     const auto all = section_of(scene.view(), plane);
-    const Vec3d a = chance.in_box(box), b = chance.in_box(box);
+    const Vec3d a = chance_.in_box(box), b = chance_.in_box(box);
     for (std::size_t k = 0; k < 2; ++k) {
       const int along = k == 0 ? (axis == 0 ? 1 : 0) : (axis == 2 ? 1 : 2);
       plane.min[k] = std::min(a[along], b[along]);
@@ -198,7 +192,7 @@ std::vector<SectionSegment> cut(const Primitive& primitive, int axis, double pos
   return section_of(scene.view(), everywhere(axis, position, 1e-6));
 }
 
-TEST(Section, HasTheLengthsOfKnownCurves) {
+TEST_F(Section, HasTheLengthsOfKnownCurves) {
   constexpr double pi = std::numbers::pi;
   const auto triangle = triangle_of<double>(Vec3d{0, 0, 0}, Vec3d{2, 0, 0}, Vec3d{0, 2, 2});
   EXPECT_DOUBLE_EQ(total_length(cut(triangle, 2, 1)), 1);

@@ -1,5 +1,6 @@
 // The surface at a hit: position and normal, and no self-intersection of secondary rays.
 #include "libscene/geometry/surface.h"
+#include "tests/random_test.h"
 #include "tests/ray_case.h"
 
 #include <algorithm>
@@ -67,10 +68,7 @@ bool is_inside_out(const Sphere<Real>& sphere) {
 }
 
 template <class K>
-class SurfaceAtHit : public testing::Test {
-protected:
-  RandomSeed seed_;
-};
+class SurfaceAtHit : public RandomTest {};
 TYPED_TEST_SUITE(SurfaceAtHit, Kinds, KindNames);
 
 template <class K, class Draw>

@@ -35,18 +35,18 @@ Scene one_cone(const Cone<double>& cone, int facets) {
   return tessellated(std::move(scene), facets);
 }
 
-Sphere<double> random_sphere(SceneChance& chance, double sign) {
-  const double scale = std::exp(chance.between(-20, 20));
-  return {chance.direction() * (scale * chance.between(0, 30)), sign * scale};
+Sphere<double> random_sphere(Chance& chance, double sign) {
+  const double scale = std::exp(chance.uniform(-20, 20));
+  return {chance.direction() * (scale * chance.uniform(0, 30)), sign * scale};
 }
 // Slender and flat cones, pointed at either end or not, of any size.
-Cone<double> random_cone(SceneChance& chance, double sign) {
-  const double scale = std::exp(chance.between(-20, 20));
-  const Vec3d base = chance.direction() * (scale * chance.between(0, 30));
-  const Vec3d apex = base + chance.direction() * (scale * std::exp(chance.between(-3, 3)));
-  const double end = chance.between(0, 3);
-  const double base_radius = end < 1 ? 0 : sign * scale * chance.between(0.01, 2);
-  const double apex_radius = end > 2 ? 0 : sign * scale * chance.between(0.01, 2);
+Cone<double> random_cone(Chance& chance, double sign) {
+  const double scale = std::exp(chance.uniform(-20, 20));
+  const Vec3d base = chance.direction() * (scale * chance.uniform(0, 30));
+  const Vec3d apex = base + chance.direction() * (scale * std::exp(chance.uniform(-3, 3)));
+  const double end = chance.uniform(0, 3);
+  const double base_radius = end < 1 ? 0 : sign * scale * chance.uniform(0.01, 2);
+  const double apex_radius = end > 2 ? 0 : sign * scale * chance.uniform(0.01, 2);
   return {base, base_radius, apex, apex_radius};
 }
 
@@ -55,7 +55,7 @@ template <class Body>
 void for_random_cases(const Body& body) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
-  SceneChance chance(seed);
+  Chance chance(seed);
   for (int i = 0; i < 100; ++i)
     body(chance, i % 2 == 0 ? 1.0 : -1.0, all_facets[static_cast<std::size_t>(i) % all_facets.size()]);
 }
@@ -140,7 +140,7 @@ TEST(Tessellation, TooManyTrianglesAreRefused) {
 // --- Shape
 
 TEST(Tessellation, CornersLieOnTheSphere) {
-  for_random_cases([](SceneChance& chance, double sign, int facets) {
+  for_random_cases([](Chance& chance, double sign, int facets) {
     const Sphere<double> sphere = random_sphere(chance, sign);
     const double size = largest_magnitude(sphere.center) + std::abs(sphere.radius);
     for (const SceneTriangle& t : one_sphere(sphere, facets).triangles)
@@ -150,7 +150,7 @@ TEST(Tessellation, CornersLieOnTheSphere) {
 }
 
 TEST(Tessellation, CornersLieOnTheConesEnds) {
-  for_random_cases([](SceneChance& chance, double sign, int facets) {
+  for_random_cases([](Chance& chance, double sign, int facets) {
     const Cone<double> cone = random_cone(chance, sign);
     const double reach = length(cone.apex - cone.base);
     const double size = largest_magnitude(bounds(cone));
@@ -166,7 +166,7 @@ TEST(Tessellation, CornersLieOnTheConesEnds) {
 }
 
 TEST(Tessellation, SpheresAreClosed) {
-  for_random_cases([](SceneChance& chance, double sign, int facets) {
+  for_random_cases([](Chance& chance, double sign, int facets) {
     const Scene scene = one_sphere(random_sphere(chance, sign), facets);
     ASSERT_EQ(open_edges(scene), 0U);
     // Euler: corners + triangles = edges + 2.
@@ -180,7 +180,7 @@ TEST(Tessellation, SpheresAreClosed) {
 }
 
 TEST(Tessellation, ConesAreOpenAtTheirWideEndsOnly) {
-  for_random_cases([](SceneChance& chance, double sign, int facets) {
+  for_random_cases([](Chance& chance, double sign, int facets) {
     const Cone<double> cone = random_cone(chance, sign);
     const std::size_t ends = (cone.base_radius != 0 ? 1U : 0U) + (cone.apex_radius != 0 ? 1U : 0U);
     ASSERT_EQ(open_edges(one_cone(cone, facets)), ends * static_cast<std::size_t>(facets));
@@ -190,7 +190,7 @@ TEST(Tessellation, ConesAreOpenAtTheirWideEndsOnly) {
 // --- Facing
 
 TEST(Tessellation, FrontsFaceOutwardsOrInwardsForNegativeRadii) {
-  for_random_cases([](SceneChance& chance, double sign, int facets) {
+  for_random_cases([](Chance& chance, double sign, int facets) {
     const Sphere<double> sphere = random_sphere(chance, sign);
     for (const SceneTriangle& t : one_sphere(sphere, facets).triangles)
       ASSERT_GT(dot(cross(t.b - t.a, t.c - t.a), t.a - sphere.center) * sign, 0);
@@ -204,7 +204,7 @@ TEST(Tessellation, FrontsFaceOutwardsOrInwardsForNegativeRadii) {
 }
 
 TEST(Tessellation, CornerNormalsAreTheSurfaces) {
-  for_random_cases([](SceneChance& chance, double sign, int facets) {
+  for_random_cases([](Chance& chance, double sign, int facets) {
     const Sphere<double> sphere = random_sphere(chance, sign);
     Scene scene = one_sphere(sphere, facets);
     for (const SceneTriangle& t : scene.triangles)

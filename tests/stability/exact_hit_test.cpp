@@ -1,5 +1,6 @@
 // Exact hits are those of the 113-bit oracle where that is sure; edges and corners belong to all their
 // triangles.
+#include "tests/random_test.h"
 #include "tests/stability/oracle/closest_hit.h"
 #include "tests/stability/oracle/exact_hit.h"
 #include "tests/stability/sweeps/sweep.h"
@@ -9,7 +10,7 @@
 namespace masu::stability {
 namespace {
 
-class ExactHit : public testing::Test {
+class ExactHit : public RandomTest {
 protected:
   void SetUp() override {
     if (!exact_hits_available) GTEST_SKIP() << "built without GMP: install libgmp-dev";
@@ -17,15 +18,12 @@ protected:
 };
 
 TEST_F(ExactHit, IsTheOraclesWhereThatIsSure) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
   int sure = 0, hits = 0;
   for (int round = 0; round < 20; ++round) {
-    const double size = chance.power_of_two(-20, 20);
-    TestScene<float> scene = random_scene<float>(chance, {0, 0, 0}, size, Kinds::triangles);
+    const double size = chance_.power_of_two(-20, 20);
+    TestScene<float> scene = random_scene<float>(chance_, {0, 0, 0}, size, Kinds::triangles);
     const oracle::SceneOracle oracle(scene.view());
-    for (const Ray<double>& ray : rays_around<float>(chance, {0, 0, 0}, size, 100)) {
+    for (const Ray<double>& ray : rays_around<float>(chance_, {0, 0, 0}, size, 100)) {
       const oracle::ClosestHit expected = oracle.closest(ray, size * 1e-20);
       const std::vector<PrimitiveIndex> nearest = exact_nearest(scene.triangles, ray);
       if (!expected.sure) continue;
@@ -42,19 +40,16 @@ TEST_F(ExactHit, IsTheOraclesWhereThatIsSure) {
 }
 
 TEST_F(ExactHit, OfACornerIsAllItsTrianglesInOrder) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
   for (int round = 0; round < 100; ++round) {
     // Small whole numbers, so that rays meet corners exactly.
-    const Vec3d corner{0.0 + chance.whole(-9, 9), 0.0 + chance.whole(-9, 9), 0};
+    const Vec3d corner{0.0 + chance_.whole(-9, 9), 0.0 + chance_.whole(-9, 9), 0};
     const auto below = [&](double x, double y) { return corner + Vec3d{x, y, -1}; };
     TestScene<float> scene;
     scene.triangles = {triangle_of<float>(corner, below(1, 0), below(0, 1)),
                        triangle_of<float>({-20, -20, -5}, {20, -20, -5}, {0, 40, -5}), // behind
                        triangle_of<float>(below(0, 1), corner, below(-1, -1)),
                        triangle_of<float>(below(-1, -1), below(1, 0), corner)};
-    const Vec3d from{0.0 + chance.whole(-9, 9), 0.0 + chance.whole(-9, 9), 100.0 + chance.whole(0, 9)};
+    const Vec3d from{0.0 + chance_.whole(-9, 9), 0.0 + chance_.whole(-9, 9), 100.0 + chance_.whole(0, 9)};
     EXPECT_EQ(exact_nearest(scene.triangles, unbounded_ray(from, corner - from)),
               (std::vector<PrimitiveIndex>{0, 2, 3}))
         << described(from, corner - from);

@@ -1,10 +1,10 @@
 // Robust and double precision fail nowhere, and within the envelopes of docs/accuracy.md most rays are sure.
 #include "libscene/float32_precision.h"
+#include "tests/random_test.h"
 #include "tests/stability/oracle/backends.h"
 #include "tests/stability/oracle/oracle.h"
 #include "tests/stability/run.h"
 #include "tests/stability/sweeps/picture_sweeps.h"
-#include "tests/stability/test_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +13,14 @@
 namespace masu::stability {
 namespace {
 
-class Stability : public testing::TestWithParam<Sweep> {};
+using Oracle = RandomTest;
+using StoreRule = RandomTest;
+
+class Stability : public RandomTest, public testing::WithParamInterface<Sweep> {};
 
 TEST_P(Stability, RobustAndDoubleFailNowhere) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
   std::uint64_t rays = 0, unsure = 0;
-  run(GetParam(), {static_cast<std::size_t>(cases(1500)), seed.value()}, [&](const Row& row) {
+  run(GetParam(), {static_cast<std::size_t>(cases(1500)), seed_.value()}, [&](const Row& row) {
     if (!row.promised) return;
     const Tally& t = row.tally;
     rays += row.within ? t.rays : 0;
@@ -34,13 +35,11 @@ TEST_P(Stability, RobustAndDoubleFailNowhere) {
   EXPECT_LE(2 * unsure, rays);
 }
 
-class PictureStability : public testing::TestWithParam<PictureSweep> {};
+class PictureStability : public RandomTest, public testing::WithParamInterface<PictureSweep> {};
 
 TEST_P(PictureStability, PicturesAreRightByDefault) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
   double automatic = 0;
-  run(GetParam(), seed.value(), [&](const PictureRow& row) {
+  run(GetParam(), seed_.value(), [&](const PictureRow& row) {
     if (!row.local_origin) return;
     if (row.precision == Precision::automatic) automatic = row.pixels_off;
     if (row.precision != Precision::doubled) return;
@@ -51,15 +50,12 @@ TEST_P(PictureStability, PicturesAreRightByDefault) {
   });
 }
 
-TEST(Oracle, MissesTrianglesThatAreALineThroughTheOrigin) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(Oracle, MissesTrianglesThatAreALineThroughTheOrigin) {
   for (int i = 0; i < 1000; ++i) {
     // Far from the origin, rounding to float32 makes such triangles and such rays.
-    const auto above = [&](double z) { return Vec3d{8346999, -1e7, z + chance.whole(0, 4)}; };
+    const auto above = [&](double z) { return Vec3d{8346999, -1e7, z + chance_.whole(0, 4)}; };
     const Triangle<double> line = triangle_of<double>(above(100), above(100), above(100));
-    const Vec3d slanted{chance.uniform(0.5, 1), chance.uniform(-1, 1), chance.uniform(-1, 1)};
+    const Vec3d slanted{chance_.uniform(0.5, 1), chance_.uniform(-1, 1), chance_.uniform(-1, 1)};
     EXPECT_EQ(oracle::expect(oracle::line(above(0), slanted), line, 1e-8).result, oracle::Result::miss);
   }
 }
@@ -72,16 +68,14 @@ bool float32_suffices(Trial<Stored> (*make)(Chance&, double, std::size_t), const
   return float32_precision(spans_of(trial.original.value().view())).suffices();
 }
 
-TEST(StoreRule, TakesTheStoreInWhichItsSweepsFailNowhere) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
+TEST_F(StoreRule, TakesTheStoreInWhichItsSweepsFailNowhere) {
   int steps = 0;
   for (const Sweep& sweep : all_sweeps()) {
     if (!sweep.by_rule) continue;
     for (const double step : sweep.float32_steps)
-      EXPECT_TRUE(float32_suffices(sweep.float32, seed, sweep, step)) << sweep.name << " at " << step;
+      EXPECT_TRUE(float32_suffices(sweep.float32, seed_, sweep, step)) << sweep.name << " at " << step;
     for (const double step : sweep.float64_steps)
-      EXPECT_FALSE(float32_suffices(sweep.float64, seed, sweep, step)) << sweep.name << " at " << step;
+      EXPECT_FALSE(float32_suffices(sweep.float64, seed_, sweep, step)) << sweep.name << " at " << step;
     steps += static_cast<int>(sweep.float32_steps.size() + sweep.float64_steps.size());
   }
   EXPECT_GT(steps, 0);

@@ -86,18 +86,12 @@ protected:
   }
 };
 
-TEST_F(ChangingFiles, SceneOfGridrender) {
+TEST_F(ChangingFiles, SceneAndGridOfGridrender) {
   const std::string in = scene("a.scene", spd("a.nff", "balls", 3)), divided = grid("a.grid", in);
-  expect_right_or_refused(in, "gridrender",
-                          {in, divided, "-o", file("a.pfm"), "--size", "64x64", "--backend", "cpu", "-q"},
-                          file("a.pfm"));
-}
-
-TEST_F(ChangingFiles, GridOfGridrender) {
-  const std::string in = scene("a.scene", spd("a.nff", "balls", 3)), divided = grid("a.grid", in);
-  expect_right_or_refused(divided, "gridrender",
-                          {in, divided, "-o", file("a.pfm"), "--size", "64x64", "--backend", "cpu", "-q"},
-                          file("a.pfm"));
+  for (const std::string& changing : {in, divided})
+    expect_right_or_refused(changing, "gridrender",
+                            {in, divided, "-o", file("a.pfm"), "--size", "64x64", "--backend", "cpu", "-q"},
+                            file("a.pfm"));
 }
 
 TEST_F(ChangingFiles, SceneOfGridbuild) {
@@ -232,18 +226,15 @@ TEST_F(ChangingFiles, PipesWithoutAWriterAndEndlessDevicesAreRefused) {
                     divided = grid("a.grid", in);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const Arguments picture{"-o", file("a.png"), "--backend", "cpu"};
-  const auto with = [](Arguments first, const Arguments& more) {
-    first.insert(first.end(), more.begin(), more.end());
-    return first;
-  };
   for (const std::string& input : {pipe, std::string("/dev/zero")}) {
     EXPECT_TRUE(failed(run("nff2bin", {input, "-o", file("b.scene")}), 2, "nff2bin", input));
     EXPECT_TRUE(failed(run("gridbuild", {input, "-o", file("b.grid")}), 2, "gridbuild", input));
     EXPECT_TRUE(failed(run("gridstat", {input}), 2, "gridstat", input));
-    EXPECT_TRUE(failed(run("gridrender", with({input, divided}, picture)), 2, "gridrender", input));
-    EXPECT_TRUE(failed(run("gridrender", with({in, input}, picture)), 2, "gridrender", input));
-    EXPECT_TRUE(failed(run("gridrender", with({in, divided, "--views", input}, {"-o", file("{index}.png")})),
-                       2, "gridrender", input));
+    EXPECT_TRUE(failed(run("gridrender", joined({input, divided}, picture)), 2, "gridrender", input));
+    EXPECT_TRUE(failed(run("gridrender", joined({in, input}, picture)), 2, "gridrender", input));
+    EXPECT_TRUE(
+        failed(run("gridrender", joined({in, divided, "--views", input}, {"-o", file("{index}.png")})), 2,
+               "gridrender", input));
   }
   EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("b.scene")}, {"/dev/zero", {}, {}}), 2, "nff2bin",
                      "stdin", "isn't a text"));
@@ -253,7 +244,7 @@ TEST_F(ChangingFiles, PipesWithoutAWriterAndEndlessDevicesAreRefused) {
     EXPECT_TRUE(failed(run("gridtrace", {in, divided, input, "-o", file("hits")}), 2, "gridtrace", input));
   EXPECT_TRUE(failed(run("gridtrace", {in, divided, "-", "-o", file("hits")}, {"/dev/zero", {}, {}}), 2,
                      "gridtrace", "stdin"));
-  EXPECT_TRUE(succeeded(run("gridrender", with({in, divided}, picture))));
+  EXPECT_TRUE(succeeded(run("gridrender", joined({in, divided}, picture))));
   for (const std::string& input : {pipe, std::string("/dev/zero")}) {
     EXPECT_TRUE(failed(run("gridbench", {"difference", input, file("a.png")}), 2, "gridbench", input));
     EXPECT_TRUE(failed(run("gridbench", {"difference", file("a.png"), input}), 2, "gridbench", input));

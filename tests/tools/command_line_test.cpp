@@ -49,16 +49,12 @@ TEST(EmptyValues, OfEveryOptionOfEveryToolAreUsageErrors) {
       commands.push_back({name});
     EXPECT_EQ(commands.size() > 1, tool == "gridbench");
     for (const Arguments& command : commands) {
-      const auto with = [&](const Arguments& more) {
-        Arguments all = command;
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-      };
       const auto is_refused = [&](const Arguments& more) {
-        return failed(run(tool, with(more)), 1, tool, "command line", "is empty");
+        return failed(run(tool, joined(command, more)), 1, tool, "command line", "is empty");
       };
       EXPECT_TRUE(is_refused({""})) << tool;
-      for (const std::string& name : names_in_help(run(tool, with({"--help"})).out, groups, option)) {
+      for (const std::string& name :
+           names_in_help(run(tool, joined(command, {"--help"})).out, groups, option)) {
         EXPECT_TRUE(is_refused({name, ""})) << tool << " " << name;
         if (name.starts_with("--")) {
           EXPECT_TRUE(is_refused({name + "="})) << tool << " " << name;
@@ -103,11 +99,21 @@ TEST(HelpText, IsAsWideAsTheTerminalAndBreaksNoWords) {
 
 TEST(HelpText, HasAnExampleAndNamesTheManPage) {
   for (const std::string& tool : all_tools()) {
-    const std::vector<std::string> lines = lines_of(run(tool, {"--help"}).out);
+    const ToolResult help = run(tool, {"--help"});
+    EXPECT_TRUE(succeeded(help));
+    const std::vector<std::string> lines = lines_of(help.out);
     const auto example = std::ranges::find(lines, "Example:");
     ASSERT_TRUE(lines.end() - example > 1) << tool;
     EXPECT_TRUE((example + 1)->starts_with("  " + tool + " ")) << tool;
     EXPECT_EQ(lines.back(), "Man page: " + tool + "(1)");
+  }
+}
+
+TEST(Version, GoesToStandardOutput) {
+  for (const std::string& tool : all_tools()) {
+    const ToolResult result = run(tool, {"--version"});
+    EXPECT_TRUE(succeeded(result)) << tool;
+    EXPECT_TRUE(result.out.starts_with(tool + ", Masu ")) << result.out;
   }
 }
 
@@ -127,24 +133,15 @@ TEST(UnknownOptions, AreAnsweredByTheNearestOne) {
         failed(run("gridrender", {"a", "b", option, "c"}), 1, "gridrender", option, "unknown option"));
 }
 
-class CommandLine : public ToolTest {
+class CommandLine : public SmallSceneTest {
 protected:
   // Of a command that is right but for what is added.
   void expect_refused(const std::string& tool, const Arguments& right,
                       const std::vector<std::string>& options) const {
-    const auto before = folder_.listing();
-    for (const std::string& option : options) {
-      for (const Arguments& empty : {Arguments{option, ""}, {option + "="}}) {
-        Arguments all = right;
-        all.insert(all.end(), empty.begin(), empty.end());
-        EXPECT_TRUE(failed(run(tool, all), 1, tool, "command line", option)) << option;
-        EXPECT_EQ(folder_.listing(), before) << option;
-      }
-    }
+    for (const std::string& option : options)
+      for (const Arguments& empty : {Arguments{option, ""}, {option + "="}})
+        EXPECT_TRUE(fails(1, tool, joined(right, empty), "command line", option)) << option;
   }
-
-  const std::string text_ = nff("a.nff", small_nff), scene_ = scene("a.scene", text_),
-                    grid_ = grid("a.grid", scene_);
 };
 
 TEST_F(CommandLine, WithoutAValueOfAnOptionIsRefusedAndNothingWritten) {
@@ -157,10 +154,8 @@ TEST_F(CommandLine, WithoutAValueOfAnOptionIsRefusedAndNothingWritten) {
   expect_refused("gridtrace", {scene_, grid_, file("rays"), "-o", file("out")},
                  {"--ray-numbers", "--write", "--times"});
   // Another argument isn't taken for the value.
-  const auto before = folder_.listing();
-  EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "--stats=", file("stats"), "-o", file("out.png")}), 1,
-                     "gridrender", "command line", "--stats="));
-  EXPECT_EQ(folder_.listing(), before);
+  EXPECT_TRUE(fails(1, "gridrender", {scene_, grid_, "--stats=", file("stats"), "-o", file("out.png")},
+                    "command line", "--stats="));
 }
 
 // --- Files of other kinds ----------------------------------------------------------------------------------
@@ -196,8 +191,7 @@ class StandardStreams : public CommandLine {
 protected:
   StandardStreams() {
     write_text(file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const float rays[]{0, 0, 5, 0, 0, -1};
-    write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays), sizeof rays});
+    write_records(file("rays"), std::vector<float>{0, 0, 5, 0, 0, -1});
   }
 
   static bool is_written(const Writing& writing, const Bytes& expected) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
-#include <random>
 #include <set>
 #include <sstream>
 
@@ -42,7 +41,7 @@ const Call calls[] = {
     {"open", {0, 2, 3}}, {"read", {0, 2}}, {"mmap", {0, 2}},   {"malloc", {0, 2, 3}},
 };
 
-class Faults : public ToolTest {
+class Faults : public SmallSceneTest {
 protected:
   ToolResult run_with(const std::string& fault, const std::string& tool, const Arguments& arguments) const {
     Environment environment;
@@ -112,40 +111,34 @@ TEST_F(Faults, Nffgen) {
 }
 
 TEST_F(Faults, Nff2bin) {
-  expect_survived("nff2bin", {nff("a.nff", small_nff), "-o", file("out")}, {file("out")});
+  expect_survived("nff2bin", {text_, "-o", file("out")}, {file("out")});
 }
 
 TEST_F(Faults, Gridbuild) {
-  const std::string in = scene("a.scene", nff("a.nff", small_nff));
-  expect_survived("gridbuild", {in, "-o", file("out"), "-q"}, {file("out")});
+  expect_survived("gridbuild", {scene_, "-o", file("out"), "-q"}, {file("out")});
 }
 
 TEST_F(Faults, Gridstat) {
-  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in, "4");
-  expect_survived("gridstat", {divided, "--slice", "z=0", "-o", file("out.png")}, {file("out.png")});
+  expect_survived("gridstat", {grid_, "--slice", "z=0", "-o", file("out.png")}, {file("out.png")});
 }
 
 TEST_F(Faults, GridrenderOfPictures) {
-  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
   expect_survived("gridrender",
-                  {in, divided, "-o", file("out.png"), "--hits", file("hits"), "-q", "--backend", "cpu"},
+                  {scene_, grid_, "-o", file("out.png"), "--hits", file("hits"), "-q", "--backend", "cpu"},
                   {file("out.png"), file("hits")});
 }
 
 TEST_F(Faults, GridrenderOfViews) {
-  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
   write_text(file("views"), "{\"name\": \"a\"}\n{\"name\": \"b\", \"angle\": 30}\n");
-  expect_survived("gridrender",
-                  {in, divided, "--views", file("views"), "-o", file("{name}.pfm"), "-q", "--backend", "cpu"},
-                  {file("a.pfm"), file("b.pfm")});
+  expect_survived(
+      "gridrender",
+      {scene_, grid_, "--views", file("views"), "-o", file("{name}.pfm"), "-q", "--backend", "cpu"},
+      {file("a.pfm"), file("b.pfm")});
 }
 
 TEST_F(Faults, GridtraceOfRays) {
-  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
-  const std::vector<float> rays{0, 0, 5, 0, 0, -1, 1, 1, 5, 0, 0, -1};
-  write_bytes(file("rays"),
-              {reinterpret_cast<const std::uint8_t*>(rays.data()), rays.size() * sizeof(float)});
-  expect_survived("gridtrace", {in, divided, file("rays"), "-o", file("hits"), "-q", "--backend", "cpu"},
+  write_records(file("rays"), std::vector<float>{0, 0, 5, 0, 0, -1, 1, 1, 5, 0, 0, -1});
+  expect_survived("gridtrace", {scene_, grid_, file("rays"), "-o", file("hits"), "-q", "--backend", "cpu"},
                   {file("hits")});
 }
 
@@ -153,7 +146,6 @@ TEST_F(Faults, GridtraceOfRays) {
 // whatever part of the unflushed writes and names a power failure keeps, the name is of the old file or of
 // all of the new one.
 TEST_F(Faults, APowerFailureLeavesTheOldOrTheNewFile) {
-  const std::string text = nff("a.nff", small_nff), in = scene("a.scene", text), divided = grid("a.grid", in);
   const auto expect_ordered = [&](const std::string& tool, const Arguments& arguments) {
     SCOPED_TRACE(tool);
     ASSERT_EQ(run_with("all", tool, arguments).code, 0);
@@ -178,10 +170,10 @@ TEST_F(Faults, APowerFailureLeavesTheOldOrTheNewFile) {
     EXPECT_FALSE(flushed.empty()) << "the folder isn't flushed after the name was given";
   };
   for (int existing = 0; existing < 2; ++existing) { // linked to its name, then renamed
-    expect_ordered("nff2bin", {text, "-o", file("out.scene")});
-    expect_ordered("gridbuild", {in, "-o", file("out.grid"), "-q"});
-    expect_ordered("gridrender", {in, divided, "-o", file("out.png"), "-q", "--backend", "cpu"});
-    expect_ordered("gridrender", {in, divided, "-o", file("out.pfm"), "--hits", file("hits.npy"), "-q",
+    expect_ordered("nff2bin", {text_, "-o", file("out.scene")});
+    expect_ordered("gridbuild", {scene_, "-o", file("out.grid"), "-q"});
+    expect_ordered("gridrender", {scene_, grid_, "-o", file("out.png"), "-q", "--backend", "cpu"});
+    expect_ordered("gridrender", {scene_, grid_, "-o", file("out.pfm"), "--hits", file("hits.npy"), "-q",
                                   "--backend", "cpu"});
   }
 }

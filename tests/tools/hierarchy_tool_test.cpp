@@ -13,23 +13,15 @@ using Json = nlohmann::json;
 
 class HierarchyTool : public ToolTest {
 protected:
-  void SetUp() override {
-    scene_ = scene("a.scene", spd("a.nff", "tetra", 3));
-    hierarchy_ = grid("b.grid", scene_, "auto", {"--structure", "bvh"});
-  }
-  Json json_of(const std::string& tool, Arguments arguments) const {
-    arguments.emplace_back("--json");
-    const ToolResult result = run(tool, arguments);
+  Json json_of(const std::string& tool, const Arguments& arguments) const {
+    const ToolResult result = run(tool, joined(arguments, {"--json"}));
     EXPECT_TRUE(succeeded(result));
     return Json::parse(result.out);
   }
   // The values of each line but the first.
   std::vector<std::vector<double>> boxes(const Arguments& more = {}) const {
-    Arguments all{hierarchy_, "--cells", file("boxes.csv")};
-    all.insert(all.end(), more.begin(), more.end());
-    EXPECT_TRUE(succeeded(run("gridstat", all)));
-    const Bytes bytes = read_bytes(file("boxes.csv"));
-    std::istringstream text(std::string(bytes.begin(), bytes.end()));
+    EXPECT_TRUE(succeeded(run("gridstat", joined({hierarchy_, "--cells", file("boxes.csv")}, more))));
+    std::istringstream text(read_text(file("boxes.csv")));
     std::string line, value;
     std::getline(text, line);
     EXPECT_EQ(line, "box,depth,min_x,min_y,min_z,max_x,max_y,max_z,references");
@@ -42,7 +34,8 @@ protected:
     return rows;
   }
 
-  std::string scene_, hierarchy_;
+  const std::string scene_ = scene("a.scene", spd("a.nff", "tetra", 3)),
+                    hierarchy_ = grid("b.grid", scene_, "auto", {"--structure", "bvh"});
 };
 
 TEST_F(HierarchyTool, ExportedBoxesAreThoseOfItsStatistics) {
@@ -81,8 +74,7 @@ TEST_F(HierarchyTool, ExportedBoxesAreThoseOfItsStatistics) {
 
 TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
   ASSERT_TRUE(succeeded(run("gridstat", {hierarchy_, "--cells", file("boxes.ply"), "--wireframe"})));
-  const Bytes bytes = read_bytes(file("boxes.ply"));
-  const std::string head(bytes.begin(), bytes.begin() + std::min<std::ptrdiff_t>(1000, std::ssize(bytes)));
+  const std::string head = read_text(file("boxes.ply")).substr(0, 1000);
   EXPECT_NE(head.find("element vertex " + std::to_string(8 * boxes().size()) + "\n"), std::string::npos);
 }
 

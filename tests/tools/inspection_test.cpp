@@ -1,11 +1,10 @@
 // Channels of gridrender, ways of gridtrace and differences of gridbench: files agree with --hits and
 // --stats, and damaged options and files are refused.
+#include "tests/decoded_image.h"
 #include "tests/tools/run_tool.h"
-#include "tools/draw/color_map.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <png.h>
 
 #include <cmath>
 #include <cstring>
@@ -15,22 +14,19 @@
 namespace masu {
 namespace {
 
-class Inspection : public ToolTest {
+struct Hit {
+  float t;
+  std::int32_t name;
+};
+
+class Inspection : public SmallSceneTest {
 protected:
-  Arguments with_files(const Arguments& more) const {
-    Arguments arguments{scene_, grid_, "--backend", "cpu"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return arguments;
-  }
-  void render(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridrender", with_files(more)))); }
-  void walk(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridtrace", with_files(more)))); }
+  Inspection() : SmallSceneTest("5") {}
+
   testing::AssertionResult refused(int code, const Arguments& more, const std::string& place,
                                    const std::string& says = "",
                                    const std::string& tool = "gridrender") const {
-    const auto before = folder_.listing();
-    const auto result = failed(run(tool, with_files(more)), code, tool, place, says);
-    if (result && folder_.listing() != before) return testing::AssertionFailure() << "a file was left behind";
-    return result;
+    return fails(code, tool, on_cpu(more), place, says);
   }
   testing::AssertionResult refused_walk(const Arguments& more, const std::string& place,
                                         const std::string& says = "") const {
@@ -41,16 +37,10 @@ protected:
     return failed(run("gridbench", arguments), code, "gridbench", place, says);
   }
 
-  // Of a PFM of one channel, from the top.
   std::vector<float> pfm(const std::string& name, std::size_t width, std::size_t height) const {
-    const Bytes bytes = read_bytes(file(name));
-    const std::size_t header = fmt::format("Pf\n{} {}\n-1.0\n", width, height).size();
-    std::vector<float> values(width * height);
-    EXPECT_EQ(bytes.size(), header + 4 * values.size()) << name;
-    if (bytes.size() != header + 4 * values.size()) return values;
-    for (std::size_t row = 0; row < height; ++row)
-      std::memcpy(values.data() + row * width, bytes.data() + header + (height - 1 - row) * width * 4,
-                  width * 4);
+    std::vector<float> values = decoded_pfm(file(name), width, height, 1);
+    EXPECT_EQ(values.size(), width * height) << name;
+    values.resize(width * height);
     return values;
   }
   template <class T>
@@ -64,16 +54,6 @@ protected:
     std::memcpy(values.data(), bytes.data() + begin, values.size() * sizeof(T));
     return values;
   }
-  struct Hit {
-    float t;
-    std::int32_t name;
-  };
-  std::vector<Hit> hits(const std::string& name) const {
-    const Bytes bytes = read_bytes(file(name));
-    std::vector<Hit> records(bytes.size() / sizeof(Hit));
-    std::memcpy(records.data(), bytes.data(), records.size() * sizeof(Hit));
-    return records;
-  }
   nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(read_text(file(name))); }
   static double sum(const std::vector<float>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -82,32 +62,26 @@ protected:
     const auto& tests = stats["intersection_tests"];
     return tests["triangle"].get<double>() + tests["sphere"].get<double>() + tests["cone"].get<double>();
   }
-
-  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_, "5");
 };
 
 // --- Channels ---------------------------------------------------------------------------------------------
 
-TEST_F(Inspection, DepthAndObjectAreTheHitsOfThePicture) {
-  render({"-o", file("p.png"), "--hits", file("hits"), "--channels", "depth,object,normal"});
-  const auto records = hits("hits");
-  const auto depth = pfm("p.depth.pfm", 17, 13), object = pfm("p.object.pfm", 17, 13);
-  ASSERT_EQ(records.size(), depth.size());
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    EXPECT_EQ(std::memcmp(&records[i].t, &depth[i], sizeof(float)), 0);
-    EXPECT_EQ(static_cast<float>(records[i].name), object[i]);
-  }
-}
-
-TEST_F(Inspection, CellsAndTestsSumUpToTheStatistics) {
+TEST_F(Inspection, ChannelsAreTheHitsAndSumUpToTheStatistics) {
   for (const char* const sampling : {"corners", "centers"}) {
-    const bool corners = sampling == std::string("corners");
-    const std::size_t width = corners ? 17 : 16, height = corners ? 13 : 12;
-    render({"-o", file("p.pfm"), "--channels", "cells,tests", "--all-rays", "--sampling", sampling, "--stats",
-            file("stats")});
+    const std::size_t more = sampling == std::string_view("corners") ? 1 : 0, width = 16 + more,
+                      height = 12 + more;
+    render({"-o", file("p.pfm"), "--hits", file("hits"), "--channels", "depth,object,normal,cells,tests",
+            "--all-rays", "--sampling", sampling, "--stats", file("stats")});
     const auto stats = json("stats");
     EXPECT_EQ(sum(pfm("p.cells.pfm", width, height)), stats["cells_visited"].get<double>());
     EXPECT_EQ(sum(pfm("p.tests.pfm", width, height)), tests_of(stats));
+    const auto records = read_records<Hit>(file("hits"));
+    const auto depth = pfm("p.depth.pfm", width, height), object = pfm("p.object.pfm", width, height);
+    ASSERT_EQ(records.size(), depth.size());
+    for (std::size_t i = 0; i < records.size(); ++i) {
+      EXPECT_EQ(std::memcmp(&records[i].t, &depth[i], sizeof(float)), 0);
+      EXPECT_EQ(static_cast<float>(records[i].name), object[i]);
+    }
   }
 }
 
@@ -159,15 +133,14 @@ TEST_F(Inspection, ChannelsOfViewsHaveTheNamesOfTheirPictures) {
 }
 
 TEST_F(Inspection, FilesDoNotDependOnGridAndThreads) {
-  for (const std::string channel : {"depth", "normal", "object", "primitive"}) {
-    render({"-o", file("p.png"), "--channels", channel});
-    const std::string base = "p." + channel;
-    const Bytes values = read_bytes(file(base + ".pfm")), picture = read_bytes(file(base + ".png"));
-    EXPECT_TRUE(succeeded(run("gridrender", {scene_, "--brute-force", "--backend", "cpu", "--threads", "1",
-                                             "-o", file("p.png"), "--channels", channel})));
-    EXPECT_TRUE(read_bytes(file(base + ".pfm")) == values);
-    EXPECT_TRUE(read_bytes(file(base + ".png")) == picture);
-  }
+  const Arguments channels{"--channels", "depth,normal,object,primitive", "-o"};
+  render(joined(channels, {file("p.png")}));
+  EXPECT_TRUE(
+      succeeded(run("gridrender", joined({scene_, "--brute-force", "--backend", "cpu", "--threads", "1"},
+                                         joined(channels, {file("q.png")})))));
+  for (const std::string channel : {"depth", "normal", "object", "primitive"})
+    for (const std::string ending : {".pfm", ".png"})
+      EXPECT_TRUE(read_bytes(file("p." + channel + ending)) == read_bytes(file("q." + channel + ending)));
 }
 
 TEST_F(Inspection, ChannelOptionsThatMakeNoSenseAreRefused) {
@@ -183,7 +156,7 @@ TEST_F(Inspection, ChannelOptionsThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(refused(1, {"-o", out, "--json"}, "--json"));
   EXPECT_TRUE(refused(1, {"-o", out, "--hits", file("p.depth.pfm"), "--channels", "depth"},
                       file("p.depth.pfm"), "twice"));
-  const std::string source = scene("b.depth.png", file("a.nff"));
+  const std::string source = scene("b.depth.png", text_);
   EXPECT_TRUE(failed(run("gridrender", {source, grid_, "-o", file("b.png"), "--channels", "depth"}), 1,
                      "gridrender", source, "is the input"));
 }
@@ -196,7 +169,7 @@ TEST_F(Inspection, AWalksHitAndCountsAreTheChannels) {
              cells = pfm("p.cells.pfm", 17, 13), tests = pfm("p.tests.pfm", 17, 13);
   std::size_t hits = 0;
   for (std::size_t i = 0; i < depth.size(); i += 7) {
-    walk({"--pixel", fmt::format("{},{}", i % 17, i / 17), "--json=" + file("walk")});
+    trace({"--pixel", fmt::format("{},{}", i % 17, i / 17), "--json=" + file("walk")});
     const auto rays = json("walk")["rays"];
     ASSERT_EQ(rays.size(), 1U);
     const auto& ray = rays[0];
@@ -215,11 +188,11 @@ TEST_F(Inspection, AWalksHitAndCountsAreTheChannels) {
 }
 
 TEST_F(Inspection, WalksGoToStandardOutputAsTablesOrJson) {
-  const ToolResult table = run("gridtrace", with_files({"--pixel", "8,6", "--all-rays"}));
+  const ToolResult table = run("gridtrace", on_cpu({"--pixel", "8,6", "--all-rays"}));
   EXPECT_EQ(table.code, 0);
   EXPECT_NE(table.out.find("ray 0: camera"), std::string::npos);
   EXPECT_NE(table.out.find("shadow, spawned by ray 0"), std::string::npos);
-  const ToolResult text = run("gridtrace", with_files({"--ray", "3,-4,2,-3,4,-2", "--json"}));
+  const ToolResult text = run("gridtrace", on_cpu({"--ray", "3,-4,2,-3,4,-2", "--json"}));
   EXPECT_EQ(text.code, 0);
   const auto walk = nlohmann::json::parse(text.out);
   EXPECT_EQ(walk["rays"][0]["origin"], nlohmann::json({3.0, -4.0, 2.0}));
@@ -266,9 +239,7 @@ TEST_F(Inspection, DifferencesAreMeasuredAndDrawn) {
   render({"-o", file("a.pfm"), "--channels", "depth", "--sampling", "centers"});
   render({"-o", file("b.pfm"), "--channels", "depth", "--sampling", "centers", "--from", "3,-4,2.5"});
   const auto difference = [&](const std::string& a, const std::string& b, const Arguments& more = {}) {
-    Arguments arguments{"difference", file(a), file(b), "--json"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const ToolResult result = run("gridbench", arguments);
+    const ToolResult result = run("gridbench", joined({"difference", file(a), file(b), "--json"}, more));
     EXPECT_EQ(result.code, 0) << result.err;
     return nlohmann::json::parse(result.out);
   };
@@ -347,29 +318,6 @@ TEST_F(Inspection, DamagedPicturesAreRefused) {
   EXPECT_TRUE(refused_difference(1, {"difference", file("a.png"), file("b.pfm"), "-o", "-"}, "-o",
                                  "standard output"));
   EXPECT_TRUE(refused_difference(1, {"difference", file("a.png")}, "command line"));
-}
-
-// --- Colours ----------------------------------------------------------------------------------------------
-
-// Readable without colour: luminance rises from end to end, as the eye sees it in even steps.
-TEST(ChannelPictures, LightnessRisesEvenly) {
-  const ColorMap map;
-  const auto lightness = [&](double t) { // CIE L*
-    const Rgb rgb = map(t);
-    const auto linear = [](std::uint8_t byte) {
-      const double v = byte / 255.0;
-      return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-    };
-    const double y = 0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2]);
-    return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
-  };
-  for (int i = 1; i <= 100; ++i) {
-    const double step = lightness(i / 100.0) - lightness((i - 1) / 100.0);
-    EXPECT_GT(step, 0.2) << i;
-    EXPECT_LT(step, 1.8) << i;
-  }
-  EXPECT_LT(lightness(0), 20);
-  EXPECT_GT(lightness(1), 85);
 }
 
 } // namespace

@@ -10,7 +10,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <set>
 #include <thread>
 
@@ -31,13 +30,13 @@ protected:
       for (int j = 0; j < 32; ++j)
         list.insert(list.end(),
                     {static_cast<float>(i) / 8 - 2, static_cast<float>(j) / 8 - 2, 5, 0.125F, 0.25F, -1});
-    write_bytes(rays, {reinterpret_cast<const std::uint8_t*>(list.data()), 4 * list.size()});
+    write_records(rays, list);
     EXPECT_TRUE(
         succeeded(run("gridtrace", {scene, grid(name, scene), "--backend", "cpu", rays, "-o", hits})));
-    const Bytes bytes = read_bytes(hits);
-    std::vector<float> result(bytes.size() / 8);
-    for (std::size_t i = 0; i < result.size(); ++i)
-      std::memcpy(&result[i], bytes.data() + 8 * i, sizeof(float));
+    const auto numbers = read_records<std::array<float, 2>>(hits);
+    std::vector<float> result;
+    for (const auto& [t, object] : numbers)
+      result.push_back(t);
     return result;
   }
 };
@@ -86,14 +85,6 @@ TEST_F(Mesh2bin, RefusesWhatAssimpCantReadWithItsMessage) {
 
 // --- Numbers of faces -------------------------------------------------------------------------------------
 
-// Four floats, or integers, a ray.
-std::vector<std::int32_t> numbers_in(const std::string& path) {
-  const Bytes bytes = read_bytes(path);
-  std::vector<std::int32_t> numbers(bytes.size() / sizeof(std::int32_t));
-  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(std::int32_t));
-  return numbers;
-}
-
 // Two faces side by side in each of two objects, seen from above; before, between and after them faces
 // without area. Of triangles, or of squares.
 std::string faces_obj(bool squares) {
@@ -115,7 +106,7 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
   for (int x = 0; x < 4; ++x)
     list.insert(list.end(), {static_cast<float>(2 * x) + 0.75F, 0.25F, 5, 0, 0, -1});
   list.insert(list.end(), {0, 9, 5, 0, 0, -1}); // hits nothing
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(list.data()), 4 * list.size()});
+  write_records(file("rays"), list);
   for (const bool squares : {false, true}) {
     SCOPED_TRACE(squares ? "squares" : "triangles");
     const std::string obj = mesh("a.obj", faces_obj(squares)), scene = file("a.scene");
@@ -126,10 +117,8 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
     EXPECT_EQ(info["face_numbers"], squares ? 12 : 0); // which are stored where they aren't the triangles'
     const std::string divided = grid("a.grid", scene);
     const auto traced = [&](const std::string& tool, const Arguments& more) {
-      Arguments arguments{scene, divided, "--backend", "cpu"};
-      arguments.insert(arguments.end(), more.begin(), more.end());
-      EXPECT_TRUE(succeeded(run(tool, arguments)));
-      return numbers_in(file("hits"));
+      EXPECT_TRUE(succeeded(run(tool, joined({scene, divided, "--backend", "cpu"}, more))));
+      return read_records<std::int32_t>(file("hits"));
     };
     const auto both = traced("gridtrace", {file("rays"), "-o", file("hits"), "--write", "face,object"});
     const auto named =
@@ -148,9 +137,8 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
     // A picture's hits.
     const Arguments view{"--hits",    file("hits"), "--from", "3.5,0.5,9", "--at",
                          "3.5,0.5,0", "--up",       "0,1,0",  "--size",    "64x64"};
-    Arguments by_face = view, by_object = view;
-    by_face.insert(by_face.end(), {"--hit-name", "face"});
-    const auto seen = traced("gridrender", by_face), of_object = traced("gridrender", by_object);
+    const auto seen = traced("gridrender", joined(view, {"--hit-name", "face"})),
+               of_object = traced("gridrender", view);
     ASSERT_EQ(seen.size(), of_object.size());
     std::set<std::int32_t> all;
     for (std::size_t i = 1; i < seen.size(); i += 2) {
@@ -253,10 +241,9 @@ TEST_F(Mesh2bin, EndsWithALineWhereThereIsLittleMemory) {
   const std::string obj = mesh("a.obj", polygons_obj);
   for (int kilobytes = 18000; kilobytes < 60000; kilobytes += kilobytes < 30000 ? 250 : 2000) {
     const auto limited = [&](const Arguments& arguments) {
-      Arguments all{"-c", "ulimit -v " + std::to_string(kilobytes) + "; exec \"$0\" \"$@\"",
-                    std::string(MASU_BIN_DIR) + "/mesh2bin"};
-      all.insert(all.end(), arguments.begin(), arguments.end());
-      return run("/bin/sh", all);
+      return run("/bin/sh", joined({"-c", fmt::format("ulimit -v {}; exec \"$0\" \"$@\"", kilobytes),
+                                    std::string(MASU_BIN_DIR) + "/mesh2bin"},
+                                   arguments));
     };
     // Some releases of oneTBB crash before main() where they find too little memory; and wait for ever, using
     // the processor, where there is no memory to throw an exception with.

@@ -36,17 +36,12 @@ struct Job {
   std::string tool = "gridrender";
 };
 
-Arguments joined(Arguments first, const Arguments& more) {
-  first.insert(first.end(), more.begin(), more.end());
-  return first;
-}
-
-class SharedRuns : public ToolTest {
+class SharedRuns : public SmallSceneTest {
 protected:
   // Views of one band, in files named `prefix`.
   Job views(const std::string& prefix) const {
-    Job job{{scene_, grid_, "--backend", "cpu", "--turntable", "24", "--size", "90x70", "-o",
-             file(prefix + "{index}.png"), "--hits", file(prefix + "{index}.hits")},
+    Job job{on_cpu({"--turntable", "24", "--size", "90x70", "-o", file(prefix + "{index}.png"), "--hits",
+                    file(prefix + "{index}.hits")}),
             {}};
     for (int i = 0; i < 24; ++i) {
       job.outputs.push_back(fmt::format("{}{:02}.png", prefix, i));
@@ -56,8 +51,8 @@ protected:
   }
   // A view of several bands: these have 1048 rows each.
   Job large(const std::string& prefix, const std::string& ending, const std::string& sampling) const {
-    return {{scene_, grid_, "--backend", "cpu", "--size", "1333x3000", "--sampling", sampling, "--depth", "1",
-             "-o", file(prefix + "." + ending), "--hits", file(prefix + ".hits")},
+    return {on_cpu({"--size", "1333x3000", "--sampling", sampling, "--depth", "1", "-o",
+                    file(prefix + "." + ending), "--hits", file(prefix + ".hits")}),
             {prefix + "." + ending, prefix + ".hits"}};
   }
   // Two chunks and a part of one.
@@ -68,12 +63,9 @@ protected:
       std::vector<float> rays(6 * ((std::size_t{2} << 20) + 5000));
       for (float& number : rays)
         number = coordinate(random);
-      std::ofstream(file("rays"), std::ios::binary)
-          .write(reinterpret_cast<const char*>(rays.data()),
-                 static_cast<std::streamsize>(rays.size() * sizeof(float)));
+      write_records(file("rays"), rays);
     }
-    return {{scene_, grid_, "--backend", "cpu", file("rays"), "-o", file(prefix + ending), "--write",
-             "t,object,normal"},
+    return {on_cpu({file("rays"), "-o", file(prefix + ending), "--write", "t,object,normal"}),
             {prefix + ending},
             "gridtrace"};
   }
@@ -87,9 +79,7 @@ protected:
     write_text(file("rays.csv"), text);
   }
   Job csv_list(const std::string& prefix) const {
-    return {{scene_, grid_, "--backend", "cpu", file("rays.csv"), "-o", file(prefix + ".csv")},
-            {prefix + ".csv"},
-            "gridtrace"};
+    return {on_cpu({file("rays.csv"), "-o", file(prefix + ".csv")}), {prefix + ".csv"}, "gridtrace"};
   }
   std::vector<Job> all(const std::string& prefix) const {
     return {views(prefix + "v"),
@@ -100,24 +90,32 @@ protected:
             list(prefix + "5", ".npy")};
   }
 
+  void expect_made(const Job& job, const Arguments& more = {}) const {
+    EXPECT_TRUE(succeeded(run(job.tool, joined(job.arguments, more))));
+  }
+  // The same files as of another job, and no others.
   void expect_same(const Job& job, const Job& expected) const {
+    EXPECT_FALSE(job.outputs.empty());
     for (std::size_t i = 0; i < job.outputs.size(); ++i)
       EXPECT_TRUE(read_bytes(file(job.outputs[i])) == read_bytes(file(expected.outputs[i])))
           << job.outputs[i];
-  }
-  void expect_nothing_left(const Job& job) const {
     for (const std::string& name : folder_.listing())
       EXPECT_TRUE(name.find(".partial") == std::string::npos && name.find(".journal") == std::string::npos &&
                   !name.starts_with(".masu-"))
           << name << " was left behind";
-    EXPECT_FALSE(job.outputs.empty());
   }
   void remove(const Job& job) const {
     for (const std::string& name : job.outputs)
       std::filesystem::remove(file(name));
   }
 
-  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_);
+  // Of a run in the tests' folder, which ends in the middle: it can't write its files beyond so many bytes.
+  ToolResult run_up_to(std::uint64_t bytes, const Job& job) const {
+    const std::string command =
+        fmt::format("cd '{}' && ulimit -f {} && exec \"$0\" \"$@\"", folder_.path().string(), bytes / 512);
+    return run("/bin/sh", joined({"-c", command, std::string(MASU_BIN_DIR) + "/" + job.tool},
+                                 joined(job.arguments, {"--resume", "-q", "--threads", "1"})));
+  }
 };
 
 // The processes that a process has started.
@@ -198,10 +196,9 @@ double seconds_of(const std::string& tool, const Arguments& arguments) {
 TEST_F(SharedRuns, AResumedRunIsTheSameAsAnUndisturbedOne) {
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], resumed = all("b")[i];
-    EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
-    EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume"}))));
+    expect_made(expected);
+    expect_made(resumed, {"--resume"});
     expect_same(resumed, expected);
-    expect_nothing_left(resumed);
   }
 }
 
@@ -225,7 +222,6 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
         },
         [](pid_t process) { kill(process, SIGKILL); });
     expect_same(resumed, expected);
-    expect_nothing_left(resumed);
   }
   record(killed);
 }
@@ -234,7 +230,7 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
 // an unchanged one stays the same file.
 TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
   const Job expected = views("a"), resumed = views("b");
-  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+  expect_made(expected);
   const double seconds = seconds_of(resumed.tool, resumed.arguments);
   remove(resumed);
   const Arguments arguments = joined(resumed.arguments, {"--resume", "--stats", file("b.json")});
@@ -270,36 +266,14 @@ TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
   EXPECT_EQ(inode(kept.at(0)), unchanged);
   expect_same(resumed, expected);
   // Counts are those of all views.
-  EXPECT_TRUE(succeeded(run(expected.tool, joined(expected.arguments, {"--stats", file("a.json")}))));
+  expect_made(expected, {"--stats", file("a.json")});
   const auto a = nlohmann::json::parse(read_text(file("a.json"))),
              b = nlohmann::json::parse(read_text(file("b.json")));
   for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited", "intersection_tests"})
     EXPECT_EQ(a[key], b[key]) << key;
 }
 
-TEST_F(SharedRuns, AJournalOfOtherOptionsIsIgnored) {
-  const Job expected = large("a", "png", "corners"), resumed = large("b", "png", "corners");
-  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
-  const double seconds = seconds_of(resumed.tool, resumed.arguments);
-  const pid_t process = start(resumed.tool, joined(resumed.arguments, {"--srgb", "--resume"}));
-  std::this_thread::sleep_for(std::chrono::duration<double>(seconds * 0.8));
-  kill(process, SIGKILL);
-  int status = 0;
-  waitpid(process, &status, 0);
-  EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume"}))));
-  expect_same(resumed, expected);
-  expect_nothing_left(resumed);
-}
-
 // --- Journals that aren't what was written -----------------------------------------------------------------
-
-// A run that ends in the middle: it can't write its files beyond so many bytes.
-ToolResult run_up_to(std::uint64_t bytes, const Job& job) {
-  Arguments arguments{"-c", fmt::format("ulimit -f {} && exec \"$0\" \"$@\"", bytes / 512),
-                      std::string(MASU_BIN_DIR) + "/" + job.tool};
-  return run("/bin/sh",
-             joined(std::move(arguments), joined(job.arguments, {"--resume", "-q", "--threads", "1"})));
-}
 
 using Json = nlohmann::ordered_json;
 
@@ -362,7 +336,7 @@ TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
   const Case kinds[] = {{picture, resumed_picture, 22'370'000, {"b1.png.partial", "b1.hits.partial"}},
                         {list("a2", ".npy"), list("b2", ".npy"), 42'000'000, {"b2.npy.partial"}}};
   for (const auto& [expected, resumed, bytes, partial] : kinds) {
-    ASSERT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+    expect_made(expected);
     const auto before = folder_.listing();
     ASSERT_EQ(run_up_to(bytes, resumed).code, 3);
     const Interrupted interrupted(folder_, before);
@@ -375,9 +349,8 @@ TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
       ASSERT_EQ(changed.lines.size(), 2U);
       damage(changed);
       changed.write(journal);
-      EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume", "-q"}))));
+      expect_made(resumed, {"--resume", "-q"});
       expect_same(resumed, expected);
-      expect_nothing_left(resumed);
     };
     const auto with_file = [&](const auto& change) {
       return [&](Journal& of) { of.change(1, [&](Json& line) { change(line["files"][0]); }); };
@@ -410,6 +383,33 @@ TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
   }
 }
 
+TEST_F(SharedRuns, AJournalOfOtherOptionsIsIgnored) {
+  const Job expected = large("a", "png", "corners"), resumed = large("b", "png", "corners");
+  Job other = resumed;
+  other.arguments.emplace_back("--srgb");
+  expect_made(expected);
+  ASSERT_EQ(run_up_to(21'000'000, other).code, 3);
+  ASSERT_EQ(Journal(file("b.png.journal.0")).lines.size(), 1U);
+  expect_made(resumed, {"--resume"});
+  expect_same(resumed, expected);
+}
+
+// In the working folder.
+TEST_F(SharedRuns, OutputsNamedWithoutAFolderAreResumedToo) {
+  constexpr std::uint64_t everything = std::uint64_t{1} << 40;
+  const std::pair<Job, Job> jobs[] = {{large("a", "png", "corners"), large("b", "png", "corners")},
+                                      {list("a", ".npy"), list("b", ".npy")}};
+  for (auto [expected, resumed] : jobs) {
+    SCOPED_TRACE(resumed.outputs.front());
+    for (const std::string& name : resumed.outputs)
+      std::ranges::replace(resumed.arguments, file(name), name);
+    expect_made(expected);
+    ASSERT_EQ(run_up_to(21'000'000, resumed).code, 3);
+    EXPECT_TRUE(succeeded(run_up_to(everything, resumed)));
+    expect_same(resumed, expected);
+  }
+}
+
 // What is finished isn't done again: the second run only adds to the journal of the first.
 TEST_F(SharedRuns, FinishedBandsAndChunksStay) {
   const std::pair<Job, std::uint64_t> jobs[] = {
@@ -432,7 +432,7 @@ TEST_F(SharedRuns, FinishedBandsAndChunksStay) {
 // made again.
 TEST_F(SharedRuns, AFileThatWasFinishedIsWholeOrMadeAgain) {
   const Job expected = list("a", ".hits"), resumed = list("b", ".hits");
-  ASSERT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+  expect_made(expected);
   const Bytes whole = read_bytes(file("a.hits"));
   ASSERT_EQ(run_up_to(21'000'000, resumed).code, 3); // the first of three chunks
   const std::string path = file("b.hits.journal.0");
@@ -459,9 +459,8 @@ TEST_F(SharedRuns, AFileThatWasFinishedIsWholeOrMadeAgain) {
     if (damage == "shorter") bytes.pop_back();
     write_bytes(file("b.hits"), bytes);
     journal.write(path);
-    EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume", "-q"}))));
+    expect_made(resumed, {"--resume", "-q"});
     expect_same(resumed, expected);
-    expect_nothing_left(resumed);
   }
 }
 
@@ -488,7 +487,7 @@ TEST_F(SharedRuns, FilesOfOthersAreNeitherReplacedNorRemoved) {
   EXPECT_TRUE(std::filesystem::remove(file("c.hits.journal.0")));
   // Of another rank, which this run hasn't.
   write_text(file("c.hits.journal.7"), "mine");
-  EXPECT_TRUE(succeeded(run(chunks.tool, joined(chunks.arguments, {"--resume"}))));
+  expect_made(chunks, {"--resume"});
   EXPECT_EQ(read_text(file("c.hits.journal.7")), "mine");
 }
 
@@ -523,19 +522,17 @@ TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
   EXPECT_TRUE(failed(run("gridrender", twice), 1, "gridrender", file("b.png.partial"), "twice"));
 }
 
-// --- Text
-// ---------------------------------------------------------------------------------------------------
+// --- Text -------------------------------------------------------------------------------------------------
 
 // Of two chunks of rays; where they begin is found out by rank 0.
 TEST_F(SharedRuns, ListsOfTextAreResumedToo) {
   write_csv_rays();
   const Job expected = csv_list("a"), resumed = csv_list("b");
-  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+  expect_made(expected);
   ASSERT_EQ(run_up_to(30'000'000, resumed).code, 3);
   EXPECT_EQ(Journal(file("b.csv.journal.0")).lines.size(), 1U);
-  EXPECT_TRUE(succeeded(run(resumed.tool, joined(resumed.arguments, {"--resume"}))));
+  expect_made(resumed, {"--resume"});
   expect_same(resumed, expected);
-  expect_nothing_left(resumed);
 }
 
 TEST_F(SharedRuns, WhatCannotBeResumedIsRefused) {
@@ -572,12 +569,11 @@ protected:
 TEST_F(MpiRuns, AnyNumberOfRanksWritesTheSameBytes) {
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], shared = all("b")[i];
-    EXPECT_TRUE(succeeded(run(expected.tool, joined(expected.arguments, {"--stats", file("a.json")}))));
+    expect_made(expected, {"--stats", file("a.json")});
     for (const int ranks : {1, 2, 4}) {
       remove(shared);
       EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(ranks, shared, {"--stats", file("b.json")})))) << ranks;
       expect_same(shared, expected);
-      expect_nothing_left(shared);
       const auto a = nlohmann::json::parse(read_text(file("a.json"))),
                  b = nlohmann::json::parse(read_text(file("b.json")));
       for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited"})
@@ -598,14 +594,13 @@ TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
   std::filesystem::permissions(shell, std::filesystem::perms::owner_all);
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], shared = all("b")[i];
-    EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+    expect_made(expected);
     // Its daemons, who share a machine after all, may warn of each other.
     const ToolResult result =
         run(MASU_MPIRUN,
             joined({"--mca", "plm_rsh_agent", shell, "--host", "machine1:2,machine2:1"}, by(3, shared)));
     EXPECT_EQ(result.code, 0) << result.err;
     expect_same(shared, expected);
-    expect_nothing_left(shared);
   }
   const auto refused =
       run(MASU_MPIRUN,
@@ -647,7 +642,6 @@ TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
           }
         });
     expect_same(resumed, expected);
-    expect_nothing_left(resumed);
   }
   record(killed);
 }
@@ -679,10 +673,9 @@ TEST_F(MpiRuns, AnErrorIsOneLineAndItsExitCode) {
 TEST_F(MpiRuns, ListsOfTextAreSharedToo) {
   write_csv_rays();
   const Job expected = csv_list("a"), shared = csv_list("b");
-  EXPECT_TRUE(succeeded(run(expected.tool, expected.arguments)));
+  expect_made(expected);
   EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(2, shared))));
   expect_same(shared, expected);
-  expect_nothing_left(shared);
 }
 
 // Without what MPI starts its processes by, and by mpirun once.

@@ -51,12 +51,12 @@ void expect_success(const ToolResult& result) {
   EXPECT_TRUE(succeeded(result));
 }
 
+} // namespace
+
 Arguments joined(Arguments first, const Arguments& more) {
   first.insert(first.end(), more.begin(), more.end());
   return first;
 }
-
-} // namespace
 
 ToolResult run(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings) {
   const TemporaryFolder folder;
@@ -125,6 +125,15 @@ std::string ToolTest::grid(const std::string& name, const std::string& scene, co
                            const Arguments& more) const {
   expect_success(run("gridbuild", joined({scene, "-o", file(name), "--division", division}, more)));
   return file(name);
+}
+
+testing::AssertionResult ToolTest::fails(int code, const std::string& tool, const Arguments& arguments,
+                                         const std::string& place, const std::string& says,
+                                         const Surroundings& surroundings) const {
+  const auto before = folder_.listing();
+  const auto result = failed(run(tool, arguments, surroundings), code, tool, place, says);
+  if (result && folder_.listing() != before) return testing::AssertionFailure() << "a file was left behind";
+  return result;
 }
 
 } // namespace masu

@@ -17,6 +17,8 @@ struct ToolResult {
   std::string out, err;
 };
 
+Arguments joined(Arguments first, const Arguments& more);
+
 // Standard streams and environment of a tool.
 struct Surroundings {
   std::string input = "/dev/null"; // a file as standard input
@@ -53,6 +55,11 @@ protected:
   std::string grid(const std::string& name, const std::string& scene, const std::string& division = "auto",
                    const Arguments& more = {}) const;
 
+  // Runs the tool: whether it fails as failed() says, and leaves the folder's files as they are.
+  testing::AssertionResult fails(int code, const std::string& tool, const Arguments& arguments,
+                                 const std::string& place, const std::string& says = "",
+                                 const Surroundings& surroundings = {}) const;
+
   const TemporaryFolder folder_;
 };
 
@@ -63,10 +70,18 @@ inline constexpr std::string_view small_nff =
     "f 1 0.5 0.25 0.7 0.3 10 0 1\np 4\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n"
     "f 0.2 0.4 0.9 0.6 0.4 30 0 1\ns 0 0 0.5 0.5\n";
 // The same with a sphere of another radius.
-inline constexpr std::string_view other_nff =
-    "v\nfrom 3 -4 2\nat 0 0 0.5\nup 0 0 1\nangle 45\nhither 0.1\n"
-    "resolution 16 12\nb 0.1 0.2 0.3\nl 5 -5 9\n"
-    "f 1 0.5 0.25 0.7 0.3 10 0 1\np 4\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n"
-    "f 0.2 0.4 0.9 0.6 0.4 30 0 1\ns 0 0 0.5 0.25\n";
+inline const std::string other_nff = std::string(small_nff.substr(0, small_nff.size() - 4)) + "0.25\n";
+
+// With a scene of small_nff, and a grid for it.
+class SmallSceneTest : public ToolTest {
+protected:
+  explicit SmallSceneTest(const std::string& division = "auto") : grid_(grid("a.grid", scene_, division)) {}
+
+  Arguments on_cpu(const Arguments& more) const { return joined({scene_, grid_, "--backend", "cpu"}, more); }
+  void render(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridrender", on_cpu(more)))); }
+  void trace(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridtrace", on_cpu(more)))); }
+
+  const std::string text_ = nff("a.nff", small_nff), scene_ = scene("a.scene", text_), grid_;
+};
 
 } // namespace masu

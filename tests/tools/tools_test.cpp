@@ -1,9 +1,9 @@
 // End-to-end runs of the tools: pictures, hits, statistics and files.
+#include "tests/decoded_image.h"
 #include "tests/tools/run_tool.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <png.h>
 
 #include <algorithm>
 #include <array>
@@ -16,59 +16,26 @@
 namespace masu {
 namespace {
 
-struct Picture {
-  std::uint32_t width = 0, height = 0;
-  Bytes rgb; // top row first
-};
-
-// Decoded by libpng; empty for anything but a PNG.
-Picture decoded_png(const std::string& path) {
-  Picture picture;
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return picture;
-  png.format = PNG_FORMAT_RGB;
-  picture.rgb.resize(PNG_IMAGE_SIZE(png));
-  if (png_image_finish_read(&png, nullptr, picture.rgb.data(), 0, nullptr) == 0) return {};
-  picture.width = png.width;
-  picture.height = png.height;
-  return picture;
-}
-
-// A PFM's floats, bottom row first; empty where its header isn't of that size.
-std::vector<float> decoded_pfm(const std::string& path, int width, int height) {
-  const Bytes bytes = read_bytes(path);
-  const std::string header = fmt::format("PF\n{} {}\n-1.0\n", width, height);
-  const std::size_t floats = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3;
-  if (bytes.size() != header.size() + 4 * floats ||
-      std::memcmp(bytes.data(), header.data(), header.size()) != 0)
-    return {};
-  std::vector<float> values(floats);
-  std::memcpy(values.data(), bytes.data() + header.size(), 4 * floats);
-  return values;
-}
-
 struct Hit {
   float t;
   std::int32_t object;
 };
 std::vector<Hit> hits_in(const std::string& path) {
-  const Bytes bytes = read_bytes(path);
-  std::vector<Hit> hits(bytes.size() / sizeof(Hit));
-  if (!hits.empty()) std::memcpy(hits.data(), bytes.data(), hits.size() * sizeof(Hit));
-  EXPECT_EQ(bytes.size() % sizeof(Hit), 0U);
-  return hits;
+  return read_records<Hit>(path);
 }
 
-class Tools : public ToolTest {
+// Six numbers each, within 2 of the origin.
+std::vector<float> random_rays(std::size_t count) {
+  std::mt19937 engine(7);
+  std::uniform_real_distribution<float> coordinate(-2, 2);
+  std::vector<float> rays(6 * count);
+  for (float& number : rays)
+    number = coordinate(engine);
+  return rays;
+}
+
+class Tools : public SmallSceneTest {
 protected:
-  void run_on_cpu(const std::string& tool, const Arguments& more) const {
-    Arguments arguments{scene_, grid_, "--backend", "cpu"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    EXPECT_TRUE(succeeded(run(tool, arguments)));
-  }
-  void render(const Arguments& more) const { run_on_cpu("gridrender", more); }
-  void trace(const Arguments& more) const { run_on_cpu("gridtrace", more); }
   nlohmann::json json_of(const std::string& tool, const Arguments& arguments) const {
     const ToolResult result = run(tool, arguments);
     EXPECT_TRUE(succeeded(result));
@@ -76,14 +43,13 @@ protected:
     EXPECT_FALSE(json.is_discarded()) << result.out;
     return json;
   }
+  nlohmann::json info_of(const std::string& path, const Arguments& more = {}) const {
+    return json_of("nff2bin", joined({path, "--info", "--json"}, more));
+  }
   nlohmann::json stats_of(const Arguments& more) const {
-    Arguments arguments{"--stats", file("stats.json")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    render(arguments);
+    render(joined({"--stats", file("stats.json")}, more));
     return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
   }
-
-  const std::string scene_ = scene("a.scene", nff("a.nff", small_nff)), grid_ = grid("a.grid", scene_);
 };
 
 // --- Pictures -------------------------------------------------------------------------------------------
@@ -94,7 +60,7 @@ TEST_F(Tools, PicturesHaveTheSizeOfTheViewOrOfTheOption) {
   render({"-o", file("a.pfm"), "--size", "7x5"});
   EXPECT_FALSE(decoded_pfm(file("a.pfm"), 7, 5).empty());
   render({"-o", file("a.png"), "--size", "31x3"});
-  const Picture picture = decoded_png(file("a.png"));
+  const DecodedPng picture = decoded_png(file("a.png"));
   EXPECT_EQ(picture.width, 31U);
   EXPECT_EQ(picture.height, 3U);
 }
@@ -112,13 +78,13 @@ TEST_F(Tools, PngsHoldThePfmsValuesInEightBits) {
   render({"-o", file("stored.png")});
   render({"-o", file("encoded.png"), "--srgb"});
   const std::vector<float> values = decoded_pfm(file("a.pfm"), 16, 12);
-  const Picture plain = decoded_png(file("stored.png")), srgb = decoded_png(file("encoded.png"));
+  const DecodedPng plain = decoded_png(file("stored.png")), srgb = decoded_png(file("encoded.png"));
   ASSERT_EQ(values.size(), 16U * 12 * 3);
   ASSERT_EQ(plain.rgb.size(), values.size());
   ASSERT_EQ(srgb.rgb.size(), values.size());
   for (std::size_t row = 0; row < 12; ++row) {
     for (std::size_t i = 0; i < 16 * 3; ++i) {
-      const float value = values[(11 - row) * 16 * 3 + i];
+      const float value = values[row * 16 * 3 + i];
       EXPECT_TRUE(std::isfinite(value));
       EXPECT_EQ(plain.rgb[row * 16 * 3 + i], stored(value));
       EXPECT_NEAR(srgb.rgb[row * 16 * 3 + i], encoded(value), 1);
@@ -194,7 +160,7 @@ TEST_F(Tools, ListedRaysHitWhatCameraRaysHit) {
             static_cast<float>(7 * (sight[i] / length + right[i] * x + up[i] * y))); // of any length
     }
   }
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  write_records(file("rays"), rays);
   render({"--hits", file("camera")});
   trace({file("rays"), "-o", file("listed")});
   EXPECT_TRUE(
@@ -226,9 +192,9 @@ TEST_F(Tools, FirstCellHitMissesCloserHitsOfLaterCells) {
       "b.scene", nff("b.nff", "v\nfrom -9 0 2\nat 9 0 -2\nup 0 0 1\nangle 10\nhither 1\nresolution 9 9\n"
                               "f 1 1 1 1 0 0 0 1\np 4\n-9 -9 -1\n9 -9 -1\n9 9 -1\n-9 9 -1\ns 3 0 0 0.9\n"));
   const auto objects = [&](const char* division, const Arguments& options) {
-    Arguments arguments{before, grid("b.grid", before, division), "--backend", "cpu", "--hits", file("hits")};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+    EXPECT_TRUE(succeeded(run("gridrender", joined({before, grid("b.grid", before, division), "--backend",
+                                                    "cpu", "--hits", file("hits")},
+                                                   options))));
     std::vector<std::int32_t> found;
     for (const Hit& hit : hits_in(file("hits")))
       found.push_back(hit.object);
@@ -252,7 +218,7 @@ TEST_F(Tools, ListedRaysMayBeFloat64) {
   std::vector<double> rays;
   for (const double aside : {0.0, 1.5, -0.5, -1.125, 1.2, 1.3})
     rays.insert(rays.end(), {20000000 + aside, -3, 0, 0, 1, 0});
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 8 * rays.size()});
+  write_records(file("rays"), rays);
   EXPECT_TRUE(succeeded(
       run("gridtrace", {far, far_grid, file("rays"), "--ray-store", "float64", "-o", file("hits")})));
   const std::vector<Hit> hits = hits_in(file("hits"));
@@ -273,7 +239,7 @@ TEST_F(Tools, ListedRaysMayHaveAnyOriginAndLength) {
       1,     1, 1e9F, 0, 0, -1,      // from afar onto the floor
       1e15F, 0, 0,    0, 1, 0,       // past everything
   };
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  write_records(file("rays"), rays);
   trace({file("rays"), "-o", file("hits")});
   const std::vector<Hit> hits = hits_in(file("hits"));
   ASSERT_EQ(hits.size(), 7U);
@@ -307,7 +273,7 @@ TEST_F(Tools, RaysThatArentValidHitNothingAndAreCounted) {
   rays.insert(rays.end(), {0, 0, 5, 0, 0, 0});
   rays.insert(rays.end(), {0, 0, 5, 0, 0, 1e-16F});
   rays.insert(rays.end(), good.begin(), good.end());
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  write_records(file("rays"), rays);
   const ToolResult result =
       run("gridtrace", {scene_, grid_, file("rays"), "-o", file("hits"), "--backend", "cpu"});
   EXPECT_EQ(result.code, 0);
@@ -329,7 +295,7 @@ TEST_F(Tools, HitsLieBetweenTminAndTmax) {
   std::vector<float> rays;
   for (const auto& c : cases)
     rays.insert(rays.end(), {0, 0, 5, c.t_min, 0, 0, -1, c.t_max});
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  write_records(file("rays"), rays);
   trace({file("rays"), "--ray-numbers", "8", "-o", file("hits")});
   trace({file("rays"), "--ray-numbers", "8", "--any-hit", "-o", file("occluded")});
   const std::vector<Hit> hits = hits_in(file("hits"));
@@ -350,7 +316,7 @@ TEST_F(Tools, HitsHaveTheFieldsThatAreAskedFor) {
   // Down onto the floor's two triangles and onto the sphere, off its pole; and past everything.
   const std::vector<float> rays{1,    0.5F, 5, 0, 0, -1, -1, 0.5F, 5, 0, 0, -1,
                                 0.3F, 0,    5, 0, 0, -1, 9,  9,    9, 0, 0, 1};
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  write_records(file("rays"), rays);
   trace({file("rays"), "--write", "normal,t,uv,primitive,object", "-o", file("hits")});
   const auto bytes = read_bytes(file("hits"));
   struct Record {
@@ -380,11 +346,7 @@ TEST_F(Tools, HitsHaveTheFieldsThatAreAskedFor) {
 }
 
 TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
-  std::mt19937 engine(7);
-  std::uniform_real_distribution<float> coordinate(-2, 2);
-  std::vector<float> rays(6 * 5000);
-  for (float& number : rays)
-    number = coordinate(engine);
+  const std::vector<float> rays = random_rays(5000);
   const std::string_view raw{reinterpret_cast<const char*>(rays.data()), 4 * rays.size()};
   write_text(file("rays"), raw);
   std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (5000, 6), }\n";
@@ -413,11 +375,7 @@ TEST_F(Tools, RaysAndHitsMayBeNumPyArraysAndPipes) {
 
 // As raw numbers of both sizes, as text, with limits, and with the numbers of an array that are the columns.
 TEST_F(Tools, ListsAreReadAsTheEndOfTheirNameSays) {
-  std::mt19937 engine(8);
-  std::uniform_real_distribution<float> coordinate(-2, 2);
-  std::vector<float> rays(6 * 3000);
-  for (float& number : rays)
-    number = coordinate(engine);
+  const std::vector<float> rays = random_rays(3000);
   const std::vector<double> wide(rays.begin(), rays.end());
   std::string text = "ox,oy,oz,dx,dy,dz\n", turned = "tmax,dz,dy,dx,oz,oy,ox\n";
   for (std::size_t i = 0; i < rays.size(); i += 6) {
@@ -462,12 +420,8 @@ std::vector<std::vector<float>> rows_of_csv(const std::string& text, const std::
 }
 
 TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
-  std::mt19937 engine(9);
-  std::uniform_real_distribution<float> coordinate(-2, 2);
-  std::vector<float> rays(6 * 40'000); // text of several tasks
-  for (float& number : rays)
-    number = coordinate(engine);
-  write_bytes(file("rays"), {reinterpret_cast<const std::uint8_t*>(rays.data()), 4 * rays.size()});
+  const std::vector<float> rays = random_rays(40'000); // text of several tasks
+  write_records(file("rays"), rays);
   const auto list = [&](const std::string& hits) {
     trace({file("rays"), "--write", "t,uv,normal,object,primitive", "-o", file(hits)});
   };
@@ -500,22 +454,19 @@ TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
 }
 
 TEST_F(Tools, HitsOfPicturesAreWrittenAsTheEndOfTheirNameSaysToo) {
-  const Arguments tall{"--size", "1333x1300", "--depth", "1"}; // two bands
-  const auto hits = [&](const std::string& name, const char* kind) {
-    Arguments arguments{"--hits", file(name), "--hit-name", kind};
-    arguments.insert(arguments.end(), tall.begin(), tall.end());
-    render(arguments);
-    return read_bytes(file(name));
-  };
   for (const std::string kind : {"object", "primitive"}) {
-    const Bytes raw = hits("raw", kind.c_str()), array = hits("a.npy", kind.c_str());
+    const auto hits = [&](const std::string& name) { // of two bands
+      render({"--hits", file(name), "--hit-name", kind, "--size", "1333x1300", "--depth", "1"});
+      return read_bytes(file(name));
+    };
+    const Bytes raw = hits("raw"), array = hits("a.npy");
     const std::size_t head = array.size() - raw.size();
     EXPECT_EQ(head, 128U);
     EXPECT_TRUE(std::equal(raw.begin(), raw.end(), array.begin() + static_cast<std::ptrdiff_t>(head)));
     const std::string text(array.begin(), array.begin() + static_cast<std::ptrdiff_t>(head));
     EXPECT_NE(text.find("'descr': [('t', '<f4'), ('" + kind + "', '<i4'), ]"), std::string::npos) << text;
     EXPECT_NE(text.find("'shape': (1735534 "), std::string::npos) << text;
-    hits("a.csv", kind.c_str());
+    hits("a.csv");
     const auto rows = rows_of_csv(read_text(file("a.csv")), "t," + kind);
     const std::vector<Hit> records = hits_in(file("raw"));
     ASSERT_EQ(rows.size(), records.size());
@@ -572,8 +523,7 @@ TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
             (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
   EXPECT_EQ(stats["backend"], "cpu");
   EXPECT_EQ(stats["views"], 1);
-  EXPECT_EQ(json_of("nff2bin", {scene_, "--info", "--json"})["geometry_hash"],
-            json_of("gridstat", {grid_, "--json"})["geometry_hash"]);
+  EXPECT_EQ(info_of(scene_)["geometry_hash"], json_of("gridstat", {grid_, "--json"})["geometry_hash"]);
   EXPECT_EQ(stats["command"][1], scene_);
 }
 
@@ -605,8 +555,8 @@ TEST_F(Tools, StatsCountTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(Tools, InfoIsTheSameForTextAndSceneFile) {
-  auto text = json_of("nff2bin", {file("a.nff"), "--info", "--json"});
-  auto made = json_of("nff2bin", {scene_, "--info", "--json"});
+  auto text = info_of(text_);
+  auto made = info_of(scene_);
   EXPECT_EQ(text["objects"]["polygons"], 1);
   EXPECT_EQ(text["objects"]["spheres"], 1);
   EXPECT_EQ(text["objects"]["total"], 2);
@@ -622,15 +572,15 @@ TEST_F(Tools, InfoIsTheSameForTextAndSceneFile) {
 }
 
 TEST_F(Tools, TessellationKeepsTheObjectCounts) {
-  const std::string made = scene("t.scene", file("a.nff"), {"--tessellate", "12"});
-  auto info = json_of("nff2bin", {made, "--info", "--json"});
-  const auto curved = json_of("nff2bin", {scene_, "--info", "--json"});
+  const std::string made = scene("t.scene", text_, {"--tessellate", "12"});
+  auto info = info_of(made);
+  const auto curved = info_of(scene_);
   EXPECT_EQ(info["objects"], curved["objects"]);
   EXPECT_EQ(info["store"], "float32");
   EXPECT_EQ(info["primitives"]["triangles"], 2 + 108);
   EXPECT_EQ(info["primitives"]["spheres"], 0);
   EXPECT_EQ(info["smooth_triangles"], 108);
-  auto text = json_of("nff2bin", {file("a.nff"), "--tessellate", "12", "--info", "--json"});
+  auto text = json_of("nff2bin", {text_, "--tessellate", "12", "--info", "--json"});
   for (const char* const name : {"objects", "primitives", "smooth_triangles", "store"})
     EXPECT_EQ(info[name], text[name]) << name;
 }
@@ -736,7 +686,7 @@ TEST_F(Tools, GridstatsCsvHasTheSameColumnsForEveryGrid) {
 // --- Files ----------------------------------------------------------------------------------------------
 
 TEST_F(Tools, StandardInputAndAFileGiveTheSameScene) {
-  const ToolResult result = run("nff2bin", {"-", "-o", file("piped.scene")}, {file("a.nff"), {}, {}});
+  const ToolResult result = run("nff2bin", {"-", "-o", file("piped.scene")}, {text_, {}, {}});
   EXPECT_TRUE(succeeded(result));
   EXPECT_TRUE(read_bytes(file("piped.scene")) == read_bytes(scene_));
 }
@@ -754,39 +704,33 @@ TEST_F(Tools, SceneFilesAreIndependentOfTheNumberOfThreads) {
 }
 
 TEST_F(Tools, Float64IsStoredWhereFloat32IsTooCoarse) {
-  const auto json = [&](const char* text) {
-    return json_of("nff2bin", {nff("digits.nff", text), "--info", "--json", "--origin", "none"});
-  };
-  const auto store = [&](const char* text) { return json(text)["store"]; };
-  const auto reason = [&](const char* text) { return json(text)["store_reason"]; };
-  EXPECT_EQ(store("s 0.1 0 0 1\n"), "float32");
-  EXPECT_EQ(store("s 123.456 0 0 1\n"), "float32");
-  EXPECT_EQ(store("s 0.123456789012 0 0 1\n"), "float32");
-  EXPECT_EQ(reason("s 0.123456789012 0 0 1\n"), "precise");
-  EXPECT_EQ(store("s 1e20 0 0 1\n"), "float64");
-  EXPECT_EQ(reason("s 1e20 0 0 1\n"), "out_of_range");
-  EXPECT_EQ(reason("s 16777217 0 0 1\n"), "far_from_origin");
-  // Float32 numbers: too far from the origin for their size, too small, too flat.
-  EXPECT_EQ(store("s 1000000 0 0 1\n"), "float64");
-  EXPECT_EQ(store("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "float64");
-  EXPECT_EQ(reason("s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n"), "small_parts");
-  EXPECT_EQ(store("c 1 0 0 1 1.000000001 0 0 2\n"), "float64");
-  EXPECT_EQ(reason("c 1 0 0 1 1.000000001 0 0 2\n"), "moved_cones");
-  EXPECT_EQ(store("s 1000 0 0 16\n"), "float32");
+  const struct {
+    const char *text, *store, *reason;
+  } scenes[] = {{"s 0.1 0 0 1\n", "float32", "precise"},
+                {"s 1000 0 0 16\n", "float32", "precise"},
+                {"s 0.123456789012 0 0 1\n", "float32", "precise"},
+                {"s 1e20 0 0 1\n", "float64", "out_of_range"},
+                {"s 1000000 0 0 1\n", "float64", "far_from_origin"},
+                {"s 0 0 0 1024\ns 0 0 1024 0.0001220703125\n", "float64", "small_parts"},
+                {"c 1 0 0 1 1.000000001 0 0 2\n", "float64", "moved_cones"}};
+  for (const auto& [text, store, reason] : scenes) {
+    const nlohmann::json info = info_of(nff("digits.nff", text), {"--origin", "none"});
+    EXPECT_EQ(info["store"], store) << text;
+    EXPECT_EQ(info["store_reason"], reason) << text;
+  }
 }
 
 TEST_F(Tools, InfoTellsTheOriginAndWhatItGains) {
   const std::string text = nff("far.nff", "s 1000000 0 0 1\ns 1000000 6 0 1\n");
   const std::string path = scene("far.scene", text, {});
-  for (const nlohmann::json& json :
-       {json_of("nff2bin", {text, "--info", "--json"}), json_of("nff2bin", {path, "--info", "--json"})}) {
+  for (const nlohmann::json& json : {info_of(text), info_of(path)}) {
     EXPECT_EQ(json["store"], "float32");
     EXPECT_EQ(json["origin"], (nlohmann::json{1000000, 3, 0}));
     EXPECT_EQ(json["bounds"]["max"], (nlohmann::json{1000001, 7, 1}));
     EXPECT_EQ(json["error_bound"], 4.0 * 128 / (1 << 24));
     EXPECT_EQ(json["error_bound_without_origin"], 1000001.0 * 128 / (1 << 24));
   }
-  const nlohmann::json given = json_of("nff2bin", {text, "--info", "--json", "--origin", "999999,-1,0"});
+  const nlohmann::json given = info_of(text, {"--origin", "999999,-1,0"});
   EXPECT_EQ(given["origin"], (nlohmann::json{999999, -1, 0}));
 }
 
@@ -821,7 +765,7 @@ TEST_F(Tools, ACityInSurveyCoordinatesIsAsExactAsAtZero) {
   };
   constexpr double east = 4500000.25, north = 5300000.5;
   const std::string there = scene("there.scene", nff("there.nff", city(east, north)), {});
-  const nlohmann::json info = json_of("nff2bin", {there, "--info", "--json"});
+  const nlohmann::json info = info_of(there);
   EXPECT_EQ(info["store"], "float32");
   // At zero there would be none, but the same point among the blocks gives the same coordinates.
   const auto origin = info["origin"].get<std::array<double, 3>>();
@@ -848,7 +792,7 @@ TEST_F(Tools, InfoTellsTheStoreAndWhatFloat32Rounds) {
     for (const bool is_text : {true, false}) {
       const nlohmann::json json =
           is_text ? json_of("nff2bin", {text, "--store", store, "--info", "--json", "-o", path})
-                  : json_of("nff2bin", {path, "--info", "--json"});
+                  : info_of(path);
       EXPECT_EQ(json["store"], stored);
       EXPECT_EQ(json["store_reason"], reason);
       EXPECT_TRUE(json["float32"]["suffices"]);
@@ -883,9 +827,7 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
   replace("f 1 0.5 0.25 0.7 0.3 10 0 1", "f 0.25 1 0.5 0.5 0 0 0.5 1.5");
   replace("f 0.2 0.4 0.9 0.6 0.4 30 0 1", "f 1 1 1 1 0 0 0 1");
   const std::string other = scene("view.scene", nff("view.nff", changed));
-  const auto geometry = [&](const std::string& path) {
-    return json_of("nff2bin", {path, "--info", "--json"})["geometry_hash"];
-  };
+  const auto geometry = [&](const std::string& path) { return info_of(path)["geometry_hash"]; };
   EXPECT_EQ(geometry(other), geometry(scene_));
   EXPECT_NE(geometry(scene("b.scene", nff("b.nff", other_nff))), geometry(scene_));
   for (const Arguments& built : std::vector<Arguments>{{"--merge", "none"},
@@ -898,9 +840,9 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
     const std::string old = grid("old.grid", scene_, "6", built);
     EXPECT_EQ(json_of("gridstat", {old, "--json"})["geometry_hash"], geometry(scene_));
     const auto hits = [&](const Arguments& through, const std::string& name) {
-      Arguments arguments{other, "--backend", "cpu", "--hits", file(name), "-o", file(name + ".pfm")};
-      arguments.insert(arguments.begin() + 1, through.begin(), through.end());
-      EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+      EXPECT_TRUE(succeeded(run(
+          "gridrender",
+          joined({other, "--backend", "cpu", "--hits", file(name), "-o", file(name + ".pfm")}, through))));
       return std::pair(read_bytes(file(name)), read_bytes(file(name + ".pfm")));
     };
     const auto found = hits({old}, "old.hits");

@@ -60,16 +60,18 @@ struct Envelope {
   }
 };
 
+inline constexpr Envelope everywhere{0, 1e300};
+
 struct Sweep {
   const char* name;
   const char* parameter; // description
-  Judge judge;
-  double share;                                     // of the number of rays: sweeps differ in cost
-  std::vector<double> float32_steps, float64_steps; // by store
-  Trial<float> (*float32)(Chance& chance, double parameter, std::size_t rays);
-  Trial<double> (*float64)(Chance& chance, double parameter, std::size_t rays); // may be null
-  Envelope robust, doubled;                                                     // of the float32 store
-  Envelope doubled64;                                                           // of the float64 store
+  Judge judge = Judge::closest;
+  double share = 1;                                     // of the number of rays: sweeps differ in cost
+  std::vector<double> float32_steps{}, float64_steps{}; // by store
+  Trial<float> (*float32)(Chance& chance, double parameter, std::size_t rays) = nullptr;
+  Trial<double> (*float64)(Chance& chance, double parameter, std::size_t rays) = nullptr; // may be null
+  Envelope robust = everywhere, doubled = everywhere; // of the float32 store
+  Envelope doubled64 = everywhere;                    // of the float64 store
   bool by_rule = false; // each step has the store that `--store auto` takes; trials have an `original`
 };
 
@@ -85,8 +87,6 @@ std::vector<Sweep> shape_sweeps(); // shapes of primitives
 std::vector<Sweep> grid_sweeps();  // rays and surfaces relative to voxels
 std::vector<Sweep> body_sweeps();  // closed surfaces, and rays that leave them
 std::vector<Sweep> store_sweeps(); // small parts, by the rule of the store
-
-inline constexpr Envelope everywhere{0, 1e300};
 
 // The random numbers of a step, independent of which other steps are run.
 Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter);
