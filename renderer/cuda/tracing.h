@@ -121,12 +121,6 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
   frame.seconds.download = watch.seconds();
 }
 
-// So many blocks have a thread for each ray.
-inline unsigned blocks_of(int threads, std::size_t rays) {
-  const auto each = static_cast<std::size_t>(threads);
-  return static_cast<unsigned>((rays + each - 1) / each);
-}
-
 // `double` traces occlusion, and hierarchies, by a thread a ray, `fast` everything: they aren't worth their
 // kernels.
 template <Query query, class TestRay, class Grid>

@@ -91,12 +91,6 @@ namespace kernels {
 
 inline constexpr unsigned threads = 256;
 
-template <class Act>
-__global__ void each(std::uint64_t count, const __grid_constant__ Act act) {
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
-  if (i < count) act(i);
-}
-
 // Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
 // length is large[0].
 inline constexpr unsigned tile_width = 8, max_for_tile = 256;
@@ -132,10 +126,6 @@ struct Sum {
   }
 };
 
-inline unsigned blocks_for(std::uint64_t threads_wanted) {
-  return static_cast<unsigned>((threads_wanted + threads - 1) / threads);
-}
-
 } // namespace kernels
 
 class CudaExecutor {
@@ -161,8 +151,7 @@ public:
   }
   template <class Act>
   void for_each(std::uint64_t count, const Act& act) const {
-    if (count == 0) return;
-    launch(kernels::each<Act>, kernels::blocks_for(count), kernels::threads, nullptr, count, act);
+    for_each_on_device(count, nullptr, act);
   }
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {
@@ -170,7 +159,8 @@ public:
     using namespace kernels;
     const auto large = array<std::uint32_t>(count + 1);
     check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
-    launch(each_by_tile<Work>, blocks_for(count * tile_width), threads, nullptr, count, work, large.data());
+    launch(each_by_tile<Work>, blocks_of(threads, count * tile_width), threads, nullptr, count, work,
+           large.data());
     launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
   }
   template <class T>
