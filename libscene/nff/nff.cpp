@@ -27,7 +27,6 @@ namespace {
 using nff::Piece;
 using nff::Text;
 
-constexpr std::uint64_t max_objects = 0x7fffffff; // object indices are int32, with -1 for none
 constexpr Material default_material{{1, 1, 1}, 1, 0, 0, 0, 1};
 
 // A piece in the pipeline.
@@ -214,8 +213,7 @@ void join_counts(Assembly& assembly, const Piece& piece, const NffOptions& optio
   Scene& scene = assembly.scene;
   add(scene.objects, piece.objects);
   add(scene.warnings, piece.warnings);
-  assembly.objects =
-      scene.objects.polygons + scene.objects.patches + scene.objects.spheres + scene.objects.cones;
+  assembly.objects = scene.objects.sum();
   const std::uint64_t primitives = scene.triangles.size() + scene.spheres.size() + scene.cones.size() +
                                    piece.triangles.size() + piece.spheres.size() + piece.cones.size();
   if (assembly.objects > max_objects)
