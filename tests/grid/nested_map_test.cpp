@@ -1,6 +1,5 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
 #include "libgrid/build/passes/merge_passes.h"
-#include "libgrid/build/passes/serial_executor.h"
 #include "tests/stability/test_scene.h"
 
 #include <gtest/gtest.h>
