@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 namespace masu {
 namespace {
@@ -57,21 +58,8 @@ void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool cou
 } // namespace
 
 const char* name_of(Channel channel) {
-  switch (channel) {
-  case Channel::depth:
-    return "depth";
-  case Channel::normal:
-    return "normal";
-  case Channel::object:
-    return "object";
-  case Channel::primitive:
-    return "primitive";
-  case Channel::cells:
-    return "cells";
-  case Channel::tests:
-    return "tests";
-  }
-  return "";
+  constexpr std::array names{"depth", "normal", "object", "primitive", "cells", "tests"};
+  return names.at(static_cast<std::size_t>(channel));
 }
 
 Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request) {

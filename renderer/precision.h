@@ -5,6 +5,8 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/geometry/margin.h"
 
+#include <array>
+
 namespace masu {
 
 // fast: float32 by textbook formulas (libscene/geometry/textbook.h), to be measured against. robust: float32
@@ -34,17 +36,8 @@ inline double error_bound(const SceneFile& scene, Precision precision) {
 }
 
 inline const char* name_of(Precision precision) {
-  switch (precision) {
-  case Precision::automatic:
-    return "auto";
-  case Precision::fast:
-    return "fast";
-  case Precision::robust:
-    return "robust";
-  case Precision::doubled:
-    return "double";
-  }
-  return "";
+  constexpr std::array names{"auto", "fast", "robust", "double"};
+  return names.at(static_cast<std::size_t>(precision));
 }
 
 } // namespace masu

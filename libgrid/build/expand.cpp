@@ -1,7 +1,7 @@
 // The expansion on the host's cores: the cells that expand_along (expand_passes.h) makes, in about two fifths
 // of its time.
 #include "libgrid/build/passes/expand_passes.h"
-#include "libgrid/build/passes/tbb_executor.h"
+#include "libgrid/build/passes/host_executor.h"
 
 #include <tbb/parallel_for.h>
 
