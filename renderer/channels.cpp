@@ -11,7 +11,7 @@
 namespace masu {
 namespace {
 
-constexpr std::int64_t rays_a_band = 1 << 22;
+constexpr std::int64_t rays_per_band = 1 << 22;
 
 template <class T>
 T* part_of(HostArray<T>& values, std::size_t first) {
@@ -25,7 +25,7 @@ void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool cou
                                       frame.hither, frame.window);
   const auto columns = static_cast<std::size_t>(rays.columns);
   const auto band_rows =
-      static_cast<std::int32_t>(std::clamp<std::int64_t>(rays_a_band / rays.columns, 1, rays.rows));
+      static_cast<std::int32_t>(std::clamp<std::int64_t>(rays_per_band / rays.columns, 1, rays.rows));
   HostArray<Ray<Real>> band;
   RaysRequest request;
   request.tracing = frame.tracing;

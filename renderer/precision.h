@@ -16,7 +16,7 @@ namespace masu {
 enum class Precision { automatic, fast, robust, doubled };
 
 // The one that `automatic` stands for by the store alone; others stay. Throws Error(usage) for float32
-// arithmetic on a scene whose coordinates don't fit it: it would answer wrongly without a word.
+// arithmetic on a scene whose coordinates don't fit it: its results would be wrong without a word.
 inline Precision resolved(Precision precision, const SceneFile& scene) {
   if (precision == Precision::automatic) return scene.is_float64() ? Precision::doubled : Precision::robust;
   if (scene.is_float64() && precision != Precision::doubled) {

@@ -178,7 +178,7 @@ public:
                  return interval_in(box, cast<double>(origin), cast<double>(inverse));
                };
                step.box = empty_box<double>();
-               for (int slot = 0; slot < boxes_a_node; ++slot) {
+               for (int slot = 0; slot < boxes_per_node; ++slot) {
                  const std::uint32_t byte = slot_byte(node.slots, slot);
                  if (byte == 0) continue;
                  const Boxd box = box_of(node, slot);

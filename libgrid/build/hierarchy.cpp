@@ -20,8 +20,8 @@ constexpr float test_cost = 0.3F;
 // The least costs, in areas, of a binary node's contents in up to so many boxes of a wide node; and how many
 // of them go to its left: 0 where fewer boxes cost no more.
 struct Collapse {
-  float cost[boxes_a_node]; // [i]: in up to i boxes, from 1 on
-  std::uint8_t left[boxes_a_node + 1];
+  float cost[boxes_per_node]; // [i]: in up to i boxes, from 1 on
+  std::uint8_t left[boxes_per_node + 1];
   bool is_leaf; // in one box: its references, not a node
 };
 
@@ -41,7 +41,7 @@ public:
 
 private:
   struct Boxes {
-    std::array<std::uint32_t, boxes_a_node> nodes{};
+    std::array<std::uint32_t, boxes_per_node> nodes{};
     int count = 0;
     void add(std::uint32_t node) { nodes[static_cast<unsigned>(count++)] = node; }
   };
@@ -51,10 +51,10 @@ private:
     Collapse& best = best_[number];
     const float area = node.box.area();
     const float as_leaf =
-        node.count <= max_references_a_box ? area * static_cast<float>(node.count) * test_cost : INFINITY;
+        node.count <= max_references_per_box ? area * static_cast<float>(node.count) * test_cost : INFINITY;
     best = {};
     if (node.left == 0) {
-      std::fill_n(best.cost, boxes_a_node, as_leaf);
+      std::fill_n(best.cost, boxes_per_node, as_leaf);
       best.is_leaf = true;
       return;
     }
@@ -67,8 +67,8 @@ private:
       find_right();
     }
     const Collapse &left = best_[node.left], &right = best_[node.left + 1];
-    float distributed[boxes_a_node + 1];
-    for (int boxes = 2; boxes <= boxes_a_node; ++boxes) {
+    float distributed[boxes_per_node + 1];
+    for (int boxes = 2; boxes <= boxes_per_node; ++boxes) {
       distributed[boxes] = INFINITY; // which the costs of vast boxes may add up to, too
       best.left[boxes] = 1;
       for (int to_left = 1; to_left < boxes; ++to_left) {
@@ -79,10 +79,10 @@ private:
         }
       }
     }
-    const float as_node = distributed[boxes_a_node] + area;
+    const float as_node = distributed[boxes_per_node] + area;
     best.is_leaf = as_leaf <= as_node;
     best.cost[1] = std::min(as_leaf, as_node);
-    for (int boxes = 2; boxes < boxes_a_node; ++boxes) {
+    for (int boxes = 2; boxes < boxes_per_node; ++boxes) {
       const bool pays = distributed[boxes] < best.cost[boxes - 1];
       best.cost[boxes] = pays ? distributed[boxes] : best.cost[boxes - 1];
       if (!pays) best.left[boxes] = 0;
@@ -119,7 +119,7 @@ private:
     Boxes boxes;
     // A root that is a leaf is a node of one box.
     const bool leaf = best_[number].is_leaf;
-    leaf ? boxes.add(number) : gather(number, boxes_a_node, boxes);
+    leaf ? boxes.add(number) : gather(number, boxes_per_node, boxes);
     const LaneBox& around = nodes_[number].box;
     HierarchyNode node{};
     double unit[3];

@@ -154,7 +154,7 @@ ResidentRays upload_rays_cuda(const RayList& rays, int device) {
   };
   const auto memory = std::make_shared<Memory>();
   memory->rays = DeviceArray<std::uint8_t>(static_cast<const std::uint8_t*>(rays.rays),
-                                           rays.count * rays.format.bytes_a_ray());
+                                           rays.count * rays.format.bytes_per_ray());
   memory->t = DeviceArray<float>(rays.count);
   memory->primitive = DeviceArray<std::uint32_t>(rays.count);
   memory->occluded = DeviceArray<std::uint8_t>(rays.count);

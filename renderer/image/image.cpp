@@ -16,7 +16,7 @@
 namespace masu {
 namespace {
 
-constexpr std::int32_t rows_a_task = 16;
+constexpr std::int32_t rows_per_task = 16;
 
 template <bool srgb>
 std::uint8_t byte_of(float value) {
@@ -26,14 +26,14 @@ std::uint8_t byte_of(float value) {
   return static_cast<std::uint8_t>(above); // std::lround, but vectorized
 }
 
-// Of so many bytes a pixel: convert(row, its pixels, all of the picture's bytes), in parallel.
+// Of so many bytes per pixel: convert(row, its pixels, all of the picture's bytes), in parallel.
 template <class Convert>
 std::vector<std::uint8_t> bytes_of(const Frame& frame, Sampling sampling, std::size_t pixel_bytes,
                                    const Convert& convert) {
   const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
   std::vector<std::uint8_t> bytes(pixel_bytes * static_cast<std::size_t>(width) *
                                   static_cast<std::size_t>(height));
-  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_a_task), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_per_task), [&](const auto& range) {
     std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
     for (std::int32_t row = range.begin(); row != range.end(); ++row) {
       image_row(frame, sampling, row, pixels);

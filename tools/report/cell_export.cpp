@@ -74,7 +74,7 @@ void for_each_exported(const GridFile& file, const CellExport& options, const Ac
       const Boxd box = in_world(file.origin(), box_of(nodes[found.node], found.slot));
       if (options.within && !share_space(box, *options.within)) return;
       const std::uint64_t number =
-          std::uint64_t{found.node} * boxes_a_node + static_cast<unsigned>(found.slot);
+          std::uint64_t{found.node} * boxes_per_node + static_cast<unsigned>(found.slot);
       act(ExportedBox{number, box, box, found.references, 0, found.depth});
     });
   }

@@ -183,12 +183,12 @@ public:
   template <class Value, class Emit>
   std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
                                                          std::uint64_t max_pairs, const Emit& emit) const {
-    constexpr std::uint64_t rows_a_piece = 32;
+    constexpr std::uint64_t rows_per_piece = 32;
     auto pieces = array<std::uint64_t>(count + 1);
     std::uint64_t* const first_piece = pieces.data();
     for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
       const std::uint64_t rows = i != count ? emit.size(i) : 0;
-      first_piece[i] = (rows + rows_a_piece - 1) / rows_a_piece;
+      first_piece[i] = (rows + rows_per_piece - 1) / rows_per_piece;
     });
     scan(pieces);
     const std::uint64_t piece_count = value(pieces, count);
@@ -199,8 +199,8 @@ public:
       std::uint64_t own = 0;
       if (piece != piece_count) {
         const std::uint64_t i = owner_of(first_piece, count, piece);
-        const std::uint64_t row = (piece - first_piece[i]) * rows_a_piece;
-        emit(i, row, row + rows_a_piece, [&](std::uint64_t, const Value&) { ++own; });
+        const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
+        emit(i, row, row + rows_per_piece, [&](std::uint64_t, const Value&) { ++own; });
       }
       first_pair[piece] = own;
     });
@@ -213,9 +213,9 @@ public:
     Value* const values = sorted.values.data();
     for_each(piece_count, [=] MASU_PASS(std::uint64_t piece) {
       const std::uint64_t i = owner_of(first_piece, count, piece);
-      const std::uint64_t row = (piece - first_piece[i]) * rows_a_piece;
+      const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
       std::uint64_t offset = first_pair[piece];
-      emit(i, row, row + rows_a_piece, [&](std::uint64_t key, const Value& value) {
+      emit(i, row, row + rows_per_piece, [&](std::uint64_t key, const Value& value) {
         keys[offset] = key;
         values[offset++] = value;
       });

@@ -91,7 +91,7 @@ public:
   // key fits in 32 bits: wider keys make more buckets.
   template <class Value, class Emit>
   std::optional<Sorted<HostExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
-                                                        std::uint64_t max_pairs, const Emit& emit) const {
+                                                         std::uint64_t max_pairs, const Emit& emit) const {
     struct Pair {
       std::uint32_t key; // within the bucket
       Value value;
@@ -101,16 +101,16 @@ public:
       std::vector<Pair> pairs;
       std::vector<std::uint32_t> begin;
     };
-    constexpr std::uint64_t items_a_chunk = 4096, all_rows = ~std::uint64_t{0};
+    constexpr std::uint64_t items_per_chunk = 4096, all_rows = ~std::uint64_t{0};
     const int bucket_bits = std::clamp(bits - 10, 12, 32);
     const std::uint64_t buckets = (std::uint64_t{1} << std::max(bits - bucket_bits, 0)),
                         mask = (std::uint64_t{1} << bucket_bits) - 1;
-    std::vector<Chunk> chunks((count + items_a_chunk - 1) / items_a_chunk);
+    std::vector<Chunk> chunks((count + items_per_chunk - 1) / items_per_chunk);
     std::atomic<std::uint64_t> total = 0;
     tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
       std::vector<std::pair<std::uint64_t, Value>> emitted;
-      const std::uint64_t end = std::min(count, (c + 1) * items_a_chunk);
-      for (std::uint64_t i = c * items_a_chunk; i != end && emitted.size() <= max_pairs; ++i) {
+      const std::uint64_t end = std::min(count, (c + 1) * items_per_chunk);
+      for (std::uint64_t i = c * items_per_chunk; i != end && emitted.size() <= max_pairs; ++i) {
         emit(i, 0, all_rows,
              [&](std::uint64_t key, const Value& value) { emitted.emplace_back(key, value); });
       }
