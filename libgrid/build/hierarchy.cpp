@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace masu {
 namespace {
@@ -30,13 +29,12 @@ public:
   explicit Collapser(const BinaryHierarchy& binary)
       : fragments_(binary.fragments), nodes_(binary.nodes), best_(nodes_.size()) {}
 
-  Hierarchy collapse() {
-    Hierarchy hierarchy;
+  // Writes nodes and references.
+  void collapse_to(Grid& hierarchy) {
     hierarchy.nodes.resize(1, {});
-    if (nodes_.empty()) return hierarchy;
+    if (nodes_.empty()) return;
     find_best(0);
     write(hierarchy, 0, 0);
-    return hierarchy;
   }
 
 private:
@@ -102,7 +100,7 @@ private:
     place(node.left + 1, boxes - to_left);
   }
 
-  void list(Hierarchy& hierarchy, std::uint32_t number) const {
+  void list(Grid& hierarchy, std::uint32_t number) const {
     const BinaryNode& node = nodes_[number];
     if (node.left == 0) return hierarchy.references.push_back(fragments_[node.first].primitive());
     list(hierarchy, node.left);
@@ -115,7 +113,7 @@ private:
   // Larger by this many units than what they hold: hierarchy_walk.h says why.
   static constexpr double slack = 1.0 / 64;
 
-  void write(Hierarchy& hierarchy, std::size_t place, std::uint32_t number) {
+  void write(Grid& hierarchy, std::size_t place, std::uint32_t number) {
     Boxes boxes;
     // A root that is a leaf is a node of one box.
     const bool leaf = best_[number].is_leaf;
@@ -171,27 +169,17 @@ private:
 } // namespace
 
 template <class Stored>
-Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
-                          const std::function<void(double)>& progress) {
-  check_hierarchy(scene.primitive_count(), available_memory());
-  const BinaryHierarchy binary = binary_hierarchy(scene, margin, progress);
-  return Collapser(binary).collapse();
-}
-template Hierarchy build_hierarchy(const SceneView<float>&, double, const std::function<void(double)>&);
-template Hierarchy build_hierarchy(const SceneView<double>&, double, const std::function<void(double)>&);
-
-template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
                     const std::function<void(double)>& progress) {
   if (!fits_hierarchy(layout.space))
     throw Error(ErrorCode::usage, "structure",
                 "a hierarchy holds coordinates up to 1e15: build a grid of voxels");
-  Hierarchy hierarchy = build_hierarchy(scene, layout.margin, progress);
+  check_hierarchy(scene.primitive_count(), available_memory());
   Grid grid;
   grid.layout = {layout.space, {1, 1, 1}, layout.margin};
   grid.kind = GridKind::hierarchy;
-  grid.references = std::move(hierarchy.references);
-  grid.nodes = std::move(hierarchy.nodes);
+  const BinaryHierarchy binary = binary_hierarchy(scene, layout.margin, progress);
+  Collapser(binary).collapse_to(grid);
   return grid;
 }
 template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, const std::function<void(double)>&);
