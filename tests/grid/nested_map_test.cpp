@@ -1,4 +1,5 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
+#include "libgrid/build/passes/host_executor.h"
 #include "libgrid/build/passes/merge_passes.h"
 #include "tests/stability/test_scene.h"
 
