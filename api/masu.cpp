@@ -4,7 +4,7 @@
 #include "libgrid/build/chosen_structure.h"
 #include "libscene/base/processor.h"
 #include "libscene/file/memory_file.h"
-#include "libscene/file/same_file.h"
+#include "libscene/file/output_file.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "renderer/automatic_loop.h"
 #include "renderer/tracer.h"

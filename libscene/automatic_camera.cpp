@@ -1,32 +1,30 @@
 #include "libscene/automatic_camera.h"
 
+#include "libscene/scene_bounds.h"
+
 #include <cmath>
 #include <numbers>
 
 namespace masu {
 namespace {
 
-// With a sphere for each end of a cone.
-Boxd rough_bounds(const Scene& scene) {
-  Boxd box = empty_box<double>();
-  const auto join_sphere = [&](const Vec3d& center, double radius) {
-    box = join(box, grown(Boxd{center, center}, std::abs(radius)));
-  };
-  for (const SceneTriangle& triangle : scene.triangles)
-    box = join(join(join(box, triangle.a), triangle.b), triangle.c);
-  for (const Sphere<double>& sphere : scene.spheres)
-    join_sphere(sphere.center, sphere.radius);
-  for (const Cone<double>& cone : scene.cones) {
-    join_sphere(cone.base, cone.base_radius);
-    join_sphere(cone.apex, cone.apex_radius);
-  }
-  return is_empty(box) ? Boxd{{0, 0, 0}, {0, 0, 0}} : box;
+// A sphere for each end of a cone.
+Boxd box_of_sphere(const Vec3d& center, double radius) {
+  return grown(Boxd{center, center}, std::abs(radius));
 }
+struct RoughBox {
+  Boxd operator()(const SceneTriangle& t) const { return bounds(t); }
+  Boxd operator()(const Sphere<double>& s) const { return box_of_sphere(s.center, s.radius); }
+  Boxd operator()(const Cone<double>& c) const {
+    return join(box_of_sphere(c.base, c.base_radius), box_of_sphere(c.apex, c.apex_radius));
+  }
+};
 
 } // namespace
 
 Sphere<double> bounding_sphere(const Scene& scene) {
-  const Boxd box = rough_bounds(scene);
+  Boxd box = joined_boxes(scene, RoughBox{});
+  if (is_empty(box)) box = {{0, 0, 0}, {0, 0, 0}};
   const Vec3d center = box.min * 0.5 + box.max * 0.5;
   const Vec3d half = box.max * 0.5 - box.min * 0.5;
   const double size = largest_magnitude(half);
@@ -40,6 +38,19 @@ double framing_distance(double radius, double angle, std::int32_t width, std::in
   const double narrowing = min(1.0, static_cast<double>(width) / height);
   const double half_angle = std::atan(narrowing * std::tan(angle / 2 * std::numbers::pi / 180));
   return max(radius / std::sin(half_angle), radius);
+}
+
+Camera automatic_camera(const Sphere<double>& whole, bool is_y_up, std::int32_t width, std::int32_t height) {
+  Camera camera{};
+  camera.angle = 45;
+  camera.hither = 0.01;
+  camera.width = width;
+  camera.height = height;
+  camera.up = is_y_up ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
+  camera.at = whole.center;
+  const Vec3d forward = direction(is_y_up ? Vec3d{-1, -1.2, -2} : Vec3d{-1, 2, -1.2});
+  camera.from = camera.at - forward * framing_distance(whole.radius, camera.angle, width, height);
+  return camera;
 }
 
 Vec3d direction(const Vec3d& v) {

@@ -2,6 +2,7 @@
 
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
+#include "libscene/scene_bounds.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
@@ -32,24 +33,6 @@ Part gathered(std::span<const Record> records, const Act& act) {
   Part total;
   parts.combine_each([&](const Part& part) { total += part; });
   return total;
-}
-
-struct Bounds {
-  Boxd box = empty_box<double>();
-  Bounds& operator+=(const Bounds& other) {
-    box = join(box, other.box);
-    return *this;
-  }
-};
-
-template <class Record>
-Boxd bounds_of(std::span<const Record> records, const Vec3d& origin) {
-  return gathered<Bounds>(records,
-                          [&](const Record& record, Bounds& part, std::size_t) {
-                            const auto moved = relative_to(origin, widened(record));
-                            if (has_surface(widened(moved))) part.box = join(part.box, bounds(moved));
-                          })
-      .box;
 }
 
 template <class T>
@@ -233,9 +216,10 @@ Float32Precision float32_precision(const SceneSpans<Stored, Face>& scene) {
         return largest_magnitude(cast<double>(light.position) - scene.origin) <= max_float32_reach;
       });
   const auto moved = [&](const auto& record) { return relative_to(scene.origin, widened(record)); };
-  const Boxd box =
-      join(join(bounds_of(scene.triangles, scene.origin), bounds_of(scene.spheres, scene.origin)),
-           bounds_of(scene.cones, scene.origin));
+  const Boxd box = joined_boxes(scene, [&](const auto& stored) {
+    const auto record = moved(stored);
+    return has_surface(widened(record)) ? bounds(record) : empty_box<double>();
+  });
   result.in_range = lights_in_range;
   if (is_empty(box)) return result;
   const double reach = largest_magnitude(box);

@@ -54,7 +54,17 @@ struct SceneWarnings {
 // Number of objects in the NFF text by entity, degenerate ones included.
 struct ObjectCounts {
   std::uint64_t polygons = 0, patches = 0, spheres = 0, cones = 0;
+
+  std::uint64_t sum() const { return polygons + patches + spheres + cones; }
 };
+inline constexpr std::uint64_t max_objects = 0x7fffffff; // indices are int32, with -1 for none
+
+// The largest magnitude of a coordinate as it is given. NaN isn't one.
+inline constexpr double max_coordinate = 1e100;
+inline bool is_coordinate(const Vec3d& v) {
+  return std::abs(v.x) <= max_coordinate && std::abs(v.y) <= max_coordinate &&
+         std::abs(v.z) <= max_coordinate;
+}
 
 // A Triangle<double> without the padding that its loads need.
 struct SceneTriangle {

@@ -1,7 +1,7 @@
 // The join of the boxes of a scene's primitives.
 #pragma once
 
-#include "libscene/scene.h"
+#include "libscene/geometry/box.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -9,8 +9,9 @@
 namespace masu {
 
 // Of what box_of(record) gives of all triangles, spheres and cones, in parallel; empty where there are none.
-template <class BoxOf>
-Boxd joined_boxes(const Scene& scene, const BoxOf& box_of) {
+// Primitives: Scene, or SceneSpans.
+template <class Primitives, class BoxOf>
+Boxd joined_boxes(const Primitives& scene, const BoxOf& box_of) {
   const auto of = [&](const auto& records) {
     return tbb::parallel_reduce(
         tbb::blocked_range<std::size_t>(0, records.size()), empty_box<double>(),

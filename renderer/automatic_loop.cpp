@@ -15,7 +15,7 @@ constexpr std::size_t rays_a_warp = 32, warps_sampled = 64;
 // Warps' worth of neighbours, all over the list: at places i · φ modulo 1, which are as far from each other
 // as can be, and aren't in step with a picture's rows.
 std::vector<std::uint8_t> sample_of(const RayList& rays) {
-  const std::size_t size = rays.format.bytes_a_ray(), warps = rays.count / rays_a_warp;
+  const std::size_t size = rays.format.bytes_per_ray(), warps = rays.count / rays_a_warp;
   const std::size_t taken = std::min(warps, warps_sampled);
   std::vector<std::uint8_t> sample(taken * rays_a_warp * size);
   for (std::size_t i = 0; i < taken; ++i) {
@@ -60,7 +60,7 @@ std::vector<Ray<double>> random_sample(const SceneFile& scene) {
 
 WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
   const std::vector<std::uint8_t> bytes = sample_of(rays);
-  const std::size_t count = bytes.size() / rays.format.bytes_a_ray(), warps = count / rays_a_warp;
+  const std::size_t count = bytes.size() / rays.format.bytes_per_ray(), warps = count / rays_a_warp;
   if (count == 0) return {};
   std::vector<std::uint32_t> cells(count), tests(count);
   std::vector<std::uint8_t> occluded(query == Query::occlusion ? count : 0);

@@ -18,7 +18,7 @@ void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest
 QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
                            const RayResults& results, const RaysRequest& request);
 
-// Sets a device up, so that what comes next isn't charged for it. Throws Error(device) where there is none.
+// Sets a device up, so that it isn't timed with what comes next. Throws Error(device) where there is none.
 void set_up_cuda(int device);
 
 // Copies the files. What the host hasn't checked, because it stays in the files, is checked on the device
@@ -52,7 +52,7 @@ void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFil
 
 // Rays on a device at a time, for each of the stages: one piece is uploaded while another is traced and the
 // results of a third come back.
-inline constexpr std::size_t rays_a_piece = std::size_t{1} << 20;
+inline constexpr std::size_t rays_per_piece = std::size_t{1} << 20;
 // Of rays in host memory: the pieces of a list that it takes from a counter, which devices share.
 QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,

@@ -6,11 +6,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 namespace masu {
 namespace {
 
-constexpr std::int64_t rays_a_band = 1 << 22;
+constexpr std::int64_t rays_per_band = 1 << 22;
 
 template <class T>
 T* part_of(HostArray<T>& values, std::size_t first) {
@@ -24,7 +25,7 @@ void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool cou
                                       frame.hither, frame.window);
   const auto columns = static_cast<std::size_t>(rays.columns);
   const auto band_rows =
-      static_cast<std::int32_t>(std::clamp<std::int64_t>(rays_a_band / rays.columns, 1, rays.rows));
+      static_cast<std::int32_t>(std::clamp<std::int64_t>(rays_per_band / rays.columns, 1, rays.rows));
   HostArray<Ray<Real>> band;
   RaysRequest request;
   request.tracing = frame.tracing;
@@ -57,21 +58,8 @@ void trace_camera_rays(const Tracer& tracer, const FrameRequest& frame, bool cou
 } // namespace
 
 const char* name_of(Channel channel) {
-  switch (channel) {
-  case Channel::depth:
-    return "depth";
-  case Channel::normal:
-    return "normal";
-  case Channel::object:
-    return "object";
-  case Channel::primitive:
-    return "primitive";
-  case Channel::cells:
-    return "cells";
-  case Channel::tests:
-    return "tests";
-  }
-  return "";
+  constexpr std::array names{"depth", "normal", "object", "primitive", "cells", "tests"};
+  return names.at(static_cast<std::size_t>(channel));
 }
 
 Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request) {

@@ -25,7 +25,7 @@ struct ChannelsRequest {
   bool all_rays = false;
 };
 
-// One value a camera ray, row by row from the top, of the window; empty where it wasn't requested.
+// One value per camera ray, row by row from the top, of the window; empty where it wasn't requested.
 struct Channels {
   std::int32_t columns = 0, rows = 0;
   HostArray<float> depth;         // t, which is a distance since directions have length 1; infinity: a miss

@@ -58,7 +58,7 @@ MASU_HD inline void for_each_count(A& a, B& b, const Act& act) {
 }
 
 // Where the cells visited and the primitive tests of each ray go, or of each camera ray and all that it
-// spawns: an array of one element a ray each, or null for what isn't wanted. Counts beyond 32 bits are 2^32
+// spawns: an array of one element per ray each, or null for what isn't wanted. Counts beyond 32 bits are 2^32
 // - 1.
 struct RayCosts {
   std::uint32_t* cells = nullptr;

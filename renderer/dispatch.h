@@ -1,4 +1,4 @@
-// From what a scene holds and a job asks for to the code compiled for it.
+// From what a scene holds and a request says to the code compiled for it.
 #pragma once
 
 #include "libgrid/trace/any_structure.h"

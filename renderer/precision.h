@@ -5,6 +5,8 @@
 #include "libscene/file/scene_file.h"
 #include "libscene/geometry/margin.h"
 
+#include <array>
+
 namespace masu {
 
 // fast: float32 by textbook formulas (libscene/geometry/textbook.h), to be measured against. robust: float32
@@ -14,7 +16,7 @@ namespace masu {
 enum class Precision { automatic, fast, robust, doubled };
 
 // The one that `automatic` stands for by the store alone; others stay. Throws Error(usage) for float32
-// arithmetic on a scene whose coordinates don't fit it: it would answer wrongly without a word.
+// arithmetic on a scene whose coordinates don't fit it: its results would be wrong without a word.
 inline Precision resolved(Precision precision, const SceneFile& scene) {
   if (precision == Precision::automatic) return scene.is_float64() ? Precision::doubled : Precision::robust;
   if (scene.is_float64() && precision != Precision::doubled) {
@@ -34,17 +36,8 @@ inline double error_bound(const SceneFile& scene, Precision precision) {
 }
 
 inline const char* name_of(Precision precision) {
-  switch (precision) {
-  case Precision::automatic:
-    return "auto";
-  case Precision::fast:
-    return "fast";
-  case Precision::robust:
-    return "robust";
-  case Precision::doubled:
-    return "double";
-  }
-  return "";
+  constexpr std::array names{"auto", "fast", "robust", "double"};
+  return names.at(static_cast<std::size_t>(precision));
 }
 
 } // namespace masu

@@ -11,16 +11,16 @@ namespace masu {
 
 // --- Rays as callers store them ----------------------------------------------------------------------------
 
-// Numbers of 32 or 64 bits, 8 a ray: origin, t_min, direction, t_max (Ray<float>, Ray<double>); or 6: origin
-// and direction, with t_min = 0 and no t_max. Origins are in the world, or relative to the scene's local
-// origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer fills it in.
+// Numbers of 32 or 64 bits, 8 per ray: origin, t_min, direction, t_max (Ray<float>, Ray<double>); or 6:
+// origin and direction, with t_min = 0 and no t_max. Origins are in the world, or relative to the scene's
+// local origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer fills it in.
 struct RayFormat {
   bool is_float64 = false;
   int numbers = 8;
   bool is_relative = false;
   Vec3d origin{0, 0, 0};
 
-  MASU_HD std::size_t bytes_a_ray() const {
+  MASU_HD std::size_t bytes_per_ray() const {
     return static_cast<std::size_t>(numbers) * (is_float64 ? sizeof(double) : sizeof(float));
   }
 };
@@ -92,7 +92,7 @@ MASU_HD inline Real scale_direction(Ray<Real>& ray) {
 
 // --- Results -----------------------------------------------------------------------------------------------
 
-// Where results go: an array of one element a ray each, in the rays' order, or null for what isn't wanted.
+// Where results go: an array of one element per ray each, in the rays' order, or null for what isn't wanted.
 // nearest_hit writes t (in lengths of the direction; infinity for a miss) and primitive (its index in the
 // scene file; no_primitive for a miss); besides, its object (index in the NFF text), face (intersect.h),
 // barycentric coordinates (u, v) on a triangle, so that the point is (1 - u - v) a + u b + v c, and the

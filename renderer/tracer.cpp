@@ -145,17 +145,17 @@ Frame Tracer::render(const FrameRequest& request, std::size_t index, Frame memor
 }
 
 Frame Tracer::render(const FrameRequest& request) const {
-  constexpr std::int64_t rays_a_band = std::int64_t{1} << 20;
+  constexpr std::int64_t rays_per_band = std::int64_t{1} << 20;
   const RayWindow window = window_of(request);
   const auto band_rows =
-      static_cast<std::int32_t>(std::max<std::int64_t>(rays_a_band / std::max(window.columns, 1), 8));
+      static_cast<std::int32_t>(std::max<std::int64_t>(rays_per_band / std::max(window.columns, 1), 8));
   if (device_count() == 1 || window.rows <= band_rows) return render(request, next_device());
   check_window(window, all_rays(request.camera, request.sampling)); // before there is room for it
   const Precision precision = picture_precision(*this, request);
   Frame whole = sized_frame(request);
   std::mutex mutex;
   std::atomic<std::int32_t> next_row = 0;
-  on_threads(device_count() * queries_a_gpu, [&](std::size_t worker) {
+  on_threads(device_count() * queries_per_gpu, [&](std::size_t worker) {
     Frame band;
     for (std::int32_t row; (row = next_row.fetch_add(band_rows)) < window.rows;) {
       FrameRequest part = request;
@@ -227,7 +227,8 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
 }
 
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
-  if (device_count() == 1 || rays.count <= rays_a_piece) return trace(rays, results, request, next_device());
+  if (device_count() == 1 || rays.count <= rays_per_piece)
+    return trace(rays, results, request, next_device());
   const RaysRequest resolved_request = resolved(request, rays, results);
   std::atomic<std::size_t> next_piece = 0;
   std::mutex mutex;

@@ -22,7 +22,7 @@ namespace masu {
 
 enum class Device { cpu, cuda };
 
-inline constexpr int queries_a_gpu = 3; // to keep it busy: one computes, one comes back, one is prepared
+inline constexpr int queries_per_gpu = 3; // to keep it busy: one computes, one comes back, one is prepared
 
 // How rays are traced.
 struct TracingRules {
@@ -46,7 +46,7 @@ struct TraceSeconds {
   }
 };
 
-// What a CUDA kernel takes a thread: registers, and bytes of local memory. 0 on the CPU.
+// What a CUDA kernel takes per thread: registers, and bytes of local memory. 0 on the CPU.
 struct KernelSize {
   std::int32_t registers = 0, local_bytes = 0;
 };
@@ -136,7 +136,7 @@ struct QueryReport {
 
 // The results of a list of rays as records.
 struct RayHits {
-  std::vector<HitRecord> hits; // one a ray, in the list's order; for occlusion t is 1, name 0 or -1
+  std::vector<HitRecord> hits; // one per ray, in the list's order; for occlusion t is 1, name 0 or -1
   QueryReport report;
 };
 
@@ -157,7 +157,7 @@ struct PrimitiveProperties {
 
 struct DeviceFiles; // a scene and its grid in a GPU's memory
 
-// Queries change nothing in it, and threads may ask at the same time: on a GPU each on a stream of its own.
+// Queries change nothing in it, and threads may query at the same time: on a GPU each on a stream of its own.
 class Tracer {
 public:
   // `grid` is null for brute force, which tries every primitive for every ray. The files must live as long as

@@ -12,7 +12,7 @@
 namespace masu {
 namespace {
 
-constexpr std::int32_t most_lines = 64; // of the lattice, each way
+constexpr std::int32_t most_lines = 64; // of the sample, each way
 constexpr double share_of_pixel = 1.0 / 16;
 
 // Of the error bound (margin.h) a picture shows what is across the ray: 8 u M of clipping, 2√3 u M of
@@ -28,18 +28,18 @@ double distance_to(const Boxd& box, const Vec3d& p) {
 }
 
 // Rays through the centres of pixels, relative to the scene's origin.
-std::vector<Ray<double>> lattice_of(const FrameRequest& request, const Camera& camera) {
+std::vector<Ray<double>> sample_rays(const FrameRequest& request, const Camera& camera) {
   const auto rays = camera_rays<double>(camera, Sampling::centers, request.hither);
   const std::int32_t columns = std::min(camera.width, most_lines), rows = std::min(camera.height, most_lines);
   const auto middle = [](std::int32_t line, std::int32_t lines, std::int32_t pixels) {
     return static_cast<std::int32_t>((2 * std::int64_t{line} + 1) * pixels / (2 * lines));
   };
-  std::vector<Ray<double>> lattice;
+  std::vector<Ray<double>> sample;
   for (std::int32_t row = 0; row < rows; ++row)
     for (std::int32_t column = 0; column < columns; ++column)
-      lattice.push_back(
+      sample.push_back(
           camera_ray(rays, middle(column, columns, camera.width), middle(row, rows, camera.height)));
-  return lattice;
+  return sample;
 }
 
 double nearest_hit_of(const Tracer& tracer, const std::vector<Ray<double>>& rays) {
@@ -70,7 +70,7 @@ ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request) 
   };
   double distance = distance_to(bounds, camera.from);
   if (!is_fine(distance)) {
-    distance = nearest_hit_of(tracer, lattice_of(request, camera));
+    distance = nearest_hit_of(tracer, sample_rays(request, camera));
     if (request.hither) distance += max(camera.hither, 0.0); // where rays start, or farther
     if (!is_fine(distance)) chosen.precision = Precision::doubled;
   }

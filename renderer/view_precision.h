@@ -1,4 +1,4 @@
-// Which arithmetic a picture asks for: `--precision auto` follows the view.
+// Which arithmetic a picture needs: `--precision auto` follows the view.
 #pragma once
 
 #include "renderer/tracer.h"
@@ -16,13 +16,13 @@ struct ViewPrecision {
 };
 
 // Robust where its error bound across a ray is at most a sixteenth of a pixel at the nearest surface that a
-// lattice of camera rays meets, else doubled: nearer than that its errors can be seen. The lattice is the
-// picture's, of at most 64 × 64 rays, traced in double; where the distance of the scene's bounds tells
+// sample of camera rays meets, else doubled: nearer than that its errors can be seen. The sample is the
+// picture's, of at most 64 × 64 rays, traced in double; where the distance of the scene's bounds decides
 // already, none is.
 // Independent of the grid and of the device, and of the part of the picture that is traced.
 ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request);
 
-// Of a picture: what is asked for, or what its view asks for.
+// Of a picture: the requested one, or for automatic its view's.
 inline Precision picture_precision(const Tracer& tracer, const FrameRequest& request) {
   const Precision wanted = request.tracing.precision;
   return wanted == Precision::automatic ? view_precision(tracer, request).precision : wanted;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <unordered_map>
@@ -177,7 +178,7 @@ public:
                  return interval_in(box, cast<double>(origin), cast<double>(inverse));
                };
                step.box = empty_box<double>();
-               for (int slot = 0; slot < boxes_a_node; ++slot) {
+               for (int slot = 0; slot < boxes_per_node; ++slot) {
                  const std::uint32_t byte = slot_byte(node.slots, slot);
                  if (byte == 0) continue;
                  const Boxd box = box_of(node, slot);
@@ -364,35 +365,13 @@ WalkRequest camera_walk(const Tracer& tracer, const FrameRequest& request, std::
 }
 
 const char* name_of(RayKind kind) {
-  switch (kind) {
-  case RayKind::camera:
-    return "camera";
-  case RayKind::reflection:
-    return "reflection";
-  case RayKind::refraction:
-    return "refraction";
-  case RayKind::shadow:
-    return "shadow";
-  }
-  return "";
+  constexpr std::array names{"camera", "reflection", "refraction", "shadow"};
+  return names.at(static_cast<std::size_t>(kind));
 }
 
 const char* name_of(WalkEnd end) {
-  switch (end) {
-  case WalkEnd::missed:
-    return "missed_bounds";
-  case WalkEnd::hit:
-    return "hit";
-  case WalkEnd::t_max:
-    return "t_max";
-  case WalkEnd::left_grid:
-    return "left_grid";
-  case WalkEnd::visited_all:
-    return "visited_all";
-  case WalkEnd::tested_all:
-    return "tested_all";
-  }
-  return "";
+  constexpr std::array names{"missed_bounds", "hit", "t_max", "left_grid", "visited_all", "tested_all"};
+  return names.at(static_cast<std::size_t>(end));
 }
 
 std::string description_of(const WalkRay& ray) {

@@ -25,7 +25,7 @@ void check_hierarchy(std::uint64_t primitives, double available) {
   if (primitives > max_hierarchy_primitives)
     fail(fmt::format("{} primitives are more than the {} that a hierarchy's nodes can be numbered for",
                      primitives, max_hierarchy_primitives));
-  const double needed = hierarchy_bytes_a_primitive * static_cast<double>(primitives);
+  const double needed = hierarchy_bytes_per_primitive * static_cast<double>(primitives);
   if (needed > available)
     fail(fmt::format("a hierarchy of {} primitives needs about {:.1f} GB to build, {:.1f} GB are free",
                      primitives, needed / 1e9, available / 1e9));
@@ -190,7 +190,7 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t fragments_a_task = 1 << 14;
+  static constexpr std::uint32_t fragments_per_task = 1 << 14;
 
   // Adds up what add(Result&, fragment) makes of each, in parallel for many; join(a, b) in any order.
   template <class Result, class Add, class Join>
@@ -200,12 +200,12 @@ private:
         add(sum, fragments_[i]);
     };
     Result sum{};
-    if (range.count <= fragments_a_task) {
+    if (range.count <= fragments_per_task) {
       added(range.first, range.first + range.count, sum);
       return sum;
     }
     return tbb::parallel_reduce(
-        tbb::blocked_range<std::uint32_t>(range.first, range.first + range.count, fragments_a_task), sum,
+        tbb::blocked_range<std::uint32_t>(range.first, range.first + range.count, fragments_per_task), sum,
         [&](const auto& part, Result so_far) {
           added(part.begin(), part.end(), so_far);
           return so_far;

@@ -1,4 +1,4 @@
-// A binary bounding volume hierarchy on the host, which one of eight boxes a node is made of (hierarchy.h).
+// A binary bounding volume hierarchy on the host, which one of eight boxes per node is made of (hierarchy.h).
 #pragma once
 
 #include "libscene/base/host_array.h"
@@ -67,7 +67,7 @@ template <class Stored>
 BinaryHierarchy binary_hierarchy(const SceneView<Stored>& scene, double margin,
                                  const std::function<void(double)>& progress);
 
-// About how many bytes a primitive the binary hierarchy takes, and what it is made into.
-inline constexpr double hierarchy_bytes_a_primitive = 300;
+// About how many bytes per primitive the binary hierarchy takes, and what it is made into.
+inline constexpr double hierarchy_bytes_per_primitive = 300;
 
 } // namespace masu

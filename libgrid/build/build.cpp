@@ -1,6 +1,6 @@
 #include "libgrid/build/build.h"
 
-#include "libgrid/build/passes/tbb_executor.h"
+#include "libgrid/build/passes/host_executor.h"
 #include "libgrid/build/passes/uniform_passes.h"
 #include "libscene/base/error.h"
 

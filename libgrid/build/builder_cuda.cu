@@ -5,30 +5,23 @@
 #include "libgrid/build/passes/merge_passes.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
-#include "libscene/cuda/transfer.h"
+#include "libscene/cuda/device_primitives.h"
 
 #include <future>
 
 namespace masu {
 namespace {
 
-// The primitives on the device.
+// A scene whose primitives are on the device, and nothing else of it.
 template <class Stored>
-struct DevicePrimitives {
-  DeviceArray<Triangle<Stored>> triangles;
-  DeviceArray<Sphere<Stored>> spheres;
-  DeviceArray<Cone<Stored>> cones;
+struct UploadedScene {
   SceneView<Stored> view;
+  Transfer upload;
+  DevicePrimitives<Stored> primitives;
 
-  DevicePrimitives(const SceneView<Stored>& host, cudaMemPool_t pool) : view(host) {
-    Transfer transfer(pool);
-    triangles = transfer.array(std::span(host.triangles, host.triangle_count));
-    spheres = transfer.array(std::span(host.spheres, host.sphere_count));
-    cones = transfer.array(std::span(host.cones, host.cone_count));
-    transfer.run();
-    view.triangles = triangles.data();
-    view.spheres = spheres.data();
-    view.cones = cones.data();
+  UploadedScene(const SceneView<Stored>& host, cudaMemPool_t pool)
+      : view(host), upload(pool), primitives(view, InHostMemory{}, upload) {
+    upload.run();
   }
 };
 
@@ -56,7 +49,7 @@ public:
       executor_ = std::make_unique<CudaExecutor>(*pool_);
       warm_up();
       seconds_.set_up = watch.seconds();
-      device_ = std::make_unique<DevicePrimitives<Stored>>(scene, *pool_);
+      device_ = std::make_unique<UploadedScene<Stored>>(scene, *pool_);
       seconds_.upload = watch.seconds() - seconds_.set_up;
     });
   }
@@ -87,10 +80,10 @@ private:
     SceneView<Stored> one{};
     one.triangles = &triangle;
     one.triangle_count = 1;
-    const DevicePrimitives<Stored> primitives(one, *pool_);
+    const UploadedScene<Stored> uploaded(one, *pool_);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
-    uniform_grid(*executor_, primitives.view, layout, Overlap::exact);
-    merged_grid(*executor_, primitives.view, layout, Overlap::exact, {GridKind::irregular});
+    uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
+    merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {GridKind::irregular});
     check(cudaDeviceSynchronize());
   }
 
@@ -118,7 +111,7 @@ private:
   SceneView<Stored> host_;
   int gpu_;
   std::unique_ptr<MemoryPool> pool_;
-  std::unique_ptr<DevicePrimitives<Stored>> device_;
+  std::unique_ptr<UploadedScene<Stored>> device_;
   std::unique_ptr<CudaExecutor> executor_;
   DeviceSeconds seconds_;
 };

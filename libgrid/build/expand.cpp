@@ -1,7 +1,7 @@
 // The expansion on the host's cores: the cells that expand_along (expand_passes.h) makes, in about two fifths
 // of its time.
 #include "libgrid/build/passes/expand_passes.h"
-#include "libgrid/build/passes/tbb_executor.h"
+#include "libgrid/build/passes/host_executor.h"
 
 #include <tbb/parallel_for.h>
 
@@ -29,7 +29,7 @@ struct Expansion {
 //
 // A face is moved by looking at its neighbours one after another, each found through the map: a chain of
 // loads, and branches that can't be predicted. So many faces advance side by side, each in a lane of its own,
-// a neighbour a step, and all decisions but the last are arithmetic.
+// a neighbour per step, and all decisions but the last are arithmetic.
 template <unsigned axis, unsigned side>
 class FaceLanes {
 public:
@@ -46,7 +46,7 @@ public:
       ++live_;
     while (live_ > 0) {
       find_neighbours();
-      judge_neighbours();
+      test_neighbours();
     }
   }
 
@@ -129,7 +129,7 @@ private:
 
   // Goes on along u to where the neighbour ends, or along v to where the first of this row's neighbours ends.
   // A lane comes to an end at the face's end, at what is in the way, or after very many neighbours.
-  void judge_neighbours() {
+  void test_neighbours() {
     std::uint32_t signature[lanes], ended[lanes], ending[lanes];
     std::int32_t bound[lanes], u_own[lanes], v_own[lanes];
     for (unsigned l = 0; l < lanes; ++l) {
@@ -148,14 +148,15 @@ private:
       i_[l] = row_ends ? u_first_[l] : u_own[l];
       j_[l] = row_ends && !face_ends ? next_j : j_[l];
       next_j_[l] = row_ends ? v_end_[l] : next_j;
-      ended[l] = (in_the_way ? blocked : 0U) | (face_ends ? moved : 0U) | (signature[l] != 0 ? doubted : 0U);
+      ended[l] =
+          (in_the_way ? blocked : 0U) | (face_ends ? moved : 0U) | (signature[l] != 0 ? uncertain : 0U);
     }
     unsigned count = 0;
     for (unsigned l = 0; l < live_; ++l) {
       ending[count] = l;
       count += ended[l] != 0 ? 1 : 0;
     }
-    // From the last lane on, so that what moves into another's place has been judged.
+    // From the last lane on, so that what moves into another's place has been tested.
     while (count > 0) {
       const unsigned l = ending[--count];
       if (!ends(l, ended[l])) continue;
@@ -163,14 +164,13 @@ private:
     }
   }
 
-  // Why a lane is looked at: `doubted` that the neighbour lists nothing else, since signatures only say so
-  // where it does.
-  static constexpr std::uint32_t blocked = 1, moved = 2, doubted = 4;
+  // Why a lane is looked at. uncertain: the signatures don't say whether the neighbour lists something else.
+  static constexpr std::uint32_t blocked = 1, moved = 2, uncertain = 4;
 
   bool ends(unsigned l, std::uint32_t why) {
     MergedCell& cell = s_.cells[cell_[l]];
-    if ((why & blocked) != 0 ||
-        ((why & doubted) != 0 && !lists_all(s_.view.references, cell.list, s_.before[neighbour_[l]].list))) {
+    if ((why & blocked) != 0 || ((why & uncertain) != 0 &&
+                                 !lists_all(s_.view.references, cell.list, s_.before[neighbour_[l]].list))) {
       block(cell_[l]);
       return true;
     }
@@ -201,8 +201,8 @@ private:
 
 template <class Act>
 void for_all_cells(std::uint64_t count, const Act& act) {
-  constexpr std::size_t cells_a_task = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, cells_a_task),
+  constexpr std::size_t cells_per_task = 4096;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, cells_per_task),
                     [&](const auto& range) { act(range.begin(), range.end()); });
 }
 

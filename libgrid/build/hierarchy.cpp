@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace masu {
 namespace {
@@ -20,8 +19,8 @@ constexpr float test_cost = 0.3F;
 // The least costs, in areas, of a binary node's contents in up to so many boxes of a wide node; and how many
 // of them go to its left: 0 where fewer boxes cost no more.
 struct Collapse {
-  float cost[boxes_a_node]; // [i]: in up to i boxes, from 1 on
-  std::uint8_t left[boxes_a_node + 1];
+  float cost[boxes_per_node]; // [i]: in up to i boxes, from 1 on
+  std::uint8_t left[boxes_per_node + 1];
   bool is_leaf; // in one box: its references, not a node
 };
 
@@ -30,18 +29,17 @@ public:
   explicit Collapser(const BinaryHierarchy& binary)
       : fragments_(binary.fragments), nodes_(binary.nodes), best_(nodes_.size()) {}
 
-  Hierarchy collapse() {
-    Hierarchy hierarchy;
+  // Writes nodes and references.
+  void collapse_to(Grid& hierarchy) {
     hierarchy.nodes.resize(1, {});
-    if (nodes_.empty()) return hierarchy;
+    if (nodes_.empty()) return;
     find_best(0);
     write(hierarchy, 0, 0);
-    return hierarchy;
   }
 
 private:
   struct Boxes {
-    std::array<std::uint32_t, boxes_a_node> nodes{};
+    std::array<std::uint32_t, boxes_per_node> nodes{};
     int count = 0;
     void add(std::uint32_t node) { nodes[static_cast<unsigned>(count++)] = node; }
   };
@@ -51,10 +49,10 @@ private:
     Collapse& best = best_[number];
     const float area = node.box.area();
     const float as_leaf =
-        node.count <= max_references_a_box ? area * static_cast<float>(node.count) * test_cost : INFINITY;
+        node.count <= max_references_per_box ? area * static_cast<float>(node.count) * test_cost : INFINITY;
     best = {};
     if (node.left == 0) {
-      std::fill_n(best.cost, boxes_a_node, as_leaf);
+      std::fill_n(best.cost, boxes_per_node, as_leaf);
       best.is_leaf = true;
       return;
     }
@@ -67,8 +65,8 @@ private:
       find_right();
     }
     const Collapse &left = best_[node.left], &right = best_[node.left + 1];
-    float distributed[boxes_a_node + 1];
-    for (int boxes = 2; boxes <= boxes_a_node; ++boxes) {
+    float distributed[boxes_per_node + 1];
+    for (int boxes = 2; boxes <= boxes_per_node; ++boxes) {
       distributed[boxes] = INFINITY; // which the costs of vast boxes may add up to, too
       best.left[boxes] = 1;
       for (int to_left = 1; to_left < boxes; ++to_left) {
@@ -79,10 +77,10 @@ private:
         }
       }
     }
-    const float as_node = distributed[boxes_a_node] + area;
+    const float as_node = distributed[boxes_per_node] + area;
     best.is_leaf = as_leaf <= as_node;
     best.cost[1] = std::min(as_leaf, as_node);
-    for (int boxes = 2; boxes < boxes_a_node; ++boxes) {
+    for (int boxes = 2; boxes < boxes_per_node; ++boxes) {
       const bool pays = distributed[boxes] < best.cost[boxes - 1];
       best.cost[boxes] = pays ? distributed[boxes] : best.cost[boxes - 1];
       if (!pays) best.left[boxes] = 0;
@@ -102,7 +100,7 @@ private:
     place(node.left + 1, boxes - to_left);
   }
 
-  void list(Hierarchy& hierarchy, std::uint32_t number) const {
+  void list(Grid& hierarchy, std::uint32_t number) const {
     const BinaryNode& node = nodes_[number];
     if (node.left == 0) return hierarchy.references.push_back(fragments_[node.first].primitive());
     list(hierarchy, node.left);
@@ -115,11 +113,11 @@ private:
   // Larger by this many units than what they hold: hierarchy_walk.h says why.
   static constexpr double slack = 1.0 / 64;
 
-  void write(Hierarchy& hierarchy, std::size_t place, std::uint32_t number) {
+  void write(Grid& hierarchy, std::size_t place, std::uint32_t number) {
     Boxes boxes;
     // A root that is a leaf is a node of one box.
     const bool leaf = best_[number].is_leaf;
-    leaf ? boxes.add(number) : gather(number, boxes_a_node, boxes);
+    leaf ? boxes.add(number) : gather(number, boxes_per_node, boxes);
     const LaneBox& around = nodes_[number].box;
     HierarchyNode node{};
     double unit[3];
@@ -171,27 +169,17 @@ private:
 } // namespace
 
 template <class Stored>
-Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
-                          const std::function<void(double)>& progress) {
-  check_hierarchy(scene.primitive_count(), available_memory());
-  const BinaryHierarchy binary = binary_hierarchy(scene, margin, progress);
-  return Collapser(binary).collapse();
-}
-template Hierarchy build_hierarchy(const SceneView<float>&, double, const std::function<void(double)>&);
-template Hierarchy build_hierarchy(const SceneView<double>&, double, const std::function<void(double)>&);
-
-template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
                     const std::function<void(double)>& progress) {
   if (!fits_hierarchy(layout.space))
     throw Error(ErrorCode::usage, "structure",
                 "a hierarchy holds coordinates up to 1e15: build a grid of voxels");
-  Hierarchy hierarchy = build_hierarchy(scene, layout.margin, progress);
+  check_hierarchy(scene.primitive_count(), available_memory());
   Grid grid;
   grid.layout = {layout.space, {1, 1, 1}, layout.margin};
   grid.kind = GridKind::hierarchy;
-  grid.references = std::move(hierarchy.references);
-  grid.nodes = std::move(hierarchy.nodes);
+  const BinaryHierarchy binary = binary_hierarchy(scene, layout.margin, progress);
+  Collapser(binary).collapse_to(grid);
   return grid;
 }
 template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, const std::function<void(double)>&);

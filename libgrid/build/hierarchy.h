@@ -8,11 +8,6 @@
 
 namespace masu {
 
-struct Hierarchy {
-  HostArray<HierarchyNode> nodes; // the root first; depth first, a node's nodes side by side
-  HostArray<PrimitiveIndex> references;
-};
-
 // The most primitives of a hierarchy: with what is divided, fragments and nodes can still be numbered.
 inline constexpr double spare_fragments = 0.3; // a primitive, for what is divided
 inline constexpr auto max_hierarchy_primitives =
@@ -21,24 +16,19 @@ inline constexpr auto max_hierarchy_primitives =
 // Throws Error(usage, "structure", …) for more, and where so many take more than `available` bytes of memory.
 void check_hierarchy(std::uint64_t primitives, double available);
 
-// First a binary hierarchy from the top down, by the surface area heuristic over bins (Wald, "On Fast
-// Construction of SAH-based Bounding Volume Hierarchies", RT 2007); then the cheapest nodes of eight boxes
-// that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017). The same for any
-// number of threads. Boxes contain `margin` around each primitive. `progress` gets shares of the work, from
-// any thread. Throws Error(usage, "structure", …) for more primitives than nodes can be numbered for, or than
-// there is memory for.
-template <class Stored>
-Hierarchy build_hierarchy(const SceneView<Stored>& scene, double margin,
-                          const std::function<void(double)>& progress = {});
-
 // Whether a hierarchy's float32 boxes, and sums of their areas, hold what is in this space.
 inline bool fits_hierarchy(const Boxd& space) {
   constexpr double reach = 1e15; // as of scenes in float32
   return largest_magnitude(space) <= reach;
 }
 
-// The same as a grid: of the layout's space and margin, in one voxel. Throws Error(usage, "structure", …) for
-// a scene that reaches farther than float32 does.
+// First a binary hierarchy from the top down, by the surface area heuristic over bins (Wald, "On Fast
+// Construction of SAH-based Bounding Volume Hierarchies", RT 2007); then the cheapest nodes of eight boxes
+// that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017). The same for any
+// number of threads. As a grid it is of the layout's space, in one voxel; boxes contain the layout's margin
+// around each primitive. The root comes first, then depth first, a node's nodes side by side. `progress` gets
+// shares of the work, from any thread. Throws Error(usage, "structure", …) for more primitives than nodes can
+// be numbered for, or than there is memory for, and for a scene that reaches farther than float32 does.
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
                     const std::function<void(double)>& progress = {});

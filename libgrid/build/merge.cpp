@@ -1,8 +1,7 @@
 #include "libgrid/build/merge.h"
 
+#include "libgrid/build/passes/host_executor.h"
 #include "libgrid/build/passes/merge_passes.h"
-#include "libgrid/build/passes/serial_executor.h"
-#include "libgrid/build/passes/tbb_executor.h"
 
 #include <algorithm>
 #include <atomic>

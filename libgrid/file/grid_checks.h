@@ -174,7 +174,7 @@ MASU_HD inline bool holds_references(std::uint32_t held, std::uint64_t first_ref
                                      std::uint64_t references) {
   if (held == 0) return true;
   const std::uint32_t unary = held >> 5, end = references_begin(held) + references_in(held);
-  return (unary == 1 || unary == 3 || unary == 7) && end <= max_references_a_node &&
+  return (unary == 1 || unary == 3 || unary == 7) && end <= max_references_per_node &&
          first_reference + end <= references;
 }
 
@@ -183,7 +183,7 @@ MASU_HD inline bool holds_references(std::uint32_t held, std::uint64_t first_ref
 MASU_HD inline bool is_good_node(const HierarchyNode& node, std::uint64_t references) {
   for (const float origin : node.origin)
     if (!(origin - origin == 0)) return false; // not finite
-  for (int slot = 0; slot < boxes_a_node; ++slot) {
+  for (int slot = 0; slot < boxes_per_node; ++slot) {
     const std::uint32_t held = slot_byte(node.slots, slot);
     const bool is_node = (node_slots(node) >> slot & 1) != 0;
     if (is_node ? held != (node_slot | static_cast<std::uint32_t>(slot))

@@ -21,10 +21,8 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridProvenance& pro
   const auto rule = builder.CreateString(provenance.division_rule);
   const auto merge_rule = builder.CreateString(provenance.merge_rule);
   const fb::Hash geometry_hash(provenance.geometry_hash.low, provenance.geometry_hash.high);
-  const Boxd& s = grid.layout.space;
-  const fb::Box space({s.min.x, s.min.y, s.min.z}, {s.max.x, s.max.y, s.max.z});
-  const Vec3d& at = provenance.origin;
-  const fb::Vec3 origin(at.x, at.y, at.z);
+  const fb::Box space = table_box(grid.layout.space);
+  const fb::Vec3 origin = table_vector(provenance.origin);
   const Vec3<std::uint32_t> n = cast<std::uint32_t>(grid.layout.division);
   const fb::Division division(n.x, n.y, n.z);
   builder.Finish(fb::CreateGrid(builder, &geometry_hash, provenance.primitives, &space, grid.layout.margin,
@@ -33,17 +31,13 @@ std::vector<std::uint8_t> grid_table(const Grid& grid, const GridProvenance& pro
                                 provenance.space_rule == SpaceRule::cube ? fb::Space::cube : fb::Space::tight,
                                 provenance.overlap == Overlap::exact ? fb::Overlap::exact : fb::Overlap::box,
                                 static_cast<fb::Merge>(grid.kind), rule, merge_rule, provenance.build_seconds,
-                                sections, at == Vec3d{0, 0, 0} ? nullptr : &origin));
+                                sections, provenance.origin == Vec3d{0, 0, 0} ? nullptr : &origin));
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
-Vec3d vector_of(const fb::Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 // A space that can be divided: finite, and with sides whose inverses are.
-bool is_divisible(const fb::Box& space) {
-  const Vec3d low = vector_of(space.min()), high = vector_of(space.max());
+bool is_divisible(const Boxd& space) {
+  const Vec3d &low = space.min, &high = space.max;
   for (int axis = 0; axis < 3; ++axis) {
     if (!(std::isfinite(low[axis]) && std::isfinite(high[axis]) && high[axis] - low[axis] >= 1e-300 &&
           high[axis] - low[axis] <= 1e300))
@@ -93,11 +87,8 @@ void write_grid(const Grid& grid, const GridProvenance& provenance, const std::s
                   section_layout);
 }
 
-GridFile::GridFile(const std::string& path, Residence residence) : GridFile(path, residence, Stopwatch()) {}
-
-GridFile::GridFile(const std::string& path, Residence residence, const Stopwatch& watch)
+GridFile::GridFile(const std::string& path, Residence residence)
     : container_(path, grid_file_kind, residence) {
-  seconds_.map = watch.seconds();
   const auto bytes = container_.table();
   flatbuffers::Verifier verifier(bytes.data(), bytes.size());
   check(fb::VerifyGridBuffer(verifier), "its table is damaged");
@@ -105,7 +96,7 @@ GridFile::GridFile(const std::string& path, Residence residence, const Stopwatch
   const auto axis_good = [](std::uint32_t voxels) { return voxels >= 1 && voxels <= largest_division; };
   const fb::Division& n = *table_->division();
   check(axis_good(n.x()) && axis_good(n.y()) && axis_good(n.z()), "its division is impossible");
-  check(is_divisible(*table_->space()), "its space is impossible");
+  check(is_divisible(box_of(*table_->space())), "its space is impossible");
   check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
   check(table_->block_log2() <= 5, "its blocks are impossible");
   check(is_aligned(sections()), "its table is damaged");
@@ -115,7 +106,7 @@ GridFile::GridFile(const std::string& path, Residence residence, const Stopwatch
     const char* const fault = fault_of(HostChecker{}, records());
     check(fault == nullptr, fault);
   }
-  seconds_.validate = watch.seconds() - seconds_.map;
+  container_.set_validated();
 }
 
 void GridFile::check(bool good, const char* what) const {
@@ -153,8 +144,7 @@ Vec3d GridFile::origin() const {
 
 GridLayout GridFile::layout() const {
   const fb::Division& n = *table_->division();
-  return {{vector_of(table_->space()->min()), vector_of(table_->space()->max())},
-          cast<std::int32_t>(Vec3<std::uint32_t>{n.x(), n.y(), n.z()}),
+  return {box_of(*table_->space()), cast<std::int32_t>(Vec3<std::uint32_t>{n.x(), n.y(), n.z()}),
           table_->margin()};
 }
 
@@ -198,8 +188,7 @@ std::span<const HierarchyNode> GridFile::nodes() const {
 }
 
 void GridFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const {
-  const fb::Hash& built_from = *table_->geometry_hash();
-  if (Hash{built_from.low(), built_from.high()} != geometry_hash || table_->primitives() != primitives)
+  if (hash_of(*table_->geometry_hash()) != geometry_hash || table_->primitives() != primitives)
     throw Error(ErrorCode::input, path(), "was built from another geometry: build it again with gridbuild");
 }
 

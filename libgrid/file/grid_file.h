@@ -4,7 +4,6 @@
 #include "libgrid/build/build.h"
 #include "libgrid/build/division.h"
 #include "libgrid/file/grid_checks.h"
-#include "libscene/base/stopwatch.h"
 #include "libscene/file/container.h"
 #include "schemas/grid_generated.h"
 
@@ -44,7 +43,7 @@ public:
   const std::string& path() const { return container_.path(); }
   std::uint64_t bytes() const { return container_.bytes(); }
   Residence residence() const { return container_.residence(); }
-  const LoadSeconds& load_seconds() const { return seconds_; }
+  const LoadSeconds& load_seconds() const { return container_.load_seconds(); }
   // Of the scene that it was built from: the point in the world that all places are relative to.
   Vec3d origin() const;
   GridLayout layout() const;
@@ -76,14 +75,12 @@ public:
   }
 
 private:
-  GridFile(const std::string& path, Residence residence, const Stopwatch& watch);
   void check(bool good, const char* what) const;
   void check_sizes() const;
   std::span<const fb::Section> sections() const;
 
   ContainerFile container_;
   const fb::Grid* table_;
-  LoadSeconds seconds_;
 };
 
 // Of a grid in memory.

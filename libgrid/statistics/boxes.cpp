@@ -40,7 +40,7 @@ void for_each_box(const GridFile& file, const BoxFilter& filter,
       const Boxd box = in_world(file.origin(), box_of(nodes[found.node], found.slot));
       if (filter.within && !touch(box, *filter.within)) return;
       const std::uint64_t number =
-          std::uint64_t{found.node} * boxes_a_node + static_cast<unsigned>(found.slot);
+          std::uint64_t{found.node} * boxes_per_node + static_cast<unsigned>(found.slot);
       act({number, box, box, found.references, 0, found.depth});
     });
   }

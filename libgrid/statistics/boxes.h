@@ -9,7 +9,7 @@
 namespace masu {
 
 struct StructureBox {
-  // Of a cell as in GridCell; of a hierarchy's box boxes_a_node times its node's index, and its slot.
+  // Of a cell as in GridCell; of a hierarchy's box boxes_per_node times its node's index, and its slot.
   std::uint64_t number;
   Boxd box, expanded;       // expanded: as in GridCell; of a hierarchy the same
   std::uint32_t references; // of a box around a node 0

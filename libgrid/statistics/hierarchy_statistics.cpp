@@ -25,7 +25,7 @@ double area_around(const HierarchyNode& node) {
   HierarchyNode around = node;
   for (int axis = 0; axis < 3; ++axis) {
     std::uint32_t low = 255, high = 0;
-    for (int slot = 0; slot < boxes_a_node; ++slot) {
+    for (int slot = 0; slot < boxes_per_node; ++slot) {
       if (slot_byte(node.slots, slot) == 0) continue;
       low = std::min(low, slot_byte(node.low[axis], slot));
       high = std::max(high, slot_byte(node.high[axis], slot));
@@ -45,7 +45,7 @@ void for_each_box(std::span<const HierarchyNode> nodes, const std::function<void
     const auto held = static_cast<std::uint64_t>(std::popcount(node_slots(node)));
     for (std::uint64_t child = 0; child < held; ++child)
       depths[node.first_node + child] = static_cast<std::uint8_t>(depths[i] + 1);
-    for (int slot = 0; slot < boxes_a_node; ++slot) {
+    for (int slot = 0; slot < boxes_per_node; ++slot) {
       const std::uint32_t byte = slot_byte(node.slots, slot);
       if (byte == 0) continue;
       const bool is_node = (node_slots(node) >> slot & 1) != 0;
@@ -77,11 +77,11 @@ HierarchyStatistics hierarchy_statistics(std::span<const HierarchyNode> nodes) {
     count(found.boxes_by_references, box.references);
     count(found.boxes_by_depth, static_cast<std::size_t>(box.depth));
   });
-  found.boxes_a_node =
+  found.boxes_per_node =
       static_cast<double>(found.node_boxes + found.reference_boxes) / static_cast<double>(nodes.size());
   if (root > 0) {
-    found.nodes_a_ray = 1 + visited / root;
-    found.tests_a_ray = tested / root;
+    found.nodes_per_ray = 1 + visited / root;
+    found.tests_per_ray = tested / root;
   }
   return found;
 }

@@ -36,10 +36,6 @@ void describe(GridStatistics& statistics) {
   statistics.max = histogram.size() - 1;
 }
 
-} // namespace
-
-namespace {
-
 void add_cell(GridStatistics& statistics, std::uint32_t references) {
   if (references >= statistics.histogram.size()) statistics.histogram.resize(references + std::size_t{1}, 0);
   ++statistics.histogram[references];

@@ -1,4 +1,4 @@
-// What a grid holds, in numbers; and the founding study's occupancy.
+// What a grid holds, in numbers; and the occupancy of the 2012 thesis (docs/algorithm.md).
 #pragma once
 
 #include "libgrid/build/division.h"
@@ -48,7 +48,7 @@ template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);
 
 // The same for bounding boxes and voxels without their upper faces: what lies on a face is in the voxel above
-// it alone. No grid is built so, since rays on such faces could miss; the study seems to have counted so.
+// it alone. No grid is built so, since rays on such faces could miss; the thesis seems to have counted so.
 template <class Stored>
 std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const GridLayout& layout);
 

@@ -4,18 +4,18 @@
 // holds. What it holds is a list: references[list] and those after it, in rising order of primitives, up to
 // the one with last_bit.
 //
-// A uniform grid's voxel is a cell of its own. Its map has a 32-bit word a voxel, x fastest:
+// A uniform grid's voxel is a cell of its own. Its map has a 32-bit word per voxel, x fastest:
 //
 //   bit 31 set    occupied: the other bits are its list
 //   0             empty
 //
-// Large maps have two levels: one word for each block of 2^block_log2 voxels a side (the last block of a row
-// may reach beyond the space), its other bits the number of the block's own map, 8^block_log2 words further
-// back, x fastest; an empty block has no map of its own. Small maps have block_log2 = 0: the blocks are the
-// voxels.
+// Large maps have two levels: one word for each block of 2^block_log2 voxels per side (the last block of a
+// row may reach beyond the space), its other bits the number of the block's own map, 8^block_log2 words
+// further back, x fastest; an empty block has no map of its own. Small maps have block_log2 = 0: the blocks
+// are the voxels.
 //
 // A merged grid's cell is a box of voxels; its map leads from a voxel to its cell in one to a few words. The
-// top level has a word for each cube of 2^nested_log2 voxels a side:
+// top level has a word for each cube of 2^nested_log2 voxels per side:
 //
 //   bit 31 set    all of the cube is in one cell: the other bits are its number
 //   bit 31 clear  divided: bits 0-1, 2-3 and 4-5 are the logarithms a, b and c of how often along x, y, z;
@@ -86,7 +86,7 @@ MASU_HD inline std::uint64_t linear_index(const Vec3i& at, const Vec3i& size) {
          static_cast<std::uint32_t>(at.x);
 }
 
-// The place of a cube within what it's a part of, 2^side_log2 cubes a side; other bits don't matter.
+// The index of a cube in what it's a part of, 2^side_log2 cubes per side; other bits don't matter.
 MASU_HD inline std::uint32_t index_in_block(const Vec3i& cube, int side_log2) {
   const std::int32_t mask = (1 << side_log2) - 1;
   return static_cast<std::uint32_t>((((cube.z & mask) << side_log2 | (cube.y & mask)) << side_log2) |
@@ -148,7 +148,7 @@ MASU_HD inline std::uint32_t cell_number(const MergedGridView<Real>& grid, const
   const Vec3i top = shifted(voxel, grid.nested_log2);
   std::uint32_t word =
       grid.voxel_map[static_cast<std::uint32_t>((top.z * grid.top.y + top.y) * grid.top.x + top.x)];
-  // What the map has not asked for yet of the voxel's place in the cube, from the highest bit on.
+  // The bits of the voxel's position in the cube that are still to be used, from the highest on.
   std::uint32_t x = moved_to_top(voxel.x, grid.nested_log2), y = moved_to_top(voxel.y, grid.nested_log2),
                 z = moved_to_top(voxel.z, grid.nested_log2);
   while ((word & occupied_bit) == 0) {

@@ -2,7 +2,7 @@
 // by value.
 //
 // It is the other way to hold a scene's references: where a grid divides space, and a ray steps through what
-// is empty, a hierarchy bounds what is there. Nodes hold up to eight boxes, compressed to 8 bits a plane,
+// is empty, a hierarchy bounds what is there. Nodes hold up to eight boxes, compressed to 8 bits per plane,
 // after Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
 // HPG 2017.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace masu {
 
-// Boxes are in units of `exponent`'s power of two an axis, counted from `origin`. A slot of a node holds one
+// Boxes are in units of `exponent`'s power of two per axis, counted from `origin`. A slot of a node holds one
 // of the boxes, and what is in it:
 //
 //   0                   nothing
@@ -24,16 +24,16 @@ namespace masu {
 //                       on
 struct alignas(16) HierarchyNode {
   float origin[3];
-  std::uint32_t exponents; // 8 bits an axis, biased as a float's; then a bit for each slot that holds a node
+  std::uint32_t exponents; // 8 bits per axis, biased as a float's; then a bit for each slot that holds a node
   std::uint32_t first_node, first_reference;
-  std::uint32_t slots[2];  // 8 bits a slot
-  std::uint32_t low[3][2]; // 8 bits a slot: the planes of the boxes, x, y, z
+  std::uint32_t slots[2];  // 8 bits per slot
+  std::uint32_t low[3][2]; // 8 bits per slot: the planes of the boxes, x, y, z
   std::uint32_t high[3][2];
 };
 static_assert(sizeof(HierarchyNode) == 80);
 
-inline constexpr int boxes_a_node = 8;
-inline constexpr unsigned max_references_a_box = 3, max_references_a_node = 24;
+inline constexpr int boxes_per_node = 8;
+inline constexpr unsigned max_references_per_box = 3, max_references_per_node = 24;
 inline constexpr std::uint32_t node_slot = 0x38; // with the slot's number
 
 // Nodes on the way from the root to a box, at most.

@@ -177,7 +177,7 @@ MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& o
                                         _mm256_max_ps(t(near_z, z), _mm256_setzero_ps())),
                  leaves = _mm256_min_ps(_mm256_min_ps(t(far_x, x), t(far_y, y)),
                                         _mm256_min_ps(t(far_z, z), _mm256_set1_ps(t_max)));
-    alignas(32) float enter[boxes_a_node];
+    alignas(32) float enter[boxes_per_node];
     _mm256_store_ps(enter, enters);
     for (auto hit = static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(enters, leaves, _CMP_LE_OQ)));
          hit != 0; hit &= hit - 1) {
@@ -191,7 +191,7 @@ MASU_HD inline MetBoxes boxes_met(const HierarchyNode& node, const Vec3<Real>& o
     return fma(static_cast<Real>(float_of(plane_offset_bits | slot_byte(planes, slot) << 8)), axis.scale,
                axis.start);
   };
-  for (int slot = 0; slot < boxes_a_node; ++slot) {
+  for (int slot = 0; slot < boxes_per_node; ++slot) {
     const Real enter = fast_max(fast_max(t(near_x, slot, x), t(near_y, slot, y)),
                                 fast_max(t(near_z, slot, z), Real(0))),
                leave = fast_min(fast_min(t(far_x, slot, x), t(far_y, slot, y)),

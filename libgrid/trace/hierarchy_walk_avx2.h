@@ -38,7 +38,7 @@ struct BoxRay {
   }
 };
 
-// The boxes of a node that a ray meets: all bits of their slots' lanes, a bit a slot; and where it enters
+// The boxes of a node that a ray meets: all bits of their slots' lanes, a bit per slot; and where it enters
 // them.
 struct BoxesMet {
   __m256 lanes, enter;
@@ -199,7 +199,7 @@ MASU_ALWAYS_INLINE void meet_triangles(const Triangle<float>* triangles, const W
 }
 
 // Room for what a walk has ahead. Apart from it, since where many are made it isn't to be cleared.
-inline constexpr int max_nodes_ahead = (boxes_a_node - 1) * max_hierarchy_depth;
+inline constexpr int max_nodes_ahead = (boxes_per_node - 1) * max_hierarchy_depth;
 using NodesAhead = NodeAhead[max_nodes_ahead];
 
 // A walk under way. The tests of a node's references come with the next step, and what either needs is
@@ -252,7 +252,7 @@ private:
     if (others == 0) // its bit is the only one: no need to know where the ray enters it
       return node_ahead(0,
                         node.first_node + static_cast<std::uint32_t>(std::popcount(siblings & (slots - 1))));
-    alignas(32) float enter[boxes_a_node];
+    alignas(32) float enter[boxes_per_node];
     _mm256_store_ps(enter, enters);
     const auto take = [&]() __attribute__((always_inline)) {
       const int slot = std::countr_zero(slots);
@@ -262,7 +262,7 @@ private:
     };
     NodeAhead nearest = take();
     // There is room, but while a mapped file changes: then results are thrown away.
-    if (end_ - begin_ > max_nodes_ahead - (boxes_a_node - 1)) [[unlikely]]
+    if (end_ - begin_ > max_nodes_ahead - (boxes_per_node - 1)) [[unlikely]]
       end_ = begin_;
     NodeAhead* const begin = end_;
     while (slots != 0) {

@@ -133,8 +133,8 @@ struct Walk {
   }
 
 private:
-  // Across the far plane; or as far as the ray has moved on within the cell, held there and never behind the
-  // voxel it came from, so that every walk ends.
+  // Across the far plane; or as far as the ray has moved on within the cell, clamped to it and never behind
+  // the voxel it came from, so that every walk ends.
   MASU_HD std::int32_t next_along(const WalkAxis<Real>& axis, std::int32_t far, bool crosses) const {
     const std::int32_t beyond = axis.along(far) - axis.reversed; // of the plane: its two voxels are 1 apart
     if (cell.one_voxel) return crosses ? beyond : axis.at;

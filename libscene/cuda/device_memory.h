@@ -1,4 +1,4 @@
-// RAII over the CUDA runtime: checked calls, device arrays, pinned memory, a timer.
+// RAII over the CUDA runtime: checked calls, launches, device arrays, pinned memory, a timer.
 #pragma once
 
 #include "libscene/base/error.h"
@@ -76,6 +76,27 @@ void launch(void (*kernel)(Parameters...), dim3 blocks, dim3 threads, cudaStream
   config.blockDim = threads;
   config.stream = stream;
   check(cudaLaunchKernelEx(&config, kernel, std::forward<Arguments>(arguments)...));
+}
+
+inline unsigned blocks_of(unsigned threads, std::uint64_t items) {
+  return static_cast<unsigned>((items + threads - 1) / threads);
+}
+
+namespace kernels {
+
+template <class Act>
+__global__ void each(std::uint64_t count, const __grid_constant__ Act act) {
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
+  if (i < count) act(i);
+}
+
+} // namespace kernels
+
+// Puts act(0) … act(count - 1) on a stream, a thread each.
+template <class Act>
+void for_each_on_device(std::uint64_t count, cudaStream_t stream, const Act& act) {
+  constexpr unsigned threads = 256;
+  if (count > 0) launch(kernels::each<Act>, blocks_of(threads, count), threads, stream, count, act);
 }
 
 // A stream that doesn't wait for the default one.

@@ -34,13 +34,6 @@ public:
     if (room > 0) check(cudaMemsetAsync(device.data() + count, 0, room * sizeof(T), nullptr));
     return device;
   }
-  // Allocates a device array and adds its upload.
-  template <class T>
-  DeviceArray<T> array(std::span<const T> host) {
-    DeviceArray<T> device = room_for<T>(host.size());
-    to_device(device.data(), host.data(), host.size_bytes());
-    return device;
-  }
   // Makes the copies, and checks the hashes of sections. Throws Error(device), and Error(input) as
   // SectionReader has it.
   void run();

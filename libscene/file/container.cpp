@@ -191,12 +191,12 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Resi
     file_.check_unchanged();
     throw_damaged(path, fmt::format("the {} file's table is damaged (its hash is wrong)", kind.name));
   }
+  seconds_.map = watch_.seconds();
 }
 
 SectionReader::SectionReader(const InputFile& file, std::uint64_t offset, const fb::Section& section)
-    : file_(&file), offset_(offset + section.offset()),
-      bytes_(section_size(section)), expected_{section.hash().low(), section.hash().high()},
-      hashes_((bytes_ + piece_bytes - 1) / piece_bytes) {}
+    : file_(&file), offset_(offset + section.offset()), bytes_(section_size(section)),
+      expected_(hash_of(section.hash())), hashes_((bytes_ + piece_bytes - 1) / piece_bytes) {}
 
 void SectionReader::read_piece(std::uint64_t i, std::size_t part_bytes, const Part& part) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
@@ -265,7 +265,7 @@ void ContainerFile::read_sections(std::span<const fb::Section> sections) {
     hashes.push_back(read_section(section));
   file_.check_unchanged();
   for (std::size_t i = 0; i < sections.size(); ++i)
-    check(hashes[i] == Hash{sections[i].hash().low(), sections[i].hash().high()}, damaged_section);
+    check(hashes[i] == hash_of(sections[i].hash()), damaged_section);
 }
 
 const fb::Section* ContainerFile::section_of(std::span<const fb::Section> sections, std::uint32_t kind,

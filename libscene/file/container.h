@@ -12,8 +12,10 @@
 // hash of the hashes of its 4 MiB pieces, which are computed in parallel.
 #pragma once
 
+#include "libscene/base/stopwatch.h"
 #include "libscene/file/file_mapping.h"
 #include "libscene/file/input_file.h"
+#include "libscene/geometry/box.h"
 #include "schemas/section_generated.h"
 
 #include <algorithm>
@@ -111,6 +113,23 @@ struct LoadSeconds {
   double map = 0, validate = 0;
 };
 
+// Vectors and boxes as tables have them.
+inline Vec3d vector_of(const fb::Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+inline fb::Vec3 table_vector(const Vec3d& v) {
+  return {v.x, v.y, v.z};
+}
+inline Boxd box_of(const fb::Box& box) {
+  return {vector_of(box.min()), vector_of(box.max())};
+}
+inline fb::Box table_box(const Boxd& box) {
+  return {table_vector(box.min), table_vector(box.max)};
+}
+inline Hash hash_of(const fb::Hash& hash) {
+  return {hash.low(), hash.high()};
+}
+
 // Reads a section that is still in its file for a copy elsewhere, and hashes what it reads.
 class SectionReader {
 public:
@@ -150,6 +169,7 @@ public:
   const std::string& path() const { return file_.path(); }
   std::uint64_t bytes() const { return file_.size(); }
   Residence residence() const { return residence_; }
+  const LoadSeconds& load_seconds() const { return seconds_; }
 
   // Checks the sections' order, bounds and alignment and what is between them; then, unless they stay in the
   // file, brings them where they are wanted and checks their hashes (in parallel, while they are read).
@@ -175,6 +195,8 @@ public:
   SectionReader reader(std::span<const fb::Section> sections, std::uint32_t kind) const {
     return {file_, prelude().body_offset, *section_of(sections, kind, sizeof(T))};
   }
+  // When all is checked.
+  void set_validated() { seconds_.validate = watch_.seconds() - seconds_.map; }
   // Throws Error(input, path, …) where the sections are mapped and the file was written since it was opened.
   void check_unchanged() const {
     if (residence_ == Residence::mapping) file_.check_unchanged();
@@ -187,6 +209,8 @@ private:
   const fb::Section* section_of(std::span<const fb::Section> sections, std::uint32_t kind,
                                 std::size_t record_bytes) const;
 
+  Stopwatch watch_; // since it was opened
+  LoadSeconds seconds_;
   InputFile file_;
   Residence residence_;
   PrivateMemory head_;                 // prelude and table

@@ -1,6 +1,13 @@
 // An anonymous file in memory (memfd), removed with its object.
 #pragma once
 
+#include "libscene/base/error.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <string>
 
 namespace masu {
@@ -8,8 +15,11 @@ namespace masu {
 class MemoryFile {
 public:
   // Throws Error(output) when the system can't create one.
-  MemoryFile();
-  ~MemoryFile();
+  MemoryFile() : file_(memfd_create("masu", MFD_CLOEXEC)) {
+    if (file_ < 0)
+      throw Error(ErrorCode::output, "memory", std::string("can't be created: ") + std::strerror(errno));
+  }
+  ~MemoryFile() { close(file_); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile(MemoryFile&&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;

@@ -69,6 +69,11 @@ bool is_standard_output(std::string_view path);
 // Error(output, path, …) for a cycle of links.
 std::string followed(const std::string& path);
 
+// Whether two paths lead to one file. Considers links and different spellings, and paths that don't exist but
+// would create one file. False for devices and pipes, which may be given twice, and for cycles of links,
+// which lead to no file.
+bool is_same_file(const std::string& a, const std::string& b);
+
 // Writes all bytes at an offset of a file, which is a descriptor. Returns false and sets errno when it fails.
 bool write_all_at(int file, std::uint64_t offset, std::span<const std::uint8_t> bytes);
 

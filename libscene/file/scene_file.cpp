@@ -1,7 +1,6 @@
 #include "libscene/file/scene_file.h"
 
 #include "libscene/base/error.h"
-#include "libscene/base/stopwatch.h"
 #include "libscene/file/scene_checks.h"
 #include "libscene/geometry/cone.h"
 #include "libscene/geometry/margin.h"
@@ -47,14 +46,6 @@ Light<To> converted(const Light<double>& l) {
 template <class AsStored>
 Boxd bounds_of(const Scene& scene, const AsStored& stored) {
   return joined_boxes(scene, [&](const auto& record) { return cast<double>(bounds(stored(record))); });
-}
-
-fb::Vec3 table_vector(const Vec3d& v) {
-  return {v.x, v.y, v.z};
-}
-
-fb::Box table_box(const Boxd& box) {
-  return {table_vector(box.min), table_vector(box.max)};
 }
 
 std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const fb::Vec3& origin,
@@ -156,9 +147,6 @@ Hash write_stored(const Scene& scene, const Vec3d& origin, const std::string& pa
   return geometry_hash(layout, table_box(box), local);
 }
 
-Vec3d vector_of(const fb::Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
 bool is_finite(const fb::Vec3& v) {
   return is_finite(vector_of(v));
 }
@@ -219,11 +207,7 @@ bool are_possible(const Boxd& box) {
 } // namespace
 
 SceneFile::SceneFile(const std::string& path, Residence residence)
-    : SceneFile(path, residence, Stopwatch()) {}
-
-SceneFile::SceneFile(const std::string& path, Residence residence, const Stopwatch& watch)
     : container_(path, scene_file_kind, residence) {
-  seconds_.map = watch.seconds();
   const auto check = [&](bool good, const char* what) {
     if (!good) throw_damaged(path, what);
   };
@@ -256,7 +240,7 @@ SceneFile::SceneFile(const std::string& path, Residence residence, const Stopwat
     check(fault == nullptr, fault);
   };
   is_float64() ? check_records(view<double>()) : check_records(view<float>());
-  seconds_.validate = watch.seconds() - seconds_.map;
+  container_.set_validated();
 }
 
 SceneCounts SceneFile::counts() const {
@@ -280,7 +264,7 @@ Camera SceneFile::camera() const {
 }
 
 Boxd SceneFile::bounds() const {
-  return {vector_of(table_->bounds()->min()), vector_of(table_->bounds()->max())};
+  return box_of(*table_->bounds());
 }
 
 bool SceneFile::has_faces() const {

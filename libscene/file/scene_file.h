@@ -1,7 +1,6 @@
 // The scene file: a container (container.h) whose table is schemas/scene.fbs.
 #pragma once
 
-#include "libscene/base/stopwatch.h"
 #include "libscene/file/container.h"
 #include "libscene/float32_precision.h"
 #include "libscene/scene.h"
@@ -64,7 +63,7 @@ public:
   const std::string& path() const { return container_.path(); }
   std::uint64_t bytes() const { return container_.bytes(); }
   Residence residence() const { return container_.residence(); }
-  const LoadSeconds& load_seconds() const { return seconds_; }
+  const LoadSeconds& load_seconds() const { return container_.load_seconds(); }
   std::uint64_t primitive_count() const;
   Vec3d origin() const;  // local_origin.h
   Camera camera() const; // in the world
@@ -88,13 +87,11 @@ public:
   }
 
 private:
-  SceneFile(const std::string& path, Residence residence, const Stopwatch& watch);
   std::span<const fb::Section> sections() const;
 
   ContainerFile container_;
   const fb::Scene* table_;
   Hash geometry_hash_;
-  LoadSeconds seconds_;
 };
 
 } // namespace masu

@@ -1,7 +1,5 @@
 #include "libscene/file/temporary_name.h"
 
-#include "libscene/file/same_file.h"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>

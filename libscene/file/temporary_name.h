@@ -1,6 +1,8 @@
 // A hidden, temporary name for a file that is being written.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <array>
 #include <csignal>
 #include <cstddef>
@@ -42,6 +44,10 @@ private:
 // Removes all temporary names, as the process ends, but for one that another thread is making just then.
 // Calls only async-signal-safe functions.
 void remove_temporary_names();
+
+inline bool is_same_file(const struct stat& a, const struct stat& b) {
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+}
 
 // That end programs.
 inline constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};

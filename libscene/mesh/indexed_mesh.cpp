@@ -9,18 +9,9 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
-#include <cmath>
 
 namespace masu {
 namespace {
-
-constexpr double max_coordinate = 1e100; // a scene file's
-
-bool is_in_range(const Vec3d& v) {
-  // A comparison with NaN is false.
-  return std::abs(v.x) <= max_coordinate && std::abs(v.y) <= max_coordinate &&
-         std::abs(v.z) <= max_coordinate;
-}
 
 void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
   const auto fail = [&](const std::string& what) {
@@ -39,7 +30,7 @@ void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
       return;
     }
     const Vec3d a = mesh.vertex(corners[0]), b = mesh.vertex(corners[1]), c = mesh.vertex(corners[2]);
-    if (!is_in_range(a) || !is_in_range(b) || !is_in_range(c)) wrong = i;
+    if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) wrong = i;
     const bool is_surface = has_area(a, b, c);
     scene.triangles[first + i] = {a, object, is_surface ? b : a, material, is_surface ? c : a, no_normals};
   });
@@ -64,14 +55,9 @@ Scene scene_of(std::span<const IndexedMesh> meshes) {
     add(meshes[i], static_cast<std::uint32_t>(i), scene);
   place_points(scene.triangles);
   scene.objects.polygons = meshes.size();
-  Camera& camera = scene.camera;
-  camera = {{}, {}, {0, 0, 1}, 45, 0.01, 512, 512};
-  const Sphere<double> sphere = bounding_sphere(scene);
-  camera.at = sphere.center;
-  camera.from = camera.at - direction({-1, 2, -1.2}) *
-                                framing_distance(sphere.radius, camera.angle, camera.width, camera.height);
+  scene.camera = automatic_camera(bounding_sphere(scene), false, 512, 512);
   scene.ambient = 0.5F; // of one light
-  scene.lights = {{camera.from, {0.5, 0.5, 0.5}}};
+  scene.lights = {{scene.camera.from, {0.5, 0.5, 0.5}}};
   return scene;
 }
 

@@ -126,7 +126,7 @@ void append_cone(Scene& scene, const Cone<double>& cone, const Surface& surface,
   }
 }
 
-std::uint64_t triangles_a_sphere(int facets) {
+std::uint64_t triangles_per_sphere(int facets) {
   const auto squares = static_cast<std::uint64_t>(facets / 4);
   return 12 * squares * squares;
 }
@@ -141,7 +141,7 @@ std::uint64_t triangles_of_cones(const Scene& scene, int facets) {
 } // namespace
 
 Scene tessellated(Scene scene, int facets) {
-  const std::uint64_t a_sphere = triangles_a_sphere(facets);
+  const std::uint64_t a_sphere = triangles_per_sphere(facets);
   const std::uint64_t of_cones = triangles_of_cones(scene, facets);
   const std::uint64_t all = scene.triangles.size() + scene.spheres.size() * a_sphere + of_cones;
   if (all > max_primitives)

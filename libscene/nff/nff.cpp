@@ -1,12 +1,12 @@
 // Cuts the text into pieces while it is read, parses them in parallel, and joins them in order.
 #include "libscene/nff/nff.h"
 
+#include "libscene/automatic_camera.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
 #include "libscene/base/host_array.h"
 #include "libscene/file/input_file.h"
 #include "libscene/nff/nff_piece.h"
-#include "libscene/nff/nff_view.h"
 
 #include <algorithm>
 #include <atomic>
@@ -27,7 +27,6 @@ namespace {
 using nff::Piece;
 using nff::Text;
 
-constexpr std::uint64_t max_objects = 0x7fffffff; // object indices are int32, with -1 for none
 constexpr Material default_material{{1, 1, 1}, 1, 0, 0, 0, 1};
 
 // A piece in the pipeline.
@@ -214,8 +213,7 @@ void join_counts(Assembly& assembly, const Piece& piece, const NffOptions& optio
   Scene& scene = assembly.scene;
   add(scene.objects, piece.objects);
   add(scene.warnings, piece.warnings);
-  assembly.objects =
-      scene.objects.polygons + scene.objects.patches + scene.objects.spheres + scene.objects.cones;
+  assembly.objects = scene.objects.sum();
   const std::uint64_t primitives = scene.triangles.size() + scene.spheres.size() + scene.cones.size() +
                                    piece.triangles.size() + piece.spheres.size() + piece.cones.size();
   if (assembly.objects > max_objects)
@@ -309,6 +307,43 @@ void parse_all(Cutter& cutter, Job&& first, const std::string& name, const NffOp
   if (cut_error) std::rethrow_exception(cut_error);
 }
 
+constexpr Vec3d default_direction{-1, 2, -1.2}; // of the view
+constexpr double default_angle = 45;
+constexpr Vec3i default_resolution{512, 512, 0};
+
+// The view's up if given, else +z, or +y when the view is along z.
+Vec3d complete_up(const nff::View& view, const Vec3d& forward) {
+  constexpr double nearly_parallel = 1e-12;
+  const Vec3d up = view.up.value_or(Vec3d{0, 0, 1});
+  if (largest_magnitude(cross(direction(up), forward)) > nearly_parallel) return up;
+  if (view.up)
+    throw Error(ErrorCode::input, view.place, "the view's up is parallel to its line of sight: turn it");
+  return {0, 1, 0};
+}
+
+// Replaces missing parts of `view` by defaults that show the whole scene.
+Camera complete_view(const nff::View& view, const Scene& scene) {
+  Camera camera{};
+  camera.angle = view.angle.value_or(default_angle);
+  camera.hither = view.hither.value_or(0.01);
+  const Vec3i resolution = view.resolution.value_or(default_resolution);
+  camera.width = resolution.x;
+  camera.height = resolution.y;
+  if (view.from && view.look_at) {
+    camera.from = *view.from;
+    camera.at = *view.look_at;
+  } else {
+    const Sphere<double> sphere = bounding_sphere(scene);
+    const double distance = framing_distance(sphere.radius, camera.angle, camera.width, camera.height);
+    const Vec3d back = direction(default_direction) * -distance;
+    camera.at = view.look_at.value_or(sphere.center);
+    camera.from = view.from.value_or(camera.at + back);
+    if (camera.from == camera.at) camera.at = camera.from - back;
+  }
+  camera.up = complete_up(view, direction(camera.at - camera.from));
+  return camera;
+}
+
 // Lights, and the ambient light for n lights, √n/(2n) by the SPD's rule.
 void finish_lights(Assembly& assembly) {
   Scene& scene = assembly.scene;
@@ -337,7 +372,7 @@ Scene parse(const TextSource& source, const std::string& name, const NffOptions&
                 "has no NFF entity: give a text with at least one of v b l f c s p pp");
   assembly.scene.materials = std::move(assembly.materials.materials);
   assembly.scene.has_camera = assembly.view.has_value();
-  assembly.scene.camera = nff::complete_view(assembly.view.value_or(nff::View{}), assembly.scene);
+  assembly.scene.camera = complete_view(assembly.view.value_or(nff::View{}), assembly.scene);
   finish_lights(assembly);
   return std::move(assembly.scene);
 }

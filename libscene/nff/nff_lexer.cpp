@@ -1,6 +1,7 @@
 #include "libscene/nff/nff_lexer.h"
 
 #include "libscene/base/error.h"
+#include "libscene/scene.h"
 
 #include <charconv>
 #include <cmath>
@@ -68,7 +69,7 @@ double Lexer::other_number(const char* syntax) {
 }
 
 void Lexer::check_bound(double value, const char* start) const {
-  if (std::abs(value) > 1e100)
+  if (std::abs(value) > max_coordinate)
     fail(*text_, start, quoted(*text_, start) + " is too large: scale the scene to coordinates within 1e100");
 }
 

@@ -133,13 +133,9 @@ std::uint32_t material_in_use(Reader& reader) {
   return *reader.material;
 }
 
-std::uint32_t next_object_index(const ObjectCounts& objects) {
-  return static_cast<std::uint32_t>(objects.polygons + objects.patches + objects.spheres + objects.cones);
-}
-
 void read_sphere(Reader& reader) {
   Piece& piece = reader.piece;
-  const std::uint32_t object = next_object_index(piece.objects);
+  const auto object = static_cast<std::uint32_t>(piece.objects.sum());
   const Vec3d center = read_coordinates(reader.lexer, syntax_sphere);
   const double radius = reader.lexer.coordinate(syntax_sphere);
   ++piece.objects.spheres;
@@ -154,7 +150,7 @@ void read_sphere(Reader& reader) {
 void read_cone(Reader& reader) {
   Piece& piece = reader.piece;
   Lexer& lexer = reader.lexer;
-  const std::uint32_t object = next_object_index(piece.objects);
+  const auto object = static_cast<std::uint32_t>(piece.objects.sum());
   Cone<double> cone{};
   cone.base = read_coordinates(lexer, syntax_cone);
   cone.base_radius = lexer.coordinate(syntax_cone);
@@ -215,7 +211,7 @@ void read_polygon(Reader& reader, bool is_patch) {
   Piece& piece = reader.piece;
   Lexer& lexer = reader.lexer;
   const char* const syntax = is_patch ? syntax_patch : syntax_polygon;
-  const std::uint32_t object = next_object_index(piece.objects);
+  const auto object = static_cast<std::uint32_t>(piece.objects.sum());
   const std::uint64_t count = read_vertex_count(lexer, is_patch ? 6 : 3, syntax);
   reader.vertices.clear();
   reader.normals.clear();

@@ -78,33 +78,19 @@ void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFil
 
 namespace {
 
-constexpr int rays_a_converting_block = 256;
-
-template <class Real>
-__global__ void __launch_bounds__(rays_a_converting_block)
-    convert_kernel(const void* const rays, const RayFormat format, const std::uint64_t count,
-                   Ray<Real>* const converted) {
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_converting_block + threadIdx.x;
-  if (i < count) converted[i] = loaded<Real>(rays, format, i);
-}
-
 // Rays in device memory as the arithmetic's numbers, aligned for its loads: where they lie, or copied.
 template <class Real>
-struct ConvertedRays {
-  DeviceArray<Ray<Real>> copy;
-  const Ray<Real>* rays;
-
-  ConvertedRays(const RayList& list, const Queue& queue) : rays(static_cast<const Ray<Real>*>(list.rays)) {
-    if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
-      return;
-    copy = DeviceArray<Ray<Real>>(list.count, queue);
-    rays = copy.data();
-    const auto blocks =
-        static_cast<unsigned>((list.count + rays_a_converting_block - 1) / rays_a_converting_block);
-    launch(convert_kernel<Real>, blocks, rays_a_converting_block, queue.stream, list.rays, list.format,
-           list.count, copy.data());
-  }
-};
+const Ray<Real>* converted(const RayList& list, const Queue& queue, DeviceArray<Ray<Real>>& copy) {
+  if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
+    return static_cast<const Ray<Real>*>(list.rays);
+  copy = DeviceArray<Ray<Real>>(list.count, queue);
+  const void* const rays = list.rays;
+  const RayFormat format = list.format;
+  Ray<Real>* const to = copy.data();
+  for_each_on_device(list.count, queue.stream,
+                     [=] __device__(std::uint64_t i) { to[i] = loaded<Real>(rays, format, i); });
+  return to;
+}
 
 } // namespace
 
@@ -118,7 +104,8 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
       scene, request.tracing.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
         using Real = typename TestRay::Real;
-        const ConvertedRays<Real> converted(rays, queue);
+        DeviceArray<Ray<Real>> copy;
+        const Ray<Real>* const own = converted(rays, queue, copy);
         const bool has_attributes = request.query == Query::nearest_hit && results.has_attributes();
         const DeviceArray<float> t(has_attributes && results.t == nullptr ? rays.count : 0, queue);
         const DeviceArray<std::uint32_t> primitive(
@@ -126,7 +113,7 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
         RayResults found = results;
         if (t.data() != nullptr) found.t = t.data();
         if (primitive.data() != nullptr) found.primitive = primitive.data();
-        const RayBatch<Real> batch{converted.rays, rays.count, found, counts, queue, begun};
+        const RayBatch<Real> batch{own, rays.count, found, counts, queue, begun};
         size = queue_batch<TestRay>(files.of<Stored>(), view, grid, request, batch);
         if (has_attributes) queue_attributes(files.of<Stored>(), batch, results);
       });
@@ -167,7 +154,7 @@ ResidentRays upload_rays_cuda(const RayList& rays, int device) {
   };
   const auto memory = std::make_shared<Memory>();
   memory->rays = DeviceArray<std::uint8_t>(static_cast<const std::uint8_t*>(rays.rays),
-                                           rays.count * rays.format.bytes_a_ray());
+                                           rays.count * rays.format.bytes_per_ray());
   memory->t = DeviceArray<float>(rays.count);
   memory->primitive = DeviceArray<std::uint32_t>(rays.count);
   memory->occluded = DeviceArray<std::uint8_t>(rays.count);

@@ -1,4 +1,5 @@
-// Rays that miss the scene's bounds, answered before the others are traced (CUDA sources only).
+// Rays that miss the scene's bounds, whose results are written before the others are traced (CUDA sources
+// only).
 //
 // Where most rays miss, a kernel that traces them mostly waits for rays to fetch. One that only clips them
 // needs few registers, so twice as many are under way, and leaves a list of those that are worth it.
@@ -9,7 +10,7 @@
 
 namespace masu {
 
-// Rays have numbers of 32 bits, and each warp may once ask for more than there are.
+// Rays have numbers of 32 bits, and each warp may once fetch more than there are.
 inline constexpr std::uint64_t max_rays_by_warps = 0x7fffffff;
 
 // Rays to be traced: all of them, or those that were chosen.
@@ -31,17 +32,17 @@ MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray
 
 // Fewer rays aren't worth a look.
 inline constexpr std::uint64_t min_rays_culled = std::uint64_t{1} << 18;
-inline constexpr unsigned threads_a_culling_block = 512, rays_sampled = 2 * threads_a_culling_block;
+inline constexpr unsigned threads_per_culling_block = 512, rays_sampled = 2 * threads_per_culling_block;
 
 // Whether so many rays miss the bounds that choosing the others pays: measured on an H200, from 9 of 20 on.
-// By a sample, the same for every block, all of whose threads ask.
+// By a sample, the same for every block, all of whose threads call it.
 template <class Real, class Stored>
 __device__ inline bool often_misses(const SceneView<Stored>& scene, const Ray<Real>* rays,
                                     std::uint32_t count) {
   int missing = 0;
 #pragma unroll
   for (unsigned half = 0; half < 2; ++half) {
-    const unsigned sample = half * threads_a_culling_block + threadIdx.x;
+    const unsigned sample = half * threads_per_culling_block + threadIdx.x;
     ClippedRay<Real> near{};
     Real scale;
     missing += __syncthreads_count(
@@ -53,17 +54,17 @@ __device__ inline bool often_misses(const SceneView<Stored>& scene, const Ray<Re
 // Where most rays miss the bounds: chooses those that meet them, and writes the others' results. For as many
 // blocks as fit.
 template <Query query, class Real, class Stored>
-__global__ void __launch_bounds__(threads_a_culling_block)
+__global__ void __launch_bounds__(threads_per_culling_block)
     cull_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
                 const RayResults results, std::uint32_t* const chosen, WarpProgress* const progress) {
-  constexpr unsigned warps = threads_a_culling_block / lanes_a_warp;
+  constexpr unsigned warps = threads_per_culling_block / lanes_per_warp;
   __shared__ unsigned before[warps]; // rays chosen by the warps before each
   __shared__ std::uint32_t first;
   if (!often_misses(scene, rays, count)) return;
   if (blockIdx.x == 0 && threadIdx.x == 0) progress->culls = 1;
-  const unsigned lane = threadIdx.x % lanes_a_warp, warp = threadIdx.x / lanes_a_warp;
-  for (std::uint32_t begin = blockIdx.x * threads_a_culling_block; begin < count;
-       begin += gridDim.x * threads_a_culling_block) {
+  const unsigned lane = threadIdx.x % lanes_per_warp, warp = threadIdx.x / lanes_per_warp;
+  for (std::uint32_t begin = blockIdx.x * threads_per_culling_block; begin < count;
+       begin += gridDim.x * threads_per_culling_block) {
     const std::uint32_t number = begin + threadIdx.x;
     bool meets = false;
     if (number < count) {

@@ -3,7 +3,7 @@
 
 #include "libgrid/file/grid_file.h"
 #include "libgrid/trace/trace.h"
-#include "libscene/cuda/transfer.h"
+#include "libscene/cuda/device_primitives.h"
 #include "libscene/scene_view.h"
 #include "renderer/cuda/kernel.h"
 #include "renderer/dispatch.h"
@@ -13,43 +13,25 @@
 
 namespace masu {
 
-// Copies records of a file to the device: out of its memory, or where they stay in the file from there.
-template <class T, class File, class Section>
-DeviceArray<T> uploaded(const File& file, Section section, const T* records, std::uint64_t count,
-                        std::size_t room, Transfer& upload) {
-  DeviceArray<T> array = upload.room_for<T>(count, room);
-  if (records != nullptr)
-    upload.to_device(array.data(), records, count * sizeof(T));
-  else if (count > 0)
-    upload.to_device(array.data(), file.template reader<T>(section));
-  return array;
-}
-
 template <class Stored>
 struct DeviceScene {
   SceneView<Stored> view;
-  DeviceArray<Triangle<Stored>> triangles;
+  DevicePrimitives<Stored> primitives;
   DeviceArray<CornerNormals<Stored>> normals;
-  DeviceArray<Sphere<Stored>> spheres;
   DeviceArray<Surface> sphere_surfaces;
-  DeviceArray<Cone<Stored>> cones;
   DeviceArray<Surface> cone_surfaces;
   DeviceArray<std::uint32_t> faces;
   DeviceArray<Material> materials;
   DeviceArray<Light<Stored>> lights;
 
-  DeviceScene(const SceneFile& file, Transfer& upload) : view(file.view<Stored>()) {
+  DeviceScene(const SceneFile& file, Transfer& upload)
+      : view(file.view<Stored>()), primitives(view, file, upload) {
     using fb::SceneSection;
     const auto moved = [&]<class T>(SceneSection section, const T*& records, std::uint64_t count) {
-      DeviceArray<T> array = uploaded(file, section, records, count, 0, upload);
-      records = array.data();
-      return array;
+      return uploaded(file, section, records, count, upload);
     };
-    triangles = moved(SceneSection::triangles, view.triangles, view.triangle_count);
     normals = moved(SceneSection::corner_normals, view.normals, file.counts().normals);
-    spheres = moved(SceneSection::spheres, view.spheres, view.sphere_count);
     sphere_surfaces = moved(SceneSection::sphere_surfaces, view.sphere_surfaces, view.sphere_count);
-    cones = moved(SceneSection::cones, view.cones, view.cone_count);
     cone_surfaces = moved(SceneSection::cone_surfaces, view.cone_surfaces, view.cone_count);
     faces = moved(SceneSection::faces, view.faces, file.has_faces() ? view.triangle_count : 0);
     materials = moved(SceneSection::materials, view.materials, file.counts().materials);
@@ -70,9 +52,7 @@ struct DeviceGrid {
     records = grid->records();
     const auto moved = [&]<class T>(GridSection section, const T*& of, std::uint64_t count,
                                     std::size_t room = 0) {
-      DeviceArray<T> array = uploaded(*grid, section, of, count, room, upload);
-      of = array.data();
-      return array;
+      return uploaded(*grid, section, of, count, upload, room);
     };
     voxel_map = moved(GridSection::voxel_map, records.voxel_map, records.words);
     cells = moved(GridSection::cells, records.cells, records.cell_count);
@@ -103,19 +83,6 @@ struct DeviceGrid {
   }
 };
 
-inline constexpr int leaves_a_block = 128;
-
-template <class Stored>
-__global__ void __launch_bounds__(leaves_a_block)
-    copy_leaves(const Triangle<Stored>* const triangles, const PrimitiveIndex* const references,
-                const std::size_t count, Triangle<Stored>* const leaves) {
-  const std::size_t i = std::size_t{blockIdx.x} * leaves_a_block + threadIdx.x;
-  if (i >= count) return;
-  Triangle<Stored> leaf = triangles[references[i]];
-  leaf.object = references[i];
-  leaves[i] = leaf;
-}
-
 // A scene and its grid on the device.
 template <class Stored>
 struct DeviceFilesOf {
@@ -136,9 +103,14 @@ struct DeviceFilesOf {
         count == 0)
       return;
     leaves = DeviceArray<Triangle<Stored>>(count, queue);
-    const auto blocks = static_cast<unsigned>((count + leaves_a_block - 1) / leaves_a_block);
-    launch(copy_leaves<Stored>, blocks, leaves_a_block, queue.stream, scene.view.triangles,
-           grid.references.data(), count, leaves.data());
+    const Triangle<Stored>* const triangles = scene.view.triangles;
+    const PrimitiveIndex* const references = grid.references.data();
+    Triangle<Stored>* const leaf = leaves.data();
+    for_each_on_device(count, queue.stream, [=] __device__(std::uint64_t i) {
+      Triangle<Stored> copy = triangles[references[i]];
+      copy.object = references[i];
+      leaf[i] = copy;
+    });
     check(cudaStreamSynchronize(queue.stream));
   }
 

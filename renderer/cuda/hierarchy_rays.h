@@ -12,8 +12,8 @@ namespace masu {
 
 inline constexpr int hierarchy_threads = 64; // a block: small ones end soon after their last ray
 
-// Lanes fetch rays once so much has been lost: the idle ones beyond so many, summed over steps.
-inline constexpr int lost_steps = 8, idle_lanes_tolerated = 4;
+// Lanes fetch rays once so many lane steps were idle: lanes beyond idle_lanes_tolerated, summed over steps.
+inline constexpr int max_idle_steps = 8, idle_lanes_tolerated = 4;
 
 template <Query query, class M, class Stored, class Hierarchy>
 __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> / hierarchy_threads)
@@ -23,7 +23,7 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
   using Real = typename M::Real;
   // What is needed of a ray when it is begun and ended would take up registers.
   __shared__ RayEnds<Real> ends[hierarchy_threads];
-  const unsigned lane = threadIdx.x % lanes_a_warp;
+  const unsigned lane = threadIdx.x % lanes_per_warp;
   RayEnds<Real>& own = ends[threadIdx.x];
   NoCounts counts;
   HierarchyStack stack;
@@ -58,14 +58,14 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
         }
       }
       idle = __ballot_sync(all_lanes, !under_way);
-      if (more && __popc(idle) > lanes_a_warp / 2) continue; // most miss the scene
+      if (more && __popc(idle) > lanes_per_warp / 2) continue; // most miss the scene
     }
     if (idle == all_lanes) return;
-    int lost = 0;
+    int idle_steps = 0;
     while (under_way) {
       bool goes_on;
       if constexpr (query == Query::nearest_hit) {
-        // 0: t_max is for the rule of termination, which only grids ask.
+        // 0: t_max is for the rule of termination, which only grids use.
         NearestHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, 0, nearest};
         goes_on = walk.advance(hierarchy, stack, visitor);
         nearest = visitor.hit;
@@ -76,8 +76,8 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
       }
       if (!goes_on) report();
       if (more) {
-        lost += max(lanes_a_warp - idle_lanes_tolerated - __popc(__activemask()), 0);
-        if (lost >= lost_steps) break;
+        idle_steps += max(lanes_per_warp - idle_lanes_tolerated - __popc(__activemask()), 0);
+        if (idle_steps >= max_idle_steps) break;
       }
     }
     __syncwarp();

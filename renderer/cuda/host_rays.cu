@@ -24,7 +24,7 @@ bool is_page_locked(const void* host) {
 // An array of results in host memory: null where it isn't wanted.
 struct ResultArray {
   void* host;
-  std::size_t bytes_a_ray;
+  std::size_t bytes_per_ray;
   bool page_locked;
 };
 using ResultArrays = std::array<ResultArray, 9>;
@@ -42,8 +42,8 @@ std::size_t for_each_array(const ResultArrays& arrays, std::size_t rays, const A
   std::size_t offset = 0;
   for (std::size_t k = 0; k < arrays.size(); ++k) {
     if (arrays[k].host == nullptr) continue;
-    act(k, offset, rays * arrays[k].bytes_a_ray);
-    offset += (rays * arrays[k].bytes_a_ray + 15) / 16 * 16;
+    act(k, offset, rays * arrays[k].bytes_per_ray);
+    offset += (rays * arrays[k].bytes_per_ray + 15) / 16 * 16;
   }
   return offset;
 }
@@ -88,7 +88,7 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
   const DeviceScope device(files.device);
   const ResultArrays arrays = arrays_of(results);
   const bool rays_page_locked = is_page_locked(rays.rays);
-  const std::size_t ray_bytes = rays.format.bytes_a_ray();
+  const std::size_t ray_bytes = rays.format.bytes_per_ray();
   const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
                                    {nullptr, files.pool});
   check(cudaStreamSynchronize(nullptr));
@@ -129,7 +129,7 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
       const ResultArray& array = arrays[k];
       void* const to = array.page_locked
-                           ? static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_a_ray
+                           ? static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_per_ray
                            : staging + offset;
       check(cudaMemcpyAsync(to, device_results.data() + offset, array_bytes, cudaMemcpyDeviceToHost, stream));
     });
@@ -146,7 +146,7 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
       const ResultArray& array = arrays[k];
       if (!array.page_locked)
-        copy_in_parallel(static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_a_ray,
+        copy_in_parallel(static_cast<std::uint8_t*>(array.host) + work.first * array.bytes_per_ray,
                          piece.results.of(0) + offset, array_bytes);
     });
   };
@@ -157,8 +157,8 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     HostRayBuffers::Piece& piece = borrowed->pieces[turn % pieces_in_flight];
     Work& work = works[turn % pieces_in_flight];
     const Work last = work;
-    const std::size_t first = std::min(next_piece.fetch_add(1) * rays_a_piece, rays.count);
-    work = {first, std::min(rays_a_piece, rays.count - first)};
+    const std::size_t first = std::min(next_piece.fetch_add(1) * rays_per_piece, rays.count);
+    work = {first, std::min(rays_per_piece, rays.count - first)};
     last_turns += work.count == 0 ? 1 : 0;
     wait(piece, last);
     tbb::parallel_invoke([&] { copy_out(piece, last); }, [&] { copy_in(piece, work); });

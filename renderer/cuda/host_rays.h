@@ -9,10 +9,10 @@
 
 namespace masu {
 
-inline constexpr int pieces_in_flight = 3; // of rays_a_piece (backend.h)
+inline constexpr int pieces_in_flight = 3; // of rays_per_piece (backend.h)
 
 // Page-locked memory near the device that was the current one where it was made, that grows to what was
-// needed most. Any thread may ask for it.
+// needed most. Any thread may call of().
 class PinnedRoom {
 public:
   PinnedRoom() { check(cudaGetDevice(&device_)); }

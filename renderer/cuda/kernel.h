@@ -13,7 +13,7 @@
 
 namespace masu {
 
-inline constexpr int lanes_a_warp = 32;
+inline constexpr int lanes_per_warp = 32;
 inline constexpr unsigned all_lanes = 0xffffffffU;
 
 // How many of a warp's `lanes`, a bit each, come before `lane`.
@@ -25,15 +25,15 @@ template <class T>
 using DeviceAtomic = cuda::atomic_ref<T, cuda::thread_scope_device>;
 
 // A warp may read so many references beyond a list's end, to no effect: their array is longer by them.
-inline constexpr std::size_t references_read_ahead = lanes_a_warp - 1;
+inline constexpr std::size_t references_read_ahead = lanes_per_warp - 1;
 
 // Threads that should fit on a multiprocessor: the compiler may spend registers only so far. Double takes
 // twice as many.
 template <class M>
 constexpr int resident_threads_wanted = sizeof(typename M::Real) == 4 ? 1024 : 512;
 
-// Has a kernel's code on the device from now on, so that no launch waits for it, and tells its registers and
-// local memory.
+// Has a kernel's code on the device from now on, so that no launch waits for it, and returns its registers
+// and local memory.
 template <class Kernel>
 KernelSize load(Kernel* kernel) {
   cudaFuncAttributes attributes;

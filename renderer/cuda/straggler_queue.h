@@ -18,7 +18,7 @@ struct Straggler {
   std::uint32_t number; // in the list
 };
 
-// What a kernel's warps tell each other. All 0 at first.
+// What a kernel's warps exchange. All 0 at first.
 struct WarpProgress {
   // Given once the list is drained for a warp. Thousands poll it at every turn: at one address they would
   // queue up.
@@ -29,7 +29,7 @@ struct WarpProgress {
   std::uint32_t left;     // rays
   std::uint32_t culls;    // 1: most rays miss the scene's bounds, and the others are chosen (culling.h)
   std::uint32_t chosen;   // so many rays
-  Signal drained[lanes_a_warp];
+  Signal drained[lanes_per_warp];
 };
 
 template <class Real>
@@ -43,7 +43,7 @@ template <class Real>
 class StragglerQueueMemory {
 public:
   StragglerQueueMemory(std::uint32_t warps, const Queue& queue)
-      : progress_(1, queue), rays_(std::size_t{warps} * lanes_a_warp, queue) {
+      : progress_(1, queue), rays_(std::size_t{warps} * lanes_per_warp, queue) {
     progress_.clear();
   }
   StragglerQueue<Real> view() const { return {progress_.data(), rays_.data()}; }
@@ -56,7 +56,7 @@ private:
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
 __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
   std::uint32_t before = 0;
-  if (threadIdx.x % lanes_a_warp == 0)
+  if (threadIdx.x % lanes_per_warp == 0)
     before = DeviceAtomic<std::uint32_t>(sum).fetch_add(static_cast<std::uint32_t>(added),
                                                         cuda::memory_order_relaxed);
   return __shfl_sync(all_lanes, before, 0);
@@ -73,13 +73,13 @@ public:
   // As poll() found it last. For all lanes of a warp.
   __device__ bool is_drained() const { return __shfl_sync(all_lanes, given_, 0) != 0; }
   __device__ void poll(WarpProgress& progress) {
-    if (threadIdx.x % lanes_a_warp == 0)
+    if (threadIdx.x % lanes_per_warp == 0)
       given_ = signal(progress, blockIdx.x).load(cuda::memory_order_relaxed);
   }
 
 private:
   static __device__ DeviceAtomic<std::uint32_t> signal(WarpProgress& progress, unsigned number) {
-    return DeviceAtomic<std::uint32_t>(progress.drained[number % lanes_a_warp].given);
+    return DeviceAtomic<std::uint32_t>(progress.drained[number % lanes_per_warp].given);
   }
   std::uint32_t given_ = 0;
 };

@@ -55,13 +55,14 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
 
 // Threads of a block of rays that know nothing of each other.
 template <class Grid>
-constexpr int threads_a_block = is_hierarchy<Grid> ? hierarchy_threads : rays_a_block;
+constexpr int threads_per_block = is_hierarchy<Grid> ? hierarchy_threads : rays_per_block;
 
 template <Query query, class M, class Stored, class Grid, class C>
-__global__ void __launch_bounds__(threads_a_block<Grid>, resident_threads_wanted<M> / threads_a_block<Grid>)
+__global__ void __launch_bounds__(threads_per_block<Grid>,
+                                  resident_threads_wanted<M> / threads_per_block<Grid>)
     trace_kernel(const SceneView<Stored> scene, const Grid grid, const Ray<typename M::Real>* const rays,
                  const std::uint64_t count, const RayResults results, Counts* const total) {
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * threads_a_block<Grid> + threadIdx.x;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * threads_per_block<Grid> + threadIdx.x;
   if (i >= count) return;
   C counts;
   write_hit<query>(results, i, trace_listed<query, M>(scene, grid, streamed(rays + i), counts));
@@ -70,10 +71,10 @@ __global__ void __launch_bounds__(threads_a_block<Grid>, resident_threads_wanted
 }
 
 template <class Real, class Stored>
-__global__ void __launch_bounds__(rays_a_block)
+__global__ void __launch_bounds__(rays_per_block)
     attributes_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint64_t count,
                       const RayResults found, const RayResults results) {
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_a_block + threadIdx.x;
+  const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
   if (i < count) write_attributes(scene, streamed(rays + i), {found.t[i], found.primitive[i]}, results, i);
 }
 
@@ -121,12 +122,6 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
   frame.seconds.download = watch.seconds();
 }
 
-// So many blocks have a thread for each ray.
-inline unsigned blocks_of(int threads, std::size_t rays) {
-  const auto each = static_cast<std::size_t>(threads);
-  return static_cast<unsigned>((rays + each - 1) / each);
-}
-
 // `double` traces occlusion, hierarchies and uniform grids by a thread per ray, `fast` everything: they
 // aren't worth their kernels.
 template <Query query, class TestRay, class Grid>
@@ -151,7 +146,7 @@ void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const
           WarpProgress* progress) {
   if (!culled.queue.may_cull) return;
   auto* const kernel = cull_kernel<query, Real, Stored>;
-  launch(kernel, files.kernels.of(kernel, threads_a_culling_block).blocks, threads_a_culling_block,
+  launch(kernel, files.kernels.of(kernel, threads_per_culling_block).blocks, threads_per_culling_block,
          batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, batch.results,
          culled.chosen.data(), progress);
 }
@@ -167,18 +162,18 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
-  const auto known = files.kernels.of(trace, rays_a_block),
-             known_finish = files.kernels.of(finish, rays_a_block);
-  const std::uint32_t blocks = std::min(blocks_of(rays_a_block, count), known.blocks),
+  const auto known = files.kernels.of(trace, rays_per_block),
+             known_finish = files.kernels.of(finish, rays_per_block);
+  const std::uint32_t blocks = std::min(blocks_of(rays_per_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
-  const StragglerQueueMemory<Real> left(blocks * (rays_a_block / lanes_a_warp), batch.queue);
+  const StragglerQueueMemory<Real> left(blocks * (rays_per_block / lanes_per_warp), batch.queue);
   const CullingMemory<Real> culled(batch.rays, count, refills, batch.queue);
   const RayQueue<Real>& queue = culled.queue;
   batch.begin();
   cull<query>(files, batch, culled, left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
-  launch(trace, blocks, rays_a_block, stream, scene, grid, queue, fetching, batch.results, left.view());
-  launch(finish, finishing, rays_a_block, stream, scene, grid, queue, fetching, batch.results, left.view());
+  launch(trace, blocks, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
+  launch(finish, finishing, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
   return known.size;
 }
 
@@ -235,7 +230,7 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
         }
       }
       auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
-      constexpr int threads = threads_a_block<Accelerator>;
+      constexpr int threads = threads_per_block<Accelerator>;
       size = files.kernels.of(kernel, threads).size;
       batch.begin();
       launch(kernel, blocks_of(threads, batch.count), threads, batch.queue.stream, scene, grid, batch.rays,
@@ -248,7 +243,7 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
 template <class Real, class Stored>
 void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                       const RayResults& results) {
-  launch(attributes_kernel<Real, Stored>, blocks_of(rays_a_block, batch.count), rays_a_block,
+  launch(attributes_kernel<Real, Stored>, blocks_of(rays_per_block, batch.count), rays_per_block,
          batch.queue.stream, files.scene.view, batch.rays, batch.count, batch.results, results);
 }
 

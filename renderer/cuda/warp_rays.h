@@ -7,11 +7,11 @@
 
 namespace masu {
 
-inline constexpr int rays_a_block = 128;
+inline constexpr int rays_per_block = 128;
 
 // Of so many lanes that have something to be shared out, each gets 2^n lanes for it.
 __device__ inline int lanes_log2_for_each(int having) {
-  return having > lanes_a_warp / 2 ? 0 : __clz(having - 1) - 27;
+  return having > lanes_per_warp / 2 ? 0 : __clz(having - 1) - 27;
 }
 
 // A hit in the order of is_nearer: t is not negative, so its bits rise with it.
@@ -43,7 +43,7 @@ public:
   // For all lanes of a warp at once, of which several may have hit with one ray: the nearest hit remains.
   __device__ void lower(bool has_hit, const Hit<Real>& hit) {
     for (unsigned left = __ballot_sync(all_lanes, has_hit); left != 0; left &= left - 1) {
-      if (static_cast<int>(threadIdx.x % lanes_a_warp) == __ffs(left) - 1 &&
+      if (static_cast<int>(threadIdx.x % lanes_per_warp) == __ffs(left) - 1 &&
           is_nearer(hit.t, hit.primitive, hit_))
         hit_ = hit;
       __syncwarp();
@@ -72,10 +72,10 @@ private:
 template <class TestRay>
 struct WarpRays {
   using Real = typename TestRay::Real;
-  TestRay tests[lanes_a_warp];
-  SharedHit<Real> nearest[lanes_a_warp];
-  RayEnds<Real> ends[lanes_a_warp];
-  SharedOut shared_out[lanes_a_warp]; // one after another
+  TestRay tests[lanes_per_warp];
+  SharedHit<Real> nearest[lanes_per_warp];
+  RayEnds<Real> ends[lanes_per_warp];
+  SharedOut shared_out[lanes_per_warp]; // one after another
 };
 
 // A lane's walk: along the whole way of its own ray, or a piece of any ray's.
@@ -115,7 +115,7 @@ template <class TestRay, class Grid>
 __device__ inline void split_segments(const Grid& grid, unsigned under_way, WarpRays<TestRay>& rays,
                                       LaneWalk<typename TestRay::Real, Grid>& own) {
   using Real = typename TestRay::Real;
-  const unsigned lane = threadIdx.x % lanes_a_warp;
+  const unsigned lane = threadIdx.x % lanes_per_warp;
   const int ways = __popc(under_way), log2 = lanes_log2_for_each(ways);
   __syncwarp(); // what was shared out before has been read
   if (own.under_way) rays.shared_out[rank_among(under_way, lane)].ray = lane;

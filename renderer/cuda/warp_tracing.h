@@ -26,14 +26,14 @@ template <class M, class Stored, class Grid>
 __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& grid, std::uint32_t ray,
                                   std::uint32_t list, bool own_rays, WarpRays<typename M::TestRay>& rays) {
   using Real = typename M::Real;
-  const unsigned lane = threadIdx.x % lanes_a_warp, lanes_below = (1U << lane) - 1;
+  const unsigned lane = threadIdx.x % lanes_per_warp, lanes_below = (1U << lane) - 1;
   NoCounts counts;
   PrimitiveIndex ahead = list != empty_list ? grid.references[list] : last_bit; // references[list]
   for (;;) {
     const unsigned having = __ballot_sync(all_lanes, list != empty_list);
     if (having == 0) return;
     const int lists = __popc(having);
-    const bool alone = own_rays && lists > lanes_a_warp / 2; // every lane tests its own list
+    const bool alone = own_rays && lists > lanes_per_warp / 2; // every lane tests its own list
     SharedOut part{ray, list};
     PrimitiveIndex reference = ahead;
     bool tests = list != empty_list;
@@ -55,7 +55,7 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
       // What comes after a list's last one is another's.
       tests = tests && (lasts & lanes_below & (all_lanes << (lane - in_group))) == 0;
       if (list != empty_list) {
-        const unsigned group_lanes = all_lanes >> (lanes_a_warp - (1 << log2));
+        const unsigned group_lanes = all_lanes >> (lanes_per_warp - (1 << log2));
         list = (lasts >> (rank << log2) & group_lanes) != 0 ? empty_list : list + (1U << log2);
       }
     }
@@ -74,18 +74,18 @@ __device__ inline void test_lists(const SceneView<Stored>& scene, const Grid& gr
 // So many idle lanes fetch rays: where rays side by side have much in common; where not; where rays were
 // chosen, so that fetching one takes two loads, one after the other. Given at run time: the compiler unrolls
 // loops by a number that it knows, and makes them 3 % slower.
-inline constexpr int all_fetch = lanes_a_warp, some_fetch = 12, some_fetch_chosen = 16;
+inline constexpr int all_fetch = lanes_per_warp, some_fetch = 12, some_fetch_chosen = 16;
 
 // Where fewer lanes found a list, the others first go one step further.
 inline constexpr int few_lists = 6;
 
 // The first kernel of two traces rays of the list, and leaves some, which the second one `finishes`.
 template <bool finishes, Query query, class M, class Stored, class Grid>
-__global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / rays_a_block)
+__global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
     warp_kernel(const SceneView<Stored> scene, const Grid grid, const RayQueue<typename M::Real> queue,
                 const int fetching, const RayResults results, const StragglerQueue<typename M::Real> left) {
   using Real = typename M::Real;
-  constexpr unsigned warps_a_block = rays_a_block / lanes_a_warp;
+  constexpr unsigned warps_a_block = rays_per_block / lanes_per_warp;
   __shared__ WarpRays<typename M::TestRay> block_rays[warps_a_block];
   // Looked up where rays are fetched, for they would take up registers.
   __shared__ struct {
@@ -101,7 +101,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
     }
     __syncthreads();
   }
-  const unsigned warp = threadIdx.x / lanes_a_warp, lane = threadIdx.x % lanes_a_warp;
+  const unsigned warp = threadIdx.x / lanes_per_warp, lane = threadIdx.x % lanes_per_warp;
   WarpRays<typename M::TestRay>& rays = block_rays[warp];
   // In variables of the kernel's own: what holds references to itself would not stay in registers.
   LaneWalk<Real, Grid> own{{}, RealTraits<Real>::largest, lane, false};
@@ -139,7 +139,7 @@ __global__ void __launch_bounds__(rays_a_block, resident_threads_wanted<M> / ray
     const unsigned idle = __ballot_sync(all_lanes, !own.under_way);
     if constexpr (finishes) {
       if (idle == all_lanes) return report();
-      if (__popc(idle) >= lanes_a_warp / 2) {
+      if (__popc(idle) >= lanes_per_warp / 2) {
         split_segments(grid, ~idle, rays, own);
         own_rays = false;
       }

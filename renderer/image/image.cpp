@@ -16,7 +16,7 @@
 namespace masu {
 namespace {
 
-constexpr std::int32_t rows_a_task = 16;
+constexpr std::int32_t rows_per_task = 16;
 
 template <bool srgb>
 std::uint8_t byte_of(float value) {
@@ -26,24 +26,34 @@ std::uint8_t byte_of(float value) {
   return static_cast<std::uint8_t>(above); // std::lround, but vectorized
 }
 
-template <bool srgb>
-std::vector<std::uint8_t> rgb_of(const Frame& frame, Sampling sampling) {
+// Of so many bytes per pixel: convert(row, its pixels, all of the picture's bytes), in parallel.
+template <class Convert>
+std::vector<std::uint8_t> bytes_of(const Frame& frame, Sampling sampling, std::size_t pixel_bytes,
+                                   const Convert& convert) {
   const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width);
-  std::vector<std::uint8_t> rgb(row_bytes * static_cast<std::size_t>(height));
-  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_a_task), [&](const auto& range) {
+  std::vector<std::uint8_t> bytes(pixel_bytes * static_cast<std::size_t>(width) *
+                                  static_cast<std::size_t>(height));
+  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_per_task), [&](const auto& range) {
     std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
     for (std::int32_t row = range.begin(); row != range.end(); ++row) {
       image_row(frame, sampling, row, pixels);
-      std::uint8_t* bytes = rgb.data() + static_cast<std::size_t>(row) * row_bytes;
-      for (const Vec3f& pixel : pixels) {
-        *bytes++ = byte_of<srgb>(pixel.x);
-        *bytes++ = byte_of<srgb>(pixel.y);
-        *bytes++ = byte_of<srgb>(pixel.z);
-      }
+      convert(static_cast<std::size_t>(row), pixels, bytes.data());
     }
   });
-  return rgb;
+  return bytes;
+}
+
+template <bool srgb>
+std::vector<std::uint8_t> rgb_of(const Frame& frame, Sampling sampling) {
+  return bytes_of(frame, sampling, 3,
+                  [](std::size_t row, const std::vector<Vec3f>& pixels, std::uint8_t* all) {
+                    std::uint8_t* bytes = all + row * 3 * pixels.size();
+                    for (const Vec3f& pixel : pixels) {
+                      *bytes++ = byte_of<srgb>(pixel.x);
+                      *bytes++ = byte_of<srgb>(pixel.y);
+                      *bytes++ = byte_of<srgb>(pixel.z);
+                    }
+                  });
 }
 
 } // namespace
@@ -78,18 +88,12 @@ std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool s
 }
 
 std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling) {
-  const std::int32_t width = image_width(frame, sampling), height = image_height(frame, sampling);
-  const std::size_t row_bytes = sizeof(Vec3f) * static_cast<std::size_t>(width);
-  std::vector<std::uint8_t> bytes(row_bytes * static_cast<std::size_t>(height));
-  tbb::parallel_for(tbb::blocked_range<std::int32_t>(0, height, rows_a_task), [&](const auto& range) {
-    std::vector<Vec3f> pixels(static_cast<std::size_t>(width));
-    for (std::int32_t row = range.begin(); row != range.end(); ++row) {
-      image_row(frame, sampling, row, pixels);
-      std::memcpy(bytes.data() + static_cast<std::size_t>(height - 1 - row) * row_bytes, pixels.data(),
-                  row_bytes);
-    }
-  });
-  return bytes;
+  const auto last = static_cast<std::size_t>(image_height(frame, sampling)) - 1;
+  return bytes_of(frame, sampling, sizeof(Vec3f),
+                  [&](std::size_t row, const std::vector<Vec3f>& pixels, std::uint8_t* all) {
+                    const std::size_t row_bytes = pixels.size() * sizeof(Vec3f);
+                    std::memcpy(all + (last - row) * row_bytes, pixels.data(), row_bytes);
+                  });
 }
 
 std::string pfm_head(std::int32_t width, std::int32_t height) {

@@ -29,13 +29,13 @@ struct ImageOptions {
   PngTexts texts{};
 };
 
-// A frame's pixels as files have them. rgb_rows: 8 bits a channel, values above 1 are cut off; pfm_rows:
+// A frame's pixels as files have them. rgb_rows: 8 bits per channel, values above 1 are cut off; pfm_rows:
 // 32-bit floats, from the bottom row up, to follow pfm_head() and what lies below the frame.
 std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool srgb);
 std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling);
 std::string pfm_head(std::int32_t width, std::int32_t height);
 
-// PNG: 8 bits a channel; values above 1 are cut off. PFM: 32-bit floats. Throws Error(output).
+// PNG: 8 bits per channel; values above 1 are cut off. PFM: 32-bit floats. Throws Error(output).
 void write_image(const Frame& frame, const std::string& path, const ImageOptions& options);
 
 } // namespace masu

@@ -14,7 +14,7 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t channels = 3, rows_a_task = 16;
+constexpr std::size_t channels = 3, rows_per_task = 16;
 // Joining bands costs a third of the compression's time: a picture of 1024×1024 is one band.
 constexpr std::size_t band_bytes = std::size_t{4} << 20;
 
@@ -70,7 +70,7 @@ struct Band {
 Band encoded_band(std::span<const std::uint8_t> rgb, std::size_t row_bytes, bool last) {
   const std::size_t rows = rgb.size() / row_bytes;
   std::vector<std::uint8_t> filtered(rows * (row_bytes + 1));
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, rows_a_task), [&](const auto& range) {
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rows, rows_per_task), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       const std::uint8_t* const row = rgb.data() + i * row_bytes;
       std::uint8_t* const to = filtered.data() + i * (row_bytes + 1);
@@ -119,7 +119,7 @@ PngWriter::PngWriter(OutputFile& file, std::int32_t width, std::int32_t height, 
   put(header, static_cast<std::uint32_t>(width));
   put(header, static_cast<std::uint32_t>(height));
   header.insert(header.end(),
-                {8, 2, 0, 0, 0}); // bits a channel; RGB; deflate; adaptive filters; not interlaced
+                {8, 2, 0, 0, 0}); // bits per channel; RGB; deflate; adaptive filters; not interlaced
   put_chunk(bytes, "IHDR", header);
   for (const auto& [keyword, text] : texts) {
     std::vector<std::uint8_t> data(keyword.begin(), keyword.end());

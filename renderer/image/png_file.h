@@ -25,7 +25,7 @@ struct PngRows {
   std::vector<std::uint8_t> chunks;
 };
 
-// Encodes whole bands by all threads: rows of three bytes a pixel. last: they end with the picture's last
+// Encodes whole bands by all threads: rows of three bytes per pixel. last: they end with the picture's last
 // row, else their number is a multiple of png_band_rows().
 PngRows encoded_rows(std::span<const std::uint8_t> rgb, std::int32_t width, bool last);
 

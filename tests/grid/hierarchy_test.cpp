@@ -49,7 +49,7 @@ std::vector<std::vector<Boxd>> boxes_of_primitives(const Grid& grid, std::uint32
                                                                       const Boxd& around) {
     const HierarchyNode& node = grid.nodes[number];
     std::uint32_t next = node.first_node;
-    for (int slot = 0; slot < boxes_a_node; ++slot) {
+    for (int slot = 0; slot < boxes_per_node; ++slot) {
       const std::uint32_t held = slot_byte(node.slots, slot);
       const Boxd box = common(around, decoded_box(node, slot));
       if ((node_slots(node) >> slot & 1) != 0) {
@@ -97,7 +97,7 @@ protected:
   // Into planes of boxes of a node, or along their edges.
   static void put_on_planes(Chance& chance, const Grid& grid, Ray<TracedReal>& ray) {
     const HierarchyNode& node = grid.nodes[chance.index(grid.nodes.size())];
-    const Boxd box = decoded_box(node, chance.whole(0, boxes_a_node - 1));
+    const Boxd box = decoded_box(node, chance.whole(0, boxes_per_node - 1));
     for (int axis = 0; axis < 3; ++axis) {
       if (chance.one_in(2)) continue;
       ray.origin.set(axis, static_cast<TracedReal>(chance.one_in(2) ? box.min[axis] : box.max[axis]));
@@ -347,10 +347,10 @@ TYPED_TEST(BuiltHierarchy, StatisticsCountWhatIsThere) {
     EXPECT_EQ(counted.nodes, grid.nodes.size());
     EXPECT_EQ(counted.node_boxes + 1, counted.nodes); // all but the root are in a box
     EXPECT_EQ(counted.references, grid.references.size());
-    EXPECT_GE(counted.reference_boxes * max_references_a_box, counted.references);
-    EXPECT_LE(counted.boxes_a_node, boxes_a_node);
-    EXPECT_TRUE(std::isfinite(counted.nodes_a_ray) && counted.nodes_a_ray >= 1);
-    EXPECT_TRUE(std::isfinite(counted.tests_a_ray) && counted.tests_a_ray > 0);
+    EXPECT_GE(counted.reference_boxes * max_references_per_box, counted.references);
+    EXPECT_LE(counted.boxes_per_node, boxes_per_node);
+    EXPECT_TRUE(std::isfinite(counted.nodes_per_ray) && counted.nodes_per_ray >= 1);
+    EXPECT_TRUE(std::isfinite(counted.tests_per_ray) && counted.tests_per_ray > 0);
   }
 }
 
@@ -377,7 +377,7 @@ MetBoxes boxes_met_one_by_one(const HierarchyNode& node, const Vec3<Real>& origi
                               Real t_max) {
   MetBoxes met;
   std::vector<std::uint32_t> entries; // into nodes
-  for (int slot = 0; slot < boxes_a_node; ++slot) {
+  for (int slot = 0; slot < boxes_per_node; ++slot) {
     Real enter = 0, leave = t_max;
     for (int axis = 0; axis < 3; ++axis) {
       const Real scale =

@@ -1,6 +1,6 @@
 // However a cube is divided into cells, its map leads every voxel to its own.
+#include "libgrid/build/passes/host_executor.h"
 #include "libgrid/build/passes/merge_passes.h"
-#include "libgrid/build/passes/serial_executor.h"
 #include "tests/random_test.h"
 
 #include <gtest/gtest.h>

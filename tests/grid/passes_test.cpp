@@ -1,5 +1,5 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU.
-#include "libgrid/build/passes/tbb_executor.h"
+#include "libgrid/build/passes/host_executor.h"
 #include "tests/grid/device_like_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"

@@ -201,7 +201,7 @@ void expect_consistent(const WalkNode& node, std::size_t step) {
   EXPECT_EQ(node.depth == 0, step == 0);
   EXPECT_LE(node.depth, static_cast<int>(step));
   EXPECT_GE(std::min({node.met, node.missed, node.beyond}), 0);
-  EXPECT_LE(node.met + node.missed + node.beyond, boxes_a_node);
+  EXPECT_LE(node.met + node.missed + node.beyond, boxes_per_node);
   EXPECT_GE(node.met + node.missed + node.beyond, 1);
 }
 void expect_consistent(const WalkReport& report) {

@@ -3,7 +3,6 @@
 
 #include "libscene/base/error.h"
 #include "libscene/file/memory_file.h"
-#include "libscene/file/same_file.h"
 #include "tests/temporary_folder.h"
 
 #include <sys/stat.h>

@@ -66,7 +66,7 @@ Bound bound_of(const Run& run, const Workers& workers) {
   const auto devices = static_cast<double>(std::max<std::size_t>(workers.gpus.size(), 1));
   const Bound bounds[] = {
       {"tracing", run.trace / devices / run.seconds},
-      {"copies", std::max(run.copies / devices / queries_a_gpu, run.plain_copy) / run.seconds},
+      {"copies", std::max(run.copies / devices / queries_per_gpu, run.plain_copy) / run.seconds},
       {"encoding", run.plain_encode / run.seconds}};
   return *std::ranges::max_element(bounds, {}, &Bound::share);
 }

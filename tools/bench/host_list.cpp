@@ -13,7 +13,7 @@ namespace masu {
 namespace {
 
 constexpr std::size_t different_rays = std::size_t{1} << 22;
-constexpr std::size_t rays_a_piece = std::size_t{1} << 19; // of the plain copy
+constexpr std::size_t rays_per_piece = std::size_t{1} << 19; // of the plain copy
 constexpr std::size_t result_bytes = sizeof(float) + sizeof(std::uint32_t);
 
 std::shared_ptr<void> room(std::size_t bytes, bool page_locked) {
@@ -40,7 +40,7 @@ HostList::HostList(const SceneFile& scene, std::size_t count, std::uint64_t seed
 double HostList::plain_copy_seconds(std::size_t first, std::size_t count, int gpu) const {
   const auto* const rays = static_cast<const Ray<float>*>(memory_.get());
   auto* const results = static_cast<std::uint8_t*>(results_memory_.get());
-  const auto pieces = static_cast<int>(count / rays_a_piece + 1);
+  const auto pieces = static_cast<int>(count / rays_per_piece + 1);
   return round_trip_seconds_cuda(rays + first, count * sizeof(Ray<float>), results + first * result_bytes,
                                  count * result_bytes, pieces, page_locked_, gpu);
 }

@@ -3,7 +3,6 @@
 
 #include "libscene/base/processor.h"
 #include "libscene/file/output_file.h"
-#include "libscene/file/same_file.h"
 #include "libscene/file/temporary_name.h"
 #include "tools/common/printable.h"
 #include "tools/common/version.h"

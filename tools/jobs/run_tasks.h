@@ -26,7 +26,7 @@ inline std::size_t allowed_threads() {
 // far as memory allows.
 inline std::size_t tasks_under_way(const Tracer& tracer, std::size_t bytes_a_task) {
   constexpr std::size_t all_bytes = std::size_t{4} << 30;
-  const std::size_t devices = tracer.device() == Device::cuda ? queries_a_gpu * tracer.device_count() : 1;
+  const std::size_t devices = tracer.device() == Device::cuda ? queries_per_gpu * tracer.device_count() : 1;
   return std::clamp<std::size_t>(all_bytes / std::max<std::size_t>(bytes_a_task, 1), 2,
                                  allowed_threads() + devices);
 }
@@ -35,7 +35,7 @@ inline std::size_t tasks_under_way(const Tracer& tracer, std::size_t bytes_a_tas
 class FreeDevices {
 public:
   explicit FreeDevices(std::size_t devices) {
-    for (int query = 0; query < queries_a_gpu; ++query)
+    for (int query = 0; query < queries_per_gpu; ++query)
       for (std::size_t device = 0; device < devices; ++device)
         free_.push_back(device);
     count_.release(static_cast<std::ptrdiff_t>(free_.size()));

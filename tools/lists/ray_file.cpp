@@ -48,8 +48,8 @@ RayFile::RayFile(const std::string& path, const RayFormat& numbers)
     stream_.fail(
         "is a text, where numbers of 32 or 64 bits are expected: name a CSV file, which ends in .csv");
   if (!is_named_file()) return;
-  const std::uint64_t bytes = bytes_ - std::min(first_byte_, bytes_), rays = bytes / format_.bytes_a_ray();
-  if (bytes % format_.bytes_a_ray() != 0) fail_by_bytes(bytes);
+  const std::uint64_t bytes = bytes_ - std::min(first_byte_, bytes_), rays = bytes / format_.bytes_per_ray();
+  if (bytes % format_.bytes_per_ray() != 0) fail_by_bytes(bytes);
   if (expected_ && rays != *expected_) fail_by_rays(rays);
   expected_ = rays;
 }
@@ -110,13 +110,13 @@ void RayFile::read_names() {
 
 RaysRead RayFile::next(std::size_t count) {
   if (csv_) return next_lines(count);
-  RaysRead next{std::vector<std::uint8_t>(count * format_.bytes_a_ray())};
+  RaysRead next{std::vector<std::uint8_t>(count * format_.bytes_per_ray())};
   next.rays.resize(read(next.rays.data(), next.rays.size()));
   if (stream_.is_cancelled()) return {};
   next.bytes = next.rays.size();
   taken_ += next.bytes;
-  if (next.bytes % format_.bytes_a_ray() != 0) fail_by_bytes(taken_);
-  const std::size_t rays = next.bytes / format_.bytes_a_ray();
+  if (next.bytes % format_.bytes_per_ray() != 0) fail_by_bytes(taken_);
+  const std::size_t rays = next.bytes / format_.bytes_per_ray();
   rays_ += rays;
   if (expected_ && rays < count && rays_ != *expected_) fail_by_rays(rays_);
   return next;
@@ -204,7 +204,7 @@ void RayFile::set_chunks(std::size_t rays_a_chunk, const std::string& chunks) {
 }
 
 RaysRead RayFile::chunk(std::uint64_t index) const {
-  const std::uint64_t first = index * rays_a_chunk_, ray_bytes = format_.bytes_a_ray();
+  const std::uint64_t first = index * rays_a_chunk_, ray_bytes = format_.bytes_per_ray();
   const std::size_t count = std::min<std::uint64_t>(rays_a_chunk_, all_rays_ - first);
   RaysRead read;
   if (!csv_) {

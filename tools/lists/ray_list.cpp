@@ -166,7 +166,7 @@ private:
     }
     chunk->rays = std::move(read.rays);
     chunk->file_bytes = read.bytes;
-    chunk->count = chunk->rays.size() / file_.format().bytes_a_ray();
+    chunk->count = chunk->rays.size() / file_.format().bytes_per_ray();
     read_ += chunk->count;
     return chunk;
   }
@@ -220,8 +220,9 @@ public:
 
   // Besides those that a GPU has: one is written, one is about to be.
   std::size_t chunks_under_way() const {
-    const std::size_t bytes = rays_a_chunk * (file_.format().bytes_a_ray() + 2 * format_.record_bytes()),
-                      queries = tracer_.device() == Device::cuda ? queries_a_gpu * tracer_.device_count() : 1;
+    const std::size_t bytes = rays_a_chunk * (file_.format().bytes_per_ray() + 2 * format_.record_bytes()),
+                      queries =
+                          tracer_.device() == Device::cuda ? queries_per_gpu * tracer_.device_count() : 1;
     return std::min(tasks_under_way(tracer_, bytes), queries + 2);
   }
 

@@ -24,9 +24,9 @@ void print_table(const GridFile& file, const HierarchyStatistics& s, const Json&
   line("nodes", fmt::format("{}, {} deep", s.nodes, s.depth));
   line("  boxes of nodes", fmt::format("{}", s.node_boxes));
   line("  boxes of references", fmt::format("{}", s.reference_boxes));
-  line("  boxes a node", fmt::format("{:.2f} of 8", s.boxes_a_node));
+  line("  boxes a node", fmt::format("{:.2f} of 8", s.boxes_per_node));
   line("references", fmt::format("{} to {} primitives", s.references, file.table().primitives()));
-  line("expected per ray", fmt::format("{:.2f} nodes, {:.2f} tests", s.nodes_a_ray, s.tests_a_ray));
+  line("expected per ray", fmt::format("{:.2f} nodes, {:.2f} tests", s.nodes_per_ray, s.tests_per_ray));
   line("bytes", fmt::format("{} (nodes {}, references {})", file.bytes(), file.nodes().size_bytes(),
                             file.references().size_bytes()));
   line("structure", "bvh");
@@ -42,12 +42,12 @@ Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool h
             {"space", {{"min", vector_json(space.min)}, {"max", vector_json(space.max)}}},
             {"primitives", table.primitives()},
             {"nodes", s.nodes},
-            {"boxes_a_node", s.boxes_a_node},
+            {"boxes_a_node", s.boxes_per_node},
             {"node_boxes", s.node_boxes},
             {"reference_boxes", s.reference_boxes},
             {"references", s.references},
             {"depth", s.depth},
-            {"expected_per_ray", {{"nodes", s.nodes_a_ray}, {"tests", s.tests_a_ray}}},
+            {"expected_per_ray", {{"nodes", s.nodes_per_ray}, {"tests", s.tests_per_ray}}},
             {"bytes",
              {{"file", file.bytes()},
               {"nodes", file.nodes().size_bytes()},

@@ -91,12 +91,6 @@ namespace kernels {
 
 inline constexpr unsigned threads = 256;
 
-template <class Act>
-__global__ void each(std::uint64_t count, const __grid_constant__ Act act) {
-  const std::uint64_t i = std::uint64_t{blockIdx.x} * blockDim.x + threadIdx.x;
-  if (i < count) act(i);
-}
-
 // Most boxes hold few things: eight threads share one. What is too much for them is put on a list, whose
 // length is large[0].
 inline constexpr unsigned tile_width = 8, max_for_tile = 256;
@@ -132,10 +126,6 @@ struct Sum {
   }
 };
 
-inline unsigned blocks_for(std::uint64_t threads_wanted) {
-  return static_cast<unsigned>((threads_wanted + threads - 1) / threads);
-}
-
 } // namespace kernels
 
 class CudaExecutor {
@@ -161,8 +151,7 @@ public:
   }
   template <class Act>
   void for_each(std::uint64_t count, const Act& act) const {
-    if (count == 0) return;
-    launch(kernels::each<Act>, kernels::blocks_for(count), kernels::threads, nullptr, count, act);
+    for_each_on_device(count, nullptr, act);
   }
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {
@@ -170,7 +159,8 @@ public:
     using namespace kernels;
     const auto large = array<std::uint32_t>(count + 1);
     check(cudaMemsetAsync(large.data(), 0, sizeof(std::uint32_t), nullptr));
-    launch(each_by_tile<Work>, blocks_for(count * tile_width), threads, nullptr, count, work, large.data());
+    launch(each_by_tile<Work>, blocks_of(threads, count * tile_width), threads, nullptr, count, work,
+           large.data());
     launch(each_by_block<Work>, blocks_for_large, threads, nullptr, work, large.data());
   }
   template <class T>
@@ -193,12 +183,12 @@ public:
   template <class Value, class Emit>
   std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
                                                          std::uint64_t max_pairs, const Emit& emit) const {
-    constexpr std::uint64_t rows_a_piece = 32;
+    constexpr std::uint64_t rows_per_piece = 32;
     auto pieces = array<std::uint64_t>(count + 1);
     std::uint64_t* const first_piece = pieces.data();
     for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
       const std::uint64_t rows = i != count ? emit.size(i) : 0;
-      first_piece[i] = (rows + rows_a_piece - 1) / rows_a_piece;
+      first_piece[i] = (rows + rows_per_piece - 1) / rows_per_piece;
     });
     scan(pieces);
     const std::uint64_t piece_count = value(pieces, count);
@@ -209,8 +199,8 @@ public:
       std::uint64_t own = 0;
       if (piece != piece_count) {
         const std::uint64_t i = owner_of(first_piece, count, piece);
-        const std::uint64_t row = (piece - first_piece[i]) * rows_a_piece;
-        emit(i, row, row + rows_a_piece, [&](std::uint64_t, const Value&) { ++own; });
+        const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
+        emit(i, row, row + rows_per_piece, [&](std::uint64_t, const Value&) { ++own; });
       }
       first_pair[piece] = own;
     });
@@ -223,9 +213,9 @@ public:
     Value* const values = sorted.values.data();
     for_each(piece_count, [=] MASU_PASS(std::uint64_t piece) {
       const std::uint64_t i = owner_of(first_piece, count, piece);
-      const std::uint64_t row = (piece - first_piece[i]) * rows_a_piece;
+      const std::uint64_t row = (piece - first_piece[i]) * rows_per_piece;
       std::uint64_t offset = first_pair[piece];
-      emit(i, row, row + rows_a_piece, [&](std::uint64_t key, const Value& value) {
+      emit(i, row, row + rows_per_piece, [&](std::uint64_t key, const Value& value) {
         keys[offset] = key;
         values[offset++] = value;
       });

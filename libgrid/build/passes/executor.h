@@ -1,7 +1,6 @@
 // Building by passes: each does the same to every one of many items, in any order or all at once. What runs
-// them (an executor) is a template parameter: TbbExecutor (tbb_executor.h) on the host's cores,
-// SerialExecutor (serial_executor.h) on one of them, CudaExecutor (cuda_executor.h) on a device. An executor
-// has
+// them (an executor) is a template parameter: TbbExecutor on the host's cores, SerialExecutor on one of them
+// (host_executor.h), CudaExecutor (cuda_executor.h) on a device. An executor has
 //
 //   Array<T>                      in its memory: data(), size(); moves, doesn't copy
 //   array<T>(count)               of any content;  zeros<T>(count)

@@ -100,7 +100,9 @@ void expand_cells(Executor& executor, const MergedGridView<double>& grid, std::u
 }
 
 // The same cells on the host's cores, many faces side by side (expand.cpp): two fifths of the passes' time.
-class TbbExecutor;
+template <bool parallel>
+class HostExecutor;
+using TbbExecutor = HostExecutor<true>;
 void expand_cells(TbbExecutor& executor, const MergedGridView<double>& grid, std::uint64_t count,
                   MergedCell* cells, int expansions);
 

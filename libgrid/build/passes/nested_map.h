@@ -14,7 +14,7 @@ namespace masu {
 
 // No more words than this for each cell that they lead to, unless one step down needs them: what is left of
 // the depth takes another step.
-inline constexpr std::uint32_t words_a_cell = 4;
+inline constexpr std::uint32_t words_per_cell = 4;
 
 // 2^log2 voxels along each axis.
 struct MapRegion {
@@ -51,7 +51,7 @@ MASU_HD inline Vec3i map_division_for(const MapRegion& region, const std::uint32
       ++finest;
     division.set(axis, std::min(region.log2[axis] - finest, static_cast<std::int32_t>(max_division_log2)));
   }
-  while (parts_of(division) > 2 && parts_of(division) > std::uint64_t{words_a_cell} * cells) {
+  while (parts_of(division) > 2 && parts_of(division) > std::uint64_t{words_per_cell} * cells) {
     const int axis = division.x >= division.y && division.x >= division.z ? 0
                      : division.y >= division.z                           ? 1
                                                                           : 2;

@@ -35,9 +35,6 @@ namespace {
 using import::ImportedMaterial;
 using import::Transform;
 
-constexpr std::uint64_t max_objects = 0x7fffffff; // object indices are int32, with -1 for none
-constexpr double largest_coordinate = 1e100;
-
 // A node that names a mesh.
 struct Instance {
   const aiNode* node;
@@ -126,17 +123,6 @@ struct Importing {
   std::uint32_t face = 0; // its number
 };
 
-bool is_valid(const Vec3d& p) {
-  return std::abs(p.x) <= largest_coordinate && std::abs(p.y) <= largest_coordinate &&
-         std::abs(p.z) <= largest_coordinate; // not for NaN
-}
-
-// v with a length of 1, or else the other one.
-Vec3d unit_or(const Vec3d& v, const Vec3d& otherwise) {
-  if (!is_valid(v) || largest_magnitude(v) == 0) return otherwise;
-  return normalized(v * (1 / largest_magnitude(v)));
-}
-
 // The vertices' normals in the mesh's coordinates.
 class NormalsOfMesh {
 public:
@@ -187,7 +173,7 @@ void add_triangle(Importing& state, const SceneTriangle& triangle) {
 // be hit, where it has no area or no place.
 void add_face(Importing& state, const aiMesh& mesh, std::uint32_t object) {
   Scene& scene = state.result.scene;
-  const bool has_place = std::all_of(state.corners.begin(), state.corners.end(), is_valid);
+  const bool has_place = std::all_of(state.corners.begin(), state.corners.end(), is_coordinate);
   if (has_place) triangulate(state.corners, state.triangulation);
   if (!has_place || state.triangulation.triangles.empty()) {
     ++(has_place ? scene.warnings.degenerate_polygons : state.result.notes.invalid_faces);
@@ -209,9 +195,11 @@ void add_face(Importing& state, const aiMesh& mesh, std::uint32_t object) {
     std::uint64_t normals = no_normals;
     if (state.smooth) {
       normals = scene.normals.size();
-      const Vec3d flat = unit_or(cross(pb - pa, pc - pa), {0, 0, 1});
-      scene.normals.push_back({unit_or(state.normals[a], flat), unit_or(state.normals[b], flat),
-                               unit_or(state.normals[c], flat)});
+      const Vec3d flat = import::unit(cross(pb - pa, pc - pa)).value_or(Vec3d{0, 0, 1});
+      const auto normal = [&](std::uint32_t corner) {
+        return import::unit(state.normals[corner]).value_or(flat);
+      };
+      scene.normals.push_back({normal(a), normal(b), normal(c)});
     }
     add_triangle(state, {pa, object, pb, index, pc, normals});
   }

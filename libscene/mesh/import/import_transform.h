@@ -1,16 +1,23 @@
 // Affine transforms of an Assimp scene's nodes, in double.
 #pragma once
 
-#include "libscene/geometry/vector.h"
+#include "libscene/automatic_camera.h"
 
 #include <assimp/scene.h>
 
 #include <array>
+#include <optional>
 
 namespace masu::import {
 
 inline Vec3d vector_of(const aiVector3D& v) {
   return {v.x, v.y, v.z};
+}
+
+// v with a length of 1; none where it has no direction, or coordinates that aren't any.
+inline std::optional<Vec3d> unit(const Vec3d& v) {
+  if (!is_coordinate(v) || largest_magnitude(v) == 0) return {};
+  return direction(v);
 }
 
 struct Transform {

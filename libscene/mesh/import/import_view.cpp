@@ -9,25 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <string_view>
 
 namespace masu::import {
 namespace {
 
-constexpr double largest_coordinate = 1e100;
 constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::int32_t default_height = 512, max_pixels = 65536;
-
-bool is_coordinate(const Vec3d& v) {
-  return std::abs(v.x) <= largest_coordinate && std::abs(v.y) <= largest_coordinate &&
-         std::abs(v.z) <= largest_coordinate; // not for NaN
-}
-
-std::optional<Vec3d> unit(const Vec3d& v) {
-  if (!is_coordinate(v) || largest_magnitude(v) == 0) return {};
-  return direction(v);
-}
 
 Transform transform_of(const aiScene& file, const aiString& name) {
   const aiNode* const node = file.mRootNode->FindNode(name);
@@ -71,22 +59,6 @@ std::optional<Camera> imported_camera(const aiScene& file, const aiCamera& sourc
   const double aspect = has_aspect ? source.mAspect : static_cast<double>(camera.width) / camera.height;
   camera.angle = vertical_angle(file, source, aspect);
   if (!(camera.angle > 0 && camera.angle < 180)) return {};
-  return camera;
-}
-
-// NFF's automatic view, turned to the up axis.
-Camera automatic_camera(const ImportOptions& options, const Sphere<double>& whole) {
-  const bool is_y_up = options.up == UpAxis::y;
-  Camera camera{};
-  camera.angle = 45;
-  camera.hither = 0.01;
-  camera.height = options.height > 0 ? options.height : default_height;
-  camera.width = options.width > 0 ? options.width : default_height;
-  camera.up = is_y_up ? Vec3d{0, 1, 0} : Vec3d{0, 0, 1};
-  camera.at = whole.center;
-  const double distance = framing_distance(whole.radius, camera.angle, camera.width, camera.height);
-  const Vec3d forward = direction(is_y_up ? Vec3d{-1, -1.2, -2} : Vec3d{-1, 2, -1.2});
-  camera.from = whole.center - forward * distance;
   return camera;
 }
 
@@ -140,7 +112,10 @@ void import_view(const aiScene& file, const ImportOptions& options, ImportedScen
       scene.has_camera = true;
     }
   }
-  if (!scene.has_camera) scene.camera = automatic_camera(options, whole);
+  if (!scene.has_camera)
+    scene.camera =
+        automatic_camera(whole, options.up == UpAxis::y, options.width > 0 ? options.width : default_height,
+                         options.height > 0 ? options.height : default_height);
   result.notes.has_camera = scene.has_camera;
   result.notes.omitted_cameras = file.mNumCameras - (scene.has_camera ? 1U : 0U);
 

@@ -1,4 +1,4 @@
-// Executor (executor.h) on the host's cores.
+// Executors (executor.h) on the host: on all of its cores, or on one of them.
 #pragma once
 
 #include "libgrid/build/passes/executor.h"
@@ -17,7 +17,9 @@
 
 namespace masu {
 
-class TbbExecutor {
+// `parallel`: by all cores; else plain loops, for the parts of a grid that one thread builds (merge.cpp).
+template <bool parallel>
+class HostExecutor {
 public:
   std::function<void(double)> progress; // gets shares of a grid's work; may be empty
 
@@ -46,6 +48,12 @@ public:
   }
   template <class T>
   void scan(Array<T>& values) const {
+    if constexpr (!parallel) {
+      T sum{};
+      for (T& value : values)
+        value = std::exchange(sum, sum + value);
+      return;
+    }
     constexpr std::uint64_t chunk = 1 << 16;
     const std::uint64_t chunks = (values.size() + chunk - 1) / chunk;
     std::vector<T> sums(chunks, T{});
@@ -74,6 +82,7 @@ public:
   }
 
   static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
+    if constexpr (!parallel) return std::exchange(counter, counter + by);
     return std::atomic_ref(counter).fetch_add(by, std::memory_order_relaxed);
   }
 
@@ -81,8 +90,8 @@ public:
   // the cache; buckets and chunks of items don't depend on the number of threads. What a bucket leaves of a
   // key fits in 32 bits: wider keys make more buckets.
   template <class Value, class Emit>
-  std::optional<Sorted<TbbExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
-                                                        std::uint64_t max_pairs, const Emit& emit) const {
+  std::optional<Sorted<HostExecutor, Value>> emit_sorted(std::uint64_t count, int bits,
+                                                         std::uint64_t max_pairs, const Emit& emit) const {
     struct Pair {
       std::uint32_t key; // within the bucket
       Value value;
@@ -92,16 +101,16 @@ public:
       std::vector<Pair> pairs;
       std::vector<std::uint32_t> begin;
     };
-    constexpr std::uint64_t items_a_chunk = 4096, all_rows = ~std::uint64_t{0};
+    constexpr std::uint64_t items_per_chunk = 4096, all_rows = ~std::uint64_t{0};
     const int bucket_bits = std::clamp(bits - 10, 12, 32);
     const std::uint64_t buckets = (std::uint64_t{1} << std::max(bits - bucket_bits, 0)),
                         mask = (std::uint64_t{1} << bucket_bits) - 1;
-    std::vector<Chunk> chunks((count + items_a_chunk - 1) / items_a_chunk);
+    std::vector<Chunk> chunks((count + items_per_chunk - 1) / items_per_chunk);
     std::atomic<std::uint64_t> total = 0;
     tbb::parallel_for(std::uint64_t{0}, chunks.size(), [&](std::uint64_t c) {
       std::vector<std::pair<std::uint64_t, Value>> emitted;
-      const std::uint64_t end = std::min(count, (c + 1) * items_a_chunk);
-      for (std::uint64_t i = c * items_a_chunk; i != end && emitted.size() <= max_pairs; ++i) {
+      const std::uint64_t end = std::min(count, (c + 1) * items_per_chunk);
+      for (std::uint64_t i = c * items_per_chunk; i != end && emitted.size() <= max_pairs; ++i) {
         emit(i, 0, all_rows,
              [&](std::uint64_t key, const Value& value) { emitted.emplace_back(key, value); });
       }
@@ -157,17 +166,25 @@ public:
         for_each_pair([&](const Pair& pair) { put(next[pair.key]++, pair); });
       }
     });
-    return Sorted<TbbExecutor, Value>{std::move(keys), std::move(values)};
+    return Sorted<HostExecutor, Value>{std::move(keys), std::move(values)};
   }
 
 private:
   template <class Act>
   static void for_each_range(std::uint64_t count, std::uint64_t grain, const Act& act) {
+    if constexpr (!parallel) {
+      for (std::uint64_t i = 0; i < count; ++i)
+        act(i);
+      return;
+    }
     tbb::parallel_for(tbb::blocked_range<std::uint64_t>(0, count, grain), [&](const auto& range) {
       for (std::uint64_t i = range.begin(); i != range.end(); ++i)
         act(i);
     });
   }
 };
+
+using TbbExecutor = HostExecutor<true>;
+using SerialExecutor = HostExecutor<false>;
 
 } // namespace masu
