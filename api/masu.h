@@ -158,8 +158,8 @@ typedef struct masu_hits {
   float* t;            /* in lengths of the direction; infinity for a miss */
   uint32_t* primitive; /* its index; MASU_NONE for a miss */
   uint32_t* object;    /* as masu_primitive has it; MASU_NONE for a miss */
-  float* uv;      /* 2 per ray: the point of a triangle a b c is (1 - u - v) a + u b + v c; 0 on others */
-  float* normal;  /* 3 per ray: geometric, of unit length, on the primitive's front; 0 for a miss */
+  float* uv;           /* 2 per ray: a triangle's point is (1 - u - v) a + u b + v c; 0 on others */
+  float* normal;       /* 3 per ray: geometric, unit length, on the primitive's front; 0 for a miss */
   uint32_t* face; /* of a scene from mesh2bin, the number of the file's face, through all objects in their
                      order; of others as primitive; MASU_NONE for a miss */
 } masu_hits;
@@ -206,8 +206,7 @@ typedef enum masu_store {
  * Camera and lights are automatic ones, for gridrender.
  *
  * Coordinates are stored relative to `origin`, 3 numbers, so that errors follow the scene's extent and not
- * its position in the world. NULL: the bounds' centre, or zero where that is nearer than half their diagonal.
- */
+ * its position in the world. NULL: the bounds' centre, or zero if that is nearer than half their diagonal. */
 MASU_API masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count,
                                       masu_store store, const double* origin);
 
