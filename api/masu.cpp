@@ -1,7 +1,7 @@
 // The C interface over the tracer and the builders: arguments are checked, exceptions become statuses.
 #include "masu.h"
 
-#include "libgrid/build/build_grid.h"
+#include "libgrid/build/chosen_structure.h"
 #include "libscene/base/processor.h"
 #include "libscene/file/memory_file.h"
 #include "libscene/file/same_file.h"
@@ -177,7 +177,7 @@ template <class Stored>
 void build(const SceneFile& file, const std::string& path, const BuildOptions& options, int device) {
   const SceneView<Stored> scene = file.view<Stored>();
   const auto builder = device == MASU_CPU ? cpu_builder(scene) : cuda_builder(scene, device);
-  const auto [grid, provenance] = build_grid(*builder, file.bounds(), file.geometry_hash(), options);
+  const auto [grid, provenance, considered] = build_chosen(*builder, file.geometry(), options);
   write_grid(grid, provenance, path);
 }
 
@@ -193,17 +193,19 @@ Residence residence_for(std::size_t gpu_count) {
   return gpu_count == 0 ? Residence::memory : Residence::file;
 }
 
-// What masu_build_grid() writes for MASU_GRID_FASTEST, in a file in memory.
+// What is expected to be fastest on the device, in a file in memory.
 GridFile* build_in_memory(const SceneFile& scene, int device, std::optional<GridFile>& grid) {
   masu_grid_options fastest;
   masu_default_grid_options(&fastest);
   fastest.kind = MASU_GRID_FASTEST;
+  BuildOptions options = build_options(fastest);
+  options.processor = device == MASU_CPU ? Processor::cpu : Processor::gpu;
   const MemoryFile file;
   // A builder takes scenes in memory alone.
   if (scene.residence() == Residence::memory)
-    build(scene, file.path(), build_options(fastest), device);
+    build(scene, file.path(), options, device);
   else
-    build(SceneFile(scene.path()), file.path(), build_options(fastest), device);
+    build(SceneFile(scene.path()), file.path(), options, device);
   return &grid.emplace(file.path(), scene.residence());
 }
 
@@ -278,9 +280,9 @@ masu_status masu_describe(const masu_tracer* tracer, masu_description* descripti
       description->triangles = view.triangle_count;
       description->spheres = view.sphere_count;
       description->cones = view.cone_count;
-      description->materials = view.material_count;
     };
     scene.is_float64() ? count(scene.view<double>()) : count(scene.view<float>());
+    description->materials = static_cast<std::uint32_t>(scene.counts().materials);
     const Vec3d origin = scene.origin();
     const Boxd box = in_world(origin, scene.bounds());
     for (int axis = 0; axis < 3; ++axis) {

@@ -208,10 +208,10 @@ private:
 
 template <class Stored>
 std::vector<SectionSegment> section_of(const SceneView<Stored>& scene, const SectionOptions& options) {
-  const std::array<double, 2> origin{scene.origin[options.axis == 0 ? 1 : 0],
-                                     scene.origin[options.axis == 2 ? 1 : 2]};
+  const std::array<double, 2> origin{options.origin[options.axis == 0 ? 1 : 0],
+                                     options.origin[options.axis == 2 ? 1 : 2]};
   SectionOptions local = options;
-  local.position -= scene.origin[options.axis];
+  local.position -= options.origin[options.axis];
   for (std::size_t i = 0; i < 2; ++i) {
     local.min[i] -= origin[i];
     local.max[i] -= origin[i];

@@ -23,6 +23,7 @@ struct SectionOptions {
   double position;
   std::array<double, 2> min, max; // a window: segments of primitives whose bounds miss it are left out
   double deviation;
+  Vec3d origin{0, 0, 0}; // the scene's (local_origin.h)
 };
 
 // Triangles give the segment that they share with the plane, or their three sides when they lie in it;

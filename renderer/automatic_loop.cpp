@@ -58,7 +58,7 @@ std::vector<Ray<double>> random_sample(const SceneFile& scene) {
 
 } // namespace
 
-WarpCosts sampled_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
+WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
   const std::vector<std::uint8_t> bytes = sample_of(rays);
   const std::size_t count = bytes.size() / rays.format.bytes_a_ray(), warps = count / rays_a_warp;
   if (count == 0) return {};

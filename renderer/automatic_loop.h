@@ -17,13 +17,13 @@ struct WarpCosts {
 // Of 2048 rays of a list in host memory, counted where the tracer traces: well below a millisecond on a GPU.
 // The tracer has a grid. Throws Error(usage) for rays that aren't there and a precision that doesn't hold the
 // scene, Error(device).
-WarpCosts sampled_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision);
+WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision);
 
 // The fastest loop for rays of such costs, or one within some per cent of it (docs/performance.md).
 RayLoop automatic_loop(const WarpCosts& costs, bool is_hierarchy);
 
 inline RayLoop automatic_loop(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
-  return automatic_loop(sampled_costs(tracer, rays, query, precision), tracer.grid()->is_hierarchy());
+  return automatic_loop(warp_costs(tracer, rays, query, precision), tracer.grid()->is_hierarchy());
 }
 
 // The loops for rays that can't be looked at, because they are in a GPU's memory: that of the scene's camera

@@ -268,14 +268,14 @@ private:
 };
 
 template <class M, class Stored, class Grid>
-void record(const SceneView<Stored>& scene, const Grid& grid, const WalkRequest& request,
+void record(const SceneView<Stored>& scene, const Vec3d& origin, const Grid& grid, const WalkRequest& request,
             WalkReport& report) {
   using Real = typename M::Real;
   Ray<double> given = request.ray;
   if (request.all_rays && std::abs(length(given.direction) - 1) > 1e-6)
     given.direction = normalized(given.direction);
   RayFormat format = own_format<double>;
-  if (!request.is_relative) format.origin = scene.origin;
+  if (!request.is_relative) format.origin = origin;
   Ray<Real> ray = loaded<Real>(&given, format, 0);
   if (!is_valid(ray))
     throw Error(ErrorCode::usage, "walk",
@@ -331,7 +331,8 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   with_store_and_arithmetic(
       tracer.scene(), rules.precision, [&]<class TestRay>(const auto& scene, Arithmetic<TestRay>) {
         with_method<TestRay>(scene, grid, rules, [&]<class M, class C>(const auto& accelerator, M, C) {
-          if constexpr (std::is_same_v<C, Counts>) record<M>(scene, accelerator, request, report);
+          if constexpr (std::is_same_v<C, Counts>)
+            record<M>(scene, tracer.scene().origin(), accelerator, request, report);
         });
       });
   move_to_world(tracer.scene().origin(), report);

@@ -1,6 +1,6 @@
 // gridbuild: divides a scene's space into voxels and writes which primitives each one holds; or builds a
 // bounding volume hierarchy instead.
-#include "libgrid/build/build_grid.h"
+#include "libgrid/build/chosen_structure.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/statistics.h"
 #include "libscene/base/stopwatch.h"
@@ -38,6 +38,24 @@ void print_report(const Settings& settings, fmt::format_string<Values...> format
   fmt::print(format, std::forward<Values>(values)...);
 }
 
+// What was built in order to choose, with cells or nodes, and tests, per ray of each sample.
+nlohmann::ordered_json considered_json(const std::vector<Considered>& considered) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Considered& one : considered) {
+    nlohmann::ordered_json json{{"structure", one.kind == GridKind::hierarchy   ? "bvh"
+                                              : one.kind == GridKind::irregular ? "irregular"
+                                                                                : "uniform"},
+                                {"division", {one.division.x, one.division.y, one.division.z}},
+                                {"expected_time", one.expected_time}};
+    const auto add = [&](const char* set, const RayCost& ray) { json[set] = {ray.steps, ray.tests}; };
+    add("across", one.costs.across);
+    add("aimed", one.costs.aimed);
+    add("scattered", one.costs.scattered);
+    all.push_back(std::move(json));
+  }
+  return all;
+}
+
 template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
@@ -45,7 +63,7 @@ void build(const Settings& settings, const SceneFile& file) {
   const bool on_gpu = settings.device == Device::cuda;
   const auto builder = on_gpu ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
   const Stopwatch watch;
-  auto [grid, made] = build_grid(*builder, file.bounds(), file.geometry_hash(), settings.options);
+  auto [grid, made, considered] = build_chosen(*builder, file.geometry(), settings.options);
   progress.reset();
   const double seconds = watch.seconds();
   if (settings.record_seconds) made.build_seconds = seconds;
@@ -83,6 +101,7 @@ void build(const Settings& settings, const SceneFile& file) {
                  {"total_seconds", total_seconds},
                  {"device", on_gpu && !is_hierarchy ? cuda_device_name() : "cpu"},
                  {"scene_hash", to_hex(file.hash())}});
+    if (!considered.empty()) json["considered"] = considered_json(considered);
     json.update(provenance());
     return print_report(settings, "{}\n", json_text(json, -1));
   }
@@ -120,7 +139,7 @@ int main(int argc, char** argv) {
       "  woo:D          D * cbrt(N) along the longest axis, the others in proportion\n"
       "  heterogeneous:D  D * w * cbrt(N / V) an axis\n"
       "  cleary:L       L * N voxels of equal sides\n"
-      "  auto           the coarsest within a few percent of the best, by a cost model",
+      "  auto           by a cost model, and by a sample of rays traced through coarser and finer ones",
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
@@ -139,13 +158,17 @@ int main(int argc, char** argv) {
             app, "--overlap", settings.options.overlap, {{"box", Overlap::box}, {"exact", Overlap::exact}},
             "when a voxel lists a primitive: box (bounding boxes meet) or exact (the surface meets it)");
         group_options(app, "Cells");
+        add_choice(app, "--structure", settings.structure,
+                   {{"grid", StructureChoice::grid},
+                    {"bvh", StructureChoice::hierarchy},
+                    {"fastest", StructureChoice::fastest}},
+                   "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest "
+                   "(a grid or a "
+                   "hierarchy, whichever a sample of rays is expected to take the least time through)");
         add_choice(
-            app, "--structure", settings.structure,
-            {{"grid", StructureChoice::grid},
-             {"bvh", StructureChoice::hierarchy},
-             {"fastest", StructureChoice::fastest}},
-            "what is built: grid, bvh (a bounding volume hierarchy of eight boxes a node), fastest (an "
-            "irregular grid or a hierarchy, whichever some rays traced through both take less time with)");
+            app, "--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
+            "the processor that will trace: what the automatic choices (--structure fastest, --merge auto, "
+            "--division auto) count a step and a test by");
         add_choice(app, "--merge", settings.options.grid.kind,
                    {{"auto", GridKind::automatic},
                     {"none", GridKind::uniform},
@@ -153,7 +176,8 @@ int main(int argc, char** argv) {
                     {"balance", GridKind::balance},
                     {"irregular", GridKind::irregular}},
                    "which voxels share a cell: auto (none where a division is given; else none or irregular, "
-                   "as a cost model says), none, x (empty ones in a run along x), balance (as many as list "
+                   "whichever a sample of rays is expected to take less time through), none, x (empty ones "
+                   "in a run along x), balance (as many as list "
                    "--target primitives), irregular (voxels are divided further, by expected cost)");
         app.add_option("--target", settings.options.grid.target, "balance: the most references of a cell")
             ->check(CLI::Range(1U, 1U << 20))

@@ -1,5 +1,5 @@
-// gridstat: statistics of a grid, pictures of its slices, its cells as boxes, and the occupied voxels of a
-// scene.
+// gridstat: statistics of a grid or a hierarchy, pictures of its slices, its cells as boxes, and the occupied
+// voxels of a scene.
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace masu {
@@ -24,6 +25,7 @@ using Json = nlohmann::ordered_json;
 struct Settings {
   std::string grid, slice, window, outline, picture, cells, occupancy;
   std::vector<double> within;
+  std::optional<std::int32_t> depth;
   SliceStyle style;
   CellExport cell_export;
   std::vector<std::int32_t> divisions{2, 4, 8, 16, 32};
@@ -36,8 +38,8 @@ std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane&
                                        const SliceWindow& window, std::int32_t pixels) {
   const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
   constexpr double deviation = 0.1; // in pixels
-  return section_of(scene.view<Stored>(),
-                    {plane.axis, plane.position, window.min, window.max, deviation * longer / pixels});
+  return section_of(scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max,
+                                           deviation * longer / pixels, scene.origin()});
 }
 
 void draw_slice(const GridFile& file, const Settings& settings) {
@@ -45,7 +47,8 @@ void draw_slice(const GridFile& file, const Settings& settings) {
     throw Error(ErrorCode::usage, "--slice", "needs -o FILE, a PNG, SVG or JSON to write");
   const GridLayout finest = finest_layout(file);
   const SlicePlane plane = parse_slice(settings.slice, finest);
-  const SliceWindow window = parse_window(settings.window, finest, plane.axis);
+  SliceWindow window = parse_window(settings.window, finest, plane.axis);
+  window.depth = settings.depth;
   std::vector<SectionSegment> outline;
   if (!settings.outline.empty()) {
     const SceneFile scene(settings.outline);
@@ -58,6 +61,8 @@ void draw_slice(const GridFile& file, const Settings& settings) {
 
 void write_cells(const GridFile& file, const Settings& settings) {
   CellExport options = settings.cell_export;
+  if (options.expanded && file.is_hierarchy())
+    throw Error(ErrorCode::usage, "--expanded", "needs a grid of cells: a hierarchy has none");
   if (!settings.within.empty()) {
     const auto& w = settings.within;
     const Boxd box{{w[0], w[1], w[2]}, {w[3], w[4], w[5]}};
@@ -71,11 +76,6 @@ void write_cells(const GridFile& file, const Settings& settings) {
 
 void inspect(const Settings& settings) {
   const GridFile file(settings.grid);
-  if (file.is_hierarchy()) {
-    for (const auto& [wanted, option] : {std::pair(!settings.slice.empty(), "--slice"),
-                                         std::pair(settings.cell_export.expanded, "--expanded")})
-      if (wanted) throw Error(ErrorCode::usage, option, "needs a grid of cells: a hierarchy has none");
-  }
   if (!settings.slice.empty()) return draw_slice(file, settings);
   if (!settings.cells.empty()) return write_cells(file, settings);
   print_grid_report(file,
@@ -131,7 +131,7 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
 int main(int argc, char** argv) {
   using namespace masu;
   return run_tool(
-      "gridstat", "Prints statistics of a grid or a hierarchy, draws slices of a grid, or exports its cells.",
+      "gridstat", "Prints statistics of a grid or a hierarchy, draws slices of it, or exports its cells.",
       argc, argv, [](CLI::App& app, const auto& parse) {
         Settings settings;
         auto* const grid = app.add_option("GRID", settings.grid, "grid file, from gridbuild");
@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
         group_options(app, "Slices");
         auto* const slice =
             app.add_option("--slice", settings.slice,
-                           "draw the cells that a plane cuts: AXIS=K, a layer of the smallest "
+                           "draw the cells or boxes that a plane cuts: AXIS=K, a layer of the smallest "
                            "voxels; AXIS=P%, of the space; AXIS@X, in scene units")
                 ->excludes(json)
                 ->excludes(csv)
@@ -169,7 +169,13 @@ int main(int argc, char** argv) {
                     {"volume", SliceColor::volume},
                     {"depth", SliceColor::depth}},
                    "of --slice: what a cell's colour shows: its references, its volume in voxels of the "
-                   "division, or how often a voxel is halved down to it")
+                   "division (of grids alone), or its depth")
+            ->needs(slice);
+        app.add_option(
+               "--depth", settings.depth,
+               "of --slice: only boxes of nodes of this depth, the root's is 0; of a grid, cells down "
+               "to which a voxel is halved so often")
+            ->check(CLI::Range(0, max_hierarchy_depth))
             ->needs(slice);
         app.add_flag("--lines", style.lines, "of --slice: draw the cells' sides")->needs(slice);
         app.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane")

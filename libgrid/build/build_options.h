@@ -13,8 +13,8 @@ namespace masu {
 //   irregular  each voxel of a coarse division is divided further, as deep as its primitives demand, by
 //              expected cost (splitter.h); cells are then expanded over neighbours (expand_passes.h)
 //   hierarchy  no voxels: a bounding volume hierarchy (hierarchy.h)
-//   automatic  uniform or irregular, by expected cost (build_grid.h)
-//   fastest    irregular or hierarchy, by tracing some rays through both (build_grid.h)
+//   automatic  uniform or irregular, by tracing some rays through both (chosen_structure.h)
+//   fastest    uniform, irregular or hierarchy, likewise
 // A built grid is of none of the last two; the others are numbered as schemas/grid.fbs numbers them.
 enum class GridKind { uniform, x, balance, irregular, hierarchy, automatic, fastest };
 
@@ -23,7 +23,7 @@ struct GridOptions {
   GridKind kind = GridKind::uniform;
   std::uint32_t target = 8; // balance: the most references of a cell, where voxels allow it
   double alpha = 0.95;      // irregular: divide while that makes the cost less than alpha times what it is
-  double step_cost = 5;     // irregular, automatic: of the step to a cell, in intersection tests
+  double step_cost = 5;     // irregular: of the step to a cell, in intersection tests
   double detail = 3;        // irregular: planes no closer than a primitive's typical extent over this, or
                             // over a part of it where the map would become too large (merge.h)
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
@@ -31,9 +31,13 @@ struct GridOptions {
   std::uint64_t max_map_words = max_nested_words; // irregular: of its map
 };
 
+// What an automatic choice is made for.
+enum class Processor { gpu, cpu };
+
 struct BuildOptions {
   GridOptions grid{GridKind::automatic};
   DivisionRule division;
+  Processor processor = Processor::gpu;
   SpaceRule space = SpaceRule::tight;
   Overlap overlap = Overlap::exact;
 };

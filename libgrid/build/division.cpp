@@ -136,7 +136,7 @@ struct CentreHistogram {
 
 // The box between the 5th and the 95th percentile of the centres along each axis, on the histogram's bins.
 template <class Stored>
-Boxd crowd_of(const SceneView<Stored>& scene) {
+Boxd dense_bounds(const SceneView<Stored>& scene) {
   const Boxd box = cast<double>(scene.clip);
   const Vec3d extent = box.max - box.min;
   const CentreHistogram histogram = over_primitives(
@@ -158,7 +158,7 @@ Boxd crowd_of(const SceneView<Stored>& scene) {
       });
   const std::uint64_t out =
       std::accumulate(histogram.counts[0].begin(), histogram.counts[0].end(), std::uint64_t{0}) / 20;
-  Boxd crowd = box;
+  Boxd dense_box = box;
   for (int axis = 0; axis < 3; ++axis) {
     const auto& counts = histogram.counts[static_cast<std::size_t>(axis)];
     std::size_t first = 0, last = bins;
@@ -167,26 +167,26 @@ Boxd crowd_of(const SceneView<Stored>& scene) {
     for (std::uint64_t seen = counts[last - 1]; last > first + 1 && seen <= out; seen += counts[last - 1])
       --last;
     const double bin = extent[axis] / bins;
-    crowd.min.set(axis, box.min[axis] + static_cast<double>(first) * bin);
-    crowd.max.set(axis, box.min[axis] + static_cast<double>(last) * bin);
+    dense_box.min.set(axis, box.min[axis] + static_cast<double>(first) * bin);
+    dense_box.max.set(axis, box.min[axis] + static_cast<double>(last) * bin);
   }
-  return crowd;
+  return dense_box;
 }
 
 } // namespace
 
 template <class Stored>
 DivisionStatistics division_statistics(const SceneView<Stored>& scene) {
-  const Boxd crowd = crowd_of(scene);
+  const Boxd dense_box = dense_bounds(scene);
   DivisionStatistics result = over_primitives(
-      scene, DivisionStatistics{{}, {}, crowd, 0},
+      scene, DivisionStatistics{{}, {}, dense_box, 0},
       [&](DivisionStatistics& statistics, const auto& primitive, const Boxd& box) {
         const SurfaceSums own = measured(primitive, box);
         statistics.all = sum(statistics.all, own);
-        if (contains(crowd, center_of(box))) statistics.crowded = sum(statistics.crowded, own);
+        if (contains(dense_box, center_of(box))) statistics.dense = sum(statistics.dense, own);
       },
       [](const DivisionStatistics& a, const DivisionStatistics& b) {
-        return DivisionStatistics{sum(a.all, b.all), sum(a.crowded, b.crowded), a.crowd, 0};
+        return DivisionStatistics{sum(a.all, b.all), sum(a.dense, b.dense), a.dense_box, 0};
       });
   if (scene.primitive_count() > 0)
     result.cone_share = static_cast<double>(scene.cone_count) / scene.primitive_count();
@@ -204,6 +204,11 @@ double expected_references(const SurfaceSums& sums, const GridLayout& layout) {
   };
   return static_cast<double>(sums.primitives) + over(e.x, 0) + over(e.y, 1) + over(e.z, 2) + face(p.x, 1, 2) +
          face(p.y, 2, 0) + face(p.z, 0, 1);
+}
+
+double most_references(const DivisionStatistics& statistics) {
+  constexpr double always = 0x1p24, a_primitive = 128;
+  return always + a_primitive * static_cast<double>(statistics.all.primitives);
 }
 
 template <class Real>
@@ -235,8 +240,8 @@ Vec3i division_of(const Vec3d& extent, const Vec3d& per_unit) {
   return division;
 }
 
-// What a random line through the crowd costs, in steps from voxel to voxel. A line through a box crosses a
-// plane of the division with the probability of the plane's two faces over the box's surface, and meets a
+// What a random line through the dense box costs, in steps from voxel to voxel. A line through a box crosses
+// a plane of the division with the probability of the plane's two faces over the box's surface, and meets a
 // voxel likewise (Crofton).
 double expected_cost(const DivisionStatistics& statistics, const GridLayout& layout) {
   constexpr double test_over_step = 2.5;
@@ -245,12 +250,12 @@ double expected_cost(const DivisionStatistics& statistics, const GridLayout& lay
   const Vec3i n = layout.division;
   const double steps =
       1 + 2 * ((n.x - 1) * w.y * w.z + (n.y - 1) * w.z * w.x + (n.z - 1) * w.x * w.y) / surface(w);
-  // The crowd is at least a voxel thick.
-  Vec3d crowd = statistics.crowd.max - statistics.crowd.min;
+  // The dense box is at least a voxel thick.
+  Vec3d dense_box = statistics.dense_box.max - statistics.dense_box.min;
   const Vec3d h = voxel_size(layout);
   for (int axis = 0; axis < 3; ++axis)
-    crowd.set(axis, std::max(crowd[axis], h[axis]));
-  const double tests = expected_references(statistics.crowded, layout) * surface(h) / surface(crowd);
+    dense_box.set(axis, std::max(dense_box[axis], h[axis]));
+  const double tests = expected_references(statistics.dense, layout) * surface(h) / surface(dense_box);
   return steps + test_over_step * tests;
 }
 
@@ -274,24 +279,18 @@ Vec3d equal_sides(const Vec3d& extent, double voxels) {
 // A quarter of what a merged grid's map may be (merge.h): the rest is for what they are divided into.
 constexpr double max_nested = 0x1p26;
 
-// Voxels a primitive: few, but more of them the smaller the crowd's part of the space is; and many for cones,
-// whose tests are long: finer voxels save near misses, and lists that a long cone would otherwise be in.
+// Voxels a primitive: few, but more of them the smaller the dense box's part of the space is; and many for
+// cones, whose tests are long: finer voxels save near misses, and lists that a long cone would otherwise be
+// in.
 double nested_density(const DivisionStatistics& statistics, const Boxd& space) {
   constexpr double least = 0.05, most = 1, of_cones = 32;
   const auto volume = [](const Boxd& box) {
     const Vec3d w = box.max - box.min;
     return w.x * w.y * w.z;
   };
-  const double usual = std::clamp(least * std::sqrt(volume(space) / volume(statistics.crowd)), least, most);
+  const double usual =
+      std::clamp(least * std::sqrt(volume(space) / volume(statistics.dense_box)), least, most);
   return std::max(usual, of_cones * statistics.cone_share);
-}
-
-// How many references a division that nobody gave may make: many more than scenes need. Without a limit,
-// large primitives that lie on each other would be divided for the last percents of the expected cost, and
-// take any amount of memory. It depends on the scene alone: so the grid is the same on any machine.
-double most_references(const DivisionStatistics& statistics) {
-  constexpr double always = 0x1p24, a_primitive = 128;
-  return always + a_primitive * static_cast<double>(statistics.all.primitives);
 }
 
 Vec3i automatic_division(const DivisionStatistics& statistics, const Boxd& space) {

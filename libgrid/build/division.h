@@ -47,11 +47,11 @@ struct SurfaceSums {
   Vec3d projections{};
 };
 
-// What the cost of a division depends on. `crowd` holds the middle nine tenths of the primitives, axis by
+// What the cost of a division depends on. `dense_box` holds the middle nine tenths of the primitives, axis by
 // axis: where most rays will find something to do, however far a floor reaches beyond it.
 struct DivisionStatistics {
-  SurfaceSums all, crowded; // crowded: those whose box is centred in `crowd`
-  Boxd crowd{};
+  SurfaceSums all, dense; // dense: those whose box is centred in `dense_box`
+  Boxd dense_box{};
   double cone_share = 0; // of all primitives
 };
 
@@ -62,6 +62,11 @@ DivisionStatistics division_statistics(const SceneView<Stored>& scene);
 // placed at random, meets 1 + Σ extent/side + Σ projection/(area of a voxel's face) voxels (its Minkowski sum
 // with a voxel, by volume).
 double expected_references(const SurfaceSums& sums, const GridLayout& layout);
+
+// How many references a division that nobody gave may make: many more than scenes need. Without a limit,
+// large primitives that lie on each other would be divided for the last percents of the expected cost, and
+// take any amount of memory. It depends on the scene alone: so the grid is the same on any machine.
+double most_references(const DivisionStatistics& statistics);
 
 // The box that is divided, its padding included, in numbers that Real holds: the tight one around `bounds`
 // (that of all primitives), or the smallest cube about the local origin that holds it.

@@ -15,7 +15,7 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t rays_a_set = 2048;
+constexpr std::size_t rays_per_set = 2048;
 
 struct StepCounts {
   static constexpr bool is_counted = true;
@@ -82,9 +82,9 @@ template <class Stored, class View>
 SampledCosts costs_through(const SceneView<Stored>& scene, const View& view) {
   const Boxd space = cast<double>(scene.clip);
   const BoundingSphere sphere = sphere_around(space);
-  std::vector<StepCounts> across(rays_a_set), aimed(rays_a_set), scattered(rays_a_set);
-  std::vector<std::uint8_t> is_hit(rays_a_set);
-  tbb::parallel_for(std::size_t{0}, rays_a_set, [&](std::size_t i) {
+  std::vector<StepCounts> across(rays_per_set), aimed(rays_per_set), scattered(rays_per_set);
+  std::vector<std::uint8_t> is_hit(rays_per_set);
+  tbb::parallel_for(std::size_t{0}, rays_per_set, [&](std::size_t i) {
     RandomSequence random(1, i);
     across[i] = trace(scene, view, ray_across(sphere, random), random).counts;
     const Traced first = trace(scene, view, aimed_ray(scene, space, random), random);
@@ -94,16 +94,24 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view) {
     scattered[i] = trace(scene, view, *first.scattered, random).counts;
   });
   const auto hits = static_cast<std::size_t>(std::ranges::count(is_hit, 1));
-  return {mean(across, rays_a_set), mean(aimed, rays_a_set), mean(scattered, hits)};
+  return {mean(across, rays_per_set), mean(aimed, rays_per_set), mean(scattered, hits)};
 }
 
-// In steps to a cell, on a GPU: fitted to 17 scenes on an H200 (rates of 14, pictures of 3), of which it puts
-// all but one into the right order, whose rates differ by 6 %. A grid's tests are shared by a warp.
-double cost_in_grid(const RayCost& ray) {
-  return ray.steps + 0.4 * ray.tests;
-}
-double cost_in_hierarchy(const RayCost& ray) {
-  return 1.05 * ray.steps + 0.65 * ray.tests;
+// Of a step to a cell or a node, and of a test, so that the choice among structures is the best that they
+// allow for measured rates (tools/bench/scripts/choice.py).
+struct UnitCosts {
+  double step, test;
+};
+UnitCosts unit_costs(GridKind kind, Processor processor) {
+  const bool gpu = processor == Processor::gpu;
+  switch (kind) {
+  case GridKind::uniform:
+    return gpu ? UnitCosts{1, 0.45} : UnitCosts{1.2, 1.2};
+  case GridKind::hierarchy:
+    return gpu ? UnitCosts{0.8, 1.5} : UnitCosts{1, 0.5};
+  default:
+    return gpu ? UnitCosts{1, 0.9} : UnitCosts{1, 3};
+  }
 }
 
 } // namespace
@@ -118,17 +126,12 @@ SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid) {
 template SampledCosts sampled_costs(const SceneView<float>&, const Grid&);
 template SampledCosts sampled_costs(const SceneView<double>&, const Grid&);
 
-double expected_ratio(const SampledCosts& grid, const SampledCosts& hierarchy) {
+double expected_time(const SampledCosts& costs, GridKind kind, Processor processor) {
+  const UnitCosts unit = unit_costs(kind, processor);
   double product = 1;
-  int sets = 0;
-  for (const auto set : {&SampledCosts::across, &SampledCosts::aimed, &SampledCosts::scattered}) {
-    const double through_grid = cost_in_grid(grid.*set),
-                 through_hierarchy = cost_in_hierarchy(hierarchy.*set);
-    if (!(through_grid > 0 && through_hierarchy > 0)) continue; // of which no ray meets anything
-    product *= through_grid / through_hierarchy;
-    ++sets;
-  }
-  return sets == 0 ? 1 : std::pow(product, 1.0 / sets);
+  for (const RayCost& ray : {costs.across, costs.aimed, costs.scattered})
+    product *= unit.step * ray.steps + unit.test * ray.tests;
+  return std::cbrt(product);
 }
 
 } // namespace masu

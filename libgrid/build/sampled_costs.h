@@ -22,7 +22,8 @@ struct SampledCosts {
 template <class Stored>
 SampledCosts sampled_costs(const SceneView<Stored>& scene, const Grid& grid);
 
-// How many times as long rays take through a grid of voxels as through a hierarchy, about.
-double expected_ratio(const SampledCosts& grid, const SampledCosts& hierarchy);
+// About how long rays take through a structure of the kind: the geometric mean of the sets, in steps to a
+// cell of an irregular grid on that processor.
+double expected_time(const SampledCosts& costs, GridKind kind, Processor processor);
 
 } // namespace masu

@@ -4,10 +4,6 @@
 #include "libgrid/grid_layout.h"
 #include "libgrid/statistics/statistics.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -38,22 +34,12 @@ class MapWords {
 public:
   MapWords(const MergedGridView<Real>& grid, const Act& act) : grid_(grid), act_(act) {}
 
-  std::uint64_t rows() const {
-    return static_cast<std::uint64_t>(grid_.top.y) * static_cast<std::uint64_t>(grid_.top.z);
-  }
-  // Of voxels along x.
-  void visit_row(std::uint64_t row) const {
-    const Vec3i n = grid_.top;
-    const auto y = static_cast<std::int32_t>(row % static_cast<std::uint64_t>(n.y)),
-               z = static_cast<std::int32_t>(row / static_cast<std::uint64_t>(n.y));
-    const std::int32_t log2 = grid_.nested_log2;
-    for (std::int32_t x = 0; x < n.x; ++x)
-      visit(grid_.voxel_map[linear_index({x, y, z}, n)], {x << log2, y << log2, z << log2},
-            {log2, log2, log2}, 0);
-  }
   void visit_all() const {
-    for (std::uint64_t row = 0; row < rows(); ++row)
-      visit_row(row);
+    const std::int32_t log2 = grid_.nested_log2;
+    for_each_voxel({{0, 0, 0}, grid_.top - Vec3i{1, 1, 1}}, [&](const Vec3i& at) {
+      visit(grid_.voxel_map[linear_index(at, grid_.top)], {at.x << log2, at.y << log2, at.z << log2},
+            {log2, log2, log2}, 0);
+    });
   }
 
 private:
@@ -92,68 +78,34 @@ double volume_of(const MergedCell& cell) {
   return extent(cell.x) * extent(cell.y) * extent(cell.z);
 }
 
-// visit(MapWords): goes through the map.
-template <class Real, class Visit>
-std::vector<OwnVoxels> own_voxels_by(const MergedGridView<Real>& grid, std::size_t cells,
-                                     const Visit& visit) {
-  std::vector<OwnVoxels> own(cells);
-  const auto add = [&](std::uint32_t word, const Vec3i& first, const Vec3i& sides_log2, std::size_t) {
-    if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, sides_log2);
-  };
-  visit(MapWords(grid, add));
-  return own;
+template <class Real>
+ExpectedRay expected_ray(const MergedGridView<Real>& grid, std::span<const MergedCell> cells,
+                         std::span<const OwnVoxels> own) {
+  const Vec3d voxel = cast<double>(grid.voxel_size);
+  double visited = 0, tested = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (own[i].voxels == 0) continue;
+    const double area = half_area(extent_of(own[i].box, voxel));
+    visited += area;
+    tested += area * references_of(grid.references, cells[i].list);
+  }
+  const double space = half_area(cast<double>(grid.division) * voxel);
+  return {visited / space, tested / space, expected_voxels(grid.division, voxel) - visited / space};
 }
 
 } // namespace
 
 template <class Real>
 std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
-  return own_voxels_by(grid, cells.size(), [](const auto& words) { words.visit_all(); });
+  std::vector<OwnVoxels> own(cells.size());
+  const auto add = [&](std::uint32_t word, const Vec3i& first, const Vec3i& sides_log2, std::size_t) {
+    if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, sides_log2);
+  };
+  MapWords(grid, add).visit_all();
+  return own;
 }
 template std::vector<OwnVoxels> own_voxels(const MergedGridView<float>&, std::span<const MergedCell>);
 template std::vector<OwnVoxels> own_voxels(const MergedGridView<double>&, std::span<const MergedCell>);
-
-template <class Real>
-std::vector<OwnVoxels> own_voxels_of_rows(const MergedGridView<Real>& grid,
-                                          std::span<const MergedCell> cells) {
-  return own_voxels_by(grid, cells.size(), [](const auto& words) {
-    tbb::parallel_for(std::uint64_t{0}, words.rows(), [&](std::uint64_t row) { words.visit_row(row); });
-  });
-}
-template std::vector<OwnVoxels> own_voxels_of_rows(const MergedGridView<float>&, std::span<const MergedCell>);
-template std::vector<OwnVoxels> own_voxels_of_rows(const MergedGridView<double>&,
-                                                   std::span<const MergedCell>);
-
-template <class Real>
-ExpectedRay expected_ray(const MergedGridView<Real>& grid, std::span<const MergedCell> cells,
-                         std::span<const OwnVoxels> own) {
-  struct Areas {
-    double visited = 0, tested = 0;
-  };
-  const Vec3d voxel = cast<double>(grid.voxel_size);
-  // The same sums for any number of threads: the choice of a grid depends on them.
-  const Areas areas = tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<std::size_t>(0, cells.size(), 1 << 14), Areas{},
-      [&](const tbb::blocked_range<std::size_t>& range, Areas sum) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          if (own[i].voxels == 0) continue;
-          const double area = half_area(extent_of(own[i].box, voxel));
-          sum.visited += area;
-          sum.tested += area * references_of(grid.references, cells[i].list);
-        }
-        return sum;
-      },
-      [](const Areas& a, const Areas& b) {
-        return Areas{a.visited + b.visited, a.tested + b.tested};
-      });
-  const double space = half_area(cast<double>(grid.division) * voxel);
-  return {areas.visited / space, areas.tested / space,
-          expected_voxels(grid.division, voxel) - areas.visited / space};
-}
-template ExpectedRay expected_ray(const MergedGridView<float>&, std::span<const MergedCell>,
-                                  std::span<const OwnVoxels>);
-template ExpectedRay expected_ray(const MergedGridView<double>&, std::span<const MergedCell>,
-                                  std::span<const OwnVoxels>);
 
 template <class Real>
 MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {

@@ -52,15 +52,4 @@ struct OwnVoxels {
 // One for each cell.
 template <class Real>
 std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<const MergedCell> cells);
-// The same, by all threads, of a grid whose cells lie each in one row of voxels along x, as gridbuild's do
-// that are merged by x or irregular.
-template <class Real>
-std::vector<OwnVoxels> own_voxels_of_rows(const MergedGridView<Real>& grid,
-                                          std::span<const MergedCell> cells);
-
-// MapStatistics::ray; `own` as above.
-template <class Real>
-ExpectedRay expected_ray(const MergedGridView<Real>& grid, std::span<const MergedCell> cells,
-                         std::span<const OwnVoxels> own);
-
 } // namespace masu

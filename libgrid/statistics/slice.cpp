@@ -1,33 +1,31 @@
 #include "libgrid/statistics/slice.h"
 
+#include "libgrid/statistics/boxes.h"
 #include "libscene/base/error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace masu {
 namespace {
 
-std::int32_t shortest_side(const VoxelBox& box) {
-  const Vec3i sides = box.end - box.first;
-  return std::min({sides.x, sides.y, sides.z});
-}
-
-std::int32_t floor_log2(std::int32_t value) {
-  return static_cast<std::int32_t>(std::bit_width(static_cast<std::uint32_t>(value))) - 1;
-}
-
-VoxelBox voxels_of(const GridLayout& finest, const SlicePlane& plane, const SliceWindow& window) {
-  Boxd box = finest.space;
+// The window in its plane.
+Boxd box_of(const SlicePlane& plane, const SliceWindow& window) {
+  Boxd box{};
+  box.min.set(plane.axis, plane.position);
+  box.max.set(plane.axis, plane.position);
   const std::array<int, 2> axes = slice_axes(plane.axis);
   for (std::size_t i = 0; i < 2; ++i) {
     box.min.set(axes[i], window.min[i]);
     box.max.set(axes[i], window.max[i]);
   }
-  VoxelBox voxels = voxels_covered(finest, box);
+  return box;
+}
+
+VoxelBox voxels_of(const GridLayout& finest, const SlicePlane& plane, const SliceWindow& window) {
+  VoxelBox voxels = voxels_covered(finest, box_of(plane, window));
   voxels.first.set(plane.axis, plane.layer);
   voxels.end.set(plane.axis, plane.layer + 1);
   return voxels;
@@ -61,24 +59,57 @@ SliceWindow window_of(const GridLayout& finest, int axis) {
   return {{space.min[axes[0]], space.min[axes[1]]}, {space.max[axes[0]], space.max[axes[1]]}};
 }
 
+SliceWindow in_scene(const GridLayout& finest, int axis, const SliceCell& cell) {
+  const Vec3d size = voxel_size(finest);
+  SliceWindow rectangle{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int along = slice_axes(axis)[i];
+    const auto plane = [&](double at) {
+      return at == finest.division[along] ? finest.space.max[along]
+                                          : finest.space.min[along] + at * size[along];
+    };
+    rectangle.min[i] = plane(cell.first[i]);
+    rectangle.max[i] = plane(cell.end[i]);
+  }
+  return rectangle;
+}
+
 void for_each_slice_cell(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
                          const SliceAction& act) {
-  const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());
+  const GridLayout finest = finest_layout(file);
   const std::array<int, 2> axes = slice_axes(plane.axis);
-  for_each_cell(file, {voxels_of(finest_layout(file), plane, window)}, [&](const GridCell& cell) {
+  if (file.is_hierarchy()) {
+    const Vec3d size = voxel_size(finest);
+    return for_each_box(file, {box_of(plane, window), false, window.depth}, [&](const StructureBox& box) {
+      const auto share = [&](const Vec3d& corner, int axis) {
+        return (corner[axis] - finest.space.min[axis]) / size[axis];
+      };
+      act({{share(box.box.min, axes[0]), share(box.box.min, axes[1])},
+           {share(box.box.max, axes[0]), share(box.box.max, axes[1])},
+           box.depth,
+           box.references,
+           box.voxels,
+           box.number});
+    });
+  }
+  for_each_cell(file, {voxels_of(finest, plane, window)}, [&](const GridCell& cell) {
     const VoxelBox& box = cell.box;
-    act({{box.first[axes[0]], box.first[axes[1]]},
-         {box.end[axes[0]], box.end[axes[1]]},
-         std::max(nested_log2 - floor_log2(shortest_side(box)), 0),
-         cell.references,
-         cell.voxels,
-         cell.number});
+    const std::int32_t depth = cell_depth(file, box);
+    if (window.depth && depth != *window.depth) return;
+    const auto corner = [&](const Vec3i& voxel) {
+      return std::array<double, 2>{static_cast<double>(voxel[axes[0]]), static_cast<double>(voxel[axes[1]])};
+    };
+    act({corner(box.first), corner(box.end), depth, cell.references, cell.voxels, cell.number});
   });
 }
 
 Slice slice_of(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, const char* place,
                std::size_t most) {
-  Slice slice{plane, finest_layout(file), static_cast<std::int32_t>(file.table().nested_log2()), {}};
+  Slice slice{plane,
+              finest_layout(file),
+              static_cast<std::int32_t>(file.table().nested_log2()),
+              file.is_hierarchy(),
+              {}};
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
     if (slice.cells.size() == most)
       throw Error(ErrorCode::usage, place,

@@ -1,10 +1,12 @@
-// A plane through a grid, perpendicular to an axis: the rectangles in which it cuts the cells.
+// A plane through a grid or a hierarchy, perpendicular to an axis: the rectangles in which it cuts the cells
+// or boxes.
 #pragma once
 
 #include "libgrid/statistics/cells.h"
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace masu {
@@ -17,25 +19,28 @@ struct SlicePlane {
   double position;
 };
 
-// In scene units, along the two axes of slice_axes().
+// What is shown of it. In scene units, along the two axes of slice_axes().
 struct SliceWindow {
   std::array<double, 2> min, max;
+  std::optional<std::int32_t> depth{}; // of cells; none: of any
 };
 
-// In the smallest voxels along slice_axes(), from `first` to before `end`. `depth`: how often a voxel of the
-// division is halved down to the cell's shortest side; 0 for cells of whole voxels.
+// A cell, or a box of a hierarchy. In the smallest voxels along slice_axes(), from `first` to `end`: whole
+// numbers of a grid; the space of a hierarchy is one voxel, and its boxes are rounded outwards, also beyond
+// it.
 struct SliceCell {
-  std::array<std::int32_t, 2> first, end;
+  std::array<double, 2> first, end;
+  // As in StructureBox.
   std::int32_t depth;
   std::uint32_t references;
-  std::uint64_t voxels; // the smallest, in the whole cell
-  std::uint64_t number; // as in GridCell
+  std::uint64_t voxels, number;
 };
 
 struct Slice {
   SlicePlane plane;
   GridLayout finest; // its smallest voxels
   std::int32_t nested_log2;
+  bool is_hierarchy;
   std::vector<SliceCell> cells; // in the order of their numbers
 };
 
@@ -52,9 +57,13 @@ SlicePlane plane_at(const GridLayout& finest, int axis, double position, const c
 // The whole layer.
 SliceWindow window_of(const GridLayout& finest, int axis);
 
+// A cell's rectangle. Neighbours in a grid share coordinates bit for bit.
+SliceWindow in_scene(const GridLayout& finest, int axis, const SliceCell& cell);
+
 // act(cell) for each cell that has voxels in the plane's layer and in the window. The rectangles are whole,
 // also where the window cuts them, and don't overlap; those of the whole layer fill it (in grids that
-// gridbuild makes).
+// gridbuild makes). Of a hierarchy for each box that meets the plane within the window, its sides included;
+// these are nested, the outer ones first.
 using SliceAction = std::function<void(const SliceCell&)>;
 void for_each_slice_cell(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
                          const SliceAction& act);

@@ -21,16 +21,16 @@ MASU_HD bool is_finite(const Light<T>& l) {
 }
 
 // What is wrong with the records where the view points to, which the checker sees; null: nothing. Every
-// coordinate must lie within `bounds`, and every index must be valid; there are so many objects.
+// coordinate must lie within `bounds`, and every index must be valid.
 template <class Checker, class Stored>
 const char* fault_of(const Checker& checker, const SceneView<Stored>& view, const Boxd& bounds,
-                     std::uint64_t objects) {
+                     const SceneCounts& counts) {
   // The bounds were computed from the stored numbers: the cast is exact.
   const Box<Stored> corners = cast<Stored>(bounds);
   const bool coordinates_good = checker.all(view.triangle_count, [=] MASU_PASS(std::uint64_t i) {
     const Triangle<Stored>& t = view.triangles[i];
     return contains(corners, t.a) && contains(corners, t.b) && contains(corners, t.c);
-  }) && checker.all(view.normals_count, [=] MASU_PASS(std::uint64_t i) {
+  }) && checker.all(counts.normals, [=] MASU_PASS(std::uint64_t i) {
     return is_finite(view.normals[i]);
   }) && checker.all(view.sphere_count, [=] MASU_PASS(std::uint64_t i) {
     const Boxd box = cast<double>(masu::bounds(view.spheres[i]));
@@ -42,14 +42,14 @@ const char* fault_of(const Checker& checker, const SceneView<Stored>& view, cons
   if (!coordinates_good) return "a coordinate isn't within the scene's bounds";
   const bool indices_good = checker.all(view.triangle_count, [=] MASU_PASS(std::uint64_t i) {
     const Triangle<Stored>& t = view.triangles[i];
-    return t.material < view.material_count && t.object < objects &&
-           (t.normals == no_normals || t.normals < view.normals_count);
+    return t.material < counts.materials && t.object < counts.objects &&
+           (t.normals == no_normals || t.normals < counts.normals);
   }) && checker.all(view.sphere_count, [=] MASU_PASS(std::uint64_t i) {
     const Surface& s = view.sphere_surfaces[i];
-    return s.material < view.material_count && s.object < objects;
+    return s.material < counts.materials && s.object < counts.objects;
   }) && checker.all(view.cone_count, [=] MASU_PASS(std::uint64_t i) {
     const Surface& s = view.cone_surfaces[i];
-    return s.material < view.material_count && s.object < objects;
+    return s.material < counts.materials && s.object < counts.objects;
   });
   if (!indices_good) return "a primitive's material, object or normals don't exist";
   const bool faces_good =

@@ -252,16 +252,21 @@ SceneFile::SceneFile(const std::string& path, Residence residence, const Stopwat
         "its counts of objects are too large");
   const auto check_records = [&](const auto& view) {
     const char* const fault =
-        residence != Residence::file ? fault_of(HostChecker{}, view, bounds(), object_count()) : nullptr;
+        residence != Residence::file ? fault_of(HostChecker{}, view, bounds(), counts()) : nullptr;
     check(fault == nullptr, fault);
   };
   is_float64() ? check_records(view<double>()) : check_records(view<float>());
   seconds_.validate = watch.seconds() - seconds_.map;
 }
 
-std::uint64_t SceneFile::object_count() const {
-  const fb::ObjectCounts& counted = *table_->objects();
-  return counted.polygons() + counted.patches() + counted.spheres() + counted.cones();
+SceneCounts SceneFile::counts() const {
+  const fb::ObjectCounts& objects = *table_->objects();
+  const auto normals = [&]<class Stored>(Stored) {
+    return container_.count<CornerNormals<Stored>>(sections(), number(fb::SceneSection::corner_normals));
+  };
+  return {objects.polygons() + objects.patches() + objects.spheres() + objects.cones(),
+          is_float64() ? normals(0.0) : normals(0.0F),
+          container_.count<Material>(sections(), number(fb::SceneSection::materials))};
 }
 
 Vec3d SceneFile::origin() const {
@@ -302,22 +307,22 @@ SceneView<Stored> SceneFile::view() const {
     records = container_.records<T>(sections(), number(kind)).data();
     count = static_cast<std::uint32_t>(all);
   };
-  std::uint32_t sphere_surface_count = 0, cone_surface_count = 0, face_count = 0;
+  std::uint32_t normals_count = 0, sphere_surface_count = 0, cone_surface_count = 0, face_count = 0,
+                material_count = 0;
   set(SceneSection::triangles, view.triangles, view.triangle_count);
-  set(SceneSection::corner_normals, view.normals, view.normals_count);
+  set(SceneSection::corner_normals, view.normals, normals_count);
   set(SceneSection::spheres, view.spheres, view.sphere_count);
   set(SceneSection::sphere_surfaces, view.sphere_surfaces, sphere_surface_count);
   set(SceneSection::cones, view.cones, view.cone_count);
   set(SceneSection::cone_surfaces, view.cone_surfaces, cone_surface_count);
   set(SceneSection::faces, view.faces, face_count);
-  set(SceneSection::materials, view.materials, view.material_count);
+  set(SceneSection::materials, view.materials, material_count);
   set(SceneSection::lights, view.lights, view.light_count);
   const std::uint64_t primitives = std::uint64_t{view.triangle_count} + view.sphere_count + view.cone_count;
   if (!is_consistent || primitives >= no_primitive || view.sphere_count != sphere_surface_count ||
       view.cone_count != cone_surface_count || (face_count > 0 && face_count != view.triangle_count))
     throw_damaged(path(), "its sections have inconsistent sizes");
   const fb::Color& background = *table_->background();
-  view.origin = origin();
   view.clip = cast<Stored>(padded_bounds<Stored>(bounds()));
   view.background = {background.r(), background.g(), background.b()};
   view.ambient = table_->ambient();

@@ -42,6 +42,13 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds,
 Hash write_scene(const Scene& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& origin = {});
 
+// What a grid has to know of the scene that it is built from.
+struct SceneGeometry {
+  Boxd bounds;           // of all primitives, relative to the origin; empty where there is none
+  Hash hash;             // of the records of primitives
+  Vec3d origin{0, 0, 0}; // in the world (local_origin.h)
+};
+
 // A scene file, checked: every index and range in it is valid. Of one whose records stay in the file, only
 // the table is; who copies them checks them (scene_checks.h).
 class SceneFile {
@@ -65,7 +72,8 @@ public:
   Boxd bounds() const;
   bool is_float64() const { return table_->store() == fb::Store::float64; }
 
-  std::uint64_t object_count() const;
+  SceneCounts counts() const;
+  SceneGeometry geometry() const { return {bounds(), geometry_hash(), origin()}; }
   // Whether triangles have other numbers of faces than their own.
   bool has_faces() const;
 

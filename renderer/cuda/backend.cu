@@ -25,7 +25,7 @@ unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, con
     if (fault != nullptr) throw_damaged(path, fault);
   };
   if (scene.residence() == Residence::file)
-    refuse(scene.path(), fault_of(checker, view, scene.bounds(), scene.object_count()));
+    refuse(scene.path(), fault_of(checker, view, scene.bounds(), scene.counts()));
   if (grid != nullptr && grid->residence() == Residence::file)
     refuse(grid->path(), fault_of(checker, files.grid.records));
   files.make_leaves(grid);

@@ -40,19 +40,19 @@ struct DeviceScene {
 
   DeviceScene(const SceneFile& file, Transfer& upload) : view(file.view<Stored>()) {
     using fb::SceneSection;
-    const auto moved = [&]<class T>(SceneSection section, const T*& records, std::uint32_t count) {
+    const auto moved = [&]<class T>(SceneSection section, const T*& records, std::uint64_t count) {
       DeviceArray<T> array = uploaded(file, section, records, count, 0, upload);
       records = array.data();
       return array;
     };
     triangles = moved(SceneSection::triangles, view.triangles, view.triangle_count);
-    normals = moved(SceneSection::corner_normals, view.normals, view.normals_count);
+    normals = moved(SceneSection::corner_normals, view.normals, file.counts().normals);
     spheres = moved(SceneSection::spheres, view.spheres, view.sphere_count);
     sphere_surfaces = moved(SceneSection::sphere_surfaces, view.sphere_surfaces, view.sphere_count);
     cones = moved(SceneSection::cones, view.cones, view.cone_count);
     cone_surfaces = moved(SceneSection::cone_surfaces, view.cone_surfaces, view.cone_count);
     faces = moved(SceneSection::faces, view.faces, file.has_faces() ? view.triangle_count : 0);
-    materials = moved(SceneSection::materials, view.materials, view.material_count);
+    materials = moved(SceneSection::materials, view.materials, file.counts().materials);
     lights = moved(SceneSection::lights, view.lights, view.light_count);
   }
 };

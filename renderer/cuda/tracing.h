@@ -127,12 +127,13 @@ inline unsigned blocks_of(int threads, std::size_t rays) {
   return static_cast<unsigned>((rays + each - 1) / each);
 }
 
-// `double` traces occlusion, and hierarchies, by a thread a ray, `fast` everything: they aren't worth their
-// kernels.
+// `double` traces occlusion, hierarchies and uniform grids by a thread per ray, `fast` everything: they
+// aren't worth their kernels.
 template <Query query, class TestRay, class Grid>
 constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
                                 (std::is_same_v<TestRay, WatertightRay<double>> &&
-                                 query == Query::nearest_hit && !is_hierarchy<Grid>);
+                                 query == Query::nearest_hit && !is_hierarchy<Grid> &&
+                                 !std::is_same_v<Grid, GridView<double>>);
 
 // A list of rays, with room for those that culling chooses where that may be worth it.
 template <class Real>

@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(DivisionRules, BadDivision,
 
 DivisionStatistics statistics_of(std::uint64_t primitives) {
   DivisionStatistics statistics;
-  statistics.all.primitives = statistics.crowded.primitives = primitives;
+  statistics.all.primitives = statistics.dense.primitives = primitives;
   return statistics;
 }
 
@@ -206,7 +206,7 @@ TEST(CostModel, AddsUpExtentsAndProjections) {
   EXPECT_NEAR(sums.projections.x, 8 * 3.14159265358979, 1e-9);
 }
 
-// The crowd is where nearly all primitives are; a far-off few don't count, nor how large a floor is.
+// The dense box is where nearly all primitives are; a far-off few don't count, nor how large a floor is.
 TEST(CostModel, LooksAtTheCrowd) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
@@ -215,9 +215,9 @@ TEST(CostModel, LooksAtTheCrowd) {
   scene.triangles.push_back(triangle_of<float>({-500, -500, -1}, {500, -500, -1}, {0, 500, -1}));
   const DivisionStatistics statistics = division_statistics(scene.view());
   EXPECT_EQ(statistics.all.primitives, 1001U);
-  EXPECT_GE(statistics.crowded.primitives, 800U);
+  EXPECT_GE(statistics.dense.primitives, 800U);
   for (int axis = 0; axis < 2; ++axis)
-    EXPECT_LT(statistics.crowd.max[axis] - statistics.crowd.min[axis], 20);
+    EXPECT_LT(statistics.dense_box.max[axis] - statistics.dense_box.min[axis], 20);
 }
 
 TEST(AutomaticDivision, GrowsWithTheNumberOfPrimitives) {

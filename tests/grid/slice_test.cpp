@@ -1,4 +1,7 @@
-// A grid's cells one by one, and those that a plane cuts, against its map looked up voxel by voxel.
+// A grid's cells one by one, and those that a plane cuts, against its map looked up voxel by voxel; the boxes
+// of a hierarchy that a plane cuts, against all of them.
+#include "libgrid/build/hierarchy.h"
+#include "libgrid/statistics/boxes.h"
 #include "libgrid/statistics/slice.h"
 #include "libgrid/statistics/statistics.h"
 #include "libscene/base/error.h"
@@ -9,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace masu {
@@ -127,7 +131,9 @@ TEST_F(GridCells, OfASliceTileItsLayerAndListWhatItsVoxelsDo) {
     const Slice slice = slice_of(file, plane, window_of(finest, axis), "--slice");
     std::int64_t area = 0;
     for (const SliceCell& cell : slice.cells) {
-      area += std::int64_t{cell.end[0] - cell.first[0]} * (cell.end[1] - cell.first[1]);
+      for (const double at : {cell.first[0], cell.first[1], cell.end[0], cell.end[1]})
+        EXPECT_EQ(at, std::floor(at));
+      area += std::llround((cell.end[0] - cell.first[0]) * (cell.end[1] - cell.first[1]));
       EXPECT_GE(cell.depth, 0);
       EXPECT_LE(cell.depth, grid.nested_log2);
     }
@@ -136,8 +142,8 @@ TEST_F(GridCells, OfASliceTileItsLayerAndListWhatItsVoxelsDo) {
     constexpr std::uint32_t nothing = ~0U;
     std::vector<std::uint32_t> references(static_cast<std::size_t>(columns * rows), nothing);
     for (const SliceCell& cell : slice.cells) {
-      for (std::int64_t v = cell.first[1]; v < cell.end[1]; ++v) {
-        for (std::int64_t u = cell.first[0]; u < cell.end[0]; ++u) {
+      for (std::int64_t v = std::llround(cell.first[1]); v < std::llround(cell.end[1]); ++v) {
+        for (std::int64_t u = std::llround(cell.first[0]); u < std::llround(cell.end[0]); ++u) {
           std::uint32_t& painted = references[static_cast<std::size_t>(v * columns + u)];
           EXPECT_EQ(painted, nothing) << "two cells";
           painted = cell.references;
@@ -230,6 +236,112 @@ TEST_F(GridCells, OfASliceAreNoMoreThanAllowed) {
     EXPECT_EQ(slice_of(file, plane, window, "--slice", cells).cells.size(), cells);
     EXPECT_THROW(slice_of(file, plane, window, "--slice", cells - 1), Error);
   });
+}
+
+TEST_F(GridCells, BoxesInOneFormAreTheCells) {
+  for_random_grids(20, [](Chance&, const Grid&, const GridFile& file) {
+    const GridLayout finest = finest_layout(file);
+    std::vector<std::uint64_t> expected, found;
+    for_each_cell(file, {whole_of(finest.division)},
+                  [&](const GridCell& cell) { expected.push_back(cell.number); });
+    std::int32_t depth = 0;
+    for (; depth <= greatest_depth(file); ++depth)
+      for_each_box(file, {{}, false, depth}, [&](const StructureBox& box) {
+        EXPECT_EQ(box.depth, depth);
+        found.push_back(box.number);
+      });
+    std::ranges::sort(found); // each cell has one of the depths
+    EXPECT_EQ(found, expected);
+    for_each_box(file, {{}, false, depth},
+                 [](const StructureBox&) { ADD_FAILURE() << "deeper than the deepest"; });
+  });
+}
+
+// Random hierarchies as files.
+class HierarchySlices : public testing::Test {
+protected:
+  template <class Check> // check(chance, file)
+  void for_random_hierarchies(int count, const Check& check) {
+    const RandomSeed seed;
+    SCOPED_TRACE(seed.trace());
+    Chance chance(seed);
+    for (int i = 0; i < count; ++i) {
+      TestScene<float> scene = SceneMaker<float>(chance, 1).scene();
+      Boxd space = scene.bounds();
+      if (!fits_hierarchy(space)) continue;
+      for (int axis = 0; axis < 3; ++axis) { // none is flat
+        space.min.set(axis, space.min[axis] - 1e-3);
+        space.max.set(axis, space.max[axis] + 1e-3);
+      }
+      const Grid grid = hierarchy_grid(scene.view(), {space, {1, 1, 1}, 1e-3}, {});
+      const std::string path = folder_.file("hierarchy");
+      const Vec3d origin{chance.uniform(-9, 9), 0, 1e6};
+      write_grid(grid, {{1, 2}, scene.count(), origin, SpaceRule::tight, Overlap::exact, "any", "any"}, path);
+      check(chance, GridFile(path));
+      if (HasFailure()) return;
+    }
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
+  std::size_t found = 0, missed = 0;
+  for_random_hierarchies(300, [&](Chance& chance, const GridFile& file) {
+    const GridLayout finest = finest_layout(file);
+    const Boxd& space = finest.space;
+    const int axis = chance.whole(0, 2);
+    const std::array<int, 2> axes = slice_axes(axis);
+    const SlicePlane plane =
+        plane_at(finest, axis, chance.uniform(space.min[axis], space.max[axis]), "--slice");
+    SliceWindow window = window_of(finest, axis);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (chance.one_in(2)) continue;
+      const double a = chance.uniform(window.min[i], window.max[i]),
+                   b = chance.uniform(window.min[i], window.max[i]);
+      window.min[i] = std::min(a, b);
+      window.max[i] = std::max(a, b);
+    }
+    if (chance.one_in(2)) window.depth = chance.whole(0, greatest_depth(file));
+    const Slice slice = slice_of(file, plane, window, "--slice");
+    EXPECT_TRUE(slice.is_hierarchy);
+    std::size_t next = 0;
+    // Brute force: node by node, their depths by the nodes that lead to them.
+    const auto nodes = file.nodes();
+    std::vector<std::int32_t> depths(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      std::uint32_t child = nodes[i].first_node;
+      for (int slot = 0; slot < boxes_a_node; ++slot) {
+        const std::uint32_t byte = slot_byte(nodes[i].slots, slot);
+        if (byte == 0) continue;
+        const bool is_node = (node_slots(nodes[i]) >> slot & 1) != 0;
+        if (is_node) depths[child++] = depths[i] + 1;
+        const Boxd relative = box_of(nodes[i], slot);
+        const Boxd box{relative.min + file.origin(), relative.max + file.origin()};
+        bool meets = box.min[axis] <= plane.position && plane.position <= box.max[axis];
+        for (std::size_t k = 0; k < 2; ++k)
+          meets = meets && box.min[axes[k]] <= window.max[k] && window.min[k] <= box.max[axes[k]];
+        if (!meets || (window.depth && depths[i] != *window.depth)) {
+          ++missed;
+          continue;
+        }
+        ++found;
+        ASSERT_LT(next, slice.cells.size());
+        const SliceCell& cell = slice.cells[next++];
+        EXPECT_EQ(cell.number, boxes_a_node * i + static_cast<std::size_t>(slot));
+        EXPECT_EQ(cell.depth, depths[i]);
+        EXPECT_EQ(cell.references, is_node ? 0 : references_in(byte));
+        const SliceWindow rectangle = in_scene(finest, axis, cell);
+        for (std::size_t k = 0; k < 2; ++k) {
+          const double tolerance = 1e-15 * (std::abs(space.min[axes[k]]) + std::abs(space.max[axes[k]]));
+          EXPECT_NEAR(rectangle.min[k], box.min[axes[k]], tolerance);
+          EXPECT_NEAR(rectangle.max[k], box.max[axes[k]], tolerance);
+        }
+      }
+    }
+    EXPECT_EQ(next, slice.cells.size());
+  });
+  EXPECT_GT(found, 100U);
+  EXPECT_GT(missed, 100U);
 }
 
 } // namespace

@@ -168,7 +168,7 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
     if (threads == 1) first = statistics;
     EXPECT_EQ(statistics.all.extents, first.all.extents);
     EXPECT_EQ(statistics.all.projections, first.all.projections);
-    EXPECT_EQ(statistics.crowded.projections, first.crowded.projections);
+    EXPECT_EQ(statistics.dense.projections, first.dense.projections);
   }
 }
 

@@ -69,7 +69,7 @@ TEST(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
         most_tests += most / static_cast<double>(warps);
       }
       const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
-      const WarpCosts costs = sampled_costs(tracer, rays, query, Precision::automatic);
+      const WarpCosts costs = warp_costs(tracer, rays, query, Precision::automatic);
       EXPECT_NEAR(costs.work, work, 1e-9 * work);
       EXPECT_NEAR(costs.tests, tests, 1e-9 * work);
       EXPECT_NEAR(costs.most_work, most_work, 1e-9 * most_work);
@@ -86,8 +86,8 @@ TEST(AutomaticLoop, SamplesNothingBeyondTheList) {
   const Ray<float> hitting = unbounded_ray<float>({0.1F, -4, 0.2F}, {0, 1, 0}),
                    missing = unbounded_ray<float>({0.1F, -4, 9}, {0, 1, 0});
   const auto costs_of = [&](const std::vector<Ray<float>>& rays, std::size_t count) {
-    return sampled_costs(tracer, RayList(rays.data(), count, own_format<float>), Query::nearest_hit,
-                         Precision::automatic);
+    return warp_costs(tracer, RayList(rays.data(), count, own_format<float>), Query::nearest_hit,
+                      Precision::automatic);
   };
   const WarpCosts of_one = costs_of(std::vector<Ray<float>>(32, hitting), 32);
   EXPECT_GT(of_one.tests, 0);

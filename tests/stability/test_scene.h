@@ -162,15 +162,12 @@ struct TestScene {
             &material,
             nullptr,
             number(triangles),
-            number(normals),
             number(spheres),
             number(cones),
-            1,
             0,
             cast<Stored>(padded_bounds<Stored>(bounds())),
             {0, 0, 0},
-            0,
-            {0, 0, 0}};
+            0};
   }
 };
 

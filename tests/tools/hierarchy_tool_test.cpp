@@ -87,10 +87,63 @@ TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
 }
 
 TEST_F(HierarchyTool, WhatNeedsCellsIsRefused) {
-  EXPECT_TRUE(failed(run("gridstat", {hierarchy_, "--slice", "z=50%", "-o", file("a.svg")}), 1, "gridstat",
-                     "--slice", "a hierarchy has none"));
+  EXPECT_TRUE(
+      failed(run("gridstat", {hierarchy_, "--slice", "z=50%", "--color", "volume", "-o", file("a.svg")}), 1,
+             "gridstat", "--color", "a hierarchy has none"));
   EXPECT_TRUE(failed(run("gridstat", {hierarchy_, "--cells", file("a.ply"), "--expanded"}), 1, "gridstat",
                      "--expanded", "a hierarchy has none"));
+}
+
+// [first u, first v, end u, end v, references, depth, voxels, number] in shares of the space.
+TEST_F(HierarchyTool, ASlicesRectanglesAreTheBoxesThatThePlaneCuts) {
+  const auto all = boxes();
+  for (const std::size_t axis : {0U, 1U, 2U}) {
+    const std::size_t u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+    for (const std::string depth : {"", "0", "1", "2"}) {
+      Arguments arguments{hierarchy_, "--slice", std::string(1, "xyz"[axis]) + "=30%", "-o", file("a.json")};
+      if (!depth.empty()) arguments.insert(arguments.end(), {"--depth", depth});
+      ASSERT_TRUE(succeeded(run("gridstat", arguments)));
+      const Bytes bytes = read_bytes(file("a.json"));
+      const Json slice = Json::parse(bytes.begin(), bytes.end());
+      EXPECT_EQ(slice["structure"], "bvh");
+      const double at = slice["position"];
+      const auto low = slice["space"]["min"].get<std::vector<double>>(),
+                 high = slice["space"]["max"].get<std::vector<double>>();
+      std::size_t next = 0;
+      for (const auto& row : all) {
+        const bool meets = row[2 + axis] <= at && at <= row[5 + axis];
+        if (!meets || (!depth.empty() && row[1] != std::stod(depth))) continue;
+        ASSERT_LT(next, slice["cells"].size());
+        const Json& cell = slice["cells"][next++];
+        const auto share = [&](double value, std::size_t i) { return (value - low[i]) / (high[i] - low[i]); };
+        EXPECT_NEAR(cell[0].get<double>(), share(row[2 + u], 0), 1e-12);
+        EXPECT_NEAR(cell[1].get<double>(), share(row[2 + v], 1), 1e-12);
+        EXPECT_NEAR(cell[2].get<double>(), share(row[5 + u], 0), 1e-12);
+        EXPECT_NEAR(cell[3].get<double>(), share(row[5 + v], 1), 1e-12);
+        EXPECT_EQ(cell[4], row[8]);
+        EXPECT_EQ(cell[5], row[1]);
+        EXPECT_EQ(cell[7], row[0]);
+      }
+      EXPECT_EQ(next, slice["cells"].size());
+      EXPECT_TRUE(next > 0 || depth == "2"); // the plane lies in a box of the root and of its nodes
+    }
+  }
+}
+
+TEST_F(HierarchyTool, PicturesOfASliceAreWrittenForEachColor) {
+  for (const std::string color : {"references", "depth"}) {
+    for (const std::string name : {"a.png", "a.svg"}) {
+      EXPECT_TRUE(succeeded(run("gridstat", {hierarchy_, "--slice", "z=30%", "--color", color, "--lines",
+                                             "--outline", scene_, "-o", file(name)})));
+      EXPECT_GT(read_bytes(file(name)).size(), 3000U);
+    }
+  }
+  const Bytes svg = read_bytes(file("a.svg"));
+  const std::string text(svg.begin(), svg.end());
+  EXPECT_NE(text.find("<title>b.grid, z = "), std::string::npos);
+  EXPECT_NE(text.find("<desc>hierarchy, "), std::string::npos);
+  EXPECT_NE(text.find("Colour: depth of nesting"), std::string::npos);
+  EXPECT_EQ(text.find("layer"), std::string::npos); // a hierarchy has none
 }
 
 TEST_F(HierarchyTool, AWalkThroughItEndsAtTheGridsHit) {

@@ -714,11 +714,14 @@ TEST_F(BadCommand, OfGridstatIsAUsageError) {
   for (const char* const size : {"0", "63", "4097", "-1", "x", "1e9"})
     EXPECT_TRUE(with_slice({"--size", size})) << size;
   EXPECT_TRUE(with_slice({"--color", "red"}));
+  for (const char* const depth : {"-1", "49", "x"})
+    EXPECT_TRUE(with_slice({"--depth", depth})) << depth;
   EXPECT_TRUE(with_slice({"--cells", file("new.csv")}));
   EXPECT_TRUE(with_slice({"--json"}));
   EXPECT_TRUE(with_slice({"--occupied"}));
   for (const Arguments& alone : {Arguments{"--lines"},
                                  {"--color", "depth"},
+                                 {"--depth", "1"},
                                  {"--window", "0,0,1,1"},
                                  {"--outline", scene_},
                                  {"--title", "a"},

@@ -37,6 +37,12 @@ class Tools:
         self.run("gridbuild", f"{name}.scene", "-o", f"{name}_uniform.grid", "--merge", "none")
         return [f"{name}.scene", f"{name}.grid", f"{name}_uniform.grid"]
 
+    def make_hierarchy(self, scene):
+        """NAME_bvh.grid of NAME.scene."""
+        name = scene.replace(".scene", "_bvh.grid")
+        self.run("gridbuild", scene, "-o", name, "--structure", "bvh")
+        return name
+
     def make_nested_glass(self):
         """[scene, grid] of 30 spheres of glass in each other: the rays of a pixel double with each depth or two."""
         spheres = "\n".join(f"s 0 0 0 {1 - i * 0.03:.2f}" for i in range(30))

@@ -180,7 +180,7 @@ class Hostile(unittest.TestCase):
         self.assertEqual(status_of(self.server, "/api/picture?" + query({**good, "width": "8192", "height": "8192"})), 400)
         self.assertEqual(status_of(self.server, "/api/picture?" + query(good) + "&grid=1"), 400, "given twice")
         for path in ["/api/slice?grid=0&axis=3&share=0.5", "/api/slice?grid=0&axis=0&share=1.5", "/api/slice?grid=0&axis=0&share=nan",
-                     "/api/statistics?grid=2", "/api/statistics", "/api/scene?x=1", "/?x=1"]:
+                     "/api/boxes?grid=2", "/api/boxes?grid=0&depth=-1", "/api/boxes?grid=0&depth=49", "/api/statistics?grid=2", "/api/statistics", "/api/scene?x=1", "/?x=1"]:
             self.assertEqual(status_of(self.server, path), 400, path)
         picked = {name: good[name] for name in ("from", "at", "up", "angle", "width", "height")} | dict(x="15", y="0")
         ray = dict(grid="0", origin="2,1,1", direction="-2,-1,-1", depth="5", all="0")
@@ -279,7 +279,7 @@ class Hostile(unittest.TestCase):
             walkers = [connect(server) for _ in range(12)]
             for walker in walkers:
                 walker.sendall(f"GET {walk} HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
-            for path in [SMALL, "/api/slice?grid=0&axis=0&share=0.5", "/api/statistics?grid=0", "/", SMALL.replace("picture", "counts")]:
+            for path in [SMALL, "/api/slice?grid=0&axis=0&share=0.5", "/api/boxes?grid=0", "/api/statistics?grid=0", "/", SMALL.replace("picture", "counts")]:
                 server.get(path)
             self.assertLess(len(select.select(walkers, [], [], 0)[0]), len(walkers), "all walks came first")
             for walker in walkers:

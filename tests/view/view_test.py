@@ -213,19 +213,21 @@ class Page(unittest.TestCase):
         more = ["--all-rays", "--depth", ray["depth"]] if ray["all"] else []
         return json.loads(tools.run("gridtrace", scene_path or scene[0], grid, f"--ray={numbers}", *more, "--json", "-q"))["rays"][index]
 
-    def assert_shows(self, printed, shown, cells_drawn):
-        """The counts of a picture, and the boxes of cells drawn in it, are those of a walk that gridtrace printed."""
+    def assert_shows(self, printed, shown, cells_drawn, what="cell"):
+        """The counts of a picture, and the boxes of cells or nodes drawn in it, are those of a walk that gridtrace printed."""
         text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
-        self.assertEqual(shown["counts"], f"{text(printed['cells'], 'cell')}, {text(printed['tests'], 'test')}")
+        self.assertEqual(shown["counts"], f"{text(printed['cells'], what)}, {text(printed['tests'], 'test')}")
         self.assertEqual(shown["table"], [str(printed["cells"]), str(printed["tests"])])
         if cells_drawn:
             self.assertEqual(shown["boxes"], [step["box"] for step in printed["steps"]])
 
     def assert_lists(self, printed):
         voxels = lambda box: " ".join(str(a) if a == b - 1 else f"{a}–{b - 1}" for a, b in zip(box["first"], box["end"]))
+        boxes = lambda node: " · ".join(str(node[f"boxes_{name}"]) for name in ("met", "missed", "beyond"))
+        place = lambda step: [str(step["node"]["index"]), str(step["node"]["depth"]), boxes(step["node"])] if step["node"] else [voxels(step["voxels"])]
         hit = lambda step: " hit" if any(test["kept"] for test in step["tests"]) else ""
-        self.assertEqual([[row[0], row[1], row[4]] for row in self.listed()],
-                         [[str(i), voxels(step["voxels"]), f"{len(step['tests'])}{hit(step)}"] for i, step in enumerate(printed["steps"])])
+        self.assertEqual([[*row[:-3], row[-1]] for row in self.listed()],
+                         [[str(i), *place(step), f"{len(step['tests'])}{hit(step)}"] for i, step in enumerate(printed["steps"])])
 
     # --- Tests ---
 
@@ -332,6 +334,9 @@ class Page(unittest.TestCase):
         self.wait_walk()
         self.assertEqual(self.js(look), before)
         self.find("#walk-all").click()
+        self.js("location.hash = arguments[0]", f"#grid={scene[1]}")
+        wait_until(lambda: self.js("return panes.length") == 1, "one picture")
+        self.wait_sharp()
 
     def test_a_link_tells_grids_of_one_name_apart(self):
         grids = []
@@ -437,6 +442,76 @@ class Page(unittest.TestCase):
         drawn = self.js("const c = panes[0].overlay.canvas; return c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some((value) => value > 0)")
         self.assertTrue(drawn)
         self.screenshot("slice")
+        # Of a uniform grid with the empty cells: they fill the layer.
+        self.js("panes[0].set({grid: 1})")
+        wait_until(lambda: self.js("return slicePanel.of(1)"), "the uniform grid's slice")
+        slice_ = self.js("return slicePanel.of(1)")
+        self.assertEqual(len(slice_["cells"]), slice_["voxels"][0] * slice_["voxels"][1])
+        self.assertFalse(slice_["without_empty"])
+
+    def test_a_hierarchy_beside_a_grid(self):
+        names = [scene[1], tools.make_hierarchy(scene[0])]
+        with Gridview(tools, scene[0], *names, "-q") as server:
+            self.show(1280, 900, server=server, fragment=f"#grid={','.join(names)}&channel=cells,cells")
+            # One range and one colour bar.
+            ranges = self.js("return panes.map((pane) => pane.frame.view.range)")
+            self.assertEqual(ranges[0], ranges[1])
+            self.assertEqual([scale.is_displayed() for scale in self.browser.find_elements(By.CSS_SELECTOR, ".scale")], [True, False])
+            # The walk: nodes, and what became of their boxes.
+            self.js("for (const pane of panes) pane.set({cells: 'ray'})")
+            for pane, x, y in [(1, 0, 0), (0, 30, -60)]:
+                self.pick(x, y, pane)
+                shown, printed = self.walk(), [self.printed(name) for name in names]
+                self.assertEqual(printed[0]["hit"], printed[1]["hit"])
+                for i, what in enumerate(["cell", "node"]):
+                    self.assert_shows(printed[i], shown[i], True, what)
+                self.assert_lists(printed[pane])
+            self.pick(0, 0, 1)
+            cropped = self.js("return [...document.querySelectorAll('#walk .scroll, #statistics .scroll')].map((e) => e.scrollWidth - e.clientWidth)")
+            self.assertEqual(cropped, [0, 0])
+            self.screenshot("hierarchy-walk")
+            # Boxes of each depth, chosen by keys.
+            tools.run("gridstat", names[1], "--cells", "boxes.csv")
+            boxes = [line.split(",") for line in (tools.folder / "boxes.csv").read_text().splitlines()[1:]]
+            self.js("for (const pane of panes) pane.set({cells: 'boxes'})")
+            self.assertTrue(self.js("return document.getElementById('slice-panel').open"))
+            deepest = max(int(box[1]) for box in boxes)
+            self.assertEqual(self.js("return slicePanel.depthOf(1) === null && state.scene.grids[1].greatest_depth"), deepest)
+            self.js("slicePanel.depth.focus()")
+            for depth in [None, *range(deepest + 1)]:
+                if depth is not None:
+                    self.keys(Keys.ARROW_RIGHT)
+                self.assertEqual(self.js("return state.slice.depth"), depth)
+                wanted = [list(map(float, box[2:8])) for box in boxes if (int(box[8]) > 0 if depth is None else int(box[1]) == depth)]
+                wait_until(lambda: self.js("return (slicePanel.boxesOf(1) || {}).count") == len(wanted), "the boxes of another depth")
+                self.assertEqual(self.js("return slicePanel.boxesOf(1).boxes.map(({min, max}) => [...min, ...max])"), wanted)
+                if depth == 1:
+                    self.screenshot("hierarchy-boxes")
+                    self.wait_sharp()
+                    fragment = self.js("return fragment()")
+            # Its slice is that of gridstat, with the grid's range of colours.
+            self.js("state.slice.depth = null; for (const pane of panes) pane.set({cells: 'slice'})")
+            wait_until(lambda: self.js("return slicePanel.of(0) && slicePanel.of(1)"), "slices of both")
+            for depth in [None, 1]:
+                self.js("slicePanel.set({depth: arguments[0]})", depth)
+                tools.run("gridstat", names[1], "--slice", "z=50%", "-o", "slice.json", *([] if depth is None else ["--depth", depth]))
+                self.assertEqual(self.js("return slicePanel.cellsOf(1)"), json.loads((tools.folder / "slice.json").read_text())["cells"])
+                most = self.js("return Math.max(...[0, 1].flatMap((grid) => slicePanel.cellsOf(grid).map((cell) => cell[4])))")
+                wait_until(lambda: self.find(".slice-scale").text.split() == ["references", "0", str(most)], "one colour bar for both")
+            self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")), 2)
+            self.js("slicePanel.set({depth: null})")
+            self.wait_sharp()
+            self.screenshot("hierarchy-slices")
+            # An address holds the depth.
+            self.show(1280, 900, server=server, fragment=fragment)
+            self.assertEqual(self.js("return [state.slice.depth, state.panes.map((pane) => pane.cells)]"), [1, ["boxes", "boxes"]])
+            # Its statistics are those of gridstat.
+            printed = json.loads(tools.run("gridstat", names[1], "--json", "--histogram"))
+            served = json.loads(server.get("/api/statistics?grid=1"))
+            self.assertEqual({**served, "commit": None}, {**printed, "commit": None})
+            wait_until(lambda: "boxes per node" in self.find("#statistics").text and "occupied voxels" in self.find("#statistics").text, "both kinds of statistics")
+            self.browser.get("about:blank")
+            self.logs()
 
     def test_statistics_are_those_of_gridstat(self):
         wait_until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#statistics table"), "statistics")
@@ -552,6 +627,27 @@ class Page(unittest.TestCase):
         for event in events:
             if event["method"] == "Network.requestWillBeSent":
                 self.assertTrue(event["params"]["request"]["url"].startswith((address, "data:", "blob:", "about:")), event["params"]["request"]["url"])
+
+    def test_an_exported_hierarchy(self):
+        names = [tools.make_hierarchy(scene[0]), scene[1]]
+        tools.run("gridview", scene[0], *names, "--export", "hierarchy.html", "--views", "1", "--size", "160x120", "-q")
+        self.browser.get("about:blank")
+        self.logs()
+        self.browser.get(f"{(tools.folder / 'hierarchy.html').as_uri()}#grid={','.join(names)}&channel=cells,cells&slice=z,0.5,1")
+        self.wait_sharp()
+        self.js("for (const pane of panes) pane.set({cells: 'boxes'}); panes[0].stage.focus()")
+        wait_until(lambda: self.js("return slicePanel.boxesOf(0) && slicePanel.boxesOf(1)"), "boxes of both")
+        served = self.js("return slicePanel.boxesOf(0)")
+        self.assertGreater(served["count"], 8)  # of depth 1
+        self.assertEqual(served["count"], len(served["boxes"]))
+        self.keys(Keys.ENTER, Keys.ENTER)
+        self.wait_walk()
+        shown = self.walk()
+        for i, what in enumerate(["node", "cell"]):
+            self.assert_shows(self.printed(names[i]), shown[i], False, what)
+        self.assert_lists(self.printed(names[0]))
+        self.screenshot("hierarchy-exported")
+        self.assertEqual([entry["message"] for entry in self.logs()[1]], [])
 
     def test_an_exported_page_shows_names_of_markup_as_text(self):
         names = ["<!--<script>.grid", "<\\script><b onclick=alert(1)>&amp;\u2028.grid"]

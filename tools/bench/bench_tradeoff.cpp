@@ -114,10 +114,9 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
   options.division = parse_division(plan.division);
   options.grid.kind = plan.merge;
   options.overlap = plan.overlap;
-  const auto [grid, provenance] =
-      scene.is_float64()
-          ? build_grid(*cpu_builder(scene.view<double>()), scene.bounds(), scene.geometry_hash(), options)
-          : build_grid(*cpu_builder(scene.view<float>()), scene.bounds(), scene.geometry_hash(), options);
+  const auto [grid, provenance, considered] =
+      scene.is_float64() ? build_chosen(*cpu_builder(scene.view<double>()), scene.geometry(), options)
+                         : build_chosen(*cpu_builder(scene.view<float>()), scene.geometry(), options);
   const MemoryFile file; // its contents live on in the grid
   write_grid(grid, provenance, file.path());
   return GridFile(file.path());

@@ -26,7 +26,8 @@ constexpr std::size_t most_svg_cells = std::size_t{1} << 18, most_json_cells = s
 
 // --- Values and their colours ----------------------------------------------------------------------------
 
-// A cell's value; none for empty cells coloured by references. Volumes are in voxels of the division.
+// A cell's value; none for those that list nothing, coloured by references. Volumes are in voxels of the
+// division.
 std::optional<double> value_of(const SliceCell& cell, SliceColor color, std::int32_t nested_log2) {
   switch (color) {
   case SliceColor::volume:
@@ -103,18 +104,12 @@ struct Plot {
 
 // A cell's part in the plot.
 DrawingBox box_of(const Plot& plot, const GridLayout& finest, int axis, const SliceCell& cell) {
-  VoxelBox voxels{};
-  const std::array<int, 2> axes = slice_axes(axis);
-  for (std::size_t i = 0; i < 2; ++i) {
-    voxels.first.set(axes[i], cell.first[i]);
-    voxels.end.set(axes[i], cell.end[i]);
-  }
-  const Boxd box = box_in_scene(finest, voxels);
+  const SliceWindow scene = in_scene(finest, axis, cell);
   const DrawingBox& in = plot.box;
-  return {std::clamp(plot.x(box.min[axes[0]]), in.left, in.right),
-          std::clamp(plot.y(box.max[axes[1]]), in.top, in.bottom),
-          std::clamp(plot.x(box.max[axes[0]]), in.left, in.right),
-          std::clamp(plot.y(box.min[axes[1]]), in.top, in.bottom)};
+  return {std::clamp(plot.x(scene.min[0]), in.left, in.right),
+          std::clamp(plot.y(scene.max[1]), in.top, in.bottom),
+          std::clamp(plot.x(scene.max[0]), in.left, in.right),
+          std::clamp(plot.y(scene.min[1]), in.top, in.bottom)};
 }
 
 // --- Cells -----------------------------------------------------------------------------------------------
@@ -126,10 +121,12 @@ DrawingBox on_pixels(const DrawingBox& box, const DrawingBox& plot) {
   return {left, top, std::max(std::round(box.right), left + 1), std::max(std::round(box.bottom), top + 1)};
 }
 
-// Cells by how dark they are, and those that have lines on their left and lower sides, which neighbours
-// share.
+// Cells by how dark they are, and those that have lines: on their left and lower sides, which neighbours that
+// fill the plot share, or on all sides.
 class SliceCells {
 public:
+  explicit SliceCells(bool all_sides) : all_sides_(all_sides) {}
+
   // `darkness`: of empty cells none. No lines where they would leave hardly anything.
   void add(const DrawingBox& box, std::optional<double> darkness, bool with_lines) {
     constexpr double room_for_lines = 4;
@@ -159,8 +156,13 @@ private:
   static constexpr long most_shade = 1023; // the map has so many steps
 
   // Within the boxes.
-  static void draw_lines(cairo_t* cairo, const std::vector<DrawingBox>& boxes, Rgb color, double width) {
+  void draw_lines(cairo_t* cairo, const std::vector<DrawingBox>& boxes, Rgb color, double width) const {
     for (const DrawingBox& box : boxes) {
+      if (all_sides_) {
+        cairo_rectangle(cairo, box.left + width / 2, box.top + width / 2, box.width() - width,
+                        box.height() - width);
+        continue;
+      }
       cairo_move_to(cairo, box.left + width / 2, box.top);
       cairo_line_to(cairo, box.left + width / 2, box.bottom - width / 2);
       cairo_line_to(cairo, box.right, box.bottom - width / 2);
@@ -170,6 +172,7 @@ private:
     cairo_stroke(cairo);
   }
 
+  bool all_sides_;
   ColorMap map_;
   std::map<long, std::vector<DrawingBox>> cells_; // by darkness
   std::vector<DrawingBox> with_dark_lines_, with_light_lines_;
@@ -182,6 +185,7 @@ struct Chart {
   Plot plot{};
   std::int32_t width = 0, height = 0; // of the page
   ValueRange range;
+  std::string white; // what it means
   TextBlock title{}, subtitle{};
   std::array<std::string, 2> axis_names; // with units
   std::array<std::vector<double>, 2> ticks{};
@@ -225,7 +229,7 @@ void lay_out(Chart& chart, const SliceWindow& window, std::int32_t size, const s
   const double bar_height = height - (chart.range.has_empty ? legend : 0);
   if (chart.range.has_values()) chart.bar_labels = color_bar_labels(chart.range.scale(), bar_height, em);
   const double bar_name = color_bar_label_width(chart.bar_labels, em) + 1.4 * em; // its baseline
-  const double empty = chart.range.has_empty ? 0.5 * em + text_width("empty", em) : 0;
+  const double empty = chart.range.has_empty ? 0.5 * em + text_width(chart.white, em) : 0;
 
   const double left = std::ceil(margin + 1.5 * em + widest(chart.ticks[1], em) + (0.25 + tick_length) * em);
   chart.bar.left = left + width + std::round(em);
@@ -277,7 +281,8 @@ void draw_legend(cairo_t* cairo, const Chart& chart, const ColorMap& map) {
     const DrawingBox patch{bar.left, std::round(chart.plot.box.bottom - 0.9 * em), bar.right,
                            chart.plot.box.bottom};
     draw_frame(cairo, patch, chart.plot.line());
-    draw_text(cairo, bar.right + 0.5 * em, (patch.top + patch.bottom + capital_height * em) / 2, "empty", em);
+    draw_text(cairo, bar.right + 0.5 * em, (patch.top + patch.bottom + capital_height * em) / 2, chart.white,
+              em);
   }
   if (!chart.range.has_values()) return;
   const auto color = [&](double share) { return shade_of(map, chart.range.darkness_at(share)); };
@@ -346,9 +351,12 @@ std::string by_by(const Vec3i& n) {
 }
 
 std::string title_of(const GridFile& file, const SlicePlane& plane, const GridLayout& finest) {
-  return fmt::format("{}, {} = {:.5g} (layer {} of {})",
-                     std::filesystem::path(file.path()).filename().string(), "xyz"[plane.axis],
-                     plane.position, plane.layer, finest.division[plane.axis]);
+  const std::string title =
+      fmt::format("{}, {} = {:.5g}", std::filesystem::path(file.path()).filename().string(),
+                  "xyz"[plane.axis], plane.position);
+  return file.is_hierarchy()
+             ? title
+             : fmt::format("{} (layer {} of {})", title, plane.layer, finest.division[plane.axis]);
 }
 
 const char* kind_of(fb::Merge merge) {
@@ -364,10 +372,13 @@ const char* kind_of(fb::Merge merge) {
   }
 }
 
-std::string subtitle_of(const GridFile& file, bool has_outline) {
-  std::string text =
-      fmt::format("{}, {} voxels", kind_of(file.table().merge()), by_by(file.layout().division));
+std::string subtitle_of(const GridFile& file, const SliceWindow& window, bool has_outline) {
+  std::string text = file.is_hierarchy() ? fmt::format("hierarchy, {} nodes", file.nodes().size())
+                                         : fmt::format("{}, {} voxels", kind_of(file.table().merge()),
+                                                       by_by(file.layout().division));
   if (file.table().nested_log2() > 0) text += fmt::format(", nested 2^{}", file.table().nested_log2());
+  if (window.depth)
+    text += fmt::format(", {} of depth {}", file.is_hierarchy() ? "boxes" : "cells", *window.depth);
   return text + (has_outline ? "; red: geometry" : "");
 }
 
@@ -389,8 +400,12 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
   }
   const GridLayout finest = finest_layout(file);
   const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());
+  const bool is_hierarchy = file.is_hierarchy();
+  if (is_hierarchy && style.color == SliceColor::volume)
+    throw Error(ErrorCode::usage, "--color", "volume needs a grid of cells: a hierarchy has none");
   const auto value = [&](const SliceCell& cell) { return value_of(cell, style.color, nested_log2); };
   ValueRange range{style.color};
+  range.has_empty = is_hierarchy || window.depth; // white shows between the rectangles
   std::size_t count = 0;
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
     range.include(value(cell));
@@ -404,25 +419,29 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
     return fmt::format("{} (scene units)", "xyz"[slice_axes(plane.axis)[i]]);
   };
   const std::string title = style.title.empty() ? title_of(file, plane, finest) : style.title;
-  Chart chart{.range = range, .axis_names = {axis_name(0), axis_name(1)}, .outline = outline};
-  lay_out(chart, window, style.size, title, subtitle_of(file, !outline.empty()));
+  Chart chart{.range = range,
+              .white = window.depth ? "none" : "empty",
+              .axis_names = {axis_name(0), axis_name(1)},
+              .outline = outline};
+  const std::string subtitle = subtitle_of(file, window, !outline.empty());
+  lay_out(chart, window, style.size, title, subtitle);
   const ColorScale scale = range.scale();
-  SliceCells cells;
+  SliceCells cells(is_hierarchy || window.depth);
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
     const std::optional<double> shown = value(cell);
     const DrawingBox box = box_of(chart.plot, finest, plane.axis, cell);
     cells.add(is_svg ? box : on_pixels(box, chart.plot.box),
-              shown ? std::optional(range.darkness_at(scale.share(*shown))) : std::nullopt, style.lines);
+              shown ? std::optional(range.darkness_at(scale.share(*shown))) : std::nullopt,
+              style.lines || (is_hierarchy && !shown)); // else a box around a node wouldn't be seen
   });
 
   const Drawing drawing{chart.width, chart.height, [&](cairo_t* cairo) { draw_chart(cairo, chart, cells); }};
   if (!is_svg) return write_png(drawing, path, {{"Software", fmt::format("Masu {} {}", version, commit)}});
   // What the labels say, too: they are outlines of letters.
   const std::string legend =
-      fmt::format("{}. Right: {}. Up: {}. Colour: {}", subtitle_of(file, !outline.empty()), axis_name(0),
-                  axis_name(1), range.label()) +
+      fmt::format("{}. Right: {}. Up: {}. Colour: {}", subtitle, axis_name(0), axis_name(1), range.label()) +
       (range.has_values() ? fmt::format(", {:.3g} to {:.3g}", range.low, range.high) : "") +
-      (range.has_empty ? "; white: empty" : "");
+      (range.has_empty ? "; white: " + chart.white : "");
   write_svg(drawing, path, title,
             fmt::format("{}. Masu {} {}: {}", legend, version, commit, fmt::join(command_line(), " ")));
 }

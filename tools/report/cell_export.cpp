@@ -1,9 +1,8 @@
 #include "tools/report/cell_export.h"
 
-#include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/statistics/boxes.h"
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
-#include "libscene/local_origin.h"
 #include "tools/common/version.h"
 #include "tools/draw/color_map.h"
 
@@ -42,41 +41,9 @@ struct [[gnu::packed]] Face {
 };
 static_assert(sizeof(Corner) == 31 && sizeof(Face) == 17);
 
-// A cell or a hierarchy's box, in scene units.
-struct ExportedBox {
-  std::uint64_t number;
-  Boxd box, expanded;
-  std::uint32_t references;
-  std::uint64_t voxels; // of a cell
-  int depth;            // of a hierarchy's box
-};
-
-bool share_space(const Boxd& a, const Boxd& b) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::max(a.min[axis], b.min[axis]) > std::min(a.max[axis], b.max[axis])) return false;
-  return true;
-}
-
-template <class Act>
-void for_each_exported(const GridFile& file, const CellExport& options, const Act& act) {
-  if (file.is_hierarchy()) {
-    const auto nodes = file.nodes();
-    return for_each_box(nodes, [&](const HierarchyBox& found) {
-      if (options.occupied_only && found.references == 0) return;
-      const Boxd box = in_world(file.origin(), box_of(nodes[found.node], found.slot));
-      if (options.within && !share_space(box, *options.within)) return;
-      const std::uint64_t number =
-          std::uint64_t{found.node} * boxes_a_node + static_cast<unsigned>(found.slot);
-      act(ExportedBox{number, box, box, found.references, 0, found.depth});
-    });
-  }
-  const GridLayout finest = finest_layout(file);
-  const VoxelBox within =
-      options.within ? voxels_covered(finest, *options.within) : whole_of(finest.division);
-  for_each_cell(file, {within, options.occupied_only}, [&](const GridCell& cell) {
-    act(ExportedBox{cell.number, box_in_scene(finest, cell.box), box_in_scene(finest, cell.expanded),
-                    cell.references, cell.voxels, 0});
-  });
+void for_each_exported(const GridFile& file, const CellExport& options,
+                       const std::function<void(const StructureBox&)>& act) {
+  for_each_box(file, {options.within, options.occupied_only}, act);
 }
 
 void write_csv(const GridFile& file, const CellExport& options, OutputFile& out) {
@@ -96,7 +63,7 @@ void write_csv(const GridFile& file, const CellExport& options, OutputFile& out)
     fmt::format_to(end,
                    "cell,min_x,min_y,min_z,max_x,max_y,max_z,expanded_min_x,expanded_min_y,expanded_min_z,"
                    "expanded_max_x,expanded_max_y,expanded_max_z,references,occupied,voxels\n");
-  for_each_exported(file, options, [&](const ExportedBox& cell) {
+  for_each_exported(file, options, [&](const StructureBox& cell) {
     fmt::format_to(end, "{}", cell.number);
     if (file.is_hierarchy()) {
       fmt::format_to(end, ",{}", cell.depth);
@@ -117,7 +84,7 @@ void write_csv(const GridFile& file, const CellExport& options, OutputFile& out)
 void write_ply(const GridFile& file, const CellExport& options, OutputFile& out) {
   std::uint64_t cells = 0;
   std::uint32_t most = 1; // references of a cell
-  for_each_exported(file, options, [&](const ExportedBox& cell) {
+  for_each_exported(file, options, [&](const StructureBox& cell) {
     ++cells;
     most = std::max(most, cell.references);
   });
@@ -139,7 +106,7 @@ void write_ply(const GridFile& file, const CellExport& options, OutputFile& out)
 
   const ColorMap map;
   const double range = std::log(std::max<double>(most, 2));
-  for_each_exported(file, options, [&](const ExportedBox& cell) {
+  for_each_exported(file, options, [&](const StructureBox& cell) {
     const Boxd& box = options.expanded ? cell.expanded : cell.box;
     constexpr Rgb empty{230, 230, 230};
     const Rgb color = cell.references == 0 ? empty : map(1 - std::log(cell.references) / range);

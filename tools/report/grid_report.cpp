@@ -1,7 +1,6 @@
 #include "tools/report/grid_report.h"
 
 #include "libgrid/statistics/cells.h"
-#include "libgrid/statistics/hierarchy_statistics.h"
 #include "tools/common/cli.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
@@ -31,30 +30,6 @@ Json seconds_json(const fb::Grid& table) {
 
 std::string geometry_hash(const fb::Grid& table) {
   return to_hex({table.geometry_hash()->low(), table.geometry_hash()->high()});
-}
-
-Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
-  const fb::Grid& table = file.table();
-  Json json{{"structure", "bvh"},
-            {"space", finest_layout(file).space},
-            {"primitives", table.primitives()},
-            {"nodes", s.nodes},
-            {"boxes_a_node", s.boxes_a_node},
-            {"node_boxes", s.node_boxes},
-            {"reference_boxes", s.reference_boxes},
-            {"references", s.references},
-            {"depth", s.depth},
-            {"expected_per_ray", {{"nodes", s.nodes_a_ray}, {"tests", s.tests_a_ray}}},
-            {"bytes",
-             {{"file", file.bytes()},
-              {"nodes", file.nodes().size_bytes()},
-              {"references", file.references().size_bytes()}}},
-            {"geometry_hash", geometry_hash(table)},
-            {"build_seconds", seconds_json(table)}};
-  if (histogram) json["histogram"] = histogram_of(s.boxes_by_references);
-  if (histogram) json["histogram_by_depth"] = histogram_of(s.boxes_by_depth);
-  json.update(program_version());
-  return json;
 }
 
 // --- CSV --------------------------------------------------------------------------------------------------
@@ -217,6 +192,30 @@ Json grid_report(const GridFile& file, const Statistics& statistics, bool histog
                  {"mean_expansion", map.mean_expansion}});
   json.update(program_version());
   if (histogram && s.occupied_cells > 0) json["histogram"] = histogram_of(s.histogram);
+  return json;
+}
+
+Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
+  const fb::Grid& table = file.table();
+  Json json{{"structure", "bvh"},
+            {"space", finest_layout(file).space},
+            {"primitives", table.primitives()},
+            {"nodes", s.nodes},
+            {"boxes_a_node", s.boxes_a_node},
+            {"node_boxes", s.node_boxes},
+            {"reference_boxes", s.reference_boxes},
+            {"references", s.references},
+            {"depth", s.depth},
+            {"expected_per_ray", {{"nodes", s.nodes_a_ray}, {"tests", s.tests_a_ray}}},
+            {"bytes",
+             {{"file", file.bytes()},
+              {"nodes", file.nodes().size_bytes()},
+              {"references", file.references().size_bytes()}}},
+            {"geometry_hash", geometry_hash(table)},
+            {"build_seconds", seconds_json(table)}};
+  if (histogram) json["histogram"] = histogram_of(s.boxes_by_references);
+  if (histogram) json["histogram_by_depth"] = histogram_of(s.boxes_by_depth);
+  json.update(program_version());
   return json;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libgrid/file/grid_file.h"
+#include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
 
@@ -25,11 +26,15 @@ struct Statistics {
 // Of a grid. histogram: also the number of occupied cells by their references, [references, cells] each.
 nlohmann::ordered_json grid_report(const GridFile& file, const Statistics& statistics, bool histogram);
 
+// Of a hierarchy. histogram: also the number of boxes of references by how many they hold, [references,
+// boxes] each, and by depth.
+nlohmann::ordered_json hierarchy_report(const GridFile& file, const HierarchyStatistics& statistics,
+                                        bool histogram);
+
 enum class ReportFormat { table, json, csv };
 
 // Of a grid or a hierarchy, to standard output. CSV has the same columns for every grid. histogram: also the
-// number of occupied cells by references, and of merged cells by size; of a hierarchy, of boxes of references
-// by how many they hold, and by depth.
+// number of occupied cells by references, and of merged cells by size; of a hierarchy as above.
 void print_grid_report(const GridFile& file, ReportFormat format, bool histogram);
 
 inline double percent(std::uint64_t part, std::uint64_t whole) {

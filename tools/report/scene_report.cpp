@@ -76,9 +76,9 @@ Report report_of(const SceneFile& file) {
   const SceneView<Stored> view = file.view<Stored>();
   const SceneSpans<Stored> spans = spans_of(view);
   const fb::ObjectCounts& objects = *file.table().objects();
-  Report report = report_of(spans, {view.materials, view.material_count});
+  Report report = report_of(spans, {view.materials, file.counts().materials});
   report.objects = {objects.polygons(), objects.patches(), objects.spheres(), objects.cones()};
-  report.corner_normals = view.normals_count;
+  report.corner_normals = file.counts().normals;
   report.faces = view.faces != nullptr ? view.triangle_count : 0;
   report.resolution = {file.table().camera()->width(), file.table().camera()->height()};
   report.origin = file.origin();

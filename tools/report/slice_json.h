@@ -1,4 +1,4 @@
-// A grid's slice as JSON.
+// A slice as JSON.
 #pragma once
 
 #include "libgrid/statistics/slice.h"
@@ -10,9 +10,12 @@
 
 namespace masu {
 
-// {"axis", "axes", "layer", "position", "space", "voxels", "nested_log2", "window", "cells": [[first u, first
-// v, end u, end v, references, depth, voxels, number], …], "outline": [[from u, from v, to u, to v,
-// primitive], …]}: cells in the smallest voxels, else scene units.
+// [first u, first v, end u, end v, references, depth, voxels, number] as SliceCell has them.
+nlohmann::ordered_json slice_cell_json(const SliceCell& cell);
+
+// {"structure": "grid" or "bvh", "axis", "axes", "layer", "position", "space", "voxels", "nested_log2",
+// "window", "cells": [slice_cell_json(), …], "outline": [[from u, from v, to u, to v, primitive], …]}: cells
+// in the smallest voxels, else scene units. The space of a hierarchy is one voxel.
 nlohmann::ordered_json slice_json(const Slice& slice, const SliceWindow& window,
                                   std::span<const SectionSegment> outline);
 

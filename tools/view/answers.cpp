@@ -174,6 +174,13 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
     parameters.end();
     return json(viewer.slice(sliced, request.is_gone));
   }
+  if (is("/api/boxes")) {
+    BoxesRequest wanted{grid_of(viewer, parameters)};
+    if (parameters.find("depth") != nullptr)
+      wanted.depth = parameters.number<std::int32_t>("depth", 0, max_hierarchy_depth);
+    parameters.end();
+    return json(viewer.boxes(wanted, request.is_gone));
+  }
   if (is("/api/statistics")) {
     const std::size_t grid = grid_of(viewer, parameters);
     parameters.end();

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array slice_shares{0.1, 0.3, 0.5, 0.7, 0.9};
-constexpr std::size_t most_slice_cells = 10000;
+constexpr std::size_t most_slice_cells = 10000, most_boxes = 1000;
 
 bool is_gone() {
   return false;
@@ -124,6 +124,11 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
         slices.push_back(viewer.slice({grid, axis, share, most_slice_cells}, is_gone));
     }
     data["slices"].push_back(std::move(slices));
+    Json boxes = Json::array();
+    boxes.push_back(viewer.boxes({grid, {}, most_boxes}, is_gone)); // of any depth, then of each
+    for (std::int32_t depth = 0; depth <= viewer.grid(grid).greatest_depth; ++depth)
+      boxes.push_back(viewer.boxes({grid, depth, most_boxes}, is_gone));
+    data["boxes"].push_back(std::move(boxes));
   }
   const std::vector<View> views = turntable(camera, settings.views);
   for (std::size_t i = 0; i < views.size(); ++i) {

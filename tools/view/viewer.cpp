@@ -13,8 +13,10 @@
 #include "tools/draw/color_map.h"
 #include "tools/report/counts_report.h"
 #include "tools/report/grid_report.h"
+#include "tools/report/slice_json.h"
 #include "tools/report/walk_text.h"
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 
@@ -83,16 +85,22 @@ Bytes channel(const Tracer& tracer, const PictureRequest& request, const FrameRe
 }
 
 Json slice_cells(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, std::size_t most) {
+  constexpr std::uint64_t most_in_layer = 1 << 16; // of which empty cells are listed
+  const auto [u, v] = slice_axes(plane.axis);
+  const Vec3i division = finest_layout(file).division;
+  const auto in_layer = static_cast<std::uint64_t>(division[u]) * static_cast<std::uint64_t>(division[v]);
+  const bool is_uniform = !file.is_hierarchy() && !file.is_merged();
+  const bool without_empty = is_uniform && in_layer > std::min<std::uint64_t>(most, most_in_layer);
   Json cells = Json::array();
   bool truncated = false;
   for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
-    if (cell.references == 0 && !file.is_merged()) return;
+    if (cell.references == 0 && without_empty) return;
     if (cells.size() < most)
-      cells.push_back({cell.first[0], cell.first[1], cell.end[0], cell.end[1], cell.references});
+      cells.push_back(slice_cell_json(cell));
     else
       truncated = true;
   });
-  return {{"cells", std::move(cells)}, {"truncated", truncated}};
+  return {{"cells", std::move(cells)}, {"truncated", truncated}, {"without_empty", without_empty}};
 }
 
 template <class Stored>
@@ -100,8 +108,9 @@ Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceW
   constexpr std::size_t most = 200000;
   const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
   Json lines = Json::array();
-  for (const SectionSegment& line : section_of(
-           scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max, 2e-4 * longer})) {
+  for (const SectionSegment& line :
+       section_of(scene.view<Stored>(),
+                  {plane.axis, plane.position, window.min, window.max, 2e-4 * longer, scene.origin()})) {
     if (lines.size() == most) break;
     lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
   }
@@ -113,10 +122,6 @@ Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceW
 Viewer::Viewer(const ViewerSettings& settings) : scene_(settings.scene), precision_(settings.precision) {
   for (const std::string& path : settings.grids)
     grids_.push_back(std::make_unique<ViewedGrid>(path, scene_, settings.device));
-  for (const auto& grid : grids_) {
-    if (grid->file.is_hierarchy())
-      throw Error(ErrorCode::usage, grid->file.path(), "is a hierarchy: gridview shows grids of cells");
-  }
 }
 
 FrameRequest Viewer::frame_request(const PictureRequest& request) const {
@@ -216,6 +221,20 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
   });
 }
 
+Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
+  const GridFile& file = grid(request.grid).file;
+  return turns_.run(is_gone, [&] {
+    Json boxes = Json::array();
+    std::size_t count = 0;
+    const bool with_empty = file.is_hierarchy() && request.depth;
+    for_each_box(file, {{}, !with_empty, request.depth}, [&](const StructureBox& found) {
+      if (++count <= request.most)
+        boxes.push_back({{"min", vector_json(found.box.min)}, {"max", vector_json(found.box.max)}});
+    });
+    return Json{{"boxes", std::move(boxes)}, {"count", count}};
+  });
+}
+
 Json Viewer::description() const {
   const Camera camera = scene_.camera();
   const Boxd bounds = in_world(scene_.origin(), scene_.bounds());
@@ -224,6 +243,8 @@ Json Viewer::description() const {
     const fb::Grid& table = grid->file.table();
     grids.push_back({{"name", file_name(grid->file.path())},
                      {"path", grid->file.path()},
+                     {"structure", grid->file.is_hierarchy() ? "bvh" : "grid"},
+                     {"greatest_depth", grid->greatest_depth},
                      {"merge", fb::EnumNameMerge(table.merge())},
                      {"merge_rule", grid->file.is_merged() ? Json(table.merge_rule()->str()) : Json()},
                      {"hash", to_hex(grid->file.hash())},
@@ -259,7 +280,9 @@ Json Viewer::statistics(std::size_t grid, const IsGone& is_gone) const {
   ViewedGrid& viewed = *grids_.at(grid);
   return turns_.run(is_gone, [&] { // one at a time
     if (viewed.statistics.is_null())
-      viewed.statistics = grid_report(viewed.file, Statistics(viewed.file), true);
+      viewed.statistics = viewed.file.is_hierarchy()
+                              ? hierarchy_report(viewed.file, hierarchy_statistics(viewed.file.nodes()), true)
+                              : grid_report(viewed.file, Statistics(viewed.file), true);
     return viewed.statistics;
   });
 }

@@ -1,7 +1,9 @@
-// What the page of gridview asks for: pictures of a scene through its grids, and what the grids hold.
+// What the page of gridview asks for: pictures of a scene through its grids and hierarchies, and what these
+// hold.
 #pragma once
 
 #include "libgrid/file/grid_file.h"
+#include "libgrid/statistics/boxes.h"
 #include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
 #include "tools/render/views.h"
@@ -21,12 +23,13 @@ namespace masu {
 
 // Lives where it was made: tracers refer to the files.
 struct ViewedGrid {
-  GridFile file;
+  GridFile file; // a grid or a hierarchy
   Tracer tracer;
+  std::int32_t greatest_depth;         // of its cells or boxes
   nlohmann::ordered_json statistics{}; // null: not made yet
 
   ViewedGrid(const std::string& path, const SceneFile& scene, Device device)
-      : file(path), tracer(scene, &file, device) {}
+      : file(path), tracer(scene, &file, device), greatest_depth(masu::greatest_depth(file)) {}
 };
 
 struct ViewerSettings {
@@ -70,6 +73,12 @@ struct SliceRequest {
   std::size_t most_cells = 200000; // beyond, the slice is truncated
 };
 
+struct BoxesRequest {
+  std::size_t grid = 0;
+  std::optional<std::int32_t> depth{}; // none: of any
+  std::size_t most = 8000;
+};
+
 // Of a ray given in the world.
 struct RayWalkRequest {
   std::size_t grid = 0;
@@ -106,10 +115,13 @@ public:
   // As gridtrace --ray --json has it, but bounded: `more_rays` are counted that aren't among `rays`,
   // `ended_early` says that there are still more. A ray's `steps` are the first of its `cells`.
   nlohmann::ordered_json walk(const RayWalkRequest& request, const IsGone& is_gone) const;
-  // {axis, axes, position, range, voxels, min, step, cells, outline, truncated}: cells as [first u, first v,
-  // end u, end v, references] in the smallest voxels, those of a uniform grid without the empty ones; outline
-  // as [from u, from v, to u, to v] in scene units.
+  // {axis, axes, position, range, voxels, min, step, cells, outline, truncated, without_empty}: cells as
+  // slice_cell_json() has them, those of a uniform grid without the empty ones where these are too many;
+  // outline as [from u, from v, to u, to v] in scene units.
   nlohmann::ordered_json slice(const SliceRequest& request, const IsGone& is_gone) const;
+  // {boxes: [{min, max}, …], count}: a grid's occupied cells, or a hierarchy's boxes, of a depth; of any
+  // depth those that list references. The first of `count`.
+  nlohmann::ordered_json boxes(const BoxesRequest& request, const IsGone& is_gone) const;
 
   // The scene, its camera, and its grids by name.
   nlohmann::ordered_json description() const;

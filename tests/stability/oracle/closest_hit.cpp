@@ -9,6 +9,8 @@ namespace {
 // Relative; far above the rounding errors of double in the bounding sphere test.
 constexpr double generous = 1e-9;
 
+constexpr std::size_t block_size = 32;
+
 using Key = std::array<double, 9>;
 Key key_of(const Triangle<double>& t) {
   return {t.a.x, t.a.y, t.a.z, t.b.x, t.b.y, t.b.z, t.c.x, t.c.y, t.c.z};
@@ -53,15 +55,61 @@ SceneOracle::SceneOracle(const SceneView<Stored>& scene) {
   add_first_alike(triangles_, first_alike_);
   add_first_alike(spheres_, first_alike_);
   add_first_alike(cones_, first_alike_);
+  add_blocks();
 }
 template SceneOracle::SceneOracle(const SceneView<float>&);
 template SceneOracle::SceneOracle(const SceneView<double>&);
 
 void SceneOracle::add_bounding_sphere(const Vec3d& center, double radius) {
-  x_.push_back(center.x);
-  y_.push_back(center.y);
-  z_.push_back(center.z);
-  radius_.push_back(radius * (1 + generous) + largest_magnitude(center) * 1e-14);
+  spheres_around_.x.push_back(center.x);
+  spheres_around_.y.push_back(center.y);
+  spheres_around_.z.push_back(center.z);
+  spheres_around_.radius.push_back(radius * (1 + generous) + largest_magnitude(center) * 1e-14);
+}
+
+// Spheres near each other share a block: their centres are sorted by Morton code.
+void SceneOracle::add_blocks() {
+  const auto& [x, y, z, radius] = spheres_around_;
+  const auto center = [&](std::size_t i) { return Vec3d{x[i], y[i], z[i]}; };
+  Boxd bounds = empty_box<double>();
+  for (std::size_t i = 0; i < x.size(); ++i)
+    bounds = join(bounds, center(i));
+  const double per_unit =
+      1023 / largest_magnitude(bounds.max - bounds.min); // anything but finite: all are at 0
+  const auto code = [&](std::size_t i) {
+    std::uint32_t bits = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = (center(i)[axis] - bounds.min[axis]) * per_unit;
+      const std::uint32_t step = at > 0 && at < 1024 ? static_cast<std::uint32_t>(at) : 0;
+      for (int bit = 0; bit < 10; ++bit)
+        bits |= (step >> bit & 1) << (3 * bit + axis);
+    }
+    return bits;
+  };
+  std::vector<std::uint32_t> codes;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    codes.push_back(code(i));
+    in_blocks_.push_back(static_cast<PrimitiveIndex>(i));
+  }
+  std::ranges::stable_sort(in_blocks_, {}, [&](PrimitiveIndex i) { return codes[i]; });
+  for (std::size_t first = 0; first < x.size(); first += block_size) {
+    const auto block = block_of(first / block_size);
+    Vec3d middle{0, 0, 0};
+    for (const PrimitiveIndex i : block)
+      middle = middle + center(i) * (1 / static_cast<double>(block.size()));
+    double reach = 0;
+    for (const PrimitiveIndex i : block)
+      reach = std::max(reach, length(center(i) - middle) + radius[i]);
+    blocks_.x.push_back(middle.x);
+    blocks_.y.push_back(middle.y);
+    blocks_.z.push_back(middle.z);
+    blocks_.radius.push_back(reach * (1 + generous) + largest_magnitude(middle) * 1e-14);
+  }
+}
+
+std::span<const PrimitiveIndex> SceneOracle::block_of(std::size_t block) const {
+  const std::size_t first = block * block_size;
+  return std::span(in_blocks_).subspan(first, std::min(block_size, in_blocks_.size() - first));
 }
 
 Expected SceneOracle::expect_one(const Line& line, PrimitiveIndex primitive, Wide slack) const {
@@ -80,18 +128,26 @@ std::vector<SceneOracle::Near> SceneOracle::near(const Ray<double>& ray, double 
   const double size = largest_magnitude(ray.direction), distance_of_t = length(ray.direction * (1 / size));
   const Vec3d unit = ray.direction * (1 / size) * (1 / distance_of_t);
   const Vec3d& o = ray.origin;
-  std::vector<Near> found;
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    const double x = x_[i] - o.x, y = y_[i] - o.y, z = z_[i] - o.z;
+  // Calls act(along, reach): where the ray passes sphere i, and how far from there it may be inside it.
+  const auto if_met = [&](const BoundingSpheres& spheres, std::size_t i, const auto& act) {
+    const double x = spheres.x[i] - o.x, y = spheres.y[i] - o.y, z = spheres.z[i] - o.z;
     const double along = x * unit.x + y * unit.y + z * unit.z;
     const double off_x = x - along * unit.x, off_y = y - along * unit.y, off_z = z - along * unit.z;
     const double off = off_x * off_x + off_y * off_y + off_z * off_z;
-    const double reach = (radius_[i] + 2 * slack + generous * std::abs(along)) * (1 + generous);
-    if (!(off <= reach * reach)) continue;
-    const double half = reach + generous * std::abs(along);
-    if (along + half < 0) continue;
-    const double to_t = 1 / distance_of_t / size;
-    found.push_back({static_cast<PrimitiveIndex>(i), (along - half) * to_t, (along + half) * to_t});
+    const double reach = (spheres.radius[i] + 2 * slack + generous * std::abs(along)) * (1 + generous);
+    if (off <= reach * reach && along + reach + generous * std::abs(along) >= 0) act(along, reach);
+  };
+  const double to_t = 1 / distance_of_t / size;
+  std::vector<Near> found;
+  for (std::size_t block = 0; block < blocks_.x.size(); ++block) {
+    if_met(blocks_, block, [&](double, double) {
+      for (const PrimitiveIndex i : block_of(block)) {
+        if_met(spheres_around_, i, [&](double along, double reach) {
+          const double half = reach + generous * std::abs(along);
+          found.push_back({i, (along - half) * to_t, (along + half) * to_t});
+        });
+      }
+    });
   }
   return found;
 }

@@ -56,11 +56,17 @@ private:
   std::vector<Near> near(const Ray<double>& ray, double slack) const;
   Expected expect_one(const Line& line, PrimitiveIndex primitive, Wide slack) const;
   void add_bounding_sphere(const Vec3d& center, double radius);
+  void add_blocks();
+  std::span<const PrimitiveIndex> block_of(std::size_t block) const;
 
   std::vector<Triangle<double>> triangles_;
   std::vector<Sphere<double>> spheres_;
   std::vector<Cone<double>> cones_;
-  std::vector<double> x_, y_, z_, radius_; // of the bounding spheres
+  struct BoundingSpheres {
+    std::vector<double> x, y, z, radius;
+  };
+  BoundingSpheres spheres_around_, blocks_; // of primitives; of block_size of them
+  std::vector<PrimitiveIndex> in_blocks_;   // one block's after another's
   std::vector<PrimitiveIndex> first_alike_;
 };
 

@@ -1,6 +1,6 @@
 #include "tests/stability/sweeps/picture_sweeps.h"
 
-#include "libgrid/build/build_grid.h"
+#include "libgrid/build/chosen_structure.h"
 #include "libscene/file/memory_file.h"
 #include "renderer/tracer.h"
 #include "tests/stability/sweeps/sweep.h"
@@ -169,8 +169,7 @@ public:
     write_scene(scene, store, scene_memory.path(), origin);
     file_ = std::make_unique<SceneFile>(scene_memory.path());
     const auto write = [&]<class Real>(Real) {
-      const auto [grid, provenance] =
-          build_grid(*cpu_builder(file_->view<Real>()), file_->bounds(), file_->geometry_hash(), {});
+      const auto [grid, provenance, considered] = build_chosen(*cpu_builder(file_->view<Real>()), file_->geometry(), {});
       write_grid(grid, provenance, grid_memory.path());
     };
     file_->is_float64() ? write(double{}) : write(float{});

@@ -4,7 +4,8 @@
 # BIN has the programs. OUT gets results.json, every command with its output, and performance.md, the tables that
 # performance_tables.py makes of it; that script also puts them into the documents. Without a third argument: cuda if
 # there is a usable GPU; without one, sections that need it are left out. A command that fails costs its figures alone.
-# MASU_QUICK=1: tiny sizes, to try the script. Needs python3, and 4 GB in TMPDIR (default /tmp).
+# MASU_QUICK=1: tiny sizes, to try the script. MASU_SCENES: more scene files for the section choice, as full paths, with
+# spaces between. Needs python3, and 4 GB in TMPDIR (default /tmp).
 source "$(dirname "$0")/measure.sh"
 
 devices=$(if [ "$backend" = cuda ]; then echo cuda cpu; else echo cpu; fi)
@@ -24,17 +25,13 @@ scenes() {
   for name in balls rings tree; do echo "$name-triangles:$name $(full '' '--size 2'):--tessellate 12"; done
 }
 
-# A line for each grid that the automatic choice is compared with: its name, the options of gridbuild.
+# A line for each grid beside the automatic one: its name, the options of gridbuild.
 grids() {
   local n
   for n in 16 32 $(full '64 128 256' '') auto; do echo "none-$n:--merge none --division $n"; done
   echo "x-128:--merge x --division $(full 128 16)"
-  for n in $(full 64 8) $(full 128 16); do echo "balance-$n:--merge balance --division $n"; done
+  echo "balance-128:--merge balance --division $(full 128 16)"
   echo "irregular:--merge irregular"
-  for n in 1.5 2.5 3.5 7 10; do echo "irregular-step-$n:--merge irregular --step-cost $n"; done
-  for n in 0.02 0.05 0.1 0.2 0.5 1 2 8; do echo "irregular-cleary-$n:--merge irregular --division cleary:$n"; done
-  for n in 1.5 6; do echo "irregular-detail-$n:--merge irregular --detail $n"; done
-  for n in 0.8 0.9 1; do echo "irregular-alpha-$n:--merge irregular --alpha $n"; done
 }
 
 prepare() {
@@ -106,10 +103,17 @@ frame() {
     --warm-up $warm_up --repeat $repeat --json "${@:5}"
 }
 
-chosen() {
+division() {
   for name in "${standard[@]}"; do
-    frame chosen "$name" "$name" "$(echo "$name".grid "$name".*.grid)" --schedule hardware
+    frame division "$name" "$name" "$(echo "$name".none-*.grid)" --schedule hardware
   done
+}
+choice() {
+  local limit=300
+  # shellcheck disable=SC2086 # MASU_SCENES is a list
+  [ "$backend" = cuda ] && record choice gpu "$here/choice.py" measure "$bin" gpu \
+    "${standard[@]/%/.scene}" "${large[@]/%/.scene}" ${MASU_SCENES:-}
+  record choice cpu "$here/choice.py" measure "$bin" cpu "${standard[@]/%/.scene}"
 }
 schedules() { for name in balls rings teapot; do frame schedules "$name" "$name" "$name.grid" --general; done; }
 kernels() {
@@ -164,5 +168,5 @@ lists() {
   done
 }
 
-measure performance prepare builds pictures one_core png views chosen cells merge load rays fastest hierarchies schedules \
+measure performance prepare builds pictures one_core png views division cells merge load rays fastest hierarchies choice schedules \
   $(if [ "$backend" = cuda ]; then echo kernels lists; fi)

@@ -12,6 +12,7 @@ import statistics
 import subprocess
 import tempfile
 
+from choice import CHOICES, outcomes
 from measured import STANDARD, figure, head, made_by, run_script, table
 
 LARGE = "teapot-60 mount-10 tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
@@ -100,23 +101,23 @@ def tables(results):
     def frames(section, key):
         return {row["grid"]: row["median_seconds"] for row in output(section, key)}
 
-    def chosen():
-        def best(s):
-            times = frames("chosen", s)
-            return min((time, grid) for grid, time in times.items() if grid != f"{s}.grid")
-        own = lambda s: frames("chosen", s)[f"{s}.grid"]
-        count = figure(lambda: max(len(run["output"]) for run in runs["chosen"].values()) - 1, "{}")
-        rows = [["chosen, ms", *(ms(lambda: own(s)) for s in STANDARD)],
-                [f"fastest of {count}, ms", *(ms(lambda: best(s)[0]) for s in STANDARD)],
-                ["chosen / fastest, time", *(figure(lambda: own(s) / best(s)[0], "{:.2f}") for s in STANDARD)],
-                ["chosen / fastest, bytes",
-                 *(figure(lambda: size[f"{s}.grid"] / size[best(s)[1]], "{:.2f}") for s in STANDARD)],
-                ["the fastest one",
-                 *(figure(lambda: best(s)[1].removeprefix(f"{s}.").removesuffix(".grid"), "{}") for s in STANDARD)]]
-        return table(["", *STANDARD], rows)
+    def choice():
+        rows = []
+        for processor in ("gpu", "cpu") if cuda else ("cpu",):
+            results = output("choice", processor)
+            ratios = {(rule, scene): ratio for rule, scene, ratio
+                      in outcomes(results, lambda row: row["expected_time"])}
+            for scene, considered in results.items():
+                best = lambda key: "{structure} {division[0]}".format(**key(considered)) if considered else "-"
+                rows.append([processor, pathlib.Path(scene).stem, best(lambda all: min(all, key=lambda r: r["expected_time"])),
+                             best(lambda all: max(all, key=lambda r: r["rate"])),
+                             *(figure(lambda: ratios[rule, scene], "{:.2f}") for rule in CHOICES)])
+            mean = lambda rule: statistics.geometric_mean(ratio for (of, _), ratio in ratios.items() if of == rule)
+            rows.append([processor, "geometric mean", "", "", *(figure(lambda: mean(rule), "{:.3f}") for rule in CHOICES)])
+        return table(["for", "scene", "`fastest` takes", "the fastest", *(f"`{rule}`" for rule in CHOICES)], rows)
 
     def division():
-        time = lambda s, n: frames("chosen", s)[f"{s}.none-{n}.grid"]
+        time = lambda s, n: frames("division", s)[f"{s}.none-{n}.grid"]
         return table(["voxels an axis", *STANDARD], [[f"{n}, ms", *(ms(lambda: time(s, n)) for s in STANDARD)]
                                                      for n in (16, 32, 64, 128, 256, "auto")])
 
@@ -245,7 +246,7 @@ def tables(results):
         return table(["scene", "memory", "rays", "list, ms", "Mray/s", "kernels, ms", "plain copies, ms",
                       "copies / list"], rows)
 
-    makers = (readme, pictures, png, views, chosen, cells, division, merge, triangles, curved, hierarchies,
+    makers = (readme, pictures, png, views, choice, cells, division, merge, triangles, curved, hierarchies,
               fastest_pictures, peers, schedules, kernels, load, builds, lists)
     return {"head": head(results), **made_by(makers, {} if cuda else {kernels, lists})}
 

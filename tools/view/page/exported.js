@@ -42,6 +42,7 @@ class Exported {
     return view.walks[grid];
   }
   async statistics(grid) { return this.data.statistics[grid]; }
+  async boxes(grid, depth) { return this.data.boxes[grid][depth === null ? 0 : depth + 1]; }
   async slice(grid, axis, share) {
     const {shares} = this.data;
     const distances = shares.map((one) => Math.abs(one - share));

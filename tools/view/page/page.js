@@ -8,12 +8,12 @@ const state = {
   camera: null,
   depth: 5,
   panes: [],             // [{grid, channel, cells}]: one, or two that are compared
-  slice: {axis: 2, share: 0.5},
+  slice: {axis: 2, share: 0.5, depth: null}, // depth: of cells and boxes that are shown, null for all
   picking: null,         // the cross hair: {pane, x, y}, shares of the picture
 };
 const ranges = {};       // of the colours of channels: [low, high], the same in all pictures
 let slicePanel = null, walkPanel = null, colors = null;
-const CELLS = ['none', 'slice', 'ray'];
+const CELLS = ['none', 'slice', 'boxes', 'ray'];
 const panes = [];        // what is on the page for each of state.panes
 let source = null;
 
@@ -47,7 +47,8 @@ function fragment() {
   parts.set('grid', state.panes.map((pane) => gridKey(state.scene.grids[pane.grid])).join());
   parts.set('channel', state.panes.map((pane) => pane.channel).join());
   if (state.panes.some((pane) => pane.cells !== 'none')) parts.set('cells', state.panes.map((pane) => pane.cells).join());
-  if (state.slice.axis !== 2 || state.slice.share !== 0.5) parts.set('slice', `${'xyz'[state.slice.axis]},${state.slice.share}`);
+  const {axis, share, depth} = state.slice;
+  if (axis !== 2 || share !== 0.5 || depth !== null) parts.set('slice', ['xyz'[axis], share, ...(depth === null ? [] : [depth])].join());
   if (walkPanel && walkPanel.ray) {
     const {ray, pane, index, step} = walkPanel;
     parts.set('ray', [...ray.origin, ...ray.direction].join());
@@ -88,9 +89,10 @@ function readFragment() {
   const grids = (parts.get('grid') || '').split(',').map((name) => state.scene.grids.findIndex((grid) => gridKey(grid) === name));
   const channels = (parts.get('channel') || '').split(',');
   const cells = (parts.get('cells') || '').split(',');
-  const [axis, share] = (parts.get('slice') || '').split(',');
+  const [axis, share, level] = (parts.get('slice') || '').split(',');
   const isSlice = ['x', 'y', 'z'].includes(axis) && share >= 0 && share <= 1;
-  Object.assign(state.slice, isSlice ? {axis: 'xyz'.indexOf(axis), share: Number(share)} : {axis: 2, share: 0.5});
+  Object.assign(state.slice, isSlice ? {axis: 'xyz'.indexOf(axis), share: Number(share)} : {axis: 2, share: 0.5},
+    {depth: isSlice && /^\d{1,2}$/.test(level) ? Number(level) : null});
   const made = grids.filter((grid) => grid >= 0).slice(0, 2).map((grid, i) => ({
     grid, channel: state.scene.channels.includes(channels[i]) ? channels[i] : 'shaded',
     cells: CELLS.includes(cells[i]) ? cells[i] : 'none'}));
@@ -143,10 +145,12 @@ class Pane {
   }
 
   get settings() { return state.panes[this.index]; }
+  get structure() { return state.scene.grids[this.settings.grid]; }
 
   set(change) {
     Object.assign(this.settings, change);
     if ('grid' in change) this.counts = null;
+    if (['slice', 'boxes'].includes(change.cells)) $('slice-panel').open = true; // there are the sliders
     update();
   }
 
@@ -199,26 +203,29 @@ class Pane {
     if (this.settings.cells === 'slice') {
       const slice = slicePanel.of(this.settings.grid);
       if (slice) {
-        overlay.lines(sliceLines(slice, 60000), '#fff', 0.8, 0.55);
+        overlay.lines(sliceLines(slice, slicePanel.cellsOf(this.settings.grid), 60000), '#fff', 0.8, 0.55);
         overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
       }
     }
+    const boxes = this.settings.cells === 'boxes' && slicePanel.boxesOf(this.settings.grid);
+    if (boxes) this.drawBoxes(boxes.boxes);
     const ray = walkPanel.rayOf(this.settings.grid);
     if (ray) this.drawWalk(ray);
     this.walkCounts.hidden = !ray;
-    if (ray) this.walkCounts.textContent = `${counted(ray.cells, 'cell')}, ${counted(ray.tests, 'test')}`;
+    if (ray) this.walkCounts.textContent = `${counted(ray.cells, visited(this.structure))}, ${counted(ray.tests, 'test')}`;
     if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
+  }
+
+  drawBoxes(boxes) {
+    this.overlay.boxes(boxes, '#000', 2.2, 0.25);
+    this.overlay.boxes(boxes, '#7fd1ff', 1, 0.75);
   }
 
   // Of its own grid.
   drawWalk(ray) {
     const {overlay} = this;
     const at = (t) => Vec.add(ray.origin, Vec.scaled(ray.direction, t));
-    const boxes = ray.steps.map((step) => step.box);
-    if (this.settings.cells === 'ray') {
-      overlay.boxes(boxes, '#000', 2.2, 0.25);
-      overlay.boxes(boxes, '#7fd1ff', 1, 0.75);
-    }
+    if (this.settings.cells === 'ray') this.drawBoxes(ray.steps.map((step) => step.box));
     const step = ray.steps[walkPanel.step];
     if (step && walkPanel.pane === this.index) {
       overlay.boxes([step.box], '#000', 4, 0.5);
@@ -240,8 +247,9 @@ class Pane {
     const channel = this.frame.view.channel;
     const range = source.isLive && this.frame.view.range ? this.frame.view.range : this.frame.range;
     const isNumber = range && ['depth', 'cells', 'tests', 'all cells', 'all tests'].includes(channel);
-    this.scale.hidden = !isNumber;
-    if (!isNumber) return;
+    const isFirst = panes.find((pane) => pane.settings.channel === channel) === this; // the range is that of all
+    this.scale.hidden = !isNumber || !isFirst;
+    if (this.scale.hidden) return;
     this.scale.querySelector('.colors').style.backgroundImage = colors.gradient();
     this.scale.querySelector('.low').textContent = `${channel} ${Text.number(range[0])}`;
     this.scale.querySelector('.high').textContent = channel === 'depth' ? Text.number(range[1]) : `${Text.number(range[1])} and more`;
@@ -314,17 +322,21 @@ function update() {
   rememberSoon();
 }
 
+// Each once.
+const shownGrids = () => [...new Set(state.panes.map((pane) => pane.grid))];
+
 function showSlice() {
-  const shown = [...new Set(state.panes.map((pane) => pane.grid))];
+  const shown = shownGrids();
   slicePanel.isOverlaid = state.panes.some((pane) => pane.cells === 'slice');
-  slicePanel.show(shown, shown.map(shortName));
+  slicePanel.hasBoxes = state.panes.some((pane) => pane.cells === 'boxes');
+  slicePanel.show(shown, shown.map(shortName), shown.map((grid) => state.scene.grids[grid]));
   drawOverlays();
 }
 
 function showWalk() {
   walkPanel.followAgain({depth: state.depth});
   const grids = state.panes.map((pane) => pane.grid);
-  walkPanel.show(grids, grids.map(shortName));
+  walkPanel.show(grids, grids.map(shortName), grids.map((grid) => state.scene.grids[grid]));
 }
 
 function drawOverlays() {
@@ -487,7 +499,7 @@ async function pick(pane, shareX, shareY) {
     await walkPanel.follow({...ray, all: $('walk-all').checked, depth: state.depth}, {pane: pane.index, pixel: {x, y, width, height}});
     $('walk-panel').open = true;
     const {current} = walkPanel;
-    if (current && !signal.aborted) announce(`pixel ${x}, ${y}: ${counted(current.cells, 'cell')}, ${counted(current.tests, 'test')}`);
+    if (current && !signal.aborted) announce(`pixel ${x}, ${y}: ${counted(current.cells, visited(walkPanel.structures[walkPanel.pane]))}, ${counted(current.tests, 'test')}`);
   } catch (error) {
     if (error.name !== 'AbortError') walkPanel.failed(error.message);
   }
@@ -574,12 +586,13 @@ function showCost() {
 }
 
 async function showFigures() {
-  const names = state.scene.grids.map((grid, i) => shortName(i));
+  const shown = shownGrids();
+  const names = shown.map(shortName);
   try {
-    const all = await Promise.all(names.map((name, i) => source.statistics(i)));
-    $('statistics').replaceChildren(element('div', {class: 'scroll wide', tabindex: 0, role: 'group', 'aria-label': 'Statistics of the grids'}, statisticsTable(names, all)));
-    const shown = [...new Set(state.panes.map((pane) => pane.grid))];
-    $('histogram').replaceChildren(histogramChart(shown.map((i) => names[i]), shown.map((i) => all[i])));
+    const all = await Promise.all(shown.map((grid) => source.statistics(grid)));
+    if (String(shown) !== String(shownGrids())) return; // others by now
+    $('statistics').replaceChildren(element('div', {class: 'scroll wide', tabindex: 0, role: 'group', 'aria-label': 'Statistics of the grids that are shown'}, statisticsTable(names, all)));
+    $('histogram').replaceChildren(histogramChart(names, all));
   } catch (error) {
     $('statistics').replaceChildren(element('p', {class: 'note'}, error.message));
   }
@@ -632,6 +645,7 @@ function describeScene() {
 
 function openAddress() {
   readFragment();
+  showPanes();
   walkPanel.clear();
   update();
   const walk = readWalk();

@@ -48,11 +48,27 @@ const counted = (count, what) => `${Text.count(count)} ${what}${count === 1 ? ''
 
 // --- Tables --------------------------------------------------------------------------------------------------
 
-// rows: [name, values, {text, less}] or [heading]. A column a name; where `less`, the smallest of several values
-// is marked.
+// What rays visit in structures of scene.grids: cells of grids, nodes of hierarchies.
+const visited = (grid) => grid.structure === 'bvh' ? 'node' : 'cell';
+const visitedNames = (grids) => [...new Set(grids.map((grid) => `${visited(grid)}s`))].join(', ');
+
+// A value of each; null where it isn't known, or where a structure has none.
+function column(all, get) {
+  return all.map((one) => {
+    try {
+      return get(one) ?? null;
+    } catch {
+      return null;
+    }
+  });
+}
+
+// rows: [name, values, {text, less}], left out where there are none, or [heading]. A column a name; where `less`,
+// the smallest of several values is marked.
 function table(names, rows, caption) {
   const body = element('tbody');
   for (const [name, values, {text = String, less = false, title = null} = {}] of rows) {
+    if (values && values.every((value) => value === null)) continue;
     if (!values) {
       body.append(element('tr', {class: 'head'}, element('th', {scope: 'rowgroup', colspan: names.length + 1}, name)));
       continue;
@@ -60,7 +76,7 @@ function table(names, rows, caption) {
     const numbers = values.filter((value) => Number.isFinite(value));
     const best = less && numbers.length > 1 && Math.min(...numbers) < Math.max(...numbers) ? Math.min(...numbers) : null;
     body.append(element('tr', {}, element('th', {scope: 'row', title}, name), ...values.map((value) =>
-      element('td', {class: value === best && best !== null ? 'better' : null}, text(value)))));
+      element('td', {class: value === best && best !== null ? 'better' : null}, value === null ? '–' : text(value)))));
   }
   return element('table', {'aria-label': caption}, element('thead', {}, element('tr', {}, element('td'),
     ...names.map((name) => element('th', {scope: 'col'}, name)))), body);
@@ -70,76 +86,79 @@ function table(names, rows, caption) {
 
 // shown: [{name, frame, counts, grid}] a picture each; frame as Picture reports it, counts as gridrender --stats.
 function costTable(shown) {
-  const column = (get) => shown.map((one) => {
-    try {
-      return get(one);
-    } catch {
-      return null; // not known yet
-    }
-  });
+  const of = (get) => column(shown, get);
   const rays = (c) => c.eye_rays + c.shadow_rays + c.reflection_rays + c.refraction_rays;
   const tests = (c) => Object.values(c.intersection_tests).reduce((a, b) => a + b, 0);
   const time = {text: Text.milliseconds};
   const perRay = {text: Text.number, less: true};
+  const cells = visitedNames(shown.map((one) => one.grid));
+  const ofCells = (get) => of((one) => visited(one.grid) === 'cell' ? get(one.counts) : null);
   const areSharp = shown.every((one) => one.frame && one.frame.isSharp && one.frame.view.channel === shown[0].frame.view.channel);
   return table(shown.map((one) => one.name), [
-    ['picture', column((one) => `${one.frame.view.width} × ${one.frame.view.height}`), {text: (t) => t || '–'}],
-    ['trace', column((one) => one.frame.milliseconds.trace), {text: Text.milliseconds, less: areSharp}],
-    ['camera rays', column((one) => one.frame.rays / one.frame.milliseconds.trace / 1e3), {text: (v) => `${Text.number(v)} M/s`, title: 'Camera rays a second, with all rays that they spawn'}],
-    ['copy from device', column((one) => one.frame.milliseconds.copy), time],
-    ['rows, JPEG', column((one) => one.frame.milliseconds.rows + one.frame.milliseconds.encode), time],
-    ['until shown', column((one) => one.frame.milliseconds.total), time],
+    ['picture', of((one) => `${one.frame.view.width} × ${one.frame.view.height}`), {}],
+    ['trace', of((one) => one.frame.milliseconds.trace), {text: Text.milliseconds, less: areSharp}],
+    ['camera rays', of((one) => one.frame.rays / one.frame.milliseconds.trace / 1e3), {text: (v) => `${Text.number(v)} M/s`, title: 'Camera rays a second, with all rays that they spawn'}],
+    ['copy from device', of((one) => one.frame.milliseconds.copy), time],
+    ['rows, JPEG', of((one) => one.frame.milliseconds.rows + one.frame.milliseconds.encode), time],
+    ['until shown', of((one) => one.frame.milliseconds.total), time],
     ['All rays of the picture'],
-    ['cells a ray', column((one) => one.counts.cells_visited / rays(one.counts)), perRay],
-    ['empty cells a ray', column((one) => one.counts.empty_cells_visited / rays(one.counts)), perRay],
-    ['tests a ray', column((one) => tests(one.counts) / rays(one.counts)), perRay],
-    ['voxels skipped a ray', column((one) => one.counts.voxels_skipped / rays(one.counts)), {text: Text.number}],
-    ['shadow rays a camera ray', column((one) => one.counts.shadow_rays / one.counts.eye_rays), {text: Text.number}],
-    ['reflected, refracted', column((one) => (one.counts.reflection_rays + one.counts.refraction_rays) / one.counts.eye_rays), {text: Text.number, title: 'Reflection and refraction rays a camera ray'}],
-    ['Grid'],
-    ['file', column((one) => one.grid.bytes), {text: Text.bytes, less: true}],
+    [`${cells} per ray`, of((one) => one.counts.cells_visited / rays(one.counts)), perRay],
+    ['empty cells per ray', ofCells((c) => c.empty_cells_visited / rays(c)), perRay],
+    ['tests per ray', of((one) => tests(one.counts) / rays(one.counts)), perRay],
+    ['voxels skipped per ray', ofCells((c) => c.voxels_skipped / rays(c)), {text: Text.number}],
+    ['shadow rays per camera ray', of((one) => one.counts.shadow_rays / one.counts.eye_rays), {text: Text.number}],
+    ['reflected, refracted', of((one) => (one.counts.reflection_rays + one.counts.refraction_rays) / one.counts.eye_rays), {text: Text.number, title: 'Reflection and refraction rays per camera ray'}],
+    ['File'],
+    ['file', of((one) => one.grid.bytes), {text: Text.bytes, less: true}],
   ], 'Cost of this view by grid');
 }
 
-// --- Statistics of grids -------------------------------------------------------------------------------------
+// --- Statistics of grids and hierarchies ---------------------------------------------------------------------
 
-// As gridstat prints them; a column a grid.
+// As gridstat prints them; a column a structure.
 function statisticsTable(names, all) {
-  const column = (get) => all.map(get);
+  const of = (get) => column(all, get);
   const count = {text: Text.count}, number = {text: Text.number};
   return table(names, [
-    ['merge', column((s) => s.merge), {}],
-    ['division', column((s) => Text.division(s.division)), {}],
-    ['smallest voxels', column((s) => Text.division(s.smallest_division)), {}],
-    ['overlap test', column((s) => s.overlap), {}],
-    ['occupied voxels', column((s) => s.occupancy_percent), {text: Text.percent}],
-    ['cells', column((s) => s.cells), count],
-    ['occupied cells', column((s) => s.occupied_cells), count],
-    ['expanded cells', column((s) => s.expanded_cells), count],
-    ['references', column((s) => s.references), count],
-    ['References per occupied cell'],
-    ['mean', column((s) => s.references_per_occupied_cell.mean), number],
-    ['standard deviation', column((s) => s.references_per_occupied_cell.stddev), number],
-    ['median', column((s) => s.references_per_occupied_cell.median), number],
-    ['99 %', column((s) => s.references_per_occupied_cell.p99), count],
-    ['most', column((s) => s.references_per_occupied_cell.max), count],
+    ['structure', of((s) => s.structure || (s.merge === 'none' ? 'uniform' : s.merge)), {}],
+    ['division', of((s) => Text.division(s.division)), {}],
+    ['smallest voxels', of((s) => Text.division(s.smallest_division)), {}],
+    ['overlap test', of((s) => s.overlap), {}],
+    ['occupied voxels', of((s) => s.occupancy_percent), {text: Text.percent}],
+    ['cells', of((s) => s.cells), count],
+    ['occupied cells', of((s) => s.occupied_cells), count],
+    ['expanded cells', of((s) => s.expanded_cells), count],
+    ['nodes', of((s) => s.nodes), count],
+    ['deepest node', of((s) => s.depth - 1 >= 0 ? s.depth - 1 : null), count],
+    ['boxes per node', of((s) => s.boxes_a_node), number],
+    ['boxes of nodes', of((s) => s.node_boxes), count],
+    ['boxes of references', of((s) => s.reference_boxes), count],
+    ['references', of((s) => s.references), count],
+    ['References per occupied cell or box'],
+    ['mean', of((s) => s.references_per_occupied_cell?.mean ?? s.references / s.reference_boxes), number],
+    ['standard deviation', of((s) => s.references_per_occupied_cell.stddev), number],
+    ['median', of((s) => s.references_per_occupied_cell.median), number],
+    ['99 %', of((s) => s.references_per_occupied_cell.p99), count],
+    ['most', of((s) => Math.max(...s.histogram.map(([references]) => references))), count],
     ['Expected for a random line'],
-    ['cells', column((s) => s.expected_per_ray.cells), {text: Text.number, less: true}],
-    ['tests', column((s) => s.expected_per_ray.tests), {text: Text.number, less: true}],
-    ['voxels skipped', column((s) => s.expected_per_ray.voxels_skipped), number],
+    ['cells', of((s) => s.expected_per_ray.cells), {text: Text.number, less: true}],
+    ['nodes', of((s) => s.expected_per_ray.nodes), {text: Text.number, less: true}],
+    ['tests', of((s) => s.expected_per_ray.tests), {text: Text.number, less: true}],
+    ['voxels skipped', of((s) => s.expected_per_ray.voxels_skipped), number],
     ['Memory'],
-    ['file', column((s) => s.bytes.file), {text: Text.bytes, less: true}],
-    ['voxel map', column((s) => s.bytes.voxel_map), {text: Text.bytes}],
-    ['cells', column((s) => s.bytes.cells), {text: Text.bytes}],
-    ['references', column((s) => s.bytes.references), {text: Text.bytes}],
-    ['map loads a point', column((s) => s.map.mean_loads), number],
-    ['build', column((s) => s.build_seconds), {text: Text.seconds}],
+    ['file', of((s) => s.bytes.file), {text: Text.bytes, less: true}],
+    ['voxel map', of((s) => s.bytes.voxel_map), {text: Text.bytes}],
+    ['cells', of((s) => s.bytes.cells), {text: Text.bytes}],
+    ['nodes', of((s) => s.bytes.nodes), {text: Text.bytes}],
+    ['references', of((s) => s.bytes.references), {text: Text.bytes}],
+    ['map loads per point', of((s) => s.map.mean_loads), number],
+    ['build', of((s) => s.build_seconds), {text: Text.seconds}],
   ], 'Statistics of the grids');
 }
 
 // --- Histogram -----------------------------------------------------------------------------------------------
 
-// Cells by their number of references: bins 1, 2, 3, 4, 5-6, 7-8, … with equal widths on a logarithmic axis.
+// Cells or boxes by their number of references: bins 1, 2, 3, 4, 5-6, 7-8, … with equal widths on a logarithmic axis.
 function binned(histogram) {
   const bins = new Map();
   for (const [references, cells] of histogram || []) {
@@ -152,7 +171,7 @@ function binBegin(bin) {
   return bin < 4 ? bin + 1 : Math.ceil(2 ** ((bin + 4) / 4));
 }
 
-// Shares of the occupied cells, for one grid or two.
+// Shares of the occupied cells or boxes, for one grid or two.
 function histogramChart(names, all) {
   const shares = all.map((s) => {
     const bins = binned(s.histogram);
@@ -161,9 +180,9 @@ function histogramChart(names, all) {
   });
   const last = Math.max(4, ...shares.flatMap((bins) => [...bins.keys()]));
   const most = Math.max(1e-9, ...shares.flatMap((bins) => [...bins.values()].map((value) => value.share)));
-  const width = 350, height = 130, left = 34, bottom = 16;
+  const width = 350, height = 130, left = 40, bottom = 16;
   const chart = element('svg', {class: 'chart', viewBox: `0 0 ${width} ${height}`, role: 'img',
-    'aria-label': `Occupied cells by number of references: ${names.map((name, i) => `${name}: mean ${Text.number(all[i].references_per_occupied_cell.mean)}, most ${all[i].references_per_occupied_cell.max}`).join('; ')}`});
+    'aria-label': `Occupied cells or boxes by number of references: ${names.map((name, i) => `${name}: most ${Math.max(0, ...(all[i].histogram || []).map(([references]) => references))}`).join('; ')}`});
   const step = (width - left) / (last + 1);
   for (const part of [0, 0.5, 1]) {
     const y = 6 + (height - bottom - 6) * (1 - part);
@@ -183,10 +202,10 @@ function histogramChart(names, all) {
       const bar = (step - 1) / shares.length, tall = Math.max(0.8, (height - bottom - 6) * value.share / most);
       const end = binBegin(bin + 1) - 1;
       chart.append(element('rect', {class: 'ab'[i % 2], x: x + i * bar, y: height - bottom - tall, width: Math.max(0.6, bar - 0.3), height: tall},
-        element('title', {}, `${names[i]}: ${Text.count(value.cells)} cells with ${binBegin(bin)}${end > binBegin(bin) ? '–' + end : ''} references`)));
+        element('title', {}, `${names[i]}: ${Text.count(value.cells)} with ${binBegin(bin)}${end > binBegin(bin) ? '–' + end : ''} references`)));
     });
   }
   const keys = element('p', {class: 'note'}, ...names.flatMap((name, i) => [element('span', {class: i % 2 ? 'key b' : 'key'}, name), ' ']));
   return element('div', {}, chart, names.length > 1 ? keys : null,
-                 element('p', {class: 'note'}, 'Share of occupied cells by the number of primitives that they list.'));
+                 element('p', {class: 'note'}, 'Share of occupied cells or boxes by the number of primitives that they list.'));
 }

@@ -68,6 +68,9 @@ class Server {
 
   slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }
 
+  // depth: null for any.
+  boxes(grid, depth) { return this.json('api/boxes', {grid, ...(depth === null ? {} : {depth})}); }
+
   statistics(grid) {
     if (!this.statisticsOf.has(grid)) {
       const made = this.json('api/statistics', {grid});

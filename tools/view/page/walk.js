@@ -1,11 +1,11 @@
-// The walk of a ray through each grid that is shown: its cells as a list, step by step. The ray stays where it
+// The walk of a ray through each grid or hierarchy that is shown: its cells or nodes as a list, step by step. The ray stays where it
 // is in the scene when the camera moves, another grid is chosen or the window changes.
 'use strict';
 
 class WalkPanel {
   // changed(): another ray, walk or step; center(point): orbit around it from now on.
   constructor(root, source, changed, center) {
-    Object.assign(this, {root, source, changed, center, grids: [], names: []});
+    Object.assign(this, {root, source, changed, center, grids: [], names: [], structures: []});
     this.clear();
   }
 
@@ -14,7 +14,7 @@ class WalkPanel {
     // ray: {origin, direction, all, depth}, the camera's or a given one; pixel: where it was picked; pane: whose
     // walk is listed; index: of the ray among those that it spawned; step: null for the last; walks: by grid.
     Object.assign(this, {ray: null, pixel: null, pane: 0, index: 0, step: null, walks: new Map(), drawn: '', abort: null});
-    this.root.replaceChildren(element('p', {class: 'note'}, 'Click a pixel, or press Enter in the picture, to follow its ray through the grid.'));
+    this.root.replaceChildren(element('p', {class: 'note'}, 'Click a pixel, or press Enter in the picture, to follow its ray through the grid or the hierarchy.'));
     this.changed();
   }
 
@@ -42,11 +42,11 @@ class WalkPanel {
     this.follow({...this.ray, ...change}, change.all === false ? {pixel: this.pixel} : {pixel: this.pixel, index: this.index});
   }
 
-  // grids: of the panes, and their names.
-  show(grids, names) {
+  // grids: of the panes, their names, and scene.grids of each.
+  show(grids, names, structures) {
     if (this.pane >= grids.length || (this.grids.length > 0 && grids[this.pane] !== this.grids[this.pane])) this.step = null;
     this.pane = Math.min(this.pane, grids.length - 1);
-    Object.assign(this, {grids, names});
+    Object.assign(this, {grids, names, structures});
     return this.load();
   }
 
@@ -95,10 +95,14 @@ class WalkPanel {
   draw() {
     this.index = Math.min(this.index, this.walk.rays.length - 1);
     const {walk, pixel, current} = this;
+    const what = visited(this.structures[this.pane]);
     const last = Math.max(0, current.steps.length - 1);
     this.step = this.step === null ? last : Math.min(this.step, last);
     const range = (first, end) => first === end - 1 ? `${first}` : `${first}–${end - 1}`;
-    const voxels = (box) => box ? [0, 1, 2].map((i) => range(box.first[i], box.end[i])).join(' ') : 'everything';
+    // A cell's voxels, or a node and what became of its boxes.
+    const placeOf = ({voxels, node}) => node
+      ? [`${node.index}`, `${node.depth}`, [node.boxes_met, node.boxes_missed, node.boxes_beyond].join(' · ')]
+      : [[0, 1, 2].map((i) => range(voxels.first[i], voxels.end[i])).join(' ')];
     const hit = current.hit;
     const summary = element('div', {class: 'rows'},
       ...[...(pixel ? [['pixel', `${pixel.x}, ${pixel.y} of ${pixel.width} × ${pixel.height}`]] : []),
@@ -110,7 +114,7 @@ class WalkPanel {
         [element('span', {class: 'name'}, name), element('span', {class: 'value'}, value)]));
     const shown = this.grids.map((grid) => this.rayOf(grid));
     const costs = table(this.names, [
-      ['cells', shown.map((one) => one && one.cells), {text: Text.count, less: true}],
+      [visitedNames(this.structures), shown.map((one) => one && one.cells), {text: Text.count, less: true}],
       ['tests', shown.map((one) => one && one.tests), {text: Text.count, less: true}],
     ], 'What the ray costs in each grid');
     const panes = this.grids.length < 2 ? null : element('label', {}, 'List of ', element('select', {class: 'walk-pane',
@@ -118,7 +122,7 @@ class WalkPanel {
       ...this.names.map((name, i) => element('option', {value: i, selected: i === this.pane}, name))));
     const rays = walk.rays.length < 2 ? null : element('label', {}, 'Ray ', element('select', {class: 'walk-ray',
       onchange: (event) => this.look({index: Number(event.target.value)})},
-      ...walk.rays.map((one, i) => element('option', {value: i, selected: i === this.index}, `${i}: ${one.kind}, ${one.cells} cells, ${one.tests} tests`))));
+      ...walk.rays.map((one, i) => element('option', {value: i, selected: i === this.index}, `${i}: ${one.kind}, ${one.cells} ${what}s, ${one.tests} tests`))));
     const more = walk.more_rays === 0 ? null : element('p', {class: 'note walk-more'},
       `and ${walk.ended_early ? 'more than ' : ''}${Text.count(walk.more_rays)} more rays, which aren’t listed`);
     const choices = element('div', {class: 'controls'}, panes, rays);
@@ -127,22 +131,24 @@ class WalkPanel {
       const kept = step.tests.filter((test) => test.kept).length;
       this.body.append(element('tr', {id: `walk-step-${i}`, 'data-step': i, role: 'option', 'aria-selected': i === this.step,
         onclick: () => this.select(i), title: step.tests.map((test) => `primitive ${test.primitive}: ${test.t === null ? 'missed' : `t ${test.t}${test.kept ? ', kept' : ''}`}`).join('\n')},
-        element('td', {}, String(i)), element('td', {}, voxels(step.voxels)), element('td', {}, Text.number(step.enter)),
+        ...[String(i), ...placeOf(step), Text.number(step.enter)].map((text) => element('td', {}, text)),
         element('td', {}, step.exit === null ? '∞' : Text.number(step.exit)), element('td', {class: kept ? 'hit' : null}, `${step.tests.length}${kept ? ' hit' : ''}`)));
     });
-    const head = ['cell', 'voxels x y z', 't in', 't out', 'tests'].map((name) => element('th', {scope: 'col'}, name));
-    this.list = element('div', {class: 'scroll', tabindex: 0, role: 'listbox', 'aria-label': `Cells of ${this.names[this.pane]} that the ray visits`, onkeydown: (event) => {
+    const places = what === 'node' ? ['step', 'node', 'depth', 'boxes'] : ['cell', 'voxels x y z'];
+    const head = [...places, 't in', 't out', 'tests'].map((name) => element('th', {scope: 'col'}, name));
+    const boxes = what === 'node' ? element('p', {class: 'note'}, 'Boxes of a node: met (visited or tested, now or later) · missed · entered beyond the hit') : null;
+    this.list = element('div', {class: 'scroll', tabindex: 0, role: 'listbox', 'aria-label': `${what === 'node' ? 'Nodes' : 'Cells'} of ${this.names[this.pane]} that the ray visits`, onkeydown: (event) => {
       const by = {ArrowDown: 1, ArrowUp: -1, PageDown: 10, PageUp: -10, Home: -1e9, End: 1e9}[event.key];
       if (by && this.move(by)) { event.preventDefault(); event.stopPropagation(); }
     }}, element('table', {class: 'walk-steps', role: 'presentation'}, element('thead', {'aria-hidden': true}, element('tr', {}, ...head)), this.body));
     const moreCells = current.cells === current.steps.length ? null : element('p', {class: 'note'},
-      `and ${Text.count(current.cells - current.steps.length)} more cells, which aren’t listed`);
+      `and ${Text.count(current.cells - current.steps.length)} more ${what}s, which aren’t listed`);
     const buttons = element('div', {class: 'controls'},
-      element('button', {type: 'button', title: 'The cell before (,)', onclick: () => this.move(-1)}, '◂ step'),
-      element('button', {type: 'button', title: 'The next cell (.)', onclick: () => this.move(1)}, 'step ▸'),
+      element('button', {type: 'button', title: `The ${what} before (,)`, onclick: () => this.move(-1)}, '◂ step'),
+      element('button', {type: 'button', title: `The next ${what} (.)`, onclick: () => this.move(1)}, 'step ▸'),
       hit ? element('button', {type: 'button', title: 'The camera orbits around the hit', onclick: () => this.center(hit.position)}, 'Orbit here') : null,
       element('button', {type: 'button', title: 'Drops the walk (Esc)', onclick: () => this.clear()}, 'Clear'));
-    this.root.replaceChildren(...[summary, costs, choices, more, buttons, this.list, moreCells].filter(Boolean));
+    this.root.replaceChildren(...[summary, costs, choices, more, buttons, this.list, boxes, moreCells].filter(Boolean));
     this.select(this.step);
   }
 }

@@ -1,5 +1,5 @@
-// The choice between an irregular grid and a hierarchy by tracing some rays through both.
-#include "libgrid/build/build_grid.h"
+// The choice among structures by tracing some rays through each.
+#include "libgrid/build/chosen_structure.h"
 #include "libgrid/build/sampled_costs.h"
 #include "tests/random_scene.h"
 #include "tests/same_grid.h"
@@ -11,16 +11,11 @@ namespace masu {
 namespace {
 
 template <class Stored>
-Grid built(TestScene<Stored>& scene, GridKind kind) {
+Grid built(TestScene<Stored>& scene, GridKind kind, Processor processor = Processor::gpu) {
   BuildOptions options;
   options.grid.kind = kind;
-  return build_grid(*cpu_builder(scene.view()), scene.bounds(), Hash{1, 2}, options).grid;
-}
-
-template <class Stored>
-double ratio_of(TestScene<Stored>& scene) {
-  return expected_ratio(sampled_costs(scene.view(), built(scene, GridKind::irregular)),
-                        sampled_costs(scene.view(), built(scene, GridKind::hierarchy)));
+  options.processor = processor;
+  return build_chosen(*cpu_builder(scene.view()), {scene.bounds(), Hash{1, 2}}, options).grid;
 }
 
 template <class Stored_>
@@ -60,14 +55,23 @@ TestScene<Stored> clusters(Chance& chance) {
   return scene;
 }
 
-TYPED_TEST(Fastest, IsByteForByteTheIrregularGridOrTheHierarchy) {
+constexpr Processor processors[] = {Processor::gpu, Processor::cpu};
+
+TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeFaster) {
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
-  for (std::int64_t i = cases(200); i > 0; --i) {
+  for (std::int64_t i = cases(50); i > 0; --i) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid fastest = built(scene, GridKind::fastest);
-    ASSERT_TRUE(fastest.kind == GridKind::irregular || fastest.kind == GridKind::hierarchy);
-    expect_same(fastest, built(scene, fastest.kind));
+    for (const Processor processor : processors) {
+      const auto time_of = [&](const Grid& grid) {
+        return expected_time(sampled_costs(scene.view(), grid), grid.kind, processor);
+      };
+      const double automatic = time_of(built(scene, GridKind::automatic, processor)),
+                   fastest = time_of(built(scene, GridKind::fastest, processor));
+      EXPECT_LE(fastest, automatic);
+      EXPECT_LE(automatic, time_of(built(scene, GridKind::irregular, processor)));
+      EXPECT_LE(fastest, time_of(built(scene, GridKind::hierarchy, processor)));
+    }
   }
 }
 
@@ -75,8 +79,21 @@ TYPED_TEST(Fastest, IsAGridWhereBoxesOverlapAndAHierarchyWhereSpaceIsEmpty) {
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
   TestScene<TypeParam> overlapping = needles<TypeParam>(chance), sparse = clusters<TypeParam>(chance);
-  EXPECT_EQ(built(overlapping, GridKind::fastest).kind, GridKind::irregular) << ratio_of(overlapping);
-  EXPECT_EQ(built(sparse, GridKind::fastest).kind, GridKind::hierarchy) << ratio_of(sparse);
+  EXPECT_NE(built(overlapping, GridKind::fastest).kind, GridKind::hierarchy);
+  EXPECT_EQ(built(sparse, GridKind::fastest).kind, GridKind::hierarchy);
+}
+
+TYPED_TEST(Fastest, IsTheSameForAnyNumberOfThreads) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  TestScene<TypeParam> scene = clusters<TypeParam>(chance);
+  for (const GridKind kind : {GridKind::uniform, GridKind::automatic, GridKind::fastest}) {
+    const auto by = [&](std::size_t threads) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      return built(scene, kind);
+    };
+    expect_same(by(1), by(16));
+  }
 }
 
 TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
@@ -100,16 +117,16 @@ TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
   }
 }
 
-TYPED_TEST(Fastest, IsAGridForASceneWithoutPrimitives) {
+TYPED_TEST(Fastest, IsAUniformGridForASceneWithoutPrimitives) {
   TestScene<TypeParam> scene;
-  EXPECT_EQ(built(scene, GridKind::fastest).kind, GridKind::irregular);
+  EXPECT_EQ(built(scene, GridKind::fastest).kind, GridKind::uniform);
 }
 
 TEST(FastestAnywhere, IsAGridWhereNoHierarchyReaches) {
   TestScene<double> scene;
   for (const double at : {-1e20, 1e20})
     scene.spheres.push_back(sphere_of<double>({at, at, at}, 1e18));
-  EXPECT_EQ(built(scene, GridKind::fastest).kind, GridKind::irregular);
+  EXPECT_NE(built(scene, GridKind::fastest).kind, GridKind::hierarchy);
 }
 
 } // namespace

@@ -1,0 +1,43 @@
+// From build options to a grid or hierarchy and its description: what tools call.
+#pragma once
+
+#include "libgrid/build/builder.h"
+#include "libgrid/build/sampled_costs.h"
+#include "libgrid/file/grid_file.h"
+#include "libscene/file/scene_file.h"
+
+namespace masu {
+
+// What rays take through a structure that was built, in order to choose (sampled_costs.h).
+struct Considered {
+  GridKind kind;
+  Vec3i division;
+  SampledCosts costs;
+  double expected_time;
+};
+
+struct DescribedGrid {
+  Grid grid;
+  GridProvenance provenance;          // for its file
+  std::vector<Considered> considered; // empty where nothing was to be chosen
+};
+
+// A grid of the builder's scene, whose geometry is given.
+//
+// Where options.division is automatic, or options.grid.kind fastest, several structures are candidates:
+//   uniform    the division of the cost model (division.h), a coarser and a finer one
+//   irregular  the usual top division (division.h), and one with a quarter of the voxels along each axis
+//   automatic  the model's uniform one and those of irregular
+//   fastest    those of automatic, and a hierarchy
+// They are built, and the one is taken that rays are expected to take the least time through on
+// options.processor (sampled_costs.h). Left out is what the geometry doesn't allow: an irregular grid that
+// would be too large even with least detail (merge.h), a hierarchy of too many primitives, or too far away.
+// The choice depends on the geometry and the options alone. Kind automatic with a given division is uniform.
+//
+// Throws Error(usage, "division", …) for a division that is too fine, or needs more memory than there is, and
+// as the builder does.
+template <class Stored>
+DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
+                           const BuildOptions& options);
+
+} // namespace masu
