@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <initializer_list>
 #include <memory>
 #include <new>
 #include <optional>
@@ -27,7 +29,8 @@ struct masu_tracer {
   mutable masu::UsualLoops loops; // found out by the first query
 
   // gpus: none for the CPU. open_grid(scene, grid): a pointer to the grid that it opened, or null.
-  template <class OpenGrid>
+  using OpenGrid =
+      std::function<const masu::GridFile*(const masu::SceneFile&, std::optional<masu::GridFile>&)>;
   masu_tracer(const char* scene_path, masu::Residence residence, const std::vector<int>& gpus,
               const OpenGrid& open_grid)
       : scene(scene_path, residence),
@@ -105,7 +108,7 @@ static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
 // Fewer are traced in little more time than it takes to find out how.
 constexpr std::size_t rays_worth_a_sample = std::size_t{1} << 22;
 
-// Traces rays where they lie: all of `pointers`, the results', must be there too.
+// Traces rays where they lie; the results must be there, too.
 void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const masu_query* options,
            Query query, const RayResults& results) {
   if (count == 0) return;
@@ -118,10 +121,8 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   list.format.is_relative = wanted.relative != 0;
   const int place = device_of(rays);
   for (const void* const pointer :
-       {static_cast<const void*>(results.t), static_cast<const void*>(results.primitive),
-        static_cast<const void*>(results.object), static_cast<const void*>(results.uv),
-        static_cast<const void*>(results.normal), static_cast<const void*>(results.face),
-        static_cast<const void*>(results.occluded)}) {
+       std::initializer_list<const void*>{results.t, results.primitive, results.object, results.uv,
+                                          results.normal, results.face, results.occluded}) {
     if (pointer != nullptr && device_of(pointer) != place)
       fail("results", "don't lie where the rays are: take memory of one kind and device for all");
     if (pointer != results.occluded && reinterpret_cast<std::uintptr_t>(pointer) % sizeof(float) != 0)
@@ -193,7 +194,7 @@ Residence residence_for(std::size_t gpu_count) {
 }
 
 // What is expected to be fastest on the device, in a file in memory.
-const GridFile* build_in_memory(const SceneFile& scene, int device, std::optional<GridFile>& grid) {
+GridFile* build_in_memory(const SceneFile& scene, int device, std::optional<GridFile>& grid) {
   masu_grid_options fastest;
   masu_default_grid_options(&fastest);
   fastest.kind = MASU_GRID_FASTEST;
@@ -208,9 +209,8 @@ const GridFile* build_in_memory(const SceneFile& scene, int device, std::optiona
   return &grid.emplace(file.path(), scene.residence());
 }
 
-template <class OpenGrid>
 masu_status open_tracer(const char* scene, const int* gpus, std::size_t gpu_count, masu_tracer** tracer,
-                        const OpenGrid& open_grid) {
+                        const masu_tracer::OpenGrid& open_grid) {
   return guarded([&] {
     require(tracer, "tracer");
     *tracer = nullptr;
@@ -254,7 +254,7 @@ masu_status masu_open(const char* scene, const char* grid, int device, masu_trac
 masu_status masu_open_devices(const char* scene, const char* grid, const int* gpus, size_t gpu_count,
                               masu_tracer** tracer) {
   return open_tracer(scene, gpus, gpu_count, tracer,
-                     [&](const SceneFile& file, std::optional<GridFile>& opened) -> const GridFile* {
+                     [&](const SceneFile& file, std::optional<GridFile>& opened) {
                        if (grid != nullptr) return &opened.emplace(grid, file.residence());
                        return build_in_memory(file, gpu_count > 0 ? gpus[0] : MASU_CPU, opened);
                      });
@@ -263,7 +263,7 @@ masu_status masu_open_devices(const char* scene, const char* grid, const int* gp
 masu_status masu_open_brute_force(const char* scene, const int* gpus, size_t gpu_count,
                                   masu_tracer** tracer) {
   return open_tracer(scene, gpus, gpu_count, tracer,
-                     [](const SceneFile&, std::optional<GridFile>&) -> const GridFile* { return nullptr; });
+                     [](const SceneFile&, std::optional<GridFile>&) { return nullptr; });
 }
 
 void masu_close(masu_tracer* tracer) {

@@ -1,8 +1,8 @@
 /* Masu: rays traced through voxel grids, on a CPU or a CUDA GPU. The C interface of libmasu.so.
  *
  * Offline: masu_write_scene() makes a scene file (as nff2bin and mesh2bin do), masu_build_grid() a grid file
- * (as gridbuild does). Then masu_open() reads both, checks them, puts them on a device once, and
- * masu_nearest() and masu_occluded() answer queries until masu_close().
+ * (as gridbuild does). Then masu_open() reads both, checks them, and puts them on a device once;
+ * masu_nearest() and masu_occluded() are its queries, until masu_close().
  *
  * Functions that can fail return a status: MASU_OK, or what went wrong, and masu_error() then says it in one
  * line. After an error nothing was written to the results of a query in host memory that can be relied on. No
@@ -140,7 +140,7 @@ typedef enum masu_precision {
   MASU_PRECISION_DOUBLE = 3
 } masu_precision;
 
-/* Zeros are the defaults, and so is NULL in its place. */
+/* Zeros are the defaults; NULL instead of a query means them. */
 typedef struct masu_query {
   masu_ray_format format;
   masu_precision precision;
@@ -158,8 +158,8 @@ typedef struct masu_hits {
   float* t;            /* in lengths of the direction; infinity for a miss */
   uint32_t* primitive; /* its index; MASU_NONE for a miss */
   uint32_t* object;    /* as masu_primitive has it; MASU_NONE for a miss */
-  float* uv;           /* 2 a ray: the point of a triangle a b c is (1 - u - v) a + u b + v c; 0 on others */
-  float* normal;       /* 3 a ray: geometric, of unit length, on the primitive's front; 0 for a miss */
+  float* uv;           /* 2 per ray: a triangle's point is (1 - u - v) a + u b + v c; 0 on others */
+  float* normal;       /* 3 per ray: geometric, unit length, on the primitive's front; 0 for a miss */
   uint32_t* face; /* of a scene from mesh2bin, the number of the file's face, through all objects in their
                      order; of others as primitive; MASU_NONE for a miss */
 } masu_hits;
@@ -187,10 +187,10 @@ MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, 
 
 /* Triangles: an object. Zeros are defaults. */
 typedef struct masu_mesh {
-  const float* vertices;    /* 3 a vertex; or */
-  const double* vertices64; /* 3 a vertex */
+  const float* vertices;    /* 3 per vertex; or */
+  const double* vertices64; /* 3 per vertex */
   size_t vertex_count;
-  const uint32_t* indices; /* 3 a triangle, below vertex_count */
+  const uint32_t* indices; /* 3 per triangle, below vertex_count */
   size_t triangle_count;
   const float* color; /* 3: of the matte material; NULL: 0.8 each */
 } masu_mesh;
@@ -206,7 +206,7 @@ typedef enum masu_store {
  * Camera and lights are automatic ones, for gridrender.
  *
  * Coordinates are stored relative to `origin`, 3 numbers, so that errors follow the scene's extent and not
- * its place in the world. NULL: the bounds' centre, or zero where that is nearer than half their diagonal. */
+ * its position in the world. NULL: the bounds' centre, or zero if that is nearer than half their diagonal. */
 MASU_API masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count,
                                       masu_store store, const double* origin);
 
@@ -220,7 +220,7 @@ typedef enum masu_grid_kind {
   MASU_GRID_FASTEST = 6 /* irregular or bvh: what some rays, traced through both, take less time with */
 } masu_grid_kind;
 
-/* As gridbuild's options. masu_default_grid_options() fills in the defaults; NULL in its place means them. */
+/* As gridbuild's options. masu_default_grid_options() fills in the defaults; NULL instead means them. */
 typedef struct masu_grid_options {
   masu_grid_kind kind;
   const char* division; /* "auto", "64", "64x64x32", "cleary:1", … */

@@ -4,6 +4,7 @@
 #include "masu.h"
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -52,27 +53,14 @@ inline void build_grid(const std::string& scene, const std::string& grid,
 
 // The format of rays is that of their type. Those of six numbers are an origin and a direction.
 template <class T>
-constexpr masu_ray_format format_of() = delete;
-template <>
-constexpr masu_ray_format format_of<masu_ray>() {
-  return MASU_RAYS_FLOAT32;
+concept Ray = std::same_as<T, masu_ray> || std::same_as<T, masu_ray64> ||
+    std::same_as<T, std::array<float, 6>> || std::same_as<T, std::array<double, 6>>;
+template <Ray R>
+constexpr masu_ray_format format_of() {
+  if (std::same_as<R, masu_ray>) return MASU_RAYS_FLOAT32;
+  if (std::same_as<R, masu_ray64>) return MASU_RAYS_FLOAT64;
+  return std::same_as<R, std::array<float, 6>> ? MASU_RAYS_FLOAT32_6 : MASU_RAYS_FLOAT64_6;
 }
-template <>
-constexpr masu_ray_format format_of<masu_ray64>() {
-  return MASU_RAYS_FLOAT64;
-}
-template <>
-constexpr masu_ray_format format_of<std::array<float, 6>>() {
-  return MASU_RAYS_FLOAT32_6;
-}
-template <>
-constexpr masu_ray_format format_of<std::array<double, 6>>() {
-  return MASU_RAYS_FLOAT64_6;
-}
-template <class T>
-concept Ray = requires {
-  format_of<T>();
-};
 template <class T> // a vector, an array, a span
 concept RayRange = std::ranges::contiguous_range<T> && Ray<std::ranges::range_value_t<T>>;
 
@@ -95,11 +83,8 @@ class Tracer {
 public:
   // Without a grid file a grid is built and kept in memory, as masu_open() says.
   explicit Tracer(const std::string& scene, const std::optional<std::string>& grid = std::nullopt,
-                  int device = MASU_CPU) {
-    masu_tracer* opened = nullptr;
-    check(masu_open(scene.c_str(), grid ? grid->c_str() : nullptr, device, &opened));
-    tracer_.reset(opened);
-  }
+                  int device = MASU_CPU)
+      : Tracer(scene, grid, std::span<const int>(&device, device == MASU_CPU ? 0 : 1)) {}
   // On several GPUs, which share queries of rays in host memory; none: on the CPU.
   Tracer(const std::string& scene, const std::optional<std::string>& grid, std::span<const int> gpus) {
     masu_tracer* opened = nullptr;

@@ -56,75 +56,63 @@ nlohmann::ordered_json considered_json(const std::vector<Considered>& considered
   return all;
 }
 
-// Of a build that took so many seconds, with writing.
-void report_hierarchy(const Settings& settings, const SceneFile& file, const HierarchyStatistics& built,
-                      const std::vector<Considered>& considered, double seconds, double total_seconds) {
-  if (settings.json) {
-    nlohmann::ordered_json json{{"nodes", built.nodes},
-                                {"depth", built.depth},
-                                {"references", built.references},
-                                {"build_seconds", seconds},
-                                {"total_seconds", total_seconds},
-                                {"device", "cpu"},
-                                {"scene_hash", to_hex(file.hash())}};
-    if (!considered.empty()) json["considered"] = considered_json(considered);
-    json.update(provenance());
-    print_report(settings, "{}\n", json_text(json, -1));
-  } else if (!settings.quiet) {
-    print_report(settings, "{} nodes, {} references; built in {:.3f} s, written in {:.3f} s\n", built.nodes,
-                 built.references, seconds, total_seconds - seconds);
-  }
-}
-
 template <class Stored>
 void build(const Settings& settings, const SceneFile& file) {
   const SceneView<Stored> scene = file.view<Stored>();
   std::optional<Progress> progress(std::in_place, "building", settings.quiet);
-  const auto builder =
-      settings.device == Device::cuda ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
+  const bool on_gpu = settings.device == Device::cuda;
+  const auto builder = on_gpu ? cuda_builder(scene) : cpu_builder(scene, progress->callback());
   const Stopwatch watch;
   auto [grid, made, considered] = build_chosen(*builder, file.geometry(), settings.options);
   progress.reset();
   const double seconds = watch.seconds();
   if (settings.record_seconds) made.build_seconds = seconds;
   write_grid(grid, made, settings.output);
-  if (grid.kind == GridKind::hierarchy)
-    return report_hierarchy(settings, file, hierarchy_statistics(grid.nodes), considered, seconds,
-                            watch.seconds());
-  const Vec3i n = grid.layout.division;
-  const GridStatistics counted = grid.kind == GridKind::uniform
-                                     ? grid_statistics(view_of<double>(grid), grid.references)
-                                     : grid_statistics(merged_view_of<double>(grid), grid.cells);
-  const std::uint64_t cells = counted.occupied_cells;
+  const double total_seconds = watch.seconds();
+  if (settings.quiet && !settings.json) return;
+  const bool is_hierarchy = grid.kind == GridKind::hierarchy, is_irregular = grid.kind == GridKind::irregular;
   const DeviceSeconds on_device = builder->device_seconds();
+  nlohmann::ordered_json json;
+  std::string text; // what was built, for people
+  if (is_hierarchy) {
+    const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
+    json = {{"nodes", counted.nodes}, {"depth", counted.depth}, {"references", counted.references}};
+    text = fmt::format("{} nodes, {} references", counted.nodes, counted.references);
+  } else {
+    const Vec3i n = grid.layout.division;
+    const bool is_uniform = grid.kind == GridKind::uniform;
+    const GridStatistics counted = is_uniform ? grid_statistics(view_of<double>(grid), grid.references)
+                                              : grid_statistics(merged_view_of<double>(grid), grid.cells);
+    json = {{"division", {n.x, n.y, n.z}},
+            {"occupied_cells", counted.occupied_cells},
+            {"references", grid.references.size()}};
+    text = fmt::format("{}x{}x{} voxels, {}{} occupied, {} references", n.x, n.y, n.z,
+                       is_uniform ? "" : fmt::format("{} cells, ", counted.cells), counted.occupied_cells,
+                       grid.references.size());
+  }
   if (settings.json) {
-    nlohmann::ordered_json json{
-        {"division", {n.x, n.y, n.z}}, {"occupied_cells", cells}, {"references", grid.references.size()}};
-    if (grid.kind == GridKind::irregular) json["detail"] = grid.detail;
-    if (settings.device == Device::cuda)
+    if (is_irregular) json["detail"] = grid.detail;
+    if (on_gpu && !is_hierarchy)
       json["device_seconds"] = {{"set_up", on_device.set_up},
                                 {"upload", on_device.upload},
                                 {"build", on_device.build},
                                 {"download", on_device.download}};
     json.update({{"build_seconds", seconds},
-                 {"total_seconds", watch.seconds()},
-                 {"device", settings.device == Device::cuda ? cuda_device_name() : "cpu"},
+                 {"total_seconds", total_seconds},
+                 {"device", on_gpu && !is_hierarchy ? cuda_device_name() : "cpu"},
                  {"scene_hash", to_hex(file.hash())}});
     if (!considered.empty()) json["considered"] = considered_json(considered);
     json.update(provenance());
-    print_report(settings, "{}\n", json_text(json, -1));
-  } else if (!settings.quiet) {
-    const std::string merged = grid.kind == GridKind::uniform ? "" : fmt::format("{} cells, ", counted.cells);
-    print_report(settings,
-                 "{}x{}x{} voxels, {}{} occupied, {} references; built in {:.3f} s, written in {:.3f} s\n",
-                 n.x, n.y, n.z, merged, cells, grid.references.size(), seconds, watch.seconds() - seconds);
-    if (grid.kind == GridKind::irregular && grid.detail < settings.options.grid.detail)
-      print_report(settings, "built with --detail {}: with more its map would be too large\n", grid.detail);
-    if (settings.device == Device::cuda)
-      print_report(settings,
-                   "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
-                   on_device.set_up, on_device.upload, on_device.build, on_device.download);
+    return print_report(settings, "{}\n", json_text(json, -1));
   }
+  print_report(settings, "{}; built in {:.3f} s, written in {:.3f} s\n", text, seconds,
+               total_seconds - seconds);
+  if (is_irregular && grid.detail < settings.options.grid.detail)
+    print_report(settings, "built with --detail {}: with more its map would be too large\n", grid.detail);
+  if (on_gpu && !is_hierarchy)
+    print_report(settings,
+                 "on the GPU: set-up {:.3f} s, upload {:.3f} s, build {:.3f} s, download {:.3f} s\n",
+                 on_device.set_up, on_device.upload, on_device.build, on_device.download);
 }
 
 // The library's errors in the command line's words.

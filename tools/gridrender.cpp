@@ -4,7 +4,6 @@
 #include "tools/common/progress.h"
 #include "tools/common/version.h"
 #include "tools/jobs/tracing_tool.h"
-#include "tools/lists/hit_fields.h"
 #include "tools/render/channel_files.h"
 #include "tools/render/frame_options.h"
 #include "tools/render/render_views.h"
@@ -142,7 +141,7 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
   request.frame.hits = !settings.hits.empty();
   request.views = views_of(settings, scene);
   request.files = files_of(settings, request.views, sharing);
-  request.hit_fields = record_fields(hit_fields(usual_fields(settings.hit_name)));
+  request.hit_fields = hit_fields(usual_fields(settings.hit_name));
   if (!settings.crop.empty()) {
     const Crop crop = parse_crop("--crop", settings.crop);
     for (const View& view : request.views)
@@ -161,32 +160,21 @@ ViewsRequest views_request(const Settings& settings, const OpenedScene& opened, 
 
 // --- The tool's run ---------------------------------------------------------------------------------------
 
-Outcome render_pictures(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
-                        bool quiet) {
+TracingReport render_pictures(const Tracer& tracer, const ViewsRequest& request, const Sharing& sharing,
+                              bool quiet) {
   Progress progress("rendering", quiet);
-  const TracingReport report = render_views(tracer, request, sharing, progress.callback());
-  const bool overlap = report.tasks > 1 || sharing.in_parts();
-  return {request.views.size(), report, overlap ? report.elapsed_seconds : report.seconds.trace,
-          overlap ? " with writing" : ""};
+  return render_views(tracer, request, sharing, progress.callback());
 }
 
-// The channels' rays, besides those of a picture.
-Outcome render_channels(const Tracer& tracer, const Settings& settings, const ViewsRequest& views) {
+TracingReport render_channels(const Tracer& tracer, const Settings& settings, const ViewsRequest& views) {
   Progress progress("tracing channels", settings.tracing.quiet);
-  const ChannelsSummary summary =
-      write_channels(tracer,
-                     {{parse_channels(settings.channels), views.frame, settings.all_rays},
-                      views.views,
-                      file_names(settings.output, views.views),
-                      settings.channel_format,
-                      picture_texts(settings, tracer.scene())},
-                     progress.callback());
-  Outcome outcome;
-  outcome.views = views.views.size();
-  outcome.report.totals.rays = summary.rays;
-  outcome.rays_seconds = summary.seconds;
-  outcome.besides = " with writing";
-  return outcome;
+  return write_channels(tracer,
+                        {{parse_channels(settings.channels), views.frame, settings.all_rays},
+                         views.views,
+                         file_names(settings.output, views.views),
+                         settings.channel_format,
+                         picture_texts(settings, tracer.scene())},
+                        progress.callback());
 }
 
 void render(const Settings& settings, Ranks& ranks) {
@@ -196,14 +184,14 @@ void render(const Settings& settings, Ranks& ranks) {
   const OpenedScene opened("gridrender", settings.tracing,
                            settings.tracing.devices.gpus("gridrender", ranks, quiet));
   const ViewsRequest views = views_request(settings, opened, sharing);
-  Outcome outcome;
-  if (wants_picture(settings)) outcome = render_pictures(opened.tracer(), views, sharing, quiet);
+  TracingReport report;
+  if (wants_picture(settings)) report = render_pictures(opened.tracer(), views, sharing, quiet);
   if (ranks.rank() > 0) return;
   if (!settings.channels.empty()) {
-    const Outcome channels = render_channels(opened.tracer(), settings, views);
-    if (!wants_picture(settings)) outcome = channels;
+    const TracingReport channels = render_channels(opened.tracer(), settings, views);
+    if (!wants_picture(settings)) report = channels;
   }
-  write_reports("gridrender", settings.tracing, opened, ranks, outcome, quiet);
+  write_reports("gridrender", settings.tracing, opened, ranks, report, quiet);
 }
 
 void add_options(CLI::App& app, Settings& settings) {
@@ -222,10 +210,7 @@ void add_options(CLI::App& app, Settings& settings) {
                  "write a record for each camera ray: float t (infinity for a miss), int32 object (-1 for a "
                  "miss); .npy: a NumPy array; .csv: text; - is standard output")
       ->type_name("FILE");
-  add_choice(app, "--hit-name", settings.hit_name,
-             {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
-             "what --hits identifies: object (index in the NFF text, or of mesh2bin's objects), primitive "
-             "(index in the scene file) or face (number in the mesh's file)");
+  add_hit_name(app, settings.hit_name, "what --hits identifies");
   group_options(app, "Camera");
   settings.frame.add_camera(app);
   app.add_option("--crop", settings.crop, "render only these pixels of the picture")->type_name("X,Y,W,H");
@@ -264,7 +249,7 @@ int main(int argc, char** argv) {
                           Settings settings;
                           add_options(app, settings);
                           Ranks& ranks = parse();
-                          const auto limit = settings.tracing.threads.limit(cores_of(ranks));
+                          const auto limit = settings.tracing.limit_threads(ranks);
                           render(settings, ranks);
                         });
 }

@@ -3,21 +3,17 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
-#include "tools/common/flat_csv.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/draw/slice_picture.h"
-#include "tools/report/bars.h"
 #include "tools/report/cell_export.h"
 #include "tools/report/grid_report.h"
-#include "tools/report/hierarchy_report.h"
 #include "tools/report/slice_place.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -36,70 +32,6 @@ struct Settings {
   SpaceRule space = SpaceRule::cube;
   bool json = false, csv = false, histogram = false;
 };
-
-// The columns are the same for every grid: the map's words are added up, and what has no fixed length
-// (cells_by_size) is left out.
-void print_csv(Json json, const MapStatistics& map) {
-  json["map"].erase("words_by_level");
-  json["map"]["words"] = std::accumulate(map.words.begin(), map.words.end(), std::uint64_t{0});
-  json.erase("cells_by_size");
-  fmt::print("{}", csv_of(json));
-}
-
-std::string by_by(const Vec3i& n) {
-  return fmt::format("{} x {} x {}", n.x, n.y, n.z);
-}
-
-void print_table(const GridFile& file, const Statistics& statistics, const Json& json) {
-  const GridStatistics& s = statistics.cells;
-  const MapStatistics& map = statistics.map;
-  const fb::Grid& table = file.table();
-  const fb::Vec3 &low = table.space()->min(), &high = table.space()->max();
-  const auto line = [](const char* name, const std::string& value) {
-    fmt::print("{:<28} {}\n", name, value);
-  };
-  line("space", fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {}", low.x(), low.y(), low.z(),
-                            high.x(), high.y(), high.z(), fb::EnumNameSpace(table.space_rule())));
-  line("division",
-       fmt::format("{} ({})", by_by(file.layout().division), printable(table.division_rule()->str())));
-  if (table.nested_log2() > 0) {
-    line("  smallest voxels",
-         fmt::format("{}, 2^{} times finer", by_by(statistics.division), table.nested_log2()));
-  }
-  line("voxels", fmt::format("{}", map.voxels));
-  line("  occupied",
-       fmt::format("{} ({:.3g} %)", map.occupied_voxels, percent(map.occupied_voxels, map.voxels)));
-  line("  empty", fmt::format("{}", map.voxels - map.occupied_voxels));
-  line("cells", fmt::format("{}, {} occupied", s.cells, s.occupied_cells));
-  if (file.is_merged()) {
-    line("  expanded", fmt::format("{}; boxes {:.3g} times their cells' own voxels (geometric mean)",
-                                   map.expanded_cells, map.mean_expansion));
-  }
-  line("references", fmt::format("{}", s.references));
-  line("  per occupied cell",
-       fmt::format("mean {:.2f}, stddev {:.2f} ({:.2f} of the mean), median {:g}, "
-                   "99 % {}, least {}, most {}",
-                   s.mean, s.stddev, statistics.evenness(), s.median, s.p99, s.min, s.max));
-  line("map words by level",
-       fmt::format("{}; {:.2f} loads for a random point", fmt::join(map.words, ", "), map.loads));
-  line("expected per ray", fmt::format("{:.2f} cells, {:.2f} tests, {:.2f} voxels skipped", map.ray.cells,
-                                       map.ray.tests, map.ray.voxels_skipped));
-  const Json& bytes = json["bytes"];
-  line("bytes", fmt::format("{} (voxel map {}, cells {}, references {})", bytes["file"].dump(),
-                            bytes["voxel_map"].dump(), bytes["cells"].dump(), bytes["references"].dump()));
-  const std::string merge =
-      file.is_merged() ? printable(table.merge_rule()->str()) : fb::EnumNameMerge(table.merge());
-  line("merge, overlap", fmt::format("{}, {}", merge, fb::EnumNameOverlap(table.overlap())));
-  line("geometry", json["geometry_hash"].get<std::string>());
-}
-
-void print_histogram(const Statistics& statistics) {
-  print_bars("references", "cells", statistics.cells.histogram,
-             [](std::size_t references) { return references; });
-  if (statistics.map.cells_by_size.empty()) return;
-  print_bars("voxels from", "cells", statistics.map.cells_by_size,
-             [](std::size_t log2) { return std::uint64_t{1} << log2; });
-}
 
 template <class Stored>
 std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane& plane,
@@ -146,22 +78,11 @@ void inspect(const Settings& settings) {
   const GridFile file(settings.grid);
   if (!settings.slice.empty()) return draw_slice(file, settings);
   if (!settings.cells.empty()) return write_cells(file, settings);
-  if (file.is_hierarchy())
-    return print_hierarchy_report(file,
-                                  settings.json  ? ReportFormat::json
-                                  : settings.csv ? ReportFormat::csv
-                                                 : ReportFormat::table,
-                                  settings.histogram);
-  const Statistics statistics(file);
-  const Json json = grid_report(file, statistics, settings.histogram);
-  if (settings.json) {
-    fmt::print("{}\n", json_text(json));
-  } else if (settings.csv) {
-    print_csv(json, statistics.map);
-  } else {
-    print_table(file, statistics, json);
-    if (settings.histogram) print_histogram(statistics);
-  }
+  print_grid_report(file,
+                    settings.json  ? ReportFormat::json
+                    : settings.csv ? ReportFormat::csv
+                                   : ReportFormat::table,
+                    settings.histogram);
 }
 
 // Counted as in the 2012 thesis: within the objects' bounds, without a margin.

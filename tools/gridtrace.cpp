@@ -94,19 +94,17 @@ void trace_list(const Settings& settings, const Sharing& sharing) {
   job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
   job.repeat = settings.tracing.repeat;
   job.description = description_of(settings, opened, job.request.tracing);
-  const auto trace = [&] {
+  const TracingReport report = [&] {
     Progress progress("tracing", quiet);
     return trace_ray_list(opened.tracer(), job, sharing, progress.callback());
-  };
-  const TracingReport report = trace();
+  }();
   if (ranks.rank() > 0) return;
   const TaskTotals& totals = report.totals;
   if (totals.invalid > 0)
     print_note("gridtrace: {}: {} of {} rays aren't valid and hit nothing: NaN, infinite or beyond 1e15, or "
                "a direction below 1e-15\n",
                printable(settings.rays), totals.invalid, totals.rays);
-  write_reports("gridtrace", settings.tracing, opened, ranks,
-                {0, report, report.elapsed_seconds, " with reading and writing"}, quiet);
+  write_reports("gridtrace", settings.tracing, opened, ranks, report, quiet);
 }
 
 // --- Walk of one ray
@@ -139,11 +137,8 @@ void print_walk(const Settings& settings) {
     throw Error(ErrorCode::usage, "--all-rays",
                 fmt::format("finds more than {} rays: give a smaller --depth", most_walk_rays));
   if (settings.json.empty()) return write_text_file("-", walk_table(report));
-  using Json = nlohmann::ordered_json;
-  const GridFile* const grid = opened.tracer().grid();
-  Json json = provenance();
-  json["scene_hash"] = to_hex(opened.scene().hash());
-  json["grid_hash"] = grid != nullptr ? Json(to_hex(grid->hash())) : Json();
+  nlohmann::ordered_json json = provenance();
+  json.update(opened.hashes());
   json.update(walk_json(report));
   write_text_file(settings.json, json_text(json) + "\n");
 }
@@ -165,10 +160,7 @@ void add_list_options(CLI::App& app, Settings& settings) {
          "fields of a record: a list of t, object, primitive, face, uv, normal (default t,object), or "
          "occluded, with --any-hit")
       ->type_name("LIST");
-  add_choice(app, "--hit-name", settings.hit_name,
-             {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
-             "what a record names without --write: object (index in the NFF text, or of mesh2bin's objects), "
-             "primitive (index in the scene file) or face (number in the mesh's file)");
+  add_hit_name(app, settings.hit_name, "what a record names without --write");
   app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
   group_options(app, rays_group);
   app.add_option("--ray-numbers", settings.ray_numbers,
@@ -237,7 +229,7 @@ int main(int argc, char** argv) {
         TracingOptions& tracing = settings.tracing;
         if (tracing.brute_force && settings.rays.empty() && !settings.is_walk())
           std::swap(settings.rays, tracing.grid); // SCENE RAYS
-        const auto limit = tracing.threads.limit(cores_of(ranks));
+        const auto limit = tracing.limit_threads(ranks);
         refuse_useless(app, settings.is_walk());
         const Sharing sharing{ranks, tracing.resume};
         check(settings, sharing);

@@ -33,8 +33,8 @@ struct Settings {
 
 // What Assimp may take to read files of so many bytes: many times what any format needs, so that only a
 // damaged file is ended by it, which makes Assimp loop, or which claims more than it holds.
-constexpr double seconds_at_least = 20, seconds_a_byte = 5e-6;
-constexpr double memory_at_least = 0x1p30, memory_a_byte = 1000;
+constexpr double seconds_at_least = 20, seconds_per_byte = 5e-6;
+constexpr double memory_at_least = 0x1p30, memory_per_byte = 1000;
 
 // Of this process, while Assimp reads the files of a mesh.
 class AssimpLimits {
@@ -52,8 +52,8 @@ public:
     std::error_code unknown;
     if (const auto size = std::filesystem::file_size(file, unknown); !unknown)
       bytes_ += static_cast<double>(size);
-    set(RLIMIT_DATA, std::min(memory_at_least + memory_a_byte * bytes_, available_));
-    const double seconds = seconds_ ? *seconds_ : std::ceil(seconds_at_least + seconds_a_byte * bytes_);
+    set(RLIMIT_DATA, std::min(memory_at_least + memory_per_byte * bytes_, available_));
+    const double seconds = seconds_ ? *seconds_ : std::ceil(seconds_at_least + seconds_per_byte * bytes_);
     if (seconds > 0) set(RLIMIT_CPU, std::min(seconds, static_cast<double>(processor_.rlim_cur)));
   }
   // When they are read. What is made of them may take the memory that there is, and any time.
@@ -99,18 +99,18 @@ Error ended_by(int signal, const Settings& settings) {
 
 // --- The tool --------------------------------------------------------------------------------------------
 
-void print_notes(const ImportNotes& notes, const std::string& place) {
-  const auto line = [&](std::uint64_t number, const char* what) {
-    if (number > 0) print_note("mesh2bin: {}: warning: {} {}\n", printable(place), number, what);
+void print_notes(const ImportNotes& notes, const std::string& input) {
+  const auto warn = [&](std::uint64_t number, const char* what) {
+    print_warning("mesh2bin", input, number, what);
   };
-  line(notes.points_and_lines, "point(s) and line(s) left out");
-  line(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
-  line(notes.textured_materials, "material(s) have textures, which are ignored: only base colours are used");
-  line(notes.omitted_cameras, "camera(s) left out: only the first is used, if it is a perspective camera");
-  line(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");
+  warn(notes.points_and_lines, "point(s) and line(s) left out");
+  warn(notes.invalid_faces, "face(s) that no ray can hit: a coordinate isn't finite or is beyond 1e100");
+  warn(notes.textured_materials, "material(s) have textures, which are ignored: only base colours are used");
+  warn(notes.omitted_cameras, "camera(s) left out: only the first is used, if it is a perspective camera");
+  warn(notes.omitted_lights, "light(s) left out: not point, spot, area or directional lights");
 }
 
-// One a line, line N + 1 for object N.
+// One per line: line N + 1 for object N.
 void write_names(const std::vector<std::string>& names, const std::string& path) {
   std::string text;
   for (const std::string& name : names)

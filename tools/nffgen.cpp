@@ -4,56 +4,53 @@
 #include "tools/common/cli.h"
 #include "tools/common/progress.h"
 
-#include <fmt/format.h>
+#include <optional>
 
-#include <string>
-
+namespace masu {
 namespace {
 
-struct Command {
+struct Settings {
   std::string scene, output = "-";
-  int size = 0; // where it is given
+  std::optional<int> size;
   bool no_background = false, quiet = false;
 };
 
-void describe(CLI::App& app, Command& command) {
+void add_options(CLI::App& app, Settings& settings) {
   std::string sizes = "Sizes (standard, largest):";
-  for (const masu::SpdInfo& info : masu::spd_scenes())
+  for (const SpdInfo& info : spd_scenes())
     sizes += fmt::format("\n  {:<7} {:>2} {:>5}", info.name, info.standard, info.max_size);
   app.footer(sizes + "\n\nExample:\n  nffgen teapot --size 10 -o teapot.nff");
-  app.add_option("scene", command.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
+  app.add_option("scene", settings.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
       ->required();
-  app.add_option("--size", command.size, "subdivision level (default: the standard size)");
-  app.add_option("-o,--output", command.output, "NFF file to write; - is standard output")
+  app.add_option("--size", settings.size, "subdivision level (default: the standard size)");
+  app.add_option("-o,--output", settings.output, "NFF file to write; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  app.add_flag("--no-background", command.no_background,
+  app.add_flag("--no-background", settings.no_background,
                "leave out floors, walls, grounds, and the mountain's spheres");
-  masu::add_quiet(app, command.quiet, "no progress on standard error");
+  add_quiet(app, settings.quiet, "no progress on standard error");
 }
 
-void write(const masu::SpdOptions& options, const std::string& output, bool quiet) {
-  masu::Progress progress("writing", quiet);
-  masu::OutputFile file(output);
-  write_spd(options, file.stream(), file.path(), progress.callback());
+void write(const Settings& settings) {
+  const SpdInfo& info = spd_info(settings.scene);
+  const int size = settings.size.value_or(info.standard);
+  check_spd_size(info.scene, size); // before a file is opened
+  Progress progress("writing", settings.quiet);
+  OutputFile file(settings.output);
+  write_spd({info.scene, size, !settings.no_background}, file.stream(), file.path(), progress.callback());
   file.commit();
 }
 
-void run(const CLI::App& app, const Command& command) {
-  const masu::SpdInfo& info = masu::spd_info(command.scene);
-  const int size = app.count("--size") > 0 ? command.size : info.standard;
-  masu::check_spd_size(info.scene, size); // before a file is opened
-  write({info.scene, size, !command.no_background}, command.output, command.quiet);
-}
-
 } // namespace
+} // namespace masu
 
 int main(int argc, char** argv) {
-  return masu::run_tool("nffgen", "Writes a scene of the Standard Procedural Databases (SPD) as NFF text.",
-                        argc, argv, [](CLI::App& app, const auto& parse) {
-                          Command command;
-                          describe(app, command);
-                          parse();
-                          run(app, command);
-                        });
+  using namespace masu;
+  return run_tool("nffgen", "Writes a scene of the Standard Procedural Databases (SPD) as NFF text.", argc,
+                  argv, [](CLI::App& app, const auto& parse) {
+                    Settings settings;
+                    add_options(app, settings);
+                    parse();
+                    write(settings);
+                  });
 }

@@ -22,7 +22,8 @@ bool is_ignored(int signal) {
   return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-// How the child ended, as waitpid() has it. `awaited` are blocked, and so wait for sigwaitinfo().
+// How the child ended, as waitpid() has it. `awaited`: signals that are blocked, so that sigwaitinfo() gets
+// them.
 int status_of(pid_t child, const sigset_t& awaited) {
   for (;;) {
     const int signal = sigwaitinfo(&awaited, nullptr);

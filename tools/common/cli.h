@@ -27,6 +27,16 @@ void print_note(fmt::format_string<Values...> format, Values&&... values) {
   static_cast<void>(std::fputs(fmt::format(format, std::forward<Values>(values)...).c_str(), stderr));
 }
 
+// Prints rows of a table: a name, and from column `width` on what follows it.
+struct Rows {
+  int width;
+
+  template <class... Values>
+  void operator()(const char* name, fmt::format_string<Values...> format, Values&&... values) const {
+    fmt::print("{:<{}} {}\n", name, width, fmt::format(format, std::forward<Values>(values)...));
+  }
+};
+
 // Flushes standard output. Throws Error(output) where anything printed could not be written.
 void flush_standard_output();
 

@@ -1,6 +1,7 @@
 #include "tools/common/device_choice.h"
 
-#include <charconv>
+#include "tools/common/number_list.h"
+
 #include <numeric>
 
 namespace masu {
@@ -11,18 +12,14 @@ constexpr const char* option = "--devices";
 // 0,2,…
 std::vector<int> numbers_in(const std::string& text) {
   std::vector<int> numbers;
-  const char* next = text.data();
-  const char* const end = next + text.size();
-  for (;;) {
-    int number = 0;
-    const auto [stop, error] = std::from_chars(next, end, number);
-    if (error != std::errc() || number < 0 || (stop != end && *stop != ','))
+  for (const std::string& word : split(text)) {
+    std::array<int, 1> number{};
+    if (!read_numbers(word, ',', number) || number[0] < 0)
       throw Error(ErrorCode::usage, option,
                   fmt::format("'{}' isn't all, cpu or numbers of GPUs such as 0,2", text));
-    numbers.push_back(number);
-    if (stop == end) return numbers;
-    next = stop + 1;
+    numbers.push_back(number[0]);
   }
+  return numbers;
 }
 
 std::vector<int> numbers_below(int count) {

@@ -106,6 +106,7 @@ std::string line_of(const CLI::Option& option, std::size_t width) {
 
 // CLI11 calls the group of those without one Options or OPTIONS.
 std::string heading_of(const CLI::App& app, const CLI::Option& option) {
+  if (option.get_positional()) return "Positionals";
   if (&option == app.get_help_ptr() || &option == app.get_version_ptr()) return "General";
   return option.get_group() == "OPTIONS" ? "Options" : option.get_group();
 }
@@ -143,7 +144,7 @@ std::string help_text(const CLI::App* app, const std::string& name, CLI::AppForm
   std::vector<std::string> headings;
   const std::vector<const CLI::Option*> options = app->get_options();
   for (const CLI::Option* const option : options) {
-    const std::string heading = option->get_positional() ? "Positionals" : heading_of(*app, *option);
+    const std::string heading = heading_of(*app, *option);
     if (std::ranges::find(headings, heading) == headings.end()) headings.push_back(heading);
   }
   std::ranges::stable_partition(headings, [](const std::string& h) { return h == "Positionals"; });
@@ -151,8 +152,7 @@ std::string help_text(const CLI::App* app, const std::string& name, CLI::AppForm
   for (const std::string& heading : headings) {
     text += "\n" + heading + ":\n";
     for (const CLI::Option* const option : options) {
-      if ((option->get_positional() ? "Positionals" : heading_of(*app, *option)) == heading)
-        text += line_of(*option, width);
+      if (heading_of(*app, *option) == heading) text += line_of(*option, width);
     }
   }
   const auto subcommands = app->get_subcommands([](const auto*) { return true; });

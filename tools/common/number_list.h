@@ -1,4 +1,4 @@
-// Numbers with separators between them, as options and lists of views have them.
+// Names and numbers with separators between them, as options and lists of views have them.
 #pragma once
 
 #include "libscene/base/error.h"
@@ -10,8 +10,19 @@
 #include <charconv>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace masu {
+
+// What stands before, between and after commas; of an empty text one empty string.
+inline std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> words;
+  std::size_t begin = 0, comma = 0;
+  for (; (comma = text.find(',', begin)) != std::string::npos; begin = comma + 1)
+    words.push_back(text.substr(begin, comma - begin));
+  words.push_back(text.substr(begin));
+  return words;
+}
 
 // False where the text isn't exactly so many.
 template <class Number, std::size_t count>

@@ -1,4 +1,4 @@
-// Points as JSON.
+// Points and boxes as JSON: values of an nlohmann::ordered_json.
 #pragma once
 
 #include "libscene/geometry/vector.h"
@@ -8,8 +8,20 @@
 namespace masu {
 
 // [x, y, z]
+template <class T>
+void to_json(nlohmann::ordered_json& json, const Vec3<T>& v) {
+  json = {v.x, v.y, v.z};
+}
+
+// {"min", "max"}
+template <class T>
+void to_json(nlohmann::ordered_json& json, const Box<T>& box) {
+  json = {{"min", box.min}, {"max", box.max}};
+}
+
+// The same of a point where an expression needs JSON.
 inline nlohmann::ordered_json vector_json(const Vec3d& v) {
-  return {v.x, v.y, v.z};
+  return v;
 }
 
 } // namespace masu

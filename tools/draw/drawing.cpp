@@ -35,7 +35,7 @@ void check(cairo_status_t status, const std::string& place) {
     throw Error(ErrorCode::output, place, fmt::format("can't be drawn: {}", cairo_status_to_string(status)));
 }
 
-// Glyphs have the same places at any resolution, and no coloured fringes, whatever the desktop's settings.
+// Glyphs have the same positions at any resolution, and no coloured fringes, whatever the desktop's settings.
 Owned<cairo_t> context_of(cairo_surface_t* surface, const std::string& place) {
   Owned<cairo_t> cairo(cairo_create(surface));
   const Owned<cairo_font_options_t> options(cairo_font_options_create());

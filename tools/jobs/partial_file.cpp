@@ -85,6 +85,38 @@ std::string hash_at(int file, std::uint64_t offset, std::uint64_t bytes) {
   return to_hex(Hash{hash.low64, hash.high64});
 }
 
+// The part in a slot that ends before `end`.
+std::vector<std::uint8_t> read_slot(const std::string& path, std::uint64_t offset, std::uint64_t end) {
+  const Descriptor file(path, O_RDONLY);
+  std::uint64_t bytes = 0;
+  if (file < 0 || !read_all_at(file, offset, {reinterpret_cast<std::uint8_t*>(&bytes), slot_head}))
+    fail(path, "can't be read");
+  if (bytes > end - offset - slot_head)
+    throw Error(ErrorCode::output, path, "was changed while it was written: run again");
+  std::vector<std::uint8_t> part(bytes);
+  if (!read_all_at(file, offset + slot_head, part)) fail(path, "can't be read");
+  return part;
+}
+
+// Gives a partial file of so many bytes its name.
+void rename_partial(const std::string& path, std::uint64_t bytes) {
+  const std::string target = followed(path), partial = target + std::string(suffix);
+  struct stat replaced {};
+  const bool replaces = stat(target.c_str(), &replaced) == 0;
+  Descriptor file(partial, O_WRONLY | (bytes == 0 ? O_CREAT : 0));
+  if (file < 0) {
+    if (errno == ENOENT && replaces && static_cast<std::uint64_t>(replaced.st_size) == bytes) return;
+    fail(partial, "can't be opened");
+  }
+  if (ftruncate(file, static_cast<off_t>(bytes)) != 0) fail(partial, "can't be given its size");
+  if (replaces) static_cast<void>(fchmod(file, replaced.st_mode & 0777U));
+  if (fsync(file) != 0 || !file.closed()) fail(partial, "can't be flushed");
+  if (rename(partial.c_str(), target.c_str()) != 0) fail(path, "can't be given its name");
+  const std::string folder = std::filesystem::path(target).parent_path().string();
+  const int in = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (in >= 0) static_cast<void>(fsync(in) + close(in));
+}
+
 } // namespace
 
 std::string partial_name(const std::string& path) {
@@ -93,13 +125,6 @@ std::string partial_name(const std::string& path) {
     throw Error(ErrorCode::usage, path,
                 "isn't a regular file, which several ranks and --resume need: name a file");
   return followed(path) + std::string(suffix);
-}
-
-FileRange write_part(const std::string& path, const FilePart& part) {
-  Descriptor file(path, O_WRONLY | O_CREAT);
-  if (file < 0) fail(path, "can't be created");
-  if (!write_all_at(file, part.offset, part.bytes) || !file.closed()) fail(path, "can't be written");
-  return {path, part.offset, 0, part.bytes.size(), to_hex(hash_of(part.bytes))};
 }
 
 FileRange whole_file(const std::string& path) {
@@ -122,41 +147,34 @@ bool is_whole(const FileRange& range) {
   return hash_at(file, range.offset.value_or(0), range.bytes) == range.hash;
 }
 
-FilePart in_slot(FilePart part) {
-  const std::uint64_t bytes = part.bytes.size();
-  const auto* const first = reinterpret_cast<const std::uint8_t*>(&bytes);
-  part.bytes.insert(part.bytes.begin(), first, first + slot_head);
-  return part;
+FileRange range_of(const std::string& path, const PartedForm& form, std::uint64_t part) {
+  return {partial_name(path), form.offset(part), form.bytes};
 }
 
-std::vector<std::uint8_t> read_slot(const std::string& path, std::uint64_t offset, std::uint64_t end) {
-  const Descriptor file(path, O_RDONLY);
-  std::uint64_t bytes = 0;
-  if (file < 0 || !read_all_at(file, offset, {reinterpret_cast<std::uint8_t*>(&bytes), slot_head}))
-    fail(path, "can't be read");
-  if (bytes > end - offset - slot_head)
-    throw Error(ErrorCode::output, path, "was changed while it was written: run again");
-  std::vector<std::uint8_t> part(bytes);
-  if (!read_all_at(file, offset + slot_head, part)) fail(path, "can't be read");
-  return part;
-}
-
-void finish_partial(const std::string& path, std::uint64_t bytes) {
-  const std::string target = followed(path), partial = target + std::string(suffix);
-  struct stat replaced {};
-  const bool replaces = stat(target.c_str(), &replaced) == 0;
-  Descriptor file(partial, O_WRONLY | (bytes == 0 ? O_CREAT : 0));
-  if (file < 0) {
-    if (errno == ENOENT && replaces && static_cast<std::uint64_t>(replaced.st_size) == bytes) return;
-    fail(partial, "can't be opened");
+FileRange write_part(const std::string& path, const PartedForm& form, std::uint64_t part,
+                     std::vector<std::uint8_t> bytes) {
+  FileRange range = range_of(path, form, part);
+  if (form.begin) {
+    const std::uint64_t size = bytes.size();
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(&size);
+    bytes.insert(bytes.begin(), first, first + slot_head);
   }
-  if (ftruncate(file, static_cast<off_t>(bytes)) != 0) fail(partial, "can't be given its size");
-  if (replaces) static_cast<void>(fchmod(file, replaced.st_mode & 0777U));
-  if (fsync(file) != 0 || !file.closed()) fail(partial, "can't be flushed");
-  if (rename(partial.c_str(), target.c_str()) != 0) fail(path, "can't be given its name");
-  const std::string folder = std::filesystem::path(target).parent_path().string();
-  const int in = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (in >= 0) static_cast<void>(fsync(in) + close(in));
+  Descriptor file(range.path, O_WRONLY | O_CREAT);
+  if (file < 0) fail(range.path, "can't be created");
+  if (!write_all_at(file, *range.offset, bytes) || !file.closed()) fail(range.path, "can't be written");
+  range.bytes = bytes.size();
+  range.hash = to_hex(hash_of(bytes));
+  return range;
+}
+
+void finish_parts(const std::string& path, const PartedForm& form) {
+  if (!form.begin) return rename_partial(path, form.bytes);
+  OutputFile file(path);
+  const AppendPart append = form.begin(file);
+  const std::string partial = partial_name(path);
+  for (std::uint64_t part = 0; part < form.count; ++part)
+    append(read_slot(partial, form.offset(part), form.offset(part + 1)));
+  file.commit();
 }
 
 } // namespace masu

@@ -1,7 +1,7 @@
 // Files that several processes, or several runs, make in parts: OUT.partial beside OUT, until it is whole.
 #pragma once
 
-#include "tools/jobs/placed_file.h"
+#include "tools/jobs/parted_file.h"
 
 #include <optional>
 #include <string>
@@ -22,23 +22,23 @@ struct FileRange {
   std::string hash{};
 };
 
-// Creates the file where it isn't there, and writes a part; processes may do so at the same time. Throws
-// Error(output).
-FileRange write_part(const std::string& path, const FilePart& part);
 // Of a file that is there. Throws Error(output).
 FileRange whole_file(const std::string& path);
 // Whether the file has that range with that hash. Of OUT.partial that isn't there any more, OUT itself.
 bool is_whole(const FileRange& range);
 
-// Gives a partial file of so many bytes its name, with the permissions of a file that it replaces. One that
-// has it already is left. Throws Error(output).
-void finish_partial(const std::string& path, std::uint64_t bytes);
-
-// Parts whose sizes aren't known before they are made have slots, each with more room than they need, and
-// from there are copied one after the other. A slot begins with the part's size.
+// A slot begins with its part's size.
 inline constexpr std::uint64_t slot_head = sizeof(std::uint64_t);
-FilePart in_slot(FilePart part);
-// The part in a slot that ends before `end`. Throws Error(output).
-std::vector<std::uint8_t> read_slot(const std::string& path, std::uint64_t offset, std::uint64_t end);
+
+// Where a part of a file will be in its OUT.partial, without bytes and hash yet.
+FileRange range_of(const std::string& path, const PartedForm& form, std::uint64_t part);
+// Creates OUT.partial where it isn't there, and writes a part; processes may do so at the same time. Throws
+// Error(output).
+FileRange write_part(const std::string& path, const PartedForm& form, std::uint64_t part,
+                     std::vector<std::uint8_t> bytes);
+// Makes the file when all parts are there. OUT.partial is renamed, with the permissions of a file that it
+// replaces, and one that was renamed already is left; parts that follow each other are copied, and
+// OUT.partial stays. Throws Error(output).
+void finish_parts(const std::string& path, const PartedForm& form);
 
 } // namespace masu

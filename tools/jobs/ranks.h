@@ -26,11 +26,11 @@ public:
   Ranks& operator=(const Ranks&) = delete;
   Ranks& operator=(Ranks&&) = delete;
 
-  int rank() const;
-  int count() const;
+  int rank() const { return rank_; }
+  int count() const { return count_; }
   // Of the ranks on this machine.
-  int local_rank() const;
-  int local_count() const;
+  int local_rank() const { return local_rank_; }
+  int local_count() const { return local_count_; }
 
   // 0, 1, 2, …: each number once, to whichever rank is the next to call.
   std::uint64_t next();
@@ -53,11 +53,9 @@ public:
   int ended(int code);
 
 private:
+  int rank_ = 0, count_ = 1, local_rank_ = 0, local_count_ = 1;
   struct State;
   std::unique_ptr<State> state_;
 };
-
-// Cores for this process: those that it may use, or its share of the machine's where ranks may use all.
-std::size_t cores_of(const Ranks& ranks);
 
 } // namespace masu

@@ -27,7 +27,7 @@ namespace {
 enum Word : std::size_t { next_task, finished_tasks, failures, words };
 using Memory = std::array<std::uint64_t, words>;
 
-// What rank 0 is asked for; it replies with the word as it was.
+// A request to rank 0; it replies with the word as it was.
 struct Addition {
   std::uint64_t word = 0, amount = 0;
 };
@@ -53,14 +53,14 @@ void flush_forwarded_error() {
 
 struct Ranks::State {
   std::mutex mpi;
-  int rank = 0, count = 1, local_rank = 0, local_count = 1;
+  bool is_first = false;         // rank 0
   MPI_Win window = MPI_WIN_NULL; // where all ranks are on one machine: memory that they share
   Memory own{};                  // else rank 0's
   Memory* memory = &own;
   std::atomic<bool> ended = false, reports = false; // reports: this rank was the first to fail
   std::thread helper;
 
-  bool has_memory() const { return window != MPI_WIN_NULL || rank == 0; }
+  bool has_memory() const { return window != MPI_WIN_NULL || is_first; }
 
   std::uint64_t add(std::uint64_t word, std::uint64_t amount) {
     return std::atomic_ref((*memory)[word]).fetch_add(amount);
@@ -104,20 +104,28 @@ struct Ranks::State {
       length = std::min(2 * length, longest_pause);
     }
   }
+
+  template <class Number>
+  void sum(std::span<Number> values, MPI_Datatype type) {
+    complete([&](MPI_Request* request) {
+      MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), type, MPI_SUM,
+                     MPI_COMM_WORLD, request);
+    });
+  }
   // NOLINTEND(clang-analyzer-optin.mpi.MPI-Checker)
 
   void share_memory() {
-    const MPI_Aint bytes = rank == 0 ? sizeof *memory : 0;
+    const MPI_Aint bytes = is_first ? sizeof *memory : 0;
     MPI_Win_allocate_shared(bytes, 1, MPI_INFO_NULL, MPI_COMM_WORLD, &memory, &window);
     MPI_Aint size = 0;
     int unit = 0;
     MPI_Win_shared_query(window, 0, &size, &unit, &memory);
     MPI_Win_lock_all(MPI_MODE_NOCHECK, window);
-    if (rank == 0) memory->fill(0);
+    if (is_first) memory->fill(0);
     MPI_Win_sync(window);
   }
 
-  // Replies to one rank, if one has asked. Small messages don't wait for who receives them.
+  // Replies to one rank, if there is a request. Small messages don't wait for who receives them.
   bool reply() {
     const std::lock_guard lock(mpi);
     int found = 0;
@@ -155,18 +163,19 @@ Ranks::Ranks(int* argc, char*** argv) : state_(std::make_unique<State>()) {
                      program_invocation_short_name));
     MPI_Abort(MPI_COMM_WORLD, static_cast<int>(ErrorCode::device));
   }
-  MPI_Comm_rank(MPI_COMM_WORLD, &state.rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &state.count);
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+  MPI_Comm_size(MPI_COMM_WORLD, &count_);
+  state.is_first = rank_ == 0;
   MPI_Comm local = MPI_COMM_NULL;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, state.rank, MPI_INFO_NULL, &local);
-  MPI_Comm_rank(local, &state.local_rank);
-  MPI_Comm_size(local, &state.local_count);
+  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, rank_, MPI_INFO_NULL, &local);
+  MPI_Comm_rank(local, &local_rank_);
+  MPI_Comm_size(local, &local_count_);
   MPI_Comm_free(&local);
-  if (state.local_count == state.count) {
+  if (local_count_ == count_) {
     state.share_memory();
     wait_for_all(); // the counters are zero
     MPI_Win_sync(state.window);
-  } else if (state.rank == 0) {
+  } else if (state.is_first) {
     state.helper = std::thread([&state] { state.reply_until_ended(); });
   }
 }
@@ -182,18 +191,6 @@ Ranks::~Ranks() {
   MPI_Finalize();
 }
 
-int Ranks::rank() const {
-  return state_->rank;
-}
-int Ranks::count() const {
-  return state_->count;
-}
-int Ranks::local_rank() const {
-  return state_->local_rank;
-}
-int Ranks::local_count() const {
-  return state_->local_count;
-}
 std::uint64_t Ranks::next() {
   return state_->fetch_and_add(next_task, 1);
 }
@@ -206,17 +203,10 @@ void Ranks::wait_for_all(const std::function<void()>& idle) {
 }
 
 void Ranks::sum(std::span<std::uint64_t> values) {
-  state_->complete([&](MPI_Request* request) {
-    MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_UINT64_T, MPI_SUM,
-                   MPI_COMM_WORLD, request);
-  });
+  state_->sum(values, MPI_UINT64_T);
 }
-
 void Ranks::sum(std::span<double> values) {
-  state_->complete([&](MPI_Request* request) {
-    MPI_Iallreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM,
-                   MPI_COMM_WORLD, request);
-  });
+  state_->sum(values, MPI_DOUBLE);
 }
 
 void Ranks::broadcast(std::string& text) {
@@ -235,8 +225,7 @@ bool Ranks::is_first_to_fail() {
 }
 
 int Ranks::ended(int code) {
-  if (code == 0) return 0;
-  if (state_->count == 1) return code;
+  if (code == 0 || count_ == 1) return code;
   // The first one to fail ends all, as soon as its line is out. The others let it.
   state_->reports ? flush_forwarded_error() : std::this_thread::sleep_for(patience);
   MPI_Abort(MPI_COMM_WORLD, code);

@@ -16,18 +16,6 @@ std::optional<int> Ranks::launched_as() {
 Ranks::Ranks(int*, char***) : state_(std::make_unique<State>()) {}
 Ranks::~Ranks() = default;
 
-int Ranks::rank() const {
-  return 0;
-}
-int Ranks::count() const {
-  return 1;
-}
-int Ranks::local_rank() const {
-  return 0;
-}
-int Ranks::local_count() const {
-  return 1;
-}
 std::uint64_t Ranks::next() {
   return state_->next++;
 }

@@ -4,6 +4,7 @@
 #include "libscene/base/on_threads.h"
 #include "renderer/tracer.h"
 
+#include <tbb/concurrent_queue.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
@@ -12,9 +13,6 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
-#include <optional>
-#include <semaphore>
-#include <vector>
 
 namespace masu {
 
@@ -24,61 +22,12 @@ inline std::size_t allowed_threads() {
 
 // How many tasks are under way at most, of so many bytes each: enough for devices and encoding threads, as
 // far as memory allows.
-inline std::size_t tasks_under_way(const Tracer& tracer, std::size_t bytes_a_task) {
+inline std::size_t tasks_under_way(const Tracer& tracer, std::size_t bytes_per_task) {
   constexpr std::size_t all_bytes = std::size_t{4} << 30;
   const std::size_t devices = tracer.device() == Device::cuda ? queries_per_gpu * tracer.device_count() : 1;
-  return std::clamp<std::size_t>(all_bytes / std::max<std::size_t>(bytes_a_task, 1), 2,
+  return std::clamp<std::size_t>(all_bytes / std::max<std::size_t>(bytes_per_task, 1), 2,
                                  allowed_threads() + devices);
 }
-
-// Devices that are free for a query: a GPU for several at a time.
-class FreeDevices {
-public:
-  explicit FreeDevices(std::size_t devices) {
-    for (int query = 0; query < queries_per_gpu; ++query)
-      for (std::size_t device = 0; device < devices; ++device)
-        free_.push_back(device);
-    count_.release(static_cast<std::ptrdiff_t>(free_.size()));
-  }
-
-  // act(device's index), when one is free.
-  template <class Act>
-  auto with(const Act& act) {
-    const Taken taken(*this);
-    return act(taken.device);
-  }
-
-private:
-  class Taken {
-  public:
-    explicit Taken(FreeDevices& devices) : device(devices.take()), devices_(devices) {}
-    ~Taken() { devices_.give_back(device); }
-    Taken(const Taken&) = delete;
-    Taken(Taken&&) = delete;
-    Taken& operator=(const Taken&) = delete;
-    Taken& operator=(Taken&&) = delete;
-    const std::size_t device;
-
-  private:
-    FreeDevices& devices_;
-  };
-  std::size_t take() {
-    count_.acquire();
-    const std::lock_guard lock(mutex_);
-    const std::size_t device = free_.back();
-    free_.pop_back();
-    return device;
-  }
-  void give_back(std::size_t device) {
-    const std::lock_guard lock(mutex_);
-    free_.insert(free_.begin(), device);
-    count_.release();
-  }
-
-  std::counting_semaphore<> count_{0};
-  std::mutex mutex_;
-  std::vector<std::size_t> free_;
-};
 
 // Calls trace(device's index) again and again, which takes the next task and returns what it traced, or
 // nothing after the last task; and write(what it traced) meanwhile, in any order. At most `under_way` at the
@@ -118,12 +67,27 @@ void run_tasks(const Tracer& tracer, std::size_t under_way, const Trace& trace, 
     if (error) std::rethrow_exception(error);
     return;
   }
-  FreeDevices devices(tracer.device_count());
+  tbb::concurrent_bounded_queue<std::size_t> free_devices; // a GPU for several queries at a time
+  for (int query = 0; query < queries_per_gpu; ++query)
+    for (std::size_t device = 0; device < tracer.device_count(); ++device)
+      free_devices.push(device);
+  const auto trace_when_free = [&] {
+    std::size_t device = 0;
+    free_devices.pop(device);
+    try {
+      Traced result = trace(device);
+      free_devices.push(device);
+      return result;
+    } catch (...) { // other threads still wait for it
+      free_devices.push(device);
+      throw;
+    }
+  };
   std::atomic<bool> ended = false;
   on_threads(under_way, [&](std::size_t) {
     try {
       while (!ended) {
-        const Traced result = devices.with(trace);
+        const Traced result = trace_when_free();
         if (!result) break;
         write(*result);
       }

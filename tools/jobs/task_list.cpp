@@ -3,6 +3,7 @@
 #include "libscene/base/error.h"
 #include "libscene/file/container.h"
 #include "tools/common/printable.h"
+#include "tools/common/text_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -59,9 +60,9 @@ constexpr std::size_t hash_characters = 32;
 constexpr std::size_t line_end = before_hash.size() + hash_characters + after_hash.size();
 
 std::string line_of(const Finished& finished, const std::string& run) {
-  Json counts = Json::array(), files = Json::array();
-  for_each_count(finished.totals.counts, finished.totals.counts,
-                 [&](std::uint64_t count, std::uint64_t) { counts.push_back(count); });
+  Json totals = Json::array(), files = Json::array();
+  for_each_total(finished.totals, finished.totals,
+                 [&](std::uint64_t total, std::uint64_t) { totals.push_back(total); });
   for (const FileRange& range : finished.written) {
     Json file{{"name", printable(range.path)}};
     if (range.offset) file["offset"] = *range.offset;
@@ -69,12 +70,7 @@ std::string line_of(const Finished& finished, const std::string& run) {
     file["hash"] = range.hash;
     files.push_back(std::move(file));
   }
-  std::string line = Json{
-      {"task", finished.task},
-      {"rays", finished.totals.rays},
-      {"invalid", finished.totals.invalid},
-      {"counts", counts},
-      {"files", files}}.dump();
+  std::string line = Json{{"task", finished.task}, {"totals", totals}, {"files", files}}.dump();
   line.pop_back(); // }
   return fmt::format("{}{}{}{}\n", line, before_hash, hash_of_text(run + line + "}"), after_hash);
 }
@@ -91,12 +87,10 @@ std::optional<Finished> parsed(const std::string& line, const std::string& run, 
     Finished finished;
     json.at("task").get_to(finished.task);
     if (finished.task >= tasks.count) return {};
-    json.at("rays").get_to(finished.totals.rays);
-    json.at("invalid").get_to(finished.totals.invalid);
     std::size_t i = 0;
-    const Json& counts = json.at("counts");
-    for_each_count(finished.totals.counts, finished.totals.counts,
-                   [&](std::uint64_t& count, std::uint64_t) { counts.at(i++).get_to(count); });
+    const Json& totals = json.at("totals");
+    for_each_total(finished.totals, finished.totals,
+                   [&](std::uint64_t& total, std::uint64_t) { totals.at(i++).get_to(total); });
     finished.written = tasks.writes(finished.task);
     const Json& files = json.at("files");
     if (files.size() != finished.written.size()) return {};
@@ -220,12 +214,6 @@ void forget_tasks_of_renamed_files(const TaskListOf& tasks, std::string& done) {
   }
 }
 
-void write_file(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text.data(), text.size());
-  file.commit();
-}
-
 } // namespace
 
 std::string journal_name(const std::string& output, int rank) {
@@ -264,14 +252,14 @@ void TaskList::take_over(const TaskListOf& tasks) {
   const std::string first = first_line(run_, partial), own = journal_name(output_, ranks.rank());
   const std::string lines = sharing_.resume ? taken_over(tasks, lines_of_run(texts, run_)) : "";
   if (ranks.rank() == 0) {
-    write_file(own, first + lines);
+    write_text_file(own, first + lines);
     for (const std::string& name : before)
       if (name != own) fs::remove(name);
     ranks.add_finished(count_ - left_);
   }
   ranks.wait_for_all();
   if (!sharing_.resume) return;
-  if (ranks.rank() > 0) write_file(own, first);
+  if (ranks.rank() > 0) write_text_file(own, first);
   journal_ = open(own.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (journal_ < 0)
     throw Error(ErrorCode::output, own, std::string("can't be opened: ") + std::strerror(errno));

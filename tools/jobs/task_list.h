@@ -18,14 +18,20 @@ struct TaskTotals {
   std::uint64_t rays = 0;
   std::uint64_t invalid = 0; // of a list
   Counts counts;
-
-  TaskTotals& operator+=(const TaskTotals& other) {
-    rays += other.rays;
-    invalid += other.invalid;
-    counts += other.counts;
-    return *this;
-  }
 };
+
+// Calls act(a's number, b's) for each of them.
+template <class A, class B, class Act>
+void for_each_total(A& a, B& b, const Act& act) {
+  act(a.rays, b.rays);
+  act(a.invalid, b.invalid);
+  for_each_count(a.counts, b.counts, act);
+}
+
+inline TaskTotals& operator+=(TaskTotals& a, const TaskTotals& b) {
+  for_each_total(a, b, [](std::uint64_t& sum, std::uint64_t total) { sum += total; });
+  return a;
+}
 
 // How a run is shared and resumed. ranks outlives all that have this.
 struct Sharing {

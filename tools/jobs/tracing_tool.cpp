@@ -6,7 +6,10 @@
 #include "tools/common/text_file.h"
 #include "tools/report/counts_report.h"
 
-#include <initializer_list>
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <optional>
 
 namespace masu {
@@ -15,24 +18,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // What Precision::automatic came to.
-std::string precision_text(const Outcome& outcome) {
-  const std::optional<ViewPrecision>& chosen = outcome.report.precision;
-  if (!chosen) return "";
-  const std::uint64_t doubled = outcome.report.double_views;
-  return doubled == 0 || doubled == outcome.views
-             ? ", " + description_of(*chosen)
-             : fmt::format(", {} of the views in {}", doubled, description_of(*chosen));
+std::string precision_text(const TracingReport& report) {
+  if (!report.precision) return "";
+  const std::uint64_t doubled = report.double_views;
+  return doubled == 0 || doubled == report.views
+             ? ", " + description_of(*report.precision)
+             : fmt::format(", {} of the views in {}", doubled, description_of(*report.precision));
 }
 
-Json precision_json(const Outcome& outcome, Precision wanted) {
-  const std::optional<ViewPrecision>& chosen = outcome.report.precision;
-  if (!chosen) return {{"precision", name_of(wanted)}};
-  const std::uint64_t doubled = outcome.report.double_views;
-  return {{"precision", doubled == 0               ? "robust"
-                        : doubled == outcome.views ? "double"
-                                                   : "robust and double"},
+Json precision_json(const TracingReport& report, Precision wanted) {
+  if (!report.precision) return {{"precision", name_of(wanted)}};
+  const std::uint64_t doubled = report.double_views;
+  return {{"precision", doubled == 0              ? "robust"
+                        : doubled == report.views ? "double"
+                                                  : "robust and double"},
           {"double_views", doubled},
-          {"precision_reason", description_of(*chosen)}};
+          {"precision_reason", description_of(*report.precision)}};
 }
 
 } // namespace
@@ -72,10 +73,28 @@ void TracingOptions::check(const char* tool) const {
     throw Error(ErrorCode::usage, "GRID", "is missing: name the grid file, or give --brute-force");
 }
 
+tbb::global_control TracingOptions::limit_threads(const Ranks& ranks) const {
+  const auto machine = static_cast<std::size_t>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+  cpu_set_t allowed;
+  CPU_ZERO(&allowed);
+  const int count = sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : 0;
+  const std::size_t mine = count > 0 ? static_cast<std::size_t>(count) : machine;
+  return threads.limit(
+      std::clamp<std::size_t>(machine / static_cast<std::size_t>(ranks.local_count()), 1, mine));
+}
+
 TracingRules TracingOptions::tracing() const {
   TracingRules tracing = rules;
   tracing.count = !stats.empty();
   return tracing;
+}
+
+void add_hit_name(CLI::App& app, HitName& name, const std::string& what) {
+  add_choice(app, "--hit-name", name,
+             {{"object", HitName::object}, {"primitive", HitName::primitive}, {"face", HitName::face}},
+             what +
+                 ": object (index in the NFF text, or of mesh2bin's objects), primitive (index in the scene "
+                 "file) or face (number in the mesh's file)");
 }
 
 OpenedScene::OpenedScene(const char* tool, const TracingOptions& options, const std::vector<int>& gpus)
@@ -85,6 +104,10 @@ OpenedScene::OpenedScene(const char* tool, const TracingOptions& options, const 
                                       options.grid, gpus.empty() ? Residence::mapping : Residence::file)),
       tracer_(scene_, grid_.get(), gpus.empty() ? Device::cpu : Device::cuda, gpus) {}
 
+Json OpenedScene::hashes() const {
+  return {{"scene_hash", to_hex(scene_.hash())}, {"grid_hash", grid_ ? Json(to_hex(grid_->hash())) : Json()}};
+}
+
 std::string run_description(const OpenedScene& opened, const TracingRules& tracing,
                             const std::string& options) {
   return fmt::format("{}\nscene {}\n{}\n{} counts {}", program_name(), to_hex(opened.scene().hash()), options,
@@ -92,41 +115,32 @@ std::string run_description(const OpenedScene& opened, const TracingRules& traci
 }
 
 void write_reports(const char* tool, const TracingOptions& options, const OpenedScene& opened,
-                   const Ranks& ranks, const Outcome& outcome, bool quiet) {
-  const TracingReport& report = outcome.report;
-  const GridFile* const grid = opened.tracer().grid();
+                   const Ranks& ranks, const TracingReport& report, bool quiet) {
   const std::string device =
       devices_name(opened.gpus()) + (ranks.count() > 1 ? fmt::format(", {} ranks", ranks.count()) : "");
-  Json head = provenance();
-  head.update({{"backend", opened.gpus().empty() ? "cpu" : "cuda"},
-               {"device", device},
-               {"scene_hash", to_hex(opened.scene().hash())},
-               {"grid_hash", grid != nullptr ? Json(to_hex(grid->hash())) : Json()},
-               {"views", outcome.views}});
-  head.update(precision_json(outcome, resolved(options.rules.precision, opened.scene())));
-  const Json times{{"seconds",
-                    {{"map", opened.map_seconds()},
+  Json json = provenance();
+  json.update({{"backend", opened.gpus().empty() ? "cpu" : "cuda"}, {"device", device}});
+  json.update(opened.hashes());
+  json["views"] = report.views;
+  json.update(precision_json(report, resolved(options.rules.precision, opened.scene())));
+  if (!options.stats.empty()) json.update(counts_report(report.totals.counts));
+  json["seconds"] = {{"map", opened.map_seconds()},
                      {"validate", opened.validate_seconds()},
                      {"upload", report.seconds.upload + opened.tracer().upload_seconds()},
                      {"trace", report.seconds.trace},
                      {"download", report.seconds.download},
-                     {"write", report.write_seconds}}}};
-  const auto merged = [](Json json, const std::initializer_list<Json>& more) {
-    for (const Json& part : more)
-      json.update(part);
-    return json;
-  };
-  if (!options.stats.empty())
-    write_text_file(options.stats,
-                    json_text(merged(head, {counts_report(report.totals.counts), times})) + "\n");
-  if (!options.times.empty()) write_text_file(options.times, json_text(merged(head, {times})) + "\n");
+                     {"write", report.write_seconds}};
+  if (options.has_report())
+    write_text_file(options.stats.empty() ? options.times : options.stats, json_text(json) + "\n");
   if (quiet) return;
-  const double seconds = outcome.rays_seconds;
+  const double seconds = report.overlaps_writing ? report.elapsed_seconds : report.seconds.trace;
+  const char* const besides = !report.overlaps_writing ? ""
+                              : report.views == 0      ? " with reading and writing"
+                                                       : " with writing";
   const std::uint64_t rays = report.totals.rays;
   print_note("{}: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}{}\n", tool,
-             outcome.views > 1 ? fmt::format("{} views, ", outcome.views) : "", rays, seconds,
-             outcome.besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device,
-             precision_text(outcome));
+             report.views > 1 ? fmt::format("{} views, ", report.views) : "", rays, seconds, besides,
+             seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device, precision_text(report));
 }
 
 int run_ranks_tool(const char* name, const char* description, int argc, char** argv,

@@ -10,6 +10,8 @@
 #include "tools/jobs/task_list.h"
 #include "tools/report/tracing_report.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -29,9 +31,15 @@ struct TracingOptions {
   void add_to(CLI::App& app);    // all others
   // Throws Error(usage) where SCENE or GRID is missing, Error(input) where SCENE has to be converted first.
   void check(const char* tool) const;
+  // The limit of --threads, else the cores that this process may use, or its share of the machine's where
+  // ranks may use all; in force while the result lives.
+  tbb::global_control limit_threads(const Ranks& ranks) const;
   TracingRules tracing() const;
   bool has_report() const { return !stats.empty() || !times.empty(); }
 };
+
+// --hit-name. `what`: that it names.
+void add_hit_name(CLI::App& app, HitName& name, const std::string& what);
 
 // The scene and the grid, and what traces rays through them.
 class OpenedScene {
@@ -42,6 +50,7 @@ public:
   const SceneFile& scene() const { return scene_; }
   const Tracer& tracer() const { return tracer_; }
   const std::vector<int>& gpus() const { return gpus_; }
+  nlohmann::ordered_json hashes() const; // {scene_hash, grid_hash}: null without a grid
   double map_seconds() const { return sum_of(&LoadSeconds::map); }
   double validate_seconds() const { return sum_of(&LoadSeconds::validate); }
 
@@ -61,17 +70,9 @@ private:
 std::string run_description(const OpenedScene& opened, const TracingRules& tracing,
                             const std::string& options);
 
-// What was traced.
-struct Outcome {
-  std::uint64_t views = 0; // 0: a list
-  TracingReport report;
-  double rays_seconds = 0;  // in which the rays were traced,
-  const char* besides = ""; // and what else was done in them
-};
-
 // Writes --stats and --times, and the line that says what was traced unless `quiet`. By rank 0.
 void write_reports(const char* tool, const TracingOptions& options, const OpenedScene& opened,
-                   const Ranks& ranks, const Outcome& outcome, bool quiet);
+                   const Ranks& ranks, const TracingReport& report, bool quiet);
 
 // The main of a tool whose processes may be ranks (run_tool() of tools/common/cli.h): parse() returns them.
 // --help and --version need no MPI.

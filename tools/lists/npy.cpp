@@ -19,19 +19,6 @@ std::optional<std::string> value_of(const std::string& dictionary, const std::st
   return dictionary.substr(begin);
 }
 
-std::string header_of(std::string dictionary) {
-  constexpr std::size_t preamble = 10, alignment = 64;
-  const std::size_t unpadded = preamble + dictionary.size() + 1;
-  dictionary.append((alignment - unpadded % alignment) % alignment, ' ');
-  dictionary += '\n';
-  std::string header(npy_magic);
-  header += '\x01';
-  header += '\x00';
-  header += static_cast<char>(dictionary.size() & 0xff);
-  header += static_cast<char>(dictionary.size() >> 8 & 0xff);
-  return header + dictionary;
-}
-
 } // namespace
 
 std::optional<NpyArray> parsed_npy_header(const std::string& dictionary) {
@@ -55,16 +42,19 @@ std::optional<NpyArray> parsed_npy_header(const std::string& dictionary) {
   }
 }
 
-std::string npy_header(const std::string& type, std::uint64_t count) {
-  // Blanks stand where a larger count would have digits.
-  return header_of(fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({:<20},), }}", type, count));
-}
-
-std::string npy_header(const std::string& type, const std::vector<std::uint64_t>& shape) {
-  std::string sizes;
-  for (const std::uint64_t size : shape)
-    sizes += fmt::format("{}, ", size);
-  return header_of(fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, sizes));
+std::string npy_header(const std::string& type, const std::string& shape) {
+  constexpr std::size_t preamble = 10, alignment = 64;
+  std::string dictionary =
+      fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({}), }}", type, shape);
+  const std::size_t unpadded = preamble + dictionary.size() + 1;
+  dictionary.append((alignment - unpadded % alignment) % alignment, ' ');
+  dictionary += '\n';
+  std::string header(npy_magic);
+  header += '\x01';
+  header += '\x00';
+  header += static_cast<char>(dictionary.size() & 0xff);
+  header += static_cast<char>(dictionary.size() >> 8 & 0xff);
+  return header + dictionary;
 }
 
 } // namespace masu

@@ -19,11 +19,8 @@ struct NpyArray {
 // What a header's dictionary says of an array of plain numbers in C order; nothing for what isn't one.
 std::optional<NpyArray> parsed_npy_header(const std::string& dictionary);
 
-// Magic, version 1.0 and the header of an array of so many records of a type: such as [('t', '<f4')]. As long
-// for any count.
-std::string npy_header(const std::string& type, std::uint64_t count);
-
-// The same of an array of numbers of a type, such as <f4, in C order.
-std::string npy_header(const std::string& type, const std::vector<std::uint64_t>& shape);
+// Magic, version 1.0 and the header of an array in C order. As NumPy has them: the type of its elements, such
+// as '<f4' (with quotes) or [('t', '<f4')], and what stands in the parentheses of its shape, such as 3, 4,
+std::string npy_header(const std::string& type, const std::string& shape);
 
 } // namespace masu

@@ -83,28 +83,28 @@ std::size_t RayCsv::read_names(std::string_view text, bool is_all) {
     while (true) {
       const std::string_view field = field_at(position, end);
       const auto* const found = std::ranges::find(names, field);
-      const auto place = static_cast<std::size_t>(found - names.begin());
+      const auto index = static_cast<std::size_t>(found - names.begin());
       if (found == names.end())
         fail(line, position,
              fmt::format("{} isn't one of the columns {}: begin with a line such as {}", quoted(field),
                          fmt::join(names, ", "), example));
-      if (std::ranges::count(places_, place) > 0) fail(line, position, fmt::format("has {} twice", field));
-      places_.push_back(place);
+      if (std::ranges::count(columns_, index) > 0) fail(line, position, fmt::format("has {} twice", field));
+      columns_.push_back(index);
       position = std::find(position, end, ',');
       if (position == end) break;
       ++position;
     }
-    for (std::size_t place = 0; place < names.size(); ++place) {
-      const bool is_there = std::ranges::count(places_, place) > 0,
-                 is_limit = place == t_min || place == t_max;
+    for (std::size_t index = 0; index < names.size(); ++index) {
+      const bool is_there = std::ranges::count(columns_, index) > 0,
+                 is_limit = index == t_min || index == t_max;
       if (!is_there && !is_limit)
         fail(line, line.data(),
-             fmt::format("has no column {}: begin with a line such as {}", names[place], example));
+             fmt::format("has no column {}: begin with a line such as {}", names[index], example));
       has_limits_ = has_limits_ || (is_there && is_limit);
     }
   };
   const std::size_t taken = each_line(text.substr(before), is_all, 1, read);
-  if (!places_.empty()) return before + taken;
+  if (!columns_.empty()) return before + taken;
   if (is_all)
     throw Error(ErrorCode::input, name_,
                 fmt::format("has no line of columns' names: begin with one such as {}", example));
@@ -136,15 +136,15 @@ std::size_t RayCsv::read_rays(std::string_view text, bool is_all, std::size_t co
   return each_line(text, is_all, count, [&](std::string_view line) {
     const char* const end = line.data() + line.size();
     const char* position = line.data();
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      ray[places_[i]] = number(line, position);
-      if ((position == end) != (i + 1 == places_.size()))
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      ray[columns_[i]] = number(line, position);
+      if ((position == end) != (i + 1 == columns_.size()))
         fail(line, position,
-             fmt::format("the line must have {} numbers, as the first one has names", places_.size()));
+             fmt::format("the line must have {} numbers, as the first one has names", columns_.size()));
       if (position != end) ++position; // a comma
     }
-    for (std::size_t place = 0; place < ray.size(); ++place) {
-      if (has_limits_ || (place != t_min && place != t_max)) rays.push_back(ray[place]);
+    for (std::size_t index = 0; index < ray.size(); ++index) {
+      if (has_limits_ || (index != t_min && index != t_max)) rays.push_back(ray[index]);
     }
   });
 }

@@ -40,7 +40,7 @@ private:
 
   std::string name_;
   bool has_limits_ = false;
-  std::vector<std::size_t> places_; // of each column's number among a ray's 8
+  std::vector<std::size_t> columns_; // for each column, the index of its number among the 8 of a ray
   std::uint64_t line_ = 0;
 };
 

@@ -153,59 +153,52 @@ std::vector<std::uint8_t> RayFile::bytes_of(const std::vector<double>& rays) con
 
 // --- In chunks ---------------------------------------------------------------------------------------------
 
-std::string RayFile::chunks(std::size_t rays_a_chunk) const {
+void RayFile::find_chunks(std::size_t rays_per_chunk, Ranks& ranks) {
   if (!is_named_file())
     throw Error(ErrorCode::usage, path_, "isn't a file, which several ranks and --resume need: name a file");
-  if (!csv_) return {};
-  const InputFile file(path_);
-  const TextSource source = TextSource::of(file);
-  RayCsv csv(path_);
-  std::vector<std::uint64_t> found{0}; // rays; then each chunk's start
-  std::string text;
-  std::uint64_t byte = 0;
-  const auto take = [&](std::size_t taken) {
-    text.erase(0, taken);
-    byte += taken;
-  };
-  const auto begin_chunk = [&] { found.insert(found.end(), {byte, csv.line()}); };
-  for (bool is_all = false, has_names = false; !is_all;) {
-    const std::size_t before = text.size();
-    text.resize(before + text_piece);
-    text.resize(before + source.read(text.data() + before, text_piece));
-    is_all = text.size() < before + text_piece;
-    if (!has_names) {
-      const std::size_t taken = csv.read_names(text, is_all);
-      if (taken == 0) continue;
-      take(taken);
-      has_names = true;
-      begin_chunk();
-    }
-    for (;;) {
-      const std::uint64_t rays = found[0];
-      take(csv.skip_rays(text, is_all, rays_a_chunk - rays % rays_a_chunk, found[0]));
-      if (found[0] == rays || found[0] % rays_a_chunk != 0) break;
-      begin_chunk();
-    }
-  }
-  begin_chunk();
-  return {reinterpret_cast<const char*>(found.data()), found.size() * sizeof(std::uint64_t)};
-}
-
-void RayFile::set_chunks(std::size_t rays_a_chunk, const std::string& chunks) {
   file_.emplace(path_);
-  rays_a_chunk_ = rays_a_chunk;
+  rays_per_chunk_ = rays_per_chunk;
   if (!csv_) {
     all_rays_ = *expected_;
     return;
   }
-  std::memcpy(&all_rays_, chunks.data(), sizeof all_rays_);
-  starts_.resize((chunks.size() - sizeof all_rays_) / sizeof(ChunkStart));
-  std::memcpy(starts_.data(), chunks.data() + sizeof all_rays_, starts_.size() * sizeof(ChunkStart));
+  std::string found = ranks.rank() == 0 ? chunk_starts() : std::string();
+  ranks.broadcast(found);
+  starts_.resize(found.size() / sizeof(ChunkStart));
+  std::memcpy(starts_.data(), found.data(), found.size());
+  all_rays_ = starts_.back().ray;
+}
+
+// Reads the stream to its end.
+std::string RayFile::chunk_starts() {
+  RayCsv csv = *csv_;
+  ChunkStart next{first_byte_, csv.line(), 0};
+  std::string starts;
+  const auto begin_chunk = [&] {
+    next.line = csv.line();
+    starts.append(reinterpret_cast<const char*>(&next), sizeof next);
+  };
+  begin_chunk();
+  for (;;) {
+    const std::uint64_t before = next.ray;
+    const std::size_t taken =
+        csv.skip_rays(text_, is_all_, rays_per_chunk_ - before % rays_per_chunk_, next.ray);
+    text_.erase(0, taken);
+    next.byte += taken;
+    if (next.ray > before && next.ray % rays_per_chunk_ == 0) {
+      begin_chunk();
+    } else {
+      if (is_all_) break;
+      read_more_text();
+    }
+  }
+  begin_chunk();
+  return starts;
 }
 
 RaysRead RayFile::chunk(std::uint64_t index) const {
-  const std::uint64_t first = index * rays_a_chunk_, ray_bytes = format_.bytes_per_ray();
-  const std::size_t count = std::min<std::uint64_t>(rays_a_chunk_, all_rays_ - first);
+  const std::uint64_t first = index * rays_per_chunk_, ray_bytes = format_.bytes_per_ray();
+  const std::size_t count = std::min<std::uint64_t>(rays_per_chunk_, all_rays_ - first);
   RaysRead read;
   if (!csv_) {
     read.rays.resize(count * ray_bytes);

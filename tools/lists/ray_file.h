@@ -4,6 +4,7 @@
 #include "libscene/file/input_file.h"
 #include "libscene/file/input_stream.h"
 #include "renderer/ray_query.h"
+#include "tools/jobs/ranks.h"
 #include "tools/lists/ray_csv.h"
 
 #include <optional>
@@ -39,19 +40,17 @@ public:
   // By any thread: next() doesn't wait for a pipe any longer, and reads nothing from now on.
   void cancel() { stream_.cancel(); }
 
-  // --- In chunks of so many rays, in any order, by any thread
-  // Where the chunks of a CSV file begin; empty for another one. Throws Error(usage) for what isn't a named
-  // file.
-  std::string chunks(std::size_t rays_a_chunk) const;
-  // What chunks() found, here or in another process; to be called before what follows.
-  void set_chunks(std::size_t rays_a_chunk, const std::string& chunks);
+  // --- In chunks, in any order, by any thread
+  // Collective (ranks.h): finds out where chunks of so many rays begin; to be called before what follows, and
+  // instead of next(). Throws Error(usage) for what isn't a named file.
+  void find_chunks(std::size_t rays_per_chunk, Ranks& ranks);
   std::uint64_t all_rays() const { return all_rays_; }
   RaysRead chunk(std::uint64_t index) const;
 
 private:
-  // The byte that a chunk's lines begin at, and the line before it.
+  // The byte that a chunk's lines begin at, the line before it, and the index of its first ray.
   struct ChunkStart {
-    std::uint64_t byte, line;
+    std::uint64_t byte, line, ray;
   };
 
   bool is_named_file() const { return path_ != "-" && stream_.is_file(); }
@@ -60,6 +59,7 @@ private:
   void read_names();
   void read_more_text();
   RaysRead next_lines(std::size_t count);
+  std::string chunk_starts();
   std::vector<std::uint8_t> bytes_of(const std::vector<double>& rays) const;
   [[noreturn]] void fail_by_bytes(std::uint64_t bytes) const;
   [[noreturn]] void fail_by_rays(std::uint64_t rays) const;
@@ -77,7 +77,7 @@ private:
   std::uint64_t taken_ = 0, rays_ = 0; // bytes and rays so far
 
   std::optional<InputFile> file_; // for chunks
-  std::size_t rays_a_chunk_ = 1;
+  std::size_t rays_per_chunk_ = 1;
   std::uint64_t all_rays_ = 0;
   std::vector<ChunkStart> starts_; // of a CSV file's chunks, and its end
 };

@@ -22,89 +22,46 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t rays_a_chunk = std::size_t{1} << 20;
-constexpr std::size_t rays_a_task = 1 << 14;
+constexpr std::size_t rays_per_chunk = std::size_t{1} << 20;
+constexpr std::size_t rays_per_task = 1 << 14;
 
 // --- A chunk of the list -----------------------------------------------------------------------------------
 
 struct Chunk {
-  std::uint64_t task = 0, first = 0; // first: ray's index in the list
+  std::uint64_t task = 0;
   std::vector<std::uint8_t> rays;
   std::size_t count = 0;
-  std::uint64_t file_bytes = 0; // that they were read from
-  std::vector<float> t, uv, normal;
-  std::vector<std::uint32_t> object, primitive, face;
-  std::vector<std::uint8_t> occluded;
+  std::uint64_t file_bytes = 0;                   // that they were read from
+  std::vector<std::vector<std::uint8_t>> results; // an array for each field
   TaskTotals totals;
 
-  RayResults results(const std::vector<HitField>& fields) {
-    RayResults results;
-    const auto room = [&](auto& array, std::size_t numbers) {
-      array.resize(count * numbers);
-      return array.data();
+  RayResults make_room(const std::vector<HitField>& fields) {
+    for (const HitField field : fields)
+      results.emplace_back(count * bytes_of(field));
+    const auto array = [&](HitField field) -> void* {
+      const auto found = static_cast<std::size_t>(std::ranges::find(fields, field) - fields.begin());
+      return found < fields.size() ? results[found].data() : nullptr;
     };
-    for (const HitField field : fields) {
-      switch (field) {
-      case HitField::t:
-        results.t = room(t, 1);
-        break;
-      case HitField::object:
-        results.object = room(object, 1);
-        break;
-      case HitField::primitive:
-        results.primitive = room(primitive, 1);
-        break;
-      case HitField::face:
-        results.face = room(face, 1);
-        break;
-      case HitField::uv:
-        results.uv = reinterpret_cast<float(*)[2]>(room(uv, 2));
-        break;
-      case HitField::normal:
-        results.normal = reinterpret_cast<float(*)[3]>(room(normal, 3));
-        break;
-      case HitField::occluded:
-        results.occluded = room(occluded, 1);
-        break;
-      }
-    }
-    return results;
+    RayResults room;
+    room.t = static_cast<float*>(array(HitField::t));
+    room.object = static_cast<std::uint32_t*>(array(HitField::object));
+    room.primitive = static_cast<std::uint32_t*>(array(HitField::primitive));
+    room.face = static_cast<std::uint32_t*>(array(HitField::face));
+    room.uv = static_cast<float(*)[2]>(array(HitField::uv));
+    room.normal = static_cast<float(*)[3]>(array(HitField::normal));
+    room.occluded = static_cast<std::uint8_t*>(array(HitField::occluded));
+    return room;
   }
 
-  const void* array(HitField field) const {
-    switch (field) {
-    case HitField::t:
-      return t.data();
-    case HitField::object:
-      return object.data();
-    case HitField::primitive:
-      return primitive.data();
-    case HitField::face:
-      return face.data();
-    case HitField::uv:
-      return uv.data();
-    case HitField::normal:
-      return normal.data();
-    case HitField::occluded:
-      return occluded.data();
-    }
-    return nullptr;
-  }
-
-  // A record a ray.
-  std::vector<std::uint8_t> records(const std::vector<HitField>& fields) const {
-    const std::vector<RecordField> layout = record_fields(fields);
-    std::size_t record_bytes = 0;
-    for (const RecordField& field : layout)
-      record_bytes += field.bytes;
+  // A record for each ray.
+  std::vector<std::uint8_t> records(std::size_t record_bytes) const {
     std::vector<std::uint8_t> records(count * record_bytes);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rays_a_task), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rays_per_task), [&](const auto& range) {
       std::size_t offset = 0;
-      for (std::size_t k = 0; k < fields.size(); ++k) {
-        const std::size_t bytes = layout[k].bytes;
-        const auto* const from = static_cast<const std::uint8_t*>(array(fields[k]));
+      for (const std::vector<std::uint8_t>& array : results) {
+        const std::size_t bytes = array.size() / count;
         for (std::size_t i = range.begin(); i != range.end(); ++i)
-          std::memcpy(records.data() + i * record_bytes + offset, from + i * bytes, bytes);
+          std::memcpy(records.data() + i * record_bytes + offset, array.data() + i * bytes, bytes);
         offset += bytes;
       }
     });
@@ -116,7 +73,7 @@ struct Chunk {
 template <class Real>
 std::uint64_t invalid_rays(const RayList& rays) {
   return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task), std::uint64_t{0},
+      tbb::blocked_range<std::size_t>(0, rays.count, rays_per_task), std::uint64_t{0},
       [&](const auto& range, std::uint64_t sum) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) {
           const Ray<Real> ray = loaded<Real>(rays.rays, rays.format, i);
@@ -153,50 +110,40 @@ private:
   // Without rays after the last one.
   std::shared_ptr<Chunk> read() {
     auto chunk = std::make_shared<Chunk>();
-    RaysRead read;
-    if (tasks_ != nullptr) {
-      const auto task = tasks_->next();
-      if (!task) return chunk;
-      chunk->task = *task;
-      chunk->first = *task * rays_a_chunk;
-      read = file_.chunk(*task);
-    } else {
-      chunk->first = read_;
-      read = file_.next(rays_a_chunk);
-    }
+    const std::optional<std::uint64_t> task = tasks_ != nullptr ? tasks_->next() : read_++;
+    if (!task) return chunk;
+    RaysRead read = tasks_ != nullptr ? file_.chunk(*task) : file_.next(rays_per_chunk);
+    chunk->task = *task;
     chunk->rays = std::move(read.rays);
     chunk->file_bytes = read.bytes;
     chunk->count = chunk->rays.size() / file_.format().bytes_per_ray();
-    read_ += chunk->count;
     return chunk;
   }
 
   RayFile& file_;
   TaskList* tasks_;
-  std::uint64_t read_ = 0;
+  std::uint64_t read_ = 0; // chunks, where nobody else takes any
   bool ended_ = false;
   std::mutex mutex_;
   std::future<std::shared_ptr<Chunk>> coming_;
 };
 
-// Collective: finds out where the chunks of a list begin, which ranks take in any order.
-void find_chunks(RayFile& file, Ranks& ranks) {
-  std::string chunks = ranks.rank() == 0 ? file.chunks(rays_a_chunk) : std::string();
-  ranks.broadcast(chunks);
-  file.set_chunks(rays_a_chunk, chunks);
+// Of a list whose length may not be known yet: where it is needed, it is.
+PartedForm form_of(const HitFormat& format, std::uint64_t rays) {
+  return format.parts((rays + rays_per_chunk - 1) / rays_per_chunk,
+                      [](std::uint64_t chunk) { return chunk * rays_per_chunk; }, rays);
 }
 
-TaskListOf task_list_of(const RayListJob& job, RayFile& file, const HitFormat& hits, const Sharing& sharing) {
+TaskListOf task_list_of(const RayListJob& job, RayFile& file, const HitFormat& format,
+                        const Sharing& sharing) {
   if (!sharing.in_parts()) return {};
-  find_chunks(file, sharing.ranks);
+  file.find_chunks(rays_per_chunk, sharing.ranks);
+  const PartedForm form = form_of(format, file.all_rays());
   TaskListOf tasks{fmt::format("{}\n{}\nrays {} {} {}", job.description, job.hits, file.is_text(),
                                file.format().is_float64, file.format().numbers),
-                   job.hits, (file.all_rays() + rays_a_chunk - 1) / rays_a_chunk};
-  const std::string partial = job.hits.empty() ? std::string() : partial_name(job.hits);
-  tasks.writes = [&file, &hits, partial](std::uint64_t task) {
-    std::vector<FileRange> ranges;
-    if (!partial.empty()) ranges.push_back(hits.range(partial, task, task * rays_a_chunk, file.all_rays()));
-    return ranges;
+                   job.hits, form.count};
+  tasks.writes = [form, hits = job.hits](std::uint64_t task) {
+    return hits.empty() ? std::vector<FileRange>{} : std::vector{range_of(hits, form, task)};
   };
   if (!sharing.resume) return tasks;
   std::string hash = sharing.ranks.rank() == 0 ? whole_file(job.rays).hash : std::string();
@@ -212,17 +159,22 @@ public:
              const std::function<void(double)>& progress)
       : tracer_(tracer), job_(job), sharing_(sharing), progress_(progress),
         in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
-        format_(job.hits, record_fields(job.fields)), file_(job.rays, job.format),
+        format_(job.hits, job.fields), file_(job.rays, job.format),
         tasks_(sharing, task_list_of(job, file_, format_, sharing)),
         chunks_(file_, sharing.in_parts() ? &tasks_ : nullptr) {
-    if (!job.hits.empty() && !sharing.in_parts()) hits_.emplace(format_, job.hits, file_.count());
+    if (job.hits.empty() || sharing.in_parts()) return;
+    hits_.emplace(job.hits, form_of(format_, file_.count().value_or(0)));
+    if (!file_.count() && job.hits.ends_with(".npy") && !hits_->has_places())
+      throw Error(
+          ErrorCode::output, job.hits,
+          "is a pipe, where a NumPy array can't begin before the number of rays is known: write .csv, or "
+          "records without an ending");
   }
 
   // Besides those that a GPU has: one is written, one is about to be.
   std::size_t chunks_under_way() const {
-    const std::size_t bytes = rays_a_chunk * (file_.format().bytes_per_ray() + 2 * format_.record_bytes()),
-                      queries =
-                          tracer_.device() == Device::cuda ? queries_per_gpu * tracer_.device_count() : 1;
+    const std::size_t bytes = rays_per_chunk * (file_.format().bytes_per_ray() + 2 * format_.record_bytes()),
+                      queries = tracer_.device() == Device::cuda ? queries_per_gpu * tracer_.device_count() : 1;
     return std::min(tasks_under_way(tracer_, bytes), queries + 2);
   }
 
@@ -231,7 +183,7 @@ public:
     std::shared_ptr<Chunk> chunk = chunks_.next();
     if (!chunk) return {};
     const RayList rays(chunk->rays.data(), chunk->count, file_.format());
-    const RayResults results = chunk->results(job_.fields);
+    const RayResults results = chunk->make_room(job_.fields);
     RaysRequest request = job_.request;
     request.loop = loop_for(rays);
     const QueryReport report =
@@ -246,12 +198,7 @@ public:
   void write(const Chunk& chunk) {
     const Stopwatch watch;
     std::vector<FileRange> written;
-    if (hits_)
-      hits_->write(chunk.first, chunk.records(job_.fields));
-    else if (!job_.hits.empty())
-      written.push_back(
-          write_part(partial_name(job_.hits),
-                     format_.part(chunk.task, chunk.first, chunk.records(job_.fields), file_.all_rays())));
+    if (!job_.hits.empty()) written = write_records(chunk.task, chunk.records(format_.record_bytes()));
     const double share = sharing_.in_parts() ? tasks_.finish(chunk.task, written, chunk.totals) : 0;
     const std::lock_guard lock(mutex_);
     report_.write_seconds += watch.seconds();
@@ -268,9 +215,11 @@ public:
   TracingReport finish() {
     const Stopwatch watch;
     if (sharing_.in_parts()) {
-      finish_parts();
+      finish_shared();
     } else if (hits_) {
-      hits_->commit(report_.totals.rays); // now that their number is known
+      const std::string head = format_.head(report_.totals.rays); // now that their number is known
+      if (report_.totals.rays == 0) write_records(0, {});         // the head alone
+      head == format_.head(file_.count().value_or(0)) ? hits_->commit() : hits_->commit(head);
     }
     report_.write_seconds += watch.seconds();
     sum_up(sharing_.ranks, report_);
@@ -287,17 +236,24 @@ private:
     return loop_;
   }
 
-  void finish_parts() {
+  // As a part of the hits' file.
+  std::vector<FileRange> write_records(std::uint64_t part, std::vector<std::uint8_t> records) {
+    const std::uint64_t all = sharing_.in_parts() ? file_.all_rays() : file_.count().value_or(0);
+    std::vector<std::uint8_t> bytes = format_.part(std::move(records), part == 0, all);
+    if (!hits_) return {write_part(job_.hits, form_of(format_, all), part, std::move(bytes))};
+    hits_->write(part, std::move(bytes));
+    return {};
+  }
+
+  void finish_shared() {
     Ranks& ranks = sharing_.ranks;
     report_.totals = tasks_.totals();
     ranks.wait_for_all([&] { progress_(tasks_.share()); });
     if (ranks.rank() == 0) {
       if (!job_.hits.empty()) {
-        std::vector<std::uint64_t> firsts;
-        for (std::uint64_t first = 0; first < file_.all_rays(); first += rays_a_chunk)
-          firsts.push_back(first);
-        format_.finish(firsts, file_.all_rays());
-        if (format_.is_text()) std::filesystem::remove(partial_name(job_.hits));
+        if (file_.all_rays() == 0) write_records(0, {}); // the head alone
+        finish_parts(job_.hits, form_of(format_, file_.all_rays()));
+        std::filesystem::remove(partial_name(job_.hits)); // of parts that were copied
       }
       tasks_.remove_journals();
     }
@@ -313,7 +269,7 @@ private:
   RayFile file_;
   TaskList tasks_;
   ChunkReader chunks_;
-  std::optional<HitFile> hits_;
+  std::optional<PartedFile> hits_; // where this process writes them alone
   std::once_flag loop_found_;
   RayLoop loop_ = RayLoop::warp_refill;
   std::mutex mutex_; // of what follows

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/tracer.h"
-#include "tools/lists/hit_fields.h"
+#include "tools/lists/hit_file.h"
 #include "tools/lists/ray_file.h"
 #include "tools/report/tracing_report.h"
 

@@ -3,6 +3,7 @@
 #include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/file/output_file.h"
+#include "tools/common/number_list.h"
 #include "tools/draw/value_picture.h"
 #include "tools/lists/npy.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <span>
-#include <sstream>
 #include <type_traits>
 
 namespace masu {
@@ -21,27 +21,25 @@ template <class Act>
 void with_values(const Channels& channels, Channel channel, const Act& act) {
   switch (channel) {
   case Channel::depth:
-    return act(std::span(channels.depth), "<f4", 1);
+    return act(std::span(channels.depth), "'<f4'", 1);
   case Channel::normal:
-    return act(std::span(channels.normal), "<f4", 3);
+    return act(std::span(channels.normal), "'<f4'", 3);
   case Channel::object:
-    return act(std::span(channels.object), "<i4", 1);
+    return act(std::span(channels.object), "'<i4'", 1);
   case Channel::primitive:
-    return act(std::span(channels.primitive), "<i4", 1);
+    return act(std::span(channels.primitive), "'<i4'", 1);
   case Channel::cells:
-    return act(std::span(channels.cells), "<u4", 1);
+    return act(std::span(channels.cells), "'<u4'", 1);
   case Channel::tests:
-    return act(std::span(channels.tests), "<u4", 1);
+    return act(std::span(channels.tests), "'<u4'", 1);
   }
 }
 
 void write_npy(const Channels& channels, Channel channel, const std::string& path) {
   OutputFile file(path);
   with_values(channels, channel, [&](const auto& values, const char* type, int numbers) {
-    std::vector<std::uint64_t> shape{static_cast<std::uint64_t>(channels.rows),
-                                     static_cast<std::uint64_t>(channels.columns)};
-    if (numbers > 1) shape.push_back(static_cast<std::uint64_t>(numbers));
-    const std::string header = npy_header(type, shape);
+    const std::string header = npy_header(type, fmt::format("{}, {}, {}", channels.rows, channels.columns,
+                                                            numbers > 1 ? fmt::format("{}, ", numbers) : ""));
     file.write(header.data(), header.size());
     file.write(values.data(), values.size_bytes());
   });
@@ -103,16 +101,16 @@ Drawing picture_of(const Channels& channels, Channel channel, bool all_rays) {
 } // namespace
 
 std::vector<Channel> parse_channels(const std::string& names) {
-  std::vector<Channel> channels;
-  std::istringstream list(names);
-  list.exceptions(std::ios::badbit); // else what memory doesn't suffice for would be taken for the end
   const auto fail = [](const std::string& why) { throw Error(ErrorCode::usage, "--channels", why); };
-  for (std::string name; std::getline(list, name, ',');) {
+  std::vector<std::string> words = split(names);
+  if (words.back().empty()) words.pop_back();
+  std::vector<Channel> channels;
+  for (const std::string& word : words) {
     const auto* const found =
-        std::ranges::find_if(all_channels, [&](Channel channel) { return name == name_of(channel); });
+        std::ranges::find_if(all_channels, [&](Channel channel) { return word == name_of(channel); });
     if (found == std::end(all_channels))
-      fail(fmt::format("'{}' isn't one of depth, normal, object, primitive, cells, tests", name));
-    if (std::ranges::count(channels, *found) > 0) fail(fmt::format("'{}' is there twice", name));
+      fail(fmt::format("'{}' isn't one of depth, normal, object, primitive, cells, tests", word));
+    if (std::ranges::count(channels, *found) > 0) fail(fmt::format("'{}' is there twice", word));
     channels.push_back(*found);
   }
   if (channels.empty() || names.ends_with(',')) fail(fmt::format("'{}' isn't a list of channels", names));
@@ -126,17 +124,19 @@ ChannelFiles channel_files(const std::string& picture, Channel channel, ChannelF
   return {base + (format == ChannelFormat::npy ? ".npy" : ".pfm"), base + ".png"};
 }
 
-ChannelsSummary write_channels(const Tracer& tracer, const ChannelsJob& job,
-                               const std::function<void(double)>& progress) {
+TracingReport write_channels(const Tracer& tracer, const ChannelsJob& job,
+                             const std::function<void(double)>& progress) {
   const Stopwatch watch;
-  ChannelsSummary summary;
+  TracingReport report;
+  report.views = job.views.size();
   const auto views = static_cast<double>(job.views.size());
   for (std::size_t i = 0; i < job.views.size(); ++i) {
     ChannelsRequest request = job.request;
     request.frame.camera = job.views[i].camera;
     request.frame.progress = [&](double share) { progress((static_cast<double>(i) + share) / views); };
     const Channels channels = trace_channels(tracer, request);
-    summary.rays += static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
+    report.totals.rays +=
+        static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
     for (const Channel channel : request.channels) {
       const ChannelFiles files = channel_files(job.pictures[i], channel, job.format);
       job.format == ChannelFormat::npy ? write_npy(channels, channel, files.values)
@@ -144,8 +144,8 @@ ChannelsSummary write_channels(const Tracer& tracer, const ChannelsJob& job,
       write_png(picture_of(channels, channel, request.all_rays), files.picture, job.texts);
     }
   }
-  summary.seconds = watch.seconds();
-  return summary;
+  report.elapsed_seconds = watch.seconds();
+  return report;
 }
 
 } // namespace masu

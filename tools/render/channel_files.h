@@ -4,6 +4,7 @@
 #include "renderer/channels.h"
 #include "renderer/image/png_file.h"
 #include "tools/render/views.h"
+#include "tools/report/tracing_report.h"
 
 #include <functional>
 #include <string>
@@ -25,21 +26,16 @@ ChannelFiles channel_files(const std::string& picture, Channel channel, ChannelF
 struct ChannelsJob {
   ChannelsRequest request{}; // of every view but for the camera
   std::vector<View> views{};
-  std::vector<std::string> pictures{}; // names, a view each: channel_files() says what is written
+  std::vector<std::string> pictures{}; // names, one for each view: channel_files() says what is written
   ChannelFormat format = ChannelFormat::pfm;
   PngTexts texts{};
 };
 
-struct ChannelsSummary {
-  std::uint64_t rays = 0; // camera rays
-  double seconds = 0;     // of tracing and writing
-};
-
 // Traces and writes one view after the other. PFM: float32, one channel, of normals three; .npy: shape (rows,
 // columns), of normals (rows, columns, 3), float32 for depth and normals, int32 for objects and primitives,
-// uint32 for cells and tests. `progress` gets the finished share. Throws as trace_channels() does, and
-// Error(output).
-ChannelsSummary write_channels(const Tracer& tracer, const ChannelsJob& job,
-                               const std::function<void(double)>& progress);
+// uint32 for cells and tests. `progress` gets the finished share. The report has the camera rays' number and
+// the seconds of tracing and writing together. Throws as trace_channels() does, and Error(output).
+TracingReport write_channels(const Tracer& tracer, const ChannelsJob& job,
+                             const std::function<void(double)>& progress);
 
 } // namespace masu

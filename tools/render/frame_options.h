@@ -20,7 +20,7 @@ struct FrameOptions {
   void add_camera(CLI::App& app);    // --size, --from, --at, --up, --angle
   void add_sampling(CLI::App& app);  // --sampling, --hither
   void add_secondary(CLI::App& app); // --depth, --spd-rules
-  // Whether another camera than the scene's is asked for.
+  // Whether options change the scene's camera.
   bool changes_camera() const;
   // The scene's, changed; whether it can see isn't checked. Throws Error(usage).
   Camera camera(const SceneFile& scene) const;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
+#include <utility>
 
 namespace masu {
 namespace {
@@ -17,6 +19,15 @@ struct PngPartHead {
   std::int32_t rows;
   std::uint32_t adler;
 };
+
+// Of a part of a PNG file.
+PngRows png_rows(std::span<const std::uint8_t> part) {
+  PngPartHead head{};
+  if (part.size() < sizeof head)
+    throw Error(ErrorCode::output, "PNG", "a band of it was changed while it was written: run again");
+  std::memcpy(&head, part.data(), sizeof head);
+  return {head.rows, head.adler, {part.begin() + sizeof head, part.end()}};
+}
 
 } // namespace
 
@@ -49,49 +60,48 @@ std::uint64_t PictureBands::first_hit(std::size_t band) const {
   return static_cast<std::uint64_t>(first_row(band)) * static_cast<std::uint64_t>(rays_.columns);
 }
 
-std::uint64_t PictureBands::picture_offset(std::size_t band, ImageFormat format) const {
-  if (format == ImageFormat::pfm) {
-    if (is_last(band)) return 0; // the bottom, which the file begins with
-    const auto below = static_cast<std::uint64_t>(height_ - first_row(band) - rows(band));
-    return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
-  }
-  // Compression enlarges nothing by more than that.
-  const std::uint64_t row_bytes = 3 * static_cast<std::uint64_t>(width()) + 1,
-                      band_bytes = row_bytes * static_cast<std::uint64_t>(band_rows_);
-  return band * (band_bytes + band_bytes / 64 + (std::uint64_t{1} << 16));
-}
-
-FilePart PictureBands::picture(std::size_t band, const Frame& frame, const ImageOptions& options) const {
-  FilePart part{picture_offset(band, options.format), {}};
+std::vector<std::uint8_t> PictureBands::picture(std::size_t band, const Frame& frame,
+                                                const ImageOptions& options) const {
   if (options.format == ImageFormat::pfm) {
-    part.bytes = pfm_rows(frame, sampling_);
+    std::vector<std::uint8_t> bytes = pfm_rows(frame, sampling_);
     const std::string head = is_last(band) ? pfm_head(width(), height_) : "";
-    part.bytes.insert(part.bytes.begin(), head.begin(), head.end());
-    return part;
+    bytes.insert(bytes.begin(), head.begin(), head.end());
+    return bytes;
   }
   const PngRows encoded = encoded_rows(rgb_rows(frame, sampling_, options.srgb), width(), is_last(band));
   const PngPartHead head{encoded.rows, encoded.adler};
-  part.bytes.resize(sizeof head);
-  std::memcpy(part.bytes.data(), &head, sizeof head);
-  part.bytes.insert(part.bytes.end(), encoded.chunks.begin(), encoded.chunks.end());
-  return part;
+  std::vector<std::uint8_t> bytes(sizeof head);
+  std::memcpy(bytes.data(), &head, sizeof head);
+  bytes.insert(bytes.end(), encoded.chunks.begin(), encoded.chunks.end());
+  return bytes;
+}
+
+// The bottom band comes first in the file, with the head.
+std::uint64_t PictureBands::pfm_offset(std::size_t band) const {
+  if (is_last(band)) return 0;
+  const auto below = static_cast<std::uint64_t>(height_ - first_row(band) - rows(band));
+  return pfm_head(width(), height_).size() + below * static_cast<std::uint64_t>(width()) * sizeof(Vec3f);
+}
+
+PartedForm PictureBands::picture_form(ImageFormat format, std::function<PngTexts()> texts) const {
+  if (format == ImageFormat::pfm) {
+    const std::uint64_t pixels = static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_);
+    return {count(), [this](std::uint64_t band) { return pfm_offset(band); },
+            pfm_head(width(), height_).size() + pixels * sizeof(Vec3f)};
+  }
+  // Compression enlarges nothing by more than this.
+  const std::uint64_t row_bytes = 3 * static_cast<std::uint64_t>(width()) + 1,
+                      band_bytes = row_bytes * static_cast<std::uint64_t>(band_rows_),
+                      slot_bytes = band_bytes + band_bytes / 64 + (std::uint64_t{1} << 16);
+  return {count(), [slot_bytes](std::uint64_t band) { return band * slot_bytes; }, 0,
+          [this, texts = std::move(texts)](OutputFile& file) {
+            const auto writer = std::make_shared<PngWriter>(file, width(), height_, texts());
+            return [writer](std::span<const std::uint8_t> part) { writer->write(png_rows(part)); };
+          }};
 }
 
 std::uint64_t PictureBands::hit_count() const {
   return static_cast<std::uint64_t>(rays_.columns) * static_cast<std::uint64_t>(rays_.rows);
-}
-
-std::uint64_t PictureBands::pfm_bytes() const {
-  return pfm_head(width(), height_).size() +
-         static_cast<std::uint64_t>(width()) * static_cast<std::uint64_t>(height_) * sizeof(Vec3f);
-}
-
-PngRows png_rows(std::span<const std::uint8_t> part) {
-  PngPartHead head{};
-  if (part.size() < sizeof head)
-    throw Error(ErrorCode::output, "PNG", "a band of it was changed while it was written: run again");
-  std::memcpy(&head, part.data(), sizeof head);
-  return {head.rows, head.adler, {part.begin() + sizeof head, part.end()}};
 }
 
 } // namespace masu

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/image/image.h"
-#include "tools/jobs/placed_file.h"
+#include "tools/jobs/parted_file.h"
 
 namespace masu {
 
@@ -23,28 +23,24 @@ public:
   std::uint64_t rays_counted(std::size_t band) const;
   std::size_t largest_band_rays() const;
 
-  // Of a band's frame: 8-byte records of the hits, and the picture's rows. A PFM file's rows are where they
-  // belong in the file, with its head. A PNG file's have no place before those above them are known: their
-  // offset is that of a slot (partial_file.h) with room for any of them, and png_rows() reads them.
+  // What a band's frame gives for the picture's files: 8-byte records of the hits, and rows of the picture. A
+  // PFM file's have the file's head with them; a PNG file's are encoded, and follow each other.
   std::vector<std::uint8_t> hits(std::size_t band, const Frame& frame) const;
-  std::uint64_t first_hit(std::size_t band) const; // its index in the picture
-  FilePart picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
-  std::uint64_t picture_offset(std::size_t band, ImageFormat format) const;
+  std::vector<std::uint8_t> picture(std::size_t band, const Frame& frame, const ImageOptions& options) const;
+  // How these make the picture's file. `texts`: a PNG file's. The bands outlive the form.
+  PartedForm picture_form(ImageFormat format, std::function<PngTexts()> texts) const;
 
-  // Of the whole files.
-  std::uint64_t hit_count() const;
-  std::uint64_t pfm_bytes() const;
+  std::uint64_t first_hit(std::size_t band) const; // its index in the picture
+  std::uint64_t hit_count() const;                 // of the whole picture
 
 private:
   std::int32_t first_row(std::size_t band) const { return static_cast<std::int32_t>(band) * band_rows_; }
+  std::uint64_t pfm_offset(std::size_t band) const;
   std::int32_t rows(std::size_t band) const { return std::min(band_rows_, height_ - first_row(band)); }
 
   RayWindow rays_;
   Sampling sampling_;
   std::int32_t more_, height_, band_rows_; // more_: rows and columns of rays than of pixels
 };
-
-// Of a PNG part.
-PngRows png_rows(std::span<const std::uint8_t> part);
 
 } // namespace masu

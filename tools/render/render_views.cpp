@@ -4,10 +4,12 @@
 #include "libscene/base/stopwatch.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
+#include "tools/render/picture_bands.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -16,7 +18,7 @@
 namespace masu {
 namespace {
 
-// By what a picture could be made again; it must not tell how it was traced, which makes no difference.
+// By what a picture could be made again. How it was traced makes no difference, and isn't mentioned.
 std::string description(const Camera& camera, const FrameRequest& frame) {
   const auto vector = [](const Vec3d& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
   std::string text =
@@ -50,6 +52,7 @@ struct Layout {
   std::size_t view_of(std::size_t task) const {
     return static_cast<std::size_t>(std::ranges::upper_bound(first_tasks, task) - 1 - first_tasks.begin());
   }
+  bool has_parts(std::size_t view) const { return bands[view].count() > 1; }
   // Bytes of the largest frame and of what is made of it.
   std::size_t largest_task() const {
     std::size_t rays = 0;
@@ -59,103 +62,60 @@ struct Layout {
   }
 };
 
-// Where the views' bands go, by several processes or runs: into partial files, or whole files of one band.
-class SharedFiles {
-public:
-  SharedFiles(const ViewsRequest& request, const Layout& layout) : request_(request), layout_(layout) {
-    for (std::size_t view = 0; view < request.views.size(); ++view) {
-      const auto name = [&](const std::string& file) {
-        if (file.empty()) return file;
-        const std::string partial = partial_name(file); // can it have one?
-        return is_in_parts(view) ? partial : file;
-      };
-      names_.push_back({name(request.files[view].picture), name(request.files[view].hits)});
-    }
-  }
-
-  bool is_in_parts(std::size_t view) const { return layout_.bands[view].count() > 1; }
-
-  std::vector<FileRange> written_by(std::uint64_t task) const {
-    const std::size_t view = layout_.view_of(task), band = task - layout_.first_tasks[view];
-    const PictureBands& bands = layout_.bands[view];
-    const auto& [picture, hits] = names_[view];
-    std::vector<FileRange> ranges;
-    if (!is_in_parts(view)) {
-      for (const std::string& file : {picture, hits})
-        if (!file.empty()) ranges.push_back({file});
-      return ranges;
-    }
-    const ImageFormat format = request_.image.format;
-    if (!picture.empty())
-      ranges.push_back(
-          {picture, bands.picture_offset(band, format), format == ImageFormat::pfm ? bands.pfm_bytes() : 0});
-    if (!hits.empty())
-      ranges.push_back(format_of_hits(view).range(hits, band, bands.first_hit(band), bands.hit_count()));
-    return ranges;
-  }
-
-  std::vector<FileRange> write(std::size_t view, std::size_t band, const Frame& frame) const {
-    const PictureBands& bands = layout_.bands[view];
-    const auto& [picture, hits] = names_[view];
-    std::vector<FileRange> ranges;
-    if (!picture.empty()) {
-      FilePart part = bands.picture(band, frame, request_.image);
-      const bool has_slot = request_.image.format == ImageFormat::png;
-      ranges.push_back(write_part(picture, has_slot ? in_slot(std::move(part)) : std::move(part)));
-    }
-    if (!hits.empty())
-      ranges.push_back(
-          write_part(hits, format_of_hits(view).part(band, bands.first_hit(band), bands.hits(band, frame),
-                                                     bands.hit_count())));
-    return ranges;
-  }
-
-  // When all bands of a view in parts are there: its files.
-  void finish(std::size_t view, const PngTexts& texts) const {
-    const PictureBands& bands = layout_.bands[view];
-    const auto& [picture, hits] = request_.files[view];
-    if (!hits.empty()) {
-      std::vector<std::uint64_t> firsts;
-      for (std::size_t band = 0; band < bands.count(); ++band)
-        firsts.push_back(bands.first_hit(band));
-      format_of_hits(view).finish(firsts, bands.hit_count());
-    }
-    if (picture.empty()) return;
-    if (request_.image.format == ImageFormat::pfm) return finish_partial(picture, bands.pfm_bytes());
-    // A PNG file's bands follow each other now that their sizes are known.
-    OutputFile file(picture);
-    PngWriter png(file, bands.width(), bands.height(), texts);
-    for (std::size_t band = 0; band < bands.count(); ++band)
-      png.write(png_rows(read_slot(names_[view].picture, bands.picture_offset(band, ImageFormat::png),
-                                   bands.picture_offset(band + 1, ImageFormat::png))));
-    file.commit();
-  }
-
-  // When all views are there: what is left of the partial files.
-  void remove_partial_files() const {
-    for (std::size_t view = 0; view < names_.size(); ++view) {
-      for (const std::string& file : {names_[view].picture, names_[view].hits})
-        if (is_in_parts(view) && !file.empty()) std::filesystem::remove(file);
-    }
-  }
-
-private:
-  HitFormat format_of_hits(std::size_t view) const {
-    return {request_.files[view].hits, request_.hit_fields};
-  }
-
-  const ViewsRequest& request_;
-  const Layout& layout_;
-  std::vector<ViewFiles> names_;
+// A file of a view, of which each band is a part.
+struct ViewFile {
+  std::string path;
+  PartedForm form;
+  std::function<std::vector<std::uint8_t>(std::size_t band, const Frame& frame)> part;
+  std::unique_ptr<PartedFile> opened{}; // where this process writes it alone
 };
 
-TaskListOf task_list_of(const ViewsRequest& request, const Layout& layout,
-                        const std::optional<SharedFiles>& files) {
+// `request` and `layout` outlive them.
+std::vector<ViewFile> files_of(const ViewsRequest& request, const Layout& layout, std::size_t view) {
+  const PictureBands& bands = layout.bands[view];
+  const auto& [picture, hits] = request.files[view];
+  std::vector<ViewFile> files;
+  if (!hits.empty()) {
+    const HitFormat format(hits, request.hit_fields);
+    files.push_back({hits,
+                     format.parts(
+                         bands.count(), [&bands](std::uint64_t band) { return bands.first_hit(band); },
+                         bands.hit_count()),
+                     [&bands, format](std::size_t band, const Frame& frame) {
+                       return format.part(bands.hits(band, frame), band == 0, bands.hit_count());
+                     }});
+  }
+  if (!picture.empty()) {
+    const auto texts = [&request, view] {
+      PngTexts all = request.image.texts;
+      all.emplace_back("View", description(request.views[view].camera, request.frame));
+      return all;
+    };
+    files.push_back({picture, bands.picture_form(request.image.format, texts),
+                     [&bands, &image = request.image](std::size_t band, const Frame& frame) {
+                       return bands.picture(band, frame, image);
+                     }});
+  }
+  return files;
+}
+
+// By several processes or runs: a file of one band is written whole, and known as a whole.
+std::vector<FileRange> ranges_of(const ViewsRequest& request, const Layout& layout, std::uint64_t task) {
+  const std::size_t view = layout.view_of(task), band = task - layout.first_tasks[view];
+  std::vector<FileRange> ranges;
+  for (const ViewFile& file : files_of(request, layout, view))
+    ranges.push_back(layout.has_parts(view) ? range_of(file.path, file.form, band) : FileRange{file.path});
+  return ranges;
+}
+
+TaskListOf task_list_of(const ViewsRequest& request, const Layout& layout, const Sharing& sharing) {
   TaskListOf tasks{request.description, {}, layout.tasks};
-  if (!files) return tasks;
-  tasks.writes = [&files](std::uint64_t task) { return files->written_by(task); };
+  if (!sharing.in_parts()) return tasks;
+  tasks.writes = [&](std::uint64_t task) { return ranges_of(request, layout, task); };
   for (std::size_t i = 0; i < request.views.size(); ++i) {
     const auto& [picture, hits] = request.files[i];
+    for (const std::string& file : {picture, hits})
+      if (!file.empty()) static_cast<void>(partial_name(file)); // can it have one?
     tasks.description +=
         fmt::format("\n{}\n{}\n{}", description(request.views[i].camera, request.frame), picture, hits);
   }
@@ -175,8 +135,7 @@ public:
   ViewsRenderer(const Tracer& tracer, const ViewsRequest& request, const Layout& layout,
                 const Sharing& sharing, const std::function<void(double)>& progress)
       : tracer_(tracer), request_(request), layout_(layout), sharing_(sharing), progress_(progress),
-        shared_(sharing.in_parts() ? std::make_optional<SharedFiles>(request, layout) : std::nullopt),
-        tasks_(sharing, task_list_of(request, layout, shared_)), outputs_(request.views.size()),
+        tasks_(sharing, task_list_of(request, layout, sharing)), outputs_(request.views.size()),
         precisions_(request.views.size()) {}
 
   // The next task's, or nothing.
@@ -203,24 +162,20 @@ public:
   // Its frame's memory then serves another task.
   void write(RenderedTask& rendered) {
     const auto& [task, view, band, frame] = rendered;
-    const PictureBands& bands = layout_.bands[view];
-    const ViewFiles& files = request_.files[view];
     const Stopwatch watch;
     std::vector<FileRange> written;
-    if (shared_ && shared_->is_in_parts(view)) {
-      written = shared_->write(view, band, frame);
+    if (sharing_.in_parts() && layout_.has_parts(view)) {
+      for (const ViewFile& file : files_of(request_, layout_, view))
+        written.push_back(write_part(file.path, file.form, band, file.part(band, frame)));
     } else {
-      FilePart picture;
-      std::vector<std::uint8_t> hits;
-      if (!files.picture.empty()) picture = bands.picture(band, frame, request_.image);
-      if (!files.hits.empty()) hits = bands.hits(band, frame);
-      output_of(view)->write(band, std::move(picture), std::move(hits));
+      write_alone(view, band, frame);
       if (tasks_.keeps_journal()) {
-        for (const std::string& file : {files.picture, files.hits})
-          if (!file.empty()) written.push_back(whole_file(file));
+        for (const ViewFile& file : files_of(request_, layout_, view))
+          written.push_back(whole_file(file.path));
       }
     }
-    const double share = tasks_.finish(task, written, {bands.rays_counted(band), 0, frame.counts});
+    const std::uint64_t rays = layout_.bands[view].rays_counted(band);
+    const double share = tasks_.finish(task, written, {rays, 0, frame.counts});
     const std::lock_guard lock(mutex_);
     report_.seconds += frame.seconds;
     report_.write_seconds += watch.seconds();
@@ -233,14 +188,21 @@ public:
     Ranks& ranks = sharing_.ranks;
     const Stopwatch watch;
     ranks.wait_for_all([&] { progress_(tasks_.share()); });
-    for (std::size_t view = 0; view < layout_.bands.size(); ++view) {
-      if (shared_->is_in_parts(view) &&
-          static_cast<int>(view % static_cast<std::size_t>(ranks.count())) == ranks.rank())
-        shared_->finish(view, image_of(view).texts);
-    }
+    const auto for_each_file_in_parts = [&](const auto& act) {
+      for (std::size_t view = 0; view < layout_.bands.size(); ++view)
+        if (layout_.has_parts(view))
+          for (const ViewFile& file : files_of(request_, layout_, view))
+            act(view, file);
+    };
+    for_each_file_in_parts([&](std::size_t view, const ViewFile& file) {
+      if (static_cast<int>(view % static_cast<std::size_t>(ranks.count())) == ranks.rank())
+        finish_parts(file.path, file.form);
+    });
     ranks.wait_for_all();
     if (ranks.rank() == 0) {
-      shared_->remove_partial_files();
+      for_each_file_in_parts([](std::size_t, const ViewFile& file) {
+        std::filesystem::remove(partial_name(file.path)); // of parts that were copied
+      });
       tasks_.remove_journals();
     }
     report_.write_seconds += watch.seconds();
@@ -248,7 +210,8 @@ public:
 
   // Collective.
   TracingReport report() {
-    report_.tasks = layout_.tasks;
+    report_.views = request_.views.size();
+    report_.overlaps_writing = layout_.tasks > 1 || sharing_.in_parts();
     report_.totals = tasks_.totals();
     sum_up(sharing_.ranks, report_);
     if (request_.frame.tracing.precision == Precision::automatic) report_precisions();
@@ -279,12 +242,6 @@ private:
         std::ranges::count_if(doubled, [](std::uint64_t ranks) { return ranks > 0; }));
   }
 
-  ImageOptions image_of(std::size_t view) const {
-    ImageOptions image = request_.image;
-    image.texts.emplace_back("View", description(request_.views[view].camera, request_.frame));
-    return image;
-  }
-
   // A frame that was written, or an empty one.
   Frame spare_frame() {
     const std::lock_guard lock(mutex_);
@@ -294,27 +251,39 @@ private:
     return frame;
   }
 
-  // Opened by the view's first band, and let go by the last.
-  std::shared_ptr<ViewOutput> output_of(std::size_t view) {
-    const std::lock_guard lock(mutex_);
-    Output& output = outputs_[view];
-    if (output.bands == 0)
-      output.files = std::make_shared<ViewOutput>(request_.files[view], layout_.bands[view], image_of(view),
-                                                  request_.hit_fields);
-    return ++output.bands == layout_.bands[view].count() ? std::move(output.files) : output.files;
-  }
-
+  // A view while this process writes its files alone.
   struct Output {
-    std::size_t bands = 0; // that have come
-    std::shared_ptr<ViewOutput> files;
+    bool is_open = false;
+    std::vector<ViewFile> files;
+    std::atomic<std::size_t> written = 0; // bands
   };
+
+  // The first band that comes opens the view's files, and the last one commits them.
+  void write_alone(std::size_t view, std::size_t band, const Frame& frame) {
+    Output& output = outputs_[view];
+    {
+      const std::lock_guard lock(mutex_);
+      if (!output.is_open) {
+        std::vector<ViewFile> files = files_of(request_, layout_, view);
+        for (ViewFile& file : files)
+          file.opened = std::make_unique<PartedFile>(file.path, file.form);
+        output.files = std::move(files);
+        output.is_open = true;
+      }
+    }
+    for (const ViewFile& file : output.files)
+      file.opened->write(band, file.part(band, frame));
+    if (++output.written < layout_.bands[view].count()) return;
+    for (const ViewFile& file : output.files)
+      file.opened->commit();
+    output.files.clear();
+  }
 
   const Tracer& tracer_;
   const ViewsRequest& request_;
   const Layout& layout_;
   const Sharing& sharing_;
   const std::function<void(double)>& progress_;
-  std::optional<SharedFiles> shared_;
   TaskList tasks_;
   std::mutex mutex_; // of what follows
   std::vector<Output> outputs_;

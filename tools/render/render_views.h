@@ -4,7 +4,7 @@
 
 #include "renderer/image/image.h"
 #include "renderer/tracer.h"
-#include "tools/render/view_output.h"
+#include "tools/lists/hit_file.h"
 #include "tools/render/views.h"
 #include "tools/report/tracing_report.h"
 
@@ -14,14 +14,19 @@
 
 namespace masu {
 
+// The files of a view; an empty name: not written. - is standard output.
+struct ViewFiles {
+  std::string picture, hits;
+};
+
 struct ViewsRequest {
   FrameRequest frame{}; // of every view but for the camera
   std::vector<View> views{};
-  std::vector<ViewFiles> files{};        // a view each
-  ImageOptions image{};                  // texts: the same for all views, and then each view's own
-  std::vector<RecordField> hit_fields{}; // of HitRecord
-  std::string description{};             // of the scene and of the options that the files depend on
-  int repeat = 1;                        // trace each view so often; seconds are medians
+  std::vector<ViewFiles> files{};     // one for each view
+  ImageOptions image{};               // texts: the same for all views, and then each view's own
+  std::vector<HitField> hit_fields{}; // of HitRecord
+  std::string description{};          // of the scene and of the options that the files depend on
+  int repeat = 1;                     // trace each view so often; seconds are medians
 };
 
 // Collective (tools/jobs/ranks.h). Files are the same bytes for any number of ranks, devices and threads.

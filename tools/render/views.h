@@ -46,7 +46,7 @@ struct View {
   Camera camera;
 };
 
-// Reads a list, a JSON object a line: name, from, at, up [x, y, z], angle (degrees), size [width, height].
+// Reads a list, a JSON object per line: name, from, at, up [x, y, z], angle (degrees), size [width, height].
 // What a line leaves out is the base's, a missing name the view's index. - is standard input. Throws
 // Error(input, "path:line", …) for whatever isn't such an object, for a camera with a fault, and for a name
 // that isn't safe in a file name or that another view has.

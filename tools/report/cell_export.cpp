@@ -11,7 +11,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <iterator>
 
 namespace masu {
@@ -19,35 +18,28 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-constexpr std::uint64_t corners_a_cell = 8, faces_a_cell = 6, edges_a_cell = 12;
-constexpr std::uint64_t most_ply_cells = 0x7fffffff / corners_a_cell; // corners are numbered by 32 bits
+constexpr std::uint64_t corners_per_cell = 8, faces_per_cell = 6, edges_per_cell = 12;
+constexpr std::uint64_t most_ply_cells = 0x7fffffff / corners_per_cell; // corners are numbered by 32 bits
+
+using Edge = std::array<std::uint32_t, 2>; // corners
 
 // Corner i has the upper x, y or z where bit 0, 1 or 2 of i is set. Counter-clockwise seen from outside.
-constexpr std::array<std::array<std::uint32_t, 4>, faces_a_cell> faces{
+constexpr std::array<std::array<std::uint32_t, 4>, faces_per_cell> faces{
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
-constexpr std::array<std::array<std::uint32_t, 2>, edges_a_cell> edges{
+constexpr std::array<Edge, edges_per_cell> edges{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-class Bytes {
-public:
-  explicit Bytes(OutputFile& file) : file_(file) {}
-
-  template <class Value>
-  void put(Value value) {
-    if (size_ + sizeof value > buffer_.size()) flush();
-    std::memcpy(buffer_.data() + size_, &value, sizeof value);
-    size_ += sizeof value;
-  }
-  void flush() {
-    file_.write(buffer_.data(), size_);
-    size_ = 0;
-  }
-
-private:
-  OutputFile& file_;
-  std::array<std::uint8_t, 4096> buffer_{};
-  std::size_t size_ = 0;
+// Records of a PLY.
+struct [[gnu::packed]] Corner {
+  double position[3];
+  Rgb color;
+  float quality;
 };
+struct [[gnu::packed]] Face {
+  std::uint8_t count;
+  std::array<std::uint32_t, 4> corners;
+};
+static_assert(sizeof(Corner) == 31 && sizeof(Face) == 17);
 
 void for_each_exported(const GridFile& file, const CellExport& options,
                        const std::function<void(const StructureBox&)>& act) {
@@ -101,47 +93,40 @@ void write_ply(const GridFile& file, const CellExport& options, OutputFile& out)
                 fmt::format("a PLY can't hold {} cells: give --occupied or --within, or write a CSV", cells));
   const std::string shapes =
       options.wireframe
-          ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n", cells * edges_a_cell)
-          : fmt::format("element face {}\nproperty list uchar int vertex_indices\n", cells * faces_a_cell);
+          ? fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n",
+                        cells * edges_per_cell)
+          : fmt::format("element face {}\nproperty list uchar int vertex_indices\n", cells * faces_per_cell);
   const std::string head = fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment Masu {} {}: cells of a grid; quality is the number of "
       "references\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\nproperty "
       "uchar "
       "red\nproperty uchar green\nproperty uchar blue\nproperty float quality\n{}end_header\n",
-      version, commit, cells * corners_a_cell, shapes);
+      version, commit, cells * corners_per_cell, shapes);
   out.write(head.data(), head.size());
 
   const ColorMap map;
   const double range = std::log(std::max<double>(most, 2));
-  Bytes bytes(out);
   for_each_exported(file, options, [&](const StructureBox& cell) {
     const Boxd& box = options.expanded ? cell.expanded : cell.box;
     constexpr Rgb empty{230, 230, 230};
     const Rgb color = cell.references == 0 ? empty : map(1 - std::log(cell.references) / range);
-    for (std::uint32_t corner = 0; corner < corners_a_cell; ++corner) {
-      for (int axis = 0; axis < 3; ++axis)
-        bytes.put((corner >> axis & 1) != 0 ? box.max[axis] : box.min[axis]);
-      bytes.put(color[0]);
-      bytes.put(color[1]);
-      bytes.put(color[2]);
-      bytes.put(static_cast<float>(cell.references));
+    std::array<Corner, corners_per_cell> corners{};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto side = [&](int axis) { return (i >> axis & 1) != 0 ? box.max[axis] : box.min[axis]; };
+      corners[i] = {{side(0), side(1), side(2)}, color, static_cast<float>(cell.references)};
     }
+    out.write(corners.data(), sizeof corners);
   });
   for (std::uint64_t cell = 0; cell < cells; ++cell) {
-    const auto first = static_cast<std::uint32_t>(cell * corners_a_cell);
-    if (options.wireframe) {
-      for (const auto& edge : edges)
-        for (const std::uint32_t corner : edge)
-          bytes.put(first + corner);
-    } else {
-      for (const auto& face : faces) {
-        bytes.put(static_cast<std::uint8_t>(face.size()));
-        for (const std::uint32_t corner : face)
-          bytes.put(first + corner);
-      }
-    }
+    const auto first = static_cast<std::uint32_t>(cell * corners_per_cell);
+    std::array<Edge, edges_per_cell> lines = edges;
+    std::array<Face, faces_per_cell> quads{};
+    for (Edge& line : lines)
+      line = {first + line[0], first + line[1]};
+    for (std::size_t i = 0; i < quads.size(); ++i)
+      quads[i] = {4, {first + faces[i][0], first + faces[i][1], first + faces[i][2], first + faces[i][3]}};
+    options.wireframe ? out.write(lines.data(), sizeof lines) : out.write(quads.data(), sizeof quads);
   }
-  bytes.flush();
 }
 
 } // namespace

@@ -1,50 +1,141 @@
 #include "tools/report/grid_report.h"
 
 #include "libgrid/statistics/cells.h"
+#include "tools/common/cli.h"
+#include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/vector_json.h"
 
-#include <nlohmann/json.hpp>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
 
 namespace masu {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What only merged grids have; null for uniform ones, so that every report has the same keys.
-Json merged_report(const GridFile& file, const Statistics& statistics) {
-  if (!file.is_merged())
-    return {{"merge_rule", nullptr},
-            {"nested_log2", nullptr},
-            {"cells_by_size", nullptr},
-            {"expanded_cells", nullptr},
-            {"mean_expansion", nullptr}};
-  const MapStatistics& map = statistics.map;
-  Json sizes = Json::array();
-  for (std::size_t log2 = 0; log2 < map.cells_by_size.size(); ++log2) {
-    if (map.cells_by_size[log2] > 0) sizes.push_back({std::uint64_t{1} << log2, map.cells_by_size[log2]});
+// A histogram: [i, counts[i]] for each count that isn't 0; or [2^i, counts[i]].
+Json histogram_of(const std::vector<std::uint64_t>& counts, bool by_powers = false) {
+  Json pairs = Json::array();
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] > 0) pairs.push_back({by_powers ? std::uint64_t{1} << i : i, counts[i]});
+  return pairs;
+}
+
+Json seconds_json(const fb::Grid& table) {
+  return table.build_seconds() >= 0 ? Json(table.build_seconds()) : Json();
+}
+
+std::string geometry_hash(const fb::Grid& table) {
+  return to_hex({table.geometry_hash()->low(), table.geometry_hash()->high()});
+}
+
+// --- CSV --------------------------------------------------------------------------------------------------
+
+std::string quoted_where_needed(const std::string& text) {
+  std::string line = printable(text);
+  if (line.find_first_of(",\"") == std::string::npos) return line;
+  std::string quoted = "\"";
+  for (const char c : line)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+// A line of the names, those of nested keys joined by points, and one of the values: what a report doesn't
+// have (null) is empty, text is quoted where it must be.
+void print_csv(const Json& report) {
+  std::vector<std::string> names, values;
+  const Json flat = report.flatten();
+  for (const auto& [path, value] : flat.items()) {
+    names.push_back(path.substr(1));
+    std::ranges::replace(names.back(), '/', '.');
+    values.push_back(value.is_null()     ? std::string()
+                     : value.is_string() ? quoted_where_needed(value.get<std::string>())
+                                         : value.dump());
   }
-  return {{"merge_rule", file.table().merge_rule()->str()},
-          {"nested_log2", file.table().nested_log2()},
-          {"cells_by_size", sizes},
-          {"expanded_cells", map.expanded_cells},
-          {"mean_expansion", map.mean_expansion}};
+  fmt::print("{}\n{}\n", fmt::join(names, ","), fmt::join(values, ","));
+}
+
+// --- Tables -----------------------------------------------------------------------------------------------
+
+constexpr Rows print_row{28};
+
+std::string by_by(const Vec3i& n) {
+  return fmt::format("{} x {} x {}", n.x, n.y, n.z);
+}
+
+void print_table(const GridFile& file, const Statistics& statistics) {
+  const GridStatistics& s = statistics.cells;
+  const MapStatistics& map = statistics.map;
+  const fb::Grid& table = file.table();
+  const fb::Vec3 &low = table.space()->min(), &high = table.space()->max();
+  print_row("space", "({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {}", low.x(), low.y(), low.z(), high.x(),
+            high.y(), high.z(), fb::EnumNameSpace(table.space_rule()));
+  print_row("division", "{} ({})", by_by(file.layout().division), printable(table.division_rule()->str()));
+  if (table.nested_log2() > 0)
+    print_row("  smallest voxels", "{}, 2^{} times finer", by_by(statistics.division), table.nested_log2());
+  print_row("voxels", "{}", map.voxels);
+  print_row("  occupied", "{} ({:.3g} %)", map.occupied_voxels, percent(map.occupied_voxels, map.voxels));
+  print_row("  empty", "{}", map.voxels - map.occupied_voxels);
+  print_row("cells", "{}, {} occupied", s.cells, s.occupied_cells);
+  if (file.is_merged())
+    print_row("  expanded", "{}; boxes {:.3g} times their cells' own voxels (geometric mean)",
+              map.expanded_cells, map.mean_expansion);
+  print_row("references", "{}", s.references);
+  print_row("  per occupied cell",
+            "mean {:.2f}, stddev {:.2f} ({:.2f} of the mean), median {:g}, 99 % {}, least {}, most {}",
+            s.mean, s.stddev, statistics.evenness(), s.median, s.p99, s.min, s.max);
+  print_row("map words by level", "{}; {:.2f} loads for a random point", fmt::join(map.words, ", "),
+            map.loads);
+  print_row("expected per ray", "{:.2f} cells, {:.2f} tests, {:.2f} voxels skipped", map.ray.cells,
+            map.ray.tests, map.ray.voxels_skipped);
+  print_row("bytes", "{} (voxel map {}, cells {}, references {})", file.bytes(),
+            file.voxel_map().size_bytes(), file.cells().size_bytes(), file.references().size_bytes());
+  print_row("merge, overlap", "{}, {}",
+            file.is_merged() ? printable(table.merge_rule()->str()) : fb::EnumNameMerge(table.merge()),
+            fb::EnumNameOverlap(table.overlap()));
+  print_row("geometry", "{}", geometry_hash(table));
+}
+
+void print_table(const GridFile& file, const HierarchyStatistics& s) {
+  print_row("nodes", "{}, {} deep", s.nodes, s.depth);
+  print_row("  boxes of nodes", "{}", s.node_boxes);
+  print_row("  boxes of references", "{}", s.reference_boxes);
+  print_row("  boxes a node", "{:.2f} of 8", s.boxes_per_node);
+  print_row("references", "{} to {} primitives", s.references, file.table().primitives());
+  print_row("expected per ray", "{:.2f} nodes, {:.2f} tests", s.nodes_per_ray, s.tests_per_ray);
+  print_row("bytes", "{} (nodes {}, references {})", file.bytes(), file.nodes().size_bytes(),
+            file.references().size_bytes());
+  print_row("structure", "bvh");
+  print_row("geometry", "{}", geometry_hash(file.table()));
+}
+
+// A line with a bar of characters for each pair of a histogram.
+void print_bars(const char* head, const char* counted, const Json& histogram) {
+  std::uint64_t most = 1;
+  for (const Json& pair : histogram)
+    most = std::max(most, pair[1].get<std::uint64_t>());
+  fmt::print("\n{:>15} {:>10}\n", head, counted);
+  for (const Json& pair : histogram) {
+    const auto count = pair[1].get<std::uint64_t>();
+    const double bar = 50 * static_cast<double>(count) / static_cast<double>(most);
+    fmt::print("{:>15} {:>10} {}\n", pair[0].get<std::uint64_t>(), count,
+               std::string(static_cast<std::size_t>(bar), '#'));
+  }
 }
 
 } // namespace
 
 Statistics::Statistics(const GridFile& file) {
-  if (file.is_merged()) {
-    const auto view = file.merged_view<double>();
-    cells = grid_statistics(view, file.cells());
-    map = map_statistics(view, file.cells());
+  const auto look_at = [this](const auto& view, const auto& records) {
+    cells = grid_statistics(view, records);
+    map = map_statistics(view, records);
     division = view.division;
-  } else {
-    const auto view = file.view<double>();
-    cells = grid_statistics(view, file.references());
-    map = map_statistics(view, file.references());
-    division = view.division;
-  }
+  };
+  file.is_merged() ? look_at(file.merged_view<double>(), file.cells())
+                   : look_at(file.view<double>(), file.references());
 }
 
 Json grid_report(const GridFile& file, const Statistics& statistics, bool histogram) {
@@ -52,13 +143,10 @@ Json grid_report(const GridFile& file, const Statistics& statistics, bool histog
   const MapStatistics& map = statistics.map;
   const fb::Grid& table = file.table();
   const fb::Division& n = *table.division();
-  const Boxd space = finest_layout(file).space;
-  const Vec3i& smallest = statistics.division;
-  const auto bytes = [](const auto& records) { return records.size_bytes(); };
   Json json{
-      {"space", {{"min", vector_json(space.min)}, {"max", vector_json(space.max)}}},
+      {"space", finest_layout(file).space},
       {"division", {n.x(), n.y(), n.z()}},
-      {"smallest_division", {smallest.x, smallest.y, smallest.z}},
+      {"smallest_division", statistics.division},
       {"voxels", map.voxels},
       {"occupied_voxels", map.occupied_voxels},
       {"empty_voxels", map.voxels - map.occupied_voxels},
@@ -80,25 +168,81 @@ Json grid_report(const GridFile& file, const Statistics& statistics, bool histog
        {{"cells", map.ray.cells}, {"tests", map.ray.tests}, {"voxels_skipped", map.ray.voxels_skipped}}},
       {"bytes",
        {{"file", file.bytes()},
-        {"voxel_map", bytes(file.voxel_map())},
-        {"cells", bytes(file.cells())},
-        {"references", bytes(file.references())}}},
+        {"voxel_map", file.voxel_map().size_bytes()},
+        {"cells", file.cells().size_bytes()},
+        {"references", file.references().size_bytes()}}},
       {"merge", fb::EnumNameMerge(table.merge())},
       {"overlap", fb::EnumNameOverlap(table.overlap())},
       {"space_rule", fb::EnumNameSpace(table.space_rule())},
       {"division_rule", table.division_rule()->str()},
-      {"geometry_hash", to_hex({table.geometry_hash()->low(), table.geometry_hash()->high()})},
-      {"build_seconds", nullptr},
+      {"geometry_hash", geometry_hash(table)},
+      {"build_seconds", seconds_json(table)},
+      // What only merged grids have; null for uniform ones, so that every report has the same keys.
+      {"merge_rule", nullptr},
+      {"nested_log2", nullptr},
+      {"cells_by_size", nullptr},
+      {"expanded_cells", nullptr},
+      {"mean_expansion", nullptr},
   };
-  if (table.build_seconds() >= 0) json["build_seconds"] = table.build_seconds();
-  json.update(merged_report(file, statistics));
+  if (file.is_merged())
+    json.update({{"merge_rule", table.merge_rule()->str()},
+                 {"nested_log2", table.nested_log2()},
+                 {"cells_by_size", histogram_of(map.cells_by_size, true)},
+                 {"expanded_cells", map.expanded_cells},
+                 {"mean_expansion", map.mean_expansion}});
   json.update(program_version());
-  if (histogram) {
-    for (std::size_t references = 0; references < s.histogram.size(); ++references) {
-      if (s.histogram[references] > 0) json["histogram"].push_back({references, s.histogram[references]});
+  if (histogram && s.occupied_cells > 0) json["histogram"] = histogram_of(s.histogram);
+  return json;
+}
+
+Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
+  const fb::Grid& table = file.table();
+  Json json{{"structure", "bvh"},
+            {"space", finest_layout(file).space},
+            {"primitives", table.primitives()},
+            {"nodes", s.nodes},
+            {"boxes_a_node", s.boxes_per_node},
+            {"node_boxes", s.node_boxes},
+            {"reference_boxes", s.reference_boxes},
+            {"references", s.references},
+            {"depth", s.depth},
+            {"expected_per_ray", {{"nodes", s.nodes_per_ray}, {"tests", s.tests_per_ray}}},
+            {"bytes",
+             {{"file", file.bytes()},
+              {"nodes", file.nodes().size_bytes()},
+              {"references", file.references().size_bytes()}}},
+            {"geometry_hash", geometry_hash(table)},
+            {"build_seconds", seconds_json(table)}};
+  if (histogram) json["histogram"] = histogram_of(s.boxes_by_references);
+  if (histogram) json["histogram_by_depth"] = histogram_of(s.boxes_by_depth);
+  json.update(program_version());
+  return json;
+}
+
+void print_grid_report(const GridFile& file, ReportFormat format, bool histogram) {
+  Json json;
+  if (file.is_hierarchy()) {
+    const HierarchyStatistics statistics = hierarchy_statistics(file.nodes());
+    json = hierarchy_report(file, statistics, histogram);
+    if (format == ReportFormat::table) print_table(file, statistics);
+  } else {
+    const Statistics statistics(file);
+    json = grid_report(file, statistics, histogram);
+    if (format == ReportFormat::table) print_table(file, statistics);
+    if (format == ReportFormat::csv) { // the map's words are added up; cells_by_size has no fixed length
+      const std::vector<std::uint64_t>& words = statistics.map.words;
+      json["map"].erase("words_by_level");
+      json["map"]["words"] = std::accumulate(words.begin(), words.end(), std::uint64_t{0});
+      json.erase("cells_by_size");
     }
   }
-  return json;
+  if (format == ReportFormat::json) return fmt::print("{}\n", json_text(json));
+  if (format == ReportFormat::csv) return print_csv(json);
+  if (!histogram) return;
+  const char* const counted = file.is_hierarchy() ? "boxes" : "cells";
+  print_bars("references", counted, json.value("histogram", Json()));
+  if (file.is_hierarchy()) print_bars("depth", counted, json["histogram_by_depth"]);
+  if (file.is_merged()) print_bars("voxels from", counted, json["cells_by_size"]);
 }
 
 } // namespace masu

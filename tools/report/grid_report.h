@@ -1,7 +1,8 @@
-// Statistics of a grid as JSON: the keys of gridstat --json.
+// Statistics of a grid or a hierarchy: what gridstat prints, and the keys of gridstat --json.
 #pragma once
 
 #include "libgrid/file/grid_file.h"
+#include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
 
@@ -9,7 +10,7 @@
 
 namespace masu {
 
-// Of cells and references, and of the voxel map.
+// Of a grid: of its cells and references, and of the voxel map.
 struct Statistics {
   GridStatistics cells;
   MapStatistics map;
@@ -22,8 +23,19 @@ struct Statistics {
   double evenness() const { return cells.mean > 0 ? cells.stddev / cells.mean : 0; }
 };
 
-// histogram: also the number of occupied cells by their references, [references, cells] each.
+// Of a grid. histogram: also the number of occupied cells by their references, [references, cells] each.
 nlohmann::ordered_json grid_report(const GridFile& file, const Statistics& statistics, bool histogram);
+
+// Of a hierarchy. histogram: also the number of boxes of references by how many they hold, [references,
+// boxes] each, and by depth.
+nlohmann::ordered_json hierarchy_report(const GridFile& file, const HierarchyStatistics& statistics,
+                                        bool histogram);
+
+enum class ReportFormat { table, json, csv };
+
+// Of a grid or a hierarchy, to standard output. CSV has the same columns for every grid. histogram: also the
+// number of occupied cells by references, and of merged cells by size; of a hierarchy as above.
+void print_grid_report(const GridFile& file, ReportFormat format, bool histogram);
 
 inline double percent(std::uint64_t part, std::uint64_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);

@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <span>
@@ -26,7 +28,7 @@ struct Report {
   std::uint64_t corner_normals = 0; // records, which smooth triangles can share
   std::uint64_t faces = 0;          // records: of the triangles, where their faces have other numbers
   std::uint64_t materials = 0, reflecting = 0, transmitting = 0, lights = 0;
-  std::int32_t width = 0, height = 0;
+  std::array<std::int32_t, 2> resolution{};
   Vec3d origin{0, 0, 0};
   Boxd bounds = empty_box<double>(); // in the world
   bool is_float64 = false;
@@ -37,33 +39,31 @@ struct Report {
   std::optional<SceneWarnings> warnings;   // of a scene in memory
 };
 
-std::uint64_t count(const std::vector<Material>& materials, bool (*property)(const Material&)) {
-  return static_cast<std::uint64_t>(std::count_if(materials.begin(), materials.end(), property));
-}
-
-template <class Triangles>
-std::uint64_t count_smooth(const Triangles& triangles) {
-  return static_cast<std::uint64_t>(
-      std::count_if(triangles.begin(), triangles.end(),
-                    [](const auto& triangle) { return triangle.normals != no_normals; }));
+// What both have in the same records.
+template <class Stored, class Face>
+Report report_of(const SceneSpans<Stored, Face>& scene, std::span<const Material> materials) {
+  const auto count = [](const auto& records, const auto& property) {
+    return static_cast<std::uint64_t>(std::ranges::count_if(records, property));
+  };
+  Report report;
+  report.triangles = scene.triangles.size();
+  report.smooth = count(scene.triangles, [](const auto& t) { return t.normals != no_normals; });
+  report.spheres = scene.spheres.size();
+  report.cones = scene.cones.size();
+  report.materials = materials.size();
+  report.reflecting = count(materials, reflects);
+  report.transmitting = count(materials, transmits);
+  report.lights = scene.lights.size();
+  return report;
 }
 
 Report report_of(const Scene& scene, const Vec3d& origin, Store store, const Float32Precision& float32) {
-  Report report;
-  report.origin = origin;
+  Report report = report_of(spans_of(scene, origin), scene.materials);
   report.objects = scene.objects;
-  report.triangles = scene.triangles.size();
-  report.smooth = count_smooth(scene.triangles);
-  report.spheres = scene.spheres.size();
-  report.cones = scene.cones.size();
   report.corner_normals = scene.normals.size();
   report.faces = scene.faces.size();
-  report.materials = scene.materials.size();
-  report.reflecting = count(scene.materials, reflects);
-  report.transmitting = count(scene.materials, transmits);
-  report.lights = scene.lights.size();
-  report.width = scene.camera.width;
-  report.height = scene.camera.height;
+  report.resolution = {scene.camera.width, scene.camera.height};
+  report.origin = origin;
   report.bounds = bounds(scene);
   report.is_float64 = store == Store::float64;
   report.float32 = float32;
@@ -73,24 +73,14 @@ Report report_of(const Scene& scene, const Vec3d& origin, Store store, const Flo
 
 template <class Stored>
 Report report_of(const SceneFile& file) {
-  const fb::Scene& table = file.table();
   const SceneView<Stored> view = file.view<Stored>();
   const SceneSpans<Stored> spans = spans_of(view);
-  const fb::ObjectCounts& objects = *table.objects();
-  Report report;
+  const fb::ObjectCounts& objects = *file.table().objects();
+  Report report = report_of(spans, {view.materials, file.counts().materials});
   report.objects = {objects.polygons(), objects.patches(), objects.spheres(), objects.cones()};
-  report.triangles = view.triangle_count;
-  report.smooth = count_smooth(spans.triangles);
-  report.spheres = view.sphere_count;
-  report.cones = view.cone_count;
   report.corner_normals = file.counts().normals;
   report.faces = view.faces != nullptr ? view.triangle_count : 0;
-  report.materials = file.counts().materials;
-  report.reflecting = table.reflective_materials();
-  report.transmitting = table.transmitting_materials();
-  report.lights = view.light_count;
-  report.width = table.camera()->width();
-  report.height = table.camera()->height();
+  report.resolution = {file.table().camera()->width(), file.table().camera()->height()};
   report.origin = file.origin();
   report.bounds = in_world(file.origin(), file.bounds());
   report.is_float64 = file.is_float64();
@@ -162,11 +152,6 @@ std::string rounding_text(const Report& r) {
 
 // --- Output ---------------------------------------------------------------------------------------------
 
-Json bounds_json(const Boxd& box) {
-  if (is_empty(box)) return nullptr;
-  return {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}};
-}
-
 // The error bound of the arithmetic that fits the store, with coordinates relative to an origin.
 double error_bound(const Report& r, const Vec3d& origin) {
   if (is_empty(r.bounds)) return 0;
@@ -209,20 +194,18 @@ Json to_json(const Report& r) {
       {"face_numbers", r.faces},
       {"materials", {{"total", r.materials}, {"reflect", r.reflecting}, {"transmit", r.transmitting}}},
       {"lights", r.lights},
-      {"resolution", {r.width, r.height}},
-      {"bounds", bounds_json(r.bounds)},
-      {"origin", vector_json(r.origin)},
+      {"resolution", r.resolution},
+      {"bounds", is_empty(r.bounds) ? Json() : Json(r.bounds)},
+      {"origin", r.origin},
       {"error_bound", error_bound(r, r.origin)},
       {"error_bound_without_origin", error_bound(r, {0, 0, 0})},
       {"store", store_name(r)},
       {"store_reason", reason_for(r).name},
       {"float32", float32_json(r)},
-      {"bytes", {{"records", record_bytes(r)}, {"file", nullptr}}},
-      {"geometry_hash", nullptr},
+      {"bytes", {{"records", record_bytes(r)}, {"file", r.file_bytes ? Json(*r.file_bytes) : Json()}}},
+      {"geometry_hash", r.geometry_hash ? Json(to_hex(*r.geometry_hash)) : Json()},
   };
   json.update(program_version());
-  if (r.file_bytes) json["bytes"]["file"] = *r.file_bytes;
-  if (r.geometry_hash) json["geometry_hash"] = to_hex(*r.geometry_hash);
   if (r.warnings) {
     json["warnings"] = {{"degenerate_polygons", r.warnings->degenerate_polygons},
                         {"degenerate_triangles", r.warnings->degenerate_triangles},
@@ -234,35 +217,33 @@ Json to_json(const Report& r) {
 }
 
 void print_table(const Report& r) {
-  const auto line = [](const char* name, const std::string& value) {
-    fmt::print("{:<12} {}\n", name, value);
-  };
+  const Rows row{12};
   const ObjectCounts& o = r.objects;
-  line("objects",
-       fmt::format("{}: polygons {}, patches {}, spheres {}, cones {}",
-                   o.polygons + o.patches + o.spheres + o.cones, o.polygons, o.patches, o.spheres, o.cones));
-  line("primitives",
-       fmt::format("{}: triangles {} ({} smooth), spheres {}, cones {}", r.triangles + r.spheres + r.cones,
-                   r.triangles, r.smooth, r.spheres, r.cones));
-  if (r.faces > 0) line("faces", fmt::format("{} numbers: triangles have others than their faces", r.faces));
-  line("materials", fmt::format("{}: {} reflect, {} transmit", r.materials, r.reflecting, r.transmitting));
-  line("lights", fmt::format("{}", r.lights));
-  line("resolution", fmt::format("{} x {}", r.width, r.height));
+  row("objects", "{}: polygons {}, patches {}, spheres {}, cones {}",
+      o.polygons + o.patches + o.spheres + o.cones, o.polygons, o.patches, o.spheres, o.cones);
+  row("primitives", "{}: triangles {} ({} smooth), spheres {}, cones {}", r.triangles + r.spheres + r.cones,
+      r.triangles, r.smooth, r.spheres, r.cones);
+  if (r.faces > 0) row("faces", "{} numbers: triangles have others than their faces", r.faces);
+  row("materials", "{}: {} reflect, {} transmit", r.materials, r.reflecting, r.transmitting);
+  row("lights", "{}", r.lights);
+  row("resolution", "{} x {}", r.resolution[0], r.resolution[1]);
   const Boxd& b = r.bounds;
-  line("bounds", is_empty(b) ? "none"
-                             : fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", b.min.x, b.min.y,
-                                           b.min.z, b.max.x, b.max.y, b.max.z));
-  const std::string bound = fmt::format("error bound {:.2g}", error_bound(r, r.origin));
-  line("origin", r.origin == Vec3d{0, 0, 0}
-                     ? fmt::format("none: {}", bound)
-                     : fmt::format("({:.17g}, {:.17g}, {:.17g}): {}, without it {:.2g}", r.origin.x,
-                                   r.origin.y, r.origin.z, bound, error_bound(r, {0, 0, 0})));
-  line("store", fmt::format("{}: {}", store_name(r), reason_for(r).text));
+  if (is_empty(b))
+    row("bounds", "none");
+  else
+    row("bounds", "({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", b.min.x, b.min.y, b.min.z, b.max.x, b.max.y,
+        b.max.z);
+  if (const double bound = error_bound(r, r.origin); r.origin == Vec3d{0, 0, 0})
+    row("origin", "none: error bound {:.2g}", bound);
+  else
+    row("origin", "({:.17g}, {:.17g}, {:.17g}): error bound {:.2g}, without it {:.2g}", r.origin.x,
+        r.origin.y, r.origin.z, bound, error_bound(r, {0, 0, 0}));
+  row("store", "{}: {}", store_name(r), reason_for(r).text);
   if (const std::string rounding = rounding_text(r); !rounding.empty())
-    line(r.is_float64 ? "  float32" : "  rounding", rounding);
-  line("bytes", fmt::format("{} of records{}", record_bytes(r),
-                            r.file_bytes ? fmt::format(", {} of file", *r.file_bytes) : ""));
-  if (r.geometry_hash) line("geometry", to_hex(*r.geometry_hash));
+    row(r.is_float64 ? "  float32" : "  rounding", "{}", rounding);
+  row("bytes", "{} of records{}", record_bytes(r),
+      r.file_bytes ? fmt::format(", {} of file", *r.file_bytes) : "");
+  if (r.geometry_hash) row("geometry", "{}", to_hex(*r.geometry_hash));
 }
 
 void print(const Report& report, bool json) {
@@ -273,14 +254,12 @@ void print(const Report& report, bool json) {
 }
 
 void print_warnings(const char* tool, const std::string& input, const SceneWarnings& warnings) {
-  const auto line = [&](std::uint64_t number, const char* what) {
-    if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
-  };
-  line(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
-  line(warnings.degenerate_triangles, "vertices on triangles without area left out");
-  line(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
-  line(warnings.degenerate_cones, "cone(s) without length or without radius left out");
-  line(warnings.self_crossing_polygons, "polygon(s) cross themselves: triangulated as well as possible");
+  const auto warn = [&](std::uint64_t number, const char* what) { print_warning(tool, input, number, what); };
+  warn(warnings.degenerate_polygons, "polygon(s) without area, which no ray can hit");
+  warn(warnings.degenerate_triangles, "vertices on triangles without area left out");
+  warn(warnings.degenerate_spheres, "sphere(s) of radius 0 left out");
+  warn(warnings.degenerate_cones, "cone(s) without length or without radius left out");
+  warn(warnings.self_crossing_polygons, "polygon(s) cross themselves: triangulated as well as possible");
 }
 
 // Of --origin; nothing for auto. Throws Error(usage).
@@ -290,6 +269,10 @@ std::optional<Vec3d> wanted_origin(const std::string& text) {
 }
 
 } // namespace
+
+void print_warning(const char* tool, const std::string& input, std::uint64_t number, const char* what) {
+  if (number > 0) print_note("{}: {}: warning: {} {}\n", tool, printable(input), number, what);
+}
 
 void SceneOutput::add_to(CLI::App& app) {
   group_options(app, "Scene file");

@@ -23,6 +23,9 @@ struct SceneOutput {
   void check() const;
 };
 
+// What a tool couldn't take from its input as it was: a line on stderr, unless `number` is 0.
+void print_warning(const char* tool, const std::string& input, std::uint64_t number, const char* what);
+
 // Writes the scene's file, warns on stderr of what `tool` couldn't take from `input` as it was, and prints
 // the report, as `output` has it. Throws as write_scene does.
 void write_and_report(const char* tool, const std::string& input, const Scene& scene,

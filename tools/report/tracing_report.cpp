@@ -3,15 +3,13 @@
 namespace masu {
 
 void sum_up(Ranks& ranks, TracingReport& report) {
-  std::vector<std::uint64_t> counts{report.totals.rays, report.totals.invalid};
-  for_each_count(report.totals.counts, report.totals.counts,
-                 [&](std::uint64_t count, std::uint64_t) { counts.push_back(count); });
-  ranks.sum(counts);
-  report.totals.rays = counts[0];
-  report.totals.invalid = counts[1];
-  std::size_t i = 2;
-  for_each_count(report.totals.counts, report.totals.counts,
-                 [&](std::uint64_t& count, std::uint64_t) { count = counts[i++]; });
+  std::vector<std::uint64_t> totals;
+  for_each_total(report.totals, report.totals,
+                 [&](std::uint64_t total, std::uint64_t) { totals.push_back(total); });
+  ranks.sum(totals);
+  std::size_t i = 0;
+  for_each_total(report.totals, report.totals,
+                 [&](std::uint64_t& total, std::uint64_t) { total = totals[i++]; });
   std::vector<double> seconds{report.seconds.upload, report.seconds.trace, report.seconds.download,
                               report.write_seconds};
   ranks.sum(seconds);

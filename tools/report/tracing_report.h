@@ -11,10 +11,12 @@ namespace masu {
 // Seconds of tracing overlap those of writing, and those of several devices each other.
 struct TracingReport {
   TaskTotals totals;
-  std::uint64_t tasks = 0;
+  std::uint64_t views = 0; // 0: a list
   TraceSeconds seconds;
   double write_seconds = 0;
-  double elapsed_seconds = 0; // from the first ray to the last byte
+  double elapsed_seconds = 0;   // from the first ray to the last byte
+  bool overlaps_writing = true; // else rays are traced in seconds.trace, and nothing is done besides
+
   // Of pictures with Precision::automatic: how many views were traced in double, and why a view was, if any
   // of this process.
   std::uint64_t double_views = 0;

@@ -1,5 +1,7 @@
 #include "tools/report/walk_text.h"
 
+#include "tools/common/vector_json.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,13 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class T>
-Json json_of(const Vec3<T>& v) {
-  return {v.x, v.y, v.z};
-}
-Json json_of(const Boxd& box) {
-  return {{"min", json_of(box.min)}, {"max", json_of(box.max)}};
-}
 Json finite(double t) {
   return std::isfinite(t) ? Json(t) : Json();
 }
@@ -37,9 +32,8 @@ Json json_of(const WalkStep& step, Structure structure) {
   Json tests = Json::array();
   for (const WalkTest& test : step.tests)
     tests.push_back({{"primitive", test.primitive}, {"t", finite(test.t)}, {"kept", test.kept}});
-  const Json voxels = is_grid(structure)
-                          ? Json{{"first", json_of(step.voxels.first)}, {"end", json_of(step.voxels.end)}}
-                          : Json();
+  const Json voxels =
+      is_grid(structure) ? Json{{"first", step.voxels.first}, {"end", step.voxels.end}} : Json();
   const WalkNode& node = step.node;
   const Json visited = structure == Structure::hierarchy ? Json{{"index", node.index},
                                                                 {"depth", node.depth},
@@ -48,7 +42,7 @@ Json json_of(const WalkStep& step, Structure structure) {
                                                                 {"boxes_beyond", node.beyond}}
                                                          : Json();
   return {{"voxels", voxels},          {"node", visited},
-          {"box", json_of(step.box)},  {"enter", finite(step.enter)},
+          {"box", step.box},           {"enter", finite(step.enter)},
           {"exit", finite(step.exit)}, {"references", step.references},
           {"tests", std::move(tests)}};
 }
@@ -60,12 +54,12 @@ Json json_of(const WalkRay& ray, Structure structure) {
   const Json hit = hits(ray) ? Json{{"t", ray.t},
                                     {"primitive", ray.primitive},
                                     {"object", ray.object},
-                                    {"position", json_of(position(ray))}}
+                                    {"position", position(ray)}}
                              : Json();
   return {{"kind", name_of(ray.kind)},
           {"parent", ray.parent < 0 ? Json() : Json(ray.parent)},
-          {"origin", json_of(ray.origin)},
-          {"direction", json_of(ray.direction)},
+          {"origin", ray.origin},
+          {"direction", ray.direction},
           {"t_min", ray.t_min},
           {"t_max", finite(ray.t_max)},
           {"hit", hit},
@@ -155,10 +149,9 @@ Json walk_json(const WalkReport& report) {
   Json rays = Json::array();
   for (const WalkRay& ray : report.rays)
     rays.push_back(json_of(ray, report.structure));
-  const Json division = is_grid(report.structure) ? json_of(report.division) : Json();
-  const Json grid = report.structure == Structure::none
-                        ? Json()
-                        : Json{{"division", division}, {"space", json_of(report.space)}};
+  const Json division = is_grid(report.structure) ? Json(report.division) : Json();
+  const Json grid =
+      report.structure == Structure::none ? Json() : Json{{"division", division}, {"space", report.space}};
   return {{"grid", grid}, {"rays", std::move(rays)}};
 }
 

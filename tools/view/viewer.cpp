@@ -13,7 +13,6 @@
 #include "tools/draw/color_map.h"
 #include "tools/report/counts_report.h"
 #include "tools/report/grid_report.h"
-#include "tools/report/hierarchy_report.h"
 #include "tools/report/slice_json.h"
 #include "tools/report/walk_text.h"
 

@@ -27,7 +27,7 @@ def write_scene(path: Path, vertices: Any = None, faces: Any = None, color: Opti
     makes arrays from. Triangle i of mesh m is primitive i plus the triangles of the meshes before m; m is its
     `geometry_ids`. Triangles without area are kept and can't be hit. `store`, the type of coordinates in the file, is
     "auto" (float32 unless its arithmetic is too coarse for the scene), "float32" or "float64". Coordinates are stored
-    relative to `origin`, so that errors follow the scene's extent and not its place in the world: by default the
+    relative to `origin`, so that errors follow the scene's extent and not its position in the world: by default the
     bounds' centre, or zero where that is nearer than half their diagonal.
 
     The file appears whole or not at all. Raises masu.Error; TypeError and ValueError for arrays of other types, shapes

@@ -96,7 +96,7 @@ def _device_name(gpus: Iterable[int]) -> str:
 
 
 class Tracer:
-    """A scene and its grid on a device, that answers queries until it is closed; also a context manager.
+    """A scene and its grid on a device, for queries until it is closed; also a context manager.
 
     scene, grid: files. Without a grid one is built on the device, as build_grid(kind="fastest") does, and kept in memory:
     that takes seconds for some million primitives, at every call, where a grid file takes them once. brute_force: instead
@@ -196,7 +196,7 @@ class Tracer:
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None,
                 relative: bool = False) -> Dict[str, Any]:
-        """The nearest hit of each ray: a dictionary of the fields asked for, each an array of the rays' leading shape.
+        """The nearest hit of each ray: a dictionary of the fields requested, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
         primitive_ids      int32: the primitive's index, -1 for a miss
@@ -216,30 +216,23 @@ class Tracer:
             if name not in _FIELDS:
                 raise ValueError("fields: {!r} isn't one of {}".format(name, ", ".join(FIELDS)))
 
-        def query(arrays: Any, handle: c_void_p, rays: int, count: int, record: QueryRecord,
-                  results: Dict[str, Any]) -> int:
-            hits = HitsRecord()
-            for name, array in results.items():
-                setattr(hits, _FIELDS[name].record, arrays.pointer(array))
-            return int(library.masu_nearest(handle, rays, count, byref(record), byref(hits)))
+        def hits(pointers: Dict[str, int]) -> Any:
+            return byref(HitsRecord(**{_FIELDS[name].record: pointer for name, pointer in pointers.items()}))
 
-        return self._query(rays, {name: _FIELDS[name] for name in chosen}, query, precision, coherent, stream, relative)
+        return self._query(library.masu_nearest, hits, {name: _FIELDS[name] for name in chosen}, rays, precision, coherent,
+                           stream, relative)
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
                  relative: bool = False) -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
-
-        def query(arrays: Any, handle: c_void_p, rays: int, count: int, record: QueryRecord,
-                  results: Dict[str, Any]) -> int:
-            pointer = arrays.pointer(results["occluded"])
-            return int(library.masu_occluded(handle, rays, count, byref(record), pointer))
-
         fields = {"occluded": _Field("", "bool", ())}
-        return self._query(rays, fields, query, precision, coherent, stream, relative)["occluded"]
+        return self._query(library.masu_occluded, lambda pointers: pointers["occluded"], fields, rays, precision, coherent,
+                           stream, relative)["occluded"]
 
-    def _query(self, rays: Any, fields: Dict[str, _Field], query: Callable[..., int], precision: str, coherent: bool,
-               stream: Any, relative: bool) -> Dict[str, Any]:
+    def _query(self, function: Callable[..., int], argument: Callable[[Dict[str, int]], Any], fields: Dict[str, _Field],
+               rays: Any, precision: str, coherent: bool, stream: Any, relative: bool) -> Dict[str, Any]:
+        """argument: the function's last one, made of the pointers to the results."""
         record = QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)),
                              relative=int(bool(relative)))
         arrays, rays = _arrays.recognize(rays, stream)
@@ -259,5 +252,6 @@ class Tracer:
             results = {name: arrays.empty(shape[:-1] + field.shape, field.number, rays)
                        for name, field in fields.items()}
             if count and results:
-                check(query(arrays, handle, arrays.pointer(rays), count, record, results))
+                pointers = {name: arrays.pointer(array) for name, array in results.items()}
+                check(function(handle, arrays.pointer(rays), count, byref(record), argument(pointers)))
         return results
