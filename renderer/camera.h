@@ -8,7 +8,7 @@
 
 namespace masu {
 
-// corners: a ray through every corner of every pixel, (width + 1) × (height + 1) of them, four averaged a
+// corners: a ray through every corner of every pixel, (width + 1) × (height + 1) of them, four averaged per
 // pixel. centers: a ray through every pixel's centre.
 enum class Sampling { corners, centers };
 

@@ -1,4 +1,4 @@
-// What one ray of the eye sees: the one definition for both backends.
+// What one camera ray sees: the one definition for both backends.
 //
 // After Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980, with the SPD's rules.
 // At a hit, with N turned to the viewer, L to the light, R its mirror about N, V to the viewer:
@@ -19,12 +19,12 @@ inline constexpr int largest_depth = 32;
 enum class HitName { object, primitive, face };
 
 struct RenderRules {
-  std::int32_t depth; // of the last ray that is traced; the eye's is 1; at most largest_depth
+  std::int32_t depth; // of the last ray that is traced; the camera's is 1; at most largest_depth
   bool spd_rules;     // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
   HitName hit_name;
 };
 
-// What an eye ray met: t, and the name of the object or primitive; infinity and -1 for nothing.
+// What a camera ray hit: t, and the name of the object or primitive; infinity and -1 for nothing.
 struct alignas(8) HitRecord {
   float t;
   std::int32_t name;
@@ -134,14 +134,14 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material, co
   }
 }
 
-// The light that comes back along an eye ray, and what the ray met. M: a Method.
+// The light that comes back along a camera ray, and what it hit. M: a Method.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, const RenderRules& rules,
-                              const Ray<typename M::Real>& eye, HitRecord& first_hit, Counts& counts) {
+                              const Ray<typename M::Real>& first, HitRecord& first_hit, Counts& counts) {
   using Real = typename M::Real;
   Vec3f light{0, 0, 0};
   RayStack<Real> pending;
-  PendingRay<Real> ray{eye.origin, eye.direction, 1, 1};
+  PendingRay<Real> ray{first.origin, first.direction, 1, 1};
   for (;;) {
     const auto hit = nearest_hit_near<M>(scene, grid, unbounded_ray(ray.origin, ray.direction), counts);
     const bool met = hit.hit.primitive != no_primitive;

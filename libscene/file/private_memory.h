@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace masu {
@@ -14,20 +15,18 @@ public:
   PrivateMemory() = default;
   // Throws std::bad_alloc.
   explicit PrivateMemory(std::size_t bytes);
-  ~PrivateMemory();
-  PrivateMemory(PrivateMemory&& other) noexcept;
-  PrivateMemory& operator=(PrivateMemory&& other) noexcept;
-  PrivateMemory(const PrivateMemory&) = delete;
-  PrivateMemory& operator=(const PrivateMemory&) = delete;
 
-  std::span<std::uint8_t> bytes() { return {begin_, size_}; }
-  std::span<const std::uint8_t> bytes() const { return {begin_, size_}; }
+  std::span<std::uint8_t> bytes() { return {begin_, mapping_ != nullptr ? size_ : 0}; }
+  std::span<const std::uint8_t> bytes() const { return {begin_, mapping_ != nullptr ? size_ : 0}; }
 
 private:
+  struct Unmap {
+    std::size_t bytes;
+    void operator()(void* mapping) const;
+  };
   std::uint8_t* begin_ = nullptr;
   std::size_t size_ = 0;
-  void* mapping_ = nullptr;
-  std::size_t mapping_size_ = 0;
+  std::unique_ptr<void, Unmap> mapping_;
 };
 
 } // namespace masu

@@ -7,7 +7,7 @@
 // quadratic formula. Results on host and device differ: the device's divisions and roots are approximate.
 #pragma once
 
-#include "libscene/geometry/ray.h"
+#include "libscene/geometry/cone.h"
 
 namespace masu {
 
@@ -76,24 +76,18 @@ MASU_HD inline bool intersect(const TextbookRay& ray, const Sphere<Stored>& sphe
   return t > 0;
 }
 
-// A cone by its axis: height 0 is the base, 1 the apex.
-struct ConeHeights {
-  Vec3f base, axis;
-  float inverse_square, base_radius, growth;
-};
-
+// cone_axis(), but for the division.
 template <class Stored>
-MASU_HD inline ConeHeights cone_heights(const Cone<Stored>& cone) {
-  const Vec3f base = cast<float>(cone.base), axis = cast<float>(cone.apex) - base;
-  const float base_radius = std::abs(static_cast<float>(cone.base_radius));
-  return {base, axis, approximate_inverse(dot(axis, axis)), base_radius,
-          std::abs(static_cast<float>(cone.apex_radius)) - base_radius};
+MASU_HD inline ConeAxis<float> cone_heights(const Cone<Stored>& cone) {
+  ConeAxis<float> c = cone_axis<float>(cone);
+  c.inverse_square = approximate_inverse(dot(c.axis, c.axis));
+  return c;
 }
 
 // The template argument, whether the cone may taper, is unused here.
 template <bool = true, class Stored>
 MASU_HD inline bool intersect(const TextbookRay& ray, const Cone<Stored>& cone, float& t) {
-  const ConeHeights c = cone_heights(cone);
+  const ConeAxis<float> c = cone_heights(cone);
   const Vec3f from_base = ray.origin - c.base;
   const float height = dot(from_base, c.axis) * c.inverse_square,
               rise = dot(ray.direction, c.axis) * c.inverse_square;

@@ -39,12 +39,11 @@ MASU_HD inline SurfacePoint<float> surface_at(const TextbookRay& ray, float t, c
 
 template <class Stored>
 MASU_HD inline SurfacePoint<float> surface_at(const TextbookRay& ray, float t, const Cone<Stored>& cone) {
-  const ConeHeights c = cone_heights(cone);
+  const ConeAxis<float> c = cone_heights(cone);
   const Vec3f from_base = fma(ray.direction, t, ray.origin) - c.base;
   const Vec3f off = fma(c.axis, -dot(from_base, c.axis) * c.inverse_square, from_base);
   const Vec3f outwards = fma(c.axis, -c.growth * c.inverse_square, normalized(off));
-  return textbook_point(ray, t,
-                        normalized(cone.base_radius < 0 || cone.apex_radius < 0 ? -outwards : outwards));
+  return textbook_point(ray, t, normalized(is_inside_out(cone) ? -outwards : outwards));
 }
 
 } // namespace masu
