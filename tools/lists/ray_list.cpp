@@ -174,7 +174,8 @@ public:
   // Besides those that a GPU has: one is written, one is about to be.
   std::size_t chunks_under_way() const {
     const std::size_t bytes = rays_per_chunk * (file_.format().bytes_per_ray() + 2 * format_.record_bytes()),
-                      queries = tracer_.device() == Device::cuda ? queries_per_gpu * tracer_.device_count() : 1;
+                      queries =
+                          tracer_.device() == Device::cuda ? queries_per_gpu * tracer_.device_count() : 1;
     return std::min(tasks_under_way(tracer_, bytes), queries + 2);
   }
 

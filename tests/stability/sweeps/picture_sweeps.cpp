@@ -69,7 +69,8 @@ public:
     write_scene(scene, store, scene_memory.path(), origin);
     file_ = std::make_unique<SceneFile>(scene_memory.path());
     const auto write = [&]<class Real>(Real) {
-      const auto [grid, provenance, considered] = build_chosen(*cpu_builder(file_->view<Real>()), file_->geometry(), {});
+      const auto [grid, provenance, considered] =
+          build_chosen(*cpu_builder(file_->view<Real>()), file_->geometry(), {});
       write_grid(grid, provenance, grid_memory.path());
     };
     file_->is_float64() ? write(double{}) : write(float{});
