@@ -170,6 +170,7 @@ BuildOptions build_options(const masu_grid_options& from) {
   options.division = parse_division(from.division != nullptr ? from.division : "auto");
   options.space = from.cube_space != 0 ? SpaceRule::cube : SpaceRule::tight;
   options.overlap = from.box_overlap != 0 ? Overlap::box : Overlap::exact;
+  options.processor = from.for_cpu != 0 ? Processor::cpu : Processor::gpu;
   return options;
 }
 
@@ -193,13 +194,13 @@ Residence residence_for(std::size_t gpu_count) {
   return gpu_count == 0 ? Residence::memory : Residence::file;
 }
 
-// What is expected to be fastest on the device, in a file in memory.
+// What masu_build_grid() writes for MASU_GRID_FASTEST and the device, in a file in memory.
 GridFile* build_in_memory(const SceneFile& scene, int device, std::optional<GridFile>& grid) {
   masu_grid_options fastest;
   masu_default_grid_options(&fastest);
   fastest.kind = MASU_GRID_FASTEST;
-  BuildOptions options = build_options(fastest);
-  options.processor = device == MASU_CPU ? Processor::cpu : Processor::gpu;
+  fastest.for_cpu = device == MASU_CPU ? 1 : 0;
+  const BuildOptions options = build_options(fastest);
   const MemoryFile file;
   // A builder takes scenes in memory alone.
   if (scene.residence() == Residence::memory)

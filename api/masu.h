@@ -65,8 +65,9 @@ typedef struct masu_tracer masu_tracer;
  * MASU_CPU or a GPU's number, from 0. What happens to the files afterwards changes nothing; a file that is
  * written while it is read is an error (MASU_ERROR_INPUT).
  *
- * `grid` may be NULL: then a grid is built as masu_build_grid() builds MASU_GRID_FASTEST, on the device, and
- * kept in memory. That takes seconds for some million primitives, at every call; a grid file takes them once.
+ * `grid` may be NULL: then a grid is built as masu_build_grid() builds MASU_GRID_FASTEST for and on the
+ * device, and kept in memory. That takes seconds for some million primitives, at every call; a grid file
+ * takes them once.
  */
 MASU_API masu_status masu_open(const char* scene, const char* grid, int device, masu_tracer** tracer);
 
@@ -217,7 +218,7 @@ typedef enum masu_grid_kind {
   MASU_GRID_BALANCE = 3,
   MASU_GRID_IRREGULAR = 4,
   MASU_GRID_BVH = 5,    /* a bounding volume hierarchy: no voxels */
-  MASU_GRID_FASTEST = 6 /* irregular or bvh: what some rays, traced through both, take less time with */
+  MASU_GRID_FASTEST = 6 /* a grid or bvh: what a sample of rays is expected to take the least time through */
 } masu_grid_kind;
 
 /* As gridbuild's options. masu_default_grid_options() fills in the defaults; NULL instead means them. */
@@ -231,6 +232,7 @@ typedef struct masu_grid_options {
   int nested, expansions;
   int gpu;     /* not 0: built on the first GPU */
   int threads; /* 0: all cores */
+  int for_cpu; /* not 0: what is chosen automatically is chosen for tracing on a CPU, else on a GPU */
 } masu_grid_options;
 
 MASU_API void masu_default_grid_options(masu_grid_options* options);

@@ -85,13 +85,14 @@ def build_grid(scene: Path, grid: Path, *, kind: Optional[str] = None, division:
                box_overlap: Optional[bool] = None, cube_space: Optional[bool] = None, target: Optional[int] = None,
                alpha: Optional[float] = None, step_cost: Optional[float] = None, detail: Optional[float] = None,
                nested: Optional[int] = None, expansions: Optional[int] = None, gpu: Optional[bool] = None,
-               threads: Optional[int] = None) -> None:
+               threads: Optional[int] = None, for_cpu: Optional[bool] = None) -> None:
     """Writes the grid file of a scene file. The options are gridbuild's; None is the default.
 
     kind: "auto", "uniform", "x", "balance", "irregular", "bvh" or "fastest"; division: "auto", 64, "64x64x32",
     "cleary:1", …; box_overlap: a voxel lists the primitives whose bounding box meets it, not their surface; cube_space:
     the smallest cube about the origin is divided, not the primitives' bounds; target, alpha, step_cost, detail, nested,
-    expansions: of merged and irregular grids; gpu: built on the first GPU; threads: 0 for all cores.
+    expansions: of merged and irregular grids; gpu: built on the first GPU; threads: 0 for all cores;
+    for_cpu: what is chosen automatically is chosen for tracing on a CPU, not on a GPU.
 
     The file appears whole or not at all. Raises masu.Error."""
     options = GridOptionsRecord()
@@ -103,7 +104,7 @@ def build_grid(scene: Path, grid: Path, *, kind: Optional[str] = None, division:
         if "\0" in text:
             raise ValueError("division: a null character")
         options.division = text.encode()
-    for name, flag in (("box_overlap", box_overlap), ("cube_space", cube_space), ("gpu", gpu)):
+    for name, flag in (("box_overlap", box_overlap), ("cube_space", cube_space), ("gpu", gpu), ("for_cpu", for_cpu)):
         if flag is not None:
             setattr(options, name, int(bool(flag)))
     for name, integer, largest in (("target", target, 2**32 - 1), ("nested", nested, 2**31 - 1),

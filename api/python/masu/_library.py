@@ -65,7 +65,8 @@ class MeshRecord(ctypes.Structure):
 class GridOptionsRecord(ctypes.Structure):
     _fields_ = [("kind", c_int), ("division", c_char_p), ("box_overlap", c_int), ("cube_space", c_int),
                 ("target", c_uint32), ("alpha", c_double), ("step_cost", c_double), ("detail", c_double),
-                ("nested", c_int), ("expansions", c_int), ("gpu", c_int), ("threads", c_int)]
+                ("nested", c_int), ("expansions", c_int), ("gpu", c_int), ("threads", c_int),
+                ("for_cpu", c_int)]
 
 
 PRECISIONS = {"auto": 0, "fast": 1, "robust": 2, "double": 3}
