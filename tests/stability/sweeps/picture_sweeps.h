@@ -17,7 +17,7 @@ struct PictureSweep {
   Scene (*make)(Chance& chance, double step);
   // The share of pixels that may be off: of `double` by coordinates that are rounded to the store, of `auto`
   // besides by shadows and reflections, displaced by the offset of rays that leave a large surface.
-  double tolerance = 0.01;
+  double tolerance = 0.015;
 };
 
 std::vector<PictureSweep> picture_sweeps();
