@@ -384,18 +384,14 @@ masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t m
 void masu_default_grid_options(masu_grid_options* options) {
   if (options == nullptr) return;
   const GridOptions defaults;
-  *options = {MASU_GRID_AUTO,
-              "auto",
-              0,
-              0,
-              defaults.target,
-              defaults.alpha,
-              defaults.step_cost,
-              defaults.detail,
-              defaults.nested_log2,
-              defaults.expansions,
-              0,
-              0};
+  *options = {};
+  options->division = "auto";
+  options->target = defaults.target;
+  options->alpha = defaults.alpha;
+  options->step_cost = defaults.step_cost;
+  options->detail = defaults.detail;
+  options->nested = defaults.nested_log2;
+  options->expansions = defaults.expansions;
 }
 
 masu_status masu_build_grid(const char* scene, const char* grid, const masu_grid_options* options) {
