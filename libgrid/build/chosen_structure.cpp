@@ -132,6 +132,9 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
     return builder.build(candidate.layout, options.overlap, of_kind(candidate.kind, options.grid));
   };
   if (candidates.size() == 1 || builder.scene().primitive_count() == 0) return one(candidates.front());
+  // What comes first is the usual one. Pictures take up to 7 % longer through a coarser top division that
+  // lists take as long through: their threads share no tests.
+  constexpr double clearly = 0.95;
   Grid fastest;
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) {
@@ -141,7 +144,7 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
     const SampledCosts costs = sampled_costs(builder.scene(), built.grid);
     const double time = expected_time(costs, candidate.kind, options.processor);
     considered.push_back({candidate.kind, candidate.layout.division, costs, time});
-    if (!(time < least)) continue;
+    if (!(time < clearly * least)) continue;
     least = time;
     fastest = std::move(built.grid);
   }

@@ -57,7 +57,7 @@ TestScene<Stored> clusters(Chance& chance) {
 
 constexpr Processor processors[] = {Processor::gpu, Processor::cpu};
 
-TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeFaster) {
+TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeClearlyFaster) {
   SCOPED_TRACE(this->seed_.trace());
   Chance chance(this->seed_);
   for (std::int64_t i = cases(50); i > 0; --i) {
@@ -66,11 +66,12 @@ TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeFaster) {
       const auto time_of = [&](const Grid& grid) {
         return expected_time(sampled_costs(scene.view(), grid), grid.kind, processor);
       };
+      constexpr double clearly = 0.95;
       const double automatic = time_of(built(scene, GridKind::automatic, processor)),
                    fastest = time_of(built(scene, GridKind::fastest, processor));
-      EXPECT_LE(fastest, automatic);
-      EXPECT_LE(automatic, time_of(built(scene, GridKind::irregular, processor)));
-      EXPECT_LE(fastest, time_of(built(scene, GridKind::hierarchy, processor)));
+      EXPECT_LE(clearly * fastest, automatic);
+      EXPECT_LE(clearly * automatic, time_of(built(scene, GridKind::irregular, processor)));
+      EXPECT_LE(clearly * fastest, time_of(built(scene, GridKind::hierarchy, processor)));
     }
   }
 }

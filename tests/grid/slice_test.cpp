@@ -310,7 +310,7 @@ TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
     std::vector<std::int32_t> depths(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       std::uint32_t child = nodes[i].first_node;
-      for (int slot = 0; slot < boxes_a_node; ++slot) {
+      for (int slot = 0; slot < boxes_per_node; ++slot) {
         const std::uint32_t byte = slot_byte(nodes[i].slots, slot);
         if (byte == 0) continue;
         const bool is_node = (node_slots(nodes[i]) >> slot & 1) != 0;
@@ -327,7 +327,7 @@ TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
         ++found;
         ASSERT_LT(next, slice.cells.size());
         const SliceCell& cell = slice.cells[next++];
-        EXPECT_EQ(cell.number, boxes_a_node * i + static_cast<std::size_t>(slot));
+        EXPECT_EQ(cell.number, boxes_per_node * i + static_cast<std::size_t>(slot));
         EXPECT_EQ(cell.depth, depths[i]);
         EXPECT_EQ(cell.references, is_node ? 0 : references_in(byte));
         const SliceWindow rectangle = in_scene(finest, axis, cell);
