@@ -12,7 +12,7 @@ import statistics
 import subprocess
 import tempfile
 
-from choice import CHOICES, outcomes
+from choice import CHOICES, chosen, outcomes
 from measured import STANDARD, figure, head, made_by, run_script, table
 
 LARGE = "teapot-60 mount-10 tetra-9 tetra-10 balls-triangles tree-triangles rings-triangles".split()
@@ -109,7 +109,7 @@ def tables(results):
                       in outcomes(results, lambda row: row["expected_time"])}
             for scene, considered in results.items():
                 best = lambda key: "{structure} {division[0]}".format(**key(considered)) if considered else "-"
-                rows.append([processor, pathlib.Path(scene).stem, best(lambda all: min(all, key=lambda r: r["expected_time"])),
+                rows.append([processor, pathlib.Path(scene).stem, best(lambda all: chosen(all, lambda r: r["expected_time"])),
                              best(lambda all: max(all, key=lambda r: r["rate"])),
                              *(figure(lambda: ratios[rule, scene], "{:.2f}") for rule in CHOICES)])
             mean = lambda rule: statistics.geometric_mean(ratio for (of, _), ratio in ratios.items() if of == rule)
