@@ -130,7 +130,7 @@ class Queries(WithFolder):
     def test_without_a_grid_one_is_built_in_memory(self):
         self.scene()
         scene, grid = self.file("random.scene"), self.file("random.grid")
-        masu.build_grid(scene, grid, kind="fastest")
+        masu.build_grid(scene, grid, kind="fastest", for_cpu=True)
         rays = random_rays(self.random, 500)
         expected = self.tracer().nearest(rays, fields=masu.FIELDS)
         files = sorted(os.listdir(self.folder))
