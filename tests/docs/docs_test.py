@@ -23,6 +23,8 @@ NOT_RUN = {
     r"^tools/bench/scripts/((performance|accuracy)(\.sh|_tables\.py)|cpu_rays\.sh)": "take minutes to hours on a quiet machine",
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
+    r"^MASU_TEST_EFFORT=.*ctest|^ctest .*-L stability": "tests that run beside this one",
+    r"^gridbench stability --pictures": "takes a minute: the tests PictureStability trace them",
     r"^gridbench lists ": "needs a GPU",
     r"^tools/bench/scripts/choice\.py": "measures a GPU, for minutes",
     r"^ssh ": "needs another machine",
