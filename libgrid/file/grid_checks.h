@@ -8,6 +8,7 @@
 #include "libgrid/trace/hierarchy_view.h"
 #include "libscene/file/record_checker.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace masu {
@@ -78,16 +79,20 @@ public:
 
   MASU_HD explicit MapCheck(const GridRecords& grid) : grid_(grid) {}
 
-  // Whether all that the word says of the part is so. Looks at no more words than there are.
-  MASU_HD bool is_good(std::uint32_t word, const Part& part) {
+  // Whether all that the word says of the part is so, as far as it is this share's: of the division that the
+  // word leads to, every `shares`-th part. Looks at no more words than there are.
+  MASU_HD bool is_good(std::uint32_t word, const Part& part, std::uint32_t share, std::uint32_t shares) {
     if (!enters(word, part)) return false;
+    if (share > 0) words_ = 0; // those are counted by the first
+    stack_[0].index = share;
     while (depth_ > 0) {
       Division& division = stack_[depth_ - 1];
-      if (division.index == division.count) {
+      if (division.index >= division.count) {
         --depth_;
         continue;
       }
-      const auto i = static_cast<std::int32_t>(division.index++);
+      const auto i = static_cast<std::int32_t>(division.index);
+      division.index += depth_ == 1 ? shares : 1;
       const Vec3i &n = division.log2, &rest = division.parts.log2, &first = division.parts.first;
       const Vec3i at{first.x + ((i & ((1 << n.x) - 1)) << rest.x),
                      first.y + ((i >> n.x & ((1 << n.y) - 1)) << rest.y),
@@ -155,14 +160,22 @@ const char* fault_of_merged(const Checker& checker, const GridRecords& grid) {
   // No word belongs to two voxels of the top level, or a small map could take for ever.
   auto total = checker.zeros(1);
   std::uint32_t* const looked_at = total.data();
-  const bool leads_to_cells = checker.all(voxel_count(grid.division), [=] MASU_PASS(std::uint64_t i) {
+  // Enough threads for a GPU, also where few voxels are divided far.
+  constexpr std::uint64_t threads_wanted = 1 << 18, most_shares = 4096;
+  const std::uint64_t voxels = voxel_count(grid.division);
+  const auto shares =
+      static_cast<std::uint32_t>(std::min(std::max<std::uint64_t>(threads_wanted / voxels, 1), most_shares));
+  const bool leads_to_cells = checker.all(voxels * shares, [=] MASU_PASS(std::uint64_t thread) {
+    const std::uint64_t i = thread / shares;
     const auto x = static_cast<std::uint64_t>(grid.division.x),
                y = static_cast<std::uint64_t>(grid.division.y);
     const std::int32_t side = grid.nested_log2;
     const Vec3i first{static_cast<std::int32_t>(i % x) << side, static_cast<std::int32_t>(i / x % y) << side,
                       static_cast<std::int32_t>(i / x / y) << side};
     MapCheck map(grid);
-    if (!map.is_good(read_once(grid.voxel_map[i]), {first, {side, side, side}})) return false;
+    if (!map.is_good(read_once(grid.voxel_map[i]), {first, {side, side, side}},
+                     static_cast<std::uint32_t>(thread % shares), shares))
+      return false;
     const auto words = static_cast<std::uint32_t>(map.words());
     return words == 0 || std::uint64_t{added(*looked_at, words)} + words <= grid.words;
   });
