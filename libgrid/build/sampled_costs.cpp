@@ -97,8 +97,9 @@ SampledCosts costs_through(const SceneView<Stored>& scene, const View& view) {
   return {mean(across, rays_per_set), mean(aimed, rays_per_set), mean(scattered, hits)};
 }
 
-// Of a step to a cell or a node, and of a test, so that the choice among structures is the best that they
-// allow for measured rates (tools/bench/scripts/choice.py).
+// Of a step to a cell or a node, and of a test: not seconds, but rounded numbers by which the choice among
+// structures is within a percent of the best for measured rates. tools/bench/scripts/choice.py measures it,
+// and prints those that would be best.
 struct UnitCosts {
   double step, test;
 };
