@@ -17,6 +17,7 @@
 #include <linux/filter.h>
 #include <linux/seccomp.h>
 #include <sys/prctl.h>
+#include <sys/random.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -109,6 +110,10 @@ void on_system_call(int, siginfo_t* info, void* context) {
 }
 
 void trap() {
+  // From 2.41 on the C library maps its state of random numbers at the first request, with all signals
+  // blocked: trapped there, the process would be killed.
+  char number = 0;
+  if (getrandom(&number, sizeof number, 0) < 0) return;
   struct sigaction action {};
   action.sa_sigaction = on_system_call;
   action.sa_flags = SA_SIGINFO | SA_NODEFER | SA_RESTART;
