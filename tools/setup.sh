@@ -6,7 +6,7 @@ has() { # package
   case $1 in
     build-essential) command -v c++ >/dev/null && command -v make >/dev/null ;;
     clang) command -v clang++ >/dev/null ;;
-    clang-format | clang-tidy | cmake | file | help2man) command -v "$1" >/dev/null ;;
+    clang-format | clang-tidy | cmake | file | help2man | patchelf) command -v "$1" >/dev/null ;;
     flatbuffers-compiler) command -v flatc >/dev/null ;;
     gnuplot-nox) command -v gnuplot >/dev/null ;;
     openmpi-bin) command -v mpirun >/dev/null ;;
@@ -29,7 +29,9 @@ has() { # package
     libxxhash-dev) header xxhash.h ;;
     nlohmann-json3-dev) header nlohmann/json.hpp ;;
     pkg-config) command -v pkg-config >/dev/null ;;
+    python3-build) command -v pyproject-build >/dev/null ;;
     python3-numpy) python3 -c 'import numpy' 2>/dev/null || /usr/bin/python3 -c 'import numpy' 2>/dev/null ;;
+    python3-venv) python3 -c 'import ensurepip' 2>/dev/null ;;
     zlib1g-dev) header zlib.h ;;
     *) dpkg-query -W -f '${Status}' "$1" 2>/dev/null | grep -q 'ok installed' ;;
   esac
@@ -70,8 +72,8 @@ basics=(build-essential cmake flatbuffers-compiler fonts-dejavu-core libcairo2-d
   libflatbuffers-dev libfmt-dev libpng-dev libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
 benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays and gridbench stability
 # file: for cpack; help2man: for man pages
-# libgmp-dev: for exact hits
-tests=(file gnuplot-nox help2man libgmp-dev python3-numpy) # beside libgtest-dev, which all of them need
+# libgmp-dev: for exact hits; patchelf, python3-venv: for wheels of the Python module
+tests=(file gnuplot-nox help2man libgmp-dev patchelf python3-numpy python3-venv) # beside libgtest-dev, which all of them need
 # libassimp-dev: for mesh2bin; libcpp-httplib-dev, libturbojpeg0-dev, pkg-config: for gridview; libopenmpi-dev,
 # openmpi-bin: for gridrender-mpi and gridtrace-mpi
 extras=(libassimp-dev libcpp-httplib-dev libopenmpi-dev libturbojpeg0-dev ninja-build openmpi-bin pkg-config)

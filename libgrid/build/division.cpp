@@ -95,7 +95,9 @@ SurfaceSums measured(const Sphere<double>& sphere, const Boxd& box) {
 // directions.
 SurfaceSums measured(const Cone<double>& cone, const Boxd& box) {
   const double r0 = std::abs(cone.base_radius), r1 = std::abs(cone.apex_radius);
-  const double half = std::numbers::pi * (r0 + r1) * std::hypot(length(cone.apex - cone.base), r1 - r0) / 2;
+  // Not std::hypot, whose last bit differs between C libraries.
+  const double slant = length(Vec3d{length(cone.apex - cone.base), r1 - r0, 0});
+  const double half = std::numbers::pi * (r0 + r1) * slant / 2;
   return {1, box.max - box.min, {half, half, half}};
 }
 

@@ -18,6 +18,7 @@ import sys
 # Commands that aren't run here, and why.
 NOT_RUN = {
     r"^tools/(demo|test)\.sh": "install packages and build everything; test.sh runs this test",
+    r"^pip install": "installs for the user: wheel_test.py installs into an environment of its own",
     r"examples/build-all": "compiles the library: run by examples_test.sh",
     r"^examples/lesson\.sh": "takes two minutes: most of its commands are lesson.md's",
     r"^tools/bench/scripts/((performance|accuracy)(\.sh|_tables\.py)|cpu_rays\.sh)": "take minutes to hours on a quiet machine",

@@ -78,10 +78,22 @@ CPU = -1
 
 # --- The library --------------------------------------------------------------------------------------------------
 
+def _has_avx2() -> bool:
+    """Whether the processor has what a wheel's library in x86-64-v3 was compiled for (MASU_AVX2)."""
+    try:
+        with open("/proc/cpuinfo", encoding="ascii", errors="replace") as lines:
+            flags = next((line.split() for line in lines if line.startswith("flags")), [])
+    except OSError:
+        return False
+    return {"avx2", "fma", "bmi1", "bmi2", "abm", "popcnt"}.issubset(flags)
+
+
 def _candidates() -> List[str]:
     name = "libmasu.so." + __version__.split(".")[0]
     package = pathlib.Path(__file__).resolve().parent
     folders = [package, package.parent]
+    if (package / "x86-64-v3").exists() and _has_avx2():
+        folders.insert(0, package / "x86-64-v3")
     if package.parent.name == "dist-packages":  # PREFIX/lib/python3/dist-packages, as cmake --install has it
         folders.append(package.parents[2])
     return [str(folder / name) for folder in folders if (folder / name).exists()] + [name]
