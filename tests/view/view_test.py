@@ -5,6 +5,7 @@ view_test.py BIN_FOLDER [SCREENSHOT_FOLDER]
 import json
 import os
 import pathlib
+import random
 import re
 import shlex
 import shutil
@@ -21,6 +22,9 @@ try:
     from selenium.webdriver.chrome.options import Options
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.actions import interaction
+    from selenium.webdriver.common.actions.action_builder import ActionBuilder
+    from selenium.webdriver.common.actions.pointer_input import PointerInput
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
 except ImportError:
@@ -102,7 +106,7 @@ class Page(unittest.TestCase):
 
     def wait_sharp(self):
         wait_until(lambda: self.js("return panes.length > 0 && panes.every((pane) => pane.root.dataset.state === 'sharp' && "
-                                   "pane.frame.isSharp && Camera.same(pane.frame.view.camera, state.camera) && "
+                                   "pane.frame.isSharp && Camera.same(pane.frame.view.camera, pane.camera(pane.frame.view.width, pane.frame.view.height)) && "
                                    "pane.frame.view.channel === pane.settings.channel && pane.frame.view.grid === pane.settings.grid)"),
                    "every picture is sharp", 120)
 
@@ -263,7 +267,7 @@ class Page(unittest.TestCase):
         for pane, x, y in [(0, 0, 0), (1, -30, 60), (0, 60, -90)]:
             self.pick(x, y, pane)
             shown, printed = self.walk(), [self.printed(grid) for grid in scene[1:]]
-            self.assertNotEqual(printed[0]["cells"], printed[1]["cells"])
+            self.assertNotEqual(printed[0]["steps"], printed[1]["steps"])
             for i in range(2):
                 self.assertEqual(shown[i]["grid"], scene[1 + i])
                 self.assert_shows(printed[i], shown[i], True)
@@ -430,14 +434,12 @@ class Page(unittest.TestCase):
         self.wait_sharp()
         self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, ".picture")), 1)
 
-    def test_slices(self):
-        self.js("document.getElementById('slice-panel').open = true")
-        wait_until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice"), "a slice")
+    def test_slices_over_the_picture(self):
+        self.js("document.getElementById('slice-panel').open = true; panes[0].set({cells: 'slice'})")
         for axis in range(3):
             self.js("const s = document.querySelector('#slice select'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", axis)
             wait_until(lambda: self.js("return slicePanel.of(0) && slicePanel.of(0).axis") == axis, "the slice along another axis")
             self.assertGreater(len(self.js("return slicePanel.of(0).cells")), 0)
-        self.js("panes[0].set({cells: 'slice'})")
         self.wait_sharp()
         drawn = self.js("const c = panes[0].overlay.canvas; return c.getContext('2d').getImageData(0, 0, c.width, c.height).data.some((value) => value > 0)")
         self.assertTrue(drawn)
@@ -448,6 +450,144 @@ class Page(unittest.TestCase):
         slice_ = self.js("return slicePanel.of(1)")
         self.assertEqual(len(slice_["cells"]), slice_["voxels"][0] * slice_["voxels"][1])
         self.assertFalse(slice_["without_empty"])
+
+    # --- The plane ---
+
+    def wait_plane(self):
+        wait_until(lambda: self.js("return state.plane && planeView.plots.length === state.plane.length && !planeView.isFollowing && "
+                                   "planeView.plots.every((plot) => plot.slice) && planeView.grids.every((grid) => walkPanel.rayOf(grid)) && "
+                                   "planeView.last.rays.every((ray, i) => ray === walkPanel.rayOf(planeView.grids[i]))"), "the ray's walks in the plane")
+
+    def show_plane(self, server, width=1280, height=800, dark=False, fragment="#view=plane"):
+        self.show(width, height, dark, "#", server)
+        self.js("location.hash = arguments[0]", fragment)
+        wait_until(lambda: self.js("return state.plane"), "the plane")
+        self.wait_plane()
+
+    def in_plane(self, plot=0):
+        """Of the ray's origin and end, pixels from a slice's middle."""
+        return self.js("""const {canvas, slice, pixel} = planeView.plots[arguments[0]], at = planeView.plots[arguments[0]].window(slice, planeView.zoom);
+          return ['from', 'to'].map((name) => [(at.x(planeView.ends[name][0]) - canvas.width / 2) / pixel, (at.y(planeView.ends[name][1]) - canvas.height / 2) / pixel]);""", plot)
+
+    def drag(self, plot, start, to, touch=False):
+        canvas = self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")[plot]
+        pointer = PointerInput(interaction.POINTER_TOUCH, "finger") if touch else PointerInput(interaction.POINTER_MOUSE, "mouse")
+        actions = ActionBuilder(self.browser, mouse=pointer)
+        actions.pointer_action.move_to(canvas, *map(round, start)).pointer_down()
+        for share in (0.5, 1):
+            actions.pointer_action.move_to(canvas, *(round(a + share * (b - a)) for a, b in zip(start, to)))
+        actions.pointer_action.pointer_up()
+        actions.perform()
+        self.wait_plane()
+
+    def assert_walks_in_plane(self, grids, scene_path=None):
+        """Counts, in the end and at each step, and the table are those of gridtrace."""
+        printed = [self.printed(grid, scene_path=scene_path) for grid in grids]
+        whats = ["node" if grid.endswith("_bvh.grid") else "cell" for grid in grids]
+        text = lambda count, what: f"{count} {what}{'' if count == 1 else 's'}"
+        alls = [f"{text(one['cells'], what)}, {text(one['tests'], 'test')}" for one, what in zip(printed, whats)]
+        shown = lambda: self.js("return planeView.plots.map((plot) => plot.counts.textContent)")
+        self.assertEqual(shown(), alls)
+        rows = self.js("return [...document.querySelectorAll('#walk > table tbody tr')].map((row) => [...row.cells].slice(1, 1 + planeView.grids.length).map((cell) => cell.textContent))")
+        self.assertEqual(rows, [[str(one["cells"]) for one in printed], [str(one["tests"]) for one in printed]])
+        last = max(len(one["steps"]) for one in printed) - 1
+        for step in sorted({0, last // 2, max(0, last - 1)}):
+            self.js("walkPanel.select(arguments[0])", step)
+            wanted = []
+            for one, what, all_ in zip(printed, whats, alls):
+                steps = one["steps"]
+                if step >= len(steps) - 1:
+                    wanted.append(f"{all_}: ended" if len(steps) - 1 < step < last else all_)
+                else:
+                    so_far = sum(len(s["tests"]) for s in steps[:step + 1])
+                    wanted.append(f"{what} {step + 1} of {one['cells']}: {text(len(steps[step]['tests']), 'test')}, {so_far} so far")
+            self.assertEqual(shown(), wanted)
+        self.js("walkPanel.select(walkPanel.lastStep)")
+
+    def test_a_ray_is_dragged_through_slices_of_every_structure(self):
+        seed = int(os.environ.get("MASU_TEST_SEED", time.time_ns() % 10**9))
+        print("seed", seed)
+        choice = random.Random(seed)
+        tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
+        grids = [*scene[1:], "balance.grid", tools.make_hierarchy(scene[0])]
+        with Gridview(tools, scene[0], *grids, "-q") as server:
+            self.show_plane(server, fragment="#view=plane&slice=y,0.5")
+            self.assert_walks_in_plane(grids)
+            self.screenshot("plane")
+            box = self.js("const c = planeView.plots[0].canvas; return [c.clientWidth / 2 - 20, c.clientHeight / 2 - 20]")
+            for touch in (False, True):
+                for end in (1, 0, "both"):
+                    plot, before = choice.randrange(4), self.js("return walkPanel.ray")
+                    ends = self.in_plane(plot)
+                    start = [(a + b) / 2 for a, b in zip(*ends)] if end == "both" else ends[end]
+                    to = [a + choice.uniform(-15, 15) for a in start] if end == "both" else [choice.uniform(-side, side) for side in box]
+                    self.drag(plot, start, to, touch)
+                    ray = self.js("return walkPanel.ray")
+                    self.assertNotEqual(ray, before)
+                    if end == 0:
+                        self.assertNotEqual(ray["origin"], before["origin"])
+                    if end == "both":
+                        for a, b in zip(ray["direction"], before["direction"]):
+                            self.assertAlmostEqual(a, b)
+                    self.assert_walks_in_plane(grids)
+            # Keys: the ray's end and its origin, steps, zoom.
+            self.js("planeView.plots[0].canvas.focus()")
+            before = self.js("return planeView.ends")
+            self.keys(Keys.ARROW_LEFT)
+            self.wait_plane()
+            self.assertLess(self.js("return planeView.ends.to[0]"), before["to"][0])
+            self.browser.execute_script("planeView.plots[0].canvas.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowUp', shiftKey: true, bubbles: true}))")
+            self.wait_plane()
+            self.assertGreater(self.js("return planeView.ends.from[1]"), before["from"][1])
+            self.assert_walks_in_plane(grids)
+            last = self.js("return walkPanel.lastStep")
+            self.keys(",")
+            self.assertEqual(self.js("return walkPanel.step"), max(0, last - 1))
+            self.keys(".", "+", "+")
+            self.assertAlmostEqual(self.js("return planeView.zoom.scale"), 1.25 ** 2)
+            self.keys("0")
+            self.assertIsNone(self.js("return planeView.zoom"))
+            # The wheel zooms about the pointer, in all slices.
+            canvas = self.find("canvas.slice")
+            under = "const p = planeView.plots[0], at = p.window(p.slice, planeView.zoom); return [at.u(p.canvas.width / 2 + 50 * p.pixel), at.v(p.canvas.height / 2 + 30 * p.pixel)]"
+            place = self.js(under)
+            ActionChains(self.browser).scroll_from_origin(webdriver.common.actions.wheel_input.ScrollOrigin.from_element(canvas, 50, 30), 0, -400).perform()
+            wait_until(lambda: self.js("return planeView.zoom"), "it zooms")
+            for a, b in zip(self.js(under), place):
+                self.assertAlmostEqual(a, b, delta=0.02)
+            self.screenshot("plane-zoomed")
+            # What is under the pointer.
+            ActionChains(self.browser).move_to_element(canvas).perform()
+            self.assertRegex(self.find(".plots .status").text, r"^x .*, z .*: voxels \d")
+            # A link reopens the plane, the ray and the step; another plane has the same ray.
+            self.js("walkPanel.select(Math.min(1, walkPanel.lastStep))")
+            look = "return [state.plane, state.slice, planeView.ends, walkPanel.ray, walkPanel.step, planeView.plots.map((plot) => plot.counts.textContent)]"
+            before, fragment = self.js(look), self.js("return fragment()")
+            self.show_plane(server, 1000, 700, fragment=fragment)
+            self.assertEqual(self.js(look), before)
+            self.js("slicePanel.set({share: 0.37})")
+            wait_until(lambda: self.js("return planeView.slice.position === walkPanel.ray.origin[1]") and self.js("return planeView.slice.position") != before[3]["origin"][1], "the ray in another plane")
+            self.wait_plane()
+            self.assertEqual(self.js("return planeView.ends"), before[2])
+            self.assert_walks_in_plane(grids)
+            # Other structures, and back to the pictures.
+            self.js("planeView.choose(0, 3)")
+            self.wait_plane()
+            self.assert_walks_in_plane([grids[3], *grids[1:]])
+            for width, height in [(400, 800), (1280, 800), (1920, 1080)]:
+                for dark in (False, True):
+                    self.show_plane(server, width, height, dark)
+                    self.assertLessEqual(self.js("return document.scrollingElement.scrollWidth"), width, "nothing sticks out")
+                    wide = self.js("const w = innerWidth; return [...document.querySelectorAll('main *, header *')].filter((e) => e.getBoundingClientRect().right > w + 1 && "
+                                   "!e.closest('.scroll') && e.getClientRects().length > 0).map((e) => e.outerHTML.slice(0, 80))")
+                    self.assertEqual(wide, [], width)
+                    self.screenshot(f"plane-{width}-{'dark' if dark else 'light'}")
+            self.js("document.activeElement.blur()")
+            self.keys("p")
+            self.wait_sharp()
+            self.assertIsNone(self.js("return walkPanel.ray"))
+            self.browser.get("about:blank")
+            self.logs()
 
     def test_a_hierarchy_beside_a_grid(self):
         names = [scene[1], tools.make_hierarchy(scene[0])]
@@ -490,8 +630,8 @@ class Page(unittest.TestCase):
                     self.wait_sharp()
                     fragment = self.js("return fragment()")
             # Its slice is that of gridstat, with the grid's range of colours.
-            self.js("state.slice.depth = null; for (const pane of panes) pane.set({cells: 'slice'})")
-            wait_until(lambda: self.js("return slicePanel.of(0) && slicePanel.of(1)"), "slices of both")
+            self.js("state.slice.depth = null; document.getElementById('plane').click()")
+            self.wait_plane()
             for depth in [None, 1]:
                 self.js("slicePanel.set({depth: arguments[0]})", depth)
                 tools.run("gridstat", names[1], "--slice", "z=50%", "-o", "slice.json", *([] if depth is None else ["--depth", depth]))
@@ -500,7 +640,6 @@ class Page(unittest.TestCase):
                 wait_until(lambda: self.find(".slice-scale").text.split() == ["references", "0", str(most)], "one colour bar for both")
             self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")), 2)
             self.js("slicePanel.set({depth: null})")
-            self.wait_sharp()
             self.screenshot("hierarchy-slices")
             # An address holds the depth.
             self.show(1280, 900, server=server, fragment=fragment)
@@ -533,7 +672,7 @@ class Page(unittest.TestCase):
             if name == "stage":
                 break
         self.assertEqual(order[-1], "stage", order)
-        for wanted in ["compare", "reset", "copy-link", "copy-command", "keys", "grid", "channel", "cells"]:
+        for wanted in ["compare", "plane", "reset", "copy-link", "copy-command", "keys", "grid", "channel", "cells"]:
             self.assertIn(wanted, order)
         before = self.camera()
         self.keys(Keys.ARROW_LEFT, Keys.ARROW_UP, "+", "+")
@@ -571,7 +710,7 @@ class Page(unittest.TestCase):
                 self.show(width, height, dark, fragment="#grid=" + ",".join(scene[1:]) + "&channel=shaded,cells&ray=2.1,1.3,1.7,-2.1,-1.3,-1.7")
                 wait_until(lambda: self.js("return walkPanel.walk"), "a walk")
                 self.js("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
-                wait_until(lambda: self.js("return document.querySelector('canvas.slice') && document.querySelector('#statistics table')"), "all panels")
+                wait_until(lambda: self.js("return document.querySelector('#statistics table')"), "all panels")
                 self.assertLessEqual(self.js("return document.scrollingElement.scrollWidth"), width, "nothing sticks out")
                 wide = self.js("const w = innerWidth; return [...document.querySelectorAll('main *, header *')].filter((e) => e.getBoundingClientRect().right > w + 1 && "
                                "!e.closest('.scroll') && e.getClientRects().length > 0).map((e) => e.outerHTML.slice(0, 80))")
@@ -604,7 +743,7 @@ class Page(unittest.TestCase):
             self.js("panes[1].set({channel: arguments[0]})", name)
             self.wait_sharp()
         self.js("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
-        wait_until(lambda: self.js("return document.querySelector('canvas.slice') && document.querySelector('#statistics table') && "
+        wait_until(lambda: self.js("return document.querySelector('#statistics table') && "
                                    "document.querySelectorAll('#cost td.better').length > 0"), "all panels")
         self.keys(Keys.ENTER, Keys.ENTER)
         self.wait_walk()
@@ -612,6 +751,14 @@ class Page(unittest.TestCase):
         ray, shown = self.js("return walkPanel.ray"), self.walk()
         for i in range(2):
             self.assert_shows(self.printed(scene[1 + i]), shown[i], False)
+        # The walk of the nearest pixel that was exported.
+        middle = self.js("return walkPanel.pixel")
+        self.pick(-90, 30)
+        pixel = self.js("return walkPanel.pixel")
+        self.assertLess(pixel["x"], middle["x"])
+        for i, one in enumerate(self.walk()):
+            self.assert_shows(self.printed(scene[1 + i]), one, False)
+        self.pick(0, 0)
         self.keys(Keys.ARROW_RIGHT)  # the walk stays where it is, in the next view
         self.wait_sharp()
         self.assertEqual(self.walk(), shown)
@@ -622,6 +769,19 @@ class Page(unittest.TestCase):
         self.wait_walk()
         self.assertEqual(self.js("return walkPanel.ray"), ray)
         self.assertEqual(self.walk(), shown)
+        # Colours of a channel stand for the same numbers in each view.
+        ranges = self.js("return EXPORTED.views.map((view) => ['cells', 'tests', 'depth'].map((name) => view.channels[name][0].range))")
+        self.assertEqual(ranges, [ranges[0]] * 3)
+        # The plane: the ray's ends go from point to point.
+        self.js("document.getElementById('plane').click()")
+        self.wait_plane()
+        self.assert_walks_in_plane(scene[1:])
+        for end in (1, 0):
+            before = self.js("return walkPanel.ray")
+            self.drag(1 - end, self.in_plane(1 - end)[end], (-40, -60) if end else (20, 60))
+            self.assertNotEqual(self.js("return walkPanel.ray"), before)
+            self.assert_walks_in_plane(scene[1:])
+        self.screenshot("exported-plane")
         events, console = self.logs()
         self.assertEqual([entry["message"] for entry in console], [])
         for event in events:

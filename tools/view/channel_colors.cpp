@@ -72,6 +72,10 @@ PictureChannel parse_picture_channel(const std::string& name) {
   throw Error(ErrorCode::usage, "channel", "isn't one that pictures have");
 }
 
+bool has_range(const PictureChannel& channel) {
+  return channel.channel && (channel.channel == Channel::depth || counts(*channel.channel));
+}
+
 std::optional<ValueRange> value_range(const Channels& channels, Channel channel) {
   if (channel == Channel::depth) {
     ValueRange range{INFINITY, -INFINITY};

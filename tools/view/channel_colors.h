@@ -26,6 +26,9 @@ PictureChannel parse_picture_channel(const std::string& name);
 // The values that the ends of the colour map stand for.
 using ValueRange = std::array<double, 2>;
 
+// Of channels whose colours stand for numbers: depth, cells, tests.
+bool has_range(const PictureChannel& channel);
+
 // Of depth: its least and greatest value; of cells and tests: 0 and the 99.9 % quantile, as in pictures that
 // gridrender writes, so that a few extreme pixels don't take all colours. None where there are no such
 // values.

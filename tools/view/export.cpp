@@ -1,5 +1,6 @@
 #include "tools/view/export.h"
 
+#include "libgrid/statistics/cells.h"
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
 #include "page_files.h"
@@ -9,16 +10,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
+#include <unordered_map>
 
 namespace masu {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array slice_shares{0.1, 0.3, 0.5, 0.7, 0.9};
+constexpr std::array slice_shares{0.25, 0.5, 0.75};
 constexpr std::size_t most_slice_cells = 10000, most_boxes = 1000;
+constexpr std::array pixel_shares{1, 3, 5}; // sixths of a picture's side: where walks are picked
+constexpr std::size_t points_per_side = 4;  // of a slice, between which rays are walked
 
 bool is_gone() {
   return false;
@@ -59,38 +65,153 @@ Json picture_json(const Picture& picture) {
   return json;
 }
 
-// All pictures of a view: {channel: [one a grid]}. Ranges of colours are those of all grids.
-Json channels_json(const Viewer& viewer, PictureRequest request) {
+Picture channel_picture(const Viewer& viewer, PictureRequest& request, const std::string& name) {
+  request.channel = parse_picture_channel(name);
+  request.sampling = request.channel.channel ? Sampling::centers : Sampling::corners;
+  return viewer.picture(request, is_gone);
+}
+
+// Of colours, by channel: the same in all views, through all grids.
+using Ranges = std::map<std::string, ValueRange>;
+Ranges ranges_of(const Viewer& viewer, PictureRequest request, const std::vector<View>& views) {
+  Ranges ranges;
+  for (const std::string& name : picture_channel_names()) {
+    const PictureChannel channel = parse_picture_channel(name);
+    if (!has_range(channel)) continue;
+    for (const View& view : views) {
+      request.camera = view.camera;
+      for (request.grid = 0; request.grid < (depends_on_grid(channel) ? viewer.grids() : 1); ++request.grid) {
+        const std::optional<ValueRange> own = channel_picture(viewer, request, name).range;
+        if (!own) continue;
+        const auto [range, is_first] = ranges.try_emplace(name, *own);
+        range->second = {std::min(range->second[0], (*own)[0]), std::max(range->second[1], (*own)[1])};
+      }
+    }
+  }
+  return ranges;
+}
+
+// All pictures of a view: {channel: [one a grid]}.
+Json channels_json(const Viewer& viewer, PictureRequest request, const Ranges& ranges) {
   Json all;
   for (const std::string& name : picture_channel_names()) {
-    request.channel = parse_picture_channel(name);
-    request.sampling = request.channel.channel ? Sampling::centers : Sampling::corners;
     request.range.reset();
-    std::vector<Picture> pictures;
-    const auto trace = [&] {
-      pictures.clear();
-      for (request.grid = 0; request.grid < viewer.grids(); ++request.grid)
-        pictures.push_back(viewer.picture(request, is_gone));
-    };
-    trace();
-    if (pictures.front().range && viewer.grids() > 1 && depends_on_grid(request.channel)) {
-      request.range = pictures.front().range;
-      for (const Picture& picture : pictures)
-        (*request.range)[1] = std::max((*request.range)[1], (*picture.range)[1]);
-      trace();
-      for (Picture& picture : pictures)
-        picture.range = request.range;
-    }
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-      Json json = picture_json(pictures[i]);
-      if (i > 0 && !depends_on_grid(request.channel)) json.erase("image"); // the first grid's
+    if (const auto range = ranges.find(name); range != ranges.end()) request.range = range->second;
+    for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
+      Picture picture = channel_picture(viewer, request, name);
+      picture.range = request.range;
+      Json json = picture_json(picture);
+      if (request.grid > 0 && !depends_on_grid(request.channel)) json.erase("image"); // the first grid's
       all[name].push_back(std::move(json));
     }
   }
   return all;
 }
 
-Json view_json(const Viewer& viewer, const ExportSettings& settings, const Camera& camera) {
+// --- Walks ------------------------------------------------------------------------------------------------
+
+// Walks of many rays through the same grids. Each place of a grid and each text is written once.
+class Walks {
+public:
+  explicit Walks(const Viewer& viewer) : viewer_(viewer), indices_(viewer.grids()) {
+    for (std::size_t grid = 0; grid < viewer.grids(); ++grid) {
+      places_.push_back(Json::array());
+      const GridLayout finest = finest_layout(viewer.grid(grid).file);
+      layouts_.push_back({{"min", vector_json(finest.space.min)}, {"step", vector_json(voxel_size(finest))}});
+    }
+  }
+
+  // {hit, grids: [{cells, tests, ended, steps: [place, tests, whether one of them was kept, …]}]}
+  Json of(const Vec3d& origin, const Vec3d& direction, Precision precision) {
+    Json walks{{"hit", nullptr}, {"grids", Json::array()}};
+    for (std::size_t grid = 0; grid < viewer_.grids(); ++grid) {
+      const Json walk = viewer_.walk({grid, origin, direction, false, 5, precision}, is_gone);
+      const Json& ray = walk["rays"][0];
+      Json steps = Json::array();
+      for (const Json& step : ray["steps"]) {
+        const Json& tests = step["tests"];
+        const bool kept = std::any_of(tests.begin(), tests.end(),
+                                      [](const Json& test) { return test["kept"].get<bool>(); });
+        steps.insert(steps.end(), {place(grid, step), tests.size(), kept ? 1 : 0});
+      }
+      walks["grids"].push_back({{"cells", ray["cells"]},
+                                {"tests", ray["tests"]},
+                                {"ended", ending(walk["ended"][0])},
+                                {"steps", std::move(steps)}});
+      if (const Json& hit = ray["hit"]; !hit.is_null()) // every grid's
+        walks["hit"] = {{"t", hit["t"]}, {"primitive", hit["primitive"]}, {"object", hit["object"]}};
+    }
+    return walks;
+  }
+
+  const Json& places() const { return places_; }
+  const Json& endings() const { return endings_; }
+  const Json& layouts() const { return layouts_; } // in which voxels lie
+
+private:
+  // A cell by the corners of its voxels, a node with its box.
+  std::size_t place(std::size_t grid, const Json& step) {
+    Json place = Json::array();
+    if (const Json& voxels = step["voxels"]; !voxels.is_null()) {
+      for (const char* const corner : {"first", "end"})
+        place.insert(place.end(), voxels[corner].begin(), voxels[corner].end());
+    } else {
+      place = {{"node", step["node"]}, {"box", step["box"]}};
+    }
+    const auto [found, is_new] = indices_[grid].try_emplace(place.dump(), places_[grid].size());
+    if (is_new) places_[grid].push_back(std::move(place));
+    return found->second;
+  }
+
+  std::size_t ending(const Json& text) {
+    const auto found = std::find(endings_.begin(), endings_.end(), text);
+    if (found != endings_.end()) return static_cast<std::size_t>(found - endings_.begin());
+    endings_.push_back(text);
+    return endings_.size() - 1;
+  }
+
+  const Viewer& viewer_;
+  Json places_ = Json::array(); // of each grid
+  Json endings_ = Json::array();
+  Json layouts_ = Json::array();
+  std::vector<std::unordered_map<std::string, std::size_t>> indices_;
+};
+
+// Rays in the plane of a slice, from each point on its sides to those of the other sides.
+Json plane_json(const Viewer& viewer, const Json& slice, Walks& walks) {
+  const auto axis = slice["axis"].get<int>();
+  std::vector<Vec3d> points;
+  for (int side = 0; side < 4; ++side) {
+    for (std::size_t i = 0; i < points_per_side; ++i) {
+      const double along = (static_cast<double>(i) + 0.5) / static_cast<double>(points_per_side);
+      const std::array<double, 2> shares =
+          side % 2 == 0 ? std::array{side == 0 ? 0.0 : 1.0, along} : std::array{along, side == 1 ? 0.0 : 1.0};
+      Vec3d point;
+      point.set(axis, slice["position"].get<double>());
+      for (std::size_t k = 0; k < 2; ++k)
+        point.set(slice["axes"][k].get<int>(),
+                  slice["min"][k].get<double>() +
+                      shares[k] * slice["voxels"][k].get<double>() * slice["step"][k].get<double>());
+      points.push_back(point);
+    }
+  }
+  Json json{{"axis", axis}, {"position", slice["position"]}, {"points", points}, {"walks", Json::array()}};
+  for (std::size_t from = 0; from < points.size(); ++from) {
+    for (std::size_t to = 0; to < points.size(); ++to) {
+      if (from / points_per_side == to / points_per_side) continue;
+      Json walk = walks.of(points[from], points[to] - points[from], viewer.precision());
+      walk["ends"] = {from, to};
+      json["walks"].push_back(std::move(walk));
+    }
+  }
+  return json;
+}
+
+std::int32_t picked_pixel(int share, std::int32_t side) {
+  return static_cast<std::int32_t>(std::int64_t{share} * side / 6);
+}
+
+Json view_json(const Viewer& viewer, const Camera& camera, const Ranges& ranges, Walks& walks) {
   PictureRequest request;
   request.camera = camera;
   request.quality = {85, true};
@@ -99,12 +220,18 @@ Json view_json(const Viewer& viewer, const ExportSettings& settings, const Camer
               {"at", vector_json(camera.at)},
               {"up", vector_json(camera.up)},
               {"angle", camera.angle}}},
-            {"channels", channels_json(viewer, request)}};
-  const auto [ray, precision] = viewer.camera_ray(camera, settings.width / 2, settings.height / 2);
-  for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
+            {"channels", channels_json(viewer, request, ranges)}};
+  for (request.grid = 0; request.grid < viewer.grids(); ++request.grid)
     json["counts"].push_back(viewer.counts(request, is_gone));
-    json["walks"].push_back(
-        viewer.walk({request.grid, ray.origin, ray.direction, false, 5, precision}, is_gone));
+  for (const int row : pixel_shares) {
+    for (const int column : pixel_shares) {
+      const auto [ray, precision] =
+          viewer.camera_ray(camera, picked_pixel(column, camera.width), picked_pixel(row, camera.height));
+      Json walk = walks.of(ray.origin, ray.direction, precision);
+      walk["origin"] = vector_json(ray.origin);
+      walk["direction"] = vector_json(ray.direction);
+      json["walks"].push_back(std::move(walk));
+    }
   }
   return json;
 }
@@ -130,11 +257,25 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
       boxes.push_back(viewer.boxes({grid, depth, most_boxes}, is_gone));
     data["boxes"].push_back(std::move(boxes));
   }
+  Walks walks(viewer);
+  for (const Json& slice : data["slices"][0])
+    data["planes"].push_back(plane_json(viewer, slice, walks));
+  for (const std::int32_t side : {camera.width, camera.height}) {
+    Json& pixels = data["pixels"].emplace_back();
+    for (const int share : pixel_shares)
+      pixels.push_back(picked_pixel(share, side));
+  }
   const std::vector<View> views = turntable(camera, settings.views);
+  PictureRequest request;
+  request.camera = camera;
+  const Ranges ranges = ranges_of(viewer, request, views);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    data["views"].push_back(view_json(viewer, settings, views[i].camera));
+    data["views"].push_back(view_json(viewer, views[i].camera, ranges, walks));
     progress(static_cast<double>(i + 1) / static_cast<double>(views.size()));
   }
+  data["places"] = walks.places();
+  data["endings"] = walks.endings();
+  data["layouts"] = walks.layouts();
   data.update(provenance());
   return data;
 }

@@ -190,6 +190,8 @@ Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
   return walk_turns_.run(is_gone, [&] {
     const WalkReport report = trace_walk(grid(request.grid).tracer, walk);
     Json json = walk_json(report);
+    for (const WalkRay& ray : report.rays)
+      json["ended"].push_back(description_of(ray));
     json["more_rays"] = report.more_rays;
     json["ended_early"] = report.ended_early;
     return json;

@@ -112,8 +112,9 @@ public:
     Precision precision;
   };
   PickedRay camera_ray(const Camera& camera, std::int32_t column, std::int32_t row) const;
-  // As gridtrace --ray --json has it, but bounded: `more_rays` are counted that aren't among `rays`,
-  // `ended_early` says that there are still more. A ray's `steps` are the first of its `cells`.
+  // As gridtrace --ray --json has it, and in `ended` why each ray's walk ended, in words. Bounded:
+  // `more_rays` are counted that aren't among `rays`, `ended_early` says that there are still more. A ray's
+  // `steps` are the first of its `cells`.
   nlohmann::ordered_json walk(const RayWalkRequest& request, const IsGone& is_gone) const;
   // {axis, axes, position, range, voxels, min, step, cells, outline, truncated, without_empty}: cells as
   // slice_cell_json() has them, those of a uniform grid without the empty ones where these are too many;

@@ -1,6 +1,8 @@
 // Where pictures and figures come from in a page that gridview --export wrote: from the page itself.
 'use strict';
 
+const nearestTo = (values, wanted) => values.reduce((best, value) => (Math.abs(value - wanted) < Math.abs(best - wanted) ? value : best));
+
 class Exported {
   constructor(data) {
     this.data = data;
@@ -30,22 +32,81 @@ class Exported {
   }
 
   async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }
-  // Of the pixel in the middle, the only one that there is.
-  async ray({camera}) {
-    const {origin, direction} = this.data.views[this.index(camera)].walks[0].rays[0];
+
+  // The nearest pixel whose walk was exported, as shares of the picture.
+  pixel(shareX, shareY) {
+    return [shareX, shareY].map((share, axis) => {
+      const middles = this.data.pixels[axis].map((at) => (at + 0.5) / this.size[axis]);
+      return nearestTo(middles, share);
+    });
+  }
+  async ray({camera}, x, y) {
+    const [columns, rows] = this.data.pixels;
+    const {origin, direction} = this.data.views[this.index(camera)].walks[rows.indexOf(y) * columns.length + columns.indexOf(x)];
     return {origin, direction};
   }
+
   async walk(grid, {origin, direction}) {
-    const isSame = ({rays: [first]}) => String([first.origin, first.direction]) === String([origin, direction]);
-    const view = this.data.views.find(({walks}) => isSame(walks[0]));
-    if (!view) throw new Error('The walk of this ray wasn’t exported.');
-    return view.walks[grid];
+    const key = String([origin, direction]);
+    if (!this.walks) {
+      this.walks = new Map();
+      for (const {walks} of this.data.views) for (const one of walks) this.walks.set(String([one.origin, one.direction]), one);
+      for (const {points, walks} of this.data.planes) for (const one of walks) {
+        const [from, to] = one.ends.map((index) => points[index]);
+        this.walks.set(String([from, Vec.sub(to, from)]), one);
+      }
+    }
+    const found = this.walks.get(key);
+    if (!found) throw new Error('The walk of this ray wasn’t exported.');
+    const {hit, grids} = found, {cells, tests, ended, steps} = grids[grid];
+    const ray = {kind: 'camera', origin, direction, cells, tests, hit: hit && {...hit, position: Vec.add(origin, Vec.scaled(direction, hit.t))}, steps: []};
+    // Flat: a place, tests, and whether one of them was kept.
+    for (let i = 0; i < steps.length; i += 3) {
+      const place = this.place(grid, this.data.places[grid][steps[i]]);
+      const [enter, exit] = Exported.interval(place.box, ray);
+      ray.steps.push({voxels: null, node: null, ...place, enter, exit,
+        tests: Array.from({length: steps[i + 1]}, (_, k) => ({primitive: null, t: null, kept: k === 0 && steps[i + 2] === 1}))});
+    }
+    return {rays: [ray], ended: [this.data.endings[ended]], more_rays: 0};
   }
+  // A cell is written as [first x, first y, first z, end x, end y, end z] of its voxels.
+  place(grid, written) {
+    if (!Array.isArray(written)) return written;
+    const {min, step} = this.data.layouts[grid];
+    const [first, end] = [written.slice(0, 3), written.slice(3)];
+    const corner = (voxel) => voxel.map((at, axis) => min[axis] + at * step[axis]);
+    return {voxels: {first, end}, box: {min: corner(first), max: corner(end)}};
+  }
+  // t at which a ray enters and leaves a box.
+  static interval({min, max}, {origin, direction}) {
+    let enter = 0, exit = Infinity;
+    for (let axis = 0; axis < 3; ++axis) {
+      if (direction[axis] === 0) continue;
+      const [a, b] = [min[axis], max[axis]].map((plane) => (plane - origin[axis]) / direction[axis]);
+      enter = Math.max(enter, Math.min(a, b));
+      exit = Math.min(exit, Math.max(a, b));
+    }
+    return [enter, exit];
+  }
+
+  // A slice's points between which walks were exported: on its four sides in turn, each as many.
+  planePoints(slice) {
+    return this.data.planes.find(({axis, position}) => axis === slice.axis && position === slice.position).points.map((point) => slice.axes.map((axis) => point[axis]));
+  }
+  // The nearest two of different sides.
+  planeEnds(slice, {from, to}) {
+    const points = this.planePoints(slice), side = (index) => Math.floor(4 * index / points.length);
+    const nearest = ([u, v], isAllowed) => points.map(([pu, pv], index) => [isAllowed(index) ? Math.hypot(pu - u, pv - v) : Infinity, index]).sort((a, b) => a[0] - b[0])[0][1];
+    const target = nearest(to, () => true), start = nearest(from, (index) => side(index) !== side(target));
+    return {from: points[start], to: points[target]};
+  }
+  // From point to point.
+  planeStep(slice) { return Math.max(...slice.axes.map((axis, k) => slice.voxels[k] * slice.step[k])) / (this.planePoints(slice).length / 4) * 0.75; }
+
   async statistics(grid) { return this.data.statistics[grid]; }
   async boxes(grid, depth) { return this.data.boxes[grid][depth === null ? 0 : depth + 1]; }
   async slice(grid, axis, share) {
     const {shares} = this.data;
-    const distances = shares.map((one) => Math.abs(one - share));
-    return this.data.slices[grid][axis * shares.length + distances.indexOf(Math.min(...distances))];
+    return this.data.slices[grid][axis * shares.length + shares.indexOf(nearestTo(shares, share))];
   }
 }

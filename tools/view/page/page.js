@@ -8,12 +8,15 @@ const state = {
   camera: null,
   depth: 5,
   panes: [],             // [{grid, channel, cells}]: one, or two that are compared
+  plane: null,           // grids whose slices are shown instead of pictures
   slice: {axis: 2, share: 0.5, depth: null}, // depth: of cells and boxes that are shown, null for all
   picking: null,         // the cross hair: {pane, x, y}, shares of the picture
 };
 const ranges = {};       // of the colours of channels: [low, high], the same in all pictures
-let slicePanel = null, walkPanel = null, colors = null;
+let slicePanel = null, walkPanel = null, planeView = null, colors = null;
+const MOST_SLICES = 4;
 const CELLS = ['none', 'slice', 'boxes', 'ray'];
+const TESTED = '#ff9ecb'; // cells and nodes of a walk in which primitives are tested
 const panes = [];        // what is on the page for each of state.panes
 let source = null;
 
@@ -44,9 +47,10 @@ function fragment() {
     if (String(state.camera[part]) !== String(home[part])) parts.set(part, String(state.camera[part]));
   }
   if (state.depth !== 5) parts.set('depth', state.depth);
-  parts.set('grid', state.panes.map((pane) => gridKey(state.scene.grids[pane.grid])).join());
-  parts.set('channel', state.panes.map((pane) => pane.channel).join());
-  if (state.panes.some((pane) => pane.cells !== 'none')) parts.set('cells', state.panes.map((pane) => pane.cells).join());
+  parts.set('grid', (state.plane || state.panes.map((pane) => pane.grid)).map((grid) => gridKey(state.scene.grids[grid])).join());
+  if (state.plane) parts.set('view', 'plane');
+  else parts.set('channel', state.panes.map((pane) => pane.channel).join());
+  if (!state.plane && state.panes.some((pane) => pane.cells !== 'none')) parts.set('cells', state.panes.map((pane) => pane.cells).join());
   const {axis, share, depth} = state.slice;
   if (axis !== 2 || share !== 0.5 || depth !== null) parts.set('slice', ['xyz'[axis], share, ...(depth === null ? [] : [depth])].join());
   if (walkPanel && walkPanel.ray) {
@@ -68,7 +72,7 @@ function readWalk() {
   const ray = {origin: numbers.slice(0, 3), direction: numbers.slice(3), ...(precision ? {precision} : {}),
     all: parts.get('all') === '1', depth: state.depth};
   const [pane = 0, index = 0, step = null] = (parts.get('walk') || '').split(',').map((word) => /^\d{1,9}$/.test(word) ? Number(word) : undefined);
-  return {ray, look: {pane: Math.min(pane, state.panes.length - 1), index, step}};
+  return {ray, look: {pane: Math.min(pane, (state.plane || state.panes).length - 1), index, step}};
 }
 
 // Whatever of it makes sense.
@@ -93,11 +97,16 @@ function readFragment() {
   const isSlice = ['x', 'y', 'z'].includes(axis) && share >= 0 && share <= 1;
   Object.assign(state.slice, isSlice ? {axis: 'xyz'.indexOf(axis), share: Number(share)} : {axis: 2, share: 0.5},
     {depth: isSlice && /^\d{1,2}$/.test(level) ? Number(level) : null});
-  const made = grids.filter((grid) => grid >= 0).slice(0, 2).map((grid, i) => ({
+  const known = grids.filter((grid) => grid >= 0);
+  state.plane = parts.get('view') !== 'plane' ? null : known.length > 0 ? known.slice(0, MOST_SLICES) : allInPlane();
+  const made = known.slice(0, state.plane ? 1 : 2).map((grid, i) => ({
     grid, channel: state.scene.channels.includes(channels[i]) ? channels[i] : 'shaded',
     cells: CELLS.includes(cells[i]) ? cells[i] : 'none'}));
   state.panes = made.length > 0 ? made : [{grid: 0, channel: 'shaded', cells: 'none'}];
 }
+
+// The first ones.
+const allInPlane = () => state.scene.grids.map((grid, i) => i).slice(0, MOST_SLICES);
 
 let addressTimer = 0;
 function rememberSoon() {
@@ -154,6 +163,14 @@ class Pane {
     update();
   }
 
+  // The view's camera; wider where the picture is narrower than the scene's own, so that it holds what that holds.
+  camera(width, height) {
+    const {camera} = state, own = state.scene.camera;
+    const wider = source.isLive ? own.width / own.height / (width / height) : 1;
+    if (!(wider > 1)) return camera;
+    return {...camera, angle: Math.atan(Math.tan(camera.angle * Math.PI / 360) * wider) * 360 / Math.PI};
+  }
+
   size() {
     if (!source.isLive) return source.size;
     const ratio = window.devicePixelRatio || 1;
@@ -169,7 +186,7 @@ class Pane {
     this.channelSelect.value = this.settings.channel;
     this.cellsSelect.value = this.settings.cells;
     this.stage.setAttribute('aria-label', `${state.scene.scene.name} through ${state.scene.grids[this.settings.grid].name}, ${this.settings.channel}. Arrow keys orbit, Enter picks a pixel.`);
-    this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: state.camera,
+    this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: this.camera(width, height),
       width, height, depth: state.depth, range: ranges[this.settings.channel]});
   }
 
@@ -225,9 +242,12 @@ class Pane {
   drawWalk(ray) {
     const {overlay} = this;
     const at = (t) => Vec.add(ray.origin, Vec.scaled(ray.direction, t));
-    if (this.settings.cells === 'ray') this.drawBoxes(ray.steps.map((step) => step.box));
-    const step = ray.steps[walkPanel.step];
-    if (step && walkPanel.pane === this.index) {
+    if (this.settings.cells === 'ray') {
+      this.drawBoxes(ray.steps.map((step) => step.box));
+      overlay.boxes(ray.steps.filter((step) => step.tests.length > 0).map((step) => step.box), TESTED, 1.4);
+    }
+    const step = ray.steps[Math.min(walkPanel.step, ray.steps.length - 1)];
+    if (step) {
       overlay.boxes([step.box], '#000', 4, 0.5);
       overlay.boxes([step.box], '#ffd54a', 2);
     }
@@ -262,7 +282,7 @@ class Pane {
     if (this.counting) this.counting.abort();
     this.counting = new AbortController();
     try {
-      this.counts = await source.counts(small, this.counting.signal);
+      this.counts = {...await source.counts(small, this.counting.signal), size: [small.width, small.height]};
       showCost();
     } catch (error) {
       if (error.name !== 'AbortError') this.failed(error.message);
@@ -283,13 +303,21 @@ class Pane {
 }
 
 function showPanes() {
-  while (panes.length > state.panes.length) panes.pop().close();
-  while (panes.length < state.panes.length) {
+  const wanted = state.plane ? 0 : state.panes.length;
+  while (panes.length > wanted) panes.pop().close();
+  while (panes.length < wanted) {
     const pane = new Pane(panes.length);
     panes.push(pane);
     $('pictures').append(pane.root);
   }
   $('compare').setAttribute('aria-pressed', String(panes.length > 1));
+  $('plane').setAttribute('aria-pressed', String(Boolean(state.plane)));
+  $('pictures').hidden = Boolean(state.plane);
+  for (const id of ['compare', 'reset', 'copy-command', 'view-panel', 'cost-panel']) $(id).hidden = Boolean(state.plane);
+  $('walk-title').textContent = state.plane ? 'Walk of the ray' : 'Walk of a pixel';
+  $('walk-all').parentElement.hidden = Boolean(state.plane);
+  planeView.show(state.plane || []);
+  if (!state.plane) $('slice').prepend(slicePanel.place);
 }
 
 // Round numbers around the values of all pictures of the channel. Kept while they fit fairly, so that colours
@@ -323,24 +351,25 @@ function update() {
 }
 
 // Each once.
-const shownGrids = () => [...new Set(state.panes.map((pane) => pane.grid))];
+const shownGrids = () => [...new Set(state.plane || state.panes.map((pane) => pane.grid))];
 
 function showSlice() {
   const shown = shownGrids();
-  slicePanel.isOverlaid = state.panes.some((pane) => pane.cells === 'slice');
-  slicePanel.hasBoxes = state.panes.some((pane) => pane.cells === 'boxes');
+  slicePanel.hasSlices = state.plane || state.panes.some((pane) => pane.cells === 'slice');
+  slicePanel.hasBoxes = !state.plane && state.panes.some((pane) => pane.cells === 'boxes');
   slicePanel.show(shown, shown.map(shortName), shown.map((grid) => state.scene.grids[grid]));
   drawOverlays();
 }
 
 function showWalk() {
-  walkPanel.followAgain({depth: state.depth});
-  const grids = state.panes.map((pane) => pane.grid);
+  if (!state.plane) walkPanel.followAgain({depth: state.depth});
+  const grids = state.plane || state.panes.map((pane) => pane.grid);
   walkPanel.show(grids, grids.map(shortName), grids.map((grid) => state.scene.grids[grid]));
 }
 
 function drawOverlays() {
   for (const pane of panes) pane.drawOverlay();
+  planeView.draw();
   rememberSoon();
 }
 
@@ -404,8 +433,9 @@ function controlCamera(pane) {
   const end = (event) => {
     if (!pointers.delete(event.pointerId)) return;
     if (event.type === 'pointerup' && moved < 4 && button === 0 && !event.shiftKey) {
-      const box = stage.getBoundingClientRect();
-      pick(pane, (event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
+      const box = stage.getBoundingClientRect(), [width, height] = pane.size();
+      const scale = Math.min(box.width / width, box.height / height); // an exported picture doesn't fill its stage
+      pick(pane, 0.5 + (event.clientX - box.left - box.width / 2) / (scale * width), 0.5 + (event.clientY - box.top - box.height / 2) / (scale * height));
     }
   };
   stage.addEventListener('pointerup', end);
@@ -490,12 +520,12 @@ function keyOfPicking(pane, event) {
 let picking = null;
 async function pick(pane, shareX, shareY) {
   const [width, height] = pane.size();
-  if (!source.isLive) shareX = shareY = 0.5; // the only pixel whose walk was exported
+  [shareX, shareY] = source.pixel(shareX, shareY);
   const x = Math.max(0, Math.min(width - 1, Math.floor(shareX * width))), y = Math.max(0, Math.min(height - 1, Math.floor(shareY * height)));
   if (picking) picking.abort();
   const {signal} = picking = new AbortController();
   try {
-    const ray = await source.ray({camera: state.camera, width, height}, x, y, signal);
+    const ray = await source.ray({camera: pane.camera(width, height), width, height}, x, y, signal);
     await walkPanel.follow({...ray, all: $('walk-all').checked, depth: state.depth}, {pane: pane.index, pixel: {x, y, width, height}});
     $('walk-panel').open = true;
     const {current} = walkPanel;
@@ -515,13 +545,24 @@ function toggleCompare() {
   update();
 }
 
+function togglePlane() {
+  state.plane = state.plane ? null : allInPlane();
+  showPanes();
+  walkPanel.clear();
+  update();
+}
+
 function keyOfPage(event) {
   if (event.ctrlKey || event.altKey || event.metaKey || /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
   if (event.key === '?') toggleKeys();
-  else if (event.key === 'v') toggleCompare();
+  else if (event.key === 'p') togglePlane();
+  else if (event.key === 'v' && !state.plane) toggleCompare();
   else if (event.key === 'Home') setCamera(homeCamera());
   else if (event.key === ',' && walkPanel.move(-1)) { /* a step back */ }
   else if (event.key === '.' && walkPanel.move(1)) { /* a step on */ }
+  // What has keys of its own keeps them; Enter presses what is focused.
+  else if (panes.length > 0 && !event.target.closest('.stage, .scroll') && (event.key !== 'Enter' || event.target === document.body) &&
+           keyOfPicture(panes[0], event)) { /* the first picture's */ }
   else return;
   event.preventDefault();
 }
@@ -625,7 +666,7 @@ function command() {
   const pane = panes[0];
   const {scene, grids, precision} = state.scene;
   const [width, height] = pane.size();
-  const {from, at, up, angle} = state.camera;
+  const {from, at, up, angle} = pane.camera(width, height);
   return ['gridrender', quoted(scene.path), quoted(grids[pane.settings.grid].path), '-o picture.png',
     `--size ${width}x${height}`, `--from=${from.join()}`, `--at=${at.join()}`, `--up=${up.join()}`, `--angle ${angle}`,
     ...(pane.settings.channel === 'shaded' ? [] : [`--channels ${pane.settings.channel.replace('all ', '')}`,
@@ -661,12 +702,16 @@ async function begin() {
   state.scene.channels = state.scene.channels || ['shaded'];
   colors = new ColorScale(state.scene.colors);
   describeScene();
-  walkPanel = new WalkPanel($('walk'), source, drawOverlays, (point) => setCamera(Camera.centered(state.camera, point)));
-  slicePanel = new SlicePanel($('slice'), source, colors, state.slice, drawOverlays);
-  $('slice-panel').addEventListener('toggle', () => showSlice());
+  slicePanel = new SlicePanel($('slice'), source, state.slice, drawOverlays);
+  walkPanel = new WalkPanel($('walk'), source, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));
+  planeView = new PlaneView($('planes'), state.scene, source, colors, slicePanel, walkPanel, (index, grid) => {
+    state.plane[index] = grid;
+    update();
+  });
   $('walk-all').addEventListener('change', () => walkPanel.followAgain({all: $('walk-all').checked}));
   openAddress();
   $('compare').addEventListener('click', toggleCompare);
+  $('plane').addEventListener('click', togglePlane);
   $('reset').addEventListener('click', () => setCamera(homeCamera()));
   $('keys').addEventListener('click', toggleKeys);
   $('copy-link').addEventListener('click', () => copy(location.href.split('#')[0] + fragment(), 'Link'));

@@ -93,6 +93,7 @@ function costTable(shown) {
   const perRay = {text: Text.number, less: true};
   const cells = visitedNames(shown.map((one) => one.grid));
   const ofCells = (get) => of((one) => visited(one.grid) === 'cell' ? get(one.counts) : null);
+  const size = shown[0].counts && shown[0].counts.size; // of a smaller picture of the view
   const areSharp = shown.every((one) => one.frame && one.frame.isSharp && one.frame.view.channel === shown[0].frame.view.channel);
   return table(shown.map((one) => one.name), [
     ['picture', of((one) => `${one.frame.view.width} × ${one.frame.view.height}`), {}],
@@ -100,8 +101,8 @@ function costTable(shown) {
     ['camera rays', of((one) => one.frame.rays / one.frame.milliseconds.trace / 1e3), {text: (v) => `${Text.number(v)} M/s`, title: 'Camera rays a second, with all rays that they spawn'}],
     ['copy from device', of((one) => one.frame.milliseconds.copy), time],
     ['rows, JPEG', of((one) => one.frame.milliseconds.rows + one.frame.milliseconds.encode), time],
-    ['until shown', of((one) => one.frame.milliseconds.total), time],
-    ['All rays of the picture'],
+    ['until shown', of((one) => one.frame.milliseconds.total), {...time, title: 'From the request to the picture on the page, without the time that it waited for its turn'}],
+    [`All rays${size ? `, of ${size.join(' × ')} pixels` : ''}`],
     [`${cells} per ray`, of((one) => one.counts.cells_visited / rays(one.counts)), perRay],
     ['empty cells per ray', ofCells((c) => c.empty_cells_visited / rays(c)), perRay],
     ['tests per ray', of((one) => tests(one.counts) / rays(one.counts)), perRay],

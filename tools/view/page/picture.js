@@ -102,7 +102,7 @@ class Picture {
     const small = {...view, width: Math.max(1, Math.round(view.width * scale)),
                    height: Math.max(1, Math.round(view.height * scale))};
     const got = await this.source.picture(small, 'moving', null, undefined);
-    const cost = !this.source.isLive ? 0 : (got.milliseconds.total - got.milliseconds.wait) / (small.width * small.height);
+    const cost = !this.source.isLive ? 0 : got.milliseconds.total / (small.width * small.height);
     this.msPerPixel += (cost - this.msPerPixel) * (cost > this.msPerPixel ? 0.5 : 0.2);
     if (this.isClosed) return;
     this.fit(view);

@@ -1,5 +1,4 @@
-// Slices: the cells or boxes that a plane cuts, coloured by what they list, with the outline of the geometry; and
-// which boxes lie over the pictures.
+// Slices: the cells or boxes that a plane cuts, with the outline of the geometry; and which boxes lie over the pictures.
 'use strict';
 
 // Colours of numbers, as the server has them.
@@ -47,8 +46,8 @@ function sliceLines(slice, cells, most) {
 
 class SlicePanel {
   // changed(): slices or boxes were loaded; settings: {axis, share, depth} of the page, depth null for any.
-  constructor(root, source, colors, settings, changed) {
-    Object.assign(this, {root, source, colors: colors.reversed(), settings, changed, loaded: new Map(), slices: new Map(), boxes: new Map()});
+  constructor(root, source, settings, changed) {
+    Object.assign(this, {root, source, settings, changed, loaded: new Map(), slices: new Map(), boxes: new Map()});
     this.axis = element('select', {'aria-label': 'Axis of the slice', onchange: () => this.set({axis: Number(this.axis.value)})},
       ...['x', 'y', 'z'].map((name, i) => element('option', {value: i}, name)));
     this.slider = element('input', {type: 'range', min: 0, max: 1, step: 0.0025, 'aria-label': 'Position of the slice',
@@ -61,8 +60,8 @@ class SlicePanel {
     this.depths = element('label', {class: 'controls'}, 'Depth', this.depth, this.depthText);
     this.position = element('output', {});
     this.boxesText = element('p', {class: 'note'});
-    this.plots = element('div');
-    root.append(element('div', {class: 'controls'}, this.axis, this.slider), this.depths, this.boxesText, this.position, this.plots);
+    this.place = element('div', {class: 'controls'}, this.axis, this.slider, this.position);
+    root.append(this.place, this.depths, this.boxesText);
   }
 
   set(change) {
@@ -83,7 +82,7 @@ class SlicePanel {
   parts() {
     const {axis, share} = this.settings;
     return this.grids.flatMap((grid) => [
-      ...(this.isOverlaid || this.root.parentElement.open // nobody looks at it otherwise
+      ...(this.hasSlices // nobody looks at them otherwise
         ? [{grid, kind: 'slices', key: `slice ${grid} ${axis} ${share}`, get: () => this.source.slice(grid, axis, share)}] : []),
       ...(this.hasBoxes ? [{grid, kind: 'boxes', key: `boxes ${grid} ${this.depthOf(grid)}`, get: () => this.source.boxes(grid, this.depthOf(grid))}] : [])]);
   }
@@ -133,70 +132,29 @@ class SlicePanel {
     return this.of(grid).cells.filter((cell) => depth === null || cell[5] === depth);
   }
 
+  // The most references of what is shown: one range of colours for all slices.
+  most() {
+    return this.grids.filter((grid) => this.of(grid)).flatMap((grid) => this.cellsOf(grid)).reduce((sofar, cell) => Math.max(sofar, cell[4]), 1);
+  }
+
   draw() {
     const inOrder = (kind) => this.grids.map((grid, i) => [grid, i]).filter(([grid]) => this[kind].has(grid));
     this.boxesText.textContent = inOrder('boxes').map(([grid, i]) => {
       const {boxes, count} = this.boxes.get(grid);
       return `${this.names[i]}: ${count > boxes.length ? `the first ${Text.count(boxes.length)} of ` : ''}${Text.count(count)} boxes over the picture`;
     }).join('; ');
-    const shown = inOrder('slices');
-    if (shown.length === 0) return;
-    const first = this.of(shown[0][0]);
-    const axis = 'xyz'[first.axis];
-    this.position.textContent = `${axis} = ${Text.number(first.position)} of ${Text.number(first.range[0])} to ${Text.number(first.range[1])}`;
-    // One range of colours for all.
-    const most = shown.flatMap(([grid]) => this.cellsOf(grid)).reduce((sofar, cell) => Math.max(sofar, cell[4]), 1);
-    const scale = element('div', {class: 'slice-scale'}, 'references 0', element('span', {class: 'colors', 'aria-hidden': true}), Text.count(most));
-    scale.querySelector('.colors').style.backgroundImage = this.colors.gradient();
-    this.plots.replaceChildren(scale, ...shown.flatMap(([grid, i]) => this.plot(this.of(grid), this.cellsOf(grid), most, this.names[i], this.structures[i])));
+    const [shown] = inOrder('slices');
+    if (!shown) return;
+    const {axis, position, range} = this.of(shown[0]);
+    this.position.textContent = `${'xyz'[axis]} = ${Text.number(position)} of ${Text.number(range[0])} to ${Text.number(range[1])}`;
   }
+}
 
-  plot(slice, cells, most, name, structure) {
-    const [width, height] = [slice.voxels[0] * slice.step[0], slice.voxels[1] * slice.step[1]];
-    const pixels = 700;
-    const scale = Math.min(pixels / width, pixels / height);
-    const canvas = element('canvas', {class: 'slice', role: 'img'});
-    canvas.width = Math.max(1, Math.round(width * scale));
-    canvas.height = Math.max(1, Math.round(height * scale));
-    const context = canvas.getContext('2d', {alpha: false});
-    context.fillStyle = '#fff';
-    context.fillRect(0, 0, canvas.width, canvas.height);
-    const x = (voxel) => voxel * slice.step[0] * scale, y = (voxel) => canvas.height - voxel * slice.step[1] * scale;
-    const lines = new Path2D();
-    for (const [u0, v0, u1, v1, references] of cells) {
-      const [left, top, w, h] = [x(u0), y(v1), x(u1) - x(u0), y(v0) - y(v1)];
-      if (references > 0) {
-        context.fillStyle = this.colors.at(Math.log(1 + references) / Math.log(1 + most));
-        context.fillRect(left, top, w + 0.5, h + 0.5);
-      }
-      if (w > 3 && h > 3) lines.rect(left, top, w, h);
-    }
-    context.strokeStyle = 'rgba(0, 0, 0, 0.35)';
-    context.lineWidth = 0.7;
-    context.stroke(lines);
-    const outline = new Path2D();
-    for (const [u0, v0, u1, v1] of slice.outline) {
-      outline.moveTo((u0 - slice.min[0]) * scale, canvas.height - (v0 - slice.min[1]) * scale);
-      outline.lineTo((u1 - slice.min[0]) * scale, canvas.height - (v1 - slice.min[1]) * scale);
-    }
-    context.strokeStyle = '#d9480f';
-    context.lineWidth = 1.2;
-    context.stroke(outline);
-    const occupied = cells.filter((cell) => cell[4] > 0).length;
-    const [u, v] = slice.axes.map((axis) => 'xyz'[axis]);
-    const isHierarchy = structure.structure === 'bvh';
-    const facts = `${name}: ${Text.count(cells.length)} ${isHierarchy ? 'boxes' : 'cells'}, ${Text.count(occupied)} ${isHierarchy ? 'of references' : 'occupied'}, at most ${Text.count(cells.reduce((sofar, cell) => Math.max(sofar, cell[4]), 0))} references${slice.without_empty ? '; the empty ones are too many to be drawn' : ''}${slice.truncated ? '; not all are drawn' : ''}`;
-    canvas.setAttribute('aria-label', facts);
-    const hover = element('p', {class: 'note'}, `${u} to the right, ${v} up; darker: more references; orange: the geometry`);
-    const usual = hover.textContent;
-    canvas.addEventListener('pointermove', (event) => {
-      const box = canvas.getBoundingClientRect();
-      const cu = (event.clientX - box.left) / box.width * slice.voxels[0], cv = (1 - (event.clientY - box.top) / box.height) * slice.voxels[1];
-      const cell = cells.findLast(([u0, v0, u1, v1]) => cu >= u0 && cu < u1 && cv >= v0 && cv < v1); // of boxes the innermost
-      const place = !cell ? 'empty' : isHierarchy ? `box ${cell[7]}, depth ${cell[5]}` : `voxels ${cell[0]}–${cell[2] - 1}, ${cell[1]}–${cell[3] - 1}`;
-      hover.textContent = `${u} = ${Text.number(sliceU(slice, cu))}, ${v} = ${Text.number(sliceV(slice, cv))}: ${place}${cell && (cell[4] > 0 || !isHierarchy) ? `, ${cell[4]} references` : ''}`;
-    });
-    canvas.addEventListener('pointerleave', () => { hover.textContent = usual; });
-    return [element('p', {class: 'facts-line'}, facts), canvas, hover];
-  }
+// In words; cells: of the depth that is shown.
+function sliceFacts(slice, cells, structure) {
+  const isHierarchy = structure.structure === 'bvh';
+  const occupied = cells.filter((cell) => cell[4] > 0).length;
+  return `${counted(cells.length, isHierarchy ? 'box' : 'cell').replace(/xs$/, 'xes')}, ${Text.count(occupied)} ${isHierarchy ? 'of references' : 'occupied'}, ` +
+    `at most ${counted(cells.reduce((sofar, cell) => Math.max(sofar, cell[4]), 0), 'reference')}` +
+    `${slice.without_empty ? '; the empty ones are too many to be drawn' : ''}${slice.truncated ? '; not all are drawn' : ''}`;
 }

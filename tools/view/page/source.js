@@ -46,13 +46,16 @@ class Server {
     const response = await this.get('api/picture', parameters, signal);
     const image = await createImageBitmap(await response.blob());
     const {precision, ...milliseconds} = readTiming(response.headers.get('Server-Timing'));
-    return {image, precision, milliseconds: {...milliseconds, total: performance.now() - begin}, rays: milliseconds.rays,
+    return {image, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays: milliseconds.rays,
             range: 'low' in milliseconds ? [milliseconds.low, milliseconds.high] : null};
   }
 
   counts(view, signal) {
     return this.json('api/counts', {...Server.cameraParameters({...view, channel: 'shaded'}), quality: 'still'}, signal);
   }
+
+  // Where a walk can be picked, as shares of the picture: anywhere.
+  pixel(shareX, shareY) { return [shareX, shareY]; }
 
   // {origin, direction, precision} of the camera ray through a pixel's centre.
   ray({camera, width, height}, x, y, signal) {
@@ -65,6 +68,10 @@ class Server {
     return this.json('api/walk', {grid, origin: origin.join(), direction: direction.join(), all: all ? 1 : 0, depth,
                                   ...(precision ? {precision} : {})}, signal);
   }
+
+  // Where the ends of a ray in a slice may be: anywhere. By how much a key moves them.
+  planeEnds(slice, ends) { return ends; }
+  planeStep(slice, step) { return step; }
 
   slice(grid, axis, share, signal) { return this.json('api/slice', {grid, axis, share}, signal); }
 

@@ -12,9 +12,10 @@ class WalkPanel {
   clear() {
     if (this.abort) this.abort.abort();
     // ray: {origin, direction, all, depth}, the camera's or a given one; pixel: where it was picked; pane: whose
-    // walk is listed; index: of the ray among those that it spawned; step: null for the last; walks: by grid.
+    // walk is listed; index: of the ray among those that it spawned; step: of all walks, which have ended before it
+    // or not, null for the last of the longest; walks: by grid.
     Object.assign(this, {ray: null, pixel: null, pane: 0, index: 0, step: null, walks: new Map(), drawn: '', abort: null});
-    this.root.replaceChildren(element('p', {class: 'note'}, 'Click a pixel, or press Enter in the picture, to follow its ray through the grid or the hierarchy.'));
+    this.root.replaceChildren(element('p', {class: 'note'}, 'Click a pixel, or press Enter in the picture, to follow its ray through the grid or the hierarchy. Plane has a ray to drag.'));
     this.changed();
   }
 
@@ -67,17 +68,20 @@ class WalkPanel {
     }
   }
 
+  // Of the longest walk that is shown.
+  get lastStep() { return Math.max(0, ...this.grids.map((grid) => this.rayOf(grid)).map((ray) => ray ? ray.steps.length - 1 : 0)); }
+
   move(by) {
     const {current} = this;
     if (!current || current.steps.length === 0) return false;
-    this.select(Math.max(0, Math.min(current.steps.length - 1, this.step + by)));
+    this.select(Math.max(0, Math.min(this.lastStep, this.step + by)));
     return true;
   }
 
   select(step) {
     this.step = step;
-    for (const row of this.body.rows) row.setAttribute('aria-selected', String(Number(row.dataset.step) === step));
-    const row = this.body.rows[step];
+    const row = this.body.rows[Math.min(step, this.body.rows.length - 1)];
+    for (const one of this.body.rows) one.setAttribute('aria-selected', String(one === row));
     if (row) {
       const list = this.list.getBoundingClientRect(), at = row.getBoundingClientRect();
       if (at.top < list.top + 22 || at.bottom > list.bottom) this.list.scrollTop += at.top - list.top - list.height / 2;
@@ -96,13 +100,14 @@ class WalkPanel {
     this.index = Math.min(this.index, this.walk.rays.length - 1);
     const {walk, pixel, current} = this;
     const what = visited(this.structures[this.pane]);
-    const last = Math.max(0, current.steps.length - 1);
-    this.step = this.step === null ? last : Math.min(this.step, last);
+    this.step = Math.min(this.step ?? Infinity, this.lastStep);
     const range = (first, end) => first === end - 1 ? `${first}` : `${first}–${end - 1}`;
     // A cell's voxels, or a node and what became of its boxes.
     const placeOf = ({voxels, node}) => node
       ? [`${node.index}`, `${node.depth}`, [node.boxes_met, node.boxes_missed, node.boxes_beyond].join(' · ')]
       : [[0, 1, 2].map((i) => range(voxels.first[i], voxels.end[i])).join(' ')];
+    const titleOf = ({tests}) => tests.filter(({primitive}) => primitive !== null)
+      .map((test) => `primitive ${test.primitive}: ${test.t === null ? 'missed' : `t ${test.t}${test.kept ? ', kept' : ''}`}`).join('\n');
     const hit = current.hit;
     const summary = element('div', {class: 'rows'},
       ...[...(pixel ? [['pixel', `${pixel.x}, ${pixel.y} of ${pixel.width} × ${pixel.height}`]] : []),
@@ -110,7 +115,7 @@ class WalkPanel {
           ['direction', Text.vector(current.direction)],
           ['hit', hit ? `object ${hit.object}, primitive ${hit.primitive}, t ${Number(hit.t.toPrecision(7))}` : 'nothing'],
           ...(hit ? [['at', Text.vector(hit.position)]] : []),
-          ['ended', current.end]].flatMap(([name, value]) =>
+          ['ended', walk.ended[this.index]]].flatMap(([name, value]) =>
         [element('span', {class: 'name'}, name), element('span', {class: 'value'}, value)]));
     const shown = this.grids.map((grid) => this.rayOf(grid));
     const costs = table(this.names, [
@@ -130,7 +135,7 @@ class WalkPanel {
     current.steps.forEach((step, i) => {
       const kept = step.tests.filter((test) => test.kept).length;
       this.body.append(element('tr', {id: `walk-step-${i}`, 'data-step': i, role: 'option', 'aria-selected': i === this.step,
-        onclick: () => this.select(i), title: step.tests.map((test) => `primitive ${test.primitive}: ${test.t === null ? 'missed' : `t ${test.t}${test.kept ? ', kept' : ''}`}`).join('\n')},
+        onclick: () => this.select(i), title: titleOf(step)},
         ...[String(i), ...placeOf(step), Text.number(step.enter)].map((text) => element('td', {}, text)),
         element('td', {}, step.exit === null ? '∞' : Text.number(step.exit)), element('td', {class: kept ? 'hit' : null}, `${step.tests.length}${kept ? ' hit' : ''}`)));
     });
@@ -146,9 +151,9 @@ class WalkPanel {
     const buttons = element('div', {class: 'controls'},
       element('button', {type: 'button', title: `The ${what} before (,)`, onclick: () => this.move(-1)}, '◂ step'),
       element('button', {type: 'button', title: `The next ${what} (.)`, onclick: () => this.move(1)}, 'step ▸'),
-      hit ? element('button', {type: 'button', title: 'The camera orbits around the hit', onclick: () => this.center(hit.position)}, 'Orbit here') : null,
-      element('button', {type: 'button', title: 'Drops the walk (Esc)', onclick: () => this.clear()}, 'Clear'));
-    this.root.replaceChildren(...[summary, costs, choices, more, buttons, this.list, boxes, moreCells].filter(Boolean));
+      hit ? element('button', {class: 'of-pictures', type: 'button', title: 'The camera orbits around the hit', onclick: () => this.center(hit.position)}, 'Orbit here') : null,
+      element('button', {class: 'of-pictures', type: 'button', title: 'Drops the walk (Esc)', onclick: () => this.clear()}, 'Clear'));
+    this.root.replaceChildren(...[costs, choices, more, buttons, this.list, boxes, moreCells, summary].filter(Boolean));
     this.select(this.step);
   }
 }

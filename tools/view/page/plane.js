@@ -1,0 +1,374 @@
+// The plane: slices of up to four grids and hierarchies beside each other, and a ray in it that is dragged through all
+// of them and followed step by step.
+'use strict';
+
+// One slice. Draws cells or boxes once for each window, and the ray over them.
+class SlicePlot {
+  constructor(index, grids, colors, choose) {
+    Object.assign(this, {index, colors, cells: document.createElement('canvas'), key: '', zoom: null});
+    this.gridSelect = element('select', {onchange: () => choose(index, Number(this.gridSelect.value))},
+      ...grids.map((grid, i) => element('option', {value: i}, grid.name)));
+    this.facts = element('output', {class: 'status', 'aria-live': 'off'});
+    this.canvas = element('canvas', {class: 'slice', tabindex: 0, role: 'application', 'aria-roledescription': 'slice'});
+    this.counts = element('p', {class: 'walk-counts', hidden: true});
+    this.root = element('figure', {class: 'picture'},
+      element('div', {class: 'bar'}, element('label', {}, 'Grid ', this.gridSelect), this.facts),
+      element('div', {class: 'plot'}, this.canvas, this.counts));
+  }
+
+  // Pixels of the canvas from scene units and back. zoom: {u, v, scale}: its middle and how much larger; null: all.
+  window(slice, zoom) {
+    const {canvas} = this;
+    const [w, h] = [slice.voxels[0] * slice.step[0], slice.voxels[1] * slice.step[1]];
+    const {u, v, scale: larger} = zoom || {u: slice.min[0] + w / 2, v: slice.min[1] + h / 2, scale: 1};
+    const scale = larger * Math.min((canvas.width - 24) / w, (canvas.height - 24) / h);
+    return {scale, x: (at) => canvas.width / 2 + (at - u) * scale, y: (at) => canvas.height / 2 - (at - v) * scale,
+            u: (x) => u + (x - canvas.width / 2) / scale, v: (y) => v - (y - canvas.height / 2) / scale};
+  }
+
+  // True where the size changed.
+  fit() {
+    const ratio = window.devicePixelRatio || 1;
+    const [width, height] = [this.canvas.clientWidth, this.canvas.clientHeight].map((side) => Math.max(48, Math.round(side * ratio)));
+    if (this.canvas.width !== width || this.canvas.height !== height) Object.assign(this.canvas, {width, height});
+    this.pixel = ratio;
+  }
+
+  // most: references that the darkest colour stands for.
+  drawCells(slice, cells, most, zoom) {
+    const {canvas, colors} = this;
+    const key = [slice.axis, slice.position, cells.length, most, canvas.width, canvas.height, zoom && Object.values(zoom)].join();
+    if (this.key === key && this.slice === slice) return;
+    Object.assign(this, {key, slice});
+    Object.assign(this.cells, {width: canvas.width, height: canvas.height});
+    const context = this.cells.getContext('2d', {alpha: false});
+    const at = this.window(slice, zoom);
+    context.fillStyle = '#fff';
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    const lines = new Path2D();
+    for (const [u0, v0, u1, v1, references] of cells) {
+      const left = at.x(sliceU(slice, u0)), right = at.x(sliceU(slice, u1)), top = at.y(sliceV(slice, v1)), bottom = at.y(sliceV(slice, v0));
+      if (right < 0 || left > canvas.width || bottom < 0 || top > canvas.height) continue;
+      if (references > 0) {
+        context.fillStyle = colors.at(Math.log(1 + references) / Math.log(1 + most));
+        context.fillRect(left, top, right - left + 0.5, bottom - top + 0.5);
+      }
+      if (right - left > 3 && bottom - top > 3) lines.rect(left, top, right - left, bottom - top);
+    }
+    context.strokeStyle = 'rgba(0, 0, 0, 0.35)';
+    context.lineWidth = 0.7 * this.pixel;
+    context.stroke(lines);
+    const outline = new Path2D();
+    for (const [u0, v0, u1, v1] of slice.outline) {
+      outline.moveTo(at.x(u0), at.y(v0));
+      outline.lineTo(at.x(u1), at.y(v1));
+    }
+    context.strokeStyle = '#d9480f';
+    context.lineWidth = 1.4 * this.pixel;
+    context.stroke(outline);
+  }
+
+  // ends: {from, to} in the plane; ray: its walk, or null; step: the last one that is drawn.
+  draw(slice, zoom, ends, ray, step) {
+    const {canvas, pixel} = this;
+    const context = canvas.getContext('2d', {alpha: false});
+    context.drawImage(this.cells, 0, 0);
+    const at = this.window(slice, zoom);
+    const [i, j] = slice.axes;
+    const rectangle = ({min, max}) => [at.x(min[i]), at.y(max[j]), (max[i] - min[i]) * at.scale, (max[j] - min[j]) * at.scale];
+    const stroke = (path, style, width, dash = []) => {
+      context.strokeStyle = style;
+      context.lineWidth = width * pixel;
+      context.setLineDash(dash);
+      context.stroke(path);
+      context.setLineDash([]);
+    };
+    const segment = (a, b) => {
+      const path = new Path2D();
+      path.moveTo(at.x(a[0]), at.y(a[1]));
+      path.lineTo(at.x(b[0]), at.y(b[1]));
+      return path;
+    };
+    if (ray) {
+      const visited = new Path2D();
+      context.fillStyle = 'rgba(40, 130, 255, 0.16)';
+      for (const {box} of ray.steps.slice(0, step + 1)) {
+        visited.rect(...rectangle(box));
+        context.fillRect(...rectangle(box));
+      }
+      stroke(visited, '#0b5cad', 1.4);
+      const current = new Path2D();
+      if (ray.steps[step]) current.rect(...rectangle(ray.steps[step].box));
+      stroke(current, '#000', 5);
+      stroke(current, '#ffc61a', 3);
+    }
+    const far = [ends.from[0] + 9 * (ends.to[0] - ends.from[0]), ends.from[1] + 9 * (ends.to[1] - ends.from[1])];
+    stroke(segment(ends.from, far), 'rgba(0, 0, 0, 0.45)', 1, [3 * pixel, 4 * pixel]);
+    if (ray) {
+      // As far as the steps that are drawn lead: to the hit only with the last of them.
+      const last = ray.steps[Math.min(step, ray.steps.length - 1)];
+      const isEnd = step >= ray.steps.length - 1;
+      const t = isEnd && ray.hit ? ray.hit.t : last ? last.exit ?? last.enter : 0;
+      const end = [i, j].map((axis) => ray.origin[axis] + t * ray.direction[axis]);
+      stroke(segment(ends.from, end), '#fff', 4);
+      stroke(segment(ends.from, end), '#c2185b', 2.2);
+      if (isEnd && ray.hit) this.dot(context, at.x(ray.hit.position[i]), at.y(ray.hit.position[j]), 4.5, '#c2185b');
+    }
+    this.dot(context, at.x(ends.from[0]), at.y(ends.from[1]), 7, '#1d1d1b');
+    this.arrow(context, at, ends);
+  }
+
+  dot(context, x, y, radius, color) {
+    context.beginPath();
+    context.arc(x, y, radius * this.pixel, 0, 7);
+    context.fillStyle = color;
+    context.fill();
+    context.strokeStyle = '#fff';
+    context.lineWidth = 2 * this.pixel;
+    context.stroke();
+  }
+
+  arrow(context, at, {from, to}) {
+    const [x, y] = [at.x(to[0]), at.y(to[1])], angle = Math.atan2(y - at.y(from[1]), x - at.x(from[0]));
+    const path = new Path2D();
+    [0, 2.5, -2.5].forEach((turn, k) => {
+      const point = [x + 11 * this.pixel * Math.cos(angle + turn), y + 11 * this.pixel * Math.sin(angle + turn)];
+      if (k === 0) path.moveTo(...point);
+      else path.lineTo(...point);
+    });
+    path.closePath();
+    context.fillStyle = '#1d1d1b';
+    context.fill(path);
+    context.strokeStyle = '#fff';
+    context.lineWidth = 2 * this.pixel;
+    context.stroke(path);
+  }
+}
+
+class PlaneView {
+  // scene: as /api/scene has it; choose(index, grid): another structure for a slice.
+  constructor(root, scene, source, colors, slicePanel, walkPanel, choose) {
+    Object.assign(this, {root, scene, source, colors: colors.reversed(), slicePanel, walkPanel, choose,
+      plots: [], grids: [], zoom: null, ends: null, wish: null, isFollowing: false});
+    this.step = element('input', {class: 'step', type: 'range', min: 0, 'aria-label': 'Step of the walks',
+      oninput: () => walkPanel.select(Number(this.step.value))});
+    this.stepText = element('output', {});
+    this.scaleColors = element('span', {class: 'colors', 'aria-hidden': true});
+    this.scaleColors.style.backgroundImage = this.colors.gradient();
+    this.most = element('span');
+    this.places = element('div', {class: 'controls places'});
+    this.list = element('div', {class: 'plots'});
+    root.append(element('div', {class: 'bar plane-bar'}, this.places,
+      element('div', {class: 'controls'},
+        element('button', {type: 'button', title: 'Every walk a step back (,)', onclick: () => walkPanel.move(-1)}, '◂'),
+        element('button', {type: 'button', title: 'Every walk a step on (.)', onclick: () => walkPanel.move(1)}, '▸'),
+        this.step, this.stepText),
+      element('div', {class: 'slice-scale'}, 'references 0', this.scaleColors, this.most)), this.list);
+    this.resized = new ResizeObserver(() => this.draw());
+  }
+
+  // grids: their indices, none where the plane isn't shown.
+  show(grids) {
+    this.grids = grids;
+    this.root.hidden = grids.length === 0;
+    while (this.plots.length > grids.length) {
+      const plot = this.plots.pop();
+      this.resized.unobserve(plot.canvas);
+      plot.root.remove();
+    }
+    while (this.plots.length < grids.length) {
+      const plot = new SlicePlot(this.plots.length, this.scene.grids, this.colors, this.choose);
+      this.plots.push(plot);
+      this.list.append(plot.root);
+      this.control(plot);
+      this.resized.observe(plot.canvas);
+    }
+    this.list.dataset.count = grids.length;
+    if (!this.root.hidden) this.places.append(this.slicePanel.place);
+  }
+
+  get slice() { return this.grids.length > 0 ? this.slicePanel.of(this.grids[0]) : null; }
+
+  // A ray through the whole slice, where there is none in this plane; the same one where only the plane moved.
+  fitRay() {
+    const {slice, walkPanel: {ray}} = this;
+    const [i, j] = slice.axes, isIn = ray && ray.origin[slice.axis] === slice.position && ray.direction[slice.axis] === 0;
+    if (this.axis !== slice.axis) this.zoom = null;
+    if (isIn && !this.wish) {
+      this.ends = {from: [ray.origin[i], ray.origin[j]], to: [ray.origin[i] + ray.direction[i], ray.origin[j] + ray.direction[j]]};
+    } else if (this.axis !== slice.axis || !this.ends) {
+      const at = (u, v) => [slice.min[0] + u * slice.voxels[0] * slice.step[0], slice.min[1] + v * slice.voxels[1] * slice.step[1]];
+      this.ends = {from: at(0.02, 0.75), to: at(0.98, 0.4)};
+    }
+    this.axis = slice.axis;
+    if (!isIn && !this.isFollowing) this.follow();
+  }
+
+  // The walks of the newest ray, one at a time.
+  async follow(ends = this.ends) {
+    this.ends = this.wish = this.source.planeEnds(this.slice, ends);
+    const isFollowing = this.isFollowing;
+    this.isFollowing = true;
+    this.draw();
+    if (isFollowing) return;
+    while (this.wish && this.slice) {
+      const {slice, wish} = this, origin = [0, 0, 0], direction = [0, 0, 0];
+      origin[slice.axis] = slice.position;
+      slice.axes.forEach((axis, k) => {
+        origin[axis] = wish.from[k];
+        direction[axis] = wish.to[k] - wish.from[k];
+      });
+      await this.walkPanel.follow({origin, direction, all: false, depth: 5}, {pane: Math.min(this.walkPanel.pane, this.grids.length - 1)});
+      if (this.wish === wish) this.wish = null;
+    }
+    this.wish = null;
+    this.isFollowing = false;
+  }
+
+  draw() {
+    const {slice} = this;
+    if (!slice) return;
+    this.fitRay();
+    const {slicePanel, walkPanel} = this;
+    const most = slicePanel.most();
+    this.most.textContent = Text.count(most);
+    const rays = this.grids.map((grid) => walkPanel.rayOf(grid));
+    // While the next ray is on its way the last one's walks stay.
+    if (rays.every(Boolean)) this.last = {grids: String(this.grids), rays};
+    const shown = this.last?.grids === String(this.grids) ? this.last.rays : rays;
+    const step = walkPanel.step ?? Infinity, last = Math.max(0, ...shown.map((ray) => ray ? ray.steps.length - 1 : 0));
+    this.step.max = last;
+    this.step.value = Math.min(step, last);
+    this.stepText.textContent = `step ${Math.min(step, last) + 1} of ${last + 1}`;
+    this.step.setAttribute('aria-valuetext', this.stepText.textContent);
+    this.plots.forEach((plot, i) => {
+      const grid = this.grids[i], own = slicePanel.of(grid), ray = shown[i];
+      plot.gridSelect.value = grid;
+      if (!own) return;
+      plot.fit();
+      const cells = slicePanel.cellsOf(grid);
+      plot.drawCells(own, cells, most, this.zoom);
+      plot.draw(own, this.zoom, this.ends, ray, Math.min(step, ray ? ray.steps.length - 1 : 0));
+      const facts = sliceFacts(own, cells, this.scene.grids[grid]);
+      if (!plot.isHovered) plot.facts.textContent = facts;
+      plot.counts.hidden = !ray;
+      if (ray) plot.counts.textContent = this.progress(ray, step, last, visited(this.scene.grids[grid]));
+      plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${plot.counts.textContent}. Arrow keys move the ray’s end, with Shift its origin.`);
+    });
+  }
+
+  progress(ray, step, last, what) {
+    const all = `${counted(ray.cells, what)}, ${counted(ray.tests, 'test')}`;
+    if (step >= ray.steps.length - 1) return step < last && step > ray.steps.length - 1 ? `${all}: ended` : all;
+    const tests = ray.steps.slice(0, step + 1).reduce((sum, one) => sum + one.tests.length, 0);
+    return `${what} ${step + 1} of ${Text.count(ray.cells)}: ${counted(ray.steps[step].tests.length, 'test')}, ${Text.count(tests)} so far`;
+  }
+
+  zoomed(plot, factor, u, v) {
+    const {slice} = this;
+    const old = this.zoom || {u: slice.min[0] + slice.voxels[0] * slice.step[0] / 2, v: slice.min[1] + slice.voxels[1] * slice.step[1] / 2, scale: 1};
+    const scale = Math.max(1, Math.min(1e4, old.scale * factor)), share = old.scale / scale;
+    this.zoom = scale === 1 ? null : {u: u + (old.u - u) * share, v: v + (old.v - v) * share, scale};
+    this.draw();
+  }
+
+  // The mouse, fingers and keys of a slice.
+  control(plot) {
+    const {canvas} = plot;
+    const pointers = new Map(); // id to [x, y], pixels of the canvas
+    let held = null;            // 'from', 'to', 'ray' or 'window'
+    const place = (event) => {
+      const box = canvas.getBoundingClientRect();
+      return [(event.clientX - box.left) * canvas.width / box.width, (event.clientY - box.top) * canvas.height / box.height];
+    };
+    const nearest = ([x, y], reach) => {
+      const at = plot.window(plot.slice, this.zoom);
+      const [fx, fy, tx, ty] = [at.x(this.ends.from[0]), at.y(this.ends.from[1]), at.x(this.ends.to[0]), at.y(this.ends.to[1])];
+      if (Math.hypot(tx - x, ty - y) < reach) return 'to';
+      if (Math.hypot(fx - x, fy - y) < reach) return 'from';
+      const length = Math.hypot(tx - fx, ty - fy), along = ((x - fx) * (tx - fx) + (y - fy) * (ty - fy)) / length;
+      const across = Math.abs((x - fx) * (ty - fy) - (y - fy) * (tx - fx)) / length;
+      return along > 0 && along < length && across < reach / 2 ? 'ray' : 'window';
+    };
+    const reachOf = (event) => (event.pointerType === 'touch' ? 26 : 16) * plot.pixel;
+    canvas.addEventListener('pointerdown', (event) => {
+      if (!plot.slice || event.button > 0) return;
+      canvas.focus({preventScroll: true});
+      canvas.setPointerCapture(event.pointerId);
+      pointers.set(event.pointerId, place(event));
+      held = pointers.size > 1 ? 'window' : nearest(place(event), reachOf(event));
+      event.preventDefault();
+    });
+    canvas.addEventListener('pointermove', (event) => {
+      if (!plot.slice) return;
+      const now = place(event), old = pointers.get(event.pointerId);
+      const at = plot.window(plot.slice, this.zoom);
+      this.hover(plot, at.u(now[0]), at.v(now[1]));
+      if (!old) {
+        canvas.style.cursor = {from: 'move', to: 'move', ray: 'grab', window: 'crosshair'}[nearest(now, reachOf(event))];
+        return;
+      }
+      const move = [at.u(now[0]) - at.u(old[0]), at.v(now[1]) - at.v(old[1])];
+      pointers.set(event.pointerId, now);
+      if (pointers.size === 2) {
+        const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
+        const before = Math.hypot(old[0] - other[0], old[1] - other[1]), after = Math.hypot(now[0] - other[0], now[1] - other[1]);
+        if (before > 0) this.zoomed(plot, after / before, at.u((now[0] + other[0]) / 2), at.v((now[1] + other[1]) / 2));
+      } else if (held === 'window') {
+        if (!this.zoom) return;
+        this.zoom = {...this.zoom, u: this.zoom.u - move[0], v: this.zoom.v - move[1]};
+        this.draw();
+      } else {
+        this.move(held, move, held === 'ray' ? null : [at.u(now[0]), at.v(now[1])]);
+      }
+    });
+    const end = (event) => { pointers.delete(event.pointerId); };
+    canvas.addEventListener('pointerup', end);
+    canvas.addEventListener('pointercancel', end);
+    canvas.addEventListener('pointerleave', () => {
+      plot.isHovered = false;
+      this.draw();
+    });
+    canvas.addEventListener('dblclick', () => {
+      this.zoom = null;
+      this.draw();
+    });
+    canvas.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      if (!plot.slice) return;
+      const [x, y] = place(event), at = plot.window(plot.slice, this.zoom), lines = event.deltaMode === 0 ? event.deltaY / 40 : event.deltaY;
+      this.zoomed(plot, Math.exp(-Math.max(-8, Math.min(8, lines)) * 0.06), at.u(x), at.v(y));
+    }, {passive: false});
+    canvas.addEventListener('keydown', (event) => {
+      if (!plot.slice || event.ctrlKey || event.altKey || event.metaKey) return;
+      const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+      const at = plot.window(plot.slice, this.zoom), [u, v] = [at.u(canvas.width / 2), at.v(canvas.height / 2)];
+      if (event.key in arrows) {
+        const by = arrows[event.key].map((part) => part * this.source.planeStep(this.slice, 0.01 * Math.min(canvas.width, canvas.height) / at.scale));
+        this.move(event.shiftKey ? 'from' : 'to', by, null);
+      } else if (event.key === '+' || event.key === '=') this.zoomed(plot, 1.25, u, v);
+      else if (event.key === '-' || event.key === '_') this.zoomed(plot, 0.8, u, v);
+      else if (event.key === '0') this.zoomed(plot, 0, u, v);
+      else return;
+      event.preventDefault();
+    });
+  }
+
+  // An end of the ray, or both, by a vector; to a point where one is given.
+  move(end, by, to) {
+    const moved = (name) => (end === name && to ? to : end === name || end === 'ray' ? [0, 1].map((k) => this.ends[name][k] + by[k]) : this.ends[name]);
+    const ends = {from: moved('from'), to: moved('to')};
+    if (Math.hypot(ends.to[0] - ends.from[0], ends.to[1] - ends.from[1]) > 0) this.follow(ends);
+  }
+
+  hover(plot, u, v) {
+    const {slice} = plot;
+    const [cu, cv] = [(u - slice.min[0]) / slice.step[0], (v - slice.min[1]) / slice.step[1]];
+    const cell = this.slicePanel.cellsOf(this.grids[plot.index]).findLast(([u0, v0, u1, v1]) => cu >= u0 && cu < u1 && cv >= v0 && cv < v1); // of boxes the innermost
+    const isHierarchy = this.scene.grids[this.grids[plot.index]].structure === 'bvh';
+    const [i, j] = slice.axes.map((axis) => 'xyz'[axis]);
+    const what = !cell ? 'nothing' : isHierarchy ? `box ${cell[7]}, depth ${cell[5]}` : `voxels ${cell[0]}–${cell[2] - 1}, ${cell[1]}–${cell[3] - 1}`;
+    plot.isHovered = true;
+    plot.facts.textContent = `${i} ${Text.number(u)}, ${j} ${Text.number(v)}: ${what}${cell && (cell[4] > 0 || !isHierarchy) ? `, ${counted(cell[4], 'reference')}` : ''}`;
+  }
+}
