@@ -89,12 +89,18 @@ Grid random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bou
 }
 
 template <class Stored>
-Grid hierarchy_of(TestScene<Stored>& scene) {
+GridLayout hierarchy_layout(TestScene<Stored>& scene) {
   const Boxd bounds = scene.bounds();
-  const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight),
-                          {1, 1, 1},
-                          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
-  return hierarchy_grid(scene.view(), layout);
+  return {space_of<Stored>(bounds, SpaceRule::tight),
+          {1, 1, 1},
+          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+}
+template <class Stored>
+Grid hierarchy_of(TestScene<Stored>& scene, HierarchyQuality quality = HierarchyQuality::high) {
+  return hierarchy_grid(scene.view(), hierarchy_layout(scene), quality);
+}
+inline HierarchyQuality any_quality(Chance& chance) {
+  return chance.one_of({HierarchyQuality::high, HierarchyQuality::fast});
 }
 
 // Calls act(the grid's view); not of a hierarchy.

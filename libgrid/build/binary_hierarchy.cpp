@@ -2,10 +2,6 @@
 
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/build/overlap/clipped_bounds.h"
-#include "libgrid/trace/hierarchy_view.h"
-#include "libscene/base/error.h"
-
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/parallel_reduce.h>
@@ -18,35 +14,13 @@
 
 namespace masu {
 
-void check_hierarchy(std::uint64_t primitives, double available) {
-  const auto fail = [](const std::string& what) {
-    throw Error(ErrorCode::usage, "structure", what + ": build a grid of voxels");
-  };
-  if (primitives > max_hierarchy_primitives)
-    fail(fmt::format("{} primitives are more than the {} that a hierarchy's nodes can be numbered for",
-                     primitives, max_hierarchy_primitives));
-  const double needed = hierarchy_bytes_per_primitive * static_cast<double>(primitives);
-  if (needed > available)
-    fail(fmt::format("a hierarchy of {} primitives needs about {:.1f} GB to build, {:.1f} GB are free",
-                     primitives, needed / 1e9, available / 1e9));
-}
-
-float rounded_down(double value) {
-  const auto rounded = static_cast<float>(value);
-  return rounded > value ? std::nextafter(rounded, -INFINITY) : rounded;
-}
 namespace {
 
-float rounded_up(double value) {
-  return -rounded_down(-value);
-}
-
 HierarchyFragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex primitive) {
-  const Boxd box = grown(bounds, margin);
+  const Boxf box = box_around(bounds, margin);
   HierarchyFragment fragment;
-  fragment.box.low =
-      Lanes{rounded_down(box.min.x), rounded_down(box.min.y), rounded_down(box.min.z), float_of(primitive)};
-  fragment.box.high = Lanes{rounded_up(box.max.x), rounded_up(box.max.y), rounded_up(box.max.z), 0};
+  fragment.box.low = Lanes{box.min.x, box.min.y, box.min.z, float_of(primitive)};
+  fragment.box.high = Lanes{box.max.x, box.max.y, box.max.z, 0};
   return fragment;
 }
 
@@ -179,14 +153,14 @@ class BinaryBuilder {
 public:
   BinaryBuilder(const SceneView<Stored>& scene, double margin, const std::function<void(double)>& progress)
       : scene_(scene), margin_(margin), progress_(progress), fragments_(fragments_of(scene, margin, count_)),
-        nodes_(2 * fragments_.size()) {}
+        nodes_(2 * fragments_.size()), choices_(nodes_.size()), costs_(nodes_.size()) {}
 
-  BinaryHierarchy build() {
+  BinaryHierarchy<TbbExecutor> build() {
     const FragmentRange all{0, count_, static_cast<std::uint32_t>(room_for(count_))};
     if (all.count == 0) return {};
     root_area_ = extent_of(all).box.area();
     split(0, all, 0);
-    return {std::move(fragments_), std::move(nodes_)};
+    return {std::move(nodes_), std::move(choices_)};
   }
 
 private:
@@ -358,11 +332,16 @@ private:
 
   void split(std::uint32_t number, const FragmentRange& range, int depth) {
     const Extent extent = extent_of(range);
-    nodes_[number] = {extent.box, range.first, range.count, 0};
-    if (range.count <= 1) return;
+    const Lanes &low = extent.box.low, &high = extent.box.high;
+    BinaryNode& node = nodes_[number];
+    node = {{low[0], low[1], low[2]}, 0, {high[0], high[1], high[2]}, range.count};
+    if (range.count <= 1) {
+      node.index = fragments_[range.first].primitive();
+      return set_costs(number, collapse_costs_of_leaf(node));
+    }
     const Halves halves = halves_of(range, extent, depth);
     const std::uint32_t left = used_.fetch_add(2);
-    nodes_[number].left = left;
+    node.index = left;
     const auto split_left = [&] { split(left, halves.left, depth + 1); };
     const auto split_right = [&] { split(left + 1, halves.right, depth + 1); };
     if (range.count > 1024) {
@@ -373,7 +352,13 @@ private:
       if (range.count > 512 && progress_)
         progress_(std::min(0.8, 0.8 * static_cast<double>(done_ += range.count) / scene_.primitive_count()));
     }
-    nodes_[number].count = nodes_[left].count + nodes_[left + 1].count; // with what was divided below
+    node.count = nodes_[left].count + nodes_[left + 1].count; // with what was divided below
+    set_costs(number, collapse_costs(node, costs_[left], costs_[left + 1]));
+  }
+
+  void set_costs(std::uint32_t number, const CollapseCosts& costs) {
+    costs_[number] = costs;
+    choices_[number] = costs.choice;
   }
 
   const SceneView<Stored>& scene_;
@@ -382,6 +367,8 @@ private:
   std::uint32_t count_ = 0; // of primitives that have a surface
   HostArray<HierarchyFragment> fragments_;
   HostArray<BinaryNode> nodes_;
+  HostArray<CollapseChoice> choices_;
+  HostArray<CollapseCosts> costs_;
   float root_area_ = 0;
   std::atomic<std::uint32_t> used_ = 1;
   std::atomic<std::uint64_t> done_ = 0;
@@ -390,13 +377,13 @@ private:
 } // namespace
 
 template <class Stored>
-BinaryHierarchy binary_hierarchy(const SceneView<Stored>& scene, double margin,
-                                 const std::function<void(double)>& progress) {
+BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
+                                              const std::function<void(double)>& progress) {
   return BinaryBuilder<Stored>(scene, margin, progress).build();
 }
-template BinaryHierarchy binary_hierarchy(const SceneView<float>&, double,
-                                          const std::function<void(double)>&);
-template BinaryHierarchy binary_hierarchy(const SceneView<double>&, double,
-                                          const std::function<void(double)>&);
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double,
+                                                       const std::function<void(double)>&);
+template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<double>&, double,
+                                                       const std::function<void(double)>&);
 
 } // namespace masu

@@ -1,7 +1,8 @@
-// A binary bounding volume hierarchy on the host, which one of eight boxes per node is made of (hierarchy.h).
+// A binary bounding volume hierarchy of high quality, built on the host.
 #pragma once
 
-#include "libscene/base/host_array.h"
+#include "libgrid/build/passes/collapse_passes.h"
+#include "libgrid/build/passes/host_executor.h"
 #include "libscene/scene_view.h"
 
 #include <cmath>
@@ -44,28 +45,14 @@ struct HierarchyFragment {
   Lanes centre() const { return box.low + box.high; }
 };
 
-float rounded_down(double value);
-
-// A leaf has one fragment; of others, so many are in it.
-struct BinaryNode {
-  LaneBox box;
-  std::uint32_t first = 0, count = 0; // `first`: a leaf's fragment
-  std::uint32_t left = 0;             // the right one comes after it; 0 for a leaf
-};
-
-struct BinaryHierarchy {
-  HostArray<HierarchyFragment> fragments;
-  HostArray<BinaryNode> nodes; // the root first; none for no primitives
-};
-
 // From the top down, by the surface area heuristic over bins (Wald, "On Fast Construction of SAH-based
 // Bounding Volume Hierarchies", RT 2007), with primitives divided at planes where boxes would overlap (Stich,
 // Friedrich & Dietrich, "Spatial Splits in Bounding Volume Hierarchies", HPG 2009). Boxes contain `margin`
 // around each primitive. No more than max_hierarchy_depth nodes deep. `progress` gets shares of the work,
 // from any thread.
 template <class Stored>
-BinaryHierarchy binary_hierarchy(const SceneView<Stored>& scene, double margin,
-                                 const std::function<void(double)>& progress);
+BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
+                                              const std::function<void(double)>& progress);
 
 // About how many bytes per primitive the binary hierarchy takes, and what it is made into.
 inline constexpr double hierarchy_bytes_per_primitive = 300;

@@ -18,6 +18,10 @@ namespace masu {
 // A built grid is of none of the last two; the others are numbered as schemas/grid.fbs numbers them.
 enum class GridKind { uniform, x, balance, irregular, hierarchy, automatic, fastest };
 
+// How a hierarchy is built: with primitives divided where boxes would overlap (high, binary_hierarchy.h), or
+// by clustering (fast, cluster_passes.h), in a fifth of the time or less.
+enum class HierarchyQuality { high, fast };
+
 // A kind and its options; those of other kinds don't matter.
 struct GridOptions {
   GridKind kind = GridKind::uniform;
@@ -29,6 +33,7 @@ struct GridOptions {
   std::int32_t nested_log2 = 8; // irregular: a voxel is divided into at most 2^nested_log2 an axis
   int expansions = 4;           // irregular: rounds of expansion; 0 for none
   std::uint64_t max_map_words = max_nested_words; // irregular: of its map
+  HierarchyQuality quality = HierarchyQuality::high;
 };
 
 // What an automatic choice is made for.

@@ -28,7 +28,8 @@ public:
   CpuBuilder(const SceneView<Stored>& scene, std::function<void(double)> progress)
       : scene_(scene), progress_(std::move(progress)) {}
   BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::hierarchy) return {hierarchy_grid(scene_, layout, progress_)};
+    if (options.kind == GridKind::hierarchy)
+      return {hierarchy_grid(scene_, layout, options.quality, progress_)};
     return options.kind == GridKind::uniform ? uniform_grid(scene_, layout, overlap)
                                              : merged_grid(scene_, layout, overlap, options, progress_);
   }

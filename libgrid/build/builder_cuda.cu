@@ -1,6 +1,7 @@
 // One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
 #include "libgrid/build/builder.h"
 #include "libgrid/build/hierarchy.h"
+#include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/cuda_executor.h"
 #include "libgrid/build/passes/merge_passes.h"
 #include "libscene/base/stopwatch.h"
@@ -62,8 +63,13 @@ public:
   CudaBuilder& operator=(CudaBuilder&&) = delete;
 
   BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::hierarchy) return {hierarchy_grid(host_, layout)}; // by the CPU
+    if (options.kind == GridKind::hierarchy && options.quality == HierarchyQuality::high)
+      return {hierarchy_grid(host_, layout)}; // by the CPU
     return on_gpu(gpu_, [&] {
+      if (options.kind == GridKind::hierarchy) {
+        check_hierarchy(host_.primitive_count(), layout.space);
+        return built([&] { return fast_hierarchy(device_->view, layout); });
+      }
       if (options.kind == GridKind::uniform)
         return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
       return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
@@ -84,7 +90,12 @@ private:
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
     merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {GridKind::irregular});
+    fast_hierarchy(uploaded.view, layout);
     check(cudaDeviceSynchronize());
+  }
+
+  ExecutorGrid<CudaExecutor> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout) {
+    return collapsed_hierarchy(*executor_, layout, clustered_hierarchy(*executor_, scene, layout));
   }
 
   template <class Build>
@@ -103,6 +114,7 @@ private:
     fetch(grid.voxel_map, copy.voxel_map);
     fetch(grid.cells, copy.cells);
     fetch(grid.references, copy.references);
+    fetch(grid.nodes, copy.nodes);
     transfer.run();
     seconds_.download += watch.seconds();
     return {std::move(copy)};

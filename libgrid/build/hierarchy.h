@@ -1,4 +1,4 @@
-// Builds a bounding volume hierarchy on the host (libgrid/trace/hierarchy_view.h).
+// Builds a bounding volume hierarchy (libgrid/trace/hierarchy_view.h) on the host.
 #pragma once
 
 #include "libgrid/build/build.h"
@@ -22,15 +22,16 @@ inline bool fits_hierarchy(const Boxd& space) {
   return largest_magnitude(space) <= reach;
 }
 
-// First a binary hierarchy from the top down, by the surface area heuristic over bins (Wald, "On Fast
-// Construction of SAH-based Bounding Volume Hierarchies", RT 2007); then the cheapest nodes of eight boxes
-// that it can be collapsed to, by dynamic programming (Ylitie, Karras & Laine, HPG 2017). The same for any
+// Throws likewise, also for a scene that reaches farther than float32 does.
+void check_hierarchy(std::uint64_t primitives, const Boxd& space);
+
+// First a binary hierarchy, from the top down (binary_hierarchy.h) or from the leaves up (cluster_passes.h);
+// then the cheapest nodes of eight boxes that it can be collapsed to (collapse_passes.h). The same for any
 // number of threads. As a grid it is of the layout's space, in one voxel; boxes contain the layout's margin
 // around each primitive. The root comes first, then depth first, a node's nodes side by side. `progress` gets
-// shares of the work, from any thread. Throws Error(usage, "structure", …) for more primitives than nodes can
-// be numbered for, or than there is memory for, and for a scene that reaches farther than float32 does.
+// shares of the work of high quality, from any thread. Throws as check_hierarchy() does.
 template <class Stored>
-Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout,
+Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality = {},
                     const std::function<void(double)>& progress = {});
 
 } // namespace masu

@@ -59,6 +59,22 @@ TYPED_TEST(BuiltOnTheGpu, AMergedGridIsTheSameBytes) {
   }
 }
 
+TYPED_TEST(BuiltOnTheGpu, AFastHierarchyIsTheSameBytes) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  GridOptions options{GridKind::hierarchy};
+  options.quality = HierarchyQuality::fast;
+  for (std::int64_t s = cases(150); s > 0; --s) {
+    TestScene<TypeParam> scene = s % 10 == 0
+                                     ? scattered_scene<TypeParam>(chance, 30'000)
+                                     : SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const GridLayout layout = hierarchy_layout(scene);
+    expect_same(cpu_builder(scene.view())->build(layout, Overlap::exact, options),
+                cuda_builder(scene.view())->build(layout, Overlap::exact, options));
+    ASSERT_FALSE(this->HasFailure()) << described(scene);
+  }
+}
+
 // Boxes of so many parts that a block of threads divides them, and not a warp.
 TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
   SCOPED_TRACE(this->seed_.trace());

@@ -1,8 +1,8 @@
 // Results are independent of the hierarchy: through it a ray finds the same bits as by trying every
 // primitive. And what is behind that: boxes contain what they hold, on every way of computing them, and walks
 // end.
-#include "libgrid/build/binary_hierarchy.h"
 #include "libgrid/build/hierarchy.h"
+#include "libgrid/build/passes/node_boxes.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libscene/base/error.h"
 #include "tests/grid/walk_comparison.h"
@@ -119,7 +119,7 @@ TYPED_TEST(HierarchyWalks, FindTheHitsOfTryingEveryPrimitive) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(2000); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     this->compare(scene, grid, 200);
   }
   EXPECT_EQ(this->different_, 0) << this->first_;
@@ -150,7 +150,7 @@ TYPED_TEST(HierarchyWalks, FindThemAmongThousandsOfPrimitives) {
         scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
       }
     }
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, s % 2 == 0 ? HierarchyQuality::high : HierarchyQuality::fast);
     EXPECT_GT(hierarchy_statistics(grid.nodes).depth, 2);
     cut += grid.references.size() - scene.count();
     this->compare(scene, grid, 250);
@@ -168,7 +168,7 @@ TYPED_TEST(HierarchyWalks, FindThemAlongDirectionsWithTinyComponents) {
   for (std::int64_t s = cases(500); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).flat();
     const Boxd bounds = scene.bounds();
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     int across_plane = 0;
     for (int axis = 0; axis < 3; ++axis)
       if (bounds.min[axis] == bounds.max[axis]) across_plane = axis;
@@ -209,7 +209,7 @@ TYPED_TEST(HierarchyWalks, FindThemInScenesOfAnyScaleAndPlace) {
       });
       if (scene.count() == 0) continue;
     }
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     this->compare(scene, grid, 200);
   }
   EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
@@ -221,28 +221,36 @@ TYPED_TEST(HierarchyWalks, FindTheFirstOfThousandsThatAreEqual) {
   TestScene<Stored> scene;
   scene.triangles.assign(5000, triangle_of<Stored>({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
   const SceneView<Stored> view = scene.view();
-  const Grid grid = hierarchy_of(scene);
-  EXPECT_EQ(grid.references.size(), 5000U);
-  NoCounts counts;
-  const auto hit =
-      nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid),
-                                unbounded_ray<Real>({Real(0.25), Real(0.25), 1}, {0, 0, -1}), counts);
-  EXPECT_EQ(hit.primitive, 0U);
-  EXPECT_EQ(hit.t, 1);
+  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+    const Grid grid = hierarchy_of(scene, quality);
+    EXPECT_EQ(grid.references.size(), 5000U);
+    EXPECT_LE(hierarchy_statistics(grid.nodes).depth, 6U);
+    NoCounts counts;
+    const auto hit =
+        nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid),
+                                  unbounded_ray<Real>({Real(0.25), Real(0.25), 1}, {0, 0, -1}), counts);
+    EXPECT_EQ(hit.primitive, 0U);
+    EXPECT_EQ(hit.t, 1);
+  }
 }
 
 TYPED_TEST(HierarchyWalks, FindNothingInAnEmptyScene) {
   using Stored = typename TypeParam::Stored;
   using Real = typename TypeParam::Real;
-  TestScene<Stored> scene;
-  const Grid grid = hierarchy_of(scene);
-  EXPECT_EQ(grid.nodes.size(), 1U);
-  EXPECT_TRUE(grid.references.empty());
-  const auto ray = unbounded_ray<Real>({0, 0, 0}, {0, 0, -1});
-  Counts counts;
-  EXPECT_EQ(nearest_hit<Robust<Real>>(scene.view(), hierarchy_view_of<Real>(grid), ray, counts).primitive,
-            no_primitive);
-  EXPECT_FALSE(is_occluded<Robust<Real>>(scene.view(), hierarchy_view_of<Real>(grid), ray, counts));
+  TestScene<Stored> empty, without_surface;
+  without_surface.triangles.assign(3, triangle_of<Stored>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+  for (TestScene<Stored>* const scene : {&empty, &without_surface}) {
+    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+      const Grid grid = hierarchy_of(*scene, quality);
+      EXPECT_EQ(grid.nodes.size(), 1U);
+      EXPECT_TRUE(grid.references.empty());
+      const auto ray = unbounded_ray<Real>({0, 0, 0}, {0, 0, -1});
+      const auto view = hierarchy_view_of<Real>(grid);
+      Counts counts;
+      EXPECT_EQ(nearest_hit<Robust<Real>>(scene->view(), view, ray, counts).primitive, no_primitive);
+      EXPECT_FALSE(is_occluded<Robust<Real>>(scene->view(), view, ray, counts));
+    }
+  }
 }
 
 TYPED_TEST(HierarchyWalks, EndForRaysOfAnyNumbers) {
@@ -251,7 +259,7 @@ TYPED_TEST(HierarchyWalks, EndForRaysOfAnyNumbers) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(30); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).scene();
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     const SceneView<Stored> view = scene.view();
     for (int i = 0; i < 2000; ++i) {
       const Ray<Real> ray = ray_of_any_numbers<Real>(chance);
@@ -275,7 +283,7 @@ TYPED_TEST(BuiltHierarchy, HoldsEveryPartOfEveryPrimitiveWithItsMargin) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(500); s > 0 && !this->HasFailure(); --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     const SceneView<Stored> view = scene.view();
     const auto boxes = boxes_of_primitives(grid, scene.count());
     const double unsure = 1e-12 * largest_magnitude(scene.bounds()); // rounding of this test's own points
@@ -303,7 +311,7 @@ TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {
   const std::string path = folder.file("a.grid");
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
                path);
     const GridFile file(path);
@@ -327,12 +335,16 @@ TYPED_TEST(BuiltHierarchy, IsNeverTooDeepForTheWalk) {
         for (double at = largest; at > least && scene.count() < 30'000; at /= ratio)
           for (int i = 0; i < copies; ++i)
             scene.spheres.push_back(sphere_of<TypeParam>({at, at, at}, at / 64));
-        const Grid grid = hierarchy_of(scene);
         SCOPED_TRACE(testing::Message() << ratio << ", " << copies << " copies from " << largest);
-        EXPECT_LE(hierarchy_statistics(grid.nodes).depth, max_hierarchy_depth);
-        write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
-                   path);
-        EXPECT_NO_THROW(const GridFile file(path));
+        for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+          const Grid grid = hierarchy_of(scene, quality);
+          EXPECT_LE(hierarchy_statistics(grid.nodes).depth, max_hierarchy_depth);
+          EXPECT_EQ(grid.references.size(), scene.count());
+          write_grid(grid,
+                     {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "auto", "bvh"},
+                     path);
+          EXPECT_NO_THROW(const GridFile file(path));
+        }
       }
     }
   }
@@ -342,7 +354,7 @@ TYPED_TEST(BuiltHierarchy, StatisticsCountWhatIsThere) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(100); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
     EXPECT_EQ(counted.nodes, grid.nodes.size());
     EXPECT_EQ(counted.node_boxes + 1, counted.nodes); // all but the root are in a box
@@ -416,7 +428,7 @@ TYPED_TEST(BuiltHierarchy, BoxesMetAreTheSameOneByOne) {
     TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
     const Boxd bounds = scene.bounds();
     const SceneView<Real> view = scene.view();
-    const Grid grid = hierarchy_of(scene);
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
     RayMaker<Real> rays(chance, scene, bounds, grid);
     for (int i = 0; i < 200; ++i) {
       ClippedRay<Real> near{};

@@ -1,4 +1,5 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU.
+#include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/host_executor.h"
 #include "tests/grid/device_like_executor.h"
 #include "tests/random_grid.h"
@@ -61,6 +62,22 @@ TYPED_TEST(Executor, BuildTheSameMergedGrid) {
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
   }
   EXPECT_GT(divided, cases(75));
+}
+
+TYPED_TEST(Executor, BuildTheSameFastHierarchy) {
+  Chance& chance = this->chance_;
+  DeviceLikeExecutor executor;
+  for (std::int64_t s = cases(100); s > 0; --s) {
+    TestScene<TypeParam> scene = s % 10 == 0
+                                     ? scattered_scene<TypeParam>(chance, 5000)
+                                     : SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const GridLayout layout = hierarchy_layout(scene);
+    expect_same(
+        hierarchy_grid(scene.view(), layout, HierarchyQuality::fast),
+        on_host(collapsed_hierarchy(executor, layout, clustered_hierarchy(executor, scene.view(), layout)))
+            .grid);
+    ASSERT_FALSE(this->HasFailure()) << described(scene);
+  }
 }
 
 // On the host's cores one part after another; rows of many pairs all at once.

@@ -71,7 +71,7 @@ struct MergeCase {
 
 TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
   const Result expected = rendered({"--brute-force"});
-  const std::array<MergeCase, 9> merges{{
+  const std::array<MergeCase, 10> merges{{
       {"33x20x5", {"--merge", "x"}},
       {"auto", {"--merge", "x", "--overlap", "box", "--space", "cube"}},
       {"40x30x20", {"--merge", "balance"}},
@@ -81,6 +81,7 @@ TEST_P(GridInvariance, ResultsAreIndependentOfMergedGrids) {
       {"1", {"--merge", "irregular", "--detail", "10", "--alpha", "0.8", "--space", "cube"}},
       {"16", {"--merge", "irregular", "--expand", "0", "--step-cost", "10"}},
       {"auto", {"--structure", "bvh"}},
+      {"auto", {"--structure", "bvh", "--quality", "fast"}},
   }};
   for (const MergeCase& merge : merges) {
     SCOPED_TRACE(fmt::format("division {}, {}", merge.division, fmt::join(merge.rules, " ")));

@@ -72,6 +72,18 @@ TEST_F(HierarchyTool, ExportedBoxesAreThoseOfItsStatistics) {
   EXPECT_EQ(by_depth, of_references);
 }
 
+TEST_F(HierarchyTool, ItsQualityIsToldAndMakesTheSameBytesForAnyNumberOfThreads) {
+  const auto fast = [&](const std::string& name, const std::string& threads) {
+    return grid(name, scene_, "auto", {"--structure", "bvh", "--quality", "fast", "--threads", threads});
+  };
+  const std::string one = fast("one.grid", "1");
+  EXPECT_TRUE(read_bytes(one) == read_bytes(fast("three.grid", "3")));
+  EXPECT_EQ(json_of("gridstat", {one})["merge_rule"], "bvh fast");
+  EXPECT_EQ(json_of("gridstat", {hierarchy_})["merge_rule"], "bvh");
+  EXPECT_TRUE(fails(1, "gridbuild", {scene_, "-o", file("c.grid"), "--quality", "fast"},
+                    "--quality: is of --structure bvh and fastest alone"));
+}
+
 TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
   ASSERT_TRUE(succeeded(run("gridstat", {hierarchy_, "--cells", file("boxes.ply"), "--wireframe"})));
   const std::string head = read_text(file("boxes.ply")).substr(0, 1000);

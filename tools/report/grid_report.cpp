@@ -108,6 +108,7 @@ void print_table(const GridFile& file, const HierarchyStatistics& s) {
   print_row("expected per ray", "{:.2f} nodes, {:.2f} tests", s.nodes_per_ray, s.tests_per_ray);
   print_row("bytes", "{} (nodes {}, references {})", file.bytes(), file.nodes().size_bytes(),
             file.references().size_bytes());
+  print_row("built by", "{}", printable(file.table().merge_rule()->str()));
   print_row("structure", "bvh");
   print_row("geometry", "{}", geometry_hash(file.table()));
 }
@@ -211,6 +212,7 @@ Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool h
              {{"file", file.bytes()},
               {"nodes", file.nodes().size_bytes()},
               {"references", file.references().size_bytes()}}},
+            {"merge_rule", table.merge_rule()->str()},
             {"geometry_hash", geometry_hash(table)},
             {"build_seconds", seconds_json(table)}};
   if (histogram) json["histogram"] = histogram_of(s.boxes_by_references);

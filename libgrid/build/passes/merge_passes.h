@@ -42,8 +42,8 @@ OccupiedVoxels<Executor> occupied_voxels(Executor& executor, const VoxelSpan& vo
   const std::uint64_t count = voxels.pairs;
   const std::uint64_t* const index = voxels.indices;
   OccupiedVoxels<Executor> occupied;
-  occupied.numbers = numbered(executor, count,
-                              [=] MASU_PASS(std::uint64_t i) { return i == 0 || index[i] != index[i - 1]; });
+  occupied.numbers = sums_before(
+      executor, count, [=] MASU_PASS(std::uint64_t i) { return i == 0 || index[i] != index[i - 1]; });
   const std::uint32_t occupied_count = executor.value(occupied.numbers, count);
   occupied.indices = executor.template array<std::uint32_t>(occupied_count);
   occupied.begins = executor.template array<std::uint32_t>(std::uint64_t{occupied_count} + 1);

@@ -178,7 +178,7 @@ std::optional<SplitLevel<Executor>> split_level(Executor& executor, const Splitt
   executor.for_each_by_group(
       box_count, DivideBoxes<Executor, Stored>{decide, boxes, undecided, undecided + list.size(), lengths});
   const auto divided =
-      numbered(executor, box_count, [=] MASU_PASS(std::uint64_t i) { return boxes[i].child != no_child; });
+      sums_before(executor, box_count, [=] MASU_PASS(std::uint64_t i) { return boxes[i].child != no_child; });
   executor.for_each(list.size(), [=] MASU_PASS(std::uint64_t i) {
     if (i < lengths->cut || i >= count - lengths->in_leaves) decide(undecided[i].fragment, undecided[i].box);
   });

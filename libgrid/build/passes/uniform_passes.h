@@ -18,7 +18,7 @@
 
 namespace masu {
 
-// A grid in an executor's memory; grid_view.h says what the arrays hold.
+// A grid or hierarchy in an executor's memory; grid_view.h and hierarchy_view.h say what the arrays hold.
 template <class Executor>
 struct ExecutorGrid {
   GridLayout layout{};
@@ -27,6 +27,7 @@ struct ExecutorGrid {
   ArrayOf<Executor, std::uint32_t> voxel_map{};
   ArrayOf<Executor, MergedCell> cells{};
   ArrayOf<Executor, PrimitiveIndex> references{};
+  ArrayOf<Executor, HierarchyNode> nodes{};
   const char* exceeded = nullptr; // as in BuildResult
   double detail = 0;              // as in Grid
 };
@@ -34,15 +35,8 @@ struct ExecutorGrid {
 // Of an executor in host memory.
 template <class Executor>
 BuildResult on_host(ExecutorGrid<Executor> grid) {
-  return {{grid.layout,
-           grid.kind,
-           grid.block_log2,
-           grid.nested_log2,
-           std::move(grid.voxel_map),
-           std::move(grid.cells),
-           std::move(grid.references),
-           {},
-           grid.detail},
+  return {{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, std::move(grid.voxel_map),
+           std::move(grid.cells), std::move(grid.references), std::move(grid.nodes), grid.detail},
           grid.exceeded};
 }
 
@@ -85,15 +79,15 @@ std::optional<VoxelPairs<Executor>> voxel_pairs(Executor& executor, const SceneV
       scene.primitive_count(), static_cast<int>(std::bit_width(order.size())), max_numbered, emit);
 }
 
-// numbers[i] is for how many of 0 … i - 1 begins() holds; for i up to `count`.
-template <class Executor, class Begins>
-ArrayOf<Executor, std::uint32_t> numbered(Executor& executor, std::uint64_t count, const Begins& begins) {
-  auto numbers = executor.template array<std::uint32_t>(count + 1);
-  std::uint32_t* const number = numbers.data();
+// sums[i] is what of(0) … of(i - 1) add up to; for i up to `count`.
+template <class Executor, class Of>
+ArrayOf<Executor, std::uint32_t> sums_before(Executor& executor, std::uint64_t count, const Of& of) {
+  auto sums = executor.template array<std::uint32_t>(count + 1);
+  std::uint32_t* const sum = sums.data();
   executor.for_each(count + 1,
-                    [=] MASU_PASS(std::uint64_t i) { number[i] = i != count && begins(i) ? 1U : 0U; });
-  executor.scan(numbers);
-  return numbers;
+                    [=] MASU_PASS(std::uint64_t i) { sum[i] = i != count ? std::uint32_t{of(i)} : 0U; });
+  executor.scan(sums);
+  return sums;
 }
 
 template <class Executor, class Stored>
@@ -114,7 +108,7 @@ ExecutorGrid<Executor> uniform_grid(Executor& executor, const SceneView<Stored>&
   ArrayOf<Executor, std::uint32_t> blocks{};
   std::uint64_t block_count = 0;
   if (block_bits > 0) {
-    blocks = numbered(executor, count, [=] MASU_PASS(std::uint64_t i) {
+    blocks = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
       return i == 0 || index[i] >> block_bits != index[i - 1] >> block_bits;
     });
     block_count = executor.value(blocks, count);

@@ -1,0 +1,211 @@
+// A binary hierarchy from the leaves up, on whatever executor (executor.h), by locally-ordered clustering
+// (Meister & Bittner, "Parallel Locally-Ordered Clustering for Bounding Volume Hierarchy Construction", TVCG
+// 24(3) 2018):
+//
+//   1. sort     primitives along a Morton curve: each is a cluster
+//   2. search   of a cluster the neighbour, no more than so many places away, whose box together with its own
+//               has the smallest surface
+//   3. merge    clusters that are each other's; 2 and 3 until one is left
+//
+// A tie goes to the neighbour whose place differs in lower bits: a measure that two clusters share, so that
+// some pair is always each other's, and equal boxes pair up at once. No byte of the result depends on the
+// executor or its number of threads.
+#pragma once
+
+#include "libgrid/build/passes/collapse_passes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace masu {
+
+// Places to either side in which neighbours are searched.
+inline constexpr std::uint32_t search_radius = 8;
+
+// The bits of a number below 2^14, each followed by two zeros.
+MASU_HD inline std::uint64_t spread_bits(std::uint32_t number) {
+  std::uint64_t bits = number;
+  bits = (bits | bits << 16) & 0x0000ff0000ffULL;
+  bits = (bits | bits << 8) & 0x00f00f00f00fULL;
+  bits = (bits | bits << 4) & 0x0c30c30c30c3ULL;
+  return (bits | bits << 2) & 0x249249249249ULL;
+}
+
+// Pairs of the place of a primitive's middle on a Morton curve, and the primitive.
+template <class Stored>
+struct EmitMortonCodes { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
+  static constexpr int bits_per_axis = 14;
+
+  SceneView<Stored> scene;
+  Vec3d origin;
+  double longest; // of the space's sides
+
+  MASU_HD std::uint64_t size(std::uint64_t) const { return 1; }
+  template <class Add>
+  MASU_HD void operator()(std::uint64_t i, std::uint64_t first_row, std::uint64_t, const Add& add) const {
+    if (first_row != 0) return;
+    with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
+      if (!has_surface(primitive)) return;
+      const Boxd box = bounds(primitive);
+      std::uint64_t code = 0;
+      for (int axis = 0; axis < 3; ++axis) {
+        constexpr double places = 1 << bits_per_axis;
+        const double place = (0.5 * (box.min[axis] + box.max[axis]) - origin[axis]) / longest * places;
+        code |= spread_bits(place > 0 ? static_cast<std::uint32_t>(std::min(place, places - 1)) : 0) << axis;
+      }
+      add(code, static_cast<PrimitiveIndex>(i));
+    });
+  }
+};
+
+// Clusters along the curve.
+template <class Executor>
+struct Clusters {
+  ArrayOf<Executor, BinaryNode> nodes;
+  ArrayOf<Executor, CollapseCosts> costs;
+  ArrayOf<Executor, std::int32_t> heights; // nodes on the longest way down from it
+
+  Clusters(const Executor& executor, std::uint64_t count)
+      : nodes(executor.template array<BinaryNode>(count)),
+        costs(executor.template array<CollapseCosts>(count)),
+        heights(executor.template array<std::int32_t>(count)) {}
+};
+
+template <class Executor, class Stored>
+Clusters<Executor> primitive_clusters(Executor& executor, const SceneView<Stored>& scene,
+                                      const GridLayout& layout) {
+  const Vec3d extent = layout.space.max - layout.space.min;
+  const EmitMortonCodes<Stored> emit{scene, layout.space.min, std::max({extent.x, extent.y, extent.z})};
+  const auto sorted = executor.template emit_sorted<PrimitiveIndex>(
+      scene.primitive_count(), 3 * EmitMortonCodes<Stored>::bits_per_axis, max_numbered, emit);
+  const std::uint64_t count = sorted->values.size();
+  Clusters<Executor> clusters(executor, count);
+  const PrimitiveIndex* const primitive = sorted->values.data();
+  BinaryNode* const node = clusters.nodes.data();
+  CollapseCosts* const costs = clusters.costs.data();
+  std::int32_t* const height = clusters.heights.data();
+  const double margin = layout.margin;
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    const Boxf box = box_of_primitive(scene, primitive[i], margin);
+    node[i] = {box.min, primitive[i], box.max, 1};
+    costs[i] = collapse_costs_of_leaf(node[i]);
+    height[i] = 0;
+  });
+  return clusters;
+}
+
+// Of cluster i, the neighbour that it would best be merged with; there are two clusters or more.
+MASU_HD inline std::uint32_t best_neighbour(const BinaryNode* clusters, std::uint32_t count,
+                                            std::uint32_t i) {
+  const Boxf own = clusters[i].box();
+  float least = INFINITY;
+  std::uint32_t best = i;
+  const std::uint32_t first = i < search_radius ? 0 : i - search_radius,
+                      last = count - 1 - i < search_radius ? count - 1 : i + search_radius;
+  for (std::uint32_t j = first; j <= last; ++j) {
+    if (j == i) continue;
+    const float area = half_area(join(own, clusters[j].box()));
+    if (area < least || (area == least && (i ^ j) < (i ^ best))) {
+      least = area;
+      best = j;
+    }
+  }
+  return best;
+}
+
+// A round takes each cluster with its best neighbour, or with the next one: the last of an odd number with
+// none. Where boxes grow along the curve, hardly any two are each other's best, and what is merged grows high
+// and not wide: so every round after one of few pairs takes the next ones.
+enum class Neighbours { best, next };
+inline constexpr std::uint32_t clusters_per_pair = 32; // in a round of few pairs
+
+// Replaces `clusters` by fewer. Writes their nodes from `first_pair` on, and returns how many pairs they are.
+template <class Executor>
+std::uint32_t merge_round(Executor& executor, Neighbours neighbours, Clusters<Executor>& clusters,
+                          std::uint32_t count, Clusters<Executor>& merged,
+                          ArrayOf<Executor, std::uint32_t>& partners, std::uint32_t first_pair,
+                          BinaryHierarchy<Executor>& hierarchy) {
+  const BinaryNode* const node = clusters.nodes.data();
+  const CollapseCosts* const costs = clusters.costs.data();
+  const std::int32_t* const height = clusters.heights.data();
+  std::uint32_t* const partner = partners.data();
+  const bool next = neighbours == Neighbours::next;
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    const auto own = static_cast<std::uint32_t>(i);
+    if (next)
+      partner[i] = (own ^ 1U) < count ? own ^ 1U : own;
+    else
+      partner[i] = best_neighbour(node, count, own);
+  });
+  // What is merged stays so low that rounds of the next neighbours can always make one of all that is left.
+  const int highest = max_hierarchy_depth - 1 - (next ? 0 : static_cast<int>(std::bit_width(count - 1)));
+  // The second of a pair goes.
+  auto pairs_before = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
+    const std::uint32_t other = partner[i];
+    return other < i && partner[other] == i && std::max(height[i], height[other]) < highest;
+  });
+  const std::uint32_t* const before = pairs_before.data();
+  BinaryNode* const merged_node = merged.nodes.data();
+  CollapseCosts* const merged_costs = merged.costs.data();
+  std::int32_t* const merged_height = merged.heights.data();
+  BinaryNode* const nodes = hierarchy.nodes.data();
+  CollapseChoice* const choices = hierarchy.choices.data();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    if (before[i] != before[i + 1]) return;
+    const std::uint64_t to = i - before[i];
+    const std::uint32_t other = partner[i];
+    if (other <= i || partner[other] != i || before[other] == before[other + 1]) {
+      merged_node[to] = node[i];
+      merged_costs[to] = costs[i];
+      merged_height[to] = height[i];
+      return;
+    }
+    const std::uint32_t left = 2 * (first_pair + before[other]);
+    nodes[left] = node[i];
+    nodes[left + 1] = node[other];
+    choices[left] = costs[i].choice;
+    choices[left + 1] = costs[other].choice;
+    const Boxf box = join(node[i].box(), node[other].box());
+    const BinaryNode both{box.min, left, box.max, node[i].count + node[other].count};
+    merged_node[to] = both;
+    merged_costs[to] = collapse_costs(both, costs[i], costs[other]);
+    merged_height[to] = std::max(height[i], height[other]) + 1;
+  });
+  std::swap(clusters, merged);
+  return executor.value(pairs_before, count);
+}
+
+template <class Executor, class Stored>
+BinaryHierarchy<Executor> clustered_hierarchy(Executor& executor, const SceneView<Stored>& scene,
+                                              const GridLayout& layout) {
+  Clusters<Executor> clusters = primitive_clusters(executor, scene, layout);
+  auto count = static_cast<std::uint32_t>(clusters.nodes.size());
+  BinaryHierarchy<Executor> hierarchy;
+  if (count == 0) return hierarchy;
+  // The root, one that isn't there, and the others in pairs.
+  hierarchy.nodes = executor.template array<BinaryNode>(2 * std::uint64_t{count});
+  hierarchy.choices = executor.template array<CollapseChoice>(2 * std::uint64_t{count});
+  Clusters<Executor> merged(executor, count);
+  auto partners = executor.template array<std::uint32_t>(count);
+  Neighbours neighbours = Neighbours::best;
+  for (std::uint32_t first_pair = 1; count > 1;) {
+    const std::uint32_t pairs =
+        merge_round(executor, neighbours, clusters, count, merged, partners, first_pair, hierarchy);
+    neighbours = pairs < count / clusters_per_pair || pairs == 0 ? Neighbours::next : Neighbours::best;
+    first_pair += pairs;
+    count -= pairs;
+  }
+  const BinaryNode* const node = clusters.nodes.data();
+  const CollapseCosts* const costs = clusters.costs.data();
+  BinaryNode* const root = hierarchy.nodes.data();
+  CollapseChoice* const root_choice = hierarchy.choices.data();
+  executor.for_each(1, [=] MASU_PASS(std::uint64_t) {
+    *root = *node;
+    *root_choice = costs->choice;
+  });
+  return hierarchy;
+}
+
+} // namespace masu
