@@ -1,18 +1,24 @@
-/* Masu: rays traced through voxel grids, on a CPU or a CUDA GPU. The C interface of libmasu.so.
+/* Masu: rays traced through voxel grids and hierarchies, on a CPU or a CUDA GPU. The C interface of
+ * libmasu.so.
  *
- * Offline: masu_write_scene() makes a scene file (as nff2bin and mesh2bin do), masu_build_grid() a grid file
- * (as gridbuild does). Then masu_open() reads both, checks them, and puts them on a device once;
- * masu_nearest() and masu_occluded() are its queries, until masu_close().
+ * A scene is made from arrays (masu_scene_create()) or read from a file, a grid is built from a scene or
+ * read; each can be written: files are their bytes, and the tools' files. A tracer puts both on a device
+ * once; masu_nearest() and masu_occluded() are its queries. No function writes a file but those that say so.
  *
  * Functions that can fail return a status: MASU_OK, or what went wrong, and masu_error() then says it in one
  * line. After an error nothing was written to the results of a query in host memory that can be relied on. No
  * function terminates the process, and no damaged file and no ray can make one fault; what must be right are
- * pointers and counts.
+ * pointers, counts and sizes.
  *
- * Threads: a tracer may be used by several threads at the same time, except for masu_close(). Queries of rays
- * in host memory return when their results are there; they use all cores, or on a GPU streams of their own.
- * Queries of rays in device memory are queued on the stream that they are given, and are done when that is;
- * what fails after the call returned is the stream's error (at masu_nearest()).
+ * Structures begin with their size, which the program sets: `masu_query query = {sizeof query};`. So a
+ * program and a library of different versions work together, or meet an error: what a newer one added is zero
+ * in an older one's structures, and zeros are the defaults unless a function fills in others.
+ *
+ * Threads: any number may use an object at the same time, except for freeing it. Objects may be freed in any
+ * order: a tracer keeps what it uses. Queries of rays in host memory return when their results are there;
+ * they use all cores, or on a GPU streams of their own. Queries of rays in device memory are queued on the
+ * stream that they are given, and are done when that is; what fails after the call returned is the stream's
+ * error (at masu_nearest()).
  *
  * Results don't depend on the grid, on the device, nor on the number of threads: t, primitives and the rest
  * are the same bits on CPU and GPU, but with MASU_PRECISION_FAST. Of hits at the same t the primitive with
@@ -55,61 +61,187 @@ MASU_API const char* masu_version(void);
 /* How many GPUs can be used: 0 without CUDA, or without one. */
 MASU_API masu_status masu_gpu_count(int* count);
 
-/* --- Tracers ------------------------------------------------------------------------------------------- */
+/* --- Scenes -------------------------------------------------------------------------------------------- */
 
-typedef struct masu_tracer masu_tracer;
+typedef struct masu_scene masu_scene;
 
-#define MASU_CPU (-1)
+/* Triangles: an object. */
+typedef struct masu_mesh {
+  size_t size;
+  const float* vertices;    /* 3 per vertex; or */
+  const double* vertices64; /* 3 per vertex */
+  size_t vertex_count;
+  const uint32_t*
+      indices; /* 3 per triangle, below vertex_count; NULL: triangle i has vertices 3i to 3i + 2 */
+  size_t triangle_count;
+  const float* color; /* 3: of the matte material; NULL: 0.8 each */
+} masu_mesh;
 
-/* Reads, checks and, on a GPU, uploads a scene file and a grid file of the same geometry. `device` is
- * MASU_CPU or a GPU's number, from 0. What happens to the files afterwards changes nothing; a file that is
- * written while it is read is an error (MASU_ERROR_INPUT).
- *
- * `grid` may be NULL: then a grid is built as masu_build_grid() builds MASU_GRID_FASTEST for and on the
- * device, and kept in memory. That takes seconds for some million primitives, at every call; a grid file
- * takes them once.
- */
-MASU_API masu_status masu_open(const char* scene, const char* grid, int device, masu_tracer** tracer);
+/* Spheres, or cones: an object. With negative radii only the inside is visible. */
+typedef struct masu_quadrics {
+  size_t size;
+  const float*
+      values; /* per sphere 4: centre, radius; per cone 8: base, radius there, apex, radius there; or */
+  const double*
+      values64; /* the same. A cone is a truncated one's side, a cylinder's if the radii are equal */
+  size_t count;
+  const float* color; /* as masu_mesh */
+} masu_quadrics;
 
-/* The same on several GPUs, by their numbers; none: on the CPU. Each GPU gets the files. They share queries
- * of rays in host memory; rays in the memory of one of them are traced by that one. Results are independent
- * of the number of GPUs. */
-MASU_API masu_status masu_open_devices(const char* scene, const char* grid, const int* gpus, size_t gpu_count,
-                                       masu_tracer** tracer);
+typedef enum masu_store {
+  MASU_STORE_AUTO = 0, /* float32 unless its arithmetic is too coarse for the scene */
+  MASU_STORE_FLOAT32 = 1,
+  MASU_STORE_FLOAT64 = 2
+} masu_store;
 
-/* Without a grid: every ray is tested against every primitive, which only comparisons want. On the CPU if
- * there are no GPUs. */
-MASU_API masu_status masu_open_brute_force(const char* scene, const int* gpus, size_t gpu_count,
-                                           masu_tracer** tracer);
+typedef struct masu_geometry {
+  size_t size;
+  const masu_mesh* meshes;
+  size_t mesh_count;
+  const masu_quadrics* spheres;
+  size_t sphere_count; /* of the objects */
+  const masu_quadrics* cones;
+  size_t cone_count;
+  /* 3: coordinates are stored relative to it, so that errors follow the scene's extent and not its position
+   * in the world. NULL: the bounds' centre, or zero if that is nearer than half their diagonal. */
+  const double* origin;
+  masu_store store;
+  int reserved;
+} masu_geometry;
 
-/* Waits for what runs, and gives memory back. NULL is allowed. */
-MASU_API void masu_close(masu_tracer* tracer);
+/* Copies what the arrays hold. Primitives are numbered in the order of the arrays, triangles first, then
+ * spheres, then cones, and so are objects. Triangles without area are kept, for the numbers' sake, and can't
+ * be hit. Camera and lights are automatic ones, for gridrender. */
+MASU_API masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene);
 
-typedef struct masu_description {
+/* Reads and checks a scene file, of these functions or of nff2bin and mesh2bin. What happens to the file
+ * afterwards changes nothing; one that is written while it is read is an error (MASU_ERROR_INPUT). */
+MASU_API masu_status masu_scene_read(const char* path, masu_scene** scene);
+
+/* Whole or not at all. */
+MASU_API masu_status masu_scene_write(const masu_scene* scene, const char* path);
+
+/* NULL is allowed. */
+MASU_API void masu_scene_free(masu_scene* scene);
+
+typedef struct masu_scene_description {
+  size_t size;
   uint32_t triangles, spheres, cones; /* primitives are numbered in this order */
   uint32_t materials;
+  uint64_t objects;
   double bounds_min[3], bounds_max[3]; /* of all primitives, in the world; min > max where there is none */
-  uint64_t scene_bytes, grid_bytes;    /* of the files, or as a file for a grid in memory; 0 for no grid */
-  int is_float64;                      /* whether coordinates are stored, and rays traced, in float64 */
-  int device;                          /* the first one, or MASU_CPU */
   double origin[3];                    /* the point in the world that stored coordinates are relative to */
   double error_bound; /* in scene units: how far from its surface a hit may be, with MASU_PRECISION_AUTO */
-} masu_description;
+  uint64_t bytes;     /* in memory, and of its file */
+  int is_float64;     /* whether coordinates are stored, and rays traced, in float64 */
+  int reserved;
+} masu_scene_description;
 
-MASU_API masu_status masu_describe(const masu_tracer* tracer, masu_description* description);
+MASU_API masu_status masu_scene_describe(const masu_scene* scene, masu_scene_description* description);
 
 typedef enum masu_kind { MASU_TRIANGLE = 0, MASU_SPHERE = 1, MASU_CONE = 2 } masu_kind;
 
 typedef struct masu_primitive {
+  size_t size;
   masu_kind kind;
   uint32_t object;   /* index in the NFF text, or of the mesh */
   uint32_t material; /* index */
+  uint32_t face;     /* as masu_hits has it */
   float color[3], diffuse, specular, shine, transmittance, refraction_index; /* of the material */
 } masu_primitive;
 
 /* `index` is a primitive's, as hits report it. */
-MASU_API masu_status masu_describe_primitive(const masu_tracer* tracer, uint32_t index,
-                                             masu_primitive* primitive);
+MASU_API masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_primitive* primitive);
+
+/* --- Grids --------------------------------------------------------------------------------------------- */
+
+typedef struct masu_grid masu_grid;
+
+#define MASU_CPU (-1)
+
+typedef enum masu_structure {
+  MASU_STRUCTURE_GRID = 0,
+  MASU_STRUCTURE_BVH = 1,    /* a bounding volume hierarchy: no voxels */
+  MASU_STRUCTURE_FASTEST = 2 /* what a sample of rays is expected to take the least time through */
+} masu_structure;
+
+typedef enum masu_merge {
+  MASU_MERGE_AUTO = 0, /* none where a division is given, else none or irregular by a sample of rays */
+  MASU_MERGE_NONE = 1,
+  MASU_MERGE_X = 2,
+  MASU_MERGE_BALANCE = 3,
+  MASU_MERGE_IRREGULAR = 4
+} masu_merge;
+
+/* How much time a build may take for the sake of faster queries. */
+typedef enum masu_quality { MASU_QUALITY_HIGH = 0 } masu_quality;
+
+/* As gridbuild's options. masu_default_build_options() fills in the defaults, which aren't all zero; NULL
+ * instead of the options means them. */
+typedef struct masu_build_options {
+  size_t size;
+  masu_structure structure;
+  masu_merge merge;     /* which voxels of a grid share a cell */
+  const char* division; /* "auto", "64", "64x64x32", "cleary:1", …; NULL: "auto" */
+  int box_overlap;      /* not 0: a voxel lists whose bounding box meets it, else whose surface does */
+  int cube_space; /* not 0: the smallest cube about the origin is divided, else the primitives' bounds */
+  double alpha, step_cost, detail;
+  uint32_t target;
+  int nested, expansions;
+  int device;  /* where to build: a GPU's number, or MASU_CPU; the grid is the same */
+  int threads; /* 0: all cores */
+  int for_cpu; /* not 0: what is chosen automatically is chosen for tracing on a CPU, else on a GPU */
+  masu_quality quality;
+  int reserved;
+} masu_build_options;
+
+/* Its size must be set. */
+MASU_API masu_status masu_default_build_options(masu_build_options* options);
+
+MASU_API masu_status masu_grid_build(const masu_scene* scene, const masu_build_options* options,
+                                     masu_grid** grid);
+
+/* As masu_scene_read() and masu_scene_write(). */
+MASU_API masu_status masu_grid_read(const char* path, masu_grid** grid);
+MASU_API masu_status masu_grid_write(const masu_grid* grid, const char* path);
+
+/* NULL is allowed. */
+MASU_API void masu_grid_free(masu_grid* grid);
+
+typedef struct masu_grid_description {
+  size_t size;
+  masu_structure structure; /* grid or bvh */
+  masu_merge merge;         /* never MASU_MERGE_AUTO */
+  uint32_t division[3];     /* voxels along each axis; of an irregular grid at the top */
+  uint32_t reserved;
+  uint64_t cells, nodes; /* cells of a merged grid, nodes of a bvh; else 0 */
+  uint64_t references, bytes;
+} masu_grid_description;
+
+MASU_API masu_status masu_grid_describe(const masu_grid* grid, masu_grid_description* description);
+
+/* --- Tracers ------------------------------------------------------------------------------------------- */
+
+typedef struct masu_tracer masu_tracer;
+
+/* Zeros are the defaults, and NULL instead means them: on the CPU. */
+typedef struct masu_tracer_options {
+  size_t size;
+  /* GPUs by their numbers, from 0; none: on the CPU. Each gets scene and grid. They share queries of rays in
+   * host memory; rays in the memory of one of them are traced by that one. */
+  const int* gpus;
+  size_t gpu_count;
+  int brute_force; /* not 0: without a grid every ray is tested against every primitive, for comparison */
+  int reserved;
+} masu_tracer_options;
+
+/* `grid` must be of the scene's geometry. Where it is NULL, one is built with MASU_STRUCTURE_FASTEST for and
+ * on the first device: that takes seconds for some million primitives. */
+MASU_API masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
+                                        const masu_tracer_options* options, masu_tracer** tracer);
+
+/* Waits for what runs, and gives memory back. NULL is allowed. */
+MASU_API void masu_tracer_free(masu_tracer* tracer);
 
 /* --- Queries ------------------------------------------------------------------------------------------- */
 
@@ -143,19 +275,23 @@ typedef enum masu_precision {
 
 /* Zeros are the defaults; NULL instead of a query means them. */
 typedef struct masu_query {
+  size_t size;
   masu_ray_format format;
   masu_precision precision;
   int coherent; /* not 0: neighbours have similar origins and directions: how a GPU schedules fewer than four
                    million rays, or any in its memory; results are the same */
+  int relative; /* not 0: the rays' origins are relative to the scene's (masu_scene_description), where floats
+                   keep their digits, and rays on a GPU needn't be copied; 0: they are in the world */
   void* stream; /* cudaStream_t of rays in device memory; NULL: the default stream */
-  int relative; /* not 0: the rays' origins are relative to the scene's (masu_description), where floats keep
-                   their digits, and rays on a GPU needn't be copied; 0: they are in the world */
+  int threads;  /* of the host, for rays in its memory; 0: all cores */
+  int reserved;
 } masu_query;
 
 #define MASU_NONE UINT32_MAX
 
 /* Arrays of `count` elements, or NULL for what isn't wanted. */
 typedef struct masu_hits {
+  size_t size;
   float* t;            /* in lengths of the direction; infinity for a miss */
   uint32_t* primitive; /* its index; MASU_NONE for a miss */
   uint32_t* object;    /* as masu_primitive has it; MASU_NONE for a miss */
@@ -183,62 +319,6 @@ MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, s
 /* Whether each ray hits anything: 1 or 0. */
 MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count,
                                    const masu_query* query, uint8_t* occluded);
-
-/* --- Offline ------------------------------------------------------------------------------------------- */
-
-/* Triangles: an object. Zeros are defaults. */
-typedef struct masu_mesh {
-  const float* vertices;    /* 3 per vertex; or */
-  const double* vertices64; /* 3 per vertex */
-  size_t vertex_count;
-  const uint32_t* indices; /* 3 per triangle, below vertex_count */
-  size_t triangle_count;
-  const float* color; /* 3: of the matte material; NULL: 0.8 each */
-} masu_mesh;
-
-typedef enum masu_store {
-  MASU_STORE_AUTO = 0, /* float32 unless its arithmetic is too coarse for the scene */
-  MASU_STORE_FLOAT32 = 1,
-  MASU_STORE_FLOAT64 = 2
-} masu_store;
-
-/* Writes a scene file, whole or not at all. Triangle i of mesh m is primitive i plus the triangles of the
- * meshes before m, and of object m. Triangles without area are kept, for the numbers' sake, and can't be hit.
- * Camera and lights are automatic ones, for gridrender.
- *
- * Coordinates are stored relative to `origin`, 3 numbers, so that errors follow the scene's extent and not
- * its position in the world. NULL: the bounds' centre, or zero if that is nearer than half their diagonal. */
-MASU_API masu_status masu_write_scene(const char* path, const masu_mesh* meshes, size_t mesh_count,
-                                      masu_store store, const double* origin);
-
-typedef enum masu_grid_kind {
-  MASU_GRID_AUTO = 0,
-  MASU_GRID_UNIFORM = 1,
-  MASU_GRID_X = 2,
-  MASU_GRID_BALANCE = 3,
-  MASU_GRID_IRREGULAR = 4,
-  MASU_GRID_BVH = 5,    /* a bounding volume hierarchy: no voxels */
-  MASU_GRID_FASTEST = 6 /* a grid or bvh: what a sample of rays is expected to take the least time through */
-} masu_grid_kind;
-
-/* As gridbuild's options. masu_default_grid_options() fills in the defaults; NULL instead means them. */
-typedef struct masu_grid_options {
-  masu_grid_kind kind;
-  const char* division; /* "auto", "64", "64x64x32", "cleary:1", … */
-  int box_overlap;      /* not 0: a voxel lists whose bounding box meets it, else whose surface does */
-  int cube_space; /* not 0: the smallest cube about the origin is divided, else the primitives' bounds */
-  uint32_t target;
-  double alpha, step_cost, detail;
-  int nested, expansions;
-  int gpu;     /* not 0: built on the first GPU */
-  int threads; /* 0: all cores */
-  int for_cpu; /* not 0: what is chosen automatically is chosen for tracing on a CPU, else on a GPU */
-} masu_grid_options;
-
-MASU_API void masu_default_grid_options(masu_grid_options* options);
-
-/* Writes the grid file of a scene file, whole or not at all. */
-MASU_API masu_status masu_build_grid(const char* scene, const char* grid, const masu_grid_options* options);
 
 /* NOLINTEND(modernize-use-using) */
 #ifdef __cplusplus

@@ -7,7 +7,6 @@
 #include <concepts>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <ranges>
 #include <span>
 #include <stdexcept>
@@ -27,29 +26,138 @@ inline void check(masu_status status) {
   if (status != MASU_OK) throw Exception(status, masu_error());
 }
 
+// Owns an object of C's.
+template <class Object, void (*free)(Object*)>
+struct Free {
+  void operator()(Object* object) const { free(object); }
+};
+template <class Object, void (*free)(Object*)>
+using Handle = std::unique_ptr<Object, Free<Object, free>>;
+
 inline int gpu_count() {
   int count = 0;
   check(masu_gpu_count(&count));
   return count;
 }
 
-inline void write_scene(const std::string& path, std::span<const masu_mesh> meshes,
-                        masu_store store = MASU_STORE_AUTO,
-                        const std::optional<std::array<double, 3>>& origin = std::nullopt) {
-  check(
-      masu_write_scene(path.c_str(), meshes.data(), meshes.size(), store, origin ? origin->data() : nullptr));
+// What make(pointer to a handle) of C made.
+template <class Object, class Make>
+Object* made(const Make& make) {
+  Object* object = nullptr;
+  check(make(&object));
+  return object;
 }
 
-inline masu_grid_options default_grid_options() {
-  masu_grid_options options;
-  masu_default_grid_options(&options);
+// A structure of C whose size is set, and the rest zero.
+template <class Struct>
+Struct sized() {
+  Struct made{};
+  made.size = sizeof made;
+  return made;
+}
+
+// --- Scenes and grids
+
+// Numbers one after the other, or in arrays of three: a vector, an array, a span.
+template <class T, class Number>
+concept NumbersOf = std::ranges::contiguous_range<T> &&
+    (std::same_as<std::ranges::range_value_t<T>, Number> ||
+     std::same_as<std::ranges::range_value_t<T>, std::array<Number, 3>>);
+template <class T>
+concept Vertices = NumbersOf<T, float> || NumbersOf<T, double>;
+
+// An object of triangles, which refers to the arrays.
+template <Vertices V, NumbersOf<std::uint32_t> Indices>
+masu_mesh mesh(const V& vertices, const Indices& indices) {
+  const auto triples = [](const auto& numbers) {
+    constexpr bool are_arrays = requires {
+      numbers.begin()->size();
+    };
+    return std::ranges::size(numbers) / (are_arrays ? 1 : 3);
+  };
+  auto mesh = sized<masu_mesh>();
+  const void* const numbers = std::ranges::data(vertices);
+  if constexpr (NumbersOf<V, float>)
+    mesh.vertices = static_cast<const float*>(numbers);
+  else
+    mesh.vertices64 = static_cast<const double*>(numbers);
+  mesh.vertex_count = triples(vertices);
+  const void* const corners = std::ranges::data(indices);
+  mesh.indices = static_cast<const std::uint32_t*>(corners);
+  mesh.triangle_count = triples(indices);
+  return mesh;
+}
+
+inline masu_build_options default_build_options() {
+  auto options = sized<masu_build_options>();
+  check(masu_default_build_options(&options));
   return options;
 }
 
-inline void build_grid(const std::string& scene, const std::string& grid,
-                       const masu_grid_options& options = default_grid_options()) {
-  check(masu_build_grid(scene.c_str(), grid.c_str(), &options));
-}
+class Scene {
+public:
+  explicit Scene(const masu_geometry& geometry)
+      : Scene(made<masu_scene>([&](masu_scene** scene) { return masu_scene_create(&geometry, scene); })) {}
+  explicit Scene(std::span<const masu_mesh> meshes) : Scene(geometry_of(meshes)) {}
+  template <Vertices V, NumbersOf<std::uint32_t> Indices>
+  Scene(const V& vertices, const Indices& indices) : Scene(std::array{mesh(vertices, indices)}) {}
+  static Scene read(const std::string& path) {
+    return Scene(made<masu_scene>([&](masu_scene** scene) { return masu_scene_read(path.c_str(), scene); }));
+  }
+
+  void write(const std::string& path) const { check(masu_scene_write(get(), path.c_str())); }
+  masu_scene_description describe() const {
+    auto description = sized<masu_scene_description>();
+    check(masu_scene_describe(get(), &description));
+    return description;
+  }
+  masu_primitive primitive(std::uint32_t index) const {
+    auto primitive = sized<masu_primitive>();
+    check(masu_scene_primitive(get(), index, &primitive));
+    return primitive;
+  }
+
+  masu_scene* get() const { return handle_.get(); }
+
+private:
+  explicit Scene(masu_scene* scene) : handle_(scene) {}
+  static masu_geometry geometry_of(std::span<const masu_mesh> meshes) {
+    auto geometry = sized<masu_geometry>();
+    geometry.meshes = meshes.data();
+    geometry.mesh_count = meshes.size();
+    return geometry;
+  }
+
+  Handle<masu_scene, masu_scene_free> handle_;
+};
+
+class Grid {
+public:
+  // Builds it.
+  explicit Grid(const Scene& scene, const masu_build_options& options = default_build_options())
+      : Grid(
+            made<masu_grid>([&](masu_grid** grid) { return masu_grid_build(scene.get(), &options, grid); })) {
+  }
+  static Grid read(const std::string& path) {
+    return Grid(made<masu_grid>([&](masu_grid** grid) { return masu_grid_read(path.c_str(), grid); }));
+  }
+
+  void write(const std::string& path) const { check(masu_grid_write(get(), path.c_str())); }
+  masu_grid_description describe() const {
+    auto description = sized<masu_grid_description>();
+    check(masu_grid_describe(get(), &description));
+    return description;
+  }
+
+  masu_grid* get() const { return handle_.get(); }
+
+private:
+  explicit Grid(masu_grid* grid) : handle_(grid) {}
+
+  Handle<masu_grid, masu_grid_free> handle_;
+};
+
+// --- Tracers
 
 // The format of rays is that of their type. Those of six numbers are an origin and a direction.
 template <class T>
@@ -70,6 +178,7 @@ struct QueryOptions {
   bool coherent = false;
   void* stream = nullptr; // of rays in device memory
   bool relative = false;  // to the scene's origin
+  int threads = 0;        // of the host, for rays in its memory; 0: all cores
 };
 
 // The hits of rays in host memory.
@@ -78,38 +187,22 @@ struct Hits {
   std::vector<std::uint32_t> primitive;
 };
 
-// A scene and its grid on a device.
+// A scene and its grid on a device; it keeps what it needs of both.
 class Tracer {
 public:
-  // Without a grid file a grid is built and kept in memory, as masu_open() says.
-  explicit Tracer(const std::string& scene, const std::optional<std::string>& grid = std::nullopt,
-                  int device = MASU_CPU)
-      : Tracer(scene, grid, std::span<const int>(&device, device == MASU_CPU ? 0 : 1)) {}
+  // Without a grid one is built, as masu_tracer_create() says.
+  explicit Tracer(const Scene& scene, int device = MASU_CPU) : Tracer(scene, nullptr, gpus_of(device)) {}
+  Tracer(const Scene& scene, const Grid& grid, int device = MASU_CPU)
+      : Tracer(scene, &grid, gpus_of(device)) {}
   // On several GPUs, which share queries of rays in host memory; none: on the CPU.
-  Tracer(const std::string& scene, const std::optional<std::string>& grid, std::span<const int> gpus) {
-    masu_tracer* opened = nullptr;
-    check(
-        masu_open_devices(scene.c_str(), grid ? grid->c_str() : nullptr, gpus.data(), gpus.size(), &opened));
-    tracer_.reset(opened);
-  }
-  // Tests every ray against every primitive.
-  static Tracer brute_force(const std::string& scene, std::span<const int> gpus = {}) {
-    Tracer tracer;
-    masu_tracer* opened = nullptr;
-    check(masu_open_brute_force(scene.c_str(), gpus.data(), gpus.size(), &opened));
-    tracer.tracer_.reset(opened);
-    return tracer;
-  }
-
-  masu_description describe() const {
-    masu_description description;
-    check(masu_describe(tracer_.get(), &description));
-    return description;
-  }
-  masu_primitive primitive(std::uint32_t index) const {
-    masu_primitive primitive;
-    check(masu_describe_primitive(tracer_.get(), index, &primitive));
-    return primitive;
+  Tracer(const Scene& scene, const Grid* grid, std::span<const int> gpus, bool brute_force = false) {
+    auto options = sized<masu_tracer_options>();
+    options.gpus = gpus.data();
+    options.gpu_count = gpus.size();
+    options.brute_force = brute_force ? 1 : 0;
+    handle_.reset(made<masu_tracer>([&](masu_tracer** tracer) {
+      return masu_tracer_create(scene.get(), grid != nullptr ? grid->get() : nullptr, &options, tracer);
+    }));
   }
 
   // In host memory, or all in memory of one of the tracer's GPUs.
@@ -117,13 +210,13 @@ public:
   void nearest(const R* rays, std::size_t count, const masu_hits& hits,
                const QueryOptions& options = {}) const {
     const masu_query query = query_of<R>(options);
-    check(masu_nearest(tracer_.get(), rays, count, &query, &hits));
+    check(masu_nearest(handle_.get(), rays, count, &query, &hits));
   }
   template <Ray R>
   void occluded(const R* rays, std::size_t count, std::uint8_t* occluded,
                 const QueryOptions& options = {}) const {
     const masu_query query = query_of<R>(options);
-    check(masu_occluded(tracer_.get(), rays, count, &query, occluded));
+    check(masu_occluded(handle_.get(), rays, count, &query, occluded));
   }
 
   // In host memory.
@@ -131,7 +224,7 @@ public:
   Hits nearest(const Rays& rays, const QueryOptions& options = {}) const {
     const std::size_t count = std::ranges::size(rays);
     Hits found{std::vector<float>(count), std::vector<std::uint32_t>(count)};
-    masu_hits hits{};
+    auto hits = sized<masu_hits>();
     hits.t = found.t.data();
     hits.primitive = found.primitive.data();
     nearest(std::ranges::data(rays), count, hits, options);
@@ -144,20 +237,26 @@ public:
     return found;
   }
 
-  masu_tracer* get() const { return tracer_.get(); }
+  masu_tracer* get() const { return handle_.get(); }
 
 private:
-  Tracer() = default;
+  // Valid until the end of the full expression.
+  static std::span<const int> gpus_of(const int& device) {
+    return {&device, device == MASU_CPU ? std::size_t{0} : std::size_t{1}};
+  }
   template <Ray R>
   static masu_query query_of(const QueryOptions& options) {
-    return {format_of<R>(), options.precision, options.coherent ? 1 : 0, options.stream,
-            options.relative ? 1 : 0};
+    auto query = sized<masu_query>();
+    query.format = format_of<R>();
+    query.precision = options.precision;
+    query.coherent = options.coherent ? 1 : 0;
+    query.relative = options.relative ? 1 : 0;
+    query.stream = options.stream;
+    query.threads = options.threads;
+    return query;
   }
 
-  struct Close {
-    void operator()(masu_tracer* tracer) const { masu_close(tracer); }
-  };
-  std::unique_ptr<masu_tracer, Close> tracer_;
+  Handle<masu_tracer, masu_tracer_free> handle_;
 };
 
 } // namespace masu

@@ -1,4 +1,4 @@
-/* A depth picture of a mesh: writes torus.scene, torus.grid and torus.pgm. */
+/* A depth picture of a mesh: writes torus.pgm; and torus.scene and torus.grid, as the tools do. */
 #include <masu/masu.h>
 
 #include <math.h>
@@ -30,9 +30,15 @@ int main(void) {
       indices[2 * a][0] = a, indices[2 * a][1] = c, indices[2 * a][2] = b;
       indices[2 * a + 1][0] = b, indices[2 * a + 1][1] = c, indices[2 * a + 1][2] = d;
     }
-  const masu_mesh mesh = {vertices[0], NULL, around * across, indices[0], 2 * around * across, NULL};
-  check(masu_write_scene("torus.scene", &mesh, 1, MASU_STORE_AUTO, NULL));
-  check(masu_build_grid("torus.scene", "torus.grid", NULL));
+  const masu_mesh mesh = {sizeof mesh, vertices[0],         NULL, around * across,
+                          indices[0],  2 * around * across, NULL};
+  const masu_geometry geometry = {.size = sizeof geometry, .meshes = &mesh, .mesh_count = 1};
+  masu_scene* scene;
+  masu_grid* grid;
+  masu_tracer* tracer;
+  check(masu_scene_create(&geometry, &scene));
+  check(masu_grid_build(scene, NULL, &grid));
+  check(masu_tracer_create(scene, grid, NULL, &tracer));
 
   for (int y = 0; y < height; ++y) /* the camera at (0, -2, 2.5) looks at the origin */
     for (int x = 0; x < width; ++x) {
@@ -42,12 +48,14 @@ int main(void) {
       ray[0] = 0, ray[1] = -2, ray[2] = 2.5f;
       ray[3] = right, ray[4] = 0.62f + 0.78f * up, ray[5] = -0.78f + 0.62f * up;
     }
-  masu_tracer* tracer;
-  check(masu_open("torus.scene", "torus.grid", MASU_CPU, &tracer));
-  const masu_query query = {.format = MASU_RAYS_FLOAT32_6, .coherent = 1};
-  const masu_hits hits = {.t = t, .primitive = primitive};
+  const masu_query query = {.size = sizeof query, .format = MASU_RAYS_FLOAT32_6, .coherent = 1};
+  const masu_hits hits = {.size = sizeof hits, .t = t, .primitive = primitive};
   check(masu_nearest(tracer, rays, width * height, &query, &hits));
-  masu_close(tracer);
+  masu_tracer_free(tracer);
+  check(masu_scene_write(scene, "torus.scene"));
+  check(masu_grid_write(grid, "torus.grid"));
+  masu_grid_free(grid);
+  masu_scene_free(scene);
 
   FILE* file = fopen("torus.pgm", "wb");
   if (!file || fprintf(file, "P5 %d %d 255\n", width, height) < 0) return perror("torus.pgm"), 3;

@@ -1,5 +1,5 @@
-"""A lidar's sweep: `lidar.py [DEVICE]` makes a street of boxes (street.scene, street.grid), drives past them and writes
-what a lidar with 64 beams measures: sweep.ply, a cloud of points with the box that each lies on. Needs NumPy."""
+"""A lidar's sweep: `lidar.py [DEVICE]` makes a street of boxes, drives past them and writes what a lidar with 64 beams
+measures: sweep.ply, a cloud of points with the box that each lies on. Needs NumPy."""
 
 import sys
 
@@ -13,14 +13,14 @@ def box(low, high):
     return corners, np.array([triangle for a, b, c, d in faces for triangle in ((a, b, c), (a, c, d))])
 
 
-def make_street(path):
+def make_street():
     random = np.random.default_rng(1)
     meshes = [box((-60, -60, -1), (60, 60, 0))]
     for x in range(-50, 50, 10):
         for y in (-12, 12):
             width, depth, height = random.uniform((3, 3, 4), (9, 9, 15))
             meshes.append(box((x, y - depth / 2, 0), (x + width, y + depth / 2, height)))
-    masu.write_scene(path, meshes=meshes)
+    return masu.Scene(meshes=meshes)
 
 
 def sweep_rays(positions, beams=64, steps=900):
@@ -36,10 +36,8 @@ def sweep_rays(positions, beams=64, steps=900):
     return rays
 
 
-make_street("street.scene")
-masu.build_grid("street.scene", "street.grid")
 rays = sweep_rays(np.array([(x, 0, 1.8) for x in np.linspace(-40, 40, 5)]))
-with masu.Tracer("street.scene", "street.grid", sys.argv[1] if len(sys.argv) > 1 else "cpu") as tracer:
+with masu.Tracer(make_street(), device=sys.argv[1] if len(sys.argv) > 1 else "cpu") as tracer:
     found = tracer.nearest(rays, fields=("t_hit", "geometry_ids"))
 hit = np.isfinite(found["t_hit"])
 points = rays[hit][:, :3] + found["t_hit"][hit, None] * rays[hit][:, 4:7]

@@ -1,5 +1,4 @@
-// What an observer on a hill sees of the land: `line_of_sight FOLDER` prints a map and writes land.scene and
-// land.grid.
+// What an observer on a hill sees of the land: prints a map.
 #include <masu/masu.hpp>
 
 #include <cmath>
@@ -27,13 +26,8 @@ int main() try {
       if (x + 1 < side && y + 1 < side)
         indices.insert(indices.end(), {i, i + 1, i + side, i + 1, i + side + 1, i + side});
     }
-  const masu_mesh mesh{vertices.data(),    nullptr, vertices.size() / 3, indices.data(),
-                       indices.size() / 3, nullptr};
-  masu::write_scene("land.scene", {&mesh, 1});
-  masu::build_grid("land.scene", "land.grid");
-
   // From 2 above the ground to 0.2 above each vertex: 0 < t < 1 is the way between.
-  const masu::Tracer tracer("land.scene", "land.grid");
+  const masu::Tracer tracer(masu::Scene(vertices, indices));
   const float eye[3] = {36, 33, ground(36, 33) + 2};
   std::vector<masu_ray> rays;
   for (std::size_t i = 0; i < vertices.size(); i += 3)

@@ -16,7 +16,7 @@ __device__ float random_number(unsigned& state) { // PCG: O'Neill (2014), as a h
 }
 
 // From a point of the box to another.
-__global__ void make_rays(masu_ray* rays, masu_description scene) {
+__global__ void make_rays(masu_ray* rays, masu_scene_description scene) {
   unsigned state = blockIdx.x * blockDim.x + threadIdx.x;
   masu_ray& ray = rays[state] = {{}, 0, {}, 1};
   for (int i = 0; i < 3; ++i) {
@@ -38,7 +38,8 @@ void check(cudaError_t error) {
 
 int main(int argc, char** argv) try {
   if (argc != 3) return std::fputs("usage: random_rays SCENE GRID\n", stderr), MASU_ERROR_USAGE;
-  const masu::Tracer tracer(argv[1], argv[2], 0);
+  const masu::Scene scene = masu::Scene::read(argv[1]);
+  const masu::Tracer tracer(scene, masu::Grid::read(argv[2]), 0);
   cudaStream_t stream;
   masu_ray* rays;
   std::uint8_t* occluded;
@@ -48,7 +49,7 @@ int main(int argc, char** argv) try {
   check(cudaMallocAsync(&occluded, ray_count, stream));
   check(cudaMallocAsync(&hits, sizeof(unsigned), stream));
   check(cudaMemsetAsync(hits, 0, sizeof(unsigned), stream));
-  make_rays<<<ray_count / 256, 256, 0, stream>>>(rays, tracer.describe());
+  make_rays<<<ray_count / 256, 256, 0, stream>>>(rays, scene.describe());
   tracer.occluded(rays, ray_count, occluded, {.stream = stream});
   count_hits<<<ray_count / 256, 256, 0, stream>>>(occluded, hits);
   check(cudaMemcpyAsync(&hit_count, hits, sizeof(unsigned), cudaMemcpyDeviceToHost, stream));

@@ -27,22 +27,6 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, con
                                                      int device);
 // The kinds of primitives in them (with_triangles, …).
 unsigned kinds_on(const DeviceFiles& files);
-// What a scene says of a primitive; copy_of(p) is the record that p points to.
-template <class Stored, class CopyOf>
-PrimitiveProperties properties_of(const SceneView<Stored>& scene, PrimitiveIndex index,
-                                  const CopyOf& copy_of) {
-  const PrimitiveIndex sphere = index - scene.triangle_count;
-  Surface surface{};
-  if (index < scene.triangle_count) {
-    const Triangle<Stored> triangle = copy_of(scene.triangles + index);
-    surface = {static_cast<std::uint32_t>(triangle.object), static_cast<std::uint32_t>(triangle.material)};
-  } else {
-    surface = copy_of(sphere < scene.sphere_count ? scene.sphere_surfaces + sphere
-                                                  : scene.cone_surfaces + (sphere - scene.sphere_count));
-  }
-  return {surface, copy_of(scene.materials + surface.material)};
-}
-PrimitiveProperties properties_cuda(const DeviceFiles& files, PrimitiveIndex index);
 
 // Copies rays to the device, and makes room there for t, primitive and occluded.
 ResidentRays upload_rays_cuda(const RayList& rays, int device);

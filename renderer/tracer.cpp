@@ -112,16 +112,6 @@ void Tracer::check_unchanged() const {
   if (grid_ != nullptr) grid_->check_unchanged();
 }
 
-PrimitiveProperties Tracer::properties(PrimitiveIndex index) const {
-  if (index >= scene_.primitive_count())
-    throw Error(ErrorCode::usage, "index",
-                fmt::format("{} isn't below {}, the number of primitives", index, scene_.primitive_count()));
-  if (device_ == Device::cuda) return properties_cuda(*files_.front(), index);
-  const auto in_memory = [](const auto* record) { return *record; };
-  return scene_.is_float64() ? properties_of(scene_.view<double>(), index, in_memory)
-                             : properties_of(scene_.view<float>(), index, in_memory);
-}
-
 TracingRules Tracer::resolved(TracingRules rules) const {
   rules.precision = masu::resolved(rules.precision, scene_);
   rules.kinds = kinds_;

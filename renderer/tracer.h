@@ -148,11 +148,6 @@ struct ResidentRays {
   std::shared_ptr<void> memory{}; // what they point to
 };
 
-struct PrimitiveProperties {
-  Surface surface;
-  Material material;
-};
-
 // --- The tracer -------------------------------------------------------------------------------------------
 
 struct DeviceFiles; // a scene and its grid in a GPU's memory
@@ -204,10 +199,6 @@ public:
   // counting nor costs are possible. `gpu`: the number of the GPU in whose memory they lie, one of gpus().
   QueryReport trace_on_device(const RayList& rays, const RayResults& results, const RaysRequest& request,
                               void* stream, int gpu) const;
-
-  // Of a primitive, from where the tracer has it. Throws Error(usage) for one that there isn't,
-  // Error(device).
-  PrimitiveProperties properties(PrimitiveIndex index) const;
 
   // Where vectors are what is wanted.
   RayHits hits(const RayList& rays, const RaysRequest& request, HitName name) const;

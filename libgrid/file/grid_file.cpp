@@ -75,20 +75,35 @@ MergedGridView<Real> view_of(const GridLayout& layout, std::int32_t nested_log2,
 
 } // namespace
 
+namespace {
+
+std::array<SectionData, 4> sections_of(const Grid& grid) {
+  return {section_data(number(fb::GridSection::voxel_map), std::span(grid.voxel_map)),
+          section_data(number(fb::GridSection::cells), std::span(grid.cells)),
+          section_data(number(fb::GridSection::references), std::span(grid.references)),
+          section_data(number(fb::GridSection::nodes), std::span(grid.nodes))};
+}
+
+} // namespace
+
 void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path) {
-  const std::array sections{
-      section_data(number(fb::GridSection::voxel_map), std::span(grid.voxel_map)),
-      section_data(number(fb::GridSection::cells), std::span(grid.cells)),
-      section_data(number(fb::GridSection::references), std::span(grid.references)),
-      section_data(number(fb::GridSection::nodes), std::span(grid.nodes)),
-  };
+  const auto sections = sections_of(grid);
   const auto section_layout = lay_out(sections);
   write_container(path, grid_file_kind, grid_table(grid, provenance, section_layout), sections,
                   section_layout);
 }
 
+GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance) {
+  return GridFile(
+      ContainerFile(make_container(grid_file_kind, sections_of(grid),
+                                   [&](const auto& layout) { return grid_table(grid, provenance, layout); }),
+                    "grid"));
+}
+
 GridFile::GridFile(const std::string& path, Residence residence)
-    : container_(path, grid_file_kind, residence) {
+    : GridFile(ContainerFile(path, grid_file_kind, residence)) {}
+
+GridFile::GridFile(ContainerFile container) : container_(std::move(container)) {
   const auto bytes = container_.table();
   flatbuffers::Verifier verifier(bytes.data(), bytes.size());
   check(fb::VerifyGridBuffer(verifier), "its table is damaged");
@@ -102,7 +117,7 @@ GridFile::GridFile(const std::string& path, Residence residence)
   check(is_aligned(sections()), "its table is damaged");
   container_.read_sections(sections());
   check_sizes();
-  if (residence != Residence::file) {
+  if (residence() != Residence::file) {
     const char* const fault = fault_of(HostChecker{}, records());
     check(fault == nullptr, fault);
   }

@@ -29,12 +29,19 @@ struct GridProvenance {
 // Writes the grid to `path`, whole or not at all. Throws Error(output).
 void write_grid(const Grid& grid, const GridProvenance& provenance, const std::string& path);
 
+class GridFile;
+
+// The same in memory: a grid file that was never written.
+GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance);
+
 // A grid file, checked: every index in it can be followed. Of one whose records stay in the file, only the
 // table is; who copies them checks them (grid_checks.h).
 class GridFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
   explicit GridFile(const std::string& path, Residence residence = Residence::memory);
+  // Writes a file of the same bytes (container.h).
+  void write(const std::string& path) const { container_.write(path); }
   // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
   void check_unchanged() const { container_.check_unchanged(); }
 
@@ -75,6 +82,8 @@ public:
   }
 
 private:
+  friend GridFile grid_in_memory(const Grid&, const GridProvenance&);
+  explicit GridFile(ContainerFile container);
   void check(bool good, const char* what) const;
   void check_sizes() const;
   std::span<const fb::Section> sections() const;

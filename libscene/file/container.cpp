@@ -100,6 +100,22 @@ void write_section(OutputFile& file, const SectionData& section) {
   }
 }
 
+// With its hash.
+Prelude prelude_of(const FileKind& kind, std::span<const std::uint8_t> table, std::uint64_t body_bytes) {
+  Prelude prelude{};
+  prelude.magic = kind.magic;
+  prelude.version = kind.version;
+  prelude.table_bytes = table.size();
+  prelude.body_offset = rounded_up(sizeof prelude + table.size(), body_alignment);
+  prelude.body_bytes = body_bytes;
+  prelude.hash = content_hash(prelude, table);
+  return prelude;
+}
+
+std::uint64_t size_of_body(std::span<const fb::Section> layout) {
+  return layout.empty() ? 0 : layout.back().offset() + section_size(layout.back());
+}
+
 void write_zeros(OutputFile& file, std::uint64_t count) {
   const std::array<std::uint8_t, body_alignment> zeros{};
   file.write({zeros.data(), count});
@@ -133,14 +149,7 @@ std::vector<fb::Section> lay_out(std::span<const SectionData> sections) {
 
 Hash write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
                      std::span<const SectionData> sections, std::span<const fb::Section> layout) {
-  Prelude prelude{};
-  prelude.magic = kind.magic;
-  prelude.version = kind.version;
-  prelude.table_bytes = table.size();
-  prelude.body_offset = rounded_up(sizeof prelude + table.size(), body_alignment);
-  prelude.body_bytes = layout.empty() ? 0 : layout.back().offset() + section_size(layout.back());
-  prelude.hash = content_hash(prelude, table);
-
+  const Prelude prelude = prelude_of(kind, table, size_of_body(layout));
   OutputFile file(path);
   file.write(&prelude, sizeof prelude);
   file.write(table);
@@ -158,17 +167,50 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
   return prelude.hash;
 }
 
+ContainerMemory
+make_container(const FileKind& kind, std::span<const SectionData> sections,
+               const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table) {
+  std::uint64_t end = 0;
+  for (const SectionData& section : sections)
+    if (section.count > 0) end = rounded_up(end, section_alignment) + section.record_bytes * section.count;
+  ContainerMemory memory{{}, PrivateMemory(end)};
+  std::vector<SectionData> made; // in the body
+  std::uint64_t offset = 0;
+  for (const SectionData& section : sections) {
+    if (section.count == 0) continue;
+    offset = rounded_up(offset, section_alignment);
+    std::uint8_t* const to = memory.body.bytes().data() + offset;
+    constexpr std::uint64_t grain = std::uint64_t{1} << 14;
+    tbb::parallel_for(tbb::blocked_range(std::uint64_t{0}, section.count, grain), [&](const auto& range) {
+      const std::uint64_t each = section.record_bytes, first = range.begin(), count = range.size();
+      if (section.convert)
+        section.convert(first, count, to + first * each);
+      else
+        std::memcpy(to + first * each, static_cast<const std::uint8_t*>(section.data) + first * each,
+                    count * each);
+    });
+    made.push_back({section.kind, section.record_bytes, section.count, to, {}});
+    offset += section.record_bytes * section.count;
+  }
+  const std::vector<std::uint8_t> table_bytes = table(lay_out(made));
+  const Prelude prelude = prelude_of(kind, table_bytes, end);
+  memory.head = PrivateMemory(prelude.body_offset);
+  std::memcpy(memory.head.bytes().data(), &prelude, sizeof prelude);
+  std::ranges::copy(table_bytes, memory.head.bytes().begin() + sizeof prelude);
+  return memory;
+}
+
 void throw_damaged(const std::string& path, const std::string& what) {
   throw Error(ErrorCode::input, path, what + ": make the file again");
 }
 
 ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Residence residence)
-    : file_(path), residence_(residence) {
-  const std::uint64_t size = file_.size();
+    : path_(path), file_(path), residence_(residence) {
+  const std::uint64_t size = file_->size();
   Prelude head;
   const std::span head_bytes(reinterpret_cast<std::uint8_t*>(&head),
                              std::min(size, std::uint64_t{sizeof head}));
-  file_.read(0, head_bytes);
+  file_->read(0, head_bytes);
   if (size < kind.magic.size() || head.magic != kind.magic)
     throw Error(ErrorCode::input, path, fmt::format("isn't a {0} file: name a {0} file", kind.name));
   if (size < sizeof head) throw_damaged(path, fmt::format("the {} file is truncated", kind.name));
@@ -183,15 +225,26 @@ ContainerFile::ContainerFile(const std::string& path, const FileKind& kind, Resi
   if (!fits)
     throw_damaged(path,
                   fmt::format("the {} file is truncated, too long, or its prelude is damaged", kind.name));
-  head_ = file_.memory(head.body_offset);
+  head_ = file_->memory(head.body_offset);
   std::copy(head_bytes.begin(), head_bytes.end(), head_.bytes().begin());
   const auto rest = head_.bytes().subspan(sizeof head);
-  file_.read(sizeof head, rest);
+  file_->read(sizeof head, rest);
   if (content_hash(head, table()) != head.hash || !all_zero(rest.subspan(head.table_bytes))) {
-    file_.check_unchanged();
+    file_->check_unchanged();
     throw_damaged(path, fmt::format("the {} file's table is damaged (its hash is wrong)", kind.name));
   }
   seconds_.map = watch_.seconds();
+}
+
+ContainerFile::ContainerFile(ContainerMemory memory, const char* name)
+    : path_(name), residence_(Residence::memory), head_(std::move(memory.head)),
+      memory_(std::move(memory.body)), body_(memory_.bytes()) {}
+
+void ContainerFile::write(const std::string& path) const {
+  OutputFile file(path);
+  file.write(head_.bytes());
+  file.write(body_);
+  file.commit();
 }
 
 SectionReader::SectionReader(const InputFile& file, std::uint64_t offset, const fb::Section& section)
@@ -227,12 +280,13 @@ Hash ContainerFile::read_section(const fb::Section& section) {
   const auto to = memory_.bytes().subspan(section.offset(), section_size(section));
   return hash_of_pieces(to.size(), [&](std::uint64_t begin, std::uint64_t bytes) {
     const auto piece = to.subspan(begin, bytes);
-    file_.read(offset + begin, piece);
+    file_->read(offset + begin, piece);
     return piece;
   });
 }
 
 void ContainerFile::read_sections(std::span<const fb::Section> sections) {
+  if (!file_) return; // they are there
   const auto check = [&](bool good, const char* what) {
     if (!good) throw_damaged(path(), what);
   };
@@ -247,23 +301,23 @@ void ContainerFile::read_sections(std::span<const fb::Section> sections) {
               section.count() <= (body_bytes - section.offset()) / section.record_bytes(),
           "a section's size, offset or alignment is wrong");
     const std::span between(gap.data(), section.offset() - end);
-    file_.read(prelude().body_offset + end, between);
+    file_->read(prelude().body_offset + end, between);
     check(all_zero(between), "there are bytes between its sections");
     end = section.offset() + section_size(section);
   }
   check(end == body_bytes, "there are bytes after its last section");
   if (residence_ == Residence::file) return;
   if (residence_ == Residence::mapping) {
-    mapping_ = FileMapping(file_);
+    mapping_ = FileMapping(*file_);
     body_ = mapping_.bytes().subspan(prelude().body_offset);
   } else {
-    memory_ = file_.memory(body_bytes);
+    memory_ = file_->memory(body_bytes);
     body_ = memory_.bytes();
   }
   std::vector<Hash> hashes;
   for (const fb::Section& section : sections)
     hashes.push_back(read_section(section));
-  file_.check_unchanged();
+  file_->check_unchanged();
   for (std::size_t i = 0; i < sections.size(); ++i)
     check(hashes[i] == hash_of(sections[i].hash()), damaged_section);
 }

@@ -22,6 +22,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -92,6 +93,16 @@ std::vector<fb::Section> lay_out(std::span<const SectionData> sections);
 Hash write_container(const std::string& path, const FileKind& kind, std::span<const std::uint8_t> table,
                      std::span<const SectionData> sections, std::span<const fb::Section> layout);
 
+// The bytes of a container that is made in memory.
+struct ContainerMemory {
+  PrivateMemory head; // prelude and table, up to the body's offset
+  PrivateMemory body;
+};
+// `table` makes the finished FlatBuffer that lists the sections.
+ContainerMemory
+make_container(const FileKind& kind, std::span<const SectionData> sections,
+               const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table);
+
 // The list of sections in a verified table can still be misaligned for its 8-byte numbers.
 inline bool is_aligned(std::span<const fb::Section> sections) {
   return reinterpret_cast<std::uintptr_t>(sections.data()) % alignof(fb::Section) == 0;
@@ -161,13 +172,15 @@ class ContainerFile {
 public:
   // Reads the prelude and the table. Throws Error(input, path, …).
   ContainerFile(const std::string& path, const FileKind& kind, Residence residence);
+  // Of bytes that were made in this process, which need no hashes checked; `name` is for messages.
+  ContainerFile(ContainerMemory memory, const char* name);
 
   std::span<const std::uint8_t> table() const {
     return head_.bytes().subspan(sizeof(Prelude), prelude().table_bytes);
   }
   const Hash& hash() const { return prelude().hash; }
-  const std::string& path() const { return file_.path(); }
-  std::uint64_t bytes() const { return file_.size(); }
+  const std::string& path() const { return path_; }
+  std::uint64_t bytes() const { return prelude().body_offset + prelude().body_bytes; }
   Residence residence() const { return residence_; }
   const LoadSeconds& load_seconds() const { return seconds_; }
 
@@ -193,14 +206,17 @@ public:
   // For a copy of the records that stay in the file, where there are any.
   template <class T>
   SectionReader reader(std::span<const fb::Section> sections, std::uint32_t kind) const {
-    return {file_, prelude().body_offset, *section_of(sections, kind, sizeof(T))};
+    return {*file_, prelude().body_offset, *section_of(sections, kind, sizeof(T))};
   }
   // When all is checked.
   void set_validated() { seconds_.validate = watch_.seconds() - seconds_.map; }
   // Throws Error(input, path, …) where the sections are mapped and the file was written since it was opened.
   void check_unchanged() const {
-    if (residence_ == Residence::mapping) file_.check_unchanged();
+    if (residence_ == Residence::mapping) file_->check_unchanged();
   }
+  // Writes a file of the same bytes, whole or not at all, where the sections are in memory or mapped. Throws
+  // Error(output).
+  void write(const std::string& path) const;
 
 private:
   const Prelude& prelude() const { return *reinterpret_cast<const Prelude*>(head_.bytes().data()); }
@@ -211,7 +227,8 @@ private:
 
   Stopwatch watch_; // since it was opened
   LoadSeconds seconds_;
-  InputFile file_;
+  std::string path_;
+  std::optional<InputFile> file_; // none where it was made in memory
   Residence residence_;
   PrivateMemory head_;                 // prelude and table
   PrivateMemory memory_;               // one of these has the sections,

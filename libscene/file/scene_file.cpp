@@ -86,8 +86,9 @@ bool reaches_within(const Boxd& bounds) {
   return reach >= reach_of<Stored>.min && reach <= reach_of<Stored>.max;
 }
 
-template <class Stored>
-Hash write_stored(const Scene& scene, const Vec3d& origin, const std::string& path) {
+// Calls act(the sections, what makes the table of their layout).
+template <class Stored, class Act>
+auto with_sections(const Scene& scene, const Vec3d& origin, const std::string& path, const Act& act) {
   // Records are converted when they are needed: another copy of them all could be too large.
   const auto stored = [&](const auto& record) {
     if constexpr (std::is_same_v<std::decay_t<decltype(record)>, CornerNormals<double>>)
@@ -140,11 +141,21 @@ Hash write_stored(const Scene& scene, const Vec3d& origin, const std::string& pa
   if (!all_finite(scene.lights))
     throw Error(ErrorCode::input, path,
                 fmt::format("a light's position isn't finite in {}: move it closer", store_name<Stored>));
-  const auto layout = lay_out(sections);
   const auto store = std::is_same_v<Stored, float> ? fb::Store::float32 : fb::Store::float64;
   const fb::Vec3 local = table_vector(origin);
-  write_container(path, scene_file_kind, scene_table(scene, store, local, box, layout), sections, layout);
-  return geometry_hash(layout, table_box(box), local);
+  return act(sections, [&](const std::vector<fb::Section>& layout) {
+    return scene_table(scene, store, local, box, layout);
+  });
+}
+
+// With an origin and a store that are chosen where they aren't given.
+template <class Act>
+auto with_sections(const Scene& scene, Store store, const std::optional<Vec3d>& wanted,
+                   const std::string& path, const Act& act) {
+  const Vec3d origin = origin_for(scene, wanted);
+  if (store == Store::automatic) store = resolved(store, float32_precision(scene, origin));
+  return store == Store::float32 ? with_sections<float>(scene, origin, path, act)
+                                 : with_sections<double>(scene, origin, path, act);
 }
 
 bool is_finite(const fb::Vec3& v) {
@@ -189,10 +200,19 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds,
 
 Hash write_scene(const Scene& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& wanted) {
-  const Vec3d origin = origin_for(scene, wanted);
-  if (store == Store::automatic) store = resolved(store, float32_precision(scene, origin));
-  return store == Store::float32 ? write_stored<float>(scene, origin, path)
-                                 : write_stored<double>(scene, origin, path);
+  return with_sections(scene, store, wanted, path, [&](const auto& sections, const auto& table_of) {
+    const auto layout = lay_out(sections);
+    const std::vector<std::uint8_t> bytes = table_of(layout);
+    write_container(path, scene_file_kind, bytes, sections, layout);
+    const fb::Scene& table = *fb::GetScene(bytes.data());
+    return geometry_hash(layout, *table.bounds(), *table.origin());
+  });
+}
+
+SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& wanted) {
+  return with_sections(scene, store, wanted, "scene", [&](const auto& sections, const auto& table_of) {
+    return SceneFile(ContainerFile(make_container(scene_file_kind, sections, table_of), "scene"));
+  });
 }
 
 namespace {
@@ -207,9 +227,11 @@ bool are_possible(const Boxd& box) {
 } // namespace
 
 SceneFile::SceneFile(const std::string& path, Residence residence)
-    : container_(path, scene_file_kind, residence) {
+    : SceneFile(ContainerFile(path, scene_file_kind, residence)) {}
+
+SceneFile::SceneFile(ContainerFile container) : container_(std::move(container)) {
   const auto check = [&](bool good, const char* what) {
-    if (!good) throw_damaged(path, what);
+    if (!good) throw_damaged(path(), what);
   };
   const auto bytes = container_.table();
   flatbuffers::Verifier verifier(bytes.data(), bytes.size());
@@ -236,7 +258,7 @@ SceneFile::SceneFile(const std::string& path, Residence residence)
         "its counts of objects are too large");
   const auto check_records = [&](const auto& view) {
     const char* const fault =
-        residence != Residence::file ? fault_of(HostChecker{}, view, bounds(), counts()) : nullptr;
+        residence() != Residence::file ? fault_of(HostChecker{}, view, bounds(), counts()) : nullptr;
     check(fault == nullptr, fault);
   };
   is_float64() ? check_records(view<double>()) : check_records(view<float>());

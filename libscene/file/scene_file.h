@@ -41,6 +41,11 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds,
 Hash write_scene(const Scene& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& origin = {});
 
+class SceneFile;
+
+// The same in memory: a scene file that was never written. The place of its errors is "scene".
+SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<Vec3d>& origin = {});
+
 // What a grid has to know of the scene that it is built from.
 struct SceneGeometry {
   Boxd bounds;           // of all primitives, relative to the origin; empty where there is none
@@ -54,6 +59,8 @@ class SceneFile {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
   explicit SceneFile(const std::string& path, Residence residence = Residence::memory);
+  // Writes a file of the same bytes (container.h).
+  void write(const std::string& path) const { container_.write(path); }
   // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
   void check_unchanged() const { container_.check_unchanged(); }
 
@@ -87,6 +94,8 @@ public:
   }
 
 private:
+  friend SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&);
+  explicit SceneFile(ContainerFile container);
   std::span<const fb::Section> sections() const;
 
   ContainerFile container_;

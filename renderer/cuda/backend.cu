@@ -54,17 +54,6 @@ unsigned kinds_on(const DeviceFiles& files) {
   return files.kinds;
 }
 
-PrimitiveProperties properties_cuda(const DeviceFiles& files, PrimitiveIndex index) {
-  const DeviceScope device(files.device);
-  const auto copy_of = [](const auto* record) {
-    std::decay_t<decltype(*record)> copy;
-    check(cudaMemcpy(&copy, record, sizeof copy, cudaMemcpyDeviceToHost));
-    return copy;
-  };
-  return files.float32 ? properties_of(files.float32->scene.view, index, copy_of)
-                       : properties_of(files.float64->scene.view, index, copy_of);
-}
-
 void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                  const FrameRequest& request, Frame& frame) {
   const DeviceScope device(files.device);

@@ -23,9 +23,6 @@ std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const Gri
 unsigned kinds_on(const DeviceFiles&) {
   refuse();
 }
-PrimitiveProperties properties_cuda(const DeviceFiles&, PrimitiveIndex) {
-  refuse();
-}
 ResidentRays upload_rays_cuda(const RayList&, int) {
   refuse();
 }

@@ -12,9 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <iterator>
 #include <limits>
+#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -32,14 +31,7 @@ struct Mesh {
   std::vector<float> vertices;
   std::vector<std::uint32_t> indices;
 
-  masu_mesh view() const {
-    masu_mesh mesh{};
-    mesh.vertices = vertices.data();
-    mesh.vertex_count = vertices.size() / 3;
-    mesh.indices = indices.data();
-    mesh.triangle_count = indices.size() / 3;
-    return mesh;
-  }
+  masu_mesh view() const { return masu::mesh(vertices, indices); }
 };
 
 template <class Engine>
@@ -73,25 +65,41 @@ std::vector<masu_ray> random_rays(Engine& engine, std::size_t count) {
   return rays;
 }
 
+masu_geometry geometry_of(std::span<const masu_mesh> meshes) {
+  auto geometry = masu::sized<masu_geometry>();
+  geometry.meshes = meshes.data();
+  geometry.mesh_count = meshes.size();
+  return geometry;
+}
+
 class Library : public testing::Test {
 protected:
   std::string file(const char* name) const { return folder_.file(name); }
 
-  // Of a mesh and an irregular grid.
+  // Of a mesh and the default grid.
   void prepare(const Mesh& mesh) {
     const masu_mesh view = mesh.view();
-    ASSERT_DONE(masu_write_scene(file("scene").c_str(), &view, 1, MASU_STORE_AUTO, nullptr));
-    ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), nullptr));
+    prepare({&view, 1});
   }
+  void prepare(std::span<const masu_mesh> meshes) {
+    const masu_geometry geometry = geometry_of(meshes);
+    ASSERT_DONE(masu_scene_create(&geometry, &scenes_.emplace_back()));
+    ASSERT_DONE(masu_grid_build(scene(), nullptr, &grids_.emplace_back()));
+  }
+  const masu_scene* scene() const { return scenes_.back(); }
+  const masu_grid* grid() const { return grids_.back(); }
 
-  // Of what is prepared, on the CPU; open until the test's end.
+  // Of what is prepared, on the CPU; until the test's end.
   masu_tracer* opened() {
     masu_tracer* tracer = nullptr;
-    EXPECT_EQ(masu_open(file("scene").c_str(), file("grid").c_str(), MASU_CPU, &tracer), MASU_OK)
-        << masu_error();
+    EXPECT_EQ(masu_tracer_create(scene(), grid(), nullptr, &tracer), MASU_OK) << masu_error();
     return opened_.emplace_back(tracer);
   }
-  ~Library() override { std::ranges::for_each(opened_, masu_close); }
+  ~Library() override {
+    std::ranges::for_each(scenes_, masu_scene_free);
+    std::ranges::for_each(grids_, masu_grid_free);
+    std::ranges::for_each(opened_, masu_tracer_free);
+  }
 
   const masu::TemporaryFolder folder_;
   const masu::RandomSeed seed_;
@@ -99,8 +107,18 @@ protected:
 
 private:
   const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
+  std::vector<masu_scene*> scenes_;
+  std::vector<masu_grid*> grids_;
   std::vector<masu_tracer*> opened_;
 };
+
+masu_tracer* brute_force_tracer(const masu_scene* scene) {
+  auto options = masu::sized<masu_tracer_options>();
+  options.brute_force = 1;
+  masu_tracer* tracer = nullptr;
+  EXPECT_EQ(masu_tracer_create(scene, nullptr, &options, &tracer), MASU_OK) << masu_error();
+  return tracer;
+}
 
 struct Found {
   std::vector<float> t, uv, normal;
@@ -110,7 +128,8 @@ struct Found {
   explicit Found(std::size_t n)
       : t(n), uv(2 * n), normal(3 * n), primitive(n), object(n), face(n), occluded(n) {}
   masu_hits hits() {
-    return {t.data(), primitive.data(), object.data(), uv.data(), normal.data(), face.data()};
+    return {sizeof(masu_hits), t.data(),      primitive.data(), object.data(),
+            uv.data(),         normal.data(), face.data()};
   }
   friend bool operator==(const Found& a, const Found& b) {
     return a.t == b.t && a.uv == b.uv && a.normal == b.normal && a.primitive == b.primitive &&
@@ -118,7 +137,8 @@ struct Found {
   }
 };
 
-Found found_by(const masu_tracer* tracer, const std::vector<masu_ray>& rays, masu_query query = {}) {
+Found found_by(const masu_tracer* tracer, const std::vector<masu_ray>& rays,
+               masu_query query = masu::sized<masu_query>()) {
   Found found(rays.size());
   const masu_hits hits = found.hits();
   EXPECT_EQ(masu_nearest(tracer, rays.data(), rays.size(), &query, &hits), MASU_OK) << masu_error();
@@ -193,11 +213,7 @@ TEST_F(Library, FindsWhatBruteForceFinds) {
 
 TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   prepare(random_mesh(engine_, 300));
-  masu_tracer *const tracer = opened(), *brute_force = nullptr;
-  ASSERT_DONE(masu_open_brute_force(file("scene").c_str(), nullptr, 0, &brute_force));
-  masu_description description{};
-  ASSERT_DONE(masu_describe(brute_force, &description));
-  EXPECT_EQ(description.grid_bytes, 0U);
+  masu_tracer *const tracer = opened(), *const brute_force = brute_force_tracer(scene());
   std::vector<masu_ray> rays = random_rays(engine_, 2000);
   EXPECT_TRUE(found_by(tracer, rays) == found_by(brute_force, rays));
   // Six numbers each, floats and doubles.
@@ -216,7 +232,7 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   const auto same = [&](const void* data, masu_ray_format format) {
     Found found(rays.size());
     const masu_hits hits = found.hits();
-    masu_query query{};
+    auto query = masu::sized<masu_query>();
     query.format = format;
     EXPECT_EQ(masu_nearest(tracer, data, rays.size(), &query, &hits), MASU_OK) << masu_error();
     found.occluded = all.occluded;
@@ -227,45 +243,155 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   EXPECT_TRUE(same(doubles8.data(), MASU_RAYS_FLOAT64));
   // Whatever is left out, the rest is the same.
   Found some(rays.size());
-  const masu_hits only{nullptr, nullptr, some.object.data(), nullptr, some.normal.data(), some.face.data()};
+  const masu_hits only{sizeof(masu_hits),  nullptr,         nullptr, some.object.data(), nullptr,
+                       some.normal.data(), some.face.data()};
   ASSERT_DONE(masu_nearest(tracer, rays.data(), rays.size(), nullptr, &only));
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);
-  masu_close(brute_force);
+  masu_tracer_free(brute_force);
 }
 
-// No file is left, nor written.
-TEST_F(Library, WithoutAGridOneIsBuiltInMemory) {
+TEST_F(Library, WithoutAGridTheFastestIsBuilt) {
   prepare(random_mesh(engine_, 300));
-  masu_grid_options options;
-  masu_default_grid_options(&options);
-  options.kind = MASU_GRID_FASTEST;
-  options.for_cpu = 1;
-  ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), &options));
-  const auto files = [&] {
-    const std::filesystem::directory_iterator all(file("."));
-    return std::distance(begin(all), end(all));
-  };
-  const auto before = files();
-  masu_tracer *const with_file = opened(), *without = nullptr;
-  ASSERT_DONE(masu_open(file("scene").c_str(), nullptr, MASU_CPU, &without));
-  EXPECT_EQ(files(), before);
-  masu_description expected{}, description{};
-  ASSERT_DONE(masu_describe(with_file, &expected));
-  ASSERT_DONE(masu_describe(without, &description));
-  EXPECT_GT(description.grid_bytes, 0U);
-  EXPECT_EQ(description.grid_bytes, expected.grid_bytes);
+  masu_tracer* without = nullptr;
+  ASSERT_DONE(masu_tracer_create(scene(), nullptr, nullptr, &without));
   const std::vector<masu_ray> rays = random_rays(engine_, 2000);
-  EXPECT_TRUE(found_by(with_file, rays) == found_by(without, rays));
-  masu_close(without);
+  EXPECT_TRUE(found_by(opened(), rays) == found_by(without, rays));
+  masu_tracer_free(without);
+}
+
+// Whichever way the handles are freed.
+TEST_F(Library, ATracerKeepsWhatItUses) {
+  const Mesh mesh = random_mesh(engine_, 300);
+  prepare(mesh);
+  const std::vector<masu_ray> rays = random_rays(engine_, 500);
+  const Found expected = found_by(opened(), rays);
+  std::optional<masu::Scene> scene(std::in_place, mesh.vertices, mesh.indices);
+  std::optional<masu::Grid> grid(*scene);
+  const masu::Tracer tracer(*scene, *grid);
+  scene.reset();
+  EXPECT_TRUE(found_by(tracer.get(), rays) == expected);
+  grid.reset();
+  EXPECT_TRUE(found_by(tracer.get(), rays) == expected);
+}
+
+TEST_F(Library, FilesHaveTheBytesOfWhatIsInMemory) {
+  prepare(random_mesh(engine_, 300));
+  ASSERT_DONE(masu_scene_write(scene(), file("scene").c_str()));
+  ASSERT_DONE(masu_grid_write(grid(), file("grid").c_str()));
+  const masu::Scene scene_again = masu::Scene::read(file("scene"));
+  const masu::Grid grid_again = masu::Grid::read(file("grid"));
+  EXPECT_EQ(scene_again.describe().bytes, masu::read_bytes(file("scene")).size());
+  EXPECT_EQ(grid_again.describe().bytes, masu::read_bytes(file("grid")).size());
+  scene_again.write(file("scene2"));
+  grid_again.write(file("grid2"));
+  masu::Grid(scene_again).write(file("grid3"));
+  EXPECT_EQ(masu::read_bytes(file("scene")), masu::read_bytes(file("scene2")));
+  EXPECT_EQ(masu::read_bytes(file("grid")), masu::read_bytes(file("grid2")));
+  EXPECT_EQ(masu::read_bytes(file("grid")), masu::read_bytes(file("grid3")));
+  const std::vector<masu_ray> rays = random_rays(engine_, 500);
+  EXPECT_TRUE(found_by(opened(), rays) == found_by(masu::Tracer(scene_again, grid_again).get(), rays));
+  // The pair of what is written and what isn't fits.
+  masu_tracer* tracer = nullptr;
+  ASSERT_DONE(masu_tracer_create(scene(), grid_again.get(), nullptr, &tracer));
+  masu_tracer_free(tracer);
+}
+
+// Vertices in a row, and in double, are the same scene; spheres and cones are numbered after triangles.
+TEST_F(Library, ArraysOfEveryKindMakeTheSameScene) {
+  const Mesh mesh = random_mesh(engine_, 50);
+  const std::vector<double> doubles(mesh.vertices.begin(), mesh.vertices.end());
+  const std::vector<float> spheres{0, 0, 5, 1, 0, 0, 8, 1}, cones{5, 0, 0, 1, 5, 0, 2, 0.5F};
+  const std::vector<double> spheres64(spheres.begin(), spheres.end());
+  auto row = mesh.view();
+  row.indices = nullptr;
+  const auto bytes_of = [&](const masu_mesh& view, bool in_double) {
+    auto sphere = masu::sized<masu_quadrics>(), cone = masu::sized<masu_quadrics>();
+    (in_double ? static_cast<void>(sphere.values64 = spheres64.data())
+               : static_cast<void>(sphere.values = spheres.data()));
+    sphere.count = 2;
+    cone.values = cones.data();
+    cone.count = 1;
+    masu_geometry geometry = geometry_of({&view, 1});
+    geometry.spheres = &sphere;
+    geometry.cones = &cone;
+    geometry.sphere_count = geometry.cone_count = 1;
+    masu::Scene(geometry).write(file("scene"));
+    return masu::read_bytes(file("scene"));
+  };
+  const masu::Bytes expected = bytes_of(mesh.view(), false);
+  EXPECT_EQ(bytes_of(row, true), expected);
+  EXPECT_EQ(bytes_of(masu::mesh(doubles, mesh.indices), false), expected);
+  const masu::Scene scene = masu::Scene::read(file("scene"));
+  EXPECT_EQ(scene.describe().objects, 3U);
+  EXPECT_EQ(scene.primitive(51).kind, MASU_SPHERE);
+  EXPECT_EQ(scene.primitive(51).object, 1U);
+  EXPECT_EQ(scene.primitive(52).kind, MASU_CONE);
+  EXPECT_EQ(scene.primitive(52).object, 2U);
+  const std::vector<masu_ray> rays{{{0, 0, 20}, 0, {0, 0, -1}, infinity},
+                                   {{9, 0, 1}, 0, {-1, 0, 0}, infinity}};
+  const Found found = found_by(masu::Tracer(scene).get(), rays);
+  EXPECT_EQ(found.primitive[0], 51U);
+  EXPECT_EQ(found.t[0], 11);
+  EXPECT_EQ(found.primitive[1], 52U);
+  EXPECT_EQ(found.t[1], 3.25F);
+}
+
+// A program of an older or a newer version works as far as both know, or meets an error.
+TEST_F(Library, StructuresOfOtherSizesWorkOrAreErrors) {
+  prepare(random_mesh(engine_, 50));
+  masu_tracer* const tracer = opened();
+  const std::vector<masu_ray> rays = random_rays(engine_, 100);
+  struct Newer {
+    masu_query known;
+    std::uint64_t more;
+  } query{masu::sized<masu_query>(), 0};
+  query.known.size = sizeof query;
+  Found found(rays.size());
+  const masu_hits hits = found.hits();
+  const auto nearest = [&] { return masu_nearest(tracer, rays.data(), rays.size(), &query.known, &hits); };
+  EXPECT_EQ(nearest(), MASU_OK) << masu_error();
+  EXPECT_EQ(found.t, found_by(tracer, rays).t);
+  query.more = 1;
+  EXPECT_EQ(nearest(), MASU_ERROR_USAGE);
+  query.more = 0;
+  for (const std::size_t wrong : {std::size_t{0}, std::size_t{8}, sizeof query + 1, std::size_t{1} << 40}) {
+    query.known.size = wrong;
+    EXPECT_EQ(nearest(), MASU_ERROR_USAGE) << wrong;
+  }
+  struct NewerDescription {
+    masu_scene_description known;
+    std::uint64_t more;
+  } description{{}, 7};
+  description.known.size = sizeof description;
+  ASSERT_DONE(masu_scene_describe(scene(), &description.known));
+  EXPECT_EQ(description.known.triangles, 50U);
+  EXPECT_EQ(description.more, 0U);
+  description.known.size = 16;
+  EXPECT_EQ(masu_scene_describe(scene(), &description.known), MASU_ERROR_USAGE);
+}
+
+TEST_F(Library, ThreadsMayBeLimited) {
+  prepare(random_mesh(engine_, 200));
+  const std::vector<masu_ray> rays = random_rays(engine_, 3000);
+  masu_tracer* const tracer = opened();
+  const Found expected = found_by(tracer, rays);
+  auto query = masu::sized<masu_query>();
+  for (const int threads : {1, 2, 5}) {
+    query.threads = threads;
+    EXPECT_TRUE(found_by(tracer, rays, query) == expected);
+  }
+  query.threads = -1;
+  EXPECT_EQ(masu_occluded(tracer, rays.data(), 1, &query, Found(1).occluded.data()), MASU_ERROR_USAGE);
 }
 
 // A ray is what its type says, and nothing else is taken for one.
 TEST_F(Library, InCppTypesDecideTheFormat) {
-  prepare(random_mesh(engine_, 300));
-  const masu::Tracer tracer(file("scene"), file("grid"));
+  const Mesh mesh = random_mesh(engine_, 300);
+  const masu::Scene of_mesh(mesh.vertices, mesh.indices);
+  const masu::Tracer tracer(of_mesh, masu::Grid(of_mesh));
   const auto check = [&](const auto& rays, masu_ray_format format) {
-    masu_query query{};
+    auto query = masu::sized<masu_query>();
     query.format = format;
     Found expected(rays.size());
     const masu_hits hits = expected.hits();
@@ -301,10 +427,10 @@ TEST_F(Library, InCppTypesDecideTheFormat) {
   };
   static_assert(!masu::Ray<Larger> && !masu::Ray<float> && !masu::RayRange<std::vector<double>>);
   EXPECT_TRUE(tracer.nearest(std::vector<masu_ray>()).t.empty());
-  EXPECT_EQ(masu::Tracer::brute_force(file("scene")).nearest(rays).t, tracer.nearest(rays).t);
-  EXPECT_EQ(masu::Tracer(file("scene")).nearest(rays).t, tracer.nearest(rays).t);
+  EXPECT_EQ(masu::Tracer(of_mesh, nullptr, {}, true).nearest(rays).t, tracer.nearest(rays).t);
+  EXPECT_EQ(masu::Tracer(of_mesh).nearest(rays).t, tracer.nearest(rays).t);
   try {
-    FAIL() << masu::Tracer(file("missing")).describe().triangles;
+    FAIL() << masu::Scene::read(file("missing")).describe().triangles;
   } catch (const masu::Exception& error) {
     EXPECT_EQ(error.status, MASU_ERROR_INPUT);
     EXPECT_NE(std::string(error.what()).find("missing"), std::string::npos);
@@ -322,7 +448,7 @@ TEST_F(Library, AnswersThreadsAtTheSameTime) {
     threads.emplace_back([&, k] {
       for (int round = 0; round < 5; ++round) {
         right[k] += found_by(tracers[k % 2], rays) == expected ? 1 : 0;
-        masu_hits none{};
+        const auto none = masu::sized<masu_hits>();
         EXPECT_EQ(masu_nearest(tracers[k % 2], nullptr, 1, nullptr, &none), MASU_ERROR_USAGE);
         EXPECT_STREQ(masu_error(), "rays: is a null pointer");
       }
@@ -337,17 +463,20 @@ TEST_F(Library, AnswersThreadsAtTheSameTime) {
 TEST_F(Library, NoGpusAreTheCpu) {
   prepare(random_mesh(engine_, 10));
   masu_tracer* tracer = nullptr;
-  ASSERT_DONE(masu_open_devices(file("scene").c_str(), file("grid").c_str(), nullptr, 0, &tracer));
-  masu_description description{};
-  ASSERT_DONE(masu_describe(tracer, &description));
-  EXPECT_EQ(description.device, MASU_CPU);
-  masu_close(tracer);
+  auto options = masu::sized<masu_tracer_options>();
+  const auto create = [&](const int* gpus, std::size_t count) {
+    options.gpus = gpus;
+    options.gpu_count = count;
+    return masu_tracer_create(scene(), nullptr, &options, &tracer);
+  };
+  ASSERT_DONE(create(nullptr, 0));
+  masu_tracer_free(tracer);
   int count = 0;
   ASSERT_DONE(masu_gpu_count(&count));
-  const int cpu = MASU_CPU;
-  EXPECT_EQ(masu_open_devices(file("scene").c_str(), nullptr, &count, 1, &tracer), MASU_ERROR_DEVICE);
-  EXPECT_EQ(masu_open_devices(file("scene").c_str(), nullptr, &cpu, 1, &tracer), MASU_ERROR_DEVICE);
-  EXPECT_EQ(masu_open_devices(file("scene").c_str(), nullptr, nullptr, 1, &tracer), MASU_ERROR_USAGE);
+  for (const int wrong : {count, MASU_CPU, -2, 1000})
+    EXPECT_EQ(create(&wrong, 1), MASU_ERROR_DEVICE) << wrong;
+  EXPECT_EQ(create(nullptr, 1), MASU_ERROR_USAGE);
+  EXPECT_EQ(tracer, nullptr);
 }
 
 TEST_F(Library, RaysThatArentValidHitNothing) {
@@ -370,7 +499,7 @@ TEST_F(Library, RaysThatArentValidHitNothing) {
   rays.push_back({{0, 0, 0}, 0, {0, 0, 0}, infinity});
   rays.push_back({{0, 0, 0}, 1, {1, 0, 0}, 1});
   for (const auto precision : {MASU_PRECISION_FAST, MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
-    masu_query query{};
+    auto query = masu::sized<masu_query>();
     query.precision = precision;
     const Found found = found_by(tracer, rays, query);
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -388,14 +517,12 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   meshes[1].triangle_count = 1;
   const float color[3]{0.25F, 0.5F, 1};
   meshes[1].color = color;
-  ASSERT_DONE(masu_write_scene(file("scene").c_str(), meshes, 2, MASU_STORE_AUTO, nullptr));
-  ASSERT_DONE(masu_build_grid(file("scene").c_str(), file("grid").c_str(), nullptr));
+  prepare(meshes);
   masu_tracer* const tracer = opened();
-  masu_description description{};
-  ASSERT_DONE(masu_describe(tracer, &description));
+  auto description = masu::sized<masu_scene_description>();
+  ASSERT_DONE(masu_scene_describe(scene(), &description));
   EXPECT_EQ(description.triangles, 5U);
   EXPECT_EQ(description.is_float64, 0);
-  EXPECT_EQ(description.device, MASU_CPU);
   EXPECT_EQ(description.bounds_max[2], 5);
   const Found found = found_by(
       tracer, {{{0.2F, 0.2F, 9}, 0, {0, 0, -1}, infinity}, {{0.2F, 0.2F, 3}, 0, {0, 0, -1}, infinity}});
@@ -403,43 +530,49 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   EXPECT_EQ(found.t[0], 4);
   EXPECT_EQ(found.primitive[1], 0U); // of equal ones the first
   EXPECT_EQ(found.face, found.primitive);
-  masu_primitive primitive{};
-  ASSERT_DONE(masu_describe_primitive(tracer, 4, &primitive));
+  auto primitive = masu::sized<masu_primitive>();
+  ASSERT_DONE(masu_scene_primitive(scene(), 4, &primitive));
   EXPECT_EQ(primitive.kind, MASU_TRIANGLE);
   EXPECT_EQ(primitive.object, 1U);
   EXPECT_EQ(primitive.color[1], 0.5F);
-  EXPECT_EQ(masu_describe_primitive(tracer, 5, &primitive), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_scene_primitive(scene(), 5, &primitive), MASU_ERROR_USAGE);
 }
 
 TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   const Mesh mesh = random_mesh(engine_, 10);
   prepare(mesh);
-  const std::string scene = file("scene"), grid = file("grid");
+  masu_scene* read = nullptr;
+  masu_grid* built = nullptr;
   masu_tracer* tracer = nullptr;
-  EXPECT_EQ(masu_open(nullptr, nullptr, MASU_CPU, &tracer), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_open(scene.c_str(), nullptr, MASU_CPU, nullptr), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_open_brute_force(nullptr, nullptr, 0, &tracer), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_open_brute_force(scene.c_str(), nullptr, 0, nullptr), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_open_brute_force(scene.c_str(), nullptr, 1, &tracer), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_open_brute_force(grid.c_str(), nullptr, 0, &tracer), MASU_ERROR_INPUT);
-  EXPECT_EQ(masu_open(grid.c_str(), nullptr, MASU_CPU, &tracer), MASU_ERROR_INPUT);
-  EXPECT_EQ(masu_open(file("missing").c_str(), nullptr, MASU_CPU, &tracer), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_tracer_create(nullptr, grid(), nullptr, &tracer), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_tracer_create(scene(), grid(), nullptr, nullptr), MASU_ERROR_USAGE);
+  auto brute_force = masu::sized<masu_tracer_options>();
+  brute_force.brute_force = 1;
+  EXPECT_EQ(masu_tracer_create(scene(), grid(), &brute_force, &tracer), MASU_ERROR_USAGE);
+  const masu::Scene other(random_mesh(engine_, 10).vertices, mesh.indices);
+  EXPECT_EQ(masu_tracer_create(other.get(), grid(), nullptr, &tracer), MASU_ERROR_INPUT);
   EXPECT_EQ(tracer, nullptr);
+  ASSERT_DONE(masu_scene_write(scene(), file("scene").c_str()));
+  ASSERT_DONE(masu_grid_write(grid(), file("grid").c_str()));
+  EXPECT_EQ(masu_scene_read(file("grid").c_str(), &read), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_grid_read(file("scene").c_str(), &built), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_scene_read(nullptr, &read), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_scene_read(file("scene").c_str(), nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_scene_read(file("missing").c_str(), &read), MASU_ERROR_INPUT);
   EXPECT_NE(std::string(masu_error()).find("missing"), std::string::npos);
-  EXPECT_EQ(masu_open(grid.c_str(), grid.c_str(), MASU_CPU, &tracer), MASU_ERROR_INPUT);
-  EXPECT_EQ(masu_open(scene.c_str(), scene.c_str(), MASU_CPU, &tracer), MASU_ERROR_INPUT);
-  EXPECT_EQ(masu_open(scene.c_str(), grid.c_str(), -2, &tracer), MASU_ERROR_DEVICE);
-  EXPECT_EQ(masu_open(scene.c_str(), grid.c_str(), 1000, &tracer), MASU_ERROR_DEVICE);
-  const Mesh other = random_mesh(engine_, 10);
-  const masu_mesh other_view = other.view();
-  ASSERT_DONE(masu_write_scene(file("other").c_str(), &other_view, 1, MASU_STORE_AUTO, nullptr));
-  EXPECT_EQ(masu_open(file("other").c_str(), grid.c_str(), MASU_CPU, &tracer), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_grid_read(file("missing").c_str(), &built), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_scene_write(scene(), file("no/folder").c_str()), MASU_ERROR_OUTPUT);
+  EXPECT_EQ(masu_grid_write(grid(), file("no/folder").c_str()), MASU_ERROR_OUTPUT);
+  EXPECT_EQ(masu_scene_write(nullptr, file("out").c_str()), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_write(nullptr, file("out").c_str()), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_scene_describe(scene(), nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_describe(grid(), nullptr), MASU_ERROR_USAGE);
 
-  ASSERT_DONE(masu_open(scene.c_str(), grid.c_str(), MASU_CPU, &tracer));
+  ASSERT_DONE(masu_tracer_create(scene(), grid(), nullptr, &tracer));
   const std::vector<masu_ray> rays = random_rays(engine_, 4);
   Found found(rays.size());
-  const masu_hits hits = found.hits(), nothing{};
-  masu_query query{};
+  const masu_hits hits = found.hits(), nothing = masu::sized<masu_hits>();
+  auto query = masu::sized<masu_query>();
   EXPECT_EQ(masu_nearest(nullptr, rays.data(), 4, nullptr, &hits), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_nearest(tracer, nullptr, 4, nullptr, &hits), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_nearest(tracer, rays.data(), 4, nullptr, nullptr), MASU_ERROR_USAGE);
@@ -450,60 +583,89 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   odd_hits.t = reinterpret_cast<float*>(reinterpret_cast<char*>(found.t.data()) + 2);
   EXPECT_EQ(masu_nearest(tracer, rays.data(), 3, nullptr, &odd_hits), MASU_ERROR_USAGE);
   for (const int wrong : {-1, 4, 1 << 30}) {
-    query = {};
+    query = masu::sized<masu_query>();
     std::memcpy(&query.format, &wrong, sizeof wrong);
     EXPECT_EQ(masu_nearest(tracer, rays.data(), 4, &query, &hits), MASU_ERROR_USAGE);
-    query = {};
+    query = masu::sized<masu_query>();
     std::memcpy(&query.precision, &wrong, sizeof wrong);
     EXPECT_EQ(masu_nearest(tracer, rays.data(), 4, &query, &hits), MASU_ERROR_USAGE);
   }
   ASSERT_DONE(masu_nearest(tracer, rays.data(), 4, nullptr, &nothing));
   ASSERT_DONE(masu_nearest(tracer, nullptr, 0, nullptr, &nothing));
-  masu_close(tracer);
-  masu_close(nullptr);
+  masu_tracer_free(tracer);
+  masu_tracer_free(nullptr);
+  masu_scene_free(nullptr);
+  masu_grid_free(nullptr);
 
-  const std::string out = file("out");
-  const auto written_with = [&](const auto& change) {
+  const auto created_with = [&](const auto& change) {
     masu_mesh bad = mesh.view();
     change(bad);
-    return masu_write_scene(out.c_str(), &bad, 1, MASU_STORE_AUTO, nullptr);
+    const masu_geometry geometry = geometry_of({&bad, 1});
+    return masu_scene_create(&geometry, &read);
   };
   Mesh infinite = mesh;
   infinite.vertices[4] = infinity;
-  EXPECT_EQ(written_with([](masu_mesh& bad) { bad.vertex_count -= 1; }), MASU_ERROR_USAGE);
-  EXPECT_EQ(written_with([](masu_mesh& bad) { bad.indices = nullptr; }), MASU_ERROR_USAGE);
-  EXPECT_EQ(written_with([](masu_mesh& bad) { bad.vertices = nullptr; }), MASU_ERROR_USAGE);
-  EXPECT_EQ(written_with([&](masu_mesh& bad) { bad = infinite.view(); }), MASU_ERROR_USAGE);
-  const masu_mesh good = mesh.view();
-  EXPECT_EQ(masu_write_scene(nullptr, &good, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_write_scene(out.c_str(), nullptr, 1, MASU_STORE_AUTO, nullptr), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_write_scene(file("no/folder").c_str(), &good, 1, MASU_STORE_AUTO, nullptr),
-            MASU_ERROR_OUTPUT);
+  EXPECT_EQ(created_with([](masu_mesh& bad) { bad.vertex_count -= 1; }), MASU_ERROR_USAGE);
+  EXPECT_EQ(created_with([](masu_mesh& bad) { bad.indices = nullptr, bad.triangle_count += 1; }),
+            MASU_ERROR_USAGE);
+  EXPECT_EQ(created_with([](masu_mesh& bad) { bad.vertices = nullptr; }), MASU_ERROR_USAGE);
+  EXPECT_EQ(created_with([](masu_mesh& bad) { bad.size = 0; }), MASU_ERROR_USAGE);
+  EXPECT_EQ(created_with([](masu_mesh& bad) { bad.triangle_count = std::size_t{1} << 60; }),
+            MASU_ERROR_USAGE);
+  EXPECT_EQ(created_with([&](masu_mesh& bad) { bad = infinite.view(); }), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_scene_create(nullptr, &read), MASU_ERROR_USAGE);
+  auto missing = masu::sized<masu_geometry>();
+  missing.mesh_count = 1;
+  EXPECT_EQ(masu_scene_create(&missing, &read), MASU_ERROR_USAGE);
+  for (const std::array<float, 8> cone : {std::array<float, 8>{0, 0, 0, 1, 0, 0, 0, 1},
+                                          {0, 0, 0, 0, 0, 0, 1, 0},
+                                          {0, 0, 0, 1, 0, 0, 1, -1},
+                                          {0, 0, 0, 1, 0, not_a_number, 1, 1}}) {
+    auto cones = masu::sized<masu_quadrics>();
+    cones.values = cone.data();
+    cones.count = 1;
+    auto geometry = masu::sized<masu_geometry>();
+    geometry.cones = &cones;
+    geometry.cone_count = 1;
+    EXPECT_EQ(masu_scene_create(&geometry, &read), MASU_ERROR_USAGE);
+  }
+  EXPECT_EQ(read, nullptr);
 
-  masu_grid_options options;
+  auto options = masu::default_build_options();
   const auto built_with = [&](const auto& change) {
-    masu_default_grid_options(&options);
+    options = masu::default_build_options();
     change();
-    return masu_build_grid(scene.c_str(), out.c_str(), &options);
+    return masu_grid_build(scene(), &options, &built);
   };
   EXPECT_EQ(built_with([] {}), MASU_OK) << masu_error();
+  masu_grid_free(built);
   EXPECT_EQ(built_with([&] { options.division = "0"; }), MASU_ERROR_USAGE);
   EXPECT_EQ(built_with([&] { options.division = "what"; }), MASU_ERROR_USAGE);
   EXPECT_EQ(built_with([&] { options.alpha = std::nan(""); }), MASU_ERROR_USAGE);
   EXPECT_EQ(built_with([&] { options.nested = 16; }), MASU_ERROR_USAGE);
   EXPECT_EQ(built_with([&] { options.threads = -1; }), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_build_grid(file("missing").c_str(), out.c_str(), nullptr), MASU_ERROR_INPUT);
-  EXPECT_EQ(masu_build_grid(scene.c_str(), file("no/folder").c_str(), nullptr), MASU_ERROR_OUTPUT);
+  EXPECT_EQ(built_with([&] { options.device = 1000; }), MASU_ERROR_DEVICE);
+  EXPECT_EQ(built_with([&] { options.device = -2; }), MASU_ERROR_USAGE);
+  EXPECT_EQ(built_with([&] {
+              options.structure = MASU_STRUCTURE_BVH;
+              options.merge = MASU_MERGE_X;
+            }),
+            MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_build(nullptr, nullptr, &built), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_build(scene(), nullptr, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(built, nullptr);
   int count = -1;
   EXPECT_EQ(masu_gpu_count(nullptr), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_gpu_count(&count), MASU_OK);
   EXPECT_GE(count, 0);
-  masu_default_grid_options(nullptr);
+  EXPECT_EQ(masu_default_build_options(nullptr), MASU_ERROR_USAGE);
 }
 
 // Container (tests/scene/container_test.cpp) has each byte and length.
 TEST_F(Library, DamagedFilesAreErrors) {
   prepare(random_mesh(engine_, 100));
+  ASSERT_DONE(masu_scene_write(scene(), file("scene").c_str()));
+  ASSERT_DONE(masu_grid_write(grid(), file("grid").c_str()));
   for (const std::string name : {"scene", "grid"}) {
     const masu::Bytes whole = masu::read_bytes(file(name.c_str()));
     for (int round = 0; round < 20; ++round) {
@@ -511,11 +673,12 @@ TEST_F(Library, DamagedFilesAreErrors) {
       damaged[engine_() % damaged.size()] ^= static_cast<std::uint8_t>(1U << engine_() % 8);
       if (round % 4 == 0) damaged.resize(engine_() % damaged.size());
       masu::write_bytes(file("damaged"), damaged);
-      masu_tracer* tracer = nullptr;
-      EXPECT_EQ(masu_open(file(name == "scene" ? "damaged" : "scene").c_str(),
-                          file(name == "grid" ? "damaged" : "grid").c_str(), MASU_CPU, &tracer),
+      masu_scene* scene = nullptr;
+      masu_grid* grid = nullptr;
+      EXPECT_EQ(name == "scene" ? masu_scene_read(file("damaged").c_str(), &scene)
+                                : masu_grid_read(file("damaged").c_str(), &grid),
                 MASU_ERROR_INPUT);
-      EXPECT_EQ(tracer, nullptr);
+      EXPECT_TRUE(scene == nullptr && grid == nullptr);
     }
   }
 }

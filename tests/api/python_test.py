@@ -49,10 +49,10 @@ class WithFolder(unittest.TestCase):
     def file(self, name):
         return os.path.join(self.folder, name)
 
-    def scene(self, count=200, name="random", **options):
+    def scene(self, count=200, **options):
         vertices, faces = random_mesh(self.random, count)
-        masu.write_scene(self.file(name + ".scene"), vertices, faces, **options)
-        masu.build_grid(self.file(name + ".scene"), self.file(name + ".grid"))
+        self.made = masu.Scene(vertices, faces, **options)
+        self.grid = self.made.build()
         return vertices, faces
 
     def assert_refused(self, status, says, call, *arguments, **options):
@@ -61,8 +61,8 @@ class WithFolder(unittest.TestCase):
         self.assertEqual(raised.exception.status, status)
         self.assertIn(says, str(raised.exception))
 
-    def tracer(self, name="random"):
-        tracer = masu.Tracer(self.file(name + ".scene"), self.file(name + ".grid"))
+    def tracer(self):
+        tracer = masu.Tracer(self.made, self.grid)
         self.addCleanup(tracer.close)
         return tracer
 
@@ -120,30 +120,26 @@ class Queries(WithFolder):
         self.scene()
         rays = random_rays(self.random, 2000)
         expected = self.tracer().nearest(rays, fields=masu.FIELDS)
-        with masu.Tracer(self.file("random.scene"), brute_force=True) as tracer:
+        with masu.Tracer(self.made, brute_force=True) as tracer:
+            self.assertIsNone(tracer.grid)
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
-        for options in ({"kind": "uniform", "division": 7}, {"kind": "irregular"}, {"kind": "bvh"}, {"kind": "fastest"}, {"kind": "x", "division": "8x4x6"},
-                        {"box_overlap": True, "cube_space": True, "kind": "uniform", "threads": 1}):
-            masu.build_grid(self.file("random.scene"), self.file("random.grid"), **options)
-            same_bits(self, self.tracer().nearest(rays, fields=masu.FIELDS, coherent=True), expected)
+        for options, structure, merge in (
+                ({"merge": "none", "division": 7}, "grid", "none"), ({"merge": "irregular"}, "grid", "irregular"),
+                ({"structure": "bvh"}, "bvh", "none"), ({"merge": "x", "division": "8x4x6"}, "grid", "x"),
+                ({"box_overlap": True, "cube_space": True, "merge": "balance", "threads": 1}, "grid", "balance")):
+            self.grid = self.made.build(**options)
+            about = self.grid.describe()
+            self.assertEqual((about.structure, about.merge, about.cells > 0, about.nodes > 0),
+                             (structure, merge, merge != "none", structure == "bvh"))
+            same_bits(self, self.tracer().nearest(rays, fields=masu.FIELDS, coherent=True, threads=1), expected)
 
-    def test_without_a_grid_one_is_built_in_memory(self):
+    def test_without_a_grid_the_fastest_is_built(self):
         self.scene()
-        scene, grid = self.file("random.scene"), self.file("random.grid")
-        masu.build_grid(scene, grid, kind="fastest", for_cpu=True)
         rays = random_rays(self.random, 500)
-        expected = self.tracer().nearest(rays, fields=masu.FIELDS)
-        files = sorted(os.listdir(self.folder))
-        with masu.Tracer(scene) as tracer:
-            self.assertEqual(tracer.describe().grid_bytes, os.path.getsize(grid))
-            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
-        with masu.Tracer(scene, brute_force=True) as tracer:
-            self.assertEqual(tracer.describe().grid_bytes, 0)
-        killed = run_python("import masu, os\nopen = masu.Tracer({!r})\nos.kill(os.getpid(), 9)".format(scene),
-                            TMPDIR=self.folder)
-        self.assertEqual((killed.returncode, killed.stderr), (-9, ""))
-        self.assertEqual(sorted(os.listdir(self.folder)), files)
-        self.assertRaises(TypeError, masu.Tracer, scene, grid, brute_force=True)
+        with masu.Tracer(self.made) as tracer:
+            self.assertEqual(tracer.grid.describe(), self.made.build(structure="fastest", for_cpu=True).describe())
+            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), self.tracer().nearest(rays, fields=masu.FIELDS))
+        self.assertRaises(TypeError, masu.Tracer, self.made, self.grid, brute_force=True)
 
     def test_occlusion_is_a_nearest_hit_before_tmax(self):
         self.scene()
@@ -258,23 +254,20 @@ class Scenes(WithFolder):
     def test_meshes_are_numbered_in_order(self):
         meshes = [random_mesh(self.random, count) for count in (5, 1, 20)]
         color = (1.0, 0.5, 0.25)
-        masu.write_scene(self.file("random.scene"), meshes=[masu.Mesh(*meshes[0], color), meshes[1], meshes[2]])
-        masu.build_grid(self.file("random.scene"), self.file("random.grid"))
-        tracer = self.tracer()
-        description = tracer.describe()
-        self.assertEqual((description.triangles, description.spheres, description.cones), (26, 0, 0))
-        self.assertEqual((description.is_float64, description.device), (False, "cpu"))
-        self.assertEqual(description.scene_bytes, os.path.getsize(self.file("random.scene")))
-        self.assertEqual(description.grid_bytes, os.path.getsize(self.file("random.grid")))
+        scene = masu.Scene(meshes=[masu.Mesh(*meshes[0], color), meshes[1], meshes[2]])
+        tracer = masu.Tracer(scene)
+        description = scene.describe()
+        self.assertEqual((description.triangles, description.spheres, description.cones, description.objects), (26, 0, 0, 3))
+        self.assertFalse(description.is_float64)
         vertices = np.concatenate([mesh[0] for mesh in meshes])
         np.testing.assert_array_equal(description.bounds_min, vertices.min(0))
         np.testing.assert_array_equal(description.bounds_max, vertices.max(0))
-        objects = [tracer.primitive(index).object for index in range(26)]
+        objects = [scene.primitive(index).object for index in range(26)]
         self.assertEqual(objects, [0] * 5 + [1] + [2] * 20)
-        self.assertEqual((tracer.primitive(4).kind, tracer.primitive(4).color), ("triangle", color))
-        np.testing.assert_allclose(tracer.primitive(5).color, 0.8)
+        self.assertEqual((scene.primitive(4).kind, scene.primitive(4).color), ("triangle", color))
+        np.testing.assert_allclose(scene.primitive(5).color, 0.8)
         for index in (-1, 26, 2**32):
-            self.assertRaises(IndexError, tracer.primitive, index)
+            self.assertRaises(IndexError, scene.primitive, index)
         hits = tracer.nearest(random_rays(self.random, 2000), fields=("primitive_ids", "geometry_ids"))
         np.testing.assert_array_equal(hits["geometry_ids"], np.array(objects + [-1])[hits["primitive_ids"]])
 
@@ -282,62 +275,125 @@ class Scenes(WithFolder):
         vertices, faces = random_mesh(self.random, 30)
 
         def bytes_of(*arrays, **options):
-            masu.write_scene(self.file("a.scene"), *arrays, **options)
+            masu.Scene(*arrays, **options).write(self.file("a.scene"))
             return pathlib.Path(self.file("a.scene")).read_bytes()
 
         expected = bytes_of(vertices, faces)
         for v in (vertices, vertices.astype(">f4"), np.asfortranarray(vertices), vertices.astype(np.float64)):
             for f in (faces, faces.astype(np.int64), np.asfortranarray(faces), faces.astype(">i2"), faces.tolist()):
                 self.assertEqual(bytes_of(v, f), expected)
-        with masu.Tracer(self.file("a.scene")) as tracer:
-            self.assertFalse(tracer.describe().is_float64)
+        self.assertEqual(bytes_of(vertices[faces].reshape(-1, 3)), expected)
+        self.assertFalse(masu.load(self.file("a.scene")).describe().is_float64)
         bytes_of(vertices.astype(np.float64) / 3, faces, store="float64")
-        with masu.Tracer(self.file("a.scene")) as tracer:
-            self.assertTrue(tracer.describe().is_float64)
+        self.assertTrue(masu.load(self.file("a.scene")).describe().is_float64)
+
+    def test_spheres_and_cones_follow_the_triangles(self):
+        vertices, faces = random_mesh(self.random, 3)
+        scene = masu.Scene(vertices, faces, spheres=[masu.Quadrics([[9, 0, 0, 1], [12, 0, 0, 1]]), masu.Quadrics([[15, 0, 0, 1]])],
+                           cones=np.float64([[18, 0, 0, 1, 18, 0, 2, 1]]))
+        self.assertEqual([scene.primitive(index)[:2] for index in range(3, 7)],
+                         [("sphere", 1), ("sphere", 1), ("sphere", 2), ("cone", 3)])
+        rays = np.float32([[x, 9, 0.5, 0, -1, 0] for x in (9, 12, 15, 18)])
+        hits = masu.Tracer(scene).nearest(rays, fields=("primitive_ids", "geometry_ids", "t_hit"))
+        self.assertEqual(hits["primitive_ids"].tolist(), [3, 4, 5, 6])
+        self.assertEqual(hits["geometry_ids"].tolist(), [1, 1, 2, 3])
+        self.assertEqual(hits["t_hit"][3], 8)
+        for wrong in ({"spheres": [[0, 0, 0]]}, {"cones": [[0, 0, 0, 1]]}):
+            self.assertRaises(ValueError, masu.Scene, **wrong)
+        self.assert_refused(masu.Status.USAGE, "spheres", masu.Scene, spheres=[[0, 0, 0, 0.0]])
+
+    def test_files_are_those_of_the_tools_and_none_is_written_unasked(self):
+        vertices, faces = self.scene()
+        before = os.listdir(self.folder), os.listdir(tempfile.gettempdir())
+        rays = random_rays(self.random, 200)
+        expected = self.tracer().nearest(rays, fields=masu.FIELDS)
+        self.assertEqual((os.listdir(self.folder), os.listdir(tempfile.gettempdir())), before)
+        self.made.write(self.file("a.scene"))
+        self.grid.write(self.file("a.grid"))
+        self.assertEqual(self.made.describe().bytes, os.path.getsize(self.file("a.scene")))
+        self.assertEqual(self.grid.describe().bytes, os.path.getsize(self.file("a.grid")))
+        with masu.Tracer(masu.load(self.file("a.scene")), masu.load_grid(self.file("a.grid"))) as tracer:
+            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
+        tools = pathlib.Path(os.environ.get("MASU_LIBRARY", "/nowhere/libmasu.so")).resolve().parent.parent / "bin"
+        if not (tools / "gridbuild").exists():
+            self.skipTest("no tools beside the library")
+        for name, options, made in (("b", [], self.grid), ("c", ["--structure", "bvh"], self.made.build(structure="bvh"))):
+            grid = self.file(name + ".grid")
+            subprocess.run([tools / "gridbuild", self.file("a.scene"), "-o", grid, "-q"] + options, check=True)
+            made.write(self.file("d.grid"))
+            self.assertEqual(pathlib.Path(grid).read_bytes(), pathlib.Path(self.file("d.grid")).read_bytes())
+        nff = self.file("tile.nff")
+        pathlib.Path(nff).write_text("p 3\n0 0 0\n1 0 0\n0 1 0\ns 0 0 3 1\n")
+        subprocess.run([tools / "nff2bin", nff, "-o", self.file("tile.scene"), "-q"], check=True)
+        masu.load(nff).write(self.file("again.scene"))
+        self.assertEqual(pathlib.Path(self.file("tile.scene")).read_bytes(), pathlib.Path(self.file("again.scene")).read_bytes())
+        if not (tools / "mesh2bin").exists():
+            return
+        obj = self.file("mesh.obj")
+        pathlib.Path(obj).write_text("".join("v {} {} {}\n".format(*v) for v in vertices.tolist()) +
+                                     "".join("f {} {} {}\n".format(*f) for f in (faces + 1).tolist()))
+        same_bits(self, masu.Tracer(masu.load(obj)).nearest(rays), self.tracer().nearest(rays))
+        pathlib.Path(obj).write_text("v\n")
+        self.assert_refused(masu.Status.INPUT, "mesh.obj", masu.load, obj)
+        self.assertRaises(ValueError, masu.load, obj, store="float16")
+
+    def test_representations_tell_what_it_is(self):
+        self.scene(10)
+        self.assertRegex(repr(self.made), "^<masu.Scene: 10 triangles, float32, [0-9]+ bytes>$")
+        self.assertRegex(repr(self.grid), "^<masu.Grid: .*, [0-9]+ references, [0-9]+ bytes>$")
+        self.assertRegex(repr(self.tracer()), "^<masu.Tracer on cpu: <masu.Scene: .*>, <masu.Grid: .*>>$")
+        with self.made:
+            pass
+        self.assertEqual(repr(self.made), "<masu.Scene: closed>")
+        self.assertRaises(ValueError, self.made.build)
+        self.assertRaises(ValueError, masu.Tracer, self.made, self.grid)
+        self.assertRaises(TypeError, masu.Grid)
 
     def test_wrong_meshes_are_refused(self):
         vertices, faces = random_mesh(self.random, 3)
-        path = self.file("a.scene")
         for error, arguments in (
                 (ValueError, (vertices, faces + 1)), (ValueError, (vertices, faces.astype(int) - 1)),
                 (ValueError, (vertices, [[0, 1, 2**32]])), (ValueError, (vertices[:, :2], faces)),
                 (ValueError, (vertices, faces[:, :2])), (ValueError, (vertices.ravel(), faces)),
                 (TypeError, (vertices, faces.astype(float))), (TypeError, (vertices * 1j, faces)),
                 (TypeError, (vertices.astype(str), faces)), (TypeError, (vertices, faces > 0)),
-                (ValueError, (vertices, faces, (1, 1))), (ValueError, ([], faces)), (TypeError, (vertices,)), (TypeError, ())):
+                (ValueError, (vertices, faces, (1, 1))), (ValueError, ([], faces)), (ValueError, (vertices[:-1],)), (TypeError, (None, faces))):
             with self.assertRaises(error, msg=str(arguments)):
-                masu.write_scene(path, *arguments)
-        self.assertRaises(TypeError, masu.write_scene, path, vertices, faces, meshes=[(vertices, faces)])
-        self.assertRaises(ValueError, masu.write_scene, path, vertices, faces, store="float16")
-        self.assertRaises(TypeError, masu.write_scene, path, vertices, faces, store=1)
-        self.assert_refused(masu.Status.USAGE, "", masu.write_scene, path,
-                            np.where(vertices == vertices[0, 0], np.nan, vertices), faces)
-        self.assert_refused(masu.Status.OUTPUT, "nowhere", masu.write_scene, self.file("nowhere/a.scene"), vertices, faces)
+                masu.Scene(*arguments)
+        self.assertRaises(TypeError, masu.Scene, vertices, faces, meshes=[(vertices, faces)])
+        self.assertRaises(ValueError, masu.Scene, vertices, faces, store="float16")
+        self.assertRaises(TypeError, masu.Scene, vertices, faces, store=1)
+        self.assertRaises(ValueError, masu.Scene, vertices, faces, origin=(0, 0))
+        self.assert_refused(masu.Status.USAGE, "", masu.Scene, np.where(vertices == vertices[0, 0], np.nan, vertices), faces)
+        self.assert_refused(masu.Status.OUTPUT, "nowhere", masu.Scene(vertices, faces).write, self.file("nowhere/a.scene"))
         self.assertEqual(os.listdir(self.folder), [])
+        self.assertEqual(masu.Scene().describe()[:3], (0, 0, 0))
 
     def test_wrong_options_of_grids_are_refused(self):
         self.scene(10)
-        arguments = self.file("random.scene"), self.file("b.grid")
         for error, options in (
-                (TypeError, {"kinds": "uniform"}), (TypeError, {"kind": 1}), (ValueError, {"kind": "octree"}),
+                (TypeError, {"kind": "x"}), (TypeError, {"merge": 1}), (ValueError, {"structure": "octree"}),
+                (masu.Error, {"structure": "bvh", "merge": "x"}), (ValueError, {"quality": "best"}),
+                (ValueError, {"device": "gpu"}),
                 (TypeError, {"division": 1.5}), (ValueError, {"division": "8\0"}), (masu.Error, {"division": "x"}),
                 (ValueError, {"target": -1}), (ValueError, {"target": 2**32}), (TypeError, {"target": 1.5}),
                 (ValueError, {"threads": -1}), (ValueError, {"threads": 2**40}), (TypeError, {"alpha": []}),
                 (ValueError, {"alpha": "much"})):
             with self.assertRaises(error, msg=str(options)):
-                masu.build_grid(*arguments, **options)
-        self.assertFalse(os.path.exists(arguments[1]))
-        self.assert_refused(masu.Status.INPUT, "none", masu.build_grid, self.file("none.scene"), arguments[1])
-        self.assert_refused(masu.Status.USAGE, "", masu.build_grid, arguments[0], arguments[0])
-        self.assertEqual(masu.Tracer(arguments[0]).describe().triangles, 10)
+                self.made.build(**options)
 
     def test_paths_of_any_kind(self):
         vertices, faces = random_mesh(self.random, 3)
         for path in (pathlib.Path(self.folder) / "b ü.scene", os.fsencode(self.file("c.scene"))):
-            masu.write_scene(path, vertices, faces)
-            masu.Tracer(path).close()
-        self.assertRaises(ValueError, masu.Tracer, self.file("a\0b"))
-        self.assertRaises(TypeError, masu.Tracer, 5)
+            masu.Scene(vertices, faces).write(path)
+            masu.load(path).close()
+        for load in (masu.load, masu.load_grid):
+            self.assertRaises(ValueError, load, self.file("a\0b"))
+            self.assertRaises(TypeError, load, 5.5)
+            self.assertRaises(FileNotFoundError, load, self.file("none"))
+        for wrong in (str(path), 5, None):
+            self.assertRaises(TypeError, masu.Tracer, wrong)
+        self.assertRaises(TypeError, masu.Tracer, masu.load(path), "a.grid")
 
 
 class Tracers(WithFolder):
@@ -395,58 +451,66 @@ class Tracers(WithFolder):
 
     def test_files_that_are_wrong_are_refused(self):
         self.scene(10)
-        self.scene(20, "other")
-        pathlib.Path(self.file("text.scene")).write_text("v\n")
-        for scene, grid in (("none.scene", None), ("text.scene", None), ("random.scene", "none.grid"),
-                            ("random.scene", "random.scene"), ("random.scene", "other.grid")):
-            self.assert_refused(masu.Status.INPUT, grid or scene, masu.Tracer, self.file(scene), grid and self.file(grid))
+        other = masu.Scene(*random_mesh(self.random, 20))
+        self.assert_refused(masu.Status.INPUT, "another geometry", masu.Tracer, other, self.grid)
+        self.made.write(self.file("a.scene"))
+        pathlib.Path(self.file("text.grid")).write_text("v\n")
+        for name in ("a.scene", "text.grid"):
+            self.assert_refused(masu.Status.INPUT, name, masu.load_grid, self.file(name))
 
     def test_devices(self):
         self.scene(10)
         for device in ("gpu", "cuda:", "cuda:-1", "cuda:1.0", "CPU", -1, 2**40, True, None, 1.5, "cuda:0,cuda:1",
                        [], ["cpu"], [0, "cpu"], [True], [[0]]):
             with self.assertRaises(ValueError, msg=repr(device)):
-                masu.Tracer(self.file("random.scene"), device=device)
+                masu.Tracer(self.made, device=device)
         beyond = masu.gpu_count()
         for device in (beyond, "cuda:{}".format(beyond)):
-            self.assert_refused(masu.Status.DEVICE, "", masu.Tracer, self.file("random.scene"), device=device)
+            self.assert_refused(masu.Status.DEVICE, "", masu.Tracer, self.made, self.grid, device=device)
 
     def test_a_closed_tracer_is_refused(self):
         self.scene(10)
-        with self.tracer() as tracer:
-            tracer.describe()
-        tracer.close()
         rays = random_rays(self.random, 5)
-        for use in (tracer.describe, lambda: tracer.primitive(0), lambda: tracer.nearest(rays),
-                    lambda: tracer.occluded(rays), lambda: tracer.nearest(rays[:0])):
+        with self.tracer() as tracer:
+            tracer.nearest(rays)
+        tracer.close()
+        self.made.close()
+        self.grid.close()
+        for use in (lambda: tracer.nearest(rays), lambda: tracer.occluded(rays), lambda: tracer.nearest(rays[:0]),
+                    self.made.describe, lambda: self.made.primitive(0), self.made.build, self.grid.describe,
+                    lambda: self.made.write(self.file("a")), lambda: self.grid.write(self.file("a"))):
             self.assertRaises(ValueError, use)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_tracer_keeps_what_it_uses(self):
+        self.scene(100)
+        rays = random_rays(self.random, 50)
+        tracer = self.tracer()
+        expected = tracer.nearest(rays)
+        self.made.close()
+        self.grid.close()
+        same_bits(self, tracer.nearest(rays), expected)
 
     def test_a_tracer_lives_as_long_as_its_query(self):
         self.scene(100)
         rays = random_rays(self.random, 50)
         expected = self.tracer().nearest(rays)
-        nearest = masu.Tracer(self.file("random.scene")).nearest
+        nearest = masu.Tracer(self.made).nearest
         gc.collect()
         same_bits(self, nearest(rays), expected)
         self.assertTrue(callable(nearest))
 
-    def test_a_tracer_that_nobody_holds_is_closed(self):
-        self.scene(10)
+    def test_what_nobody_holds_is_freed(self):
+        def used():
+            return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
-        def opened():
-            links = []
-            for descriptor in pathlib.Path("/proc/self/fd").iterdir():
-                try:
-                    links.append(os.readlink(descriptor))
-                except FileNotFoundError:  # that of this listing
-                    pass
-            return sum(link.startswith(self.folder) for link in links)
-
-        tracer = masu.Tracer(self.file("random.scene"))
-        self.assertGreater(opened(), 0)
-        del tracer
-        gc.collect()
-        self.assertEqual(opened(), 0)
+        vertices, faces = random_mesh(self.random, 20000)  # a megabyte
+        for _ in range(40):
+            scene = masu.Scene(vertices, faces)
+            masu.Tracer(scene, scene.build(merge="none", division=8))
+            if _ == 10:
+                before = used()
+        self.assertLess(used(), before + 2e7)
 
     def test_threads_use_one_tracer(self):
         self.scene()
@@ -458,7 +522,7 @@ class Tracers(WithFolder):
             for _ in range(10):
                 same_bits(self, tracer.nearest(rays), hits)
                 with self.assertRaises(IndexError):
-                    tracer.primitive(10**6)
+                    self.made.primitive(10**6)
 
         run_threads([functools.partial(work, *pair) for pair in zip(lists, expected)])
 
@@ -487,9 +551,12 @@ class Tracers(WithFolder):
 
         def work(name):
             for _ in range(50):
-                self.assert_refused(masu.Status.INPUT, name, masu.Tracer, self.file(name))
+                self.assert_refused(masu.Status.INPUT, name, masu.load_grid, self.file(name))
 
-        run_threads([functools.partial(work, "none{}.scene".format(index)) for index in range(4)])
+        names = ["wrong{}.grid".format(index) for index in range(4)]
+        for name in names:
+            pathlib.Path(self.file(name)).write_text("wrong")
+        run_threads([functools.partial(work, name) for name in names])
 
 
 class Module(unittest.TestCase):
@@ -517,8 +584,7 @@ class Module(unittest.TestCase):
     def test_a_process_may_end_with_open_tracers(self):
         with tempfile.TemporaryDirectory() as folder:
             result = run_python("import masu, os, threading\nos.chdir({!r})\n".format(folder) + """
-masu.write_scene("a.scene", [[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
-tracer = masu.Tracer("a.scene")
+tracer = masu.Tracer(masu.Scene([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
 def work():
     while True: tracer.nearest([[0.2, 0.2, 1, 0, 0, -1]] * 1000)
 threading.Thread(target=work, daemon=True).start()

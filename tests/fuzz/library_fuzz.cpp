@@ -2,13 +2,12 @@
 // never a fault. Pointers and counts are right, as masu.h demands.
 #include "api/masu.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -40,11 +39,6 @@ void set(Enum& value, int number) {
   std::memcpy(&value, &number, sizeof number);
 }
 
-// Files of this process, two of each kind.
-std::string file(const char* kind, unsigned number) {
-  return "/dev/shm/masu-fuzz-" + std::to_string(getpid()) + "-" + kind + std::to_string(number % 2);
-}
-
 // A number that is often a sensible one.
 float number(Input& input) {
   const auto bits = input.take<std::uint16_t>();
@@ -52,7 +46,14 @@ float number(Input& input) {
   return static_cast<float>(static_cast<std::int16_t>(bits)) / 4096;
 }
 
-void write_scene(Input& input) {
+template <class Struct>
+Struct sized(Input& input) {
+  Struct made{};
+  made.size = input.take<std::uint8_t>() == 255 ? input.take<std::uint8_t>() % sizeof made : sizeof made;
+  return made;
+}
+
+masu_scene* created_scene(Input& input) {
   std::vector<float> vertices(3 * (input.take<std::uint8_t>() % 16U));
   for (float& v : vertices)
     v = number(input);
@@ -60,24 +61,39 @@ void write_scene(Input& input) {
   for (std::uint32_t& i : indices)
     i = input.take<std::uint8_t>() % 17U;
   const std::array<float, 3> color{number(input), number(input), number(input)};
-  masu_mesh mesh{};
+  auto mesh = sized<masu_mesh>(input);
   mesh.vertices = vertices.data();
   mesh.vertex_count = vertices.size() / 3;
-  mesh.indices = indices.data();
+  const auto has = input.take<std::uint8_t>();
+  mesh.indices = (has & 1U) != 0 ? indices.data() : nullptr;
   mesh.triangle_count = indices.size() / 3;
-  mesh.color = input.take<std::uint8_t>() % 2 == 0 ? color.data() : nullptr;
-  const auto kind = input.take<std::uint8_t>(), store = input.take<std::uint8_t>();
-  const bool has_origin = input.take<std::uint8_t>() % 2 == 0;
+  mesh.color = (has & 2U) != 0 ? color.data() : nullptr;
+  std::vector<float> numbers(8 * (input.take<std::uint8_t>() % 4U));
+  for (float& v : numbers)
+    v = number(input);
+  auto quadrics = sized<masu_quadrics>(input);
+  quadrics.values = numbers.data();
+  quadrics.count = numbers.size() / 8;
   const std::array origin{input.take<double>(), input.take<double>(), input.take<double>()};
-  static_cast<void>(masu_write_scene(file("scene", kind).c_str(), &mesh, 1,
-                                     static_cast<masu_store>(store % 4),
-                                     has_origin ? origin.data() : nullptr));
+  auto geometry = sized<masu_geometry>(input);
+  geometry.meshes = &mesh;
+  geometry.mesh_count = 1;
+  geometry.spheres = geometry.cones = &quadrics;
+  geometry.sphere_count = (has & 4U) != 0 ? 1 : 0;
+  geometry.cone_count = (has & 8U) != 0 ? 1 : 0;
+  geometry.origin = (has & 16U) != 0 ? origin.data() : nullptr;
+  set(geometry.store, input.take<std::uint8_t>() % 4);
+  masu_scene* scene = nullptr;
+  static_cast<void>(masu_scene_create(&geometry, &scene));
+  return scene;
 }
 
-void build_grid(Input& input) {
-  masu_grid_options options;
-  masu_default_grid_options(&options);
-  set(options.kind, input.take<std::uint8_t>() % 8);
+masu_grid* built_grid(Input& input, const masu_scene* scene) {
+  masu_build_options options{};
+  options.size = sizeof options;
+  if (masu_default_build_options(&options) != MASU_OK) std::abort();
+  set(options.structure, input.take<std::uint8_t>() % 4);
+  set(options.merge, input.take<std::uint8_t>() % 6);
   static constexpr std::array divisions{"auto", "1", "3", "2x5x1", "cleary:1", "woo:1", "x", ""};
   options.division = divisions[input.take<std::uint8_t>() % divisions.size()];
   options.box_overlap = input.take<std::uint8_t>() % 2;
@@ -86,9 +102,9 @@ void build_grid(Input& input) {
   if (input.take<std::uint8_t>() % 4 == 0) options.alpha = number(input);
   if (input.take<std::uint8_t>() % 4 == 0) options.step_cost = number(input);
   options.threads = input.take<std::uint8_t>() % 3;
-  const auto files = input.take<std::uint8_t>();
-  static_cast<void>(
-      masu_build_grid(file("scene", files).c_str(), file("grid", files / 2U).c_str(), &options));
+  masu_grid* grid = nullptr;
+  static_cast<void>(masu_grid_build(scene, &options, &grid));
+  return grid;
 }
 
 template <class Real>
@@ -99,9 +115,9 @@ std::vector<Real> rays_of(Input& input, std::size_t numbers) {
   return rays;
 }
 
-void query(Input& input, const masu_tracer* tracer) {
+void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives) {
   const std::size_t count = input.take<std::uint8_t>() % 8U;
-  masu_query options{};
+  auto options = sized<masu_query>(input);
   const int format = input.take<std::uint8_t>() % 5;
   set(options.format, format);
   set(options.precision, input.take<std::uint8_t>() % 5);
@@ -113,17 +129,17 @@ void query(Input& input, const masu_tracer* tracer) {
   std::vector<float> t(count), uv(2 * count), normal(3 * count);
   std::vector<std::uint32_t> primitive(count), object(count), face(count);
   const auto wanted = input.take<std::uint8_t>();
-  const masu_hits hits{
-      (wanted & 1U) != 0 ? t.data() : nullptr,       (wanted & 2U) != 0 ? primitive.data() : nullptr,
-      (wanted & 4U) != 0 ? object.data() : nullptr,  (wanted & 8U) != 0 ? uv.data() : nullptr,
-      (wanted & 16U) != 0 ? normal.data() : nullptr, (wanted & 32U) != 0 ? face.data() : nullptr};
-  masu_description description{};
-  const bool is_known = masu_describe(tracer, &description) == MASU_OK;
-  if (masu_nearest(tracer, list, count, &options, &hits) == MASU_OK && is_known && (wanted & 3U) == 3) {
+  const masu_hits hits{sizeof hits,
+                       (wanted & 1U) != 0 ? t.data() : nullptr,
+                       (wanted & 2U) != 0 ? primitive.data() : nullptr,
+                       (wanted & 4U) != 0 ? object.data() : nullptr,
+                       (wanted & 8U) != 0 ? uv.data() : nullptr,
+                       (wanted & 16U) != 0 ? normal.data() : nullptr,
+                       (wanted & 32U) != 0 ? face.data() : nullptr};
+  if (masu_nearest(tracer, list, count, &options, &hits) == MASU_OK && (wanted & 3U) == 3) {
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = std::isfinite(t[i]);
-      if (hit != (primitive[i] < description.triangles + description.spheres + description.cones))
-        std::abort();
+      if (hit != (primitive[i] < primitives)) std::abort();
     }
   }
   std::vector<std::uint8_t> occluded(count);
@@ -134,48 +150,55 @@ void query(Input& input, const masu_tracer* tracer) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input input(data, size);
-  std::array<masu_tracer*, 2> tracers{};
+  std::array<masu_scene*, 2> scenes{};
+  std::array<masu_grid*, 2> grids{};
+  masu_tracer* tracer = nullptr;
+  std::uint64_t primitives = 0; // of the tracer's scene
   for (int calls = 0; calls < 24 && !input.is_empty(); ++calls) {
     const auto call = input.take<std::uint8_t>();
-    masu_tracer*& tracer = tracers[call / 8U % 2];
+    masu_scene*& scene = scenes[call / 8U % 2];
+    masu_grid*& grid = grids[call / 16U % 2];
     switch (call % 8) {
     case 0:
-      write_scene(input);
+      masu_scene_free(scene);
+      scene = created_scene(input);
       break;
     case 1:
-      build_grid(input);
+      masu_grid_free(grid);
+      grid = built_grid(input, scene);
       break;
     case 2:
     case 3: {
-      masu_close(tracer);
-      tracer = nullptr;
-      const auto files = input.take<std::uint8_t>();
-      const std::string scene = file("scene", files), grid = file("grid", files / 2U);
+      masu_tracer_free(tracer);
+      const auto choice = input.take<std::uint8_t>();
+      auto options = sized<masu_tracer_options>(input);
+      options.brute_force = choice % 8 == 7 ? 1 : 0;
       const masu_status status =
-          files % 8 == 7
-              ? masu_open_brute_force(scene.c_str(), nullptr, 0, &tracer)
-              : masu_open(scene.c_str(), files % 8 < 4 ? grid.c_str() : nullptr, MASU_CPU, &tracer);
+          masu_tracer_create(scene, choice % 8 < 4 ? grid : nullptr, &options, &tracer);
       if (status != MASU_OK && (tracer != nullptr || std::strlen(masu_error()) == 0)) std::abort();
+      masu_scene_description description{};
+      description.size = sizeof description;
+      if (tracer != nullptr && masu_scene_describe(scene, &description) != MASU_OK) std::abort();
+      primitives = std::uint64_t{description.triangles} + description.spheres + description.cones;
       break;
     }
     case 4:
-      masu_close(tracer);
+      masu_tracer_free(tracer);
       tracer = nullptr;
       break;
     case 5: {
-      masu_primitive primitive{};
-      if (tracer != nullptr)
-        static_cast<void>(masu_describe_primitive(tracer, input.take<std::uint16_t>(), &primitive));
+      auto primitive = sized<masu_primitive>(input);
+      static_cast<void>(masu_scene_primitive(scene, input.take<std::uint16_t>(), &primitive));
       break;
     }
     default:
-      if (tracer != nullptr) query(input, tracer);
+      if (tracer != nullptr) query(input, tracer, primitives);
     }
   }
-  for (masu_tracer* const tracer : tracers)
-    masu_close(tracer);
-  for (const char* const kind : {"scene", "grid"})
-    for (const unsigned i : {0U, 1U})
-      static_cast<void>(unlink(file(kind, i).c_str()));
+  for (masu_scene* const scene : scenes)
+    masu_scene_free(scene);
+  for (masu_grid* const grid : grids)
+    masu_grid_free(grid);
+  masu_tracer_free(tracer);
   return 0;
 }

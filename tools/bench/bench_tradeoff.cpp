@@ -1,5 +1,4 @@
 // Speed against accuracy of every precision, stop rule and grid: measurements, charts and Pareto fronts.
-#include "libscene/file/memory_file.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/gnuplot.h"
 #include "tools/bench/tradeoff/tradeoff_csv.h"
@@ -108,7 +107,6 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   return plan;
 }
 
-// The grid's file is in memory: a run that is stopped leaves no file behind.
 GridFile built(const SceneFile& scene, const GridPlan& plan) {
   BuildOptions options;
   options.division = parse_division(plan.division);
@@ -117,9 +115,7 @@ GridFile built(const SceneFile& scene, const GridPlan& plan) {
   const auto [grid, provenance, considered] =
       scene.is_float64() ? build_chosen(*cpu_builder(scene.view<double>()), scene.geometry(), options)
                          : build_chosen(*cpu_builder(scene.view<float>()), scene.geometry(), options);
-  const MemoryFile file; // its contents live on in the grid
-  write_grid(grid, provenance, file.path());
-  return GridFile(file.path());
+  return grid_in_memory(grid, provenance);
 }
 
 // A scene's name in charts and tables: its file's name with letters, digits, - . and _ only.

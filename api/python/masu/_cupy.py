@@ -45,6 +45,11 @@ def pointer(array: "cupy.ndarray") -> int:
     return int(array.data.ptr)
 
 
+def to_host(array: "cupy.ndarray") -> Any:
+    with array.device:
+        return cupy.asnumpy(array)
+
+
 def empty(shape: Tuple[int, ...], number: str, array: "cupy.ndarray") -> "cupy.ndarray":
     return cupy.empty(shape, number)
 

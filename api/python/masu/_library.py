@@ -1,11 +1,18 @@
 """libmasu.so by ctypes: the structures and functions of masu.h, and its errors as exceptions."""
 
+import contextlib
 import ctypes
 import enum
+import operator
 import os
 import pathlib
+import re
+import threading
+import weakref
 from ctypes import (POINTER, byref, c_char_p, c_double, c_float, c_int, c_size_t, c_uint32, c_uint64, c_void_p)
-from typing import Any, List, Union
+from typing import Any, Callable, Iterator, List, Optional, Tuple, TypeVar, Union
+
+Owned = TypeVar("Owned", bound="Resource")
 
 __version__ = "0.1.0"  # of the interface: the library's must be of the same minor version
 
@@ -34,44 +41,77 @@ class Error(Exception):
 
 # --- masu.h: the same names and order of fields -------------------------------------------------------------------
 
-class DescriptionRecord(ctypes.Structure):
-    _fields_ = [("triangles", c_uint32), ("spheres", c_uint32), ("cones", c_uint32), ("materials", c_uint32),
-                ("bounds_min", c_double * 3), ("bounds_max", c_double * 3), ("scene_bytes", c_uint64),
-                ("grid_bytes", c_uint64), ("is_float64", c_int), ("device", c_int), ("origin", c_double * 3),
-                ("error_bound", c_double)]
+class SceneDescriptionRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("triangles", c_uint32), ("spheres", c_uint32), ("cones", c_uint32),
+                ("materials", c_uint32), ("objects", c_uint64), ("bounds_min", c_double * 3), ("bounds_max", c_double * 3),
+                ("origin", c_double * 3), ("error_bound", c_double), ("bytes", c_uint64), ("is_float64", c_int),
+                ("reserved", c_int)]
+
+
+class GridDescriptionRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("structure", c_int), ("merge", c_int), ("division", c_uint32 * 3),
+                ("reserved", c_uint32), ("cells", c_uint64), ("nodes", c_uint64), ("references", c_uint64),
+                ("bytes", c_uint64)]
 
 
 class PrimitiveRecord(ctypes.Structure):
-    _fields_ = [("kind", c_int), ("object", c_uint32), ("material", c_uint32), ("color", c_float * 3),
-                ("diffuse", c_float), ("specular", c_float), ("shine", c_float), ("transmittance", c_float),
-                ("refraction_index", c_float)]
+    _fields_ = [("size", c_size_t), ("kind", c_int), ("object", c_uint32), ("material", c_uint32), ("face", c_uint32),
+                ("color", c_float * 3), ("diffuse", c_float), ("specular", c_float), ("shine", c_float),
+                ("transmittance", c_float), ("refraction_index", c_float)]
 
 
 class QueryRecord(ctypes.Structure):
-    _fields_ = [("format", c_int), ("precision", c_int), ("coherent", c_int), ("stream", c_void_p),
-                ("relative", c_int)]
+    _fields_ = [("size", c_size_t), ("format", c_int), ("precision", c_int), ("coherent", c_int), ("relative", c_int),
+                ("stream", c_void_p), ("threads", c_int), ("reserved", c_int)]
 
 
 class HitsRecord(ctypes.Structure):
-    _fields_ = [("t", c_void_p), ("primitive", c_void_p), ("object", c_void_p), ("uv", c_void_p),
+    _fields_ = [("size", c_size_t), ("t", c_void_p), ("primitive", c_void_p), ("object", c_void_p), ("uv", c_void_p),
                 ("normal", c_void_p), ("face", c_void_p)]
 
 
 class MeshRecord(ctypes.Structure):
-    _fields_ = [("vertices", c_void_p), ("vertices64", c_void_p), ("vertex_count", c_size_t), ("indices", c_void_p),
-                ("triangle_count", c_size_t), ("color", POINTER(c_float))]
+    _fields_ = [("size", c_size_t), ("vertices", c_void_p), ("vertices64", c_void_p), ("vertex_count", c_size_t),
+                ("indices", c_void_p), ("triangle_count", c_size_t), ("color", POINTER(c_float))]
 
 
-class GridOptionsRecord(ctypes.Structure):
-    _fields_ = [("kind", c_int), ("division", c_char_p), ("box_overlap", c_int), ("cube_space", c_int),
-                ("target", c_uint32), ("alpha", c_double), ("step_cost", c_double), ("detail", c_double),
-                ("nested", c_int), ("expansions", c_int), ("gpu", c_int), ("threads", c_int),
-                ("for_cpu", c_int)]
+class QuadricsRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("values", c_void_p), ("values64", c_void_p), ("count", c_size_t),
+                ("color", POINTER(c_float))]
+
+
+class GeometryRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("meshes", POINTER(MeshRecord)), ("mesh_count", c_size_t),
+                ("spheres", POINTER(QuadricsRecord)), ("sphere_count", c_size_t), ("cones", POINTER(QuadricsRecord)),
+                ("cone_count", c_size_t), ("origin", POINTER(c_double)), ("store", c_int), ("reserved", c_int)]
+
+
+class BuildOptionsRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("structure", c_int), ("merge", c_int), ("division", c_char_p),
+                ("box_overlap", c_int), ("cube_space", c_int), ("alpha", c_double), ("step_cost", c_double),
+                ("detail", c_double), ("target", c_uint32), ("nested", c_int), ("expansions", c_int), ("device", c_int),
+                ("threads", c_int), ("for_cpu", c_int), ("quality", c_int), ("reserved", c_int)]
+
+
+class TracerOptionsRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("gpus", POINTER(c_int)), ("gpu_count", c_size_t), ("brute_force", c_int),
+                ("reserved", c_int)]
+
+
+Record = TypeVar("Record", bound=ctypes.Structure)
+
+
+def sized(record: Record) -> Record:
+    """The same record, whose size is set."""
+    record.size = ctypes.sizeof(record)
+    return record
 
 
 PRECISIONS = {"auto": 0, "fast": 1, "robust": 2, "double": 3}
 STORES = {"auto": 0, "float32": 1, "float64": 2}
-GRID_KINDS = {"auto": 0, "uniform": 1, "x": 2, "balance": 3, "irregular": 4, "bvh": 5, "fastest": 6}
+STRUCTURES = {"grid": 0, "bvh": 1, "fastest": 2}
+MERGES = {"auto": 0, "none": 1, "x": 2, "balance": 3, "irregular": 4}
+QUALITIES = {"high": 0}
 KINDS = ("triangle", "sphere", "cone")
 CPU = -1
 
@@ -127,16 +167,23 @@ def _load() -> ctypes.CDLL:
             path, version, __version__))
     declare("masu_error", c_char_p)
     declare("masu_gpu_count", c_int, POINTER(c_int))
-    declare("masu_open_devices", c_int, c_char_p, c_char_p, POINTER(c_int), c_size_t, POINTER(c_void_p))
-    declare("masu_open_brute_force", c_int, c_char_p, POINTER(c_int), c_size_t, POINTER(c_void_p))
-    declare("masu_close", None, c_void_p)
-    declare("masu_describe", c_int, c_void_p, POINTER(DescriptionRecord))
-    declare("masu_describe_primitive", c_int, c_void_p, c_uint32, POINTER(PrimitiveRecord))
+    handle = POINTER(c_void_p)
+    declare("masu_scene_create", c_int, POINTER(GeometryRecord), handle)
+    declare("masu_scene_read", c_int, c_char_p, handle)
+    declare("masu_scene_write", c_int, c_void_p, c_char_p)
+    declare("masu_scene_free", None, c_void_p)
+    declare("masu_scene_describe", c_int, c_void_p, POINTER(SceneDescriptionRecord))
+    declare("masu_scene_primitive", c_int, c_void_p, c_uint32, POINTER(PrimitiveRecord))
+    declare("masu_default_build_options", c_int, POINTER(BuildOptionsRecord))
+    declare("masu_grid_build", c_int, c_void_p, POINTER(BuildOptionsRecord), handle)
+    declare("masu_grid_read", c_int, c_char_p, handle)
+    declare("masu_grid_write", c_int, c_void_p, c_char_p)
+    declare("masu_grid_free", None, c_void_p)
+    declare("masu_grid_describe", c_int, c_void_p, POINTER(GridDescriptionRecord))
+    declare("masu_tracer_create", c_int, c_void_p, c_void_p, POINTER(TracerOptionsRecord), handle)
+    declare("masu_tracer_free", None, c_void_p)
     declare("masu_nearest", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), POINTER(HitsRecord))
     declare("masu_occluded", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), c_void_p)
-    declare("masu_write_scene", c_int, c_char_p, POINTER(MeshRecord), c_size_t, c_int, POINTER(c_double))
-    declare("masu_default_grid_options", None, POINTER(GridOptionsRecord))
-    declare("masu_build_grid", c_int, c_char_p, c_char_p, POINTER(GridOptionsRecord))
     return loaded
 
 
@@ -156,6 +203,60 @@ def gpu_count() -> int:
     return count.value
 
 
+def folders_of_tools() -> List[pathlib.Path]:
+    """Where the tools may be: beside the module, of the same prefix or build as the library."""
+    folder = pathlib.Path(library._name).resolve().parent
+    return [pathlib.Path(__file__).resolve().parent / "bin", folder.parent / "bin", folder.parent.parent / "bin"]
+
+
+# --- Objects ------------------------------------------------------------------------------------------------------
+
+class Resource:
+    """Owns an object of the library until it is closed, or nobody holds it; also a context manager. Threads may use it
+    at the same time."""
+
+    _handle: Optional[c_void_p] = None  # None once it is closed
+
+    def _own(self, name: str, create: Callable[..., int], arguments: Tuple[Any, ...], free: Callable[[c_void_p], None]) -> None:
+        self._name = name
+        self._idle = threading.Condition()
+        self._calls = 0  # that use the handle now
+        handle = c_void_p()
+        check(create(*arguments, byref(handle)))
+        self._handle = handle
+        self._finalizer = weakref.finalize(self, free, handle)
+        self._finalizer.atexit = False  # other threads may still use it; the process's end frees everything
+
+    def close(self) -> None:
+        """Waits for calls that run, and gives memory back. Using it afterwards is a ValueError."""
+        if self._handle is None:
+            return
+        with self._idle:
+            self._handle = None
+            self._idle.wait_for(lambda: self._calls == 0)
+        self._finalizer()
+
+    def __enter__(self: Owned) -> Owned:
+        return self
+
+    def __exit__(self, *error: Any) -> None:
+        self.close()
+
+    @contextlib.contextmanager
+    def _opened(self) -> Iterator[c_void_p]:
+        with self._idle:
+            if self._handle is None:
+                raise ValueError("the {} is closed".format(self._name))
+            handle = self._handle
+            self._calls += 1
+        try:
+            yield handle
+        finally:
+            with self._idle:
+                self._calls -= 1
+                self._idle.notify_all()
+
+
 # --- Arguments ----------------------------------------------------------------------------------------------------
 
 def path_bytes(path: Path) -> bytes:
@@ -171,3 +272,22 @@ def choice(name: str, value: str, choices: "dict[str, int]") -> int:
     if value not in choices:
         raise ValueError("{}: {!r} isn't one of {}".format(name, value, ", ".join(choices)))
     return choices[value]
+
+
+def device_number(device: Union[str, int, Any]) -> int:
+    """CPU, or a GPU's number."""
+    if not isinstance(device, (str, bool)):
+        try:
+            number = operator.index(device)
+        except TypeError:
+            device = str(device)  # torch.device
+        else:
+            if not 0 <= number < 2**31:
+                raise ValueError("device: {} isn't a GPU's number".format(number))
+            return number
+    if device == "cpu":
+        return CPU
+    match = re.fullmatch("cuda(?::([0-9]{1,9}))?", device) if isinstance(device, str) else None
+    if not match:
+        raise ValueError("device: {!r} isn't \"cpu\", \"cuda\", \"cuda:N\" or a GPU's number".format(device))
+    return int(match[1] or 0)

@@ -50,6 +50,10 @@ def pointer(array: "torch.Tensor") -> int:
     return array.data_ptr()
 
 
+def to_host(array: "torch.Tensor") -> Any:
+    return array.detach().cpu().numpy()
+
+
 def empty(shape: Tuple[int, ...], number: str, array: "torch.Tensor") -> "torch.Tensor":
     return torch.empty(shape, dtype=getattr(torch, number), device=array.device)
 

@@ -3,17 +3,13 @@
 import contextlib
 import math
 import operator
-import re
-import threading
-import weakref
-from ctypes import byref, c_int, c_void_p
-from typing import Any, Callable, Dict, Iterable, Iterator, NamedTuple, Optional, Tuple, Union
+from ctypes import byref, c_int
+from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
-from ._library import (CPU, KINDS, PRECISIONS, DescriptionRecord, HitsRecord, Path, PrimitiveRecord, QueryRecord, check,
-                       choice, library, path_bytes)
-
-Vector = Tuple[float, float, float]
+from ._library import (CPU, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, check, choice,
+                       device_number, library, sized)
+from ._scene import Grid, Scene
 
 
 class _Field(NamedTuple):
@@ -33,61 +29,14 @@ _FIELDS = {
 FIELDS = tuple(_FIELDS)  # of Tracer.nearest()
 
 
-class Description(NamedTuple):
-    """What a tracer holds."""
-    triangles: int  # primitives are numbered in this order:
-    spheres: int
-    cones: int
-    materials: int
-    bounds_min: Vector  # of all primitives, in the world; min > max where there is none
-    bounds_max: Vector
-    scene_bytes: int  # of the files, or as a file for a grid in memory; 0 for no grid
-    grid_bytes: int
-    is_float64: bool  # whether coordinates are stored, and rays traced, in float64
-    device: str  # as Tracer.device
-    origin: Vector  # the point in the world that stored coordinates are relative to
-    error_bound: float  # in scene units: how far from its surface a hit may be, with precision "auto"
-
-
-class Primitive(NamedTuple):
-    """A primitive, and its material."""
-    kind: str  # "triangle", "sphere" or "cone"
-    object: int  # its mesh, or its index in the NFF text
-    material: int
-    color: Vector
-    diffuse: float
-    specular: float
-    shine: float
-    transmittance: float
-    refraction_index: float
-
-
-def _device_number(device: Union[str, int, Any]) -> int:
-    if not isinstance(device, (str, bool)):
-        try:
-            number = operator.index(device)
-        except TypeError:
-            device = str(device)  # torch.device
-        else:
-            if not 0 <= number < 2**31:
-                raise ValueError("device: {} isn't a GPU's number".format(number))
-            return number
-    if device == "cpu":
-        return CPU
-    match = re.fullmatch("cuda(?::([0-9]{1,9}))?", device) if isinstance(device, str) else None
-    if not match:
-        raise ValueError("device: {!r} isn't \"cpu\", \"cuda\", \"cuda:N\" or a GPU's number".format(device))
-    return int(match[1] or 0)
-
-
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
     """None for the CPU."""
     if isinstance(device, (list, tuple)):
-        numbers = tuple(_device_number(each) for each in device)
+        numbers = tuple(device_number(each) for each in device)
         if not numbers or CPU in numbers:
             raise ValueError("device: a list is of GPUs, at least one")
         return numbers
-    number = _device_number(device)
+    number = device_number(device)
     return () if number == CPU else (number,)
 
 
@@ -95,14 +44,13 @@ def _device_name(gpus: Iterable[int]) -> str:
     return ",".join("cuda:{}".format(gpu) for gpu in gpus) or "cpu"
 
 
-class Tracer:
+class Tracer(Resource):
     """A scene and its grid on a device, for queries until it is closed; also a context manager.
 
-    scene, grid: files. Without a grid one is built on the device, as build_grid(kind="fastest") does, and kept in memory:
-    that takes seconds for some million primitives, at every call, where a grid file takes them once. brute_force: instead
-    of that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
-    "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory. The files
-    are checked and, on a GPU, uploaded here. Raises masu.Error.
+    Without a grid one is built on and for the device, as scene.build(structure="fastest") does. brute_force: instead of
+    that every ray is tested against every primitive, which only comparisons want. device: "cpu"; "cuda", the first GPU;
+    "cuda:N" or N, the GPU of that number, from 0; or a list of such GPUs, which share arrays in host memory. Raises
+    masu.Error.
 
     **Rays** are an array (..., 6) of origin and direction, or (..., 8) of origin, tmin, direction, tmax: float32 or
     float64 (other real numbers are converted to float64). A ray's points are origin + t direction with tmin < t < tmax;
@@ -121,81 +69,40 @@ class Tracer:
 
     Threads may use a tracer at the same time. close() waits for them."""
 
-    def __init__(self, scene: Path, grid: Optional[Path] = None, device: Union[str, int, Any] = "cpu", *,
+    scene: Scene
+    grid: Optional[Grid]  # None for brute force
+
+    def __init__(self, scene: Scene, grid: Optional[Grid] = None, device: Union[str, int, Any] = "cpu", *,
                  brute_force: bool = False) -> None:
+        if not isinstance(scene, Scene):
+            raise TypeError("scene: a masu.Scene is needed, not {}: masu.load() reads files".format(type(scene).__name__))
+        if grid is not None and not isinstance(grid, Grid):
+            raise TypeError("grid: a masu.Grid is needed, not {}: masu.load_grid() reads files".format(type(grid).__name__))
         if brute_force and grid is not None:
             raise TypeError("brute_force uses no grid: leave one of both out")
         self._gpus = _gpu_numbers(device)
-        self._idle = threading.Condition()
-        self._calls = 0  # that use the handle now
-        handle = c_void_p()
-        gpus = (c_int * len(self._gpus))(*self._gpus), len(self._gpus)
-        if brute_force:
-            check(library.masu_open_brute_force(path_bytes(scene), *gpus, byref(handle)))
-        else:
-            check(library.masu_open_devices(path_bytes(scene), None if grid is None else path_bytes(grid), *gpus,
-                                            byref(handle)))
-        self._handle: Optional[c_void_p] = handle
-        self._finalizer = weakref.finalize(self, library.masu_close, handle)
-        self._finalizer.atexit = False  # other threads may still be tracing; the process's end frees everything
-
-    def close(self) -> None:
-        """Waits for queries that run, and gives memory back. Using the tracer afterwards is a ValueError."""
-        with self._idle:
-            self._handle = None
-            self._idle.wait_for(lambda: self._calls == 0)
-        self._finalizer()
-
-    def __enter__(self) -> "Tracer":
-        return self
-
-    def __exit__(self, *error: Any) -> None:
-        self.close()
-
-    @contextlib.contextmanager
-    def _opened(self) -> Iterator[c_void_p]:
-        with self._idle:
-            if self._handle is None:
-                raise ValueError("the tracer is closed")
-            handle = self._handle
-            self._calls += 1
-        try:
-            yield handle
-        finally:
-            with self._idle:
-                self._calls -= 1
-                self._idle.notify_all()
+        if grid is None and not brute_force:
+            grid = scene.build(structure="fastest", device=self._gpus[0] if self._gpus else "cpu", for_cpu=not self._gpus)
+        self.scene, self.grid = scene, grid
+        options = sized(TracerOptionsRecord(gpus=(c_int * len(self._gpus))(*self._gpus), gpu_count=len(self._gpus),
+                                            brute_force=int(brute_force)))
+        with contextlib.ExitStack() as used:
+            handles = [used.enter_context(each._opened()) if each is not None else None for each in (scene, grid)]
+            self._own("tracer", library.masu_tracer_create, (*handles, byref(options)), library.masu_tracer_free)
 
     @property
     def device(self) -> str:
         """ "cpu", "cuda:0", "cuda:0,cuda:1", … """
         return _device_name(self._gpus)
 
-    def describe(self) -> Description:
-        """Counts, bounds and sizes."""
-        record = DescriptionRecord()
-        with self._opened() as handle:
-            check(library.masu_describe(handle, byref(record)))
-        return Description(record.triangles, record.spheres, record.cones, record.materials, tuple(record.bounds_min),
-                           tuple(record.bounds_max), record.scene_bytes, record.grid_bytes, bool(record.is_float64),
-                           self.device, tuple(record.origin), record.error_bound)
-
-    def primitive(self, index: int) -> Primitive:
-        """The primitive of an index as `primitive_ids` has it; an IndexError where there is none."""
-        index = operator.index(index)
-        description = self.describe()
-        count = description.triangles + description.spheres + description.cones
-        if not 0 <= index < count:
-            raise IndexError("primitive {}: there are {}".format(index, count))
-        record = PrimitiveRecord()
-        with self._opened() as handle:
-            check(library.masu_describe_primitive(handle, index, byref(record)))
-        return Primitive(KINDS[record.kind], record.object, record.material, tuple(record.color), record.diffuse,
-                         record.specular, record.shine, record.transmittance, record.refraction_index)
+    def __repr__(self) -> str:
+        if self._handle is None:
+            return "<masu.Tracer: closed>"
+        return "<masu.Tracer on {}: {!r}, {!r}>".format(self.device, self.scene, self.grid or "brute force")
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None,
-                relative: bool = False) -> Dict[str, Any]:
+                relative: bool = False, threads: int = 0) -> Dict[str, Any]:
         """The nearest hit of each ray: a dictionary of the fields requested, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
@@ -209,32 +116,35 @@ class Tracer:
         precision: "auto" ("robust", or "double" for a scene in float64), "robust", "double", or "fast", which is for
         comparison. coherent: neighbours in the array have similar origins and directions, which changes the speed
         alone. stream: for rays on a GPU, as if the call stood in that stream's context: a stream of PyTorch, CuPy or
-        CUDA Python, or a cudaStream_t as a number. relative: the rays' origins are relative to describe().origin, where
-        float32 keeps its digits, and not in the world."""
+        CUDA Python, or a cudaStream_t as a number. relative: the rays' origins are relative to scene.describe().origin,
+        where float32 keeps its digits, and not in the world. threads: of this machine, for rays in its memory; 0: all
+        cores."""
         chosen = (fields,) if isinstance(fields, str) else tuple(fields)
         for name in chosen:
             if name not in _FIELDS:
                 raise ValueError("fields: {!r} isn't one of {}".format(name, ", ".join(FIELDS)))
 
         def hits(pointers: Dict[str, int]) -> Any:
-            return byref(HitsRecord(**{_FIELDS[name].record: pointer for name, pointer in pointers.items()}))
+            return byref(sized(HitsRecord(**{_FIELDS[name].record: pointer for name, pointer in pointers.items()})))
 
         return self._query(library.masu_nearest, hits, {name: _FIELDS[name] for name in chosen}, rays, precision, coherent,
-                           stream, relative)
+                           stream, relative, threads)
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
-                 relative: bool = False) -> Any:
+                 relative: bool = False, threads: int = 0) -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
         fields = {"occluded": _Field("", "bool", ())}
         return self._query(library.masu_occluded, lambda pointers: pointers["occluded"], fields, rays, precision, coherent,
-                           stream, relative)["occluded"]
+                           stream, relative, threads)["occluded"]
 
     def _query(self, function: Callable[..., int], argument: Callable[[Dict[str, int]], Any], fields: Dict[str, _Field],
-               rays: Any, precision: str, coherent: bool, stream: Any, relative: bool) -> Dict[str, Any]:
+               rays: Any, precision: str, coherent: bool, stream: Any, relative: bool, threads: int) -> Dict[str, Any]:
         """argument: the function's last one, made of the pointers to the results."""
-        record = QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)),
-                             relative=int(bool(relative)))
+        if not 0 <= operator.index(threads) <= 4096:
+            raise ValueError("threads: {} isn't from 0 to 4096".format(threads))
+        record = sized(QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)),
+                                   relative=int(bool(relative)), threads=operator.index(threads)))
         arrays, rays = _arrays.recognize(rays, stream)
         gpu = arrays.gpu(rays)
         shape = tuple(rays.shape)

@@ -3,7 +3,6 @@
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
 #include "libgrid/build/hierarchy.h"
-#include "libscene/file/memory_file.h"
 #include "libscene/file/scene_file.h"
 #include "tests/stability/same_bits.h"
 
@@ -32,16 +31,15 @@ Scene scene_of(const TestScene<Stored>& trial) {
 }
 
 template <class Stored>
-void write_built(const SceneFile& scene, const GridWanted& wanted, const std::string& path) {
+GridFile built(const SceneFile& scene, const GridWanted& wanted) {
   const SceneView<Stored> view = scene.view<Stored>();
   const GridLayout layout{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
                           rounding_margin<Stored>(scene.bounds())};
   GridOptions options;
   options.kind = wanted.kind;
-  write_grid(build_grid(view, layout, Overlap::exact, options),
-             {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
-              Overlap::exact, "stability", ""},
-             path);
+  return grid_in_memory(build_grid(view, layout, Overlap::exact, options),
+                        {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
+                         Overlap::exact, "stability", ""});
 }
 
 std::uint64_t differing(const SceneFile& scene, const GridFile& grid, std::span<const Ray<double>> rays,
@@ -63,19 +61,15 @@ template <class Stored>
 void compare_step(const Sweep& sweep, const Trial<Stored>& trial, double step,
                   const std::function<void(const Difference&)>& report) {
   constexpr bool float64 = std::is_same_v<Stored, double>;
-  const MemoryFile scene_file;
-  write_scene(scene_of(trial.scene), float64 ? Store::float64 : Store::float32, scene_file.path(),
-              Vec3d{0, 0, 0}); // what the sweeps vary
-  const SceneFile scene(scene_file.path());
+  const SceneFile scene = scene_in_memory(scene_of(trial.scene), float64 ? Store::float64 : Store::float32,
+                                          Vec3d{0, 0, 0}); // what the sweeps vary
   for (const Mode& mode : float64 ? std::vector<Mode>{doubled} : std::vector<Mode>{fast, robust, doubled}) {
     Difference difference{sweep.name, step, mode, float64, trial.rays.size(), 0};
     for (const GridWanted& wanted : trial.grids) {
       if (wanted.kind == GridKind::hierarchy &&
           !fits_hierarchy(space_of<Stored>(scene.bounds(), SpaceRule::tight)))
         continue;
-      const MemoryFile grid;
-      write_built<Stored>(scene, wanted, grid.path());
-      difference.differing += differing(scene, GridFile(grid.path()), trial.rays, mode.precision);
+      difference.differing += differing(scene, built<Stored>(scene, wanted), trial.rays, mode.precision);
     }
     report(difference);
   }

@@ -1,7 +1,6 @@
 #include "tests/stability/sweeps/picture_sweeps.h"
 
 #include "libgrid/build/chosen_structure.h"
-#include "libscene/file/memory_file.h"
 #include "tests/picture_scenes.h"
 #include "tests/stability/sweeps/sweep.h"
 
@@ -64,31 +63,27 @@ Scene behind_glass(Chance& chance, double panes) {
 // A scene stored, and its grid.
 class Stored {
 public:
-  Stored(const Scene& scene, Store store, const std::optional<Vec3d>& origin) {
-    const MemoryFile scene_memory, grid_memory;
-    write_scene(scene, store, scene_memory.path(), origin);
-    file_ = std::make_unique<SceneFile>(scene_memory.path());
-    const auto write = [&]<class Real>(Real) {
-      const auto [grid, provenance, considered] =
-          build_chosen(*cpu_builder(file_->view<Real>()), file_->geometry(), {});
-      write_grid(grid, provenance, grid_memory.path());
-    };
-    file_->is_float64() ? write(double{}) : write(float{});
-    grid_ = std::make_unique<GridFile>(grid_memory.path());
-  }
+  Stored(const Scene& scene, Store store, const std::optional<Vec3d>& origin)
+      : file_(scene_in_memory(scene, store, origin)),
+        grid_(file_.is_float64() ? built(file_.view<double>()) : built(file_.view<float>())) {}
 
-  const SceneFile& file() const { return *file_; }
+  const SceneFile& file() const { return file_; }
   Frame picture(Precision precision) const {
     FrameRequest request;
     request.tracing.precision = precision;
-    request.camera = file_->camera();
+    request.camera = file_.camera();
     request.rules.depth = 12;
-    return Tracer(*file_, grid_.get(), Device::cpu).render(request);
+    return Tracer(file_, &grid_, Device::cpu).render(request);
   }
 
 private:
-  std::unique_ptr<SceneFile> file_;
-  std::unique_ptr<GridFile> grid_;
+  GridFile built(const auto& view) const {
+    const auto [grid, provenance, considered] = build_chosen(*cpu_builder(view), file_.geometry(), {});
+    return grid_in_memory(grid, provenance);
+  }
+
+  SceneFile file_;
+  GridFile grid_;
 };
 
 } // namespace

@@ -1,0 +1,130 @@
+// What the functions of the C interface share: arguments are checked, exceptions become statuses.
+#pragma once
+
+#include "libscene/base/error.h"
+#include "masu.h"
+
+#include <fmt/format.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <string>
+
+namespace masu {
+
+// Keeps the text for masu_error(), and returns the status.
+masu_status report(masu_status status, const char* text) noexcept;
+
+// The status of act(), which may throw.
+template <class Act>
+masu_status guarded(const Act& act) noexcept {
+  try {
+    act();
+    return MASU_OK;
+  } catch (const Error& error) {
+    return report(static_cast<masu_status>(error.code()), error.what());
+  } catch (const std::bad_alloc&) {
+    return report(MASU_ERROR_MEMORY, "memory: there isn't enough");
+  } catch (const std::exception& error) {
+    return report(MASU_ERROR_INPUT, error.what());
+  } catch (...) {
+    return report(MASU_ERROR_INPUT, "an unknown error");
+  }
+}
+
+[[noreturn]] inline void fail(const char* place, const std::string& what) {
+  throw Error(ErrorCode::usage, place, what);
+}
+
+inline void require(const void* pointer, const char* place) {
+  if (pointer == nullptr) fail(place, "is a null pointer");
+}
+
+inline void require_range(double value, double low, double high, const char* place) {
+  if (!(value >= low && value <= high)) fail(place, fmt::format("{} isn't from {} to {}", value, low, high));
+}
+
+// Throws Error(device) where there is no GPU of that number.
+void require_gpu(int number);
+
+// What act() returns, on no more threads than so many; 0: on all.
+template <class Act>
+auto on_threads_up_to(int threads, const Act& act) {
+  require_range(threads, 0, 4096, "threads");
+  // TBB warns on standard error of an arena that is larger than what there is.
+  const int there = tbb::this_task_arena::max_concurrency();
+  return threads == 0 || threads >= there ? act() : tbb::task_arena(threads).execute(act);
+}
+
+// An enumeration's value out of C, of so many that there are. C++ has no others, so its bytes are looked at.
+template <class To, class From>
+To choice(const From& value, int values, const char* place) {
+  int number = 0;
+  static_assert(sizeof number == sizeof value);
+  std::memcpy(&number, &value, sizeof number);
+  if (number < 0 || number >= values) fail(place, fmt::format("{} isn't one of its values", number));
+  return static_cast<To>(number);
+}
+
+// The size of a structure in its first version: a program compiled with that one may call. Specialized when
+// fields are added.
+template <class Struct>
+inline constexpr std::size_t first_size = sizeof(Struct);
+
+template <class Struct>
+std::size_t checked_size(const Struct* given, const char* place) {
+  std::size_t size = 0;
+  std::memcpy(&size, given, sizeof size);
+  if (size < first_size<Struct> || size > 4096 || size % alignof(Struct) != 0)
+    fail(place, fmt::format("{} isn't its size: set it to sizeof({})", size, place));
+  return size;
+}
+
+// A program's structure as this library knows it: what an older program doesn't have is zero. What a newer
+// one has besides must be zero.
+template <class Struct>
+Struct taken(const Struct* given, const char* place) {
+  require(given, place);
+  const std::size_t size = checked_size(given, place);
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(given);
+  if (std::any_of(bytes + std::min(size, sizeof(Struct)), bytes + size,
+                  [](unsigned char b) { return b != 0; }))
+    fail(place, "has options that this version of the library doesn't know: install the program's");
+  Struct known{};
+  std::memcpy(&known, given, std::min(size, sizeof known));
+  return known;
+}
+
+// An array of them, each as large as the first says.
+template <class Struct, class Act>
+void for_each_taken(const Struct* given, std::size_t count, const char* place, const Act& act) {
+  if (count == 0) return;
+  require(given, place);
+  const std::size_t stride = checked_size(given, place);
+  for (std::size_t i = 0; i < count; ++i)
+    act(taken(reinterpret_cast<const Struct*>(reinterpret_cast<const unsigned char*>(given) + i * stride),
+              place));
+}
+
+// The other way: fills in a program's structure, as far as it goes.
+template <class Struct>
+void give(Struct known, Struct* to, const char* place) {
+  require(to, place);
+  known.size = checked_size(to, place);
+  if (known.size > sizeof known) std::memset(static_cast<void*>(to), 0, known.size);
+  std::memcpy(static_cast<void*>(to), &known, std::min(known.size, sizeof known));
+}
+
+// What a call made, for the program.
+template <class Object, class Make>
+masu_status make(Object** made, const char* place, const Make& make_object) noexcept {
+  return guarded([&] {
+    require(made, place);
+    *made = nullptr;
+    *made = make_object().release();
+  });
+}
+
+} // namespace masu

@@ -1,0 +1,138 @@
+// Grids of the C interface: built from a scene, or read.
+#include "boundary.h"
+#include "libgrid/build/chosen_structure.h"
+#include "libscene/base/processor.h"
+#include "objects.h"
+
+namespace {
+
+using namespace masu;
+
+GridKind kind_of(const masu_build_options& from) {
+  constexpr GridKind merged[] = {GridKind::automatic, GridKind::uniform, GridKind::x, GridKind::balance,
+                                 GridKind::irregular};
+  const GridKind merge = merged[choice<int>(from.merge, 5, "merge")];
+  const auto structure = choice<masu_structure>(from.structure, 3, "structure");
+  if (structure == MASU_STRUCTURE_GRID) return merge;
+  if (merge != GridKind::automatic) fail("merge", "is of MASU_STRUCTURE_GRID alone");
+  return structure == MASU_STRUCTURE_BVH ? GridKind::hierarchy : GridKind::fastest;
+}
+
+BuildOptions build_options(const masu_build_options& from) {
+  require_range(from.target, 1, 1 << 20, "target");
+  require_range(from.alpha, 0, 1, "alpha");
+  require_range(from.step_cost, 0, 1000, "step_cost");
+  require_range(from.detail, 0.1, 100, "detail");
+  require_range(from.nested, 0, 15, "nested");
+  require_range(from.expansions, 0, 64, "expansions");
+  require_range(from.device, MASU_CPU, 1 << 20, "device");
+  choice<masu_quality>(from.quality, 1, "quality");
+  BuildOptions options;
+  options.grid = {kind_of(from), from.target, from.alpha,     from.step_cost,
+                  from.detail,   from.nested, from.expansions};
+  options.division = parse_division(from.division != nullptr ? from.division : "auto");
+  options.space = from.cube_space != 0 ? SpaceRule::cube : SpaceRule::tight;
+  options.overlap = from.box_overlap != 0 ? Overlap::box : Overlap::exact;
+  options.processor = from.for_cpu != 0 ? Processor::cpu : Processor::gpu;
+  return options;
+}
+
+masu_build_options default_options() {
+  const GridOptions defaults;
+  masu_build_options options{};
+  options.size = sizeof options;
+  options.division = "auto";
+  options.target = defaults.target;
+  options.alpha = defaults.alpha;
+  options.step_cost = defaults.step_cost;
+  options.detail = defaults.detail;
+  options.nested = defaults.nested_log2;
+  options.expansions = defaults.expansions;
+  options.device = MASU_CPU;
+  return options;
+}
+
+GridFile built_grid(const SceneFile& scene, const BuildOptions& options, int device) {
+  const auto build = [&](const auto& view) {
+    const auto builder = device == MASU_CPU ? cpu_builder(view) : cuda_builder(view, device);
+    const auto [grid, provenance, considered] = build_chosen(*builder, scene.geometry(), options);
+    return grid_in_memory(grid, provenance);
+  };
+  return scene.is_float64() ? build(scene.view<double>()) : build(scene.view<float>());
+}
+
+std::unique_ptr<masu_grid> held(GridFile file) {
+  return std::make_unique<masu_grid>(masu_grid{std::make_shared<const GridFile>(std::move(file))});
+}
+
+} // namespace
+
+namespace masu {
+
+GridFile fastest_grid(const SceneFile& scene, int device) {
+  masu_build_options options = default_options();
+  options.structure = MASU_STRUCTURE_FASTEST;
+  options.for_cpu = device == MASU_CPU ? 1 : 0;
+  return built_grid(scene, build_options(options), device);
+}
+
+} // namespace masu
+
+extern "C" {
+
+masu_status masu_default_build_options(masu_build_options* options) {
+  return guarded([&] { give(default_options(), options, "masu_build_options"); });
+}
+
+masu_status masu_grid_build(const masu_scene* scene, const masu_build_options* options, masu_grid** grid) {
+  return make(grid, "grid", [&] {
+    require(scene, "scene");
+    check_processor();
+    const masu_build_options wanted =
+        options != nullptr ? taken(options, "masu_build_options") : default_options();
+    const BuildOptions build_as = build_options(wanted);
+    return on_threads_up_to(wanted.threads,
+                            [&] { return held(built_grid(*scene->file, build_as, wanted.device)); });
+  });
+}
+
+masu_status masu_grid_read(const char* path, masu_grid** grid) {
+  return make(grid, "grid", [&] {
+    check_processor();
+    require(path, "path");
+    return held(GridFile(path));
+  });
+}
+
+masu_status masu_grid_write(const masu_grid* grid, const char* path) {
+  return guarded([&] {
+    require(grid, "grid");
+    require(path, "path");
+    grid->file->write(path);
+  });
+}
+
+void masu_grid_free(masu_grid* grid) {
+  delete grid;
+}
+
+masu_status masu_grid_describe(const masu_grid* grid, masu_grid_description* description) {
+  return guarded([&] {
+    require(grid, "grid");
+    const GridRecords records = grid->file->records();
+    masu_grid_description described{};
+    described.structure = records.is_hierarchy ? MASU_STRUCTURE_BVH : MASU_STRUCTURE_GRID;
+    // As schemas/grid.fbs numbers them.
+    constexpr masu_merge merges[] = {MASU_MERGE_NONE, MASU_MERGE_X, MASU_MERGE_BALANCE, MASU_MERGE_IRREGULAR,
+                                     MASU_MERGE_NONE};
+    described.merge = merges[static_cast<int>(grid->file->table().merge())];
+    for (int axis = 0; axis < 3; ++axis)
+      described.division[axis] = static_cast<std::uint32_t>(records.division[axis]);
+    described.cells = records.cell_count;
+    described.nodes = records.node_count;
+    described.references = records.reference_count;
+    described.bytes = grid->file->bytes();
+    give(described, description, "masu_grid_description");
+  });
+}
+}

@@ -1,0 +1,347 @@
+"""Scenes and grids: in memory, from arrays or files."""
+
+import ctypes
+import operator
+import os
+import pathlib
+import shutil
+import subprocess
+from ctypes import byref, c_double, c_float
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
+
+from . import _arrays
+from ._library import (KINDS, MERGES, QUALITIES, STORES, STRUCTURES, BuildOptionsRecord, Error, GeometryRecord,
+                       GridDescriptionRecord, MeshRecord, Path, PrimitiveRecord, QuadricsRecord, Resource,
+                       SceneDescriptionRecord, Status, check, choice, device_number, folders_of_tools, library, path_bytes,
+                       sized)
+
+Vector = Tuple[float, float, float]
+Color = Optional[Sequence[float]]  # 3, of a matte material; 0.8 each by default
+
+
+class Mesh(NamedTuple):
+    """Triangles: an object of a scene."""
+    vertices: Any  # (V, 3), float32 or float64
+    faces: Any = None  # (F, 3), integers below V; None: the vertices in threes
+    color: Color = None
+
+
+class Quadrics(NamedTuple):
+    """Spheres or cones: an object of a scene."""
+    values: Any  # (N, 4), centre and radius; (N, 8), base, radius there, apex, radius there
+    color: Color = None
+
+
+class Description(NamedTuple):
+    """What a scene holds."""
+    triangles: int  # primitives are numbered in this order:
+    spheres: int
+    cones: int
+    materials: int
+    objects: int
+    bounds_min: Vector  # of all primitives, in the world; min > max where there is none
+    bounds_max: Vector
+    origin: Vector  # the point in the world that stored coordinates are relative to
+    error_bound: float  # in scene units: how far from its surface a hit may be, with precision "auto"
+    bytes: int  # in memory, and of its file
+    is_float64: bool  # whether coordinates are stored, and rays traced, in float64
+
+
+class GridDescription(NamedTuple):
+    """What a grid is."""
+    structure: str  # "grid" or "bvh"
+    merge: str  # "none", "x", "balance" or "irregular"
+    division: Tuple[int, int, int]  # voxels along each axis; of an irregular grid at the top
+    cells: int  # of a merged grid; else 0
+    nodes: int  # of a bvh; else 0
+    references: int
+    bytes: int
+
+
+class Primitive(NamedTuple):
+    """A primitive, and its material."""
+    kind: str  # "triangle", "sphere" or "cone"
+    object: int  # its mesh, or its index in the NFF text
+    material: int
+    face: int  # as `face_ids`
+    color: Vector
+    diffuse: float
+    specular: float
+    shine: float
+    transmittance: float
+    refraction_index: float
+
+
+# --- Arrays -------------------------------------------------------------------------------------------------------
+
+def _numbers(name: str, array: Any, columns: int) -> Any:
+    import numpy as np
+    array = np.asarray(_arrays.on_host(array))
+    if array.size and (array.ndim != 2 or array.shape[1] != columns):
+        raise ValueError("{}: the shape (N, {}) is needed, not {}".format(name, columns, array.shape))
+    if array.size and array.dtype.kind not in "fiu":
+        raise TypeError("{}: real numbers are needed, not {}".format(name, array.dtype))
+    is_float32 = array.dtype.newbyteorder("=") == np.float32
+    return np.require(array, np.float32 if is_float32 else np.float64, ["C_CONTIGUOUS", "ALIGNED"])
+
+
+def _set_numbers(record: Any, name: str, array: Any) -> None:
+    setattr(record, name if array.dtype.itemsize == 4 else name + "64", array.ctypes.data)
+
+
+def _set_color(record: Any, place: str, color: Color) -> None:
+    if color is None:
+        return
+    if len(color) != 3:
+        raise ValueError("{}color: 3 numbers are needed, not {}".format(place, len(color)))
+    record.color = (c_float * 3)(*(float(part) for part in color))
+
+
+def _set_mesh(record: MeshRecord, mesh: Mesh, place: str) -> Any:
+    """Returns the arrays that the record points to."""
+    import numpy as np
+    vertices = _numbers(place + "vertices", mesh.vertices, 3)
+    count = vertices.size // 3
+    _set_numbers(record, "vertices", vertices)
+    record.vertex_count = count
+    _set_color(record, place, mesh.color)
+    if mesh.faces is None:
+        if count % 3:
+            raise ValueError("{}vertices: without faces they must be in threes, not {}".format(place, count))
+        record.triangle_count = count // 3
+        return vertices
+    faces = np.asarray(_arrays.on_host(mesh.faces))
+    if faces.size and (faces.ndim != 2 or faces.shape[1] != 3):
+        raise ValueError("{}faces: the shape (N, 3) is needed, not {}".format(place, faces.shape))
+    if faces.size and faces.dtype.kind not in "iu":
+        raise TypeError("{}faces: integers are needed, not {}".format(place, faces.dtype))
+    if faces.size and not 0 <= int(faces.min()) <= int(faces.max()) < count:
+        raise ValueError("{}faces: indices from {} to {}, but there are {} vertices".format(
+            place, faces.min(), faces.max(), count))
+    faces = np.require(faces, np.uint32, ["C_CONTIGUOUS", "ALIGNED"])
+    record.indices = faces.ctypes.data
+    record.triangle_count = faces.size // 3
+    return vertices, faces
+
+
+def _quadrics(name: str, given: Any, columns: int) -> Tuple[Any, Any]:
+    """Records of one array or several Quadrics, and the arrays that they point to."""
+    several = isinstance(given, (list, tuple)) and bool(given) and all(isinstance(one, Quadrics) for one in given)
+    listed = [] if given is None else list(given) if several else [given if isinstance(given, Quadrics) else Quadrics(given)]
+    records = (QuadricsRecord * len(listed))()
+    kept = []
+    for record, one in zip(records, listed):
+        sized(record)
+        values = _numbers(name, one.values, columns)
+        _set_numbers(record, "values", values)
+        record.count = values.size // columns
+        _set_color(record, name + ": ", one.color)
+        kept.append(values)
+    return records, kept
+
+
+# --- Scenes -------------------------------------------------------------------------------------------------------
+
+class Scene(Resource):
+    """What rays are traced through: triangles, spheres and cones, in memory.
+
+        Scene(vertices, faces)
+        Scene(meshes=[(floor_vertices, floor_faces), masu.Mesh(vertices, faces, (1, 0.5, 0.2))])
+        Scene(spheres=centres_and_radii)
+
+    vertices (V, 3) are float32 or float64, faces (F, 3) integers from 0 to V - 1; without faces each three vertices are a
+    triangle. spheres (N, 4) are centres and radii, cones (N, 8) bases, radii there, apices, radii there; an array of them
+    is an object, and so is each of a list of masu.Quadrics. Arrays are NumPy's, what NumPy makes arrays from, or on a GPU,
+    and are copied. Triangle i of mesh m is primitive i plus the triangles of the meshes before m; m is its `geometry_ids`.
+    Spheres follow, then cones. Triangles without area are kept and can't be hit.
+
+    `store`, the type of coordinates, is "auto" (float32 unless its arithmetic is too coarse for the scene), "float32" or
+    "float64". Coordinates are stored relative to `origin`, so that errors follow the scene's extent and not its position
+    in the world: by default the bounds' centre, or zero where that is nearer than half their diagonal.
+
+    Raises masu.Error; TypeError and ValueError for arrays of other types, shapes and contents."""
+
+    def __init__(self, vertices: Any = None, faces: Any = None, color: Color = None, *,
+                 meshes: Optional[Sequence[Union[Mesh, Tuple[Any, ...]]]] = None, spheres: Any = None, cones: Any = None,
+                 store: str = "auto", origin: Optional[Sequence[float]] = None) -> None:
+        if meshes is not None and vertices is not None:
+            raise TypeError("Scene: either vertices, or meshes")
+        if vertices is None and (faces is not None or color is not None):
+            raise TypeError("Scene: faces and color are of vertices; each of meshes has its own")
+        listed = [Mesh(*mesh) for mesh in meshes or ()] if vertices is None else [Mesh(vertices, faces, color)]
+        records = (MeshRecord * len(listed))()
+        kept: List[Any] = []
+        for index, (mesh, record) in enumerate(zip(listed, records)):
+            kept.append(_set_mesh(sized(record), mesh, "mesh {}: ".format(index) if len(listed) > 1 else ""))
+        sphere_records, sphere_arrays = _quadrics("spheres", spheres, 4)
+        cone_records, cone_arrays = _quadrics("cones", cones, 8)
+        kept += sphere_arrays + cone_arrays
+        geometry = sized(GeometryRecord(
+            meshes=records, mesh_count=len(records), spheres=sphere_records, sphere_count=len(sphere_records),
+            cones=cone_records, cone_count=len(cone_records), store=choice("store", store, STORES)))
+        if origin is not None:
+            if len(origin) != 3:
+                raise ValueError("origin: 3 numbers are needed, not {}".format(len(origin)))
+            geometry.origin = (c_double * 3)(*(float(part) for part in origin))
+        self._own("scene", library.masu_scene_create, (byref(geometry),), library.masu_scene_free)
+
+    @classmethod
+    def _read(cls, path: Path) -> "Scene":
+        scene = cls.__new__(cls)
+        scene._own("scene", library.masu_scene_read, (path_bytes(path),), library.masu_scene_free)
+        return scene
+
+    def write(self, path: Path) -> None:
+        """Writes a scene file, whole or not at all."""
+        with self._opened() as handle:
+            check(library.masu_scene_write(handle, path_bytes(path)))
+
+    def describe(self) -> Description:
+        """Counts, bounds and sizes."""
+        record = sized(SceneDescriptionRecord())
+        with self._opened() as handle:
+            check(library.masu_scene_describe(handle, byref(record)))
+        return Description(record.triangles, record.spheres, record.cones, record.materials, record.objects,
+                           tuple(record.bounds_min), tuple(record.bounds_max), tuple(record.origin), record.error_bound,
+                           record.bytes, bool(record.is_float64))
+
+    def primitive(self, index: int) -> Primitive:
+        """The primitive of an index as `primitive_ids` has it; an IndexError where there is none."""
+        index = operator.index(index)
+        count = sum(self.describe()[:3])
+        if not 0 <= index < count:
+            raise IndexError("primitive {}: there are {}".format(index, count))
+        record = sized(PrimitiveRecord())
+        with self._opened() as handle:
+            check(library.masu_scene_primitive(handle, index, byref(record)))
+        return Primitive(KINDS[record.kind], record.object, record.material, record.face, tuple(record.color),
+                         record.diffuse, record.specular, record.shine, record.transmittance, record.refraction_index)
+
+    def build(self, *, structure: str = "grid", merge: str = "auto", division: Union[str, int, None] = None,
+              quality: str = "high", box_overlap: bool = False, cube_space: bool = False, target: Optional[int] = None,
+              alpha: Optional[float] = None, step_cost: Optional[float] = None, detail: Optional[float] = None,
+              nested: Optional[int] = None, expansions: Optional[int] = None, device: Union[str, int, Any] = "cpu",
+              threads: int = 0, for_cpu: bool = False) -> "Grid":
+        """A grid of the scene. The options are gridbuild's; None is the default.
+
+        structure: "grid", "bvh" or "fastest"; merge: "auto", "none", "x", "balance" or "irregular"; division: "auto", 64,
+        "64x64x32", "cleary:1", …; quality: "high"; box_overlap: a voxel lists the primitives whose bounding box meets it,
+        not their surface; cube_space: the smallest cube about the origin is divided, not the primitives' bounds; target,
+        alpha, step_cost, detail, nested, expansions: of merged and irregular grids; device: where to build, "cpu", "cuda"
+        or a GPU's number; threads: 0 for all cores; for_cpu: what is chosen automatically is chosen for tracing on a CPU,
+        not on a GPU."""
+        return Grid._build(self, locals())
+
+    def __repr__(self) -> str:
+        if self._handle is None:
+            return "<masu.Scene: closed>"
+        about = self.describe()
+        counts = ["{} {}".format(count, name) for count, name in zip(about, about._fields[:3]) if count]
+        return "<masu.Scene: {}, {}, {} bytes>".format(", ".join(counts) or "empty",
+                                                      "float64" if about.is_float64 else "float32", about.bytes)
+
+
+def load(path: Path, *, smooth: bool = False, store: str = "auto") -> Scene:
+    """A scene of a file: a scene file, NFF (.nff), or a mesh of any format that mesh2bin reads (OBJ, PLY, STL, glTF, …).
+    smooth and store are for what is converted: whether normals are interpolated, and the type of coordinates as Scene has
+    it. FileNotFoundError where there is no such file, masu.Error for what can't be read."""
+    os.stat(path)
+    with open(path, "rb") as file:
+        if file.read(8) == b"MASUSCN\0":
+            return Scene._read(path)
+    choice("store", store, STORES)
+    is_nff = os.fsdecode(path).lower().endswith(".nff")
+    options = ["--store", store] + (["--smooth"] if smooth and not is_nff else [])
+    memory = os.memfd_create("scene")  # the tool writes there, so that a damaged mesh can't harm this process
+    try:
+        output = "/proc/self/fd/{}".format(memory)
+        tool = _tool("nff2bin" if is_nff else "mesh2bin", path)
+        done = subprocess.run([tool, os.path.abspath(os.fsdecode(path)), "-q", "-o", output] + options, pass_fds=[memory],
+                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        if done.returncode != 0:
+            line = done.stderr.decode(errors="replace").strip().splitlines()[-1:] or ["{} failed".format(tool)]
+            raise Error(Status(done.returncode) if 1 <= done.returncode <= 4 else Status.INPUT, line[0].split(": ", 1)[-1])
+        return Scene._read(output)
+    finally:
+        os.close(memory)
+
+
+def _tool(name: str, path: Path) -> str:
+    for folder in folders_of_tools():
+        if os.access(folder / name, os.X_OK):
+            return str(folder / name)
+    found = shutil.which(name)
+    if found is None:
+        raise Error(Status.INPUT, "{}: isn't a scene file, and there is no {} to convert it: install it".format(
+            os.fsdecode(path), name))
+    return found
+
+
+# --- Grids --------------------------------------------------------------------------------------------------------
+
+class Grid(Resource):
+    """A grid or bounding volume hierarchy of a scene, in memory: made by Scene.build() or load_grid()."""
+
+    def __init__(self) -> None:
+        raise TypeError("Grid: use Scene.build() or load_grid()")
+
+    @classmethod
+    def _of(cls, create: Any, *arguments: Any) -> "Grid":
+        grid = cls.__new__(cls)
+        grid._own("grid", create, arguments, library.masu_grid_free)
+        return grid
+
+    @classmethod
+    def _build(cls, scene: Scene, given: "dict[str, Any]") -> "Grid":
+        options = sized(BuildOptionsRecord())
+        check(library.masu_default_build_options(byref(options)))
+        for name, choices in (("structure", STRUCTURES), ("merge", MERGES), ("quality", QUALITIES)):
+            setattr(options, name, choice(name, given[name], choices))
+        division = given["division"]
+        if division is not None:
+            text = division if isinstance(division, str) else str(operator.index(division))
+            if "\0" in text:
+                raise ValueError("division: a null character")
+            options.division = text.encode()
+        options.device = device_number(given["device"])
+        for name in ("box_overlap", "cube_space", "for_cpu"):
+            setattr(options, name, int(bool(given[name])))
+        for name, largest in (("target", 2**32 - 1), ("nested", 2**31 - 1), ("expansions", 2**31 - 1),
+                              ("threads", 2**31 - 1)):
+            if given[name] is not None:
+                if not 0 <= operator.index(given[name]) <= largest:  # ctypes would keep its low bits
+                    raise ValueError("{}: {} isn't from 0 to {}".format(name, given[name], largest))
+                setattr(options, name, operator.index(given[name]))
+        for name in ("alpha", "step_cost", "detail"):
+            if given[name] is not None:
+                setattr(options, name, float(given[name]))
+        with scene._opened() as handle:
+            return cls._of(library.masu_grid_build, handle, byref(options))
+
+    def write(self, path: Path) -> None:
+        """Writes a grid file, whole or not at all."""
+        with self._opened() as handle:
+            check(library.masu_grid_write(handle, path_bytes(path)))
+
+    def describe(self) -> GridDescription:
+        """Structure and sizes."""
+        record = sized(GridDescriptionRecord())
+        with self._opened() as handle:
+            check(library.masu_grid_describe(handle, byref(record)))
+        x, y, z = record.division
+        return GridDescription(list(STRUCTURES)[record.structure], list(MERGES)[record.merge], (x, y, z), record.cells,
+                               record.nodes, record.references, record.bytes)
+
+    def __repr__(self) -> str:
+        if self._handle is None:
+            return "<masu.Grid: closed>"
+        about = self.describe()
+        what = "bvh, {} nodes".format(about.nodes) if about.structure == "bvh" else "{}x{}x{} voxels, merge {}".format(
+            *about.division, about.merge)
+        return "<masu.Grid: {}, {} references, {} bytes>".format(what, about.references, about.bytes)
+
+
+def load_grid(path: Path) -> Grid:
+    """Reads a grid file. FileNotFoundError where there is none, masu.Error for what can't be read."""
+    os.stat(path)
+    return Grid._of(library.masu_grid_read, path_bytes(path))

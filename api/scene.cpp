@@ -1,0 +1,187 @@
+// Scenes of the C interface: from arrays, or a file.
+#include "boundary.h"
+#include "libscene/base/processor.h"
+#include "libscene/mesh/indexed_mesh.h"
+#include "objects.h"
+#include "renderer/precision.h"
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace {
+
+using namespace masu;
+
+// `count` groups of numbers of which one array is given, or neither where there are none.
+void require_numbers(const float* floats, const double* doubles, std::size_t count, const char* place) {
+  if (count > 0 && floats == nullptr) require(doubles, place);
+  if (floats != nullptr && doubles != nullptr) fail(place, "are given twice: as float and as double");
+}
+
+template <class Number>
+Vec3d vector_at(const Number* numbers) {
+  return {static_cast<double>(numbers[0]), static_cast<double>(numbers[1]), static_cast<double>(numbers[2])};
+}
+
+void set_color(Vec3f& color, const float* given) {
+  if (given == nullptr) return;
+  color = {given[0], given[1], given[2]};
+  if (!std::isfinite(color.x + color.y + color.z)) fail("color", "isn't finite");
+}
+
+IndexedMesh mesh_of(const masu_mesh& given) {
+  require_numbers(given.vertices, given.vertices64, given.vertex_count, "vertices");
+  IndexedMesh mesh;
+  mesh.vertices = given.vertex_count;
+  mesh.triangles = given.triangle_count;
+  mesh.indices = given.indices;
+  const auto vertices_of = [&](const auto* numbers) {
+    mesh.vertex = [numbers](std::size_t i) { return vector_at(numbers + 3 * i); };
+  };
+  given.vertices != nullptr ? vertices_of(given.vertices) : vertices_of(given.vertices64);
+  set_color(mesh.color, given.color);
+  return mesh;
+}
+
+Sphere<double> made_of(const auto* numbers, const Sphere<double>*) {
+  return {vector_at(numbers), static_cast<double>(numbers[3])};
+}
+Cone<double> made_of(const auto* numbers, const Cone<double>*) {
+  return {vector_at(numbers), static_cast<double>(numbers[3]), vector_at(numbers + 4),
+          static_cast<double>(numbers[7])};
+}
+
+template <class Primitive>
+std::vector<PrimitiveArray<Primitive>> arrays_of(const masu_quadrics* given, std::size_t count,
+                                                 std::size_t numbers_each, const char* place) {
+  std::vector<PrimitiveArray<Primitive>> arrays;
+  for_each_taken(given, count, place, [&](const masu_quadrics& one) {
+    require_numbers(one.values, one.values64, one.count, place);
+    PrimitiveArray<Primitive>& array = arrays.emplace_back();
+    array.count = one.count;
+    const auto primitives_of = [&](const auto* numbers) {
+      array.primitive = [=](std::size_t i) {
+        return made_of(numbers + numbers_each * i, static_cast<const Primitive*>(nullptr));
+      };
+    };
+    one.values != nullptr ? primitives_of(one.values) : primitives_of(one.values64);
+    set_color(array.color, one.color);
+  });
+  return arrays;
+}
+
+// Calls act(the view of the type that the scene is stored in).
+template <class Act>
+void with_view(const SceneFile& scene, const Act& act) {
+  scene.is_float64() ? act(scene.view<double>()) : act(scene.view<float>());
+}
+
+Surface surface_of(const auto& view, PrimitiveIndex index) {
+  if (index < view.triangle_count)
+    return {static_cast<std::uint32_t>(view.triangles[index].object),
+            static_cast<std::uint32_t>(view.triangles[index].material)};
+  const PrimitiveIndex sphere = index - view.triangle_count;
+  return sphere < view.sphere_count ? view.sphere_surfaces[sphere]
+                                    : view.cone_surfaces[sphere - view.sphere_count];
+}
+
+std::unique_ptr<masu_scene> held(SceneFile file) {
+  return std::make_unique<masu_scene>(masu_scene{std::make_shared<const SceneFile>(std::move(file))});
+}
+
+} // namespace
+
+extern "C" {
+
+masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene) {
+  return make(scene, "scene", [&] {
+    check_processor();
+    const masu_geometry given = taken(geometry, "masu_geometry");
+    std::vector<IndexedMesh> meshes;
+    for_each_taken(given.meshes, given.mesh_count, "masu_mesh",
+                   [&](const masu_mesh& mesh) { meshes.push_back(mesh_of(mesh)); });
+    std::optional<Vec3d> origin;
+    if (given.origin != nullptr) origin = vector_at(given.origin);
+    const auto store = choice<Store>(given.store, 3, "store");
+    return held(scene_in_memory(
+        scene_of(meshes, arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres"),
+                 arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones")),
+        store, origin));
+  });
+}
+
+masu_status masu_scene_read(const char* path, masu_scene** scene) {
+  return make(scene, "scene", [&] {
+    check_processor();
+    require(path, "path");
+    return held(SceneFile(path));
+  });
+}
+
+masu_status masu_scene_write(const masu_scene* scene, const char* path) {
+  return guarded([&] {
+    require(scene, "scene");
+    require(path, "path");
+    scene->file->write(path);
+  });
+}
+
+void masu_scene_free(masu_scene* scene) {
+  delete scene;
+}
+
+masu_status masu_scene_describe(const masu_scene* scene, masu_scene_description* description) {
+  return guarded([&] {
+    require(scene, "scene");
+    const SceneFile& file = *scene->file;
+    masu_scene_description described{};
+    with_view(file, [&](const auto& view) {
+      described.triangles = view.triangle_count;
+      described.spheres = view.sphere_count;
+      described.cones = view.cone_count;
+    });
+    described.materials = static_cast<std::uint32_t>(file.counts().materials);
+    described.objects = file.counts().objects;
+    const Vec3d origin = file.origin();
+    const Boxd box = in_world(origin, file.bounds());
+    for (int axis = 0; axis < 3; ++axis) {
+      described.origin[axis] = origin[axis];
+      described.bounds_min[axis] = box.min[axis];
+      described.bounds_max[axis] = box.max[axis];
+    }
+    described.error_bound = error_bound(file, Precision::automatic);
+    described.bytes = file.bytes();
+    described.is_float64 = file.is_float64() ? 1 : 0;
+    give(described, description, "masu_scene_description");
+  });
+}
+
+masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_primitive* primitive) {
+  return guarded([&] {
+    require(scene, "scene");
+    const std::uint64_t count = scene->file->primitive_count();
+    if (index >= count)
+      fail("index", fmt::format("{} isn't below {}, the number of primitives", index, count));
+    with_view(*scene->file, [&](const auto& view) {
+      const Surface surface = surface_of(view, index);
+      const Material& m = view.materials[surface.material];
+      const bool is_triangle = index < view.triangle_count;
+      give(masu_primitive{sizeof(masu_primitive),
+                          is_triangle                                       ? MASU_TRIANGLE
+                          : index - view.triangle_count < view.sphere_count ? MASU_SPHERE
+                                                                            : MASU_CONE,
+                          surface.object,
+                          surface.material,
+                          is_triangle && view.faces != nullptr ? view.faces[index] : index,
+                          {m.color.x, m.color.y, m.color.z},
+                          m.diffuse,
+                          m.specular,
+                          m.shine,
+                          m.transmittance,
+                          m.refraction_index},
+           primitive, "masu_primitive");
+    });
+  });
+}
+}
