@@ -26,10 +26,12 @@ BuildOptions build_options(const masu_build_options& from) {
   require_range(from.nested, 0, 15, "nested");
   require_range(from.expansions, 0, 64, "expansions");
   require_range(from.device, MASU_CPU, 1 << 20, "device");
-  choice<masu_quality>(from.quality, 1, "quality");
   BuildOptions options;
   options.grid = {kind_of(from), from.target, from.alpha,     from.step_cost,
                   from.detail,   from.nested, from.expansions};
+  options.grid.quality = choice<HierarchyQuality>(from.quality, 2, "quality");
+  if (options.grid.quality == HierarchyQuality::fast && from.structure == MASU_STRUCTURE_GRID)
+    fail("quality", "is of hierarchies alone");
   options.division = parse_division(from.division != nullptr ? from.division : "auto");
   options.space = from.cube_space != 0 ? SpaceRule::cube : SpaceRule::tight;
   options.overlap = from.box_overlap != 0 ? Overlap::box : Overlap::exact;

@@ -173,8 +173,9 @@ typedef enum masu_merge {
   MASU_MERGE_IRREGULAR = 4
 } masu_merge;
 
-/* How much time a build may take for the sake of faster queries. */
-typedef enum masu_quality { MASU_QUALITY_HIGH = 0 } masu_quality;
+/* Of a hierarchy: high divides primitives where boxes would overlap; fast clusters them, in a fifth of the
+ * time or less, also on a GPU. */
+typedef enum masu_quality { MASU_QUALITY_HIGH = 0, MASU_QUALITY_FAST = 1 } masu_quality;
 
 /* As gridbuild's options. masu_default_build_options() fills in the defaults, which aren't all zero; NULL
  * instead of the options means them. */

@@ -125,7 +125,7 @@ class Queries(WithFolder):
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
         for options, structure, merge in (
                 ({"merge": "none", "division": 7}, "grid", "none"), ({"merge": "irregular"}, "grid", "irregular"),
-                ({"structure": "bvh"}, "bvh", "none"), ({"merge": "x", "division": "8x4x6"}, "grid", "x"),
+                ({"structure": "bvh"}, "bvh", "none"), ({"structure": "bvh", "quality": "fast"}, "bvh", "none"), ({"merge": "x", "division": "8x4x6"}, "grid", "x"),
                 ({"box_overlap": True, "cube_space": True, "merge": "balance", "threads": 1}, "grid", "balance")):
             self.grid = self.made.build(**options)
             about = self.grid.describe()
@@ -317,7 +317,8 @@ class Scenes(WithFolder):
         tools = pathlib.Path(os.environ.get("MASU_LIBRARY", "/nowhere/libmasu.so")).resolve().parent.parent / "bin"
         if not (tools / "gridbuild").exists():
             self.skipTest("no tools beside the library")
-        for name, options, made in (("b", [], self.grid), ("c", ["--structure", "bvh"], self.made.build(structure="bvh"))):
+        for name, options, made in (
+                ("b", [], self.grid), ("c", ["--structure", "bvh"], self.made.build(structure="bvh"))):
             grid = self.file(name + ".grid")
             subprocess.run([tools / "gridbuild", self.file("a.scene"), "-o", grid, "-q"] + options, check=True)
             made.write(self.file("d.grid"))
@@ -373,7 +374,7 @@ class Scenes(WithFolder):
         self.scene(10)
         for error, options in (
                 (TypeError, {"kind": "x"}), (TypeError, {"merge": 1}), (ValueError, {"structure": "octree"}),
-                (masu.Error, {"structure": "bvh", "merge": "x"}), (ValueError, {"quality": "best"}),
+                (masu.Error, {"structure": "bvh", "merge": "x"}), (masu.Error, {"quality": "fast"}), (ValueError, {"quality": "best"}),
                 (ValueError, {"device": "gpu"}),
                 (TypeError, {"division": 1.5}), (ValueError, {"division": "8\0"}), (masu.Error, {"division": "x"}),
                 (ValueError, {"target": -1}), (ValueError, {"target": 2**32}), (TypeError, {"target": 1.5}),

@@ -111,7 +111,7 @@ PRECISIONS = {"auto": 0, "fast": 1, "robust": 2, "double": 3}
 STORES = {"auto": 0, "float32": 1, "float64": 2}
 STRUCTURES = {"grid": 0, "bvh": 1, "fastest": 2}
 MERGES = {"auto": 0, "none": 1, "x": 2, "balance": 3, "irregular": 4}
-QUALITIES = {"high": 0}
+QUALITIES = {"high": 0, "fast": 1}
 KINDS = ("triangle", "sphere", "cone")
 CPU = -1
 
