@@ -36,7 +36,9 @@ void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFil
 
 // Rays on a device at a time, for each of the stages: one piece is uploaded while another is traced and the
 // results of a third come back.
-inline constexpr std::size_t rays_per_piece = std::size_t{1} << 20;
+inline std::size_t rays_per_piece(const RaysRequest& request) {
+  return (std::size_t{1} << 20) / hit_rules(request).row();
+}
 // Of rays in host memory: the pieces of a list that it takes from a counter, which devices share.
 QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,

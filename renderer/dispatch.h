@@ -54,6 +54,21 @@ inline constexpr bool is_hierarchy<LeafHierarchyView<Real, Stored>> = true;
 template <class TestRay, class Stored>
 inline constexpr bool is_specialised = !std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float>;
 
+// Calls on_view(GridView, MergedGridView or HierarchyView).
+template <class Real, class Act>
+void with_view(const GridFile& grid, const Act& on_view) {
+  if (grid.is_hierarchy()) return on_view(grid.hierarchy_view<Real>());
+  grid.is_merged() ? on_view(grid.merged_view<Real>()) : on_view(grid.view<Real>());
+}
+
+// `grid` may be null.
+template <class Real>
+AnyStructure<Real> any_structure(const GridFile* grid) {
+  AnyStructure<Real> any{};
+  if (grid != nullptr) with_view<Real>(*grid, [&](const auto& view) { any = any_structure(view); });
+  return any;
+}
+
 // Calls act(view, Method, Counts or NoCounts) for rays of one arithmetic. What is for use has the code for
 // its structure (GridView, MergedGridView or HierarchyView) and kinds; what is for comparison, counting,
 // brute force and StopRule::first_cell, shares that for AnyStructure and all kinds.
@@ -61,19 +76,14 @@ template <class TestRay, class Stored, class Act>
 void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRules& rules, const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
-  const auto with_view = [&](const auto& on_view) {
-    if (grid->is_hierarchy()) return on_view(grid->hierarchy_view<Real>());
-    grid->is_merged() ? on_view(grid->merged_view<Real>()) : on_view(grid->view<Real>());
-  };
   if (!is_specialised<TestRay, Stored> || grid == nullptr || rules.count ||
       rules.stop == StopRule::first_cell) {
-    AnyStructure<Real> any{};
-    if (grid != nullptr) with_view([&](const auto& view) { any = any_structure(view); });
+    AnyStructure<Real> any = any_structure<Real>(grid);
     any.stop = rules.stop;
     return rules.count || grid == nullptr ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
   }
   if constexpr (is_specialised<TestRay, Stored>) {
-    with_view([&](const auto& view) {
+    with_view<Real>(*grid, [&](const auto& view) {
       if (rules.general) return act(view, General{}, NoCounts{});
       with_kinds<TestRay>(rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) {
         act(view, Method<TestRay, kinds>{}, NoCounts{});

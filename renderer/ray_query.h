@@ -98,14 +98,23 @@ MASU_HD inline Real scale_direction(Ray<Real>& ray) {
 // barycentric coordinates (u, v) on a triangle, so that the point is (1 - u - v) a + u b + v c, and the
 // geometric normal, of unit length, on the primitive's front; no_primitive and zeros for a miss, zeros for u
 // and v on other kinds. occlusion writes 1 or 0. `costs` is written where rays are counted
-// (TracingRules::count).
+// (TracingRules::count). t64: t with all digits that the arithmetic has; front: 1 where the front is met.
+//
+// all_hits writes a row of HitRules::limit elements per ray, the hits in their order and then misses; count:
+// how many hits there are, at most `limit` of them. count_hits writes count, of all, and inside: 1 where they
+// are odd in number and the first one is of a back, 0 where neither is so; 2 where these disagree, and the
+// surfaces aren't closed, or their fronts not outside.
 struct RayResults {
   float* t = nullptr;
+  double* t64 = nullptr;
   std::uint32_t* primitive = nullptr;
   std::uint32_t* object = nullptr;
   std::uint32_t* face = nullptr;
   float (*uv)[2] = nullptr;
   float (*normal)[3] = nullptr;
+  std::uint8_t* front = nullptr;
+  std::uint32_t* count = nullptr;
+  std::uint8_t* inside = nullptr;
   std::uint8_t* occluded = nullptr;
   RayCosts costs{};
 
@@ -148,21 +157,22 @@ MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Gri
   return {static_cast<float>(hit.t * scale), hit.primitive};
 }
 
-// Writes the attributes of ray i's hit.
-template <class Real, class Stored>
-MASU_HD inline void write_attributes(const SceneView<Stored>& scene, Ray<Real> ray, const Hit<float>& hit,
+// Writes the attributes of a hit as element i; of a miss where `near` has no primitive.
+template <class TestRay, class Stored>
+MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
                                      const RayResults& results, std::size_t i) {
+  using Real = typename TestRay::Real;
   std::uint32_t object = no_primitive, face = no_primitive;
   Vec3f normal{0, 0, 0};
   float u = 0, v = 0;
-  if (hit.primitive != no_primitive) {
-    object = surface_of(scene, hit.primitive).object;
-    face = face_of(scene, hit.primitive);
-    const Real scale = scale_direction(ray);
-    const auto near = hit_again(scene, ray, Hit<Real>{static_cast<Real>(hit.t) / scale, hit.primitive});
+  const PrimitiveIndex primitive = near.hit.primitive;
+  if (primitive != no_primitive) {
+    object = surface_of(scene, primitive).object;
+    face = face_of(scene, primitive);
     normal = cast<float>(surface_at<with_all_kinds>(scene, near).normal);
-    if (hit.primitive < scene.triangle_count) {
-      const EdgeFunctions<Real> weights = barycentric(near.ray, scene.triangles[hit.primitive]);
+    if (primitive < scene.triangle_count) {
+      const EdgeFunctions<Real> weights =
+          barycentric(prepare_watertight(near.ray), scene.triangles[primitive]);
       u = static_cast<float>(weights.b);
       v = static_cast<float>(weights.c);
     }
@@ -178,6 +188,17 @@ MASU_HD inline void write_attributes(const SceneView<Stored>& scene, Ray<Real> r
     results.normal[i][1] = normal.y;
     results.normal[i][2] = normal.z;
   }
+}
+
+// Of ray i's hit, whose t counts from its own origin.
+template <class Real, class Stored>
+MASU_HD inline void write_attributes(const SceneView<Stored>& scene, Ray<Real> ray, const Hit<float>& hit,
+                                     const RayResults& results, std::size_t i) {
+  if (hit.primitive == no_primitive)
+    return write_attributes(scene, NearHit<WatertightRay<Real>>{{}, {0, no_primitive}, 0}, results, i);
+  const Real scale = scale_direction(ray);
+  write_attributes(scene, hit_again(scene, ray, Hit<Real>{static_cast<Real>(hit.t) / scale, hit.primitive}),
+                   results, i);
 }
 
 } // namespace masu

@@ -187,6 +187,20 @@ void check_results(const RayList& rays, const RayResults& results, Query query) 
     fail("have no array for whether they are occluded");
 }
 
+void check_hits_in_order(const RaysRequest& request, const RayResults& results) {
+  const auto fail = [](const char* place, const std::string& what) {
+    throw Error(ErrorCode::usage, place, what);
+  };
+  if (request.query == Query::all_hits && (request.limit < 1 || request.limit > max_hits_per_ray))
+    fail("limit", fmt::format("{} hits per ray aren't from 1 to {}", request.limit, max_hits_per_ray));
+  if (request.tracing.precision == Precision::fast)
+    fail("--precision", "fast finds nearest hits and occlusion alone, of both faces: take robust or double");
+  if (request.tracing.stop == StopRule::first_cell)
+    fail("--first-cell-hit", "is for nearest hits and occlusion alone, of both faces");
+  if (request.tracing.count || results.costs.wanted())
+    fail("rays", "can't be counted where their hits are found in order");
+}
+
 } // namespace
 
 RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
@@ -194,6 +208,7 @@ RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
   check_results(rays, results, request.query);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
+  if (needs_hits_in_order(rays, results, request)) check_hits_in_order(resolved_request, results);
   if (results.costs.wanted()) resolved_request.tracing.count = true;
   return resolved_request;
 }
@@ -217,7 +232,7 @@ QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const 
 }
 
 QueryReport Tracer::trace(const RayList& rays, const RayResults& results, const RaysRequest& request) const {
-  if (device_count() == 1 || rays.count <= rays_per_piece)
+  if (device_count() == 1 || rays.count <= rays_per_piece(request))
     return trace(rays, results, request, next_device());
   const RaysRequest resolved_request = resolved(request, rays, results);
   std::atomic<std::size_t> next_piece = 0;

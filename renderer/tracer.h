@@ -8,6 +8,7 @@
 #include "libscene/file/scene_file.h"
 #include "renderer/camera.h"
 #include "renderer/counts.h"
+#include "renderer/hit_list.h"
 #include "renderer/precision.h"
 #include "renderer/ray_query.h"
 #include "renderer/render_pixel.h"
@@ -97,6 +98,7 @@ struct RayList {
   const void* rays = nullptr;
   std::size_t count = 0;
   RayFormat format{};
+  const PrimitiveIndex* excluded = nullptr; // what each ray doesn't hit, or no_primitive; null: nothing
 
   RayList() = default;
   RayList(const void* rays_, std::size_t count_, const RayFormat& format_)
@@ -119,13 +121,27 @@ inline RayList relative(RayList rays) {
 // those are sorted out first (renderer/cuda/culling.h). Hits are the same.
 enum class RayLoop { thread_per_ray, warp, warp_refill };
 
+inline constexpr std::uint32_t max_hits_per_ray = 1 << 16;
+
 struct RaysRequest {
   TracingRules tracing{};
   Query query = Query::nearest_hit;
   // Always thread_per_ray where rays are counted, stop with the first cell's hit, or are 2^31 or more; and
   // for occlusion by `fast` and `double`.
   RayLoop loop = RayLoop::warp_refill;
+  Faces faces = Faces::both; // that count as hits
+  std::uint32_t limit = 1;   // hits per ray, of all_hits
 };
+
+// Whether hits are found in their order (hit_list.h), by `robust` or `double`, and aren't counted.
+inline bool needs_hits_in_order(const RayList& rays, const RayResults& results, const RaysRequest& request) {
+  return request.query == Query::all_hits || request.query == Query::count_hits ||
+         request.faces != Faces::both || rays.excluded != nullptr || results.t64 != nullptr ||
+         results.front != nullptr;
+}
+inline HitRules hit_rules(const RaysRequest& request) {
+  return {request.query, request.faces, request.limit};
+}
 
 // What a query took. Seconds of a list in host memory overlap on a GPU.
 struct QueryReport {
@@ -179,8 +195,9 @@ public:
   // Precision::automatic is that of the view (view_precision.h), and of a list of rays that of the store.
   //
   // Throw Error(usage) for a precision that doesn't hold the scene (precision.h), for a depth that isn't from
-  // 1 to largest_depth or a window that isn't within the picture, and for results that a query needs and
-  // doesn't have; Error(device).
+  // 1 to largest_depth or a window that isn't within the picture, for results that a query needs and doesn't
+  // have, and for hits in order that aren't to be had: by `fast`, with StopRule::first_cell, counted, or more
+  // than max_hits_per_ray; Error(device).
   //
   // Several GPUs share a picture of more than a million rays, in bands of rows. Or `index` names the device
   // that renders it all, from 0 to below device_count(), into the memory of a frame that isn't needed any

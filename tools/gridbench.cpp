@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
                     add_tradeoff(app);
                     add_stability(app);
                     add_oracle(app);
+                    add_crossings(app);
                     add_difference(app);
                     app.require_subcommand(1);
                     parse();

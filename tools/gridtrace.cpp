@@ -27,7 +27,10 @@ struct Settings {
   int ray_numbers = 6;
   Store ray_store = Store::automatic;
   bool relative = false; // rays, to the scene's origin
-  bool any_hit = false;
+  bool any_hit = false, count_hits = false;
+  std::uint32_t all_hits = 0; // per ray; 0: the nearest alone
+  Faces faces = Faces::both;
+  std::string excluded;
   HitName hit_name = HitName::object;
   // One ray's way.
   std::string ray, pixel;
@@ -36,6 +39,17 @@ struct Settings {
   FrameOptions frame;
 
   bool is_walk() const { return !ray.empty() || !pixel.empty(); }
+  Query query() const {
+    return any_hit        ? Query::occlusion
+           : count_hits   ? Query::count_hits
+           : all_hits > 0 ? Query::all_hits
+                          : Query::nearest_hit;
+  }
+  // As needs_hits_in_order() (renderer/tracer.h) has it.
+  bool hits_in_order() const {
+    return count_hits || all_hits > 0 || faces != Faces::both || !excluded.empty() ||
+           write.find("t64") != std::string::npos || write.find("front") != std::string::npos;
+  }
 };
 
 // Of the file of rays, where that is numbers alone.
@@ -47,7 +61,37 @@ RayFormat ray_format(const Settings& settings) {
 
 std::string written_fields(const Settings& settings) {
   if (!settings.write.empty()) return settings.write;
-  return settings.any_hit ? "occluded" : usual_fields(settings.hit_name);
+  const std::string of_hit = usual_fields(settings.hit_name);
+  switch (settings.query()) {
+  case Query::occlusion:
+    return "occluded";
+  case Query::count_hits:
+    return "count";
+  case Query::all_hits:
+    return "count," + of_hit + ",front";
+  default:
+    return of_hit;
+  }
+}
+
+// Of fields that the query doesn't find.
+void check_fields(const Settings& settings) {
+  const Query query = settings.query();
+  for (const HitField field : hit_fields(written_fields(settings))) {
+    const auto needs = [](bool is_there, const char* why) {
+      if (!is_there) throw Error(ErrorCode::usage, "--write", why);
+    };
+    if (field == HitField::occluded)
+      needs(query == Query::occlusion, "occluded needs --any-hit");
+    else if (field == HitField::inside)
+      needs(query == Query::count_hits, "inside needs --count-hits");
+    else if (field == HitField::count)
+      needs(query == Query::count_hits || query == Query::all_hits, "count needs --count-hits or --all-hits");
+    else
+      needs(query != Query::occlusion && query != Query::count_hits,
+            query == Query::occlusion ? "can only be occluded with --any-hit"
+                                      : "can only be count and inside with --count-hits");
+  }
 }
 
 void check(const Settings& settings, const Sharing& sharing) {
@@ -61,15 +105,15 @@ void check(const Settings& settings, const Sharing& sharing) {
   }
   if (settings.rays.empty()) fail("RAYS", "is missing: name a list of rays, or give --ray or --pixel");
   if (settings.hits.empty() && !tracing.has_report()) fail("-o", "is missing: nothing would be written");
-  if (settings.any_hit && !settings.write.empty() && settings.write != "occluded")
-    fail("--write", "can only be occluded with --any-hit");
-  if (!settings.any_hit && settings.write == "occluded") fail("--write", "occluded needs --any-hit");
+  check_fields(settings);
+  if (settings.hits_in_order() && !tracing.stats.empty())
+    fail("--stats", "is for nearest hits and --any-hit alone, of both faces: take --times");
   if (tracing.resume && settings.hits.empty()) fail("--resume", "needs -o: nothing else is kept");
   check_hits_name("-o", settings.hits);
   if (sharing.in_parts() && settings.rays == "-") fail("RAYS", "must name a file, for ranks and --resume");
   std::vector<std::string> outputs = files_beside({settings.hits}, sharing);
   outputs.insert(outputs.end(), {settings.hits, tracing.stats, tracing.times});
-  check_files({tracing.scene, tracing.grid, settings.rays}, outputs);
+  check_files({tracing.scene, tracing.grid, settings.rays, settings.excluded}, outputs);
 }
 
 // --- A list -----------------------------------------------------------------------------------------------
@@ -77,9 +121,10 @@ void check(const Settings& settings, const Sharing& sharing) {
 std::string description_of(const Settings& settings, const OpenedScene& opened, const TracingRules& rules) {
   return run_description(
       opened, rules,
-      fmt::format("--precision {}{} --write {} names {} rays {} {}{}", name_of(rules.precision),
-                  rules.stop == StopRule::first_cell ? " --first-cell-hit" : "", written_fields(settings),
-                  static_cast<int>(settings.hit_name), settings.ray_numbers,
+      fmt::format("--precision {}{} query {} {} faces {} --write {} names {} rays {} {}{}",
+                  name_of(rules.precision), rules.stop == StopRule::first_cell ? " --first-cell-hit" : "",
+                  static_cast<int>(settings.query()), settings.all_hits, static_cast<int>(settings.faces),
+                  written_fields(settings), static_cast<int>(settings.hit_name), settings.ray_numbers,
                   static_cast<int>(settings.ray_store), settings.relative ? " relative" : ""));
 }
 
@@ -91,7 +136,10 @@ void trace_list(const Settings& settings, const Sharing& sharing) {
   RayListJob job{settings.rays, settings.hits, ray_format(settings)};
   job.fields = hit_fields(written_fields(settings));
   job.request.tracing = settings.tracing.tracing();
-  job.request.query = settings.any_hit ? Query::occlusion : Query::nearest_hit;
+  job.request.query = settings.query();
+  job.request.faces = settings.faces;
+  job.request.limit = settings.all_hits;
+  job.excluded = settings.excluded;
   job.repeat = settings.tracing.repeat;
   job.description = description_of(settings, opened, job.request.tracing);
   const TracingReport report = [&] {
@@ -157,11 +205,26 @@ void add_list_options(CLI::App& app, Settings& settings) {
       ->type_name("HITS");
   app.add_option(
          "--write", settings.write,
-         "fields of a record: a list of t, object, primitive, face, uv, normal (default t,object), or "
-         "occluded, with --any-hit")
+         "fields of a record: a list of t, t64 (of 64 bits), object, primitive, face, uv, normal, front "
+         "(default t,object); with --all-hits also count (default count,t,object,front); with --count-hits "
+         "count and inside; with --any-hit occluded")
       ->type_name("LIST");
   add_hit_name(app, settings.hit_name, "what a record names without --write");
-  app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
+  auto* const any =
+      app.add_flag("--any-hit", settings.any_hit, "find out whether anything is hit at tmin < t < tmax");
+  auto* const all = app.add_option("--all-hits", settings.all_hits,
+                                   "write up to K hits of each ray in their order, a closed mesh's crossings "
+                                   "at edges and corners once")
+                        ->type_name("K")
+                        ->check(CLI::Range(1U, max_hits_per_ray))
+                        ->excludes(any);
+  app.add_flag("--count-hits", settings.count_hits,
+               "count them; inside: whether the ray starts in a closed mesh (0 or 1; 2 where the number of "
+               "hits says otherwise than the side of the first)")
+      ->excludes(any)
+      ->excludes(all);
+  add_choice(app, "--faces", settings.faces,
+             {{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}}, "faces that are hit");
   group_options(app, rays_group);
   app.add_option("--ray-numbers", settings.ray_numbers,
                  "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "
@@ -171,6 +234,10 @@ void add_list_options(CLI::App& app, Settings& settings) {
   add_choice(app, "--ray-store", settings.ray_store,
              {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
              "type of these numbers; auto: float64 where the file's name ends in .f64");
+  app.add_option(
+         "--exclude", settings.excluded,
+         "a primitive for each ray that it doesn't hit, or -1: int32 numbers, or a NumPy array of them")
+      ->type_name("FILE");
   app.add_flag("--relative", settings.relative,
                "rays are relative to the scene's local origin, and not in the world");
 }

@@ -19,8 +19,9 @@ struct NoGrid {};
 // sooner, and sometimes wrong.
 enum class StopRule { proven, first_cell };
 
-// nearest_hit: the hit of smallest t. occlusion: whether anything is hit (Embree: any hit).
-enum class Query { nearest_hit, occlusion };
+// nearest_hit: the hit of smallest t. occlusion: whether anything is hit (Embree: any hit). all_hits and
+// count_hits: hits_in_order.h.
+enum class Query { nearest_hit, occlusion, all_hits, count_hits };
 
 // A structure's rule: as a type where it is known when a program is compiled.
 using Proven = std::integral_constant<StopRule, StopRule::proven>;

@@ -36,10 +36,11 @@ MASU_HD inline bool is_inside_out(const Cone<Stored>& cone) {
   return cone.base_radius < 0 || cone.apex_radius < 0;
 }
 
-// Whether the ray meets the side at a t > 0; then `t` is the nearest. may_taper = false is for cylinders
-// alone, with the same results in less time.
-template <bool may_taper = true, class Real, class Stored>
-MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& cone, Real& t) {
+// Calls act(t, front) where the ray meets the side at a t > 0, in order along the ray, until that returns
+// true; `front`: it meets the side's front. may_taper = false is for cylinders alone, with the same results
+// in less time.
+template <bool may_taper = true, class Real, class Stored, class Act>
+MASU_HD inline void each_hit(const PreparedRay<Real>& ray, const Cone<Stored>& cone, const Act& act) {
   const Vec3<Real> whole = cast<Real>(cone.apex) - cast<Real>(cone.base);
   const Vec3<Real> origin = ray.origin - cast<Real>(cone.base);
   const Real base = std::abs(static_cast<Real>(cone.base_radius)),
@@ -51,7 +52,7 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   // The distance between the lines of ray and axis: most tests end here.
   const Vec3<Real> turn = cross(ray.direction, axis);
   const Real turn_square = dot(turn, turn), separation = dot(origin, turn), widest = fast_max(base, apex);
-  if (separation * separation > widest * widest * turn_square) return false;
+  if (separation * separation > widest * widest * turn_square) return;
   // Most others end with one of two more tests. `leaves`: the ray is outside and moves away from the axis, as
   // when it leaves this very surface; one that counts as outside only by rounding is within the margin of the
   // surface. `passes`: its line misses the bounding sphere, enlarged for rounding, as when it passes an end.
@@ -66,7 +67,7 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   const Real bounding_square = fma(widest, widest, dot(whole, whole) / 4);
   const bool passes = dot(past, past) > fma(roundings * roundings, dot(from_middle, from_middle),
                                             bounding_square + bounding_square / 256);
-  if (leaves | passes) return false;
+  if (leaves | passes) return;
 
   // At t the height along the axis is z + t dz, from 0 (base) to `top` (apex); the distance ρ from the axis
   // is |from_base × axis + t turn| / |axis|, and the cone's radius R is (r + t dr) / rise. The growth of R
@@ -120,7 +121,7 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   }
   c = fma(-square * radius, radius, c);
   const Real discriminant = fma(b, b, -(a * c));
-  if (!((discriminant >= 0) & (std::abs(start) * speed <= reach))) return false;
+  if (!((discriminant >= 0) & (std::abs(start) * speed <= reach))) return;
   const Real magnitude = std::sqrt(discriminant);
   const Real root = b < 0 ? -magnitude : magnitude; // the same for b = 0 and -0
   const Real q = -(b + root);
@@ -144,18 +145,30 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   // a s + b > 0; this is -root for the first and root for the second.
   bool by_a = std::signbit(root) == (a < 0);
   int tries = 2;
-  if (is_inside_out(cone)) {
+  const bool inside_out = is_inside_out(cone);
+  if (inside_out) {
     by_a = std::signbit(root);
     tries = 1;
   }
   for (; tries > 0; --tries, by_a = !by_a) {
     const Real step = fast_divide(by_a ? q : c, by_a ? a : q);
-    if (is_hit(step)) {
-      t = (start + step) * inverse_power_of_two(unit);
-      return t > 0;
-    }
+    if (!is_hit(step)) continue;
+    const Real t = (start + step) * inverse_power_of_two(unit);
+    const bool exits = by_a == std::signbit(root);
+    if (act(t, exits == inside_out)) return;
   }
-  return false;
+}
+
+// Whether the ray meets the side at a t > 0; then `t` is the nearest.
+template <bool may_taper = true, class Real, class Stored>
+MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& cone, Real& t) {
+  bool met = false;
+  each_hit<may_taper>(ray, cone, [&](Real nearest, bool) {
+    t = nearest;
+    met = nearest > 0; // it may underflow
+    return true;
+  });
+  return met;
 }
 
 // The bounds of both end discs, rounded outwards.

@@ -78,6 +78,10 @@ MASU_HD inline WatertightRay<Real> prepare_watertight(const PreparedRay<Real>& r
                                  : 0};
   return {ray, across, cross(d, across)};
 }
+template <class Real>
+MASU_HD inline const WatertightRay<Real>& prepare_watertight(const WatertightRay<Real>& ray) {
+  return ray;
+}
 
 template <class Real>
 MASU_HD inline void prepare(PreparedRay<Real>& ray, const Vec3<Real>& origin, const Vec3<Real>& along) {

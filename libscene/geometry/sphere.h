@@ -7,10 +7,10 @@
 
 namespace masu {
 
-// Whether the ray meets the sphere at a t > 0; then `t` is the nearest. With a negative radius only where it
-// leaves the sphere counts.
+// Whether the ray's line meets the sphere; then sets where it enters and leaves it, which may be negative.
 template <class Real, class Stored>
-MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
+MASU_HD inline bool intersect_line(const PreparedRay<Real>& ray, const Sphere<Stored>& sphere, Real& enter,
+                                   Real& leave) {
   const Real radius = static_cast<Real>(sphere.radius);
   const Vec3<Real> to_center = cast<Real>(sphere.center) - ray.origin;
   const Real nearest = dot(to_center, ray.direction) * ray.inverse_square;
@@ -18,8 +18,18 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Sphere<Stored>
   const Real discriminant = difference_of_products(radius, radius, Real(1), dot(off, off));
   if (!(discriminant >= 0)) return false;
   const Real half_chord = std::sqrt(discriminant * ray.inverse_square);
-  const Real enter = nearest - half_chord, leave = nearest + half_chord;
-  t = radius > 0 && enter > 0 ? enter : leave;
+  enter = nearest - half_chord;
+  leave = nearest + half_chord;
+  return true;
+}
+
+// Whether the ray meets the sphere at a t > 0; then `t` is the nearest. With a negative radius only where it
+// leaves the sphere counts.
+template <class Real, class Stored>
+MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Sphere<Stored>& sphere, Real& t) {
+  Real enter, leave;
+  if (!intersect_line(ray, sphere, enter, leave)) return false;
+  t = sphere.radius > 0 && enter > 0 ? enter : leave;
   return t > 0;
 }
 

@@ -20,14 +20,23 @@ struct EdgeFunctions {
   Real a, b, c;
 };
 
+// A corner, relative to the ray's origin, seen along the ray: in the coordinates of across1 and across2,
+// which with the direction are a right-handed system.
+template <class Real>
+struct Projected {
+  Real x, y;
+};
+template <class Real>
+MASU_ALWAYS_INLINE Projected<Real> projected(const WatertightRay<Real>& ray, const Vec3<Real>& corner) {
+  return {dot(ray.across1, corner), dot(ray.across2, corner)};
+}
+
 template <class Real>
 MASU_ALWAYS_INLINE EdgeFunctions<Real> edge_functions(const WatertightRay<Real>& ray, const Vec3<Real>& a,
                                                       const Vec3<Real>& b, const Vec3<Real>& c) {
-  const Real ax = dot(ray.across1, a), ay = dot(ray.across2, a);
-  const Real bx = dot(ray.across1, b), by = dot(ray.across2, b);
-  const Real cx = dot(ray.across1, c), cy = dot(ray.across2, c);
-  return {difference_of_products(cx, by, cy, bx), difference_of_products(ax, cy, ay, cx),
-          difference_of_products(bx, ay, by, ax)};
+  const Projected<Real> p = projected(ray, a), q = projected(ray, b), r = projected(ray, c);
+  return {difference_of_products(r.x, q.y, r.y, q.x), difference_of_products(p.x, r.y, p.y, r.x),
+          difference_of_products(q.x, p.y, q.y, p.x)};
 }
 
 // Whether the ray's line meets the triangle from either side, edges and corners included; then sets `t`,

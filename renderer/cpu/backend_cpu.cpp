@@ -129,6 +129,20 @@ void with_everything(const SceneFile& scene, const GridFile* grid, const Tracing
       });
 }
 
+// Of hits in order: through any structure, of any kind.
+template <class TestRay, class Stored>
+void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayList& rays,
+               const RayResults& results, const HitRules& rules) {
+  using Real = typename TestRay::Real;
+  const AnyStructure<Real> structure = any_structure<Real>(grid);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
+    for (std::size_t i = range.begin(); i != range.end(); ++i)
+      write_hits<Method<TestRay, with_all_kinds>>(scene, structure, loaded<Real>(rays.rays, rays.format, i),
+                                                  rays.excluded != nullptr ? rays.excluded[i] : no_primitive,
+                                                  rules, results, i);
+  });
+}
+
 } // namespace
 
 void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request, Frame& frame) {
@@ -141,6 +155,15 @@ void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest
 QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
                            const RayResults& results, const RaysRequest& request) {
   QueryReport report;
+  if (needs_hits_in_order(rays, results, request)) {
+    with_store_and_arithmetic(
+        scene, request.tracing.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+          if constexpr (!std::is_same_v<TestRay, TextbookRay>)
+            report.seconds.trace =
+                seconds_of([&] { list_hits<TestRay>(view, grid, rays, results, hit_rules(request)); });
+        });
+    return report;
+  }
   with_everything(
       scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
         with_query(request.query, [&]<Query query>(QueryTag<query>) {

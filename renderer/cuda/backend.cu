@@ -95,6 +95,13 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
         using Real = typename TestRay::Real;
         DeviceArray<Ray<Real>> copy;
         const Ray<Real>* const own = converted(rays, queue, copy);
+        if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
+          if (needs_hits_in_order(rays, results, request)) {
+            size = queue_hits<TestRay>(files.of<Stored>(), grid, hit_rules(request), rays.excluded,
+                                       RayBatch<Real>{own, rays.count, results, nullptr, queue, begun});
+            return;
+          }
+        }
         const bool has_attributes = request.query == Query::nearest_hit && results.has_attributes();
         const DeviceArray<float> t(has_attributes && results.t == nullptr ? rays.count : 0, queue);
         const DeviceArray<std::uint32_t> primitive(

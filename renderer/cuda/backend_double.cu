@@ -8,6 +8,9 @@ template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<float>
 template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                                        const GridFile*, const RaysRequest&,
                                                        const RayBatch<double>&);
+template KernelSize queue_hits<WatertightRay<double>>(const DeviceFilesOf<float>&, const GridFile*,
+                                                      const HitRules&, const PrimitiveIndex*,
+                                                      const RayBatch<double>&);
 template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<double>&, const RayResults&);
 
 template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
@@ -16,6 +19,9 @@ template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<double
 template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
                                                        const GridFile*, const RaysRequest&,
                                                        const RayBatch<double>&);
+template KernelSize queue_hits<WatertightRay<double>>(const DeviceFilesOf<double>&, const GridFile*,
+                                                      const HitRules&, const PrimitiveIndex*,
+                                                      const RayBatch<double>&);
 template void queue_attributes(const DeviceFilesOf<double>&, const RayBatch<double>&, const RayResults&);
 
 } // namespace masu

@@ -27,13 +27,18 @@ struct ResultArray {
   std::size_t bytes_per_ray;
   bool page_locked;
 };
-using ResultArrays = std::array<ResultArray, 9>;
+using ResultArrays = std::array<ResultArray, 13>;
 
-ResultArrays arrays_of(const RayResults& results) {
-  const auto array = [](auto* host) { return ResultArray{host, sizeof(*host), is_page_locked(host)}; };
-  return {array(results.t),        array(results.primitive),   array(results.object),
-          array(results.face),     array(results.uv),          array(results.normal),
-          array(results.occluded), array(results.costs.cells), array(results.costs.tests)};
+// `row`: elements per ray of the arrays of hits.
+ResultArrays arrays_of(const RayResults& results, std::size_t row) {
+  const auto array = [](auto* host, std::size_t each = 1) {
+    return ResultArray{host, each * sizeof(*host), is_page_locked(host)};
+  };
+  return {array(results.t, row),      array(results.t64, row),   array(results.primitive, row),
+          array(results.object, row), array(results.face, row),  array(results.uv, row),
+          array(results.normal, row), array(results.front, row), array(results.count),
+          array(results.inside),      array(results.occluded),   array(results.costs.cells),
+          array(results.costs.tests)};
 }
 
 // One array after another in a block of memory, for so many rays; 16-byte boundaries.
@@ -54,13 +59,17 @@ RayResults results_in(std::uint8_t* block, const ResultArrays& arrays, std::size
                  [&](std::size_t k, std::size_t offset, std::size_t) { at[k] = block + offset; });
   RayResults results;
   results.t = reinterpret_cast<float*>(at[0]);
-  results.primitive = reinterpret_cast<std::uint32_t*>(at[1]);
-  results.object = reinterpret_cast<std::uint32_t*>(at[2]);
-  results.face = reinterpret_cast<std::uint32_t*>(at[3]);
-  results.uv = reinterpret_cast<float(*)[2]>(at[4]);
-  results.normal = reinterpret_cast<float(*)[3]>(at[5]);
-  results.occluded = at[6];
-  results.costs = {reinterpret_cast<std::uint32_t*>(at[7]), reinterpret_cast<std::uint32_t*>(at[8])};
+  results.t64 = reinterpret_cast<double*>(at[1]);
+  results.primitive = reinterpret_cast<std::uint32_t*>(at[2]);
+  results.object = reinterpret_cast<std::uint32_t*>(at[3]);
+  results.face = reinterpret_cast<std::uint32_t*>(at[4]);
+  results.uv = reinterpret_cast<float(*)[2]>(at[5]);
+  results.normal = reinterpret_cast<float(*)[3]>(at[6]);
+  results.front = at[7];
+  results.count = reinterpret_cast<std::uint32_t*>(at[8]);
+  results.inside = at[9];
+  results.occluded = at[10];
+  results.costs = {reinterpret_cast<std::uint32_t*>(at[11]), reinterpret_cast<std::uint32_t*>(at[12])};
   return results;
 }
 
@@ -86,7 +95,8 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
   QueryReport report;
   if (rays.count == 0) return report;
   const DeviceScope device(files.device);
-  const ResultArrays arrays = arrays_of(results);
+  const ResultArrays arrays = arrays_of(results, hit_rules(request).row());
+  const std::size_t piece_rays = rays_per_piece(request);
   const bool rays_page_locked = is_page_locked(rays.rays);
   const std::size_t ray_bytes = rays.format.bytes_per_ray();
   const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
@@ -118,12 +128,17 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
     const DeviceArray<std::uint8_t> device_rays(bytes, {stream, files.pool}),
         device_results(result_bytes, {stream, files.pool});
+    const PrimitiveIndex* const excluded = rays.excluded != nullptr ? rays.excluded + work.first : nullptr;
+    const DeviceArray<PrimitiveIndex> device_excluded(excluded, excluded != nullptr ? work.count : 0,
+                                                      {stream, files.pool});
+    RayList list(device_rays.data(), work.count, rays.format);
+    list.excluded = device_excluded.data();
     check(cudaEventRecord(piece.begun, stream));
     check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
     check(cudaEventRecord(piece.uploaded, stream));
     report.kernel =
-        queue_rays(files, scene, grid, RayList(device_rays.data(), work.count, rays.format),
-                   results_in(device_results.data(), arrays, work.count), request, counts.data(), stream);
+        queue_rays(files, scene, grid, list, results_in(device_results.data(), arrays, work.count), request,
+                   counts.data(), stream);
     check(cudaEventRecord(piece.traced, stream));
     std::uint8_t* const staging = piece.results.of(result_bytes);
     for_each_array(arrays, work.count, [&](std::size_t k, std::size_t offset, std::size_t array_bytes) {
@@ -157,8 +172,8 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     HostRayBuffers::Piece& piece = borrowed->pieces[turn % pieces_in_flight];
     Work& work = works[turn % pieces_in_flight];
     const Work last = work;
-    const std::size_t first = std::min(next_piece.fetch_add(1) * rays_per_piece, rays.count);
-    work = {first, std::min(rays_per_piece, rays.count - first)};
+    const std::size_t first = std::min(next_piece.fetch_add(1) * piece_rays, rays.count);
+    work = {first, std::min(piece_rays, rays.count - first)};
     last_turns += work.count == 0 ? 1 : 0;
     wait(piece, last);
     tbb::parallel_invoke([&] { copy_out(piece, last); }, [&] { copy_in(piece, work); });

@@ -15,9 +15,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <random>
 #include <span>
 
 namespace masu {
@@ -259,6 +261,72 @@ TEST_P(CpuAndGpu, FindTheSameRaysOccluded) {
   expect_same_hits(cpu.hits, gpu.hits);
   for (std::size_t i = 0; i < rays.size(); ++i)
     ASSERT_EQ(nearest.hits[i].name >= 0, cpu.hits[i].name >= 0) << i;
+}
+
+// All results of queries for hits in their order: of one side, with excluded primitives, listed and counted.
+struct HitLists {
+  std::vector<float> t;
+  std::vector<double> t64;
+  std::vector<std::uint32_t> primitive, object, face, count;
+  std::vector<std::array<float, 2>> uv;
+  std::vector<std::array<float, 3>> normal;
+  std::vector<std::uint8_t> front, inside, occluded;
+  bool operator==(const HitLists&) const = default;
+
+  HitLists(const Tracer& tracer, RayList rays, const std::vector<PrimitiveIndex>& excluded,
+           const RaysRequest& request) {
+    const std::size_t n = rays.count, row = n * hit_rules(request).row();
+    const bool lists = request.query == Query::nearest_hit || request.query == Query::all_hits;
+    if (!excluded.empty()) rays.excluded = excluded.data();
+    RayResults results;
+    const auto room = [](auto& array, std::size_t size) {
+      array.resize(size);
+      return array.data();
+    };
+    if (lists) {
+      results.t = room(t, row);
+      results.t64 = room(t64, row);
+      results.primitive = room(primitive, row);
+      results.object = room(object, row);
+      results.face = room(face, row);
+      results.uv = reinterpret_cast<float(*)[2]>(room(uv, row));
+      results.normal = reinterpret_cast<float(*)[3]>(room(normal, row));
+      results.front = room(front, row);
+    }
+    results.count = room(count, n);
+    results.inside = room(inside, n);
+    results.occluded = room(occluded, n);
+    tracer.trace(rays, results, request);
+  }
+};
+
+TEST_P(CpuAndGpu, ListTheSameHits) {
+  const RandomSeed seed;
+  SCOPED_TRACE(seed.trace());
+  std::mt19937_64 engine = seed.engine();
+  for (const Store store : {Store::float32, Store::float64}) {
+    GridOptions options = options_of(engine() % 2 == 0 ? GridKind::irregular : GridKind::uniform);
+    const Built built = build(store, GetParam().min_size + 1, "auto", options);
+    const std::vector<Ray<double>> rays = random_rays(built.scene, 70'000, engine());
+    std::vector<PrimitiveIndex> excluded(rays.size());
+    for (PrimitiveIndex& primitive : excluded)
+      primitive = static_cast<PrimitiveIndex>(engine() % (built.scene.primitive_count() + 1)) - 1;
+    for (const bool with_grid : {true, false}) {
+      const GridFile* const grid = with_grid ? &built.grid : nullptr;
+      const Tracer cpu(built.scene, grid, Device::cpu), gpu(built.scene, grid, Device::cuda);
+      const std::size_t few = with_grid ? rays.size() : 2000; // brute force takes long
+      for (const Query query : {Query::nearest_hit, Query::occlusion, Query::all_hits, Query::count_hits}) {
+        RaysRequest request;
+        request.query = query;
+        request.limit = engine() % 2 == 0 ? 3 : 37;
+        request.faces = std::array{Faces::both, Faces::front, Faces::back}[engine() % 3];
+        if (store == Store::float32 && engine() % 2 == 0) request.tracing.precision = Precision::doubled;
+        const RayList list(std::span<const Ray<double>>(rays).first(few));
+        EXPECT_TRUE(HitLists(cpu, list, excluded, request) == HitLists(gpu, list, excluded, request))
+            << "query " << static_cast<int>(query) << ", faces " << static_cast<int>(request.faces);
+      }
+    }
+  }
 }
 
 TEST_P(CpuAndGpu, CountTheSame) {

@@ -617,7 +617,8 @@ TEST_F(BadCommand, OfASubcommandPointsToItsHelp) {
                              const std::string& place = "command line") {
     return fails(1, "gridbench", arguments, place, ": see " + command + " --help\n");
   };
-  for (const char* const name : {"rays", "frame", "load", "tradeoff", "stability", "oracle", "difference"}) {
+  for (const char* const name :
+       {"rays", "frame", "load", "tradeoff", "stability", "oracle", "crossings", "difference"}) {
     EXPECT_TRUE(points_to({name, "--no-such-option"}, std::string("gridbench ") + name, "--no-such-option"));
     EXPECT_NE(run("gridbench", {name, "--help"}).out.find("--json"), std::string::npos) << name;
   }

@@ -453,6 +453,42 @@ TEST_F(Tools, HitsAreWrittenAsTheEndOfTheirNameSays) {
     ASSERT_EQ(occluded[i][0], records[i].object >= 0 ? 1.0F : 0.0F);
 }
 
+TEST_F(Tools, AllHitsAreListedCountedAndFiltered) {
+  // Down through the sphere and onto the floor, whose diagonal it meets; beside the sphere; from inside it;
+  // beside everything.
+  const std::vector<float> rays{0, 0, 5,    0, 0, -1, 1, 1, 5, 0, 0, -1, //
+                                0, 0, 0.5F, 0, 0, 1,  9, 9, 5, 0, 0, -1};
+  write_records(file("rays"), rays);
+  const auto csv = [&](const Arguments& options, const char* columns) {
+    trace(joined({file("rays"), "-o", file("hits.csv")}, options));
+    return rows_of_csv(read_text(file("hits.csv")), columns);
+  };
+  using Rows = std::vector<std::vector<float>>;
+  const float miss = std::numeric_limits<float>::infinity();
+  const Rows listed = csv({"--all-hits", "3", "--write", "count,t,object,front"},
+                          "count,t1,t2,t3,object1,object2,object3,front1,front2,front3");
+  EXPECT_EQ(listed, (Rows{{3, 4, 5, 5, 1, 0, 1, 1, 1, 0},
+                          {1, 5, miss, miss, 0, -1, -1, 1, 0, 0},
+                          {1, 0.5F, miss, miss, 1, -1, -1, 0, 0, 0},
+                          {0, miss, miss, miss, -1, -1, -1, 0, 0, 0}}));
+  EXPECT_EQ(csv({"--count-hits", "--write", "count,inside"}, "count,inside"),
+            (Rows{{3, 2}, {1, 2}, {1, 1}, {0, 0}})); // the floor isn't closed
+  EXPECT_EQ(csv({"--faces", "back", "--write", "t64,object"}, "t64,object"),
+            (Rows{{5, 1}, {miss, -1}, {0.5F, 1}, {miss, -1}}));
+  write_records(file("none"), std::vector<std::int32_t>{2, -1, 2, -1}); // the sphere
+  EXPECT_EQ(csv({"--exclude", file("none")}, "t,object"), (Rows{{5, 0}, {5, 0}, {miss, -1}, {miss, -1}}));
+  for (const char* const more : {"--brute-force", "--threads"}) {
+    const Arguments options = more == std::string("--threads")
+                                  ? Arguments{scene_, grid_, file("rays"), more, "1"}
+                                  : Arguments{scene_, file("rays"), more};
+    const Arguments all{"--all-hits", "20", "-o", file("other"), "--backend", "cpu"};
+    EXPECT_TRUE(succeeded(run("gridtrace", joined(options, all))));
+    trace({file("rays"), "--all-hits", "20", "-o", file("records")});
+    EXPECT_TRUE(read_bytes(file("records")) == read_bytes(file("other")));
+    EXPECT_EQ(read_bytes(file("records")).size(), 4U * (4 + 20 * 9));
+  }
+}
+
 TEST_F(Tools, HitsOfPicturesAreWrittenAsTheEndOfTheirNameSaysToo) {
   for (const std::string kind : {"object", "primitive"}) {
     const auto hits = [&](const std::string& name) { // of two bands
@@ -913,6 +949,20 @@ TEST_F(Tools, BenchStabilityReportsFailuresOfFastOnly) {
   }
   EXPECT_EQ(sweeps, (std::set<std::string>{"closed-ball", "leaving-scaled"}));
   EXPECT_EQ(failing, std::set<std::string>{"fast"});
+}
+
+TEST_F(Tools, LinesCrossClosedMeshesAsOftenInwardsAsOutwards) {
+  for (const char* const name : {"tetra", "balls"}) {
+    const std::string closed = scene("closed.scene", spd("closed.nff", name, 2), {"--tessellate"});
+    for (const char* const precision : {"robust", "double"}) {
+      const auto rows =
+          json_of("gridbench", {"crossings", closed, grid("closed.grid", closed), "--count", "20000",
+                                "--backend", "cpu", "--precision", precision, "--json"});
+      EXPECT_EQ(rows[0]["wrong"], 0) << name;
+      EXPECT_GT(rows[0]["crossing"], 10000) << name;
+    }
+  }
+  EXPECT_TRUE(failed(run("gridbench", {"crossings", scene_, grid_}), 2, "gridbench", scene_, "closed"));
 }
 
 TEST_F(Tools, BenchOracleFindsNoFailuresOfRobustAndDouble) {

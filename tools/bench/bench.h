@@ -14,6 +14,7 @@ void add_load(CLI::App& app);
 void add_tradeoff(CLI::App& app);
 void add_stability(CLI::App& app);
 void add_oracle(CLI::App& app);
+void add_crossings(CLI::App& app);
 void add_difference(CLI::App& app);
 
 } // namespace masu

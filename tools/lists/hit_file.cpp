@@ -20,21 +20,43 @@ constexpr std::size_t records_per_task = 1 << 14;
 struct FieldFormat {
   const char* name;
   HitField field;
-  const char* type; // as NumPy has it; the third character is the kind of its numbers, the fourth their bytes
-  std::size_t bytes;
-  const char* columns; // of CSV
+  const char* type; // of a number, as NumPy has it
+  std::size_t numbers;
+  const char* columns[3]; // of CSV
+  bool is_of_ray = false; // not of each hit
 
-  char kind() const { return type[2]; }
-  std::size_t number_bytes() const { return static_cast<std::size_t>(type[3] - '0'); }
+  char kind() const { return type[1]; }
+  std::size_t number_bytes() const { return static_cast<std::size_t>(type[2] - '0'); }
+  // Of a ray with a row of so many hits, or for 0 with one.
+  std::size_t hits(std::uint32_t row) const { return row == 0 || is_of_ray ? 1 : row; }
+  std::size_t all_numbers(std::uint32_t row) const { return numbers * hits(row); }
+
+  std::string numpy_type(std::uint32_t row) const {
+    std::string shape = row == 0 || is_of_ray ? "" : fmt::format("{},", row);
+    if (numbers > 1) shape += fmt::format("{},", numbers);
+    return shape.empty() ? fmt::format("'{}'", type) : fmt::format("'{}', ({})", type, shape);
+  }
+  std::string csv_columns(std::uint32_t row) const {
+    std::string names;
+    for (std::size_t hit = 1; hit <= hits(row); ++hit)
+      for (std::size_t i = 0; i < numbers; ++i)
+        names +=
+            row == 0 || is_of_ray ? fmt::format("{},", columns[i]) : fmt::format("{}{},", columns[i], hit);
+    return names;
+  }
 };
 constexpr FieldFormat field_formats[] = {
-    {"t", HitField::t, "'<f4'", 4, "t"},
-    {"object", HitField::object, "'<i4'", 4, "object"},
-    {"primitive", HitField::primitive, "'<i4'", 4, "primitive"},
-    {"face", HitField::face, "'<i4'", 4, "face"},
-    {"uv", HitField::uv, "'<f4', (2,)", 8, "u,v"},
-    {"normal", HitField::normal, "'<f4', (3,)", 12, "nx,ny,nz"},
-    {"occluded", HitField::occluded, "'|u1'", 1, "occluded"},
+    {"t", HitField::t, "<f4", 1, {"t"}},
+    {"t64", HitField::t64, "<f8", 1, {"t64"}},
+    {"object", HitField::object, "<i4", 1, {"object"}},
+    {"primitive", HitField::primitive, "<i4", 1, {"primitive"}},
+    {"face", HitField::face, "<i4", 1, {"face"}},
+    {"uv", HitField::uv, "<f4", 2, {"u", "v"}},
+    {"normal", HitField::normal, "<f4", 3, {"nx", "ny", "nz"}},
+    {"front", HitField::front, "|u1", 1, {"front"}},
+    {"count", HitField::count, "<i4", 1, {"count"}, true},
+    {"inside", HitField::inside, "|u1", 1, {"inside"}, true},
+    {"occluded", HitField::occluded, "|u1", 1, {"occluded"}, true},
 };
 
 const FieldFormat& format_of(HitField field) {
@@ -49,13 +71,14 @@ void append_number(std::vector<std::uint8_t>& text, const std::uint8_t* bytes) {
 }
 
 // A line; the last comma becomes its end.
-void append_line(std::vector<std::uint8_t>& text, const std::vector<HitField>& fields,
+void append_line(std::vector<std::uint8_t>& text, const std::vector<HitField>& fields, std::uint32_t row,
                  const std::uint8_t* record) {
   for (const HitField field : fields) {
     const FieldFormat& format = format_of(field);
-    for (const std::uint8_t* const end = record + format.bytes; record != end;
-         record += format.number_bytes()) {
-      if (format.kind() == 'f')
+    for (std::size_t n = format.all_numbers(row); n > 0; --n, record += format.number_bytes()) {
+      if (format.kind() == 'f' && format.number_bytes() == sizeof(double))
+        append_number<double>(text, record);
+      else if (format.kind() == 'f')
         append_number<float>(text, record);
       else if (format.kind() == 'i')
         append_number<std::int32_t>(text, record);
@@ -73,8 +96,7 @@ std::vector<HitField> hit_fields(const std::string& names) {
   for (const std::string& name : split(names)) {
     const auto* const found = std::ranges::find(field_formats, name, &FieldFormat::name);
     if (found == std::end(field_formats))
-      throw Error(ErrorCode::usage, "--write",
-                  fmt::format("'{}' isn't one of t, object, primitive, face, uv, normal, occluded", name));
+      throw Error(ErrorCode::usage, "--write", fmt::format("'{}' isn't one of {}", name, hit_field_names));
     if (std::ranges::count(fields, found->field) > 0)
       throw Error(ErrorCode::usage, "--write", fmt::format("has {} twice", name));
     fields.push_back(found->field);
@@ -86,26 +108,26 @@ std::string usual_fields(HitName name) {
   return name == HitName::primitive ? "t,primitive" : name == HitName::face ? "t,face" : "t,object";
 }
 
-std::size_t bytes_of(HitField field) {
-  return format_of(field).bytes;
+std::size_t bytes_of(HitField field, std::uint32_t row) {
+  return format_of(field).all_numbers(row) * format_of(field).number_bytes();
 }
 
 void check_hits_name(const char* option, const std::string& path) {
   if (path.ends_with(".f64"))
     throw Error(ErrorCode::usage, option,
-                "has no numbers of 64 bits: let the name end in .npy or .csv, or give it no ending");
+                "would be numbers of 64 bits alone: let the name end in .npy or .csv, or give it no ending");
 }
 
-HitFormat::HitFormat(const std::string& path, std::vector<HitField> fields)
+HitFormat::HitFormat(const std::string& path, std::vector<HitField> fields, std::uint32_t row)
     : form_(path.ends_with(".npy")   ? Form::npy
             : path.ends_with(".csv") ? Form::text
                                      : Form::records),
-      fields_(std::move(fields)) {
+      fields_(std::move(fields)), row_(row) {
   for (const HitField field : fields_) {
     const FieldFormat& format = format_of(field);
-    record_bytes_ += format.bytes;
+    record_bytes_ += bytes_of(field, row);
     // No number with what follows it is longer.
-    longest_line_ += format.bytes / format.number_bytes() * (format.kind() == 'f' ? 32 : 16);
+    longest_line_ += format.all_numbers(row) * (format.kind() == 'f' ? 32 : 16);
   }
 }
 
@@ -113,8 +135,8 @@ std::string HitFormat::head(std::uint64_t records) const {
   std::string text;
   if (form_ == Form::records) return text;
   for (const HitField field : fields_)
-    text += is_text() ? fmt::format("{},", format_of(field).columns)
-                      : fmt::format("('{}', {}), ", format_of(field).name, format_of(field).type);
+    text += is_text() ? format_of(field).csv_columns(row_)
+                      : fmt::format("('{}', {}), ", format_of(field).name, format_of(field).numpy_type(row_));
   // Blanks stand where a larger number would have digits.
   if (!is_text()) return npy_header("[" + text + "]", fmt::format("{:<20},", records));
   text.back() = '\n';
@@ -154,7 +176,7 @@ std::vector<std::uint8_t> HitFormat::part(std::vector<std::uint8_t> records, boo
   tbb::parallel_for(std::size_t{0}, texts.size(), [&](std::size_t task) {
     const std::size_t end = std::min(count, (task + 1) * records_per_task);
     for (std::size_t i = task * records_per_task; i < end; ++i)
-      append_line(texts[task], fields_, records.data() + i * record_bytes_);
+      append_line(texts[task], fields_, row_, records.data() + i * record_bytes_);
   });
   std::vector<std::uint8_t> all_texts;
   for (const auto& text : texts)

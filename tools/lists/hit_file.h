@@ -11,22 +11,26 @@
 
 namespace masu {
 
-// What is written for a ray, one field after the other: t (float), object, primitive and face (int32, -1 for
-// a miss), uv (2 floats), normal (3 floats), occluded (1 byte).
-enum class HitField { t, object, primitive, face, uv, normal, occluded };
+// What is written for a ray, one field after the other: t (float), t64 (double), object, primitive and face
+// (int32, -1 for a miss), uv (2 floats), normal (3 floats), front (1 byte), each of them for every hit of a
+// row; count (int32), inside, occluded (1 byte).
+enum class HitField { t, t64, object, primitive, face, uv, normal, front, count, inside, occluded };
+inline constexpr const char* hit_field_names =
+    "t, t64, object, primitive, face, uv, normal, front, count, inside, occluded";
 
 // Of a list such as "t,object". Throws Error(usage, --write, …).
 std::vector<HitField> hit_fields(const std::string& names);
 // The names of what is written by default: t and what is hit.
 std::string usual_fields(HitName name);
-std::size_t bytes_of(HitField field);
+// `row`: hits per ray; 0 where there is one, without a dimension of its own.
+std::size_t bytes_of(HitField field, std::uint32_t row);
 
 // Throws Error(usage, option, …) for a name that promises what isn't written: numbers of 64 bits.
 void check_hits_name(const char* option, const std::string& path);
 
 class HitFormat {
 public:
-  HitFormat(const std::string& path, std::vector<HitField> fields);
+  HitFormat(const std::string& path, std::vector<HitField> fields, std::uint32_t row);
 
   bool is_text() const { return form_ == Form::text; }
   std::size_t record_bytes() const { return record_bytes_; }
@@ -46,6 +50,7 @@ private:
 
   Form form_;
   std::vector<HitField> fields_;
+  std::uint32_t row_;
   std::size_t record_bytes_ = 0, longest_line_ = 0;
 };
 

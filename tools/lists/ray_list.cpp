@@ -5,6 +5,7 @@
 #include "renderer/automatic_loop.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
+#include "tools/lists/excluded_file.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -22,7 +23,6 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t rays_per_chunk = std::size_t{1} << 20;
 constexpr std::size_t rays_per_task = 1 << 14;
 
 // --- A chunk of the list -----------------------------------------------------------------------------------
@@ -30,25 +30,30 @@ constexpr std::size_t rays_per_task = 1 << 14;
 struct Chunk {
   std::uint64_t task = 0;
   std::vector<std::uint8_t> rays;
+  std::vector<PrimitiveIndex> excluded;
   std::size_t count = 0;
   std::uint64_t file_bytes = 0;                   // that they were read from
   std::vector<std::vector<std::uint8_t>> results; // an array for each field
   TaskTotals totals;
 
-  RayResults make_room(const std::vector<HitField>& fields) {
+  RayResults make_room(const std::vector<HitField>& fields, std::uint32_t row) {
     for (const HitField field : fields)
-      results.emplace_back(count * bytes_of(field));
+      results.emplace_back(count * bytes_of(field, row));
     const auto array = [&](HitField field) -> void* {
       const auto found = static_cast<std::size_t>(std::ranges::find(fields, field) - fields.begin());
       return found < fields.size() ? results[found].data() : nullptr;
     };
     RayResults room;
     room.t = static_cast<float*>(array(HitField::t));
+    room.t64 = static_cast<double*>(array(HitField::t64));
     room.object = static_cast<std::uint32_t*>(array(HitField::object));
     room.primitive = static_cast<std::uint32_t*>(array(HitField::primitive));
     room.face = static_cast<std::uint32_t*>(array(HitField::face));
     room.uv = static_cast<float(*)[2]>(array(HitField::uv));
     room.normal = static_cast<float(*)[3]>(array(HitField::normal));
+    room.front = static_cast<std::uint8_t*>(array(HitField::front));
+    room.count = static_cast<std::uint32_t*>(array(HitField::count));
+    room.inside = static_cast<std::uint8_t*>(array(HitField::inside));
     room.occluded = static_cast<std::uint8_t*>(array(HitField::occluded));
     return room;
   }
@@ -91,7 +96,8 @@ std::uint64_t invalid_rays(const RayList& rays) {
 class ChunkReader {
 public:
   // tasks: null where nobody else takes any.
-  ChunkReader(RayFile& file, TaskList* tasks) : file_(file), tasks_(tasks) {}
+  ChunkReader(RayFile& file, std::size_t rays_per_chunk, TaskList* tasks)
+      : file_(file), rays_per_chunk_(rays_per_chunk), tasks_(tasks) {}
 
   // Nothing after the last one. For threads at the same time.
   std::shared_ptr<Chunk> next() {
@@ -112,7 +118,7 @@ private:
     auto chunk = std::make_shared<Chunk>();
     const std::optional<std::uint64_t> task = tasks_ != nullptr ? tasks_->next() : read_++;
     if (!task) return chunk;
-    RaysRead read = tasks_ != nullptr ? file_.chunk(*task) : file_.next(rays_per_chunk);
+    RaysRead read = tasks_ != nullptr ? file_.chunk(*task) : file_.next(rays_per_chunk_);
     chunk->task = *task;
     chunk->rays = std::move(read.rays);
     chunk->file_bytes = read.bytes;
@@ -121,6 +127,7 @@ private:
   }
 
   RayFile& file_;
+  std::size_t rays_per_chunk_;
   TaskList* tasks_;
   std::uint64_t read_ = 0; // chunks, where nobody else takes any
   bool ended_ = false;
@@ -128,17 +135,24 @@ private:
   std::future<std::shared_ptr<Chunk>> coming_;
 };
 
+std::size_t rays_per_chunk(const RayListJob& job) {
+  return (std::size_t{1} << 20) / hit_rules(job.request).row();
+}
+// Hits per ray that a record has a dimension for.
+std::uint32_t row_of(const RayListJob& job) {
+  return job.request.query == Query::all_hits ? job.request.limit : 0;
+}
+
 // Of a list whose length may not be known yet: where it is needed, it is.
-PartedForm form_of(const HitFormat& format, std::uint64_t rays) {
-  return format.parts((rays + rays_per_chunk - 1) / rays_per_chunk,
-                      [](std::uint64_t chunk) { return chunk * rays_per_chunk; }, rays);
+PartedForm form_of(const HitFormat& format, std::size_t each, std::uint64_t rays) {
+  return format.parts((rays + each - 1) / each, [each](std::uint64_t chunk) { return chunk * each; }, rays);
 }
 
 TaskListOf task_list_of(const RayListJob& job, RayFile& file, const HitFormat& format,
                         const Sharing& sharing) {
   if (!sharing.in_parts()) return {};
-  file.find_chunks(rays_per_chunk, sharing.ranks);
-  const PartedForm form = form_of(format, file.all_rays());
+  file.find_chunks(rays_per_chunk(job), sharing.ranks);
+  const PartedForm form = form_of(format, rays_per_chunk(job), file.all_rays());
   TaskListOf tasks{fmt::format("{}\n{}\nrays {} {} {}", job.description, job.hits, file.is_text(),
                                file.format().is_float64, file.format().numbers),
                    job.hits, form.count};
@@ -146,7 +160,11 @@ TaskListOf task_list_of(const RayListJob& job, RayFile& file, const HitFormat& f
     return hits.empty() ? std::vector<FileRange>{} : std::vector{range_of(hits, form, task)};
   };
   if (!sharing.resume) return tasks;
-  std::string hash = sharing.ranks.rank() == 0 ? whole_file(job.rays).hash : std::string();
+  std::string hash;
+  if (sharing.ranks.rank() == 0) {
+    hash = whole_file(job.rays).hash;
+    if (!job.excluded.empty()) hash += fmt::format("\n{}", whole_file(job.excluded).hash);
+  }
   sharing.ranks.broadcast(hash);
   tasks.description += "\n" + hash;
   return tasks;
@@ -159,11 +177,12 @@ public:
              const std::function<void(double)>& progress)
       : tracer_(tracer), job_(job), sharing_(sharing), progress_(progress),
         in_double_(resolved(job.request.tracing.precision, tracer.scene()) == Precision::doubled),
-        format_(job.hits, job.fields), file_(job.rays, job.format),
+        format_(job.hits, job.fields, row_of(job)), file_(job.rays, job.format),
         tasks_(sharing, task_list_of(job, file_, format_, sharing)),
-        chunks_(file_, sharing.in_parts() ? &tasks_ : nullptr) {
+        chunks_(file_, rays_per_chunk(job), sharing.in_parts() ? &tasks_ : nullptr) {
+    if (!job.excluded.empty()) excluded_.emplace(job.excluded, file_.count());
     if (job.hits.empty() || sharing.in_parts()) return;
-    hits_.emplace(job.hits, form_of(format_, file_.count().value_or(0)));
+    hits_.emplace(job.hits, form_of(format_, rays_per_chunk(job), file_.count().value_or(0)));
     if (!file_.count() && job.hits.ends_with(".npy") && !hits_->has_places())
       throw Error(
           ErrorCode::output, job.hits,
@@ -173,7 +192,8 @@ public:
 
   // Besides those that a GPU has: one is written, one is about to be.
   std::size_t chunks_under_way() const {
-    const std::size_t bytes = rays_per_chunk * (file_.format().bytes_per_ray() + 2 * format_.record_bytes()),
+    const std::size_t bytes = rays_per_chunk(job_) *
+                              (file_.format().bytes_per_ray() + 2 * format_.record_bytes()),
                       queries =
                           tracer_.device() == Device::cuda ? queries_per_gpu * tracer_.device_count() : 1;
     return std::min(tasks_under_way(tracer_, bytes), queries + 2);
@@ -183,10 +203,14 @@ public:
   std::shared_ptr<Chunk> trace(std::size_t device) {
     std::shared_ptr<Chunk> chunk = chunks_.next();
     if (!chunk) return {};
-    const RayList rays(chunk->rays.data(), chunk->count, file_.format());
-    const RayResults results = chunk->make_room(job_.fields);
+    RayList rays(chunk->rays.data(), chunk->count, file_.format());
+    const RayResults results = chunk->make_room(job_.fields, row_of(job_));
+    if (excluded_) {
+      chunk->excluded = excluded_->of_rays(chunk->task * rays_per_chunk(job_), chunk->count);
+      rays.excluded = chunk->excluded.data();
+    }
     RaysRequest request = job_.request;
-    request.loop = loop_for(rays);
+    if (!needs_hits_in_order(rays, results, request)) request.loop = loop_for(rays);
     const QueryReport report =
         repeated(0, job_.repeat, [&] { return tracer_.trace(rays, results, request, device); });
     chunk->totals = {chunk->count, in_double_ ? invalid_rays<double>(rays) : invalid_rays<float>(rays),
@@ -241,7 +265,8 @@ private:
   std::vector<FileRange> write_records(std::uint64_t part, std::vector<std::uint8_t> records) {
     const std::uint64_t all = sharing_.in_parts() ? file_.all_rays() : file_.count().value_or(0);
     std::vector<std::uint8_t> bytes = format_.part(std::move(records), part == 0, all);
-    if (!hits_) return {write_part(job_.hits, form_of(format_, all), part, std::move(bytes))};
+    if (!hits_)
+      return {write_part(job_.hits, form_of(format_, rays_per_chunk(job_), all), part, std::move(bytes))};
     hits_->write(part, std::move(bytes));
     return {};
   }
@@ -253,7 +278,7 @@ private:
     if (ranks.rank() == 0) {
       if (!job_.hits.empty()) {
         if (file_.all_rays() == 0) write_records(0, {}); // the head alone
-        finish_parts(job_.hits, form_of(format_, file_.all_rays()));
+        finish_parts(job_.hits, form_of(format_, rays_per_chunk(job_), file_.all_rays()));
         std::filesystem::remove(partial_name(job_.hits)); // of parts that were copied
       }
       tasks_.remove_journals();
@@ -270,6 +295,7 @@ private:
   RayFile file_;
   TaskList tasks_;
   ChunkReader chunks_;
+  std::optional<ExcludedFile> excluded_;
   std::optional<PartedFile> hits_; // where this process writes them alone
   std::once_flag loop_found_;
   RayLoop loop_ = RayLoop::warp_refill;

@@ -12,9 +12,10 @@
 namespace masu {
 
 struct RayListJob {
-  std::string rays;   // a file, or - for standard input (ray_file.h)
-  std::string hits;   // a file, or - for standard output; empty: nothing is written (hit_file.h)
-  RayFormat format{}; // of what is numbers alone
+  std::string rays;       // a file, or - for standard input (ray_file.h)
+  std::string hits;       // a file, or - for standard output; empty: nothing is written (hit_file.h)
+  RayFormat format{};     // of what is numbers alone
+  std::string excluded{}; // a file (excluded_file.h); empty: nothing is
   std::vector<HitField> fields{};
   RaysRequest request{};
   std::string description{}; // of the scene and of the options that hits depend on

@@ -76,7 +76,7 @@ std::vector<ViewFile> files_of(const ViewsRequest& request, const Layout& layout
   const auto& [picture, hits] = request.files[view];
   std::vector<ViewFile> files;
   if (!hits.empty()) {
-    const HitFormat format(hits, request.hit_fields);
+    const HitFormat format(hits, request.hit_fields, 0);
     files.push_back({hits,
                      format.parts(
                          bands.count(), [&bands](std::uint64_t band) { return bands.first_hit(band); },

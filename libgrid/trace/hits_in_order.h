@@ -1,0 +1,132 @@
+// The hits of a ray in their order, however many: through a grid, a hierarchy or none, with the same bits.
+//
+// Passes through the structure each keep the next few hits beyond the last one that is known, as Amstutz,
+// Gribble, Günther & Wald, "An Evaluation of Multi-Hit Ray Traversal in a BVH using Existing
+// First-Hit/Any-Hit Kernels", JCGT 4(4), 2015, describe it. Hits are ordered by t, then by primitive, then
+// the front first. So a primitive that is listed in several cells is found several times, but kept once; and
+// a pass that keeps n hits ends as a search for the nearest does (trace.h), once nothing that is still to
+// come can come before the n-th.
+#pragma once
+
+#include "libgrid/trace/any_structure.h"
+#include "libscene/geometry/each_hit.h"
+
+namespace masu {
+
+enum class Faces { both, front, back };
+
+// What counts as a hit: of these faces, and not of the excluded primitive, which may be no_primitive.
+struct HitFilter {
+  Faces faces = Faces::both;
+  EdgeRule edges = EdgeRule::half_open;
+  PrimitiveIndex excluded = no_primitive;
+};
+
+// A hit with the side that is met, in the lowest bit: set for the back. Primitives have 31 bits.
+template <class Real>
+struct SidedHit {
+  Real t;
+  std::uint32_t primitive_and_side;
+
+  MASU_HD PrimitiveIndex primitive() const { return primitive_and_side >> 1; }
+  MASU_HD bool front() const { return (primitive_and_side & 1) == 0; }
+  MASU_HD bool before(const SidedHit& other) const {
+    return (t < other.t) | ((t == other.t) & (primitive_and_side < other.primitive_and_side));
+  }
+};
+
+inline constexpr int hits_per_pass = 16;
+
+// Counts nothing.
+struct NoWalkCounts {
+  static constexpr bool is_counted = false;
+  MASU_HD void cell(bool) {}
+  MASU_HD void skipped(std::int32_t) {}
+};
+
+// Keeps the first `capacity` hits after `last`, in order.
+template <class M, class Stored>
+struct NextHits {
+  using Real = typename M::Real;
+  const SceneView<Stored>& scene;
+  const typename M::TestRay& ray;
+  NoWalkCounts& counts;
+  Real t_max;
+  HitFilter filter;
+  int capacity;
+  SidedHit<Real> last; // of those before
+  SidedHit<Real> hits[hits_per_pass];
+  int count = 0;
+
+  MASU_HD void primitive(PrimitiveIndex number) {
+    if (number == filter.excluded) return;
+    each_hit<M::kinds>(scene, ray, number, filter.edges, [&](Real t, bool front) {
+      if (t < t_max && (filter.faces == Faces::both || front == (filter.faces == Faces::front)))
+        keep({t, number << 1 | (front ? 0U : 1U)});
+    });
+  }
+#ifdef MASU_HOST_AVX2
+  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
+    for (; bits != 0; bits &= bits - 1)
+      primitive(references[std::countr_zero(bits)]);
+  }
+  void prefetch(const PrimitiveIndex*, std::uint32_t) const {}
+#endif
+  MASU_HD bool is_full() const {
+    return count == capacity;
+  }
+  MASU_HD Real farthest() const {
+    return is_full() ? hits[count - 1].t : t_max;
+  }
+  MASU_HD bool done(Real exit) const {
+    return farthest() <= exit;
+  }
+  MASU_HD bool ends() const {
+    return false;
+  }
+
+private:
+  MASU_HD void keep(const SidedHit<Real>& hit) {
+    if (!last.before(hit) || (is_full() && !hit.before(hits[count - 1]))) return;
+    int at = count;
+    while (at > 0 && hit.before(hits[at - 1]))
+      --at;
+    if (at > 0 && !hits[at - 1].before(hit)) return; // it is known
+    if (!is_full()) ++count;
+    for (int i = count - 1; i > at; --i)
+      hits[i] = hits[i - 1];
+    hits[at] = hit;
+  }
+};
+
+// Calls act(i, near, front) for hit i, from 0 to below `limit`, at t_min < t < t_max; `near` as
+// nearest_hit_near() has it. Returns how many there were.
+template <class M, class Stored, class Grid, class Act>
+MASU_HD inline std::uint32_t hits_in_order(const SceneView<Stored>& scene, const Grid& grid,
+                                           const Ray<typename M::Real>& ray, const HitFilter& filter,
+                                           std::uint32_t limit, const Act& act) {
+  using Real = typename M::Real;
+  ClippedRay<Real> near{};
+  if (!clip(ray, cast<Real>(scene.clip), near)) return 0;
+  typename M::TestRay test_ray;
+  prepare(test_ray, near.ray.origin, near.ray.direction);
+  NoWalkCounts counts;
+  SidedHit<Real> last{0, 0xffffffffU}; // every hit comes after it
+  std::uint32_t all = 0;
+  while (all < limit) {
+    const int capacity = limit - all < hits_per_pass ? static_cast<int>(limit - all) : hits_per_pass;
+    NextHits<M, Stored> next{scene, test_ray, counts, near.ray.t_max, filter, capacity, last, {}, 0};
+    visit(grid, near, scene.primitive_count(), next);
+    for (int i = 0; i < next.count; ++i) {
+      const SidedHit<Real>& hit = next.hits[i];
+      act(all + static_cast<std::uint32_t>(i),
+          NearHit<typename M::TestRay>{test_ray, {hit.t, hit.primitive()}, near.skipped}, hit.front());
+    }
+    all += static_cast<std::uint32_t>(next.count);
+    if (!next.is_full()) break;
+    last = next.hits[next.count - 1];
+  }
+  return all;
+}
+
+} // namespace masu

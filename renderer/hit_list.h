@@ -1,0 +1,57 @@
+// Queries of a list's rays that need hits in their order: all of them, their number, those of one side, or
+// without an excluded primitive. One definition for both backends.
+#pragma once
+
+#include "libgrid/trace/hits_in_order.h"
+#include "renderer/ray_query.h"
+
+namespace masu {
+
+// What is asked of each ray. With Faces::both, no excluded primitive and no t64, nearest_hit and occlusion
+// are trace_listed()'s, with the same results.
+struct HitRules {
+  Query query = Query::nearest_hit;
+  Faces faces = Faces::both;
+  std::uint32_t limit = 1; // hits per ray, of all_hits
+
+  // Elements per ray of the arrays of hits.
+  MASU_HD std::uint32_t row() const { return query == Query::all_hits ? limit : 1; }
+};
+
+// Writes the results of ray i.
+template <class M, class Stored, class Grid>
+MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Grid& grid, Ray<typename M::Real> ray,
+                               PrimitiveIndex excluded, const HitRules& rules, const RayResults& results,
+                               std::size_t i) {
+  using Real = typename M::Real;
+  using Near = NearHit<typename M::TestRay>;
+  const bool counts_all = rules.query == Query::count_hits, lists = rules.query == Query::all_hits;
+  const HitFilter filter{rules.faces, counts_all || lists ? EdgeRule::half_open : EdgeRule::closed, excluded};
+  const Real scale = scale_direction(ray);
+  const std::size_t first = i * rules.row();
+  const auto write = [&](std::uint32_t k, const Near& near, Real t, bool front) {
+    if (results.t != nullptr) results.t[first + k] = static_cast<float>(t);
+    if (results.t64 != nullptr) results.t64[first + k] = static_cast<double>(t);
+    if (results.primitive != nullptr) results.primitive[first + k] = near.hit.primitive;
+    if (results.front != nullptr) results.front[first + k] = front ? 1 : 0;
+    if (results.has_attributes()) write_attributes(scene, near, results, first + k);
+  };
+  const bool writes = lists || rules.query == Query::nearest_hit;
+  bool first_is_back = false;
+  const std::uint32_t count =
+      hits_in_order<M>(scene, grid, ray, filter, counts_all ? no_primitive : rules.row(),
+                       [&](std::uint32_t k, const Near& near, bool front) {
+                         if (k == 0) first_is_back = !front;
+                         if (writes) write(k, near, (near.hit.t + near.skipped) * scale, front);
+                       });
+  if (writes) {
+    for (std::uint32_t k = count; k < rules.row(); ++k)
+      write(k, {{}, {0, no_primitive}, 0}, static_cast<Real>(INFINITY), false);
+  }
+  if (results.count != nullptr) results.count[i] = count;
+  if (results.inside != nullptr)
+    results.inside[i] = ((count & 1) != 0) != first_is_back ? 2 : first_is_back ? 1 : 0;
+  if (results.occluded != nullptr) results.occluded[i] = count != 0 ? 1 : 0;
+}
+
+} // namespace masu

@@ -1,0 +1,239 @@
+// All hits of a ray: the same for every structure, and each crossing of a closed mesh once.
+#include "libgrid/trace/hits_in_order.h"
+#include "renderer/counts.h"
+#include "tests/random_grid.h"
+#include "tests/random_ray.h"
+#include "tests/random_scene.h"
+#include "tests/random_test.h"
+#include "tests/stability/closed_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <tuple>
+#include <vector>
+
+namespace masu {
+namespace {
+
+template <class Real>
+struct Crossing {
+  Real t;
+  PrimitiveIndex primitive;
+  bool front;
+  auto key() const { return std::tuple(t, primitive, !front); }
+  bool operator==(const Crossing& other) const { return key() == other.key(); }
+};
+
+template <class Real>
+using List = std::vector<Crossing<Real>>;
+
+template <class Real, class Stored, class Grid>
+List<Real> listed(const SceneView<Stored>& scene, const Grid& grid, const Ray<Real>& ray,
+                  const HitFilter& filter, std::uint32_t limit = no_primitive) {
+  List<Real> list;
+  const std::uint32_t count = hits_in_order<Robust<Real>>(
+      scene, grid, ray, filter, limit, [&](std::uint32_t i, const auto& near, bool front) {
+        EXPECT_EQ(i, list.size());
+        list.push_back({near.hit.t + near.skipped, near.hit.primitive, front});
+      });
+  EXPECT_EQ(count, list.size());
+  return list;
+}
+
+// Of every primitive, by its own test alone, sorted.
+template <class Real, class Stored>
+List<Real> tried(const SceneView<Stored>& scene, const Ray<Real>& ray, const HitFilter& filter) {
+  struct Found : Crossing<Real> {
+    Real near_t;
+  };
+  std::vector<Found> found;
+  ClippedRay<Real> near{};
+  if (!clip(ray, cast<Real>(scene.clip), near)) return {};
+  const WatertightRay<Real> test_ray = prepared(near.ray.origin, near.ray.direction);
+  for (PrimitiveIndex i = 0; i < scene.primitive_count(); ++i) {
+    if (i == filter.excluded) continue;
+    each_hit<with_all_kinds>(scene, test_ray, i, filter.edges, [&](Real t, bool front) {
+      if (t < near.ray.t_max && (filter.faces == Faces::both || front == (filter.faces == Faces::front)))
+        found.push_back({{t + near.skipped, i, front}, t});
+    });
+  }
+  std::ranges::sort(found, {}, [](const Found& f) { return std::tuple(f.near_t, f.primitive, !f.front); });
+  return {found.begin(), found.end()};
+}
+
+template <class Real>
+class HitsInOrder : public RandomTest {
+protected:
+  HitFilter filter(const SceneView<Real>& scene) {
+    return {chance_.one_of({Faces::both, Faces::front, Faces::back}),
+            chance_.one_of({EdgeRule::closed, EdgeRule::half_open}),
+            chance_.one_in(2) ? no_primitive
+                              : static_cast<PrimitiveIndex>(chance_.index(scene.primitive_count()))};
+  }
+  // Through a random grid and a hierarchy, as they are and as structures known when they are traced.
+  template <class Act>
+  void with_structures(TestScene<Real>& scene, const Grid& grid, const Grid& hierarchy, const Act& act) {
+    const auto both = [&](const auto& view) {
+      act(view);
+      act(any_structure(view));
+    };
+    with_view<Real>(grid, both);
+    both(HierarchyView<Real>{hierarchy.nodes.data(), hierarchy.references.data()});
+    act(AnyStructure<Real>{});
+    static_cast<void>(scene);
+  }
+};
+using Arithmetics = testing::Types<float, double>;
+TYPED_TEST_SUITE(HitsInOrder, Arithmetics);
+
+TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  std::size_t hits = 0, many = 0;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    if (scene.count() == 0) continue;
+    if (!scene.triangles.empty() && chance.one_in(4)) { // more hits than a pass keeps, some of them ties
+      const Triangle<Real> triangle = scene.triangles[chance.index(scene.triangles.size())];
+      const Vec3<Real> step = (triangle.b - triangle.a) * static_cast<Real>(chance.one_of({0.0, 0.01}));
+      for (int i = 0; i < 60; ++i) {
+        const Vec3<Real> by = step * static_cast<Real>(i / 2);
+        scene.triangles.push_back(triangle_of(triangle.a + by, triangle.b + by, triangle.c + by));
+      }
+    }
+    const SceneView<Real> view = scene.view();
+    const Boxd bounds = scene.bounds();
+    const Grid grid = random_grid(chance, view, bounds), hierarchy = hierarchy_of(scene);
+    RayMaker<Real> rays(chance, scene, bounds, grid);
+    for (int r = 0; r < 60; ++r) {
+      const Ray<Real> ray = rays.ray();
+      const HitFilter filter = this->filter(view);
+      const List<Real> expected = tried(view, ray, filter);
+      const std::uint32_t limit =
+          chance.one_in(2) ? no_primitive : static_cast<std::uint32_t>(chance.whole(1, 40));
+      List<Real> first = expected;
+      first.resize(std::min<std::size_t>(first.size(), limit));
+      hits += first.size();
+      many += first.size() > hits_per_pass ? 1 : 0;
+      this->with_structures(scene, grid, hierarchy, [&](const auto& structure) {
+        ASSERT_EQ(listed(view, structure, ray, filter, limit), first)
+            << described(ray.origin, ray.direction) << ' ' << described(grid);
+      });
+    }
+  }
+  EXPECT_GT(hits, static_cast<std::size_t>(cases(5000)));
+  EXPECT_GT(many, static_cast<std::size_t>(cases(50)));
+}
+
+TYPED_TEST(HitsInOrder, BeginWithTheNearestHit) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    const SceneView<Real> view = scene.view();
+    const Grid grid = random_grid(chance, view, scene.bounds());
+    RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
+    for (int r = 0; r < 100; ++r) {
+      const Ray<Real> ray = rays.ray();
+      NoCounts counts;
+      const Hit<Real> nearest = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+      const List<Real> list = listed(view, NoGrid{}, ray, {Faces::both, EdgeRule::closed}, 1);
+      ASSERT_EQ(list.empty(), nearest.primitive == no_primitive) << described(ray.origin, ray.direction);
+      if (list.empty()) continue;
+      EXPECT_TRUE(same_bits(list[0].t, nearest.t)) << described(ray.origin, ray.direction);
+      EXPECT_EQ(list[0].primitive, nearest.primitive);
+    }
+  }
+}
+
+// Also of meshes so small that products of two coordinates underflow.
+TYPED_TEST(HitsInOrder, CrossAClosedMeshAsOftenInwardsAsOutwards) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  std::size_t crossed = 0;
+  for (std::int64_t s = cases(400); s > 0; --s) {
+    const double size = std::exp2(chance.one_in(2) ? 0 : chance.whole(-60, 20));
+    TestScene<Real> scene;
+    scene.triangles = closed_mesh<Real>(chance, size, true);
+    const std::span<const Triangle<Real>> triangles(scene.triangles);
+    ASSERT_TRUE(is_closed(triangles));
+    const SceneView<Real> view = scene.view();
+    const Grid grid = random_grid(chance, view, scene.bounds());
+    with_view<Real>(grid, [&](const auto& structure) {
+      for (int r = 0; r < 200; ++r) {
+        const Ray<Real> ray = crossing_ray<Real>(chance, triangles, size);
+        const List<Real> list = listed(view, structure, ray, {});
+        const auto fronts = std::ranges::count(list, true, &Crossing<Real>::front);
+        ASSERT_EQ(static_cast<std::size_t>(2 * fronts), list.size())
+            << described(ray.origin, ray.direction) << " size " << size;
+        crossed += list.empty() ? 0 : 1;
+      }
+    });
+  }
+  EXPECT_GT(crossed, static_cast<std::size_t>(cases(30'000)));
+}
+
+TYPED_TEST(HitsInOrder, TellPointsInsideAClosedMesh) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  int inside = 0, points = 0;
+  for (std::int64_t s = cases(200); s > 0; --s) {
+    TestScene<Real> scene;
+    scene.triangles = closed_mesh<Real>(chance, 1, false);
+    const std::span<const Triangle<Real>> triangles(scene.triangles);
+    const SceneView<Real> view = scene.view();
+    for (int p = 0; p < 20; ++p) {
+      // On a coarse lattice, where many rays meet edges and corners exactly.
+      const Vec3d point = chance.one_in(2) ? kept<float>(chance.in_cube(1.2))
+                                           : cast<double>(cast<int>(chance.in_cube(5))) * 0.25;
+      const double winding = winding_number(triangles, point);
+      bool near_surface = std::abs(winding - std::round(winding)) > 1e-6;
+      for (int axis = 0; axis < 3 && !near_surface; ++axis)
+        for (const double step : {-1e-4, 1e-4}) {
+          Vec3d beside = point;
+          beside.set(axis, beside[axis] + step);
+          near_surface |= std::abs(winding_number(triangles, beside) - winding) > 1e-3;
+        }
+      if (near_surface) continue;
+      ++points;
+      const bool is_inside = std::lround(winding) % 2 != 0;
+      inside += is_inside ? 1 : 0;
+      for (int d = 0; d < 10; ++d) {
+        Vec3d direction = chance.direction();
+        if (chance.one_in(2)) direction = cast<double>(cast<int>(chance.in_cube(2.9)));
+        if (largest_magnitude(direction) == 0) direction = {0, 1, 0};
+        const Ray<Real> ray = unbounded_ray(cast<Real>(point), cast<Real>(direction));
+        ASSERT_EQ(listed(view, NoGrid{}, ray, {}).size() % 2 != 0, is_inside)
+            << described(ray.origin, ray.direction);
+      }
+    }
+  }
+  EXPECT_GT(inside, points / 10);
+  EXPECT_GT(points, cases(2000));
+}
+
+TYPED_TEST(HitsInOrder, EnterAndLeaveSpheresAndCones) {
+  using Real = TypeParam;
+  TestScene<Real> scene;
+  scene.spheres = {sphere_of<Real>({0, 0, 0}, 1), sphere_of<Real>({0, 0, 0}, -2)};
+  scene.cones = {cone_of<Real>({0, -1, 5}, 1, {0, 1, 5}, 1),
+                 cone_of<Real>({0, -1, 10}, -2, {0, 1, 10}, -0.5)};
+  const auto hits = [&](Real from) {
+    return listed(scene.view(), NoGrid{}, unbounded_ray<Real>({0, 0, from}, {0, 0, 1}), {});
+  };
+  // Of the negative radii the inside alone is visible, and is the front.
+  const List<Real> all = hits(-5), expected = {{4, 0, true}, {6, 0, false},  {7, 1, true},
+                                               {9, 2, true}, {11, 2, false}, {16.25, 3, true}};
+  ASSERT_EQ(all.size(), expected.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(all[i].t), static_cast<double>(expected[i].t), 1e-4);
+    EXPECT_EQ(all[i].primitive, expected[i].primitive);
+    EXPECT_EQ(all[i].front, expected[i].front) << i;
+  }
+  EXPECT_EQ(hits(0).size(), 5U);
+}
+
+} // namespace
+} // namespace masu

@@ -1,0 +1,118 @@
+// Rays through a closed mesh, at its corners, along its edges and in the planes of its faces: each line
+// crosses it as often inwards as outwards.
+#include "tests/stability/closed_mesh.h"
+#include "tools/bench/bench.h"
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+
+#include <nlohmann/json.hpp>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace masu {
+namespace {
+
+struct Settings {
+  std::string scene, grid;
+  std::uint64_t count = 1'000'000;
+  std::uint64_t seed = 1;
+  Backend backend = Backend::automatic;
+  Precision precision = Precision::automatic;
+  bool json = false;
+  Threads threads;
+};
+
+struct Crossings {
+  std::uint64_t rays = 0, crossing = 0, hits = 0, wrong = 0;
+};
+
+constexpr std::uint64_t rays_per_batch = std::uint64_t{1} << 20, rays_per_task = 1 << 12;
+
+template <class Stored>
+Crossings count_crossings(const Settings& settings, const Tracer& tracer, const SceneView<Stored>& scene) {
+  const std::span<const Triangle<Stored>> triangles(scene.triangles, scene.triangle_count);
+  if (triangles.empty() || scene.cone_count > 0 || !is_closed(triangles))
+    throw Error(ErrorCode::input, settings.scene,
+                "isn't a closed mesh: an edge is run through more often in one direction than in the other");
+  const double size = largest_magnitude(tracer.scene().bounds());
+  Crossings all;
+  std::vector<Ray<double>> rays;
+  std::vector<std::uint32_t> hits, fronts;
+  for (; all.rays < settings.count; all.rays += rays.size()) {
+    rays.resize(std::min(settings.count - all.rays, rays_per_batch));
+    hits.resize(rays.size());
+    fronts.resize(rays.size());
+    const std::uint64_t first_task = all.rays / rays_per_task;
+    tbb::parallel_for(
+        std::uint64_t{0}, (rays.size() + rays_per_task - 1) / rays_per_task, [&](std::uint64_t task) {
+          Chance chance(RandomSeed(settings.seed * 0x9e3779b97f4a7c15U + first_task + task));
+          const std::size_t end = std::min<std::size_t>((task + 1) * rays_per_task, rays.size());
+          for (std::size_t i = task * rays_per_task; i < end; ++i)
+            rays[i] = crossing_ray<double>(chance, triangles, size);
+        });
+    const auto count = [&](Faces faces, std::vector<std::uint32_t>& counts) {
+      RaysRequest request;
+      request.tracing.precision = settings.precision;
+      request.query = Query::count_hits;
+      request.faces = faces;
+      RayResults results;
+      results.count = counts.data();
+      tracer.trace(relative(RayList(rays)), results, request);
+    };
+    count(Faces::both, hits);
+    count(Faces::front, fronts);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      all.crossing += hits[i] > 0 ? 1 : 0;
+      all.hits += hits[i];
+      all.wrong += hits[i] != 2 * fronts[i] ? 1 : 0;
+    }
+  }
+  return all;
+}
+
+void bench_crossings(const Settings& settings) {
+  const auto limit = settings.threads.limit();
+  const bool cuda = use_cuda(settings.backend, "gridbench");
+  const SceneFile scene(settings.scene);
+  const GridFile grid(settings.grid);
+  const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+  const Crossings all = scene.is_float64() ? count_crossings(settings, tracer, scene.view<double>())
+                                           : count_crossings(settings, tracer, scene.view<float>());
+  if (settings.json) {
+    const nlohmann::ordered_json row{
+        {"rays", all.rays}, {"crossing", all.crossing}, {"hits", all.hits}, {"wrong", all.wrong}};
+    fmt::print("{}\n", json_text(with_provenance(nlohmann::ordered_json::array({row}), device_name(cuda))));
+  } else {
+    fmt::print("{:>12} {:>12} {:>12} {:>12}\n{:>12} {:>12} {:>12} {:>12}\n", "rays", "crossing", "hits",
+               "wrong", all.rays, all.crossing, all.hits, all.wrong);
+  }
+}
+
+} // namespace
+
+void add_crossings(CLI::App& app) {
+  const auto owned = std::make_shared<Settings>(); // by the callback
+  Settings& settings = *owned;
+  CLI::App& command =
+      *app.add_subcommand("crossings", "How often rays through corners, edges and faces cross a closed mesh");
+  command.add_option("SCENE", settings.scene, "scene file of closed meshes, their fronts outside")
+      ->required();
+  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
+  command.add_option("--count", settings.count, "number of rays")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+      ->capture_default_str();
+  command.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
+  add_backend(command, settings.backend);
+  add_choice(command, "--precision", settings.precision,
+             {{"auto", Precision::automatic}, {"robust", Precision::robust}, {"double", Precision::doubled}},
+             "arithmetic: robust, double, or auto, what the scene's store asks for");
+  command.add_flag("--json", settings.json, "print JSON");
+  settings.threads.add_to(command);
+  command.callback([owned] { bench_crossings(*owned); });
+}
+
+} // namespace masu
