@@ -109,9 +109,10 @@ typedef struct masu_geometry {
   int reserved;
 } masu_geometry;
 
-/* Copies what the arrays hold. Primitives are numbered in the order of the arrays, triangles first, then
- * spheres, then cones, and so are objects. Triangles without area are kept, for the numbers' sake, and can't
- * be hit. Camera and lights are automatic ones, for gridrender. */
+/* Copies what the arrays hold, which may lie in host memory or a GPU's (colors and the origin in the host's),
+ * where what writes them must be done. Primitives are numbered in the order of the arrays, triangles first,
+ * then spheres, then cones, and so are objects. Triangles without area are kept, for the numbers' sake, and
+ * can't be hit. Camera and lights are automatic ones, for gridrender. */
 MASU_API masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene);
 
 /* Reads and checks a scene file, of these functions or of nff2bin and mesh2bin. What happens to the file

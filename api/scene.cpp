@@ -1,6 +1,7 @@
 // Scenes of the C interface: from arrays, or a file.
 #include "boundary.h"
 #include "libscene/base/processor.h"
+#include "libscene/cuda/host_copies.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "objects.h"
 #include "renderer/precision.h"
@@ -30,13 +31,14 @@ void set_color(Vec3f& color, const float* given) {
   if (!std::isfinite(color.x + color.y + color.z)) fail("color", "isn't finite");
 }
 
-IndexedMesh mesh_of(const masu_mesh& given) {
+IndexedMesh mesh_of(const masu_mesh& given, HostCopies& copies) {
   require_numbers(given.vertices, given.vertices64, given.vertex_count, "vertices");
   IndexedMesh mesh;
   mesh.vertices = given.vertex_count;
   mesh.triangles = given.triangle_count;
-  mesh.indices = given.indices;
-  const auto vertices_of = [&](const auto* numbers) {
+  mesh.indices = copies.of(given.indices, 3 * given.triangle_count);
+  const auto vertices_of = [&](const auto* given_numbers) {
+    const auto* const numbers = copies.of(given_numbers, 3 * given.vertex_count);
     mesh.vertex = [numbers](std::size_t i) { return vector_at(numbers + 3 * i); };
   };
   given.vertices != nullptr ? vertices_of(given.vertices) : vertices_of(given.vertices64);
@@ -54,13 +56,15 @@ Cone<double> made_of(const auto* numbers, const Cone<double>*) {
 
 template <class Primitive>
 std::vector<PrimitiveArray<Primitive>> arrays_of(const masu_quadrics* given, std::size_t count,
-                                                 std::size_t numbers_each, const char* place) {
+                                                 std::size_t numbers_each, const char* place,
+                                                 HostCopies& copies) {
   std::vector<PrimitiveArray<Primitive>> arrays;
   for_each_taken(given, count, place, [&](const masu_quadrics& one) {
     require_numbers(one.values, one.values64, one.count, place);
     PrimitiveArray<Primitive>& array = arrays.emplace_back();
     array.count = one.count;
-    const auto primitives_of = [&](const auto* numbers) {
+    const auto primitives_of = [&](const auto* given_numbers) {
+      const auto* const numbers = copies.of(given_numbers, numbers_each * one.count);
       array.primitive = [=](std::size_t i) {
         return made_of(numbers + numbers_each * i, static_cast<const Primitive*>(nullptr));
       };
@@ -98,15 +102,16 @@ masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene)
   return make(scene, "scene", [&] {
     check_processor();
     const masu_geometry given = taken(geometry, "masu_geometry");
+    HostCopies copies;
     std::vector<IndexedMesh> meshes;
     for_each_taken(given.meshes, given.mesh_count, "masu_mesh",
-                   [&](const masu_mesh& mesh) { meshes.push_back(mesh_of(mesh)); });
+                   [&](const masu_mesh& mesh) { meshes.push_back(mesh_of(mesh, copies)); });
     std::optional<Vec3d> origin;
     if (given.origin != nullptr) origin = vector_at(given.origin);
     const auto store = choice<Store>(given.store, 3, "store");
     return held(scene_in_memory(
-        scene_of(meshes, arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres"),
-                 arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones")),
+        scene_of(meshes, arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres", copies),
+                 arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies)),
         store, origin));
   });
 }

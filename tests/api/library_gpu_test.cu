@@ -1,5 +1,6 @@
 // The C interface with memory of a GPU: the CPU's bits, on any stream, by threads at the same time.
 #include "tests/stability/random_seed.h"
+#include "tests/temporary_folder.h"
 
 #include <masu/masu.hpp>
 
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <string>
@@ -303,6 +305,30 @@ TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
   }
   ASSERT_CUDA(cudaFreeHost(locked));
   ASSERT_CUDA(cudaFreeHost(t));
+}
+
+TEST_F(LibraryOnGpu, AScenesArraysMayLieOnTheGpu) {
+  SCOPED_TRACE(seed_.trace());
+  std::vector<float> vertices(9 * 100);
+  for (float& v : vertices)
+    v = std::uniform_real_distribution<float>(-1, 1)(engine_);
+  std::vector<std::uint32_t> indices(300);
+  std::iota(indices.begin(), indices.end(), 0U);
+  const Device<float> on_gpu_vertices(vertices);
+  const Device<std::uint32_t> on_gpu_indices(indices);
+  auto mesh = masu::mesh(vertices, indices);
+  const masu::TemporaryFolder folder;
+  const auto bytes = [&] {
+    masu::Scene({&mesh, 1}).write(folder.file("scene"));
+    return masu::read_bytes(folder.file("scene"));
+  };
+  const masu::Bytes expected = bytes();
+  mesh.vertices = on_gpu_vertices.data();
+  EXPECT_EQ(bytes(), expected);
+  mesh.indices = on_gpu_indices.data();
+  EXPECT_EQ(bytes(), expected);
+  mesh.triangle_count = std::size_t{1} << 60;
+  EXPECT_THROW(bytes(), masu::Exception);
 }
 
 // Of so many that a loop is chosen for them.
