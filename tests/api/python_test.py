@@ -560,6 +560,80 @@ class Tracers(WithFolder):
         run_threads([functools.partial(work, name) for name in names])
 
 
+class OtherNames(WithFolder):
+    """The classes with Open3D's and trimesh's names."""
+
+    def test_a_raycasting_scene_numbers_primitives_in_their_mesh(self):
+        meshes = [random_mesh(self.random, count) for count in (60, 1, 90)]
+        scene = masu.RaycastingScene(nthreads=1)
+        rays = random_rays(self.random, 600).reshape(20, 30, 6)
+        self.assertTrue((scene.cast_rays(rays)["geometry_ids"] == scene.INVALID_ID).all())
+        self.assertEqual([scene.add_triangles(*mesh) for mesh in meshes], [0, 1, 2])
+        hits = scene.cast_rays(rays)
+        self.assertEqual({name: (str(array.dtype), array.shape) for name, array in hits.items()},
+                         {"t_hit": ("float32", (20, 30)), "geometry_ids": ("uint32", (20, 30)),
+                          "primitive_ids": ("uint32", (20, 30)), "primitive_uvs": ("float32", (20, 30, 2)),
+                          "primitive_normals": ("float32", (20, 30, 3))})
+        expected = masu.Tracer(masu.Scene(meshes=meshes)).nearest(rays, fields=masu.FIELDS)
+        for name in ("t_hit", "primitive_uvs", "primitive_normals"):
+            np.testing.assert_array_equal(hits[name], expected[name])
+        np.testing.assert_array_equal(hits["geometry_ids"].view(np.int32), expected["geometry_ids"])
+        hit = expected["primitive_ids"] >= 0
+        self.assertGreater(hit.sum(), 50)
+        first = np.array([0, 60, 61])[expected["geometry_ids"][hit]]
+        np.testing.assert_array_equal(hits["primitive_ids"][hit] + first, expected["primitive_ids"][hit])
+        self.assertTrue((hits["primitive_ids"][~hit] == scene.INVALID_ID).all())
+        np.testing.assert_array_equal(scene.test_occlusions(rays), hit)
+        np.testing.assert_array_equal(scene.test_occlusions(rays, 0.5, 2.0),
+                                      scene.tracer.occluded(np.concatenate([rays[..., :3], np.full((20, 30, 1), 0.5, np.float32),
+                                                                            rays[..., 3:], np.full((20, 30, 1), 2, np.float32)], -1)))
+        self.assertEqual(repr(scene), "<masu.RaycastingScene on cpu: 3 meshes, 151 triangles>")
+        self.assertRaises(ValueError, scene.cast_rays, np.zeros((5, 8)))
+        self.assertRaises(ValueError, scene.add_triangles, meshes[0][0], meshes[0][1] + 1)
+        self.assertRaises(TypeError, scene.add_triangles, meshes[0][0])
+
+    def test_rays_of_a_pinhole_camera_pass_its_pixels(self):
+        width, height = 40, 30
+        rotation = np.linalg.qr(self.random.normal(size=(3, 3)))[0]
+        extrinsic = np.eye(4)
+        extrinsic[:3, :3], extrinsic[:3, 3] = rotation, self.random.normal(size=3)
+        intrinsic = np.float64([[50, 0, 21], [0, 60, 14], [0, 0, 1]])
+        rays = masu.RaycastingScene.create_rays_pinhole(intrinsic, extrinsic, width, height).astype(np.float64)
+        self.assertEqual(rays.shape, (height, width, 6))
+        at = rays[..., :3] + 3 * rays[..., 3:]
+        inside = at @ rotation.T + extrinsic[:3, 3]
+        np.testing.assert_allclose(inside[..., 2], 3, atol=1e-5)
+        pixels = inside @ intrinsic.T / 3
+        np.testing.assert_allclose(pixels[..., 0], np.broadcast_to(np.arange(width) + 0.5, (height, width)), atol=1e-3)
+        np.testing.assert_allclose(pixels[..., 1], np.arange(height)[:, None].repeat(width, 1) + 0.5, atol=1e-3)
+        eye, center, up = np.float64([1, 2, 3]), np.float64([1, 5, 3]), np.float64([0, 0, 2])
+        rays = masu.RaycastingScene.create_rays_pinhole(fov_deg=90, center=center, eye=eye, up=up, width_px=width,
+                                                        height_px=height)
+        np.testing.assert_array_equal(rays[..., :3], np.broadcast_to(np.float32(eye), (height, width, 3)))
+        np.testing.assert_allclose(rays[..., 4], 1, atol=1e-6)
+        np.testing.assert_allclose(rays[:, -1, 3] - rays[:, 0, 3], -2 + 2 / width, atol=1e-5)
+        self.assertTrue((np.diff(rays[:, 0, 5]) > 0).all())  # rows follow up
+        self.assertRaises(ValueError, masu.RaycastingScene.create_rays_pinhole, intrinsic, intrinsic, 4, 4)
+
+    def test_a_ray_mesh_intersector_has_the_hits_of_the_tracer(self):
+        vertices, faces = random_mesh(self.random, 100)
+
+        class Trimesh:
+            pass
+
+        mesh = Trimesh()
+        mesh.vertices, mesh.faces = vertices.astype(np.float64), faces.astype(np.int64)
+        intersector = masu.RayMeshIntersector(mesh)
+        rays = random_rays(self.random, 400)
+        origins, directions = rays[:, :3], rays[:, 3:]
+        expected = intersector.tracer.nearest(rays.astype(np.float64))
+        np.testing.assert_array_equal(intersector.intersects_first(origins, directions), expected["primitive_ids"])
+        np.testing.assert_array_equal(intersector.intersects_any(origins, directions), expected["primitive_ids"] >= 0)
+        self.assertRaises(ValueError, intersector.intersects_any, origins[:, :2], directions)
+        self.assertRaises(ValueError, intersector.intersects_any, origins, directions[1:])
+        self.assertRaises(TypeError, masu.RayMeshIntersector, vertices)
+
+
 class Module(unittest.TestCase):
     def test_it_is_of_the_librarys_version_and_lists_what_it_has(self):
         from masu import _library

@@ -58,8 +58,9 @@ masu_scene* created_scene(Input& input) {
   for (float& v : vertices)
     v = number(input);
   std::vector<std::uint32_t> indices(3 * (input.take<std::uint8_t>() % 16U));
+  const std::size_t corners = vertices.size() / 3 + (input.take<std::uint8_t>() % 8 == 0 ? 1 : 0);
   for (std::uint32_t& i : indices)
-    i = input.take<std::uint8_t>() % 17U;
+    i = corners > 0 ? static_cast<std::uint32_t>(input.take<std::uint8_t>() % corners) : 0;
   const std::array<float, 3> color{number(input), number(input), number(input)};
   auto mesh = sized<masu_mesh>(input);
   mesh.vertices = vertices.data();
@@ -122,12 +123,19 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives) {
   set(options.format, format);
   set(options.precision, input.take<std::uint8_t>() % 5);
   options.coherent = input.take<std::uint8_t>() % 2;
+  set(options.faces, input.take<std::uint8_t>() % 4);
+  const std::vector<std::uint32_t> excluded(count, input.take<std::uint8_t>());
+  if (input.take<std::uint8_t>() % 2 != 0) options.exclude = excluded.data();
   const std::vector<float> rays = rays_of<float>(input, 8 * count);
   const std::vector<double> rays64(rays.begin(), rays.end());
   const bool is_float64 = format == MASU_RAYS_FLOAT64 || format == MASU_RAYS_FLOAT64_6;
   const void* const list = is_float64 ? static_cast<const void*>(rays64.data()) : rays.data();
-  std::vector<float> t(count), uv(2 * count), normal(3 * count);
-  std::vector<std::uint32_t> primitive(count), object(count), face(count);
+  const std::uint32_t limit = input.take<std::uint8_t>() % 5U;
+  const std::size_t room = count * std::max(limit, 1U);
+  std::vector<float> t(room), uv(2 * room), normal(3 * room);
+  std::vector<double> t64(room);
+  std::vector<std::uint32_t> primitive(room), object(room), face(room), counts(count), all(count);
+  std::vector<std::uint8_t> front(room);
   const auto wanted = input.take<std::uint8_t>();
   const masu_hits hits{sizeof hits,
                        (wanted & 1U) != 0 ? t.data() : nullptr,
@@ -135,7 +143,9 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives) {
                        (wanted & 4U) != 0 ? object.data() : nullptr,
                        (wanted & 8U) != 0 ? uv.data() : nullptr,
                        (wanted & 16U) != 0 ? normal.data() : nullptr,
-                       (wanted & 32U) != 0 ? face.data() : nullptr};
+                       (wanted & 32U) != 0 ? face.data() : nullptr,
+                       (wanted & 64U) != 0 ? t64.data() : nullptr,
+                       (wanted & 128U) != 0 ? front.data() : nullptr};
   if (masu_nearest(tracer, list, count, &options, &hits) == MASU_OK && (wanted & 3U) == 3) {
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = std::isfinite(t[i]);
@@ -144,6 +154,12 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives) {
   }
   std::vector<std::uint8_t> occluded(count);
   static_cast<void>(masu_occluded(tracer, list, count, &options, occluded.data()));
+  static_cast<void>(masu_inside(tracer, list, count, &options, occluded.data()));
+  if (masu_all_hits(tracer, list, count, &options, limit, &hits, counts.data()) == MASU_OK &&
+      masu_count_hits(tracer, list, count, &options, all.data()) == MASU_OK) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (counts[i] != std::min(all[i], limit)) std::abort();
+  }
 }
 
 } // namespace

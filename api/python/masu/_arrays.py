@@ -5,7 +5,7 @@
     packed(array)         the same numbers as float32 or float64, contiguous and aligned: itself or a copy
     is_float64(array)     of a packed array
     pointer(array)        of a packed array
-    to_host(array)        NumPy's, of the same numbers, but for _numpy
+    to_host(array)        NumPy's, of the same numbers
     empty(shape, type, array)  a new array where that one is; type: "float32", "int32", "bool"
     queue(array, stream)  a context in which all of that is queued on the stream, or the current one if that is None; it
                           yields the stream's handle
@@ -38,8 +38,6 @@ def recognize(array: Any, stream: Any) -> Tuple[Any, Any]:
 
 def on_host(array: Any) -> Any:
     """The same numbers in host memory; those on a GPU are copied once what its library queued is done."""
-    if not _lies_on_gpu(array) and not hasattr(array, "is_cuda"):
-        return array
     module, array = recognize(array, None)
     return module.to_host(array)
 

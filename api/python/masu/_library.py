@@ -122,7 +122,7 @@ def _has_avx2() -> bool:
     """Whether the processor has what a wheel's library in x86-64-v3 was compiled for (MASU_AVX2)."""
     try:
         with open("/proc/cpuinfo", encoding="ascii", errors="replace") as lines:
-            flags = next((line.split() for line in lines if line.startswith("flags")), [])
+            flags = next((line for line in lines if line.startswith("flags")), "").split()
     except OSError:
         return False
     return {"avx2", "fma", "bmi1", "bmi2", "abm", "popcnt"}.issubset(flags)

@@ -6,38 +6,44 @@ from typing import Any, Iterator, Optional, Tuple
 import numpy as np
 
 
-def adopted(array: Any, stream: Any) -> "np.ndarray":
+def adopted(array: Any, stream: Any) -> "np.ndarray[Any, Any]":
     if not hasattr(array, "__array__") and hasattr(array, "__dlpack__"):
         return np.from_dlpack(array)
+    if not hasattr(array, "__array__") and hasattr(array, "numpy"):  # Open3D's tensors
+        array = array.numpy()
     try:
         return np.asarray(array)
     except ValueError as error:  # rows of different lengths
-        raise ValueError("rays: no array of numbers: {}".format(error)) from None
+        raise ValueError("no array of numbers: {}".format(error)) from None
 
 
-def gpu(array: "np.ndarray") -> None:
+def gpu(array: "np.ndarray[Any, Any]") -> None:
     return None
 
 
-def packed(array: "np.ndarray") -> "np.ndarray":
+def packed(array: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
     if array.dtype.kind not in "fiu":
         raise TypeError("an array of real numbers is needed, not of {}".format(array.dtype))
     number = np.float32 if array.dtype.newbyteorder("=") == np.float32 else np.float64
     return np.require(array, number, ["C_CONTIGUOUS", "ALIGNED"])
 
 
-def is_float64(array: "np.ndarray") -> bool:
-    return array.dtype == np.float64
+def is_float64(array: "np.ndarray[Any, Any]") -> bool:
+    return bool(array.dtype == np.float64)
 
 
-def pointer(array: "np.ndarray") -> int:
+def pointer(array: "np.ndarray[Any, Any]") -> int:
     return int(array.ctypes.data)
 
 
-def empty(shape: Tuple[int, ...], number: str, array: "np.ndarray") -> "np.ndarray":
+def to_host(array: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
+    return array
+
+
+def empty(shape: Tuple[int, ...], number: str, array: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
     return np.empty(shape, number)
 
 
 @contextlib.contextmanager
-def queue(array: "np.ndarray", stream: Any) -> Iterator[Optional[int]]:
+def queue(array: "np.ndarray[Any, Any]", stream: Any) -> Iterator[Optional[int]]:
     yield None

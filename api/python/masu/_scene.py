@@ -72,6 +72,11 @@ class Primitive(NamedTuple):
     refraction_index: float
 
 
+def _vector(numbers: Any) -> Vector:
+    x, y, z = numbers
+    return x, y, z
+
+
 # --- Arrays -------------------------------------------------------------------------------------------------------
 
 def _numbers(name: str, array: Any, columns: int) -> Any:
@@ -140,6 +145,21 @@ def _quadrics(name: str, given: Any, columns: int) -> Tuple[Any, Any]:
     return records, kept
 
 
+def mesh_of(vertices: Any, faces: Any = None) -> Mesh:
+    """Copies of arrays, or without faces, of those that an object has as Open3D's and trimesh's meshes do."""
+    import numpy as np
+    if faces is None:
+        if hasattr(vertices, "triangle") and hasattr(vertices, "vertex"):
+            vertices, faces = vertices.vertex["positions"], vertices.triangle["indices"]
+        elif hasattr(vertices, "faces"):
+            vertices, faces = vertices.vertices, vertices.faces
+        else:
+            raise TypeError("a mesh with vertices and faces is needed, not {}".format(type(vertices).__name__))
+    mesh = Mesh(np.array(_arrays.on_host(vertices)), np.array(_arrays.on_host(faces)))
+    _set_mesh(MeshRecord(), mesh, "")  # checks it
+    return mesh
+
+
 # --- Scenes -------------------------------------------------------------------------------------------------------
 
 class Scene(Resource):
@@ -202,7 +222,7 @@ class Scene(Resource):
         with self._opened() as handle:
             check(library.masu_scene_describe(handle, byref(record)))
         return Description(record.triangles, record.spheres, record.cones, record.materials, record.objects,
-                           tuple(record.bounds_min), tuple(record.bounds_max), tuple(record.origin), record.error_bound,
+                           _vector(record.bounds_min), _vector(record.bounds_max), _vector(record.origin), record.error_bound,
                            record.bytes, bool(record.is_float64))
 
     def primitive(self, index: int) -> Primitive:
@@ -214,7 +234,7 @@ class Scene(Resource):
         record = sized(PrimitiveRecord())
         with self._opened() as handle:
             check(library.masu_scene_primitive(handle, index, byref(record)))
-        return Primitive(KINDS[record.kind], record.object, record.material, record.face, tuple(record.color),
+        return Primitive(KINDS[record.kind], record.object, record.material, record.face, _vector(record.color),
                          record.diffuse, record.specular, record.shine, record.transmittance, record.refraction_index)
 
     def build(self, *, structure: str = "grid", merge: str = "auto", division: Union[str, int, None] = None,

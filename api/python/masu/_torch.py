@@ -43,11 +43,11 @@ def packed(array: "torch.Tensor") -> "torch.Tensor":
 
 
 def is_float64(array: "torch.Tensor") -> bool:
-    return array.dtype == torch.float64
+    return bool(array.dtype == torch.float64)
 
 
 def pointer(array: "torch.Tensor") -> int:
-    return array.data_ptr()
+    return int(array.data_ptr())
 
 
 def to_host(array: "torch.Tensor") -> Any:

@@ -1,0 +1,130 @@
+"""Open3D's RaycastingScene, by its names: for programs that were written for it."""
+
+import math
+import threading
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+
+from . import _arrays
+from ._scene import Mesh, Scene, mesh_of
+from ._tracer import Tracer
+
+
+class RaycastingScene:
+    """Meshes, and rays that are cast at them, with the names and results of open3d.t.geometry.RaycastingScene; arrays are
+    NumPy's. What differs: hits are watertight, and the same bits on every device and machine; a mesh may have other
+    numbers than float32; device may be "cuda".
+
+        scene = RaycastingScene()
+        cube_id = scene.add_triangles(vertices, triangles)
+        depth = scene.cast_rays(scene.create_rays_pinhole(60, center, eye, up, 640, 480))["t_hit"]
+
+    The first query after add_triangles() builds a scene and its grid; `tracer` is the masu.Tracer then."""
+
+    INVALID_ID = 0xffffffff  # of a miss
+
+    def __init__(self, nthreads: int = 0, device: Union[str, int, Any] = "cpu") -> None:
+        self._nthreads, self._device = nthreads, device
+        self._lock = threading.Lock()
+        self._meshes: List[Mesh] = []
+        self._tracer: Optional[Tracer] = None
+
+    def add_triangles(self, vertex_positions: Any, triangle_indices: Any = None) -> int:
+        """Adds a mesh: arrays (V, 3) and (F, 3), or one object that has them as Open3D's and trimesh's meshes do. Returns
+        its geometry_id."""
+        mesh = mesh_of(vertex_positions, triangle_indices)
+        with self._lock:
+            self._meshes.append(mesh)
+            self._tracer = None
+            return len(self._meshes) - 1
+
+    @property
+    def tracer(self) -> Tracer:
+        with self._lock:
+            if self._tracer is None:
+                scene = Scene(meshes=self._meshes)
+                self._tracer = Tracer(scene, device=self._device)
+            return self._tracer
+
+    def cast_rays(self, rays: Any, nthreads: int = 0) -> Dict[str, Any]:
+        """The first hit of each ray (..., 6), origin and direction: t_hit (infinity for a miss), geometry_ids and
+        primitive_ids, the triangle's index in its mesh (uint32; INVALID_ID for a miss), primitive_uvs, primitive_normals."""
+        hits = self.tracer.nearest(_rays(rays), fields=("t_hit", "geometry_ids", "primitive_ids", "primitive_uvs",
+                                                        "primitive_normals"), threads=nthreads or self._nthreads)
+        return self._numbered(hits)
+
+    def test_occlusions(self, rays: Any, tnear: float = 0.0, tfar: float = math.inf, nthreads: int = 0) -> Any:
+        """Whether each ray (..., 6) hits anything at tnear < t < tfar."""
+        import numpy as np
+        rays = _rays(rays)
+        segments = np.empty(rays.shape[:-1] + (8,), rays.dtype)
+        segments[..., :3], segments[..., 3], segments[..., 4:7], segments[..., 7] = rays[..., :3], tnear, rays[..., 3:], tfar
+        return self.tracer.occluded(segments, threads=nthreads or self._nthreads)
+
+    def _numbered(self, hits: Dict[str, Any]) -> Dict[str, Any]:
+        """With primitives numbered in their meshes, and the misses' numbers Open3D's."""
+        import numpy as np
+        counts = [len(mesh.faces) for mesh in self._meshes]
+        first = np.cumsum([0] + counts, dtype=np.int64)[:-1].astype(np.int32)
+        ids = hits["geometry_ids"]
+        offsets = np.append(first, np.int32(0))[ids]  # -1: of a miss
+        return {**hits, "geometry_ids": ids.view(np.uint32), "primitive_ids": (hits["primitive_ids"] - offsets).view(np.uint32)}
+
+    @staticmethod
+    def create_rays_pinhole(*camera: Any, **named: Any) -> Any:
+        """Rays (height, width, 6) through the centres of a pinhole camera's pixels, as Open3D's:
+
+            create_rays_pinhole(intrinsic_matrix, extrinsic_matrix, width_px, height_px)
+            create_rays_pinhole(fov_deg, center, eye, up, width_px, height_px)
+
+        The matrices are (3, 3), and (4, 4) from the world to the camera. fov_deg is the horizontal angle; as in Open3D,
+        rows follow `up`. Directions have the length 1 along the camera's axis: t_hit is depth."""
+        if len(camera) + len(named) == 4:
+            return _pinhole(*camera, **named)
+        return _pinhole_at(*camera, **named)
+
+    def __repr__(self) -> str:
+        return "<masu.RaycastingScene on {}: {} meshes, {} triangles>".format(
+            self._device, len(self._meshes), sum(len(mesh.faces) for mesh in self._meshes))
+
+
+def _rays(rays: Any) -> Any:
+    import numpy as np
+    rays = np.asarray(_arrays.on_host(rays))
+    if rays.ndim == 0 or rays.shape[-1] != 6:
+        raise ValueError("rays: the shape (..., 6) is needed, not {}".format(rays.shape))
+    return rays if rays.dtype == np.float64 else rays.astype(np.float32, copy=False)
+
+
+def _vector(name: str, numbers: Any, shape: Tuple[int, ...]) -> Any:
+    import numpy as np
+    array = np.asarray(_arrays.on_host(numbers), np.float64)
+    if array.shape != shape:
+        raise ValueError("{}: the shape {} is needed, not {}".format(name, shape, array.shape))
+    return array
+
+
+def _pinhole(intrinsic_matrix: Any, extrinsic_matrix: Any, width_px: int, height_px: int) -> Any:
+    import numpy as np
+    extrinsic = _vector("extrinsic_matrix", extrinsic_matrix, (4, 4))
+    to_world = extrinsic[:3, :3].T
+    directions = (to_world @ np.linalg.inv(_vector("intrinsic_matrix", intrinsic_matrix, (3, 3)))).astype(np.float32)
+    rays = np.empty((height_px, width_px, 6), np.float32)
+    rays[..., :3] = -to_world @ extrinsic[:3, 3]
+    x, y = np.arange(width_px, dtype=np.float32) + np.float32(0.5), np.arange(height_px, dtype=np.float32) + np.float32(0.5)
+    rays[..., 3:] = x[None, :, None] * directions[:, 0] + y[:, None, None] * directions[:, 1] + directions[:, 2]
+    return rays
+
+
+def _pinhole_at(fov_deg: float, center: Sequence[float], eye: Sequence[float], up: Sequence[float], width_px: int,
+                height_px: int) -> Any:
+    import numpy as np
+    place = _vector("eye", eye, (3,))
+    forward = _vector("center", center, (3,)) - place
+    forward /= np.linalg.norm(forward)
+    right = np.cross(_vector("up", up, (3,)), forward)
+    right /= np.linalg.norm(right)
+    extrinsic = np.eye(4)
+    extrinsic[:3, :3] = right, np.cross(forward, right), forward
+    extrinsic[:3, 3] = -extrinsic[:3, :3] @ place
+    focal = 0.5 * width_px / math.tan(math.radians(0.5 * fov_deg))
+    return _pinhole([[focal, 0, 0.5 * width_px], [0, focal, 0.5 * height_px], [0, 0, 1]], extrinsic, width_px, height_px)
