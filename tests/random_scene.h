@@ -41,6 +41,22 @@ TestScene<Stored> scattered_scene(Chance& chance, int most) {
   return scene;
 }
 
+// Each by up to so much along each axis, on its own.
+template <class Stored>
+void move_primitives(Chance& chance, TestScene<Stored>& scene, double most) {
+  const auto move = [&](auto&... points) {
+    const Vec3<Stored> by = cast<Stored>(chance.in_cube(most));
+    ((points = points + by), ...);
+  };
+  for (auto& t : scene.triangles)
+    move(t.a, t.b, t.c);
+  for (auto& sphere : scene.spheres)
+    move(sphere.center);
+  for (auto& cone : scene.cones)
+    move(cone.base, cone.apex);
+  std::erase_if(scene.cones, [](const auto& cone) { return cone.base == cone.apex; });
+}
+
 // Makes scenes; everything lies within ±scale of some point.
 template <class Stored>
 class SceneMaker {

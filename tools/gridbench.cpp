@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
                     add_lists(app);
                     add_scale(app);
                     add_load(app);
+                    add_refit(app);
                     add_tradeoff(app);
                     add_stability(app);
                     add_oracle(app);

@@ -33,6 +33,9 @@ public:
     return options.kind == GridKind::uniform ? uniform_grid(scene_, layout, overlap)
                                              : merged_grid(scene_, layout, overlap, options, progress_);
   }
+  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+    return refit_hierarchy(scene_, layout, hierarchy);
+  }
   const SceneView<Stored>& scene() const override { return scene_; }
 
 private:

@@ -32,6 +32,9 @@ public:
   // The same, but throws Error(usage, "division", …) for a layout that exceeds a limit.
   Grid build(const GridLayout& layout, Overlap overlap, const GridOptions& options = {});
 
+  // As refit_hierarchy() (hierarchy.h), on the builder's device.
+  virtual bool refit(const GridLayout& layout, Grid& hierarchy) = 0;
+
   virtual const SceneView<Stored>& scene() const = 0;
   virtual DeviceSeconds device_seconds() const { return {}; }
 };

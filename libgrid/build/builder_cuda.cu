@@ -4,6 +4,7 @@
 #include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/cuda_executor.h"
 #include "libgrid/build/passes/merge_passes.h"
+#include "libgrid/build/passes/refit_passes.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/cuda/device_primitives.h"
@@ -73,6 +74,24 @@ public:
       if (options.kind == GridKind::uniform)
         return built([&] { return uniform_grid(*executor_, device_->view, layout, overlap); });
       return built([&] { return merged_grid(*executor_, device_->view, layout, overlap, options); });
+    });
+  }
+
+  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+    check_hierarchy(host_.primitive_count(), layout.space);
+    return on_gpu(gpu_, [&] {
+      const Queue queue{nullptr, *pool_};
+      DeviceArray<HierarchyNode> nodes(hierarchy.nodes.data(), hierarchy.nodes.size(), queue);
+      const DeviceArray<PrimitiveIndex> references(hierarchy.references.data(), hierarchy.references.size(),
+                                                   queue);
+      const DeviceTimer timer;
+      const bool fits = holds_all(*executor_, device_->view, references);
+      if (fits) masu::refit(*executor_, device_->view, layout.margin, nodes, references);
+      seconds_.build += timer.seconds();
+      if (!fits) return false;
+      nodes.download(hierarchy.nodes.data());
+      hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
+      return true;
     });
   }
 

@@ -2,6 +2,7 @@
 
 #include "libgrid/build/binary_hierarchy.h"
 #include "libgrid/build/passes/cluster_passes.h"
+#include "libgrid/build/passes/refit_passes.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
 
@@ -44,5 +45,17 @@ template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, Hierarc
                              const std::function<void(double)>&);
 template Grid hierarchy_grid(const SceneView<double>&, const GridLayout&, HierarchyQuality,
                              const std::function<void(double)>&);
+
+template <class Stored>
+bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Grid& hierarchy) {
+  check_hierarchy(scene.primitive_count(), layout.space);
+  TbbExecutor executor;
+  if (!holds_all(executor, scene, hierarchy.references)) return false;
+  refit(executor, scene, layout.margin, hierarchy.nodes, hierarchy.references);
+  hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
+  return true;
+}
+template bool refit_hierarchy(const SceneView<float>&, const GridLayout&, Grid&);
+template bool refit_hierarchy(const SceneView<double>&, const GridLayout&, Grid&);
 
 } // namespace masu

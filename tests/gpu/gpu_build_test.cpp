@@ -75,6 +75,21 @@ TYPED_TEST(BuiltOnTheGpu, AFastHierarchyIsTheSameBytes) {
   }
 }
 
+TYPED_TEST(BuiltOnTheGpu, ARefittedHierarchyIsTheSameBytes) {
+  SCOPED_TRACE(this->seed_.trace());
+  Chance chance(this->seed_);
+  for (std::int64_t s = cases(50); s > 0; --s) {
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 3000);
+    Grid cpu = hierarchy_of(scene, any_quality(chance)), gpu = cpu;
+    move_primitives(chance, scene, chance.power_of_two(-10, 1));
+    const GridLayout layout = hierarchy_layout(scene);
+    EXPECT_TRUE(cpu_builder(scene.view())->refit(layout, cpu));
+    EXPECT_TRUE(cuda_builder(scene.view())->refit(layout, gpu));
+    expect_same(cpu, gpu);
+    ASSERT_FALSE(this->HasFailure()) << described(scene);
+  }
+}
+
 // Boxes of so many parts that a block of threads divides them, and not a warp.
 TYPED_TEST(BuiltOnTheGpu, AnIrregularGridOfCrowdedVoxelsIsTheSameBytes) {
   SCOPED_TRACE(this->seed_.trace());

@@ -8,6 +8,7 @@
 #include "tests/grid/walk_comparison.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
+#include "tests/same_grid.h"
 #include "tests/surface_point.h"
 #include "tests/temporary_folder.h"
 
@@ -158,6 +159,25 @@ TYPED_TEST(HierarchyWalks, FindThemAmongThousandsOfPrimitives) {
   EXPECT_EQ(this->different_, 0) << this->first_;
   EXPECT_GT(this->hits_, cases(1000));
   this->RecordProperty("references_of_cut_primitives", static_cast<int>(cut));
+}
+
+TYPED_TEST(HierarchyWalks, FindThemThroughARefittedHierarchy) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(500); s > 0; --s) {
+    const double scale = chance.power_of_two(-10, 20);
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, scale).scene();
+    Grid grid = hierarchy_of(scene, any_quality(chance));
+    for (int moves = chance.whole(1, 3); moves > 0; --moves) {
+      const std::size_t cones = scene.cones.size();
+      move_primitives(chance, scene, scale * chance.power_of_two(-20, 4));
+      if (scene.cones.size() != cones) grid = hierarchy_of(scene); // one that is a point now is gone
+      ASSERT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), grid));
+    }
+    this->compare(scene, grid, 100);
+  }
+  EXPECT_EQ(this->different_, 0) << this->first_;
+  EXPECT_GT(this->hits_, cases(10'000));
 }
 
 TYPED_TEST(HierarchyWalks, FindThemAlongDirectionsWithTinyComponents) {
@@ -347,6 +367,35 @@ TYPED_TEST(BuiltHierarchy, IsNeverTooDeepForTheWalk) {
         }
       }
     }
+  }
+}
+
+TYPED_TEST(BuiltHierarchy, RefittedWhereNothingMovedIsTheSameBytes) {
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(200); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const Grid grid = hierarchy_of(scene, HierarchyQuality::fast); // in which nothing is divided
+    Grid again = grid;
+    ASSERT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), again));
+    expect_same(grid, again);
+    ASSERT_FALSE(this->HasFailure()) << described(scene);
+  }
+}
+
+TYPED_TEST(BuiltHierarchy, IsNotRefittedWhereAPrimitiveGetsASurface) {
+  TestScene<TypeParam> scene = scattered_scene<TypeParam>(this->chance_, 100);
+  const Vec3<TypeParam> a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
+  scene.triangles.push_back(triangle_of(a, a, a));
+  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+    Grid grid = hierarchy_of(scene, quality);
+    EXPECT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), grid));
+    TestScene<TypeParam> moved = scene;
+    moved.triangles.back() = triangle_of(a, b, c);
+    const Grid before = grid;
+    EXPECT_FALSE(refit_hierarchy(moved.view(), hierarchy_layout(moved), grid));
+    expect_same(before, grid);
+    grid = hierarchy_of(moved, quality); // and back: one that has lost its surface stays
+    EXPECT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), grid));
   }
 }
 

@@ -1,6 +1,7 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU.
 #include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/host_executor.h"
+#include "libgrid/build/passes/refit_passes.h"
 #include "tests/grid/device_like_executor.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
@@ -76,6 +77,21 @@ TYPED_TEST(Executor, BuildTheSameFastHierarchy) {
         hierarchy_grid(scene.view(), layout, HierarchyQuality::fast),
         on_host(collapsed_hierarchy(executor, layout, clustered_hierarchy(executor, scene.view(), layout)))
             .grid);
+    ASSERT_FALSE(this->HasFailure()) << described(scene);
+  }
+}
+
+TYPED_TEST(Executor, RefitTheSameHierarchy) {
+  Chance& chance = this->chance_;
+  DeviceLikeExecutor executor;
+  for (std::int64_t s = cases(30); s > 0; --s) {
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 1000);
+    Grid grid = hierarchy_of(scene, any_quality(chance)), other = grid;
+    move_primitives(chance, scene, chance.power_of_two(-10, 1));
+    const GridLayout layout = hierarchy_layout(scene);
+    EXPECT_TRUE(refit_hierarchy(scene.view(), layout, grid));
+    refit(executor, scene.view(), layout.margin, other.nodes, other.references);
+    expect_same(grid, other);
     ASSERT_FALSE(this->HasFailure()) << described(scene);
   }
 }

@@ -11,6 +11,7 @@ void add_rays(CLI::App& app);
 void add_lists(CLI::App& app);
 void add_scale(CLI::App& app);
 void add_load(CLI::App& app);
+void add_refit(CLI::App& app);
 void add_tradeoff(CLI::App& app);
 void add_stability(CLI::App& app);
 void add_oracle(CLI::App& app);

@@ -197,12 +197,8 @@ CollapsedLevel<Executor> collapsed_level(Executor& executor, const BinaryView& b
   CollapsedNode* const node = level.nodes.data();
   const std::uint32_t* const root = level.roots.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) { node[i] = collapsed(binary, root[i]); });
-  level.first_child = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
-    std::uint32_t nodes = 0;
-    for (std::uint32_t bits = node[i].nodes; bits != 0; bits &= bits - 1)
-      ++nodes;
-    return nodes;
-  });
+  level.first_child =
+      sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) { return count_bits(node[i].nodes); });
   return level;
 }
 

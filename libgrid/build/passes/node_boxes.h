@@ -26,14 +26,19 @@ MASU_HD inline Boxf box_around(const Boxd& bounds, double margin) {
           {rounded_up(box.max.x), rounded_up(box.max.y), rounded_up(box.max.z)}};
 }
 
-// The same of a primitive; empty for one that has no surface.
+// The same of a primitive.
 template <class Stored>
 MASU_HD Boxf box_of_primitive(const SceneView<Stored>& scene, PrimitiveIndex index, double margin) {
   Boxf box = empty_box<float>();
-  with_primitive(scene, index, [&](const auto& primitive) {
-    if (has_surface(primitive)) box = box_around(bounds(primitive), margin);
-  });
+  with_primitive(scene, index, [&](const auto& primitive) { box = box_around(bounds(primitive), margin); });
   return box;
+}
+
+MASU_HD inline std::uint32_t count_bits(std::uint32_t bits) {
+  std::uint32_t count = 0;
+  for (; bits != 0; bits &= bits - 1)
+    ++count;
+  return count;
 }
 
 // Half of the surface: what SAH compares.
