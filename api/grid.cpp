@@ -1,7 +1,9 @@
 // Grids of the C interface: built from a scene, or read.
 #include "boundary.h"
 #include "libgrid/build/chosen_structure.h"
+#include "libgrid/build/hierarchy.h"
 #include "libscene/base/processor.h"
+#include "libscene/geometry/margin.h"
 #include "objects.h"
 
 namespace {
@@ -63,6 +65,33 @@ GridFile built_grid(const SceneFile& scene, const BuildOptions& options, int dev
   return scene.is_float64() ? build(scene.view<double>()) : build(scene.view<float>());
 }
 
+template <class Stored>
+GridFile refitted(const GridFile& from, const SceneFile& scene) {
+  const fb::Grid& table = from.table();
+  const GridProvenance provenance{scene.geometry_hash(),
+                                  scene.primitive_count(),
+                                  scene.origin(),
+                                  static_cast<SpaceRule>(table.space_rule()),
+                                  static_cast<Overlap>(table.overlap()),
+                                  table.division_rule()->str(),
+                                  table.merge_rule()->str()};
+  const Boxd bounds = scene.bounds();
+  const GridLayout layout{space_of<Stored>(bounds, provenance.space_rule),
+                          {1, 1, 1},
+                          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+  Grid grid;
+  grid.kind = GridKind::hierarchy;
+  grid.nodes.assign(from.nodes().begin(), from.nodes().end());
+  grid.references.assign(from.references().begin(), from.references().end());
+  const SceneView<Stored> view = scene.view<Stored>();
+  if (!refit_hierarchy(view, layout, grid))
+    grid = hierarchy_grid(view, layout,
+                          provenance.merge_rule == merge_rule_of(HierarchyQuality::fast)
+                              ? HierarchyQuality::fast
+                              : HierarchyQuality::high);
+  return grid_in_memory(grid, provenance);
+}
+
 std::unique_ptr<masu_grid> held(GridFile file) {
   return std::make_unique<masu_grid>(masu_grid{std::make_shared<const GridFile>(std::move(file))});
 }
@@ -95,6 +124,20 @@ masu_status masu_grid_build(const masu_scene* scene, const masu_build_options* o
     const BuildOptions build_as = build_options(wanted);
     return on_threads_up_to(wanted.threads,
                             [&] { return held(built_grid(*scene->file, build_as, wanted.device)); });
+  });
+}
+
+masu_status masu_grid_refit(const masu_grid* grid, const masu_scene* scene, masu_grid** refitted_grid) {
+  return make(refitted_grid, "refitted", [&] {
+    require(grid, "grid");
+    require(scene, "scene");
+    const GridFile& from = *grid->file;
+    if (!from.is_hierarchy()) fail("grid", "isn't a hierarchy: build one with MASU_STRUCTURE_BVH");
+    if (from.table().primitives() != scene->file->primitive_count())
+      fail("scene", fmt::format("has {} primitives, the grid was built from {}: build it anew",
+                                scene->file->primitive_count(), from.table().primitives()));
+    return held(scene->file->is_float64() ? refitted<double>(from, *scene->file)
+                                          : refitted<float>(from, *scene->file));
   });
 }
 

@@ -142,6 +142,12 @@ public:
     return Grid(made<masu_grid>([&](masu_grid** grid) { return masu_grid_read(path.c_str(), grid); }));
   }
 
+  // Of a scene whose primitives have moved (masu_grid_refit).
+  Grid refitted(const Scene& scene) const {
+    return Grid(
+        made<masu_grid>([&](masu_grid** refitted) { return masu_grid_refit(get(), scene.get(), refitted); }));
+  }
+
   void write(const std::string& path) const { check(masu_grid_write(get(), path.c_str())); }
   masu_grid_description describe() const {
     auto description = sized<masu_grid_description>();

@@ -40,7 +40,7 @@ std::string merge_text(const Grid& grid, const GridOptions& options) {
     return fmt::format("irregular nested {} detail {} step {} alpha {} expand {}", options.nested_log2,
                        grid.detail, options.step_cost, options.alpha, options.expansions);
   case GridKind::hierarchy:
-    return options.quality == HierarchyQuality::fast ? "bvh fast" : "bvh";
+    return merge_rule_of(options.quality);
   case GridKind::uniform:
   case GridKind::automatic:
   case GridKind::fastest:

@@ -25,6 +25,11 @@ inline bool fits_hierarchy(const Boxd& space) {
 // Throws likewise, also for a scene that reaches farther than float32 does.
 void check_hierarchy(std::uint64_t primitives, const Boxd& space);
 
+// As files have it.
+inline const char* merge_rule_of(HierarchyQuality quality) {
+  return quality == HierarchyQuality::fast ? "bvh fast" : "bvh";
+}
+
 // First a binary hierarchy, from the top down (binary_hierarchy.h) or from the leaves up (cluster_passes.h);
 // then the cheapest nodes of eight boxes that it can be collapsed to (collapse_passes.h). The same for any
 // number of threads. As a grid it is of the layout's space, in one voxel; boxes contain the layout's margin

@@ -147,6 +147,37 @@ Found found_by(const masu_tracer* tracer, const std::vector<masu_ray>& rays,
   return found;
 }
 
+TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {
+  for (const masu_quality quality : {MASU_QUALITY_HIGH, MASU_QUALITY_FAST}) {
+    Mesh mesh = random_mesh(engine_, 500);
+    const auto corners = mesh.vertices.begin() + 9 * 7; // of a triangle that is a point
+    std::copy_n(corners, 3, corners + 3);
+    std::copy_n(corners, 3, corners + 6);
+    auto options = masu::default_build_options();
+    options.structure = MASU_STRUCTURE_BVH;
+    options.quality = quality;
+    masu::Grid grid(masu::Scene(mesh.vertices, mesh.indices), options);
+    for (const float most : {0.01F, 0.3F, 5.0F, 0.0F}) {
+      for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+        mesh.vertices[i] += i / 9 == 7 ? most : most * coordinate(engine_);
+      if (most == 0) corners[3] += 0.5F, corners[7] += 0.5F; // it has got an area
+      const masu::Scene moved(mesh.vertices, mesh.indices);
+      grid = grid.refitted(moved);
+      EXPECT_EQ(grid.describe().structure, MASU_STRUCTURE_BVH);
+      masu_tracer* tracer = nullptr;
+      ASSERT_DONE(masu_tracer_create(moved.get(), grid.get(), nullptr, &tracer));
+      masu_tracer* const brute_force = brute_force_tracer(moved.get());
+      const std::vector<masu_ray> rays = random_rays(engine_, 2000);
+      EXPECT_TRUE(found_by(tracer, rays) == found_by(brute_force, rays));
+      masu_tracer_free(tracer);
+      masu_tracer_free(brute_force);
+    }
+    const Mesh other = random_mesh(engine_, 499);
+    EXPECT_THROW(static_cast<void>(grid.refitted(masu::Scene(other.vertices, other.indices))),
+                 masu::Exception);
+  }
+}
+
 // Möller & Trumbore in double: t of a triangle, or infinity.
 double expected_t(const Mesh& mesh, std::size_t triangle, const masu_ray& ray) {
   const auto vector = [](const float* v) { return masu::cast<double>(masu::Vec3f{v[0], v[1], v[2]}); };
@@ -652,6 +683,9 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
             }),
             MASU_ERROR_USAGE);
   EXPECT_EQ(masu_grid_build(nullptr, nullptr, &built), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_refit(nullptr, scene(), &built), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_refit(grid(), nullptr, &built), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_refit(grid(), scene(), &built), MASU_ERROR_USAGE); // it isn't a hierarchy
   EXPECT_EQ(masu_grid_build(scene(), nullptr, nullptr), MASU_ERROR_USAGE);
   EXPECT_EQ(built, nullptr);
   int count = -1;

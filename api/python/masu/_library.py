@@ -176,6 +176,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_scene_primitive", c_int, c_void_p, c_uint32, POINTER(PrimitiveRecord))
     declare("masu_default_build_options", c_int, POINTER(BuildOptionsRecord))
     declare("masu_grid_build", c_int, c_void_p, POINTER(BuildOptionsRecord), handle)
+    declare("masu_grid_refit", c_int, c_void_p, c_void_p, handle)
     declare("masu_grid_read", c_int, c_char_p, handle)
     declare("masu_grid_write", c_int, c_void_p, c_char_p)
     declare("masu_grid_free", None, c_void_p)
