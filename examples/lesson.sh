@@ -13,8 +13,8 @@ divisions="2 4 8 16 32 64 128"
 section() { printf '\n== %s\n' "$*"; }
 run() { echo; echo "\$ $*"; "$@"; }
 
-# What a camera ray costs in grids of a scene, on the CPU: a table, and in NAME.dat a line a grid with the division (of
-# SCENE-N.grid), tests, cells and nanoseconds a ray: the least of three medians, for a machine that isn't idle.
+# What a camera ray costs in grids of a scene, on the CPU: a table, and in NAME.dat a line per grid with the division (of
+# SCENE-N.grid), tests, cells and nanoseconds per ray: the least of three medians, for a machine that isn't idle.
 cost() { # name, scene, grid…
   local name=$1
   shift
@@ -37,10 +37,10 @@ cost() { # name, scene, grid…
         seconds = 0
       }
       END {
-        printf "%-24s %12s %12s %12s %12s\n", "grid", "tests a ray", "cells a ray", "empty", "ns a ray"
+        printf "%-24s %13s %13s %12s %12s\n", "grid", "tests per ray", "cells per ray", "empty", "ns per ray"
         for (i = 1; i <= n; ++i) {
           g = order[i]
-          printf "%-24s %12.2f %12.2f %12.2f %12.0f\n", g, tests[g], cells[g], empty[g], time[g]
+          printf "%-24s %13.2f %13.2f %12.2f %12.0f\n", g, tests[g], cells[g], empty[g], time[g]
           split(g, name, /[-.]/)
           print name[2], tests[g], cells[g], time[g] >"'"$name"'.dat"
         }
@@ -79,7 +79,8 @@ for scene in teapot balls; do
 done
 if command -v gnuplot >/dev/null; then
   gnuplot <<'END'
-set terminal pngcairo size 800, 320 font 'DejaVu Sans,10' background rgb 'white'
+# Readable in grey: lines differ by shape, too, and say what they are.
+set terminal pngcairo size 900, 380 font 'DejaVu Sans,10' background rgb 'white'
 set output 'tradeoff.png'
 set multiplot layout 1, 2
 set logscale xy 2
@@ -87,27 +88,30 @@ set logscale y 10
 set grid lc rgb '#d4d4d4'
 set border 3
 set tics nomirror
-set xlabel 'voxels an axis'
+set format y '%.0f'
+set xlabel 'voxels per axis of a uniform grid'
+set ylabel 'per ray (less is better)'
 set xtics ('2' 2, '4' 4, '8' 8, '16' 16, '32' 32, '64' 64, '128' 128)
 set key top right
-set yrange [1:200000]
+set yrange [1:100000]
 set xrange [1.8:140]
 do for [scene in 'teapot balls'] {
   set title scene
-  plot scene.'.dat' using 1:2 with linespoints lw 2 pt 7 lc rgb '#0072b2' title 'tests a ray', \
-       scene.'.dat' using 1:3 with linespoints lw 2 pt 5 lc rgb '#009e73' title 'cells a ray', \
-       scene.'.dat' using 1:4 with linespoints lw 2 pt 9 lc rgb '#d55e00' title 'nanoseconds a ray'
+  plot scene.'.dat' using 1:2 with linespoints lw 1.5 dt 2 pt 6 ps 1.3 lc rgb '#0072b2' title 'primitives tested', \
+       scene.'.dat' using 1:3 with linespoints lw 1.5 dt 4 pt 4 ps 1.3 lc rgb '#009e73' title 'cells visited', \
+       scene.'.dat' using 1:4 with linespoints lw 3 dt 1 pt 9 ps 1.6 lc rgb 'black' title 'nanoseconds'
 }
 END
   echo "tradeoff.png"
 else
   echo "tradeoff.png: left out (it needs gnuplot)"
 fi
+# Slices that are compared have one scale.
 for n in 8 32; do
-  gridstat teapot-$n.grid --slice y@0 --outline teapot.scene --lines --size 480 -o uniform-$n.png \
+  gridstat teapot-$n.grid --slice y@0 --outline teapot.scene --lines --size 480 --color-high 339 -o uniform-$n.png \
     --title "uniform, $n x $n x $n"
 done
-gridstat teapot-128.grid --slice y@0 --size 480 -o uniform-128.png --title "uniform, 128 x 128 x 128"
+gridstat teapot-128.grid --slice y@0 --size 480 --color-high 339 -o uniform-128.png --title "uniform, 128 x 128 x 128"
 
 section "3. Occupancy"
 # The 2012 thesis's scenes: without floors and the spheres of mount.
@@ -132,14 +136,16 @@ for scene in teapot balls; do
     $scene-32.grid $scene-x.grid $scene-balance.grid $scene-irregular.grid
   cost merged-$scene $scene.scene $scene-32.grid $scene-x.grid $scene-balance.grid $scene-irregular.grid
 done
-gridstat teapot-x.grid --slice y@0.9 --outline teapot.scene --lines --size 480 -o merged-x.png \
+gridstat teapot-x.grid --slice y@0.9 --outline teapot.scene --lines --size 480 --color-high 39 -o merged-x.png \
   --title "merged along x, 32 x 32 x 32"
-gridstat teapot-balance.grid --slice y@0.9 --outline teapot.scene --lines --size 480 -o merged-balance.png \
+gridstat teapot-balance.grid --slice y@0.9 --outline teapot.scene --lines --size 480 --color-high 39 -o merged-balance.png \
   --title "merged by balance, 32 x 32 x 32"
 
 section "5. Irregular grids"
 run gridstat teapot-irregular.grid
-gridstat teapot-irregular.grid --slice y@0 --outline teapot.scene --lines --size 480 -o irregular.png \
+gridstat teapot-32.grid --slice y@0 --outline teapot.scene --lines --size 480 --color-high 155 -o uniform.png \
+  --title "uniform, 32 x 32 x 32: references"
+gridstat teapot-irregular.grid --slice y@0 --outline teapot.scene --lines --size 480 --color-high 155 -o irregular.png \
   --title "irregular: references"
 gridstat teapot-irregular.grid --slice y@0 --outline teapot.scene --lines --size 480 -o irregular-depth.png \
   --color depth --title "irregular: depth of nesting"
@@ -149,8 +155,8 @@ run gridstat teapot-irregular.grid --cells cells.ply --occupied
 
 section "6. What a ray costs, and its walk"
 for grid in 32 irregular; do
-  run gridrender -q teapot.scene teapot-$grid.grid -o rays-$grid.png --channels cells,tests --no-picture \
-    --size 160x160 --sampling centers --backend cpu
+  run gridrender -q teapot.scene teapot-$grid.grid -o rays-$grid.png --channels cells --channel-high 72 \
+    --no-picture --size 160x160 --sampling centers --backend cpu
 done
 run gridtrace -q teapot.scene teapot-32.grid --pixel 150,120 --size 256x256 --sampling centers
 run gridtrace -q teapot.scene teapot-irregular.grid --pixel 150,120 --size 256x256 --sampling centers
@@ -164,3 +170,9 @@ gridrender -q teapot.scene teapot-32.grid --hits teapot-64x64.hits --size 64x64 
 run cmp teapot-2.hits teapot-128.hits && run cmp teapot-2.hits teapot-irregular.hits
 cmp teapot-2.hits teapot-x.hits && cmp teapot-2.hits teapot-balance.hits && cmp brute-force.hits teapot-64x64.hits
 sha256sum ./*.hits
+
+section "8. A hierarchy"
+for scene in teapot balls; do
+  gridbuild -q $scene.scene -o $scene-bvh.grid --structure bvh
+  cost hierarchy-$scene $scene.scene $scene-bvh.grid
+done

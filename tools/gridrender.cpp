@@ -25,6 +25,7 @@ struct Settings {
   Format format = Format::automatic;
   HitName hit_name = HitName::object;
   ChannelFormat channel_format = ChannelFormat::pfm;
+  std::uint32_t channel_high = 0; // 0: of each picture's own values
   bool srgb = false, all_rays = false, no_picture = false;
 };
 
@@ -54,8 +55,11 @@ void check(const Settings& settings, const Sharing& sharing) {
     if (settings.output.empty()) fail("--channels", "needs -o, which names the channels' files too");
     if (is_standard_output(settings.output))
       fail("--channels", "needs a file name for -o, which names the channels' files too");
-  } else if (settings.no_picture || settings.all_rays) {
-    fail(settings.no_picture ? "--no-picture" : "--all-rays", "is for --channels");
+  } else if (settings.no_picture || settings.all_rays || settings.channel_high > 0) {
+    fail(settings.no_picture ? "--no-picture"
+         : settings.all_rays ? "--all-rays"
+                             : "--channel-high",
+         "is for --channels");
   }
   if (settings.output.empty() && !wants_picture(settings)) fail("-o", "is missing: nothing would be written");
   if (settings.tracing.resume && (settings.output.empty() || settings.no_picture) && settings.hits.empty())
@@ -173,6 +177,7 @@ TracingReport render_channels(const Tracer& tracer, const Settings& settings, co
                          views.views,
                          file_names(settings.output, views.views),
                          settings.channel_format,
+                         settings.channel_high,
                          picture_texts(settings, tracer.scene())},
                         progress.callback());
 }
@@ -233,6 +238,12 @@ void add_options(CLI::App& app, Settings& settings) {
   add_choice(app, "--channel-format", settings.channel_format,
              {{"pfm", ChannelFormat::pfm}, {"npy", ChannelFormat::npy}},
              "format of the channels' values: .pfm, or .npy, a NumPy array");
+  app.add_option(
+         "--channel-high", settings.channel_high,
+         "upper end of the scale in pictures of cells and tests, so that they can be compared; default: "
+         "of each picture's own values")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1 << 30));
   app.add_flag("--all-rays", settings.all_rays,
                "count cells and tests of a camera ray and all rays that it spawns, shadow rays too");
   app.add_flag("--no-picture", settings.no_picture, "write the channels' files alone, and no picture to -o");

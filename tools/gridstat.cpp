@@ -180,6 +180,12 @@ int main(int argc, char** argv) {
                "to which a voxel is halved so often")
             ->check(CLI::Range(0, max_hierarchy_depth))
             ->needs(slice);
+        app.add_option("--color-high", style.high,
+                       "of --slice: the references or the depth that the darkest colour stands for, so that "
+                       "slices can be compared; default: the most that is shown")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1 << 30))
+            ->needs(slice);
         app.add_flag("--lines", style.lines, "of --slice: draw the cells' sides")->needs(slice);
         app.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane")
             ->needs(slice);

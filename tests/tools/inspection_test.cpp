@@ -106,6 +106,15 @@ TEST_F(Inspection, ArraysHaveTheValuesAndTheirTypes) {
   EXPECT_EQ(npy<float>("q.normal.npy", "(13, 17, 3, )").size(), 3U * 13 * 17);
 }
 
+TEST_F(Inspection, PicturesOfCountsEndTheirScaleWhereAsked) {
+  render({"-o", file("p.png"), "--channels", "depth,tests", "--no-picture"});
+  render({"-o", file("q.png"), "--channels", "depth,tests", "--no-picture", "--channel-high", "1000"});
+  EXPECT_TRUE(read_bytes(file("p.tests.pfm")) == read_bytes(file("q.tests.pfm")));
+  EXPECT_FALSE(read_bytes(file("p.tests.png")) == read_bytes(file("q.tests.png")));
+  EXPECT_TRUE(read_bytes(file("p.depth.png")) == read_bytes(file("q.depth.png")));
+  EXPECT_TRUE(refused(1, {"-o", file("r.png"), "--channel-high", "1000"}, "--channel-high"));
+}
+
 TEST_F(Inspection, ChannelsOfACropArePartsOfTheWhole) {
   render({"-o", file("p.png"), "--channels", "depth,tests", "--all-rays", "--no-picture"});
   render(

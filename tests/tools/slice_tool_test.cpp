@@ -203,6 +203,19 @@ TEST_F(SliceTool, APictureNamesAxesPlaneAndLegend) {
   }
 }
 
+TEST_F(SliceTool, SlicesOfDifferentGridsHaveTheScaleThatIsAskedFor) {
+  for (const char* const division : {"3", "9"}) {
+    const std::string path = grid("a.grid", scene_, division);
+    for (const auto& [color, scale] :
+         {std::array{"references", "references, 1 to 500"}, {"depth", "depth of nesting, 0 to 500"}}) {
+      EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=1", "--color", color, "--color-high", "500",
+                                             "-o", file("s.svg")})));
+      const std::string svg = text_of(file("s.svg"));
+      EXPECT_NE(svg.find(std::string("Colour: ") + scale), std::string::npos) << svg.substr(0, 1000);
+    }
+  }
+}
+
 TEST_F(SliceTool, EveryLetterOfATitleIsDrawn) {
   const std::string path = grid("a.grid", scene_, "6");
   const auto glyphs = [&](const std::string& title) {

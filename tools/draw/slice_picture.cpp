@@ -40,7 +40,7 @@ std::optional<double> value_of(const SliceCell& cell, SliceColor color, std::int
   }
 }
 
-// From the least to the greatest value of the cells shown.
+// From the least to the greatest value of the cells shown, or what SliceStyle::high says.
 struct ValueRange {
   SliceColor color;
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -411,6 +411,10 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
     range.include(value(cell));
     ++count;
   });
+  if (style.high > 0) {
+    range.low = style.color == SliceColor::references ? 1 : 0;
+    range.high = style.high;
+  }
   if (is_svg && count > most_svg_cells)
     throw Error(ErrorCode::usage, path,
                 fmt::format("an SVG of {} cells is too large: give a --window, or write a PNG", count));

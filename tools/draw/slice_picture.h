@@ -5,6 +5,7 @@
 #include "libgrid/statistics/slice.h"
 #include "libscene/section.h"
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -18,6 +19,9 @@ struct SliceStyle {
   bool lines = false;      // of cells; boxes without a colour have them always
   std::string title{};     // empty: the grid's name and the plane
   std::int32_t size = 640; // pixels of the plot's longer side
+  // The references or the depth that the darkest colour stands for, from 1 or 0 on, so that slices can be
+  // compared; 0: of the cells shown.
+  std::uint32_t high = 0;
 };
 inline constexpr std::int32_t least_slice_size = 64, most_slice_size = 4096;
 

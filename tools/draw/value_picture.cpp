@@ -156,13 +156,15 @@ std::string joined(const std::string& text, const std::string& without) {
 Drawing value_picture(const ValueMap<double>& map, const Caption& caption) {
   std::vector<double> finite;
   std::ranges::copy_if(map.values, std::back_inserter(finite), [](double v) { return std::isfinite(v); });
-  const ColorScale scale = scale_of(finite, caption.values);
+  const ColorScale scale = caption.high > 0 ? ColorScale{0, caption.high, caption.high > 50, 1, true}
+                                            : scale_of(finite, caption.values);
   std::string note = fmt::format("{}, {} to {}, {} scale", caption.unit, number(scale.low),
                                  number(scale.high), scale.logarithmic ? "log" : "linear");
   if (finite.empty())
     note = caption.unit;
   else if (const double largest = std::ranges::max(finite); scale.high < largest)
-    note += fmt::format("; 0.1 % of the values are larger, up to {}", number(largest));
+    note += fmt::format("; {} larger, up to {}", caption.high > 0 ? "some are" : "0.1 % of the values are",
+                        number(largest));
   Page page(map.width, map.height);
   const ColorMap colors;
   for (const double value : map.values)

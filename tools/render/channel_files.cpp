@@ -68,7 +68,7 @@ void write_pfm(const Channels& channels, Channel channel, const std::string& pat
   file.commit();
 }
 
-Drawing picture_of(const Channels& channels, Channel channel, bool all_rays) {
+Drawing picture_of(const Channels& channels, Channel channel, bool all_rays, double high) {
   const std::string cost = all_rays ? "the camera ray and all rays that it spawns" : "the camera ray";
   const auto map = [&]<class T, class Memory>(const std::vector<T, Memory>& values) {
     return ValueMap<T>{channels.columns, channels.rows, values};
@@ -90,10 +90,10 @@ Drawing picture_of(const Channels& channels, Channel channel, bool all_rays) {
                         {"primitive: which primitive is hit", "primitives", without});
   case Channel::cells:
     return value_map(channels.cells,
-                     {"cells: grid cells visited by " + cost, "cells", "", Caption::Values::counts});
+                     {"cells: grid cells visited by " + cost, "cells", "", Caption::Values::counts, high});
   case Channel::tests:
     return value_map(channels.tests,
-                     {"tests: primitives tested for " + cost, "tests", "", Caption::Values::counts});
+                     {"tests: primitives tested for " + cost, "tests", "", Caption::Values::counts, high});
   }
   return {};
 }
@@ -141,7 +141,7 @@ TracingReport write_channels(const Tracer& tracer, const ChannelsJob& job,
       const ChannelFiles files = channel_files(job.pictures[i], channel, job.format);
       job.format == ChannelFormat::npy ? write_npy(channels, channel, files.values)
                                        : write_pfm(channels, channel, files.values);
-      write_png(picture_of(channels, channel, request.all_rays), files.picture, job.texts);
+      write_png(picture_of(channels, channel, request.all_rays, job.high), files.picture, job.texts);
     }
   }
   report.elapsed_seconds = watch.seconds();

@@ -71,20 +71,6 @@ Camera camera_of(const Viewer& viewer, Parameters& parameters) {
   return camera;
 }
 
-ValueRange parse_range(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  ValueRange range{};
-  const auto read = [](std::string_view part, double& value) {
-    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
-    return error == std::errc() && end == part.data() + part.size() && std::isfinite(value);
-  };
-  const std::string_view all = text;
-  if (comma == std::string::npos || !read(all.substr(0, comma), range[0]) ||
-      !read(all.substr(comma + 1), range[1]))
-    throw Error(ErrorCode::usage, "range", "isn't two numbers");
-  return range;
-}
-
 PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   PictureRequest request;
   request.grid = grid_of(viewer, parameters);
@@ -92,7 +78,6 @@ PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   request.depth = parameters.number<int>("depth", 1, largest_depth);
   if (const std::string* const crop = parameters.find("crop")) request.crop = parse_crop("crop", *crop);
   request.channel = parse_picture_channel(parameters.text("channel"));
-  if (const std::string* const range = parameters.find("range")) request.range = parse_range(*range);
   // moving: soon another one comes. still: the picture that gridrender makes.
   const std::string& quality = parameters.text("quality");
   if (quality != "moving" && quality != "still")
@@ -111,12 +96,11 @@ HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is
   const auto timing = [](const char* name, double seconds) {
     return fmt::format("{};dur={:.3f}, ", name, seconds * 1e3);
   };
-  HttpReply reply{200, "image/jpeg", std::move(made.jpeg)};
+  HttpReply reply{200, has_values(request.channel) ? "application/octet-stream" : "image/jpeg",
+                  std::move(made.bytes)};
   reply.timing = fmt::format("precision;desc=\"{}\", ", made.precision) + timing("wait", s.wait) +
                  timing("trace", s.trace) + timing("copy", s.copy) + timing("rows", s.rows) +
                  timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
-  if (made.range)
-    reply.timing += fmt::format(", low;desc={}, high;desc={}", (*made.range)[0], (*made.range)[1]);
   return reply;
 }
 

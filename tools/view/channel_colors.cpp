@@ -7,7 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace masu {
 namespace {
@@ -48,10 +48,6 @@ std::vector<std::uint8_t> colored(std::size_t pixels, const ColorOf& color_of) {
   return bytes;
 }
 
-const HostArray<std::uint32_t>& counts_of(const Channels& channels, Channel channel) {
-  return channel == Channel::cells ? channels.cells : channels.tests;
-}
-
 } // namespace
 
 std::vector<std::string> picture_channel_names() {
@@ -72,55 +68,30 @@ PictureChannel parse_picture_channel(const std::string& name) {
   throw Error(ErrorCode::usage, "channel", "isn't one that pictures have");
 }
 
-bool has_range(const PictureChannel& channel) {
+bool has_values(const PictureChannel& channel) {
   return channel.channel && (channel.channel == Channel::depth || counts(*channel.channel));
 }
 
-std::optional<ValueRange> value_range(const Channels& channels, Channel channel) {
-  if (channel == Channel::depth) {
-    ValueRange range{INFINITY, -INFINITY};
-    for (const float depth : channels.depth) {
-      if (!std::isfinite(depth)) continue;
-      range[0] = std::min(range[0], static_cast<double>(depth));
-      range[1] = std::max(range[1], static_cast<double>(depth));
-    }
-    if (range[0] <= range[1]) return range;
-  } else if (counts(channel)) {
-    HostArray<std::uint32_t> values = counts_of(channels, channel);
-    if (values.empty()) return {};
-    const auto most = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 999 / 1000);
-    std::nth_element(values.begin(), most, values.end());
-    return ValueRange{0, static_cast<double>(*most)};
-  }
-  return {};
+std::vector<float> channel_values(const Channels& channels, Channel channel) {
+  if (channel == Channel::depth) return {channels.depth.begin(), channels.depth.end()};
+  const HostArray<std::uint32_t>& counts = channel == Channel::cells ? channels.cells : channels.tests;
+  std::vector<float> values(counts.size());
+  std::transform(counts.begin(), counts.end(), values.begin(),
+                 [](std::uint32_t count) { return static_cast<float>(count); });
+  return values;
 }
 
-std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channel, const ValueRange& range) {
+std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channel) {
   const std::size_t pixels =
       static_cast<std::size_t>(channels.columns) * static_cast<std::size_t>(channels.rows);
-  const ColorMap map;
-  const double scale = range[1] > range[0] ? 1 / (range[1] - range[0]) : 0;
-  const auto position = [&](double value) { return (value - range[0]) * scale; };
-  switch (channel) {
-  case Channel::depth:
-    return colored(pixels, [&](std::size_t i) {
-      const float depth = channels.depth[i];
-      return std::isfinite(depth) ? map(position(static_cast<double>(depth))) : missed;
-    });
-  case Channel::normal:
+  if (channel == Channel::normal) {
     return colored(pixels, [&](std::size_t i) {
       const Vec3f& n = channels.normal[i];
       return n == Vec3f{0, 0, 0} ? missed : normal_color(n);
     });
-  case Channel::object:
-    return colored(pixels, [&, names = NameColors()](std::size_t i) { return names(channels.object[i]); });
-  case Channel::primitive:
-    return colored(pixels, [&, names = NameColors()](std::size_t i) { return names(channels.primitive[i]); });
-  case Channel::cells:
-  case Channel::tests:
-    break;
   }
-  return colored(pixels, [&](std::size_t i) { return map(position(counts_of(channels, channel)[i])); });
+  const HostArray<std::int32_t>& of = channel == Channel::object ? channels.object : channels.primitive;
+  return colored(pixels, [&, names = NameColors()](std::size_t i) { return names(of[i]); });
 }
 
 } // namespace masu

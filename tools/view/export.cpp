@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <string_view>
 #include <unordered_map>
 
@@ -50,10 +49,10 @@ bool depends_on_grid(const PictureChannel& channel) {
   return channel.channel == Channel::cells || channel.channel == Channel::tests;
 }
 
-Json picture_json(const Picture& picture) {
+// image: a JPEG; values: as Picture has them.
+Json picture_json(const Picture& picture, const PictureChannel& channel) {
   const PictureSeconds& s = picture.seconds;
   Json json{{"precision", picture.precision},
-            {"image", "data:image/jpeg;base64," + base64(picture.jpeg)},
             {"rays", picture.rays},
             {"milliseconds",
              {{"wait", 0},
@@ -61,47 +60,25 @@ Json picture_json(const Picture& picture) {
               {"copy", s.copy * 1e3},
               {"rows", s.rows * 1e3},
               {"encode", s.encode * 1e3}}}};
-  if (picture.range) json["range"] = *picture.range;
+  if (has_values(channel))
+    json["values"] = base64(picture.bytes);
+  else
+    json["image"] = "data:image/jpeg;base64," + base64(picture.bytes);
   return json;
 }
 
-Picture channel_picture(const Viewer& viewer, PictureRequest& request, const std::string& name) {
-  request.channel = parse_picture_channel(name);
-  request.sampling = request.channel.channel ? Sampling::centers : Sampling::corners;
-  return viewer.picture(request, is_gone);
-}
-
-// Of colours, by channel: the same in all views, through all grids.
-using Ranges = std::map<std::string, ValueRange>;
-Ranges ranges_of(const Viewer& viewer, PictureRequest request, const std::vector<View>& views) {
-  Ranges ranges;
-  for (const std::string& name : picture_channel_names()) {
-    const PictureChannel channel = parse_picture_channel(name);
-    if (!has_range(channel)) continue;
-    for (const View& view : views) {
-      request.camera = view.camera;
-      for (request.grid = 0; request.grid < (depends_on_grid(channel) ? viewer.grids() : 1); ++request.grid) {
-        const std::optional<ValueRange> own = channel_picture(viewer, request, name).range;
-        if (!own) continue;
-        const auto [range, is_first] = ranges.try_emplace(name, *own);
-        range->second = {std::min(range->second[0], (*own)[0]), std::max(range->second[1], (*own)[1])};
-      }
-    }
-  }
-  return ranges;
-}
-
-// All pictures of a view: {channel: [one a grid]}.
-Json channels_json(const Viewer& viewer, PictureRequest request, const Ranges& ranges) {
+// All pictures of a view: {channel: [one a grid]}, of channels that don't depend on the grid the first one's.
+Json channels_json(const Viewer& viewer, PictureRequest request) {
   Json all;
   for (const std::string& name : picture_channel_names()) {
-    request.range.reset();
-    if (const auto range = ranges.find(name); range != ranges.end()) request.range = range->second;
+    request.channel = parse_picture_channel(name);
+    request.sampling = request.channel.channel ? Sampling::centers : Sampling::corners;
     for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
-      Picture picture = channel_picture(viewer, request, name);
-      picture.range = request.range;
-      Json json = picture_json(picture);
-      if (request.grid > 0 && !depends_on_grid(request.channel)) json.erase("image"); // the first grid's
+      Json json = picture_json(viewer.picture(request, is_gone), request.channel);
+      if (request.grid > 0 && !depends_on_grid(request.channel)) {
+        json.erase("image");
+        json.erase("values");
+      }
       all[name].push_back(std::move(json));
     }
   }
@@ -211,7 +188,7 @@ std::int32_t picked_pixel(int share, std::int32_t side) {
   return static_cast<std::int32_t>(std::int64_t{share} * side / 6);
 }
 
-Json view_json(const Viewer& viewer, const Camera& camera, const Ranges& ranges, Walks& walks) {
+Json view_json(const Viewer& viewer, const Camera& camera, Walks& walks) {
   PictureRequest request;
   request.camera = camera;
   request.quality = {85, true};
@@ -220,7 +197,7 @@ Json view_json(const Viewer& viewer, const Camera& camera, const Ranges& ranges,
               {"at", vector_json(camera.at)},
               {"up", vector_json(camera.up)},
               {"angle", camera.angle}}},
-            {"channels", channels_json(viewer, request, ranges)}};
+            {"channels", channels_json(viewer, request)}};
   for (request.grid = 0; request.grid < viewer.grids(); ++request.grid)
     json["counts"].push_back(viewer.counts(request, is_gone));
   for (const int row : pixel_shares) {
@@ -266,11 +243,8 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
       pixels.push_back(picked_pixel(share, side));
   }
   const std::vector<View> views = turntable(camera, settings.views);
-  PictureRequest request;
-  request.camera = camera;
-  const Ranges ranges = ranges_of(viewer, request, views);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    data["views"].push_back(view_json(viewer, views[i].camera, ranges, walks));
+    data["views"].push_back(view_json(viewer, views[i].camera, walks));
     progress(static_cast<double>(i + 1) / static_cast<double>(views.size()));
   }
   data["places"] = walks.places();

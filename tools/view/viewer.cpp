@@ -4,6 +4,7 @@
 #include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/section.h"
+#include "renderer/image/deflate.h"
 #include "renderer/image/image.h"
 #include "renderer/view_precision.h"
 #include "renderer/walk_report.h"
@@ -51,37 +52,47 @@ std::function<void(double)> abandoned_when(const IsGone& is_gone) {
   };
 }
 
-// 8 bits a channel, rows from the top.
-struct Bytes {
-  std::vector<std::uint8_t> rgb;
+// PictureRows from the top: 8 bits a channel, or values.
+struct PictureRows {
   std::int32_t width, height;
+  std::vector<std::uint8_t> rgb{};
+  std::vector<float> values{};
 };
 
-Bytes shaded(const Tracer& tracer, const FrameRequest& request, Picture& picture) {
+PictureRows shaded(const Tracer& tracer, const FrameRequest& request, Picture& picture) {
   const Frame frame = tracer.render(request);
   picture.rays = frame.radiance.size();
   picture.seconds.trace = frame.seconds.trace;
   picture.seconds.copy = frame.seconds.download;
-  const Stopwatch rows;
-  Bytes bytes{rgb_rows(frame, request.sampling, false), image_width(frame, request.sampling),
-              image_height(frame, request.sampling)};
-  picture.seconds.rows = rows.seconds();
-  return bytes;
+  const Stopwatch watch;
+  PictureRows rows{image_width(frame, request.sampling), image_height(frame, request.sampling),
+                   rgb_rows(frame, request.sampling, false)};
+  picture.seconds.rows = watch.seconds();
+  return rows;
 }
 
-Bytes channel(const Tracer& tracer, const PictureRequest& request, const FrameRequest& frame,
-              Picture& picture) {
+PictureRows channel(const Tracer& tracer, const PictureRequest& request, const FrameRequest& frame,
+                    Picture& picture) {
   const Channel wanted = *request.channel.channel;
   const Stopwatch trace;
   const Channels channels = trace_channels(tracer, {{wanted}, frame, request.channel.all_rays});
   picture.seconds.trace = trace.seconds(); // with the copy
   picture.rays = static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
-  const Stopwatch rows;
-  picture.range = value_range(channels, wanted);
-  const ValueRange range = request.range.value_or(picture.range.value_or(ValueRange{0, 1}));
-  Bytes bytes{channel_bytes(channels, wanted, range), channels.columns, channels.rows};
-  picture.seconds.rows = rows.seconds();
-  return bytes;
+  const Stopwatch watch;
+  PictureRows rows{channels.columns, channels.rows};
+  if (has_values(request.channel))
+    rows.values = channel_values(channels, wanted);
+  else
+    rows.rgb = channel_bytes(channels, wanted);
+  picture.seconds.rows = watch.seconds();
+  return rows;
+}
+
+std::string encoded(const PictureRows& rows, const PictureRequest& request) {
+  if (!has_values(request.channel)) return jpeg(rows.rgb, rows.width, rows.height, request.quality);
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(rows.values.data());
+  const std::vector<std::uint8_t> stream = deflated({bytes, rows.values.size() * sizeof(float)}, true);
+  return {stream.begin(), stream.end()};
 }
 
 Json slice_cells(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, std::size_t most) {
@@ -141,7 +152,7 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
   Picture picture;
   const Stopwatch wait;
   // What was traced takes more memory than its bytes: it ends with its turn.
-  const Bytes bytes = turns_.run(is_gone, [&] {
+  const PictureRows rows = turns_.run(is_gone, [&] {
     picture.seconds.wait = wait.seconds();
     if (precision_ == Precision::automatic) {
       const ViewPrecision chosen = view_precision(tracer, frame_request);
@@ -154,7 +165,7 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
                                    : shaded(tracer, frame_request, picture);
   });
   const Stopwatch encode;
-  picture.jpeg = jpeg(bytes.rgb, bytes.width, bytes.height, request.quality);
+  picture.bytes = encoded(rows, request);
   picture.seconds.encode = encode.seconds();
   return picture;
 }

@@ -48,20 +48,18 @@ struct PictureRequest {
   std::optional<Crop> crop{}; // all of the picture, where it isn't given
   int depth = 5;
   PictureChannel channel{};
-  std::optional<ValueRange> range{}; // of the channel's colours; its own values', where it isn't given
   JpegQuality quality{};
 };
 
-// Seconds: waiting for its turn, tracing, copying from the device, rows to bytes, and JPEG.
+// Seconds: waiting for its turn, tracing, copying from the device, rows to bytes, and encoding them.
 struct PictureSeconds {
   double wait = 0, trace = 0, copy = 0, rows = 0, encode = 0;
 };
 
 struct Picture {
-  std::string jpeg;
-  std::uint64_t rays = 0;            // from the camera
-  std::optional<ValueRange> range{}; // of the channel's values
-  std::string precision{};           // that it was traced with, and why
+  std::string bytes{};     // a JPEG, or of channels that are numbers (has_values()) float32 values, deflated
+  std::uint64_t rays = 0;  // from the camera
+  std::string precision{}; // that it was traced with, and why
   PictureSeconds seconds;
 };
 

@@ -24,11 +24,14 @@ class Exported {
 
   async picture(view) {
     const all = this.data.views[this.index(view.camera)].channels[view.channel];
-    const one = all[view.grid];
-    const image = new Image();
-    image.src = one.image || all[0].image;
-    await image.decode();
-    return {image, rays: one.rays, precision: one.precision, range: one.range || null, milliseconds: {...one.milliseconds, total: NaN}};
+    const one = all[view.grid], {image: address, values: text} = one.image || one.values ? one : all[0];
+    const image = address ? new Image() : null;
+    if (image) {
+      image.src = address;
+      await image.decode();
+    }
+    const values = text ? await inflated(new Blob([Uint8Array.from(atob(text), (byte) => byte.charCodeAt(0))])) : null;
+    return {image, values, rays: one.rays, precision: one.precision, milliseconds: {...one.milliseconds, total: NaN}};
   }
 
   async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }

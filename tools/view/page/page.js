@@ -10,10 +10,10 @@ const state = {
   panes: [],             // [{grid, channel, cells}]: one, or two that are compared
   plane: null,           // grids whose slices are shown instead of pictures
   slice: {axis: 2, share: 0.5, depth: null}, // depth: of cells and boxes that are shown, null for all
+  pointer: null,         // over a picture: shares of it
   picking: null,         // the cross hair: {pane, x, y}, shares of the picture
 };
-const ranges = {};       // of the colours of channels: [low, high], the same in all pictures
-let slicePanel = null, walkPanel = null, planeView = null, colors = null;
+let slicePanel = null, walkPanel = null, planeView = null, colors = null, scales = null;
 const MOST_SLICES = 4;
 const CELLS = ['none', 'slice', 'boxes', 'ray'];
 const TESTED = '#ff9ecb'; // cells and nodes of a walk in which primitives are tested
@@ -51,6 +51,7 @@ function fragment() {
   if (state.plane) parts.set('view', 'plane');
   else parts.set('channel', state.panes.map((pane) => pane.channel).join());
   if (!state.plane && state.panes.some((pane) => pane.cells !== 'none')) parts.set('cells', state.panes.map((pane) => pane.cells).join());
+  if (scales.kind !== 'automatic') parts.set('scale', scales.kind);
   const {axis, share, depth} = state.slice;
   if (axis !== 2 || share !== 0.5 || depth !== null) parts.set('slice', ['xyz'[axis], share, ...(depth === null ? [] : [depth])].join());
   if (walkPanel && walkPanel.ray) {
@@ -90,6 +91,7 @@ function readFragment() {
   state.wish = state.camera;
   const depth = Number(parts.get('depth'));
   state.depth = depth >= 1 && depth <= 32 ? Math.round(depth) : 5;
+  scales.kind = ['linear', 'logarithmic'].find((kind) => kind === parts.get('scale')) || 'automatic';
   const grids = (parts.get('grid') || '').split(',').map((name) => state.scene.grids.findIndex((grid) => gridKey(grid) === name));
   const channels = (parts.get('channel') || '').split(',');
   const cells = (parts.get('cells') || '').split(',');
@@ -140,14 +142,18 @@ class Pane {
     this.cellsSelect = root.querySelector('.cells');
     this.frame = null;
     this.counts = null;
-    this.range = null; // {channel, values} of the last picture while it moved
-    this.picture = new Picture(this.image, source, (frame) => this.drawn(frame), (text) => this.failed(text));
+    this.span = null; // {channel, values: of spanOf()} of the picture that is shown
+    this.value = root.querySelector('.under-pointer');
+    this.scaleKind = root.querySelector('.scale-kind');
+    this.scaleSelect = this.scaleKind.querySelector('select');
+    this.picture = new Picture(this.image, source, (...numbers) => scales.colored(...numbers), (frame) => this.drawn(frame), (text) => this.failed(text));
     state.scene.grids.forEach((grid, i) => this.gridSelect.append(element('option', {value: i}, grid.name)));
     for (const channel of state.scene.channels) this.channelSelect.append(element('option', {value: channel}, channel));
     for (const cells of CELLS) this.cellsSelect.append(element('option', {value: cells}, cells));
     this.cellsSelect.addEventListener('change', () => this.set({cells: this.cellsSelect.value}));
     this.gridSelect.addEventListener('change', () => this.set({grid: Number(this.gridSelect.value)}));
     this.channelSelect.addEventListener('change', () => this.set({channel: this.channelSelect.value}));
+    this.scaleSelect.addEventListener('change', () => setScale(this.scaleSelect.value));
     this.resized = new ResizeObserver(() => this.update());
     this.resized.observe(this.stage);
     controlCamera(this);
@@ -187,7 +193,7 @@ class Pane {
     this.cellsSelect.value = this.settings.cells;
     this.stage.setAttribute('aria-label', `${state.scene.scene.name} through ${state.scene.grids[this.settings.grid].name}, ${this.settings.channel}. Arrow keys orbit, Enter picks a pixel.`);
     this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: this.camera(width, height),
-      width, height, depth: state.depth, range: ranges[this.settings.channel]});
+      width, height, depth: state.depth});
   }
 
   drawn(frame) {
@@ -203,11 +209,14 @@ class Pane {
     this.root.dataset.state = frame.isSharp ? 'sharp' : 'moving';
     if (frame.isSharp) this.count(frame.view);
     this.drawOverlay();
-    this.showScale();
-    if (source.isLive && frame.range && frame.isMoving) {
-      this.range = {channel: frame.view.channel, values: frame.range};
-      fitRange(frame.view.channel);
+    const {values} = this.picture;
+    if (frame.isMoving || frame.isSharp) {
+      const span = values && spanOf(values.channel, values.data);
+      this.span = span && {channel: values.channel, ...span};
+      if (span) fitScale(values.channel);
     }
+    this.showScale();
+    this.showValue();
     showCost();
   }
 
@@ -265,14 +274,26 @@ class Pane {
 
   showScale() {
     const channel = this.frame.view.channel;
-    const range = source.isLive && this.frame.view.range ? this.frame.view.range : this.frame.range;
-    const isNumber = range && ['depth', 'cells', 'tests', 'all cells', 'all tests'].includes(channel);
-    const isFirst = panes.find((pane) => pane.settings.channel === channel) === this; // the range is that of all
+    const isNumber = this.span && this.span.channel === channel;
+    const isFirst = panes.find((pane) => pane.settings.channel === channel) === this; // the scale is that of all
+    this.scaleKind.hidden = !isNumber || channel === 'depth';
+    this.scaleSelect.value = scales.kind;
     this.scale.hidden = !isNumber || !isFirst;
     if (this.scale.hidden) return;
+    const {low, high, isLogarithmic} = scales.of(channel);
     this.scale.querySelector('.colors').style.backgroundImage = colors.gradient();
-    this.scale.querySelector('.low').textContent = `${channel} ${Text.number(range[0])}`;
-    this.scale.querySelector('.high').textContent = channel === 'depth' ? Text.number(range[1]) : `${Text.number(range[1])} and more`;
+    this.scale.querySelector('.low').textContent = `${channel} ${Text.number(low)}`;
+    this.scale.querySelector('.high').textContent = `${Text.number(high)}${channel === 'depth' ? '' : ' and more'}${isLogarithmic ? ', log' : ''}`;
+  }
+
+  // Under the pointer, which may be over the other picture, or under the cross hair.
+  showValue() {
+    const {values} = this.picture, at = state.picking || state.pointer;
+    const isOver = values && at && at.x >= 0 && at.x < 1 && at.y >= 0 && at.y < 1;
+    this.value.hidden = !isOver;
+    if (!isOver) return;
+    const value = values.data[Math.floor(at.y * values.height) * values.width + Math.floor(at.x * values.width)];
+    this.value.textContent = `${values.channel} ${!Number.isFinite(value) ? '∞' : values.channel === 'depth' ? Number(value.toPrecision(6)) : Text.count(value)}`;
   }
 
   // Ray counts of a smaller picture of the same view.
@@ -320,23 +341,20 @@ function showPanes() {
   if (!state.plane) $('slice').prepend(slicePanel.place);
 }
 
-// Round numbers around the values of all pictures of the channel. Kept while they fit fairly, so that colours
-// don't flicker while the view moves.
-function fitRange(channel) {
-  const own = panes.filter((pane) => pane.range && pane.range.channel === channel).map((pane) => pane.range.values);
-  if (own.length === 0) return;
-  const low = Math.min(...own.map((range) => range[0])), high = Math.max(...own.map((range) => range[1]));
-  const old = ranges[channel];
-  const width = old ? old[1] - old[0] : 0;
-  if (old && low >= old[0] && high <= old[1] && high - low > 0.45 * width) return;
-  const step = 10 ** Math.floor(Math.log10(Math.max(high - low, 1e-30))) / 2;
-  const made = [Math.floor(low / step) * step, Math.max(Math.ceil(high / step), Math.floor(low / step) + 1) * step].map((x) => Number(x.toPrecision(6)));
-  if (channel !== 'depth') made[0] = 0;
-  if (old && String(made) === String(old)) return;
-  ranges[channel] = made;
+function fitScale(channel) {
+  const spans = panes.map((pane) => pane.span).filter((span) => span && span.channel === channel);
+  if (scales.fit(channel, spans)) recolor();
+}
+function recolor() {
   for (const pane of panes) {
-    if (pane.settings.channel === channel) pane.update();
+    pane.picture.recolor();
+    if (pane.frame) pane.showScale();
   }
+}
+function setScale(kind) {
+  scales.kind = kind;
+  recolor();
+  rememberSoon();
 }
 
 // After any change of `state`.
@@ -368,7 +386,10 @@ function showWalk() {
 }
 
 function drawOverlays() {
-  for (const pane of panes) pane.drawOverlay();
+  for (const pane of panes) {
+    pane.drawOverlay();
+    pane.showValue();
+  }
   planeView.draw();
   rememberSoon();
 }
@@ -394,6 +415,18 @@ function setCamera(camera) {
 const ORBIT = 2.6;     // radians for a drag over the picture's height
 const KEY_ORBIT = 0.05, KEY_PAN = 0.03, KEY_ZOOM = 1.08;
 
+// Shares of a picture; an exported one doesn't fill its stage.
+function placeIn(pane, event) {
+  const box = pane.stage.getBoundingClientRect(), [width, height] = pane.size();
+  const scale = Math.min(box.width / width, box.height / height);
+  return {x: 0.5 + (event.clientX - box.left - box.width / 2) / (scale * width), y: 0.5 + (event.clientY - box.top - box.height / 2) / (scale * height)};
+}
+
+function showValues(pointer) {
+  state.pointer = pointer;
+  for (const pane of panes) pane.showValue();
+}
+
 function controlCamera(pane) {
   const {stage} = pane;
   const pointers = new Map(); // id to {x, y}
@@ -408,7 +441,9 @@ function controlCamera(pane) {
     button = event.button;
     event.preventDefault();
   });
+  stage.addEventListener('pointerleave', () => showValues(null));
   stage.addEventListener('pointermove', (event) => {
+    showValues(placeIn(pane, event));
     const old = pointers.get(event.pointerId);
     if (!old) return;
     const now = {x: event.clientX, y: event.clientY};
@@ -433,9 +468,8 @@ function controlCamera(pane) {
   const end = (event) => {
     if (!pointers.delete(event.pointerId)) return;
     if (event.type === 'pointerup' && moved < 4 && button === 0 && !event.shiftKey) {
-      const box = stage.getBoundingClientRect(), [width, height] = pane.size();
-      const scale = Math.min(box.width / width, box.height / height); // an exported picture doesn't fill its stage
-      pick(pane, 0.5 + (event.clientX - box.left - box.width / 2) / (scale * width), 0.5 + (event.clientY - box.top - box.height / 2) / (scale * height));
+      const {x, y} = placeIn(pane, event);
+      pick(pane, x, y);
     }
   };
   stage.addEventListener('pointerup', end);
@@ -467,6 +501,7 @@ function keyOfPicture(pane, event) {
   else if (event.key === 'c') nextChannel(pane);
   else if (event.key === 'g') nextGrid(pane);
   else if (event.key === 'w') nextCells(pane);
+  else if (event.key === 'l') nextScale();
   else if (event.key === 'Enter') setPicking({pane: pane.index, x: 0.5, y: 0.5});
   else if (event.key === 'Escape' && walkPanel.ray) walkPanel.clear();
   else return false;
@@ -481,6 +516,12 @@ function nextChannel(pane) {
 function nextGrid(pane) {
   pane.set({grid: (pane.settings.grid + 1) % state.scene.grids.length});
   announce(`grid ${state.scene.grids[pane.settings.grid].name}`);
+}
+
+function nextScale() {
+  const kinds = ['automatic', 'linear', 'logarithmic'];
+  setScale(kinds[(kinds.indexOf(scales.kind) + 1) % kinds.length]);
+  announce(`scale: ${scales.kind}`);
 }
 
 function nextCells(pane) {
@@ -622,7 +663,9 @@ function showCost() {
     costFrame = 0;
     const shown = panes.map((pane) => ({name: shortName(pane.settings.grid), frame: pane.frame,
       counts: pane.counts, grid: state.scene.grids[pane.settings.grid]}));
-    $('cost').replaceChildren(costTable(shown));
+    const isOpen = $('cost').querySelector('details')?.open;
+    $('cost').replaceChildren(...costTable(shown));
+    $('cost').querySelector('details').open = isOpen;
   });
 }
 
@@ -701,6 +744,7 @@ async function begin() {
   state.scene = await source.scene();
   state.scene.channels = state.scene.channels || ['shaded'];
   colors = new ColorScale(state.scene.colors);
+  scales = new Scales(colors);
   describeScene();
   slicePanel = new SlicePanel($('slice'), source, state.slice, drawOverlays);
   walkPanel = new WalkPanel($('walk'), source, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));

@@ -30,6 +30,8 @@ const Text = {
     if (size >= 1000) return Text.count(value);
     return value.toFixed(size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
   },
+  // Two digits.
+  times: (value) => (value >= 9.95 ? Text.count(value) : value.toFixed(value >= 1.95 ? 1 : 2)),
   bytes(value) {
     if (value === null || value === undefined) return '–';
     const units = ['B', 'kB', 'MB', 'GB', 'TB'];
@@ -63,26 +65,34 @@ function column(all, get) {
   });
 }
 
-// rows: [name, values, {text, less}], left out where there are none, or [heading]. A column a name; where `less`,
-// the smallest of several values is marked.
+// rows: [name, values, {text, less}], left out where there are none, or [heading]. A column a name; where `less` is a
+// word, the smallest of several values is marked, and of two the last column says how many times it is less: 8 × fewer.
 function table(names, rows, caption) {
   const body = element('tbody');
-  for (const [name, values, {text = String, less = false, title = null} = {}] of rows) {
+  for (const [name, values, {text = String, less = null, title = null} = {}] of rows) {
     if (values && values.every((value) => value === null)) continue;
     if (!values) {
-      body.append(element('tr', {class: 'head'}, element('th', {scope: 'rowgroup', colspan: names.length + 1}, name)));
+      body.append(element('tr', {class: 'head'}, element('th', {scope: 'rowgroup', colspan: names.length + (names.length === 2 ? 2 : 1)}, name)));
       continue;
     }
     const numbers = values.filter((value) => Number.isFinite(value));
     const best = less && numbers.length > 1 && Math.min(...numbers) < Math.max(...numbers) ? Math.min(...numbers) : null;
     body.append(element('tr', {}, element('th', {scope: 'row', title}, name), ...values.map((value) =>
-      element('td', {class: value === best && best !== null ? 'better' : null}, value === null ? '–' : text(value)))));
+      element('td', {class: value === best && best !== null ? 'better' : null}, value === null ? '–' : text(value))),
+      ...(names.length === 2 ? [element('td', {class: 'ratio'}, best > 0 ? `${Text.times(Math.max(...numbers) / best)} × ${less}` : '')] : [])));
   }
   return element('table', {'aria-label': caption}, element('thead', {}, element('tr', {}, element('td'),
-    ...names.map((name) => element('th', {scope: 'col'}, name)))), body);
+    ...names.map((name) => element('th', {scope: 'col'}, name)), names.length === 2 ? element('td') : null)), body);
 }
 
 // --- Cost of a view ------------------------------------------------------------------------------------------
+
+const EXPLAINED = {
+  cells: 'Steps of a ray: cells of a grid or nodes of a hierarchy, one after the other',
+  empty: 'Cells in which nothing is listed: steps without a test',
+  tests: 'Intersections of a ray with one primitive',
+  skipped: 'Smallest voxels that the ray passes without a step of their own',
+};
 
 // shown: [{name, frame, counts, grid}] a picture each; frame as Picture reports it, counts as gridrender --stats.
 function costTable(shown) {
@@ -90,28 +100,33 @@ function costTable(shown) {
   const rays = (c) => c.eye_rays + c.shadow_rays + c.reflection_rays + c.refraction_rays;
   const tests = (c) => Object.values(c.intersection_tests).reduce((a, b) => a + b, 0);
   const time = {text: Text.milliseconds};
-  const perRay = {text: Text.number, less: true};
+  const perRay = (title) => ({text: Text.number, less: 'fewer', title});
   const cells = visitedNames(shown.map((one) => one.grid));
   const ofCells = (get) => of((one) => visited(one.grid) === 'cell' ? get(one.counts) : null);
   const size = shown[0].counts && shown[0].counts.size; // of a smaller picture of the view
   const areSharp = shown.every((one) => one.frame && one.frame.isSharp && one.frame.view.channel === shown[0].frame.view.channel);
-  return table(shown.map((one) => one.name), [
+  const costs = table(shown.map((one) => one.name), [
     ['picture', of((one) => `${one.frame.view.width} × ${one.frame.view.height}`), {}],
-    ['trace', of((one) => one.frame.milliseconds.trace), {text: Text.milliseconds, less: areSharp}],
+    ['trace', of((one) => one.frame.milliseconds.trace), {text: Text.milliseconds, less: areSharp ? 'faster' : null}],
     ['camera rays', of((one) => one.frame.rays / one.frame.milliseconds.trace / 1e3), {text: (v) => `${Text.number(v)} M/s`, title: 'Camera rays a second, with all rays that they spawn'}],
     ['copy from device', of((one) => one.frame.milliseconds.copy), time],
-    ['rows, JPEG', of((one) => one.frame.milliseconds.rows + one.frame.milliseconds.encode), time],
+    ['rows, encoding', of((one) => one.frame.milliseconds.rows + one.frame.milliseconds.encode), time],
     ['until shown', of((one) => one.frame.milliseconds.total), {...time, title: 'From the request to the picture on the page, without the time that it waited for its turn'}],
     [`All rays${size ? `, of ${size.join(' × ')} pixels` : ''}`],
-    [`${cells} per ray`, of((one) => one.counts.cells_visited / rays(one.counts)), perRay],
-    ['empty cells per ray', ofCells((c) => c.empty_cells_visited / rays(c)), perRay],
-    ['tests per ray', of((one) => tests(one.counts) / rays(one.counts)), perRay],
-    ['voxels skipped per ray', ofCells((c) => c.voxels_skipped / rays(c)), {text: Text.number}],
+    [`${cells} per ray`, of((one) => one.counts.cells_visited / rays(one.counts)), perRay(EXPLAINED.cells)],
+    ['empty cells per ray', ofCells((c) => c.empty_cells_visited / rays(c)), perRay(EXPLAINED.empty)],
+    ['tests per ray', of((one) => tests(one.counts) / rays(one.counts)), perRay(EXPLAINED.tests)],
+    ['voxels skipped per ray', ofCells((c) => c.voxels_skipped / rays(c)), {text: Text.number, title: EXPLAINED.skipped}],
     ['shadow rays per camera ray', of((one) => one.counts.shadow_rays / one.counts.eye_rays), {text: Text.number}],
     ['reflected, refracted', of((one) => (one.counts.reflection_rays + one.counts.refraction_rays) / one.counts.eye_rays), {text: Text.number, title: 'Reflection and refraction rays per camera ray'}],
     ['File'],
-    ['file', of((one) => one.grid.bytes), {text: Text.bytes, less: true}],
+    ['file', of((one) => one.grid.bytes), {text: Text.bytes, less: 'smaller'}],
   ], 'Cost of this view by grid');
+  const explained = element('details', {class: 'note'}, element('summary', {}, 'What the rows are'), element('p', {},
+    `Cells or nodes per ray: ${EXPLAINED.cells.toLowerCase()}. Empty cells: ${EXPLAINED.empty.slice(6).toLowerCase()}. ` +
+    `Tests: ${EXPLAINED.tests.toLowerCase()}. Voxels skipped: ${EXPLAINED.skipped.toLowerCase()}. ` +
+    'Shadow rays look for a light. Trace is the time of the picture; until shown, all from the request on.'));
+  return [costs, explained];
 }
 
 // --- Statistics of grids and hierarchies ---------------------------------------------------------------------
@@ -142,12 +157,12 @@ function statisticsTable(names, all) {
     ['99 %', of((s) => s.references_per_occupied_cell.p99), count],
     ['most', of((s) => Math.max(...s.histogram.map(([references]) => references))), count],
     ['Expected for a random line'],
-    ['cells', of((s) => s.expected_per_ray.cells), {text: Text.number, less: true}],
-    ['nodes', of((s) => s.expected_per_ray.nodes), {text: Text.number, less: true}],
-    ['tests', of((s) => s.expected_per_ray.tests), {text: Text.number, less: true}],
+    ['cells', of((s) => s.expected_per_ray.cells), {text: Text.number, less: 'fewer'}],
+    ['nodes', of((s) => s.expected_per_ray.nodes), {text: Text.number, less: 'fewer'}],
+    ['tests', of((s) => s.expected_per_ray.tests), {text: Text.number, less: 'fewer'}],
     ['voxels skipped', of((s) => s.expected_per_ray.voxels_skipped), number],
     ['Memory'],
-    ['file', of((s) => s.bytes.file), {text: Text.bytes, less: true}],
+    ['file', of((s) => s.bytes.file), {text: Text.bytes, less: 'smaller'}],
     ['voxel map', of((s) => s.bytes.voxel_map), {text: Text.bytes}],
     ['cells', of((s) => s.bytes.cells), {text: Text.bytes}],
     ['nodes', of((s) => s.bytes.nodes), {text: Text.bytes}],

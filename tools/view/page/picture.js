@@ -7,10 +7,12 @@ const MOVING_BUDGET_MS = 28; // for a picture while the view moves
 const BAND_MS = 100;         // for a band of the sharp picture
 
 class Picture {
-  // canvas: what is drawn on; drawn(shown) is called after each change with {view, isMoving, isSharp, share,
-  // milliseconds, rays, range}; failed(text), or '' when all is well again.
-  constructor(canvas, source, drawn, failed) {
+  // canvas: what is drawn on; colored(channel, values, width, height) makes an image of numbers; drawn(shown) is called
+  // after each change with {view, isMoving, isSharp, share, milliseconds, rays}; failed(text), or '' when all is well again.
+  constructor(canvas, source, colored, drawn, failed) {
     this.canvas = canvas;
+    this.colored = colored;
+    this.values = null; // {channel, width, height, data} of the whole picture, where it is one of numbers
     this.context = canvas.getContext('2d', {alpha: false});
     this.source = source;
     this.drawn = drawn;
@@ -81,6 +83,14 @@ class Picture {
     });
   }
 
+  // With the colours that numbers have by now.
+  recolor() {
+    if (!this.values) return;
+    const {channel, width, height, data} = this.values;
+    this.context.imageSmoothingEnabled = false;
+    this.context.drawImage(this.colored(channel, data, width, height), 0, 0, this.canvas.width, this.canvas.height);
+  }
+
   fit(view) {
     if (this.canvas.width === view.width && this.canvas.height === view.height) return;
     const old = this.canvas.width > 1 ? this.copy() : null;
@@ -106,9 +116,11 @@ class Picture {
     this.msPerPixel += (cost - this.msPerPixel) * (cost > this.msPerPixel ? 0.5 : 0.2);
     if (this.isClosed) return;
     this.fit(view);
+    this.values = got.values && {channel: view.channel, width: small.width, height: small.height, data: got.values};
     this.context.imageSmoothingEnabled = view.channel === 'shaded';
-    this.context.drawImage(got.image, 0, 0, view.width, view.height);
-    if (got.image.close) got.image.close();
+    if (got.image) this.context.drawImage(got.image, 0, 0, view.width, view.height);
+    else this.recolor();
+    if (got.image?.close) got.image.close();
     this.drawn({...got, view, isMoving: true, isSharp: false, scale, share: 1});
   }
 
@@ -119,7 +131,7 @@ class Picture {
     const bands = !this.source.isLive ? 1 : Math.max(1, Math.min(Math.ceil(estimate / BAND_MS), Math.ceil(view.height / 16)));
     const rows = Math.ceil(view.height / bands / 16) * 16; // whole blocks of JPEG
     const sum = {};
-    let rays = 0;
+    let rays = 0, values = null;
     const begin = performance.now();
     for (let y = 0; y < view.height; y += rows) {
       const height = Math.min(rows, view.height - y);
@@ -132,11 +144,19 @@ class Picture {
       }
       if (this.version !== version || this.isClosed) return false;
       this.fit(view);
-      this.context.drawImage(got.image, 0, y, view.width, height);
-      if (got.image.close) got.image.close();
+      this.context.drawImage(got.image || this.colored(view.channel, got.values, view.width, height), 0, y, view.width, height);
+      if (got.image?.close) got.image.close();
+      if (got.values) {
+        values = values || new Float32Array(pixels);
+        values.set(got.values, y * view.width);
+      }
       rays += got.rays;
       for (const [name, value] of Object.entries(got.milliseconds)) sum[name] = (sum[name] || 0) + value;
       const isLast = y + height === view.height;
+      if (isLast) {
+        this.values = values && {channel: view.channel, width: view.width, height: view.height, data: values};
+        this.recolor();
+      }
       this.drawn({...got, view, milliseconds: sum, rays, isMoving: false, isSharp: isLast, scale: 1, share: (y + height) / view.height});
     }
     this.stillMsPerPixel = Math.max(1e-6, (performance.now() - begin) / pixels);

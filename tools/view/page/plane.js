@@ -192,9 +192,10 @@ class PlaneView {
   // A ray through the whole slice, where there is none in this plane; the same one where only the plane moved.
   fitRay() {
     const {slice, walkPanel: {ray}} = this;
-    const [i, j] = slice.axes, isIn = ray && ray.origin[slice.axis] === slice.position && ray.direction[slice.axis] === 0;
+    const [i, j] = slice.axes, isParallel = ray && ray.direction[slice.axis] === 0;
+    const isIn = isParallel && ray.origin[slice.axis] === slice.position;
     if (this.axis !== slice.axis) this.zoom = null;
-    if (isIn && !this.wish) {
+    if (isParallel && !this.wish) {
       this.ends = {from: [ray.origin[i], ray.origin[j]], to: [ray.origin[i] + ray.direction[i], ray.origin[j] + ray.direction[j]]};
     } else if (this.axis !== slice.axis || !this.ends) {
       const at = (u, v) => [slice.min[0] + u * slice.voxels[0] * slice.step[0], slice.min[1] + v * slice.voxels[1] * slice.step[1]];

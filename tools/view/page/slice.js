@@ -1,18 +1,6 @@
 // Slices: the cells or boxes that a plane cuts, with the outline of the geometry; and which boxes lie over the pictures.
 'use strict';
 
-// Colours of numbers, as the server has them.
-class ColorScale {
-  constructor(samples) { this.samples = samples; }
-  // position: 0 to 1.
-  at(position) {
-    const last = this.samples.length - 1;
-    return this.samples[Math.round(last * Math.max(0, Math.min(1, position)))];
-  }
-  gradient() { return `linear-gradient(to right, ${this.samples.join()})`; }
-  reversed() { return new ColorScale([...this.samples].reverse()); }
-}
-
 // As points of the scene: corners of a slice's rectangles.
 function slicePoint(slice, u, v) {
   const point = [0, 0, 0];

@@ -9,6 +9,12 @@ function readTiming(header) {
   return values;
 }
 
+// A picture's numbers as the server compressed them: float32, rows from the top.
+async function inflated(blob) {
+  const stream = blob.stream().pipeThrough(new DecompressionStream('deflate-raw'));
+  return new Float32Array(await new Response(stream).arrayBuffer());
+}
+
 class Server {
   constructor() {
     this.statisticsOf = new Map();
@@ -33,21 +39,21 @@ class Server {
 
   static cameraParameters(view) {
     const {from, at, up, angle} = view.camera;
-    const range = view.range && view.channel !== 'shaded' ? {range: view.range.join()} : {};
-    return {...range, grid: view.grid, from: from.join(), at: at.join(), up: up.join(), angle, width: view.width,
+    return {grid: view.grid, from: from.join(), at: at.join(), up: up.join(), angle, width: view.width,
             height: view.height, depth: view.depth, channel: view.channel};
   }
 
-  // {image, precision, milliseconds: {wait, trace, …, total}, rays}; precision: robust, or another one and why. crop: [x, y, width, height].
+  // {image, values, precision, milliseconds: {wait, trace, …, total}, rays}: values of channels that are numbers, an
+  // image of others; precision: robust, or another one and why. crop: [x, y, width, height].
   async picture(view, quality, crop, signal) {
     const begin = performance.now();
     const parameters = {...Server.cameraParameters(view), quality};
     if (crop) parameters.crop = crop.join();
     const response = await this.get('api/picture', parameters, signal);
-    const image = await createImageBitmap(await response.blob());
+    const blob = await response.blob(), isImage = blob.type === 'image/jpeg';
+    const image = isImage ? await createImageBitmap(blob) : null, values = isImage ? null : await inflated(blob);
     const {precision, ...milliseconds} = readTiming(response.headers.get('Server-Timing'));
-    return {image, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays: milliseconds.rays,
-            range: 'low' in milliseconds ? [milliseconds.low, milliseconds.high] : null};
+    return {image, values, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays: milliseconds.rays};
   }
 
   counts(view, signal) {

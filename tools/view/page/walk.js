@@ -119,8 +119,8 @@ class WalkPanel {
         [element('span', {class: 'name'}, name), element('span', {class: 'value'}, value)]));
     const shown = this.grids.map((grid) => this.rayOf(grid));
     const costs = table(this.names, [
-      [visitedNames(this.structures), shown.map((one) => one && one.cells), {text: Text.count, less: true}],
-      ['tests', shown.map((one) => one && one.tests), {text: Text.count, less: true}],
+      [visitedNames(this.structures), shown.map((one) => one && one.cells), {text: Text.count, less: 'fewer'}],
+      ['tests', shown.map((one) => one && one.tests), {text: Text.count, less: 'fewer'}],
     ], 'What the ray costs in each grid');
     const panes = this.grids.length < 2 ? null : element('label', {}, 'List of ', element('select', {class: 'walk-pane',
       onchange: (event) => this.look({pane: Number(event.target.value)})},
