@@ -5,7 +5,6 @@
 #include "renderer/automatic_loop.h"
 #include "renderer/tracer.h"
 
-#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -72,27 +71,56 @@ static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
 // Fewer are traced in little more time than it takes to find out how.
 constexpr std::size_t rays_worth_a_sample = std::size_t{1} << 22;
 
+RayResults results_of(const masu_hits* hits) {
+  const masu_hits wanted = taken(hits, "masu_hits");
+  RayResults results;
+  results.t = wanted.t;
+  results.t64 = wanted.t64;
+  results.primitive = wanted.primitive;
+  results.object = wanted.object;
+  results.uv = reinterpret_cast<float(*)[2]>(wanted.uv);
+  results.normal = reinterpret_cast<float(*)[3]>(wanted.normal);
+  results.face = wanted.face;
+  results.front = wanted.front;
+  return results;
+}
+
 // Traces rays where they lie; the results must be there, too.
 void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const masu_query* options,
-           Query query, const RayResults& results) {
+           Query query, const RayResults& results, std::uint32_t limit = 1) {
   if (count == 0) return;
   require(rays, "rays");
   const masu_query wanted = options != nullptr ? taken(options, "masu_query") : masu_query{};
   RaysRequest request;
   request.query = query;
+  request.limit = limit;
+  request.faces = choice<Faces>(wanted.faces, 3, "faces");
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
   RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
+  list.excluded = wanted.exclude;
   const int place = device_of(rays);
-  for (const void* const pointer :
-       std::initializer_list<const void*>{results.t, results.primitive, results.object, results.uv,
-                                          results.normal, results.face, results.occluded}) {
-    if (pointer != nullptr && device_of(pointer) != place)
+  const std::pair<const void*, std::size_t> arrays[] = {// with their numbers' alignment
+                                                        {results.t, sizeof(float)},
+                                                        {results.t64, sizeof(double)},
+                                                        {results.primitive, sizeof(std::uint32_t)},
+                                                        {results.object, sizeof(std::uint32_t)},
+                                                        {results.uv, sizeof(float)},
+                                                        {results.normal, sizeof(float)},
+                                                        {results.face, sizeof(std::uint32_t)},
+                                                        {results.count, sizeof(std::uint32_t)},
+                                                        {list.excluded, sizeof(std::uint32_t)},
+                                                        {results.front, 1},
+                                                        {results.inside, 1},
+                                                        {results.occluded, 1}};
+  for (const auto& [pointer, alignment] : arrays) {
+    if (pointer == nullptr) continue;
+    if (device_of(pointer) != place)
       fail("results", "don't lie where the rays are: take memory of one kind and device for all");
-    if (pointer != results.occluded && reinterpret_cast<std::uintptr_t>(pointer) % sizeof(float) != 0)
+    if (reinterpret_cast<std::uintptr_t>(pointer) % alignment != 0)
       fail("results", "aren't aligned as their numbers must be");
   }
-  if (tracer.grid && tracer.tracer.device() == Device::cuda)
+  if (tracer.grid && tracer.tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
                        ? automatic_loop(tracer.tracer, list, request.query, request.tracing.precision)
                        : tracer.loops.of(tracer.tracer, wanted.coherent != 0);
@@ -156,15 +184,7 @@ masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t cou
                          const masu_hits* hits) {
   return guarded([&] {
     require(tracer, "tracer");
-    const masu_hits wanted = taken(hits, "masu_hits");
-    RayResults results;
-    results.t = wanted.t;
-    results.primitive = wanted.primitive;
-    results.object = wanted.object;
-    results.uv = reinterpret_cast<float(*)[2]>(wanted.uv);
-    results.normal = reinterpret_cast<float(*)[3]>(wanted.normal);
-    results.face = wanted.face;
-    trace(*tracer, rays, count, query, Query::nearest_hit, results);
+    trace(*tracer, rays, count, query, Query::nearest_hit, results_of(hits));
   });
 }
 
@@ -176,6 +196,40 @@ masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t co
     RayResults results;
     results.occluded = occluded;
     trace(*tracer, rays, count, query, Query::occlusion, results);
+  });
+}
+
+masu_status masu_all_hits(const masu_tracer* tracer, const void* rays, size_t count, const masu_query* query,
+                          uint32_t limit, const masu_hits* hits, uint32_t* counts) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    RayResults results = results_of(hits);
+    results.count = counts;
+    trace(*tracer, rays, count, query, Query::all_hits, results, limit);
+  });
+}
+
+masu_status masu_count_hits(const masu_tracer* tracer, const void* rays, size_t count,
+                            const masu_query* query, uint32_t* counts) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    if (count > 0) require(counts, "counts");
+    RayResults results;
+    results.count = counts;
+    trace(*tracer, rays, count, query, Query::count_hits, results);
+  });
+}
+
+masu_status masu_inside(const masu_tracer* tracer, const void* rays, size_t count, const masu_query* query,
+                        uint8_t* inside) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    if (count > 0) require(inside, "inside");
+    if (query != nullptr && taken(query, "masu_query").faces != MASU_FACES_BOTH)
+      fail("faces", "of one side don't tell inside from outside");
+    RayResults results;
+    results.inside = inside;
+    trace(*tracer, rays, count, query, Query::count_hits, results);
   });
 }
 }

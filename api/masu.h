@@ -283,6 +283,8 @@ typedef enum masu_precision {
   MASU_PRECISION_DOUBLE = 3
 } masu_precision;
 
+typedef enum masu_faces { MASU_FACES_BOTH = 0, MASU_FACES_FRONT = 1, MASU_FACES_BACK = 2 } masu_faces;
+
 /* Zeros are the defaults; NULL instead of a query means them. */
 typedef struct masu_query {
   size_t size;
@@ -294,7 +296,9 @@ typedef struct masu_query {
                    keep their digits, and rays on a GPU needn't be copied; 0: they are in the world */
   void* stream; /* cudaStream_t of rays in device memory; NULL: the default stream */
   int threads;  /* of the host, for rays in its memory; 0: all cores */
-  int reserved;
+  masu_faces faces;        /* that are hit */
+  const uint32_t* exclude; /* where the rays are: for each a primitive that it doesn't hit, or MASU_NONE; such
+                              as the one that it starts on. NULL: none */
 } masu_query;
 
 #define MASU_NONE UINT32_MAX
@@ -309,6 +313,8 @@ typedef struct masu_hits {
   float* normal;       /* 3 per ray: geometric, unit length, on the primitive's front; 0 for a miss */
   uint32_t* face; /* of a scene from mesh2bin, the number of the file's face, through all objects in their
                      order; of others as primitive; MASU_NONE for a miss */
+  double* t64;    /* t, with all digits that the query's precision has */
+  uint8_t* front; /* 1 where the ray meets the front, else 0 */
 } masu_hits;
 
 /* The nearest hit of each ray. Rays and results all lie in host memory, or all in memory of a GPU of
@@ -329,6 +335,29 @@ MASU_API masu_status masu_nearest(const masu_tracer* tracer, const void* rays, s
 /* Whether each ray hits anything: 1 or 0. */
 MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count,
                                    const masu_query* query, uint8_t* occluded);
+
+/* The first `limit` hits of each ray, from 1 to 65536, in their order: each array of `hits` has a row of
+ * `limit` elements for each ray, the hits and then misses. counts: how many hits a row has; may be NULL.
+ *
+ * Hits are crossings: where a ray passes an edge or a corner that triangles share, one of those on either
+ * side is crossed, so that every line crosses a closed mesh as often inwards as outwards, exactly. Spheres
+ * are crossed twice, and cones, which have no caps, up to twice; where only the inside is visible, once.
+ *
+ * MASU_PRECISION_FAST is an error here, and with faces, exclude, t64 and front. */
+MASU_API masu_status masu_all_hits(const masu_tracer* tracer, const void* rays, size_t count,
+                                   const masu_query* query, uint32_t limit, const masu_hits* hits,
+                                   uint32_t* counts);
+
+/* How many hits each ray has, all of them. */
+MASU_API masu_status masu_count_hits(const masu_tracer* tracer, const void* rays, size_t count,
+                                     const masu_query* query, uint32_t* counts);
+
+/* Whether each ray starts inside the surfaces, whose fronts are outside: 1 where one more of its hits
+ * is of a back than of a front, 0 where as many are; else 2, and the surfaces aren't closed, or their fronts
+ * not outside, or one lies in another. Any direction will do. An origin that is nearer to a surface than
+ * error_bound (masu_scene_description) may be on either side of it. */
+MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, size_t count,
+                                 const masu_query* query, uint8_t* inside);
 
 /* NOLINTEND(modernize-use-using) */
 #ifdef __cplusplus

@@ -185,12 +185,23 @@ struct QueryOptions {
   void* stream = nullptr; // of rays in device memory
   bool relative = false;  // to the scene's origin
   int threads = 0;        // of the host, for rays in its memory; 0: all cores
+  masu_faces faces = MASU_FACES_BOTH;
+  const std::uint32_t* exclude = nullptr; // a primitive for each ray, or MASU_NONE
 };
 
 // The hits of rays in host memory.
 struct Hits {
   std::vector<float> t;
   std::vector<std::uint32_t> primitive;
+};
+
+// A row of `limit` hits for each ray, of which `counts` are there.
+struct HitLists {
+  std::uint32_t limit;
+  std::vector<std::uint32_t> counts;
+  std::vector<double> t;
+  std::vector<std::uint32_t> primitive;
+  std::vector<std::uint8_t> front;
 };
 
 // A scene and its grid on a device; it keeps what it needs of both.
@@ -224,6 +235,24 @@ public:
     const masu_query query = query_of<R>(options);
     check(masu_occluded(handle_.get(), rays, count, &query, occluded));
   }
+  template <Ray R>
+  void all_hits(const R* rays, std::size_t count, std::uint32_t limit, const masu_hits& hits,
+                std::uint32_t* counts, const QueryOptions& options = {}) const {
+    const masu_query query = query_of<R>(options);
+    check(masu_all_hits(handle_.get(), rays, count, &query, limit, &hits, counts));
+  }
+  template <Ray R>
+  void count_hits(const R* rays, std::size_t count, std::uint32_t* counts,
+                  const QueryOptions& options = {}) const {
+    const masu_query query = query_of<R>(options);
+    check(masu_count_hits(handle_.get(), rays, count, &query, counts));
+  }
+  template <Ray R>
+  void inside(const R* rays, std::size_t count, std::uint8_t* inside,
+              const QueryOptions& options = {}) const {
+    const masu_query query = query_of<R>(options);
+    check(masu_inside(handle_.get(), rays, count, &query, inside));
+  }
 
   // In host memory.
   template <RayRange Rays>
@@ -240,6 +269,30 @@ public:
   std::vector<std::uint8_t> occluded(const Rays& rays, const QueryOptions& options = {}) const {
     std::vector<std::uint8_t> found(std::ranges::size(rays));
     occluded(std::ranges::data(rays), found.size(), found.data(), options);
+    return found;
+  }
+  template <RayRange Rays>
+  HitLists all_hits(const Rays& rays, std::uint32_t limit, const QueryOptions& options = {}) const {
+    const std::size_t count = std::ranges::size(rays), all = count * limit;
+    HitLists found{limit, std::vector<std::uint32_t>(count), std::vector<double>(all),
+                   std::vector<std::uint32_t>(all), std::vector<std::uint8_t>(all)};
+    auto hits = sized<masu_hits>();
+    hits.t64 = found.t.data();
+    hits.primitive = found.primitive.data();
+    hits.front = found.front.data();
+    all_hits(std::ranges::data(rays), count, limit, hits, found.counts.data(), options);
+    return found;
+  }
+  template <RayRange Rays>
+  std::vector<std::uint32_t> count_hits(const Rays& rays, const QueryOptions& options = {}) const {
+    std::vector<std::uint32_t> found(std::ranges::size(rays));
+    count_hits(std::ranges::data(rays), found.size(), found.data(), options);
+    return found;
+  }
+  template <RayRange Rays>
+  std::vector<std::uint8_t> inside(const Rays& rays, const QueryOptions& options = {}) const {
+    std::vector<std::uint8_t> found(std::ranges::size(rays));
+    inside(std::ranges::data(rays), found.size(), found.data(), options);
     return found;
   }
 
@@ -259,6 +312,8 @@ private:
     query.relative = options.relative ? 1 : 0;
     query.stream = options.stream;
     query.threads = options.threads;
+    query.faces = options.faces;
+    query.exclude = options.exclude;
     return query;
   }
 

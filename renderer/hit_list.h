@@ -37,11 +37,11 @@ MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Grid& grid,
     if (results.has_attributes()) write_attributes(scene, near, results, first + k);
   };
   const bool writes = lists || rules.query == Query::nearest_hit;
-  bool first_is_back = false;
+  std::int32_t leaves = 0; // how often more than it enters
   const std::uint32_t count =
       hits_in_order<M>(scene, grid, ray, filter, counts_all ? no_primitive : rules.row(),
                        [&](std::uint32_t k, const Near& near, bool front) {
-                         if (k == 0) first_is_back = !front;
+                         leaves += front ? -1 : 1;
                          if (writes) write(k, near, (near.hit.t + near.skipped) * scale, front);
                        });
   if (writes) {
@@ -50,7 +50,7 @@ MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Grid& grid,
   }
   if (results.count != nullptr) results.count[i] = count;
   if (results.inside != nullptr)
-    results.inside[i] = ((count & 1) != 0) != first_is_back ? 2 : first_is_back ? 1 : 0;
+    results.inside[i] = static_cast<std::uint8_t>(leaves == 0 || leaves == 1 ? leaves : 2);
   if (results.occluded != nullptr) results.occluded[i] = count != 0 ? 1 : 0;
 }
 

@@ -101,9 +101,9 @@ MASU_HD inline Real scale_direction(Ray<Real>& ray) {
 // (TracingRules::count). t64: t with all digits that the arithmetic has; front: 1 where the front is met.
 //
 // all_hits writes a row of HitRules::limit elements per ray, the hits in their order and then misses; count:
-// how many hits there are, at most `limit` of them. count_hits writes count, of all, and inside: 1 where they
-// are odd in number and the first one is of a back, 0 where neither is so; 2 where these disagree, and the
-// surfaces aren't closed, or their fronts not outside.
+// how many hits there are, at most `limit` of them. count_hits writes count, of all, and inside: 1 where one
+// more of them is of a back than of a front, 0 where as many are, and else 2: the surfaces aren't closed, or
+// their fronts not outside, or one lies in another.
 struct RayResults {
   float* t = nullptr;
   double* t64 = nullptr;

@@ -219,8 +219,8 @@ void add_list_options(CLI::App& app, Settings& settings) {
                         ->check(CLI::Range(1U, max_hits_per_ray))
                         ->excludes(any);
   app.add_flag("--count-hits", settings.count_hits,
-               "count them; inside: whether the ray starts in a closed mesh (0 or 1; 2 where the number of "
-               "hits says otherwise than the side of the first)")
+               "count them; inside: whether the ray starts in a closed mesh (0 or 1; 2 where fronts and "
+               "backs are met otherwise than of closed meshes)")
       ->excludes(any)
       ->excludes(all);
   add_choice(app, "--faces", settings.faces,

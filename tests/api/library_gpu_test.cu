@@ -140,8 +140,9 @@ protected:
     Found found{std::vector<float>(n),         std::vector<float>(2 * n),     std::vector<float>(3 * n),
                 std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n),
                 std::vector<std::uint8_t>(n)};
-    const masu_hits hits{sizeof hits,     found.t.data(),      found.primitive.data(), found.object.data(),
-                         found.uv.data(), found.normal.data(), found.face.data()};
+    const masu_hits hits{sizeof hits,         found.t.data(),  found.primitive.data(),
+                         found.object.data(), found.uv.data(), found.normal.data(),
+                         found.face.data(),   nullptr,         nullptr};
     EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
     EXPECT_EQ(masu_occluded(tracer, rays, n, &query, found.occluded.data()), MASU_OK) << masu_error();
     return found;
@@ -153,8 +154,8 @@ protected:
     const Device<float> t(n), uv(2 * n), normal(3 * n);
     const Device<std::uint32_t> primitive(n), object(n), face(n);
     const Device<std::uint8_t> occluded(n);
-    const masu_hits hits{sizeof hits, t.data(),      primitive.data(), object.data(),
-                         uv.data(),   normal.data(), face.data()};
+    const masu_hits hits{sizeof hits,   t.data(),    primitive.data(), object.data(), uv.data(),
+                         normal.data(), face.data(), nullptr,          nullptr};
     EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
     EXPECT_EQ(masu_occluded(tracer, rays, n, &query, occluded.data()), MASU_OK) << masu_error();
     EXPECT_EQ(cudaStreamSynchronize(static_cast<cudaStream_t>(query.stream)), cudaSuccess);
@@ -169,6 +170,55 @@ protected:
   std::optional<masu::Grid> grid_;
   masu_tracer *cpu_ = nullptr, *gpu_ = nullptr;
 };
+
+// With excluded primitives, in host memory and in the GPU's.
+TEST_F(LibraryOnGpu, ListsTheCpusHits) {
+  SCOPED_TRACE(seed_.trace());
+  const std::size_t n = 300'000;
+  constexpr std::uint32_t limit = 3;
+  const std::vector<masu_ray> list = rays(n);
+  std::vector<std::uint32_t> exclude(n);
+  for (std::uint32_t& primitive : exclude)
+    primitive = static_cast<std::uint32_t>(engine_() % 3001) - 1;
+  struct Lists {
+    std::vector<double> t;
+    std::vector<std::uint32_t> primitive, counts, all;
+    std::vector<std::uint8_t> front, inside;
+    bool operator==(const Lists&) const = default;
+  };
+  const auto trace = [&](const masu_tracer* tracer, const void* from, const std::uint32_t* excluded,
+                         double* t, std::uint32_t* primitive, std::uint8_t* front, std::uint32_t* counts,
+                         std::uint32_t* all, std::uint8_t* inside) {
+    auto query = masu::sized<masu_query>();
+    query.exclude = excluded;
+    auto hits = masu::sized<masu_hits>();
+    hits.t64 = t;
+    hits.primitive = primitive;
+    hits.front = front;
+    EXPECT_EQ(masu_all_hits(tracer, from, n, &query, limit, &hits, counts), MASU_OK) << masu_error();
+    EXPECT_EQ(masu_count_hits(tracer, from, n, &query, all), MASU_OK) << masu_error();
+    EXPECT_EQ(masu_inside(tracer, from, n, &query, inside), MASU_OK) << masu_error();
+  };
+  const auto in_host = [&](const masu_tracer* tracer) {
+    Lists lists{std::vector<double>(limit * n),       std::vector<std::uint32_t>(limit * n),
+                std::vector<std::uint32_t>(n),        std::vector<std::uint32_t>(n),
+                std::vector<std::uint8_t>(limit * n), std::vector<std::uint8_t>(n)};
+    trace(tracer, list.data(), exclude.data(), lists.t.data(), lists.primitive.data(), lists.front.data(),
+          lists.counts.data(), lists.all.data(), lists.inside.data());
+    return lists;
+  };
+  const Lists expected = in_host(cpu_);
+  EXPECT_TRUE(in_host(gpu_) == expected);
+  const Device<masu_ray> on_gpu(list);
+  const Device<std::uint32_t> excluded(exclude), primitive(limit * n), counts(n), all(n);
+  const Device<double> t(limit * n);
+  const Device<std::uint8_t> front(limit * n), inside(n);
+  trace(gpu_, on_gpu.data(), excluded.data(), t.data(), primitive.data(), front.data(), counts.data(),
+        all.data(), inside.data());
+  EXPECT_EQ(cudaStreamSynchronize(nullptr), cudaSuccess);
+  EXPECT_TRUE((Lists{t.host(limit * n), primitive.host(limit * n), counts.host(n), all.host(n),
+                     front.host(limit * n), inside.host(n)} == expected));
+}
 
 TEST_F(LibraryOnGpu, FindsTheCpusBits) {
   SCOPED_TRACE(seed_.trace());

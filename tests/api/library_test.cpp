@@ -128,8 +128,8 @@ struct Found {
   explicit Found(std::size_t n)
       : t(n), uv(2 * n), normal(3 * n), primitive(n), object(n), face(n), occluded(n) {}
   masu_hits hits() {
-    return {sizeof(masu_hits), t.data(),      primitive.data(), object.data(),
-            uv.data(),         normal.data(), face.data()};
+    return {sizeof(masu_hits), t.data(),    primitive.data(), object.data(), uv.data(),
+            normal.data(),     face.data(), nullptr,          nullptr};
   }
   friend bool operator==(const Found& a, const Found& b) {
     return a.t == b.t && a.uv == b.uv && a.normal == b.normal && a.primitive == b.primitive &&
@@ -274,8 +274,8 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   EXPECT_TRUE(same(doubles8.data(), MASU_RAYS_FLOAT64));
   // Whatever is left out, the rest is the same.
   Found some(rays.size());
-  const masu_hits only{sizeof(masu_hits),  nullptr,         nullptr, some.object.data(), nullptr,
-                       some.normal.data(), some.face.data()};
+  const masu_hits only{sizeof(masu_hits), nullptr, nullptr, some.object.data(), nullptr, some.normal.data(),
+                       some.face.data(),  nullptr, nullptr};
   ASSERT_DONE(masu_nearest(tracer, rays.data(), rays.size(), nullptr, &only));
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);
@@ -466,6 +466,91 @@ TEST_F(Library, InCppTypesDecideTheFormat) {
     EXPECT_EQ(error.status, MASU_ERROR_INPUT);
     EXPECT_NE(std::string(error.what()).find("missing"), std::string::npos);
   }
+}
+
+// A box of -1 to 1 with a hollow of -0.5 to 0.5, whose fronts are in the hollow: it is a box mirrored.
+Mesh hollow_box() {
+  Mesh mesh;
+  for (const float size : {1.0F, -0.5F}) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
+    for (unsigned i = 0; i < 8; ++i)
+      mesh.vertices.insert(mesh.vertices.end(), {(i & 1) != 0 ? size : -size, (i & 2) != 0 ? size : -size,
+                                                 (i & 4) != 0 ? size : -size});
+    for (const auto& [a, b, c, d] :
+         {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+      for (const int corner : {a, b, c, a, c, d})
+        mesh.indices.push_back(first + static_cast<std::uint32_t>(corner));
+  }
+  return mesh;
+}
+
+// Of rays on a lattice, which meet edges and corners exactly.
+TEST_F(Library, ListsAndCountsTheHitsOfClosedMeshes) {
+  const Mesh mesh = hollow_box();
+  const masu::Scene of_mesh(mesh.vertices, mesh.indices);
+  const masu::Tracer tracer(of_mesh, masu::Grid(of_mesh)), brute_force(of_mesh, nullptr, {}, true);
+  std::vector<std::array<double, 6>> rays;
+  const auto whole = [&](int most) {
+    return static_cast<double>(static_cast<int>(engine_() % (2U * most + 1)) - most);
+  };
+  while (rays.size() < 3000) {
+    const std::array<double, 6> ray{
+        whole(7) / 4 + 0.125, whole(7) / 4 + 0.125, whole(7) / 4 + 0.125, whole(2), whole(2), whole(2)};
+    if (ray[3] != 0 || ray[4] != 0 || ray[5] != 0) rays.push_back(ray);
+  }
+  const auto is_inside = [](const std::array<double, 6>& ray) {
+    const double farthest = std::max({std::abs(ray[0]), std::abs(ray[1]), std::abs(ray[2])});
+    return farthest > 0.5 && farthest < 1 ? 1U : 0U;
+  };
+  for (const masu_precision precision : {MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
+    const masu::HitLists lists = tracer.all_hits(rays, 4, {.precision = precision}),
+                         others = brute_force.all_hits(rays, 4, {.precision = precision});
+    EXPECT_EQ(lists.t, others.t);
+    EXPECT_EQ(lists.primitive, others.primitive);
+    EXPECT_EQ(lists.front, others.front);
+    EXPECT_EQ(lists.counts, others.counts);
+    EXPECT_EQ(tracer.count_hits(rays, {.precision = precision}), lists.counts); // never more than 4
+    const std::vector<std::uint8_t> inside = tracer.inside(rays, {.precision = precision});
+    const std::vector<std::uint32_t> fronts =
+        tracer.count_hits(rays, {.precision = precision, .faces = MASU_FACES_FRONT});
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      EXPECT_EQ(2 * fronts[i] + is_inside(rays[i]), lists.counts[i]) << i;
+      EXPECT_EQ(inside[i], is_inside(rays[i])) << i;
+      const std::uint32_t count = lists.counts[i];
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        const std::size_t at = 4 * i + k;
+        EXPECT_EQ(lists.primitive[at] != MASU_NONE, k < count);
+        EXPECT_TRUE(k == 0 || lists.t[at - 1] <= lists.t[at]);
+      }
+    }
+  }
+  // Without the first hit the second is the nearest.
+  std::vector<std::array<double, 6>> inwards{{0.1, 0.2, 5, 0, 0, -1}, {0.1, 0.2, -5, 0, 0, 1}};
+  const masu::HitLists lists = tracer.all_hits(inwards, 4);
+  const std::uint32_t first[2]{lists.primitive[0], lists.primitive[4]};
+  const masu::Hits next = tracer.nearest(inwards, {.exclude = first});
+  EXPECT_EQ(next.primitive, (std::vector<std::uint32_t>{lists.primitive[1], lists.primitive[5]}));
+  EXPECT_EQ(tracer.nearest(inwards, {.faces = MASU_FACES_BACK}).t, (std::vector<float>{4.5F, 4.5F}));
+  EXPECT_EQ(lists.t, (std::vector<double>{4, 4.5, 5.5, 6, 4, 4.5, 5.5, 6}));
+  EXPECT_EQ(lists.front, (std::vector<std::uint8_t>{1, 0, 1, 0, 1, 0, 1, 0}));
+
+  const auto refused = [&](const auto& query) {
+    try {
+      query();
+    } catch (const masu::Exception& error) {
+      return error.status == MASU_ERROR_USAGE;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused([&] { tracer.all_hits(rays, 0); }));
+  EXPECT_TRUE(refused([&] { tracer.all_hits(std::span(rays).first(1), 65537); }));
+  EXPECT_TRUE(refused([&] { tracer.count_hits(rays, {.precision = MASU_PRECISION_FAST}); }));
+  EXPECT_TRUE(refused([&] { tracer.inside(rays, {.faces = MASU_FACES_BACK}); }));
+  EXPECT_TRUE(refused([&] { tracer.nearest(rays, {.faces = static_cast<masu_faces>(3)}); }));
+  auto hits = masu::sized<masu_hits>();
+  std::vector<double> t(rays.size() + 1);
+  hits.t64 = reinterpret_cast<double*>(reinterpret_cast<char*>(t.data()) + 4);
+  EXPECT_TRUE(refused([&] { tracer.nearest(rays.data(), rays.size(), hits); }));
 }
 
 TEST_F(Library, AnswersThreadsAtTheSameTime) {

@@ -114,7 +114,39 @@ class Queries(WithFolder):
             same_bits(self, tracer.nearest(rays, fields=iter([name])), {name: every[name]})
         self.assertEqual({name: str(array.dtype) for name, array in every.items()},
                          {"t_hit": "float32", "primitive_ids": "int32", "geometry_ids": "int32",
-                          "primitive_uvs": "float32", "primitive_normals": "float32", "face_ids": "int32"})
+                          "primitive_uvs": "float32", "primitive_normals": "float32", "face_ids": "int32",
+                          "t_hit64": "float64", "front": "bool"})
+
+    def test_all_hits_are_counted_and_listed_in_order(self):
+        corners = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
+        quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        faces = np.array([face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))], np.uint32)
+        self.made = masu.Scene(corners, faces)
+        self.grid = self.made.build()
+        tracer = self.tracer()
+        # On a lattice, where rays meet edges and corners exactly.
+        origins = self.random.integers(-6, 7, (4, 250, 3)) / 4 + 0.125
+        directions = self.random.integers(-2, 3, (4, 250, 3))
+        directions[(directions == 0).all(-1)] = 1
+        rays = np.concatenate([origins, directions], -1)
+        inside = np.abs(origins).max(-1) < 1
+        counts = tracer.count_hits(rays)
+        np.testing.assert_array_equal(counts % 2 == 1, inside)
+        np.testing.assert_array_equal(tracer.inside(rays), inside)
+        lists = tracer.all_hits(rays, 3, fields=masu.FIELDS)
+        np.testing.assert_array_equal(lists["counts"], counts)
+        self.assertEqual(lists["primitive_uvs"].shape, (4, 250, 3, 2))
+        np.testing.assert_array_equal((lists["primitive_ids"] >= 0).sum(-1), counts)
+        self.assertTrue((lists["t_hit"][..., 1:] >= lists["t_hit"][..., :-1]).all())
+        np.testing.assert_array_equal(lists["front"].sum(-1), tracer.count_hits(rays, faces="front"))
+        without = tracer.nearest(rays, exclude=np.full((4, 250), -1), fields=masu.FIELDS)
+        same_bits(self, without, tracer.nearest(rays, fields=masu.FIELDS))
+        others = tracer.nearest(rays, exclude=without["primitive_ids"])["primitive_ids"]
+        self.assertFalse(((others == without["primitive_ids"]) & (others >= 0)).any())
+        for wrong in (lambda: tracer.all_hits(rays, 0), lambda: tracer.nearest(rays, faces="none"),
+                      lambda: tracer.nearest(rays, exclude=[1, 2])):
+            with self.assertRaises(ValueError):
+                wrong()
 
     def test_results_depend_neither_on_the_grid_nor_on_coherence(self):
         self.scene()

@@ -3,10 +3,11 @@
     adopted(array, stream)  another library's array as one of this library; queued on the stream
     gpu(array)            the number of the GPU that it lies on; None in host memory
     packed(array)         the same numbers as float32 or float64, contiguous and aligned: itself or a copy
+    packed_int32(array)   the same numbers as int32, contiguous
     is_float64(array)     of a packed array
     pointer(array)        of a packed array
     to_host(array)        NumPy's, of the same numbers
-    empty(shape, type, array)  a new array where that one is; type: "float32", "int32", "bool"
+    empty(shape, type, array)  a new array where that one is; type: "float32", "float64", "int32", "uint8", "bool"
     queue(array, stream)  a context in which all of that is queued on the stream, or the current one if that is None; it
                           yields the stream's handle
 """

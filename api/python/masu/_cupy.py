@@ -37,6 +37,10 @@ def packed(array: "cupy.ndarray") -> "cupy.ndarray":
     return array.copy() if array.data.ptr % array.itemsize else array
 
 
+def packed_int32(array: "cupy.ndarray") -> "cupy.ndarray":
+    return cupy.ascontiguousarray(array, cupy.int32)
+
+
 def is_float64(array: "cupy.ndarray") -> bool:
     return bool(array.dtype == cupy.float64)
 

@@ -62,12 +62,12 @@ class PrimitiveRecord(ctypes.Structure):
 
 class QueryRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("format", c_int), ("precision", c_int), ("coherent", c_int), ("relative", c_int),
-                ("stream", c_void_p), ("threads", c_int), ("reserved", c_int)]
+                ("stream", c_void_p), ("threads", c_int), ("faces", c_int), ("exclude", c_void_p)]
 
 
 class HitsRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("t", c_void_p), ("primitive", c_void_p), ("object", c_void_p), ("uv", c_void_p),
-                ("normal", c_void_p), ("face", c_void_p)]
+                ("normal", c_void_p), ("face", c_void_p), ("t64", c_void_p), ("front", c_void_p)]
 
 
 class MeshRecord(ctypes.Structure):
@@ -107,6 +107,7 @@ def sized(record: Record) -> Record:
     return record
 
 
+FACES = {"both": 0, "front": 1, "back": 2}
 PRECISIONS = {"auto": 0, "fast": 1, "robust": 2, "double": 3}
 STORES = {"auto": 0, "float32": 1, "float64": 2}
 STRUCTURES = {"grid": 0, "bvh": 1, "fastest": 2}
@@ -185,6 +186,10 @@ def _load() -> ctypes.CDLL:
     declare("masu_tracer_free", None, c_void_p)
     declare("masu_nearest", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), POINTER(HitsRecord))
     declare("masu_occluded", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), c_void_p)
+    query = (c_void_p, c_void_p, c_size_t, POINTER(QueryRecord))
+    declare("masu_all_hits", c_int, *query, c_uint32, POINTER(HitsRecord), c_void_p)
+    declare("masu_count_hits", c_int, *query, c_void_p)
+    declare("masu_inside", c_int, *query, c_void_p)
     return loaded
 
 

@@ -28,6 +28,10 @@ def packed(array: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
     return np.require(array, number, ["C_CONTIGUOUS", "ALIGNED"])
 
 
+def packed_int32(array: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
+    return np.ascontiguousarray(array, np.int32)
+
+
 def is_float64(array: "np.ndarray[Any, Any]") -> bool:
     return bool(array.dtype == np.float64)
 

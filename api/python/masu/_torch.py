@@ -42,6 +42,10 @@ def packed(array: "torch.Tensor") -> "torch.Tensor":
     return array.clone() if array.data_ptr() % array.element_size() else array
 
 
+def packed_int32(array: "torch.Tensor") -> "torch.Tensor":
+    return array.detach().to(torch.int32).contiguous()
+
+
 def is_float64(array: "torch.Tensor") -> bool:
     return bool(array.dtype == torch.float64)
 

@@ -7,7 +7,7 @@ from ctypes import byref, c_int
 from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
-from ._library import (CPU, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, check, choice,
+from ._library import (CPU, FACES, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, check, choice,
                        device_number, library, sized)
 from ._scene import Grid, Scene
 
@@ -25,8 +25,22 @@ _FIELDS = {
     "primitive_uvs": _Field("uv", "float32", (2,)),
     "primitive_normals": _Field("normal", "float32", (3,)),
     "face_ids": _Field("face", "int32", ()),
+    "t_hit64": _Field("t64", "float64", ()),
+    "front": _Field("front", "bool", ()),
 }
-FIELDS = tuple(_FIELDS)  # of Tracer.nearest()
+FIELDS = tuple(_FIELDS)  # of Tracer.nearest() and all_hits()
+
+
+def _chosen(fields: Union[str, Iterable[str]]) -> Dict[str, _Field]:
+    chosen = (fields,) if isinstance(fields, str) else tuple(fields)
+    for name in chosen:
+        if name not in _FIELDS:
+            raise ValueError("fields: {!r} isn't one of {}".format(name, ", ".join(FIELDS)))
+    return {name: _FIELDS[name] for name in chosen}
+
+
+def _hits(pointers: Dict[str, int]) -> Any:
+    return byref(sized(HitsRecord(**{_FIELDS[name].record: pointer for name, pointer in pointers.items()})))
 
 
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
@@ -101,8 +115,8 @@ class Tracer(Resource):
         return "<masu.Tracer on {}: {!r}, {!r}>".format(self.device, self.scene, self.grid or "brute force")
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
-                precision: str = "auto", coherent: bool = False, stream: Any = None,
-                relative: bool = False, threads: int = 0) -> Dict[str, Any]:
+                precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,
+                threads: int = 0, faces: str = "both", exclude: Any = None) -> Dict[str, Any]:
         """The nearest hit of each ray: a dictionary of the fields requested, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
@@ -112,39 +126,75 @@ class Tracer(Resource):
         primitive_normals  (..., 3) float32: geometric, of unit length, on the primitive's front; 0 for a miss
         face_ids           int32: of a scene from mesh2bin, the number of the file's face, through all objects in their
                            order; of others as primitive_ids; -1 for a miss
+        t_hit64            float64: t with all digits that the precision has
+        front              bool: whether the ray meets the front
 
         precision: "auto" ("robust", or "double" for a scene in float64), "robust", "double", or "fast", which is for
         comparison. coherent: neighbours in the array have similar origins and directions, which changes the speed
         alone. stream: for rays on a GPU, as if the call stood in that stream's context: a stream of PyTorch, CuPy or
         CUDA Python, or a cudaStream_t as a number. relative: the rays' origins are relative to scene.describe().origin,
         where float32 keeps its digits, and not in the world. threads: of this machine, for rays in its memory; 0: all
-        cores."""
-        chosen = (fields,) if isinstance(fields, str) else tuple(fields)
-        for name in chosen:
-            if name not in _FIELDS:
-                raise ValueError("fields: {!r} isn't one of {}".format(name, ", ".join(FIELDS)))
-
-        def hits(pointers: Dict[str, int]) -> Any:
-            return byref(sized(HitsRecord(**{_FIELDS[name].record: pointer for name, pointer in pointers.items()})))
-
-        return self._query(library.masu_nearest, hits, {name: _FIELDS[name] for name in chosen}, rays, precision, coherent,
-                           stream, relative, threads)
+        cores. faces: "both", "front" or "back", which alone are hit. exclude: for each ray a primitive that it doesn't
+        hit, or -1: whole numbers of the rays' leading shape, where the rays are."""
+        return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), _chosen(fields), rays, precision,
+                           coherent, stream, relative, threads, faces, exclude)
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
-                 relative: bool = False, threads: int = 0) -> Any:
+                 relative: bool = False, threads: int = 0, faces: str = "both", exclude: Any = None) -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
-        fields = {"occluded": _Field("", "bool", ())}
-        return self._query(library.masu_occluded, lambda pointers: pointers["occluded"], fields, rays, precision, coherent,
-                           stream, relative, threads)["occluded"]
+        return self._query_one(library.masu_occluded, "bool", rays, precision, coherent, stream, relative, threads, faces,
+                               exclude)
 
-    def _query(self, function: Callable[..., int], argument: Callable[[Dict[str, int]], Any], fields: Dict[str, _Field],
-               rays: Any, precision: str, coherent: bool, stream: Any, relative: bool, threads: int) -> Dict[str, Any]:
-        """argument: the function's last one, made of the pointers to the results."""
+    def all_hits(self, rays: Any, limit: int, *,
+                 fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids", "front"), precision: str = "auto",
+                 stream: Any = None, relative: bool = False, threads: int = 0, faces: str = "both",
+                 exclude: Any = None) -> Dict[str, Any]:
+        """The first `limit` hits of each ray, from 1 to 65536, in their order: each field of nearest() with a dimension of
+        that length after the rays' leading shape, the hits and then misses; and "counts", int32: how many hits there are
+        in a row. Other arguments are those of nearest(), but for "fast".
+
+        Hits are crossings: where a ray passes an edge or a corner that triangles share, one of those on either side is
+        crossed, so that every line crosses a closed mesh as often inwards as outwards, exactly."""
+        if not 1 <= operator.index(limit) <= 65536:
+            raise ValueError("limit: {} isn't from 1 to 65536".format(limit))
+        rows = {name: field._replace(shape=(operator.index(limit),) + field.shape)
+                for name, field in _chosen(fields).items()}
+
+        def arguments(pointers: Dict[str, int]) -> Tuple[Any, ...]:
+            counts = pointers.pop("counts")
+            return operator.index(limit), _hits(pointers), counts
+
+        return self._query(library.masu_all_hits, arguments, {**rows, "counts": _Field("", "int32", ())}, rays, precision,
+                           False, stream, relative, threads, faces, exclude)
+
+    def count_hits(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
+                   threads: int = 0, faces: str = "both", exclude: Any = None) -> Any:
+        """How many hits each ray has, as all_hits() finds them: an array of int32 of the rays' leading shape."""
+        return self._query_one(library.masu_count_hits, "int32", rays, precision, False, stream, relative, threads, faces,
+                               exclude)
+
+    def inside(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
+               threads: int = 0) -> Any:
+        """Whether each ray, in any direction, starts inside the surfaces, whose fronts are outside: an array of uint8 of the
+        rays' leading shape. 1 where one more of its hits is of a back than of a front, 0 where as many are; else 2, and the
+        surfaces aren't closed, or their fronts not outside, or one lies in another."""
+        return self._query_one(library.masu_inside, "uint8", rays, precision, False, stream, relative, threads, "both",
+                               None)
+
+    def _query_one(self, function: Callable[..., int], number: str, *query: Any) -> Any:
+        return self._query(function, lambda pointers: (pointers["found"],), {"found": _Field("", number, ())},
+                           *query)["found"]
+
+    def _query(self, function: Callable[..., int], arguments: Callable[[Dict[str, int]], Tuple[Any, ...]],
+               fields: Dict[str, _Field], rays: Any, precision: str, coherent: bool, stream: Any, relative: bool,
+               threads: int, faces: str, exclude: Any) -> Dict[str, Any]:
+        """arguments: the function's last ones, made of the pointers to the results."""
         if not 0 <= operator.index(threads) <= 4096:
             raise ValueError("threads: {} isn't from 0 to 4096".format(threads))
         record = sized(QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)),
-                                   relative=int(bool(relative)), threads=operator.index(threads)))
+                                   relative=int(bool(relative)), threads=operator.index(threads),
+                                   faces=choice("faces", faces, FACES)))
         arrays, rays = _arrays.recognize(rays, stream)
         gpu = arrays.gpu(rays)
         shape = tuple(rays.shape)
@@ -158,10 +208,17 @@ class Tracer(Resource):
         count = math.prod(shape[:-1])
         with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays)
+            if exclude is not None:
+                others, exclude = _arrays.recognize(exclude, stream)
+                if others is not arrays or arrays.gpu(exclude) != gpu or tuple(exclude.shape) != shape[:-1]:
+                    raise ValueError("exclude: whole numbers of the shape {} are needed, where the rays are".format(
+                        shape[:-1]))
+                exclude = arrays.packed_int32(exclude)
+                record.exclude = arrays.pointer(exclude)
             record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
             results = {name: arrays.empty(shape[:-1] + field.shape, field.number, rays)
                        for name, field in fields.items()}
             if count and results:
                 pointers = {name: arrays.pointer(array) for name, array in results.items()}
-                check(function(handle, arrays.pointer(rays), count, byref(record), argument(pointers)))
+                check(function(handle, arrays.pointer(rays), count, byref(record), *arguments(pointers)))
         return results
