@@ -533,7 +533,16 @@ class Page(unittest.TestCase):
                 else:
                     so_far = sum(len(s["tests"]) for s in steps[:step + 1])
                     wanted.append(f"{what} {step + 1} of {one['cells']}: {text(len(steps[step]['tests']), 'test')}, {so_far} so far")
+                    if node := steps[step]["node"]:
+                        wanted[-1] += f"; boxes: {node['boxes_met']} met, {node['boxes_missed']} missed, {node['boxes_beyond']} beyond the hit"
             self.assertEqual(shown(), wanted)
+            # Of a node's boxes the plane cuts all that the ray meets.
+            for plot, one in enumerate(printed):
+                node = one["steps"][min(step, len(one["steps"]) - 1)]["node"] if one["steps"] else None
+                if node:
+                    met = self.js("""const plot = planeView.plots[arguments[0]], grid = planeView.grids[arguments[0]], ray = walkPanel.rayOf(grid);
+                      return plot.fates(plot.slice, slicePanel.cellsOf(grid), ray, Math.min(arguments[1], ray.steps.length - 1)).met.length""", plot, step)
+                    self.assertEqual(met, node["boxes_met"])
         self.js("walkPanel.select(walkPanel.lastStep)")
 
     def test_a_ray_is_dragged_through_slices_of_every_structure(self):

@@ -18,6 +18,18 @@ const Vec = {
   },
 };
 
+// t at which a ray enters and leaves a box, from its origin on; it misses the box where it would leave before.
+function intervalIn({min, max}, {origin, direction}) {
+  let enter = 0, exit = Infinity;
+  for (let axis = 0; axis < 3; ++axis) {
+    if (direction[axis] === 0) continue; // a ray in a slice, of a box that the slice cuts
+    const [a, b] = [min[axis], max[axis]].map((plane) => (plane - origin[axis]) / direction[axis]);
+    enter = Math.max(enter, Math.min(a, b));
+    exit = Math.min(exit, Math.max(a, b));
+  }
+  return [enter, exit];
+}
+
 // A camera is {from, at, up, angle}: angle in degrees spans the picture's height.
 const Camera = {
   distance: (camera) => Vec.length(Vec.sub(camera.from, camera.at)),

@@ -66,7 +66,7 @@ class Exported {
     // Flat: a place, tests, and whether one of them was kept.
     for (let i = 0; i < steps.length; i += 3) {
       const place = this.place(grid, this.data.places[grid][steps[i]]);
-      const [enter, exit] = Exported.interval(place.box, ray);
+      const [enter, exit] = intervalIn(place.box, ray);
       ray.steps.push({voxels: null, node: null, ...place, enter, exit,
         tests: Array.from({length: steps[i + 1]}, (_, k) => ({primitive: null, t: null, kept: k === 0 && steps[i + 2] === 1}))});
     }
@@ -80,18 +80,6 @@ class Exported {
     const corner = (voxel) => voxel.map((at, axis) => min[axis] + at * step[axis]);
     return {voxels: {first, end}, box: {min: corner(first), max: corner(end)}};
   }
-  // t at which a ray enters and leaves a box.
-  static interval({min, max}, {origin, direction}) {
-    let enter = 0, exit = Infinity;
-    for (let axis = 0; axis < 3; ++axis) {
-      if (direction[axis] === 0) continue;
-      const [a, b] = [min[axis], max[axis]].map((plane) => (plane - origin[axis]) / direction[axis]);
-      enter = Math.max(enter, Math.min(a, b));
-      exit = Math.min(exit, Math.max(a, b));
-    }
-    return [enter, exit];
-  }
-
   // A slice's points between which walks were exported: on its four sides in turn, each as many.
   planePoints(slice) {
     return this.data.planes.find(({axis, position}) => axis === slice.axis && position === slice.position).points.map((point) => slice.axes.map((axis) => point[axis]));

@@ -2,6 +2,9 @@
 // of them and followed step by step.
 'use strict';
 
+const BOXES_PER_NODE = 8; // as a box's number says its node and slot
+const FATES = {met: '#1a7f37', missed: '#6b6b66', beyond: '#c2410c'};
+
 // One slice. Draws cells or boxes once for each window, and the ray over them.
 class SlicePlot {
   constructor(index, grids, colors, choose) {
@@ -69,7 +72,7 @@ class SlicePlot {
   }
 
   // ends: {from, to} in the plane; ray: its walk, or null; step: the last one that is drawn.
-  draw(slice, zoom, ends, ray, step) {
+  draw(slice, cells, zoom, ends, ray, step) {
     const {canvas, pixel} = this;
     const context = canvas.getContext('2d', {alpha: false});
     context.drawImage(this.cells, 0, 0);
@@ -97,6 +100,12 @@ class SlicePlot {
         context.fillRect(...rectangle(box));
       }
       stroke(visited, '#0b5cad', 1.4);
+      // What becomes of the boxes of a hierarchy's node; those that the plane doesn't cut are missed.
+      for (const [fate, boxes] of Object.entries(this.fates(slice, cells, ray, step))) {
+        const path = new Path2D();
+        for (const box of boxes) path.rect(...rectangle(box));
+        stroke(path, FATES[fate], 2, fate === 'met' ? [] : [4 * pixel, 3 * pixel]);
+      }
       const current = new Path2D();
       if (ray.steps[step]) current.rect(...rectangle(ray.steps[step].box));
       stroke(current, '#000', 5);
@@ -116,6 +125,21 @@ class SlicePlot {
     }
     this.dot(context, at.x(ends.from[0]), at.y(ends.from[1]), 7, '#1d1d1b');
     this.arrow(context, at, ends);
+  }
+
+  // Of the boxes of the node that is visited: {met, missed, beyond}, beyond the hit that is known by then.
+  fates(slice, cells, ray, step) {
+    const fates = {met: [], missed: [], beyond: []}, {node} = ray.steps[step] || {};
+    if (!node) return fates;
+    const before = ray.steps.slice(0, step).flatMap(({tests}) => tests.filter((test) => test.kept));
+    const hit = before.length === 0 ? Infinity : before[before.length - 1].t ?? ray.hit.t;
+    for (const [u0, v0, u1, v1, , , , number] of cells) {
+      if (Math.floor(number / BOXES_PER_NODE) !== node.index) continue;
+      const box = {min: slicePoint(slice, sliceU(slice, u0), sliceV(slice, v0)), max: slicePoint(slice, sliceU(slice, u1), sliceV(slice, v1))};
+      const [enter, exit] = intervalIn(box, ray);
+      fates[enter > exit ? 'missed' : enter > hit ? 'beyond' : 'met'].push(box);
+    }
+    return fates;
   }
 
   dot(context, x, y, radius, color) {
@@ -249,7 +273,7 @@ class PlaneView {
       plot.fit();
       const cells = slicePanel.cellsOf(grid);
       plot.drawCells(own, cells, most, this.zoom);
-      plot.draw(own, this.zoom, this.ends, ray, Math.min(step, ray ? ray.steps.length - 1 : 0));
+      plot.draw(own, cells, this.zoom, this.ends, ray, Math.min(step, ray ? ray.steps.length - 1 : 0));
       const facts = sliceFacts(own, cells, this.scene.grids[grid]);
       if (!plot.isHovered) plot.facts.textContent = facts;
       plot.counts.hidden = !ray;
@@ -262,7 +286,9 @@ class PlaneView {
     const all = `${counted(ray.cells, what)}, ${counted(ray.tests, 'test')}`;
     if (step >= ray.steps.length - 1) return step < last && step > ray.steps.length - 1 ? `${all}: ended` : all;
     const tests = ray.steps.slice(0, step + 1).reduce((sum, one) => sum + one.tests.length, 0);
-    return `${what} ${step + 1} of ${Text.count(ray.cells)}: ${counted(ray.steps[step].tests.length, 'test')}, ${Text.count(tests)} so far`;
+    const {node} = ray.steps[step];
+    const boxes = node ? `; boxes: ${node.boxes_met} met, ${node.boxes_missed} missed, ${node.boxes_beyond} beyond the hit` : '';
+    return `${what} ${step + 1} of ${Text.count(ray.cells)}: ${counted(ray.steps[step].tests.length, 'test')}, ${Text.count(tests)} so far${boxes}`;
   }
 
   zoomed(plot, factor, u, v) {
