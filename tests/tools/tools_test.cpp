@@ -952,14 +952,17 @@ TEST_F(Tools, BenchStabilityReportsFailuresOfFastOnly) {
 }
 
 TEST_F(Tools, LinesCrossClosedMeshesAsOftenInwardsAsOutwards) {
-  for (const char* const name : {"tetra", "balls"}) {
-    const std::string closed = scene("closed.scene", spd("closed.nff", name, 2), {"--tessellate"});
+  const std::string spheres =
+      "v\nfrom 9 0 0\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.1\nresolution 8 8\nb 0 0 0\n"
+      "f 1 1 1 1 0 1 0 1\ns 0 0 0 1\ns 0.3 0.2 0 0.5\ns 1 1 1 0.75\n";
+  for (const std::string& text : {spd("tetra.nff", "tetra", 3), nff("spheres.nff", spheres)}) {
+    const std::string closed = scene("closed.scene", text, {"--tessellate", "16"});
     for (const char* const precision : {"robust", "double"}) {
       const auto rows =
           json_of("gridbench", {"crossings", closed, grid("closed.grid", closed), "--count", "20000",
                                 "--backend", "cpu", "--precision", precision, "--json"});
-      EXPECT_EQ(rows[0]["wrong"], 0) << name;
-      EXPECT_GT(rows[0]["crossing"], 10000) << name;
+      EXPECT_EQ(rows[0]["wrong"], 0) << text;
+      EXPECT_GT(rows[0]["crossing"], 10000) << text;
     }
   }
   EXPECT_TRUE(failed(run("gridbench", {"crossings", scene_, grid_}), 2, "gridbench", scene_, "closed"));
