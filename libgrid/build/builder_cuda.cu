@@ -102,10 +102,11 @@ private:
   // Code is brought to the device when it is first called: this isn't timed.
   void warm_up() {
     const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
-    SceneView<Stored> one{};
-    one.triangles = &triangle;
-    one.triangle_count = 1;
-    const UploadedScene<Stored> uploaded(one, *pool_);
+    const Triangle<Stored> pair[] = {triangle, triangle}; // of one, nothing is clustered
+    SceneView<Stored> two{};
+    two.triangles = pair;
+    two.triangle_count = 2;
+    const UploadedScene<Stored> uploaded(two, *pool_);
     const GridLayout layout{{{0, 0, 0}, {1, 1, 1}}, {2, 2, 2}, 0};
     uniform_grid(*executor_, uploaded.view, layout, Overlap::exact);
     merged_grid(*executor_, uploaded.view, layout, Overlap::exact, {GridKind::irregular});

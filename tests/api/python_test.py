@@ -415,6 +415,19 @@ class Scenes(WithFolder):
             with self.assertRaises(error, msg=str(options)):
                 self.made.build(**options)
 
+    def test_a_refitted_hierarchy_gives_the_hits_of_the_moved_scene(self):
+        faces = np.arange(300).reshape(-1, 3)
+        vertices = np.float32(self.random.uniform(-1, 1, (300, 3)))
+        grid = masu.Scene(vertices, faces).build(structure="bvh", quality="fast")
+        for bend in (0.01, 1):
+            moved = masu.Scene(vertices + np.float32(bend) * np.sin(vertices[:, ::-1]), faces)
+            grid = grid.refit(moved)
+            rays = random_rays(self.random, 500)
+            with masu.Tracer(moved, grid) as tracer, masu.Tracer(moved, brute_force=True) as expected:
+                same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected.nearest(rays, fields=masu.FIELDS))
+        self.assertRaises(masu.Error, grid.refit, masu.Scene(vertices[:297], faces[:99]))
+        self.assertRaises(masu.Error, moved.build(merge="none").refit, moved)
+
     def test_paths_of_any_kind(self):
         vertices, faces = random_mesh(self.random, 3)
         for path in (pathlib.Path(self.folder) / "b ü.scene", os.fsencode(self.file("c.scene"))):

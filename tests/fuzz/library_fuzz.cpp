@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -103,6 +104,7 @@ masu_grid* built_grid(Input& input, const masu_scene* scene) {
   if (input.take<std::uint8_t>() % 4 == 0) options.alpha = number(input);
   if (input.take<std::uint8_t>() % 4 == 0) options.step_cost = number(input);
   options.threads = input.take<std::uint8_t>() % 3;
+  set(options.quality, input.take<std::uint8_t>() % 3);
   masu_grid* grid = nullptr;
   static_cast<void>(masu_grid_build(scene, &options, &grid));
   return grid;
@@ -179,10 +181,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       masu_scene_free(scene);
       scene = created_scene(input);
       break;
-    case 1:
-      masu_grid_free(grid);
-      grid = built_grid(input, scene);
+    case 1: {
+      masu_grid* const old = std::exchange(grid, nullptr);
+      if (input.take<std::uint8_t>() % 4 == 0)
+        static_cast<void>(masu_grid_refit(old, scene, &grid));
+      else
+        grid = built_grid(input, scene);
+      masu_grid_free(old);
       break;
+    }
     case 2:
     case 3: {
       masu_tracer_free(tracer);
