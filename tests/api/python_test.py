@@ -637,6 +637,28 @@ class OtherNames(WithFolder):
         self.assertRaises(ValueError, scene.add_triangles, meshes[0][0], meshes[0][1] + 1)
         self.assertRaises(TypeError, scene.add_triangles, meshes[0][0])
 
+    def test_all_intersections_are_listed_once(self):
+        scene = masu.RaycastingScene()
+        for count in (40, 70):
+            scene.add_triangles(*random_mesh(self.random, count))
+        rays = random_rays(self.random, 300)
+        counts, lists = scene.count_intersections(rays), scene.list_intersections(rays)
+        self.assertEqual(str(counts.dtype), "int32")
+        np.testing.assert_array_equal(np.diff(lists["ray_splits"]), counts)
+        np.testing.assert_array_equal(lists["ray_ids"], np.repeat(np.arange(300), counts))
+        first = scene.cast_rays(rays)
+        hit = counts > 0
+        np.testing.assert_array_equal(hit, np.isfinite(first["t_hit"]))
+        begin = lists["ray_splits"][:-1][hit]
+        np.testing.assert_array_equal(lists["t_hit"][begin], first["t_hit"][hit])
+        for name in ("geometry_ids", "primitive_ids", "primitive_uvs"):
+            np.testing.assert_array_equal(lists[name][begin], first[name][hit])
+        same_ray = lists["ray_ids"][1:] == lists["ray_ids"][:-1]
+        self.assertTrue((lists["t_hit"][1:] >= lists["t_hit"][:-1])[same_ray].all())
+        self.assertGreater(counts.max(), 2)
+        none = scene.list_intersections(np.zeros((0, 6), np.float32))
+        self.assertEqual((none["ray_splits"].tolist(), none["t_hit"].shape), ([0], (0,)))
+
     def test_rays_of_a_pinhole_camera_pass_its_pixels(self):
         width, height = 40, 30
         rotation = np.linalg.qr(self.random.normal(size=(3, 3)))[0]
@@ -674,9 +696,33 @@ class OtherNames(WithFolder):
         expected = intersector.tracer.nearest(rays.astype(np.float64))
         np.testing.assert_array_equal(intersector.intersects_first(origins, directions), expected["primitive_ids"])
         np.testing.assert_array_equal(intersector.intersects_any(origins, directions), expected["primitive_ids"] >= 0)
+        triangles, ray, locations = intersector.intersects_id(origins, directions, multiple_hits=False, return_locations=True)
+        np.testing.assert_array_equal(expected["primitive_ids"][ray], triangles)
+        self.assertEqual(len(ray), (expected["primitive_ids"] >= 0).sum())
+        for more in (False, True):
+            locations, ray, triangles = intersector.intersects_location(origins, directions, multiple_hits=more)
+            a, b, c = np.moveaxis(mesh.vertices[mesh.faces[triangles]], 1, 0)
+            normals = np.cross(b - a, c - a)
+            distance = ((locations - a) * normals).sum(1) / np.linalg.norm(normals, axis=1)
+            np.testing.assert_allclose(distance, 0, atol=1e-5)
+            self.assertEqual(set(ray.tolist()), set(np.flatnonzero(expected["primitive_ids"] >= 0).tolist()))
+        self.assertGreater(len(ray), len(set(ray.tolist())))
         self.assertRaises(ValueError, intersector.intersects_any, origins[:, :2], directions)
         self.assertRaises(ValueError, intersector.intersects_any, origins, directions[1:])
         self.assertRaises(TypeError, masu.RayMeshIntersector, vertices)
+
+    def test_points_in_a_closed_mesh_are_told_from_those_outside(self):
+        corners = np.float64([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+        quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+
+        class Cube:
+            vertices = corners
+            faces = np.array([triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))])
+
+        points = self.random.uniform(-0.5, 1.5, (500, 3))
+        points = points[(np.abs(points - np.rint(points)) > 1e-3).all(1)]
+        np.testing.assert_array_equal(masu.RayMeshIntersector(Cube).contains_points(points),
+                                      ((points > 0) & (points < 1)).all(1))
 
 
 class Module(unittest.TestCase):

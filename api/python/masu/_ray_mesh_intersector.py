@@ -1,7 +1,8 @@
 """trimesh's RayMeshIntersector, by its names."""
 
-from typing import Any, Union
+from typing import Any, Tuple, Union
 
+from ._raycasting_scene import hit_lists
 from ._scene import Scene, mesh_of
 from ._tracer import Tracer
 
@@ -22,6 +23,36 @@ class RayMeshIntersector:
     def intersects_first(self, ray_origins: Any, ray_directions: Any) -> Any:
         """The index of the first face that each ray hits, -1 for none."""
         return self.tracer.nearest(_rays(ray_origins, ray_directions))["primitive_ids"].astype("int64")
+
+    def intersects_id(self, ray_origins: Any, ray_directions: Any, multiple_hits: bool = True,
+                      return_locations: bool = False) -> Tuple[Any, ...]:
+        """The faces that are hit and the rays that hit them: index_tri, index_ray, and locations if they are asked for. All
+        hits in the rays' order, or the first of each ray alone."""
+        import numpy as np
+        rays = _rays(ray_origins, ray_directions)
+        if multiple_hits:
+            counts = self.tracer.count_hits(rays)
+            hits = hit_lists(self.tracer, rays, counts, ("t_hit64", "primitive_ids"))
+            ray = np.repeat(np.arange(len(rays)), counts)
+        else:
+            hits = self.tracer.nearest(rays, fields=("t_hit64", "primitive_ids"))
+            ray = np.flatnonzero(hits["primitive_ids"] >= 0)
+            hits = {name: array[ray] for name, array in hits.items()}
+        triangle = hits["primitive_ids"].astype(np.int64)
+        if not return_locations:
+            return triangle, ray
+        return triangle, ray, rays[ray, :3] + hits["t_hit64"][:, None] * rays[ray, 3:]
+
+    def intersects_location(self, ray_origins: Any, ray_directions: Any, multiple_hits: bool = True) -> Tuple[Any, Any, Any]:
+        """Where rays hit: locations (m, 3), index_ray, index_tri."""
+        triangle, ray, locations = self.intersects_id(ray_origins, ray_directions, multiple_hits, True)
+        return locations, ray, triangle
+
+    def contains_points(self, points: Any) -> Any:
+        """Whether each point (n, 3) is inside the mesh, which must be closed."""
+        import numpy as np
+        points = np.asarray(points, np.float64)
+        return self.tracer.inside(_rays(points, np.broadcast_to((0.0, 0.0, 1.0), points.shape))) == 1
 
     def __repr__(self) -> str:
         return "<masu.RayMeshIntersector: {!r}>".format(self.tracer)

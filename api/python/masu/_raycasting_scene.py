@@ -60,6 +60,21 @@ class RaycastingScene:
         segments[..., :3], segments[..., 3], segments[..., 4:7], segments[..., 7] = rays[..., :3], tnear, rays[..., 3:], tfar
         return self.tracer.occluded(segments, threads=nthreads or self._nthreads)
 
+    def count_intersections(self, rays: Any, nthreads: int = 0) -> Any:
+        """How many hits each ray (..., 6) has, all of them. A closed mesh is crossed as often inwards as outwards."""
+        return self.tracer.count_hits(_rays(rays), threads=nthreads or self._nthreads)
+
+    def list_intersections(self, rays: Any, nthreads: int = 0) -> Dict[str, Any]:
+        """All hits of all rays (..., 6), one after the other: t_hit, geometry_ids, primitive_ids, primitive_uvs, and
+        ray_ids, the ray of each; those of ray i are from ray_splits[i] to below ray_splits[i + 1]."""
+        import numpy as np
+        flat = _rays(rays).reshape(-1, 6)
+        threads = nthreads or self._nthreads
+        counts = self.tracer.count_hits(flat, threads=threads)
+        lists = hit_lists(self.tracer, flat, counts, ("t_hit", "geometry_ids", "primitive_ids", "primitive_uvs"), threads)
+        splits = np.concatenate([[0], np.cumsum(counts, dtype=np.int64)])
+        return {"ray_splits": splits, "ray_ids": np.repeat(np.arange(len(flat)), counts), **self._numbered(lists)}
+
     def _numbered(self, hits: Dict[str, Any]) -> Dict[str, Any]:
         """With primitives numbered in their meshes, and the misses' numbers Open3D's."""
         import numpy as np
@@ -85,6 +100,19 @@ class RaycastingScene:
     def __repr__(self) -> str:
         return "<masu.RaycastingScene on {}: {} meshes, {} triangles>".format(
             self._device, len(self._meshes), sum(len(mesh.faces) for mesh in self._meshes))
+
+
+def hit_lists(tracer: Tracer, rays: Any, counts: Any, fields: Sequence[str], threads: int = 0) -> Dict[str, Any]:
+    """All hits of each ray (n, 6), which are so many, one after the other."""
+    import numpy as np
+    limit = max(1, int(counts.max(initial=0)))
+    if len(rays) > 1 and limit * len(rays) > 1 << 22:  # rows of one length would take much memory
+        parts = [hit_lists(tracer, rays[part], counts[part], fields, threads)
+                 for part in (slice(len(rays) // 2), slice(len(rays) // 2, None))]
+        return {name: np.concatenate([part[name] for part in parts]) for name in fields}
+    hits = tracer.all_hits(rays, limit, fields=fields, threads=threads)
+    are_hits = np.arange(limit) < counts[:, None]
+    return {name: hits[name][are_hits] for name in fields}
 
 
 def _rays(rays: Any) -> Any:
