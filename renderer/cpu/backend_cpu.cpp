@@ -66,8 +66,9 @@ void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest
 
 // Traces as many rays from `first` on as can be eight at a time; returns the first one left.
 template <Query query, class M, class Stored, class Grid, class C>
-std::size_t trace_eights(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays,
-                         const RayResults& results, std::size_t first, std::size_t end) {
+std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[maybe_unused]] const Grid& grid,
+                         [[maybe_unused]] const RayList& rays, [[maybe_unused]] const RayResults& results,
+                         std::size_t first, [[maybe_unused]] std::size_t end) {
 #ifdef MASU_HOST_AVX2
   if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
                 !is_any_structure<Grid>) {
