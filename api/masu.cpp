@@ -64,7 +64,7 @@ namespace {
 
 using namespace masu;
 
-constexpr RayFormat ray_formats[] = {{false, 8}, {false, 6}, {true, 8}, {true, 6}};
+constexpr RayFormat ray_formats[] = {{8, false}, {6, false}, {8, true}, {6, true}};
 static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
               static_cast<int>(Precision::doubled) == MASU_PRECISION_DOUBLE);
 

@@ -15,8 +15,8 @@ namespace masu {
 // origin and direction, with t_min = 0 and no t_max. Origins are in the world, or relative to the scene's
 // local origin (local_origin.h). `origin` is what is subtracted from them, in float64: a tracer fills it in.
 struct RayFormat {
-  bool is_float64 = false;
   int numbers = 8;
+  bool is_float64 = false;
   bool is_relative = false;
   Vec3d origin{0, 0, 0};
 
@@ -26,7 +26,7 @@ struct RayFormat {
 };
 
 template <class Real>
-inline constexpr RayFormat own_format{sizeof(Real) == sizeof(double), 8};
+inline constexpr RayFormat own_format{8, sizeof(Real) == sizeof(double)};
 
 // Whether rays are stored as Ray<Real> has them, and nothing is subtracted.
 template <class Real>

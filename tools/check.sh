@@ -49,7 +49,7 @@ if [ "${1:-}" = --full ]; then
     ctest --test-dir build/tsan --output-on-failure --parallel "$cores" -L unit
 
   step "clang-tidy"
-  find libscene libgrid renderer tools -name '*.cpp' ! -name '*_none.cpp' |
+  find api libscene libgrid renderer tools -name '*.cpp' ! -name '*_none.cpp' |
     xargs -P "$cores" -n 1 clang-tidy -p build --quiet
 
   step "fuzz targets, 20 s each"

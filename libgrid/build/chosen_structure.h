@@ -10,10 +10,10 @@ namespace masu {
 
 // What rays take through a structure that was built, in order to choose (sampled_costs.h).
 struct Considered {
-  GridKind kind;
-  Vec3i division;
+  GridKind kind = GridKind::uniform;
+  Vec3i division{};
   SampledCosts costs;
-  double expected_time;
+  double expected_time = 0;
 };
 
 struct DescribedGrid {

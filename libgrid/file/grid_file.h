@@ -17,10 +17,10 @@ inline constexpr FileKind grid_file_kind{
 // How a grid came about, as its file tells it.
 struct GridProvenance {
   Hash geometry_hash; // the scene's (scene_file.h)
-  std::uint64_t primitives;
-  Vec3d origin; // likewise: where it is in the world (local_origin.h)
-  SpaceRule space_rule;
-  Overlap overlap;
+  std::uint64_t primitives = 0;
+  Vec3d origin{0, 0, 0}; // likewise: where it is in the world (local_origin.h)
+  SpaceRule space_rule{};
+  Overlap overlap{};
   std::string division_rule;
   std::string merge_rule{};
   double build_seconds = -1; // -1: not recorded, so that equal builds give equal files

@@ -53,7 +53,7 @@ struct NextHits {
   NoWalkCounts& counts;
   Real t_max;
   HitFilter filter;
-  int capacity;
+  int capacity = hits_per_pass;
   SidedHit<Real> last; // of those before
   SidedHit<Real> hits[hits_per_pass];
   int count = 0;

@@ -48,9 +48,9 @@ SceneFile scene_in_memory(const Scene& scene, Store store, const std::optional<V
 
 // What a grid has to know of the scene that it is built from.
 struct SceneGeometry {
-  Boxd bounds;           // of all primitives, relative to the origin; empty where there is none
-  Hash hash;             // of the records of primitives
-  Vec3d origin{0, 0, 0}; // in the world (local_origin.h)
+  Boxd bounds = empty_box<double>(); // of all primitives, relative to the origin; empty where there is none
+  Hash hash;                         // of the records of primitives
+  Vec3d origin{0, 0, 0};             // in the world (local_origin.h)
 };
 
 // A scene file, checked: every index and range in it is valid. Of one whose records stay in the file, only
