@@ -12,6 +12,20 @@ inline RayCosts costs_of(Frame& frame) {
           frame.tests.empty() ? nullptr : frame.tests.data()};
 }
 
+// Arrays of objects and normals as those of a list's results.
+inline RayResults attribute_results(std::int32_t* objects, Vec3f* normals) {
+  static_assert(sizeof(Vec3f) == sizeof(float[3]));
+  RayResults results;
+  results.object = reinterpret_cast<std::uint32_t*>(objects);
+  results.normal = reinterpret_cast<float(*)[3]>(normals);
+  return results;
+}
+
+// A camera ray's hit as that of a list, named by primitive.
+MASU_HD inline Hit<float> listed(const HitRecord& hit) {
+  return {hit.t, static_cast<PrimitiveIndex>(hit.name)};
+}
+
 // The grid is null for brute force. Files are checked, and the precision is resolved.
 // Pictures: into a frame of sized_frame(), of which every array is written whole.
 void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request, Frame& frame);

@@ -9,8 +9,10 @@
 namespace masu {
 
 // corners: a ray through every corner of every pixel, (width + 1) × (height + 1) of them, four averaged per
-// pixel. centers: a ray through every pixel's centre.
-enum class Sampling { corners, centers };
+// pixel. centers: a ray through every pixel's centre. sparse: sparse_side × sparse_side rays evenly over the
+// picture, whatever its size, to find out what it shows.
+enum class Sampling { corners, centers, sparse };
+inline constexpr std::int32_t sparse_side = 64;
 
 // A part of a picture's camera rays, which are numbered from the top left. No columns: all of them.
 struct RayWindow {
@@ -19,6 +21,7 @@ struct RayWindow {
 
 // Of a whole picture.
 inline RayWindow all_rays(const Camera& camera, Sampling sampling) {
+  if (sampling == Sampling::sparse) return {0, 0, sparse_side, sparse_side};
   const std::int32_t more = sampling == Sampling::corners ? 1 : 0;
   return {0, 0, camera.width + more, camera.height + more};
 }
@@ -29,7 +32,7 @@ template <class Real>
 struct CameraRays {
   Vec3<Real> eye;
   Vec3<Real> forward, right, up; // right and up reach from the image's middle to its edge at distance 1
-  std::int32_t width, height;    // pixels of the whole picture
+  std::int32_t width, height;    // of the whole picture in pixels; sparse: in rays
   std::int32_t first_column, first_row, columns, rows;
   Real offset; // of a column or row, in half pixels: 0 corners, 1 centres
   Real hither; // rays start this far ahead; 0: at the eye
@@ -45,12 +48,13 @@ CameraRays<Real> camera_rays(const Camera& camera, Sampling sampling, bool with_
   const double reach = std::tan(camera.angle * std::numbers::pi / 360);
   const double aspect = static_cast<double>(camera.width) / camera.height;
   const RayWindow window = part.columns > 0 ? part : all_rays(camera, sampling);
+  const bool sparse = sampling == Sampling::sparse;
   return {cast<Real>(camera.from),
           cast<Real>(forward),
           cast<Real>(right * (reach * aspect)),
           cast<Real>(up * reach),
-          camera.width,
-          camera.height,
+          sparse ? sparse_side : camera.width,
+          sparse ? sparse_side : camera.height,
           window.first_column,
           window.first_row,
           window.columns,

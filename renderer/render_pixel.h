@@ -19,7 +19,7 @@ inline constexpr int largest_depth = 32;
 enum class HitName { object, primitive, face };
 
 struct RenderRules {
-  std::int32_t depth; // of the last ray that is traced; the camera's is 1; at most largest_depth
+  std::int32_t depth; // of the last ray that is traced; the camera's is 1; at most largest_depth; 0: unshaded
   bool spd_rules;     // a surface with Ks > 0 or T > 0 reflects even where that can't be seen
   HitName hit_name;
 };
@@ -134,7 +134,8 @@ MASU_HD inline void spawn(const RenderRules& rules, const Material& material, co
   }
 }
 
-// The light that comes back along a camera ray, and what it hit. M: a Method.
+// The light that comes back along a camera ray, and what it hit. Nothing is shaded for a depth of 0. M: a
+// Method.
 template <class M, class Stored, class Grid, class Counts>
 MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, const RenderRules& rules,
                               const Ray<typename M::Real>& first, HitRecord& first_hit, Counts& counts) {
@@ -148,6 +149,7 @@ MASU_HD inline Vec3f radiance(const SceneView<Stored>& scene, const Grid& grid, 
     if (ray.depth == 1) {
       counts.camera_ray(met);
       first_hit = hit_record(scene, relative_to_origin(hit), Real(1), rules.hit_name);
+      if (rules.depth == 0) return light;
     } else {
       counts.secondary_ray(met);
     }

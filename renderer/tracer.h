@@ -60,23 +60,38 @@ struct FrameRequest {
   Sampling sampling = Sampling::corners;
   bool hither = false; // camera rays start at the camera's hither distance
   RenderRules rules{5, false, HitName::object};
+  bool shaded = true;                     // false: hits and costs of camera rays alone, no radiance
   bool hits = false;                      // report the hit of each camera ray
+  bool attributes = false;                // and its object and normal; hits are named by primitive
   RayWindow window{};                     // the camera rays to trace; all, where it has no columns
   bool count_last_row = true;             // false: of a band whose last row of rays the next band counts
   std::function<void(double)> progress{}; // gets the share of rays traced, from any thread; on the CPU only
   bool costs = false; // report what each camera ray and all that it spawns took; it is then counted
 };
 
-// The camera rays' radiance and hits, row by row from the top: of the window.
+// What was requested of each camera ray, row by row from the top: of the window.
 struct Frame {
   std::int32_t columns = 0, rows = 0;
   HostArray<Vec3f> radiance;
-  HostArray<HitRecord> hits;             // when requested
-  HostArray<std::uint32_t> cells, tests; // as RayCosts has them, when requested
+  HostArray<HitRecord> hits;
+  HostArray<std::int32_t> objects;       // as RayResults has them
+  HostArray<Vec3f> normals;              // likewise
+  HostArray<std::uint32_t> cells, tests; // as RayCosts has them
   Counts counts;
   TraceSeconds seconds;
   KernelSize kernel{};
 };
+
+// Calls act(a's array, b's array) for each kind of array.
+template <class A, class B, class Act>
+void for_each_array(A& a, B& b, const Act& act) {
+  act(a.radiance, b.radiance);
+  act(a.hits, b.hits);
+  act(a.objects, b.objects);
+  act(a.normals, b.normals);
+  act(a.cells, b.cells);
+  act(a.tests, b.tests);
+}
 
 // Throws Error(usage) for one that isn't from 1 to largest_depth.
 void check_depth(std::int32_t depth);

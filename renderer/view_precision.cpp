@@ -12,7 +12,6 @@
 namespace masu {
 namespace {
 
-constexpr std::int32_t most_lines = 64; // of the sample, each way
 constexpr double share_of_pixel = 1.0 / 16;
 
 // Of the error bound (margin.h) a picture shows what is across the ray: 8 u M of clipping, 2√3 u M of
@@ -27,30 +26,17 @@ double distance_to(const Boxd& box, const Vec3d& p) {
   return length(outside);
 }
 
-// Rays through the centres of pixels, relative to the scene's origin.
-std::vector<Ray<double>> sample_rays(const FrameRequest& request, const Camera& camera) {
-  const auto rays = camera_rays<double>(camera, Sampling::centers, request.hither);
-  const std::int32_t columns = std::min(camera.width, most_lines), rows = std::min(camera.height, most_lines);
-  const auto middle = [](std::int32_t line, std::int32_t lines, std::int32_t pixels) {
-    return static_cast<std::int32_t>((2 * std::int64_t{line} + 1) * pixels / (2 * lines));
-  };
-  std::vector<Ray<double>> sample;
-  for (std::int32_t row = 0; row < rows; ++row)
-    for (std::int32_t column = 0; column < columns; ++column)
-      sample.push_back(
-          camera_ray(rays, middle(column, columns, camera.width), middle(row, rows, camera.height)));
-  return sample;
-}
-
-double nearest_hit_of(const Tracer& tracer, const std::vector<Ray<double>>& rays) {
-  std::vector<float> t(rays.size());
-  RayResults results;
-  results.t = t.data();
-  RaysRequest request;
-  request.tracing.precision = Precision::doubled;
-  request.loop = RayLoop::thread_per_ray;
-  tracer.trace(relative(rays), results, request);
-  return static_cast<double>(*std::ranges::min_element(t));
+// Of the surfaces that a sample of camera rays meets, from where the rays start.
+double nearest_hit_of(const Tracer& tracer, const FrameRequest& picture) {
+  FrameRequest sample;
+  sample.tracing.precision = Precision::doubled;
+  sample.camera = picture.camera;
+  sample.sampling = Sampling::sparse;
+  sample.hither = picture.hither;
+  sample.shaded = false;
+  sample.hits = true;
+  const Frame frame = tracer.render(sample);
+  return static_cast<double>(std::ranges::min(frame.hits, {}, &HitRecord::t).t);
 }
 
 } // namespace
@@ -70,7 +56,7 @@ ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request) 
   };
   double distance = distance_to(bounds, camera.from);
   if (!is_fine(distance)) {
-    distance = nearest_hit_of(tracer, sample_rays(request, camera));
+    distance = nearest_hit_of(tracer, request);
     if (request.hither) distance += max(camera.hither, 0.0); // where rays start, or farther
     if (!is_fine(distance)) chosen.precision = Precision::doubled;
   }

@@ -16,9 +16,8 @@ struct ViewPrecision {
 };
 
 // Robust where its error bound across a ray is at most a sixteenth of a pixel at the nearest surface that a
-// sample of camera rays meets, else doubled: nearer than that its errors can be seen. The sample is the
-// picture's, of at most 64 × 64 rays, traced in double; where the distance of the scene's bounds decides
-// already, none is.
+// sample of camera rays meets, else doubled: nearer than that its errors can be seen. The sample
+// (Sampling::sparse) is traced in double; where the distance of the scene's bounds decides already, none is.
 // Independent of the grid and of the device, and of the part of the picture that is traced.
 ViewPrecision view_precision(const Tracer& tracer, const FrameRequest& request);
 

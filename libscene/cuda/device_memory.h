@@ -1,4 +1,5 @@
-// RAII over the CUDA runtime: checked calls, launches, device arrays, pinned memory, a timer.
+// RAII over the CUDA runtime: checked calls, launches (in CUDA sources), device arrays, pinned memory, a
+// timer.
 #pragma once
 
 #include "libscene/base/error.h"
@@ -66,6 +67,7 @@ struct Queue {
   cudaMemPool_t pool = nullptr;
 };
 
+#ifdef __CUDACC__
 // Puts a kernel on a stream. Throws Error(device) for its own errors alone: what the host program has not yet
 // looked at (cudaGetLastError) stays as it is.
 template <class... Parameters, class... Arguments>
@@ -98,6 +100,7 @@ void for_each_on_device(std::uint64_t count, cudaStream_t stream, const Act& act
   constexpr unsigned threads = 256;
   if (count > 0) launch(kernels::each<Act>, blocks_of(threads, count), threads, stream, count, act);
 }
+#endif
 
 // A stream that doesn't wait for the default one.
 class Stream {

@@ -1,4 +1,4 @@
-// Copies arrays to a CUDA device and back. CUDA sources only.
+// Copies arrays to a CUDA device and back.
 #pragma once
 
 #include "libscene/cuda/device_memory.h"

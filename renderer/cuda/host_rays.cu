@@ -2,12 +2,10 @@
 
 #include "renderer/cuda/queue.h"
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace masu {
 namespace {
@@ -80,14 +78,6 @@ double seconds_between(cudaEvent_t first, cudaEvent_t second) {
 }
 
 } // namespace
-
-void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
-  constexpr std::size_t part = std::size_t{1} << 20;
-  tbb::parallel_for(std::size_t{0}, (bytes + part - 1) / part, [&](std::size_t i) {
-    std::memcpy(static_cast<std::uint8_t*>(to) + i * part, static_cast<const std::uint8_t*>(from) + i * part,
-                std::min(part, bytes - i * part));
-  });
-}
 
 QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,

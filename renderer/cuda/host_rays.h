@@ -34,7 +34,7 @@ private:
 // Of one picture.
 struct FrameBuffers {
   Stream stream;
-  PinnedRoom radiance, hits, costs;
+  PinnedRoom staging; // of one array after another
 };
 
 // Copies with many threads: one doesn't copy as fast as the bus does.

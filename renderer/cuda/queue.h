@@ -99,7 +99,7 @@ struct RayBatch {
   }
 };
 
-// For each arithmetic and store: backend_fast.cu, backend_robust.cu, backend_double.cu. Throw
+// For each arithmetic and store: render_fast.cu, rays_fast.cu, …. Throw
 // Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,

@@ -1,57 +1,15 @@
-// Tracing on a CUDA device: the kernels, and how they are launched. CUDA sources only.
+// Lists of rays on a CUDA device: the kernels, and how they are launched. CUDA sources only.
 //
-// Each arithmetic's kernels are compiled in a source of their own (backend_*.cu), which instantiates
-// render_on_device() and queue_batch(): so they are compiled at the same time.
+// Each arithmetic's kernels are compiled in a source of their own (rays_*.cu), which instantiates
+// queue_batch(): so they are compiled at the same time.
 #pragma once
 
-#include "libscene/base/stopwatch.h"
+#include "renderer/cuda/device_method.h"
 #include "renderer/cuda/hierarchy_rays.h"
 #include "renderer/cuda/queue.h"
 #include "renderer/cuda/warp_tracing.h"
 
 namespace masu {
-
-__device__ inline void add(Counts* total, const Counts& part) {
-  if (total == nullptr) return;
-  for_each_count(*total, part, [](std::uint64_t& sum, std::uint64_t count) {
-    if (count != 0) DeviceAtomic<std::uint64_t>(sum).fetch_add(count, cuda::memory_order_relaxed);
-  });
-}
-__device__ inline void add(Counts*, const NoCounts&) {}
-
-// The method as kernels have it. The same bits, but where there are cones, whose test leaves no registers for
-// the plane across the ray, each triangle's test finds that for itself.
-template <class M>
-struct DeviceMethod {
-  using type = M;
-};
-template <unsigned kinds>
-requires((kinds & with_cones) != 0) struct DeviceMethod<Method<WatertightRay<float>, kinds>> {
-  using type = Method<PreparedRay<float>, kinds>;
-};
-template <class M>
-using OnDevice = typename DeviceMethod<M>::type;
-
-// A block of threads traces a tile of 8 x 8 rays, a warp 8 x 4 of them: neighbours visit the same cells.
-inline constexpr int tile_side = 8;
-
-template <class M, class Stored, class Grid, class C>
-__global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
-    render_kernel(const SceneView<Stored> scene, const Grid grid, const CameraRays<typename M::Real> rays,
-                  const RenderRules rules, Vec3f* const colors, HitRecord* const hits, Counts* const total,
-                  const RayCosts costs, const std::int32_t counted_rows) {
-  const auto column = static_cast<std::int32_t>(blockIdx.x * tile_side + threadIdx.x);
-  const auto row = static_cast<std::int32_t>(blockIdx.y * tile_side + threadIdx.y);
-  if (column >= rays.columns || row >= rays.rows) return;
-  C counts;
-  HitRecord hit{};
-  const std::size_t index = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.columns) +
-                            static_cast<std::size_t>(column);
-  colors[index] = radiance<M>(scene, grid, rules, camera_ray(rays, column, row), hit, counts);
-  if (hits != nullptr) hits[index] = hit;
-  write_costs(costs, index, counts);
-  if (row < counted_rows) add(total, counts);
-}
 
 // Threads of a block of rays that know nothing of each other.
 template <class Grid>
@@ -88,50 +46,6 @@ __global__ void __launch_bounds__(rays_per_block)
   if (i >= count) return;
   write_hits<M>(scene, structure, streamed(rays + i), excluded != nullptr ? excluded[i] : no_primitive, rules,
                 results, i);
-}
-
-// Traces with rays of this arithmetic: a picture, a list of rays. Throw Error(device).
-template <class TestRay, class Stored>
-void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
-                      const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
-                      Frame& frame) {
-  const cudaStream_t stream = buffers.stream;
-  const Queue queue{stream, files.queue.pool};
-  const DeviceArray<Vec3f> colors(frame.radiance.size(), queue);
-  const DeviceArray<HitRecord> hits(frame.hits.size(), queue);
-  const DeviceArray<std::uint32_t> cells(frame.cells.size(), queue), tests(frame.tests.size(), queue);
-  const DeviceArray<Counts> total(&frame.counts, request.tracing.count || host_grid == nullptr ? 1 : 0,
-                                  queue);
-  with_method<TestRay>(host_scene, host_grid, request.tracing, [&]<class M, class C>(const auto& view, M, C) {
-    const auto grid = files.template moved<M>(view);
-    const auto rays =
-        camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
-    const auto tiles = [](std::int32_t side) {
-      return static_cast<unsigned>((side + tile_side - 1) / tile_side);
-    };
-    auto* const kernel = render_kernel<OnDevice<M>, Stored, std::decay_t<decltype(grid)>, C>;
-    frame.kernel = load(kernel);
-    frame.seconds.trace = timed(stream, [&] {
-      launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
-             files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
-             RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
-    });
-  });
-  const Stopwatch watch;
-  const auto download = [&](const auto& array, PinnedRoom& room, void* to) {
-    const std::size_t bytes = array.size() * sizeof(*array.data());
-    if (bytes == 0) return;
-    std::uint8_t* const staging = room.of(bytes);
-    check(cudaMemcpyAsync(staging, array.data(), bytes, cudaMemcpyDeviceToHost, stream));
-    check(cudaStreamSynchronize(stream));
-    copy_in_parallel(to, staging, bytes);
-  };
-  download(colors, buffers.radiance, frame.radiance.data());
-  download(hits, buffers.hits, frame.hits.data());
-  download(cells, buffers.costs, frame.cells.data());
-  download(tests, buffers.costs, frame.tests.data());
-  total.download(&frame.counts);
-  frame.seconds.download = watch.seconds();
 }
 
 // `double` traces occlusion, hierarchies and uniform grids by a thread per ray, `fast` everything: they

@@ -143,6 +143,7 @@ TracingReport write_channels(const Tracer& tracer, const ChannelsJob& job,
                                        : write_pfm(channels, channel, files.values);
       write_png(picture_of(channels, channel, request.all_rays, job.high), files.picture, job.texts);
     }
+    progress((static_cast<double>(i) + 1) / views);
   }
   report.elapsed_seconds = watch.seconds();
   return report;

@@ -1,4 +1,4 @@
-#include "renderer/cuda/tracing.h"
+#include "renderer/cuda/rendering.h"
 #include "tools/bench/screen_division/screen_division.h"
 
 namespace masu {

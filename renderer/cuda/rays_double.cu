@@ -2,9 +2,6 @@
 
 namespace masu {
 
-template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                      const GridFile*, const FrameRequest&, FrameBuffers&,
-                                                      Frame&);
 template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                                        const GridFile*, const RaysRequest&,
                                                        const RayBatch<double>&);
@@ -12,10 +9,6 @@ template KernelSize queue_hits<WatertightRay<double>>(const DeviceFilesOf<float>
                                                       const HitRules&, const PrimitiveIndex*,
                                                       const RayBatch<double>&);
 template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<double>&, const RayResults&);
-
-template void render_on_device<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
-                                                      const GridFile*, const FrameRequest&, FrameBuffers&,
-                                                      Frame&);
 template KernelSize queue_batch<WatertightRay<double>>(const DeviceFilesOf<double>&, const SceneView<double>&,
                                                        const GridFile*, const RaysRequest&,
                                                        const RayBatch<double>&);

@@ -2,9 +2,6 @@
 
 namespace masu {
 
-template void render_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                                     const GridFile*, const FrameRequest&, FrameBuffers&,
-                                                     Frame&);
 template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                                       const GridFile*, const RaysRequest&,
                                                       const RayBatch<float>&);

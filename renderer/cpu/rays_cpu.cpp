@@ -1,68 +1,16 @@
-#include "libscene/base/stopwatch.h"
-#include "renderer/backend.h"
-#include "renderer/dispatch.h"
+#include "renderer/cpu/on_cpu.h"
 #ifdef MASU_HOST_AVX2
 #include "renderer/cpu/eight_rays.h"
 #endif
 
-#include <tbb/blocked_range2d.h>
+#include <tbb/blocked_range.h>
 #include <tbb/combinable.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-
-#include <atomic>
-#include <functional>
 
 namespace masu {
 namespace {
 
-constexpr std::int32_t task_side = 32; // rays: neighbours share cells in cache
 constexpr std::size_t rays_a_task = 4096;
-
-void add(Counts& total, const Counts& part) {
-  total += part;
-}
-void add(Counts&, const NoCounts&) {}
-void add(NoCounts&, const NoCounts&) {}
-
-template <class M, class Stored, class Grid, class C>
-void render(const SceneView<Stored>& scene, const Grid& grid, const FrameRequest& request, Frame& frame,
-            const C&) {
-  const auto rays =
-      camera_rays<typename M::Real>(request.camera, request.sampling, request.hither, request.window);
-  tbb::combinable<Counts> totals;
-  std::atomic<std::size_t> traced = 0;
-  const std::int32_t counted_rows = frame.rows - (request.count_last_row ? 0 : 1);
-  const auto render_rays = [&](std::int32_t first_column, std::int32_t end_column, std::int32_t first_row,
-                               std::int32_t end_row) {
-    C counts;
-    const RayCosts costs = costs_of(frame);
-    for (std::int32_t row = first_row; row != end_row; ++row) {
-      for (std::int32_t column = first_column; column != end_column; ++column) {
-        const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.columns) +
-                        static_cast<std::size_t>(column);
-        HitRecord hit{};
-        C ray_counts;
-        frame.radiance[at] =
-            radiance<M>(scene, grid, request.rules, camera_ray(rays, column, row), hit, ray_counts);
-        if (request.hits) frame.hits[at] = hit;
-        write_costs(costs, at, ray_counts);
-        if (row < counted_rows) add(counts, ray_counts);
-      }
-    }
-    add(totals.local(), counts);
-    if (!request.progress) return;
-    const std::size_t count =
-        static_cast<std::size_t>(end_column - first_column) * static_cast<std::size_t>(end_row - first_row);
-    request.progress(static_cast<double>(traced += count) / static_cast<double>(frame.radiance.size()));
-  };
-  tbb::parallel_for(tbb::blocked_range2d<std::int32_t>(0, frame.rows, task_side, 0, frame.columns, task_side),
-                    [&](const auto& range) {
-                      render_rays(range.cols().begin(), range.cols().end(), range.rows().begin(),
-                                  range.rows().end());
-                    });
-  totals.combine_each([&](const Counts& part) { frame.counts += part; });
-}
 
 // Traces as many rays from `first` on as can be eight at a time; returns the first one left.
 template <Query query, class M, class Stored, class Grid, class C>
@@ -111,25 +59,6 @@ void trace(const SceneView<Stored>& scene, const Grid& grid, const RayList& rays
   totals.combine_each([&](const Counts& part) { report.counts += part; });
 }
 
-template <class Act>
-double seconds_of(const Act& act) {
-  const Stopwatch watch;
-  act();
-  return watch.seconds();
-}
-
-// Calls act(SceneView, grid's view, Method, counts).
-template <class Act>
-void with_everything(const SceneFile& scene, const GridFile* grid, const TracingRules& rules,
-                     const Act& act) {
-  with_store_and_arithmetic(
-      scene, rules.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
-        with_method<TestRay>(view, grid, rules, [&](const auto& accelerator, auto method, auto counts) {
-          act(view, accelerator, method, counts);
-        });
-      });
-}
-
 // Of hits in order: through any structure, of any kind.
 template <class TestRay, class Stored>
 void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayList& rays,
@@ -145,13 +74,6 @@ void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayLi
 }
 
 } // namespace
-
-void render_cpu(const SceneFile& scene, const GridFile* grid, const FrameRequest& request, Frame& frame) {
-  with_everything(
-      scene, grid, request.tracing, [&]<class M>(const auto& view, const auto& accelerator, M, auto counts) {
-        frame.seconds.trace = seconds_of([&] { render<M>(view, accelerator, request, frame, counts); });
-      });
-}
 
 QueryReport trace_rays_cpu(const SceneFile& scene, const GridFile* grid, const RayList& rays,
                            const RayResults& results, const RaysRequest& request) {

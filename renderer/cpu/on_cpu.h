@@ -1,0 +1,35 @@
+// What both kinds of queries need on the CPU: the code for a scene and a request, its time and its counts.
+#pragma once
+
+#include "libscene/base/stopwatch.h"
+#include "renderer/backend.h"
+#include "renderer/dispatch.h"
+
+namespace masu {
+
+inline void add(Counts& total, const Counts& part) {
+  total += part;
+}
+inline void add(Counts&, const NoCounts&) {}
+inline void add(NoCounts&, const NoCounts&) {}
+
+template <class Act>
+double seconds_of(const Act& act) {
+  const Stopwatch watch;
+  act();
+  return watch.seconds();
+}
+
+// Calls act(SceneView, grid's view, Method, counts).
+template <class Act>
+void with_everything(const SceneFile& scene, const GridFile* grid, const TracingRules& rules,
+                     const Act& act) {
+  with_store_and_arithmetic(
+      scene, rules.precision, [&]<class TestRay>(const auto& view, Arithmetic<TestRay>) {
+        with_method<TestRay>(view, grid, rules, [&](const auto& accelerator, auto method, auto counts) {
+          act(view, accelerator, method, counts);
+        });
+      });
+}
+
+} // namespace masu

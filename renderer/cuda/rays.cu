@@ -1,0 +1,102 @@
+#include "renderer/arithmetic.h"
+#include "renderer/cuda/queue.h"
+
+namespace masu {
+namespace {
+
+// Rays in device memory as the arithmetic's numbers, aligned for its loads: where they lie, or copied.
+template <class Real>
+const Ray<Real>* converted(const RayList& list, const Queue& queue, DeviceArray<Ray<Real>>& copy) {
+  if (is_own<Real>(list.format) && reinterpret_cast<std::uintptr_t>(list.rays) % alignof(Ray<Real>) == 0)
+    return static_cast<const Ray<Real>*>(list.rays);
+  copy = DeviceArray<Ray<Real>>(list.count, queue);
+  const void* const rays = list.rays;
+  const RayFormat format = list.format;
+  Ray<Real>* const to = copy.data();
+  for_each_on_device(list.count, queue.stream,
+                     [=] __device__(std::uint64_t i) { to[i] = loaded<Real>(rays, format, i); });
+  return to;
+}
+
+} // namespace
+
+KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                      const RayList& rays, const RayResults& results, const RaysRequest& request,
+                      Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
+  KernelSize size{};
+  if (rays.count == 0) return size;
+  const Queue queue{stream, files.pool};
+  with_store_and_arithmetic(
+      scene, request.tracing.precision,
+      [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
+        using Real = typename TestRay::Real;
+        DeviceArray<Ray<Real>> copy;
+        const Ray<Real>* const own = converted(rays, queue, copy);
+        if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
+          if (needs_hits_in_order(rays, results, request)) {
+            size = queue_hits<TestRay>(files.of<Stored>(), grid, hit_rules(request), rays.excluded,
+                                       RayBatch<Real>{own, rays.count, results, nullptr, queue, begun});
+            return;
+          }
+        }
+        const bool has_attributes = request.query == Query::nearest_hit && results.has_attributes();
+        const DeviceArray<float> t(has_attributes && results.t == nullptr ? rays.count : 0, queue);
+        const DeviceArray<std::uint32_t> primitive(
+            has_attributes && results.primitive == nullptr ? rays.count : 0, queue);
+        RayResults found = results;
+        if (t.data() != nullptr) found.t = t.data();
+        if (primitive.data() != nullptr) found.primitive = primitive.data();
+        const RayBatch<Real> batch{own, rays.count, found, counts, queue, begun};
+        size = queue_batch<TestRay>(files.of<Stored>(), view, grid, request, batch);
+        if (has_attributes) queue_attributes(files.of<Stored>(), batch, results);
+      });
+  return size;
+}
+
+QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                            const RayList& rays, const RayResults& results, const RaysRequest& request,
+                            void* stream) {
+  const DeviceScope device(files.device);
+  QueryReport report;
+  report.kernel =
+      queue_rays(files, scene, grid, rays, results, request, nullptr, static_cast<cudaStream_t>(stream));
+  return report;
+}
+
+QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
+                           const ResidentRays& rays, const RaysRequest& request) {
+  const DeviceScope device(files.device);
+  QueryReport report;
+  const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
+                                   {nullptr, files.pool});
+  const DeviceTimer timer;
+  report.kernel =
+      queue_rays(files, scene, grid, rays.list, rays.results, request, counts.data(), nullptr, timer.start());
+  report.seconds.trace = timer.seconds();
+  counts.download(&report.counts);
+  return report;
+}
+
+ResidentRays upload_rays_cuda(const RayList& rays, int device) {
+  const DeviceScope scope(device);
+  struct Memory {
+    DeviceArray<std::uint8_t> rays;
+    DeviceArray<float> t;
+    DeviceArray<std::uint32_t> primitive;
+    DeviceArray<std::uint8_t> occluded;
+  };
+  const auto memory = std::make_shared<Memory>();
+  memory->rays = DeviceArray<std::uint8_t>(static_cast<const std::uint8_t*>(rays.rays),
+                                           rays.count * rays.format.bytes_per_ray());
+  memory->t = DeviceArray<float>(rays.count);
+  memory->primitive = DeviceArray<std::uint32_t>(rays.count);
+  memory->occluded = DeviceArray<std::uint8_t>(rays.count);
+  check(cudaStreamSynchronize(nullptr)); // the rays are copied
+  ResidentRays resident{RayList(memory->rays.data(), rays.count, rays.format), {}, memory};
+  resident.results.t = memory->t.data();
+  resident.results.primitive = memory->primitive.data();
+  resident.results.occluded = memory->occluded.data();
+  return resident;
+}
+
+} // namespace masu
