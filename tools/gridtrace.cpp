@@ -56,7 +56,7 @@ struct Settings {
 RayFormat ray_format(const Settings& settings) {
   const bool is_float64 = settings.ray_store == Store::automatic ? settings.rays.ends_with(".f64")
                                                                  : settings.ray_store == Store::float64;
-  return {is_float64, settings.ray_numbers, settings.relative};
+  return {settings.ray_numbers, is_float64, settings.relative};
 }
 
 std::string written_fields(const Settings& settings) {
