@@ -81,7 +81,7 @@ TEST_F(HierarchyTool, ItsQualityIsToldAndMakesTheSameBytesForAnyNumberOfThreads)
   EXPECT_EQ(json_of("gridstat", {one})["merge_rule"], "bvh fast");
   EXPECT_EQ(json_of("gridstat", {hierarchy_})["merge_rule"], "bvh");
   EXPECT_TRUE(fails(1, "gridbuild", {scene_, "-o", file("c.grid"), "--quality", "fast"},
-                    "--quality: is of --structure bvh and fastest alone"));
+                    "--quality"));
 }
 
 TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
