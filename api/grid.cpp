@@ -10,16 +10,6 @@ namespace {
 
 using namespace masu;
 
-GridKind kind_of(const masu_build_options& from) {
-  constexpr GridKind merged[] = {GridKind::automatic, GridKind::uniform, GridKind::x, GridKind::balance,
-                                 GridKind::irregular};
-  const GridKind merge = merged[choice<int>(from.merge, 5, "merge")];
-  const auto structure = choice<masu_structure>(from.structure, 3, "structure");
-  if (structure == MASU_STRUCTURE_GRID) return merge;
-  if (merge != GridKind::automatic) fail("merge", "is of MASU_STRUCTURE_GRID alone");
-  return structure == MASU_STRUCTURE_BVH ? GridKind::hierarchy : GridKind::fastest;
-}
-
 BuildOptions build_options(const masu_build_options& from) {
   require_range(from.target, 1, 1 << 20, "target");
   require_range(from.alpha, 0, 1, "alpha");
@@ -29,12 +19,14 @@ BuildOptions build_options(const masu_build_options& from) {
   require_range(from.expansions, 0, 64, "expansions");
   require_range(from.device, MASU_CPU, 1 << 20, "device");
   BuildOptions options;
-  options.grid = {kind_of(from), from.target, from.alpha,     from.step_cost,
-                  from.detail,   from.nested, from.expansions};
-  options.grid.quality = choice<HierarchyQuality>(from.quality, 2, "quality");
-  if (options.grid.quality == HierarchyQuality::fast && from.structure == MASU_STRUCTURE_GRID)
-    fail("quality", "is of hierarchies alone");
+  constexpr GridKind merges[] = {GridKind::automatic, GridKind::uniform, GridKind::x, GridKind::balance,
+                                 GridKind::irregular};
+  const auto quality = choice<HierarchyQuality>(from.quality, 2, "quality");
   options.division = parse_division(from.division != nullptr ? from.division : "auto");
+  const GridKind kind = kind_of(choice<StructureChoice>(from.structure, 3, "structure"),
+                                merges[choice<int>(from.merge, 5, "merge")], options.division, quality);
+  options.grid = {kind, from.target, from.alpha, from.step_cost, from.detail, from.nested, from.expansions};
+  options.grid.quality = quality;
   options.space = from.cube_space != 0 ? SpaceRule::cube : SpaceRule::tight;
   options.overlap = from.box_overlap != 0 ? Overlap::box : Overlap::exact;
   options.processor = from.for_cpu != 0 ? Processor::cpu : Processor::gpu;
@@ -45,6 +37,7 @@ masu_build_options default_options() {
   const GridOptions defaults;
   masu_build_options options{};
   options.size = sizeof options;
+  options.structure = MASU_STRUCTURE_FASTEST;
   options.division = "auto";
   options.target = defaults.target;
   options.alpha = defaults.alpha;
@@ -102,7 +95,6 @@ namespace masu {
 
 GridFile fastest_grid(const SceneFile& scene, int device) {
   masu_build_options options = default_options();
-  options.structure = MASU_STRUCTURE_FASTEST;
   options.for_cpu = device == MASU_CPU ? 1 : 0;
   return built_grid(scene, build_options(options), device);
 }

@@ -162,8 +162,10 @@ typedef struct masu_grid masu_grid;
 
 typedef enum masu_structure {
   MASU_STRUCTURE_GRID = 0,
-  MASU_STRUCTURE_BVH = 1,    /* a bounding volume hierarchy: no voxels */
-  MASU_STRUCTURE_FASTEST = 2 /* what a sample of rays is expected to take the least time through */
+  MASU_STRUCTURE_BVH = 1, /* a bounding volume hierarchy: no voxels */
+  /* The default: whichever of both a sample of rays is expected to take the least time through. If a merge
+   * rule or a division is given, that grid. */
+  MASU_STRUCTURE_FASTEST = 2
 } masu_structure;
 
 typedef enum masu_merge {

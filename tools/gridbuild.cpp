@@ -20,11 +20,10 @@ namespace masu {
 namespace {
 
 enum class Device { cpu, cuda };
-enum class StructureChoice { grid, hierarchy, fastest };
 
 struct Settings {
   std::string scene, output, division = "auto";
-  StructureChoice structure = StructureChoice::grid;
+  StructureChoice structure = StructureChoice::fastest;
   BuildOptions options;
   Device device = Device::cpu;
   bool record_seconds = false, json = false, quiet = false;
@@ -118,8 +117,8 @@ void build(const Settings& settings, const SceneFile& file) {
 
 // The library's errors in the command line's words.
 Error translated(const Error& error) {
-  if (error.place() == "division") return {error.code(), "--division", error.message()};
-  if (error.place() == "structure") return {error.code(), "--structure", error.message()};
+  for (const char* const option : {"division", "merge", "quality", "structure"})
+    if (error.place() == option) return {error.code(), fmt::format("--{}", option), error.message()};
   if (error.place() == "cuda") return {error.code(), "cuda", error.message() + " (--device cpu)"};
   return error;
 }
@@ -167,7 +166,8 @@ int main(int argc, char** argv) {
              {"bvh", StructureChoice::hierarchy},
              {"fastest", StructureChoice::fastest}},
             "what is built: grid, bvh (a bounding volume hierarchy of eight boxes per node), fastest "
-            "(a grid or a hierarchy, whichever a sample of rays is expected to take the least time through)");
+            "(whichever of both a sample of rays is expected to take the least time through; a grid if "
+            "--merge or --division is given)");
         add_choice(app, "--quality", settings.options.grid.quality,
                    {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
                    "of a hierarchy: high (primitives are divided where boxes would overlap) or fast "
@@ -218,17 +218,12 @@ int main(int argc, char** argv) {
         add_quiet(app, settings.quiet, "no progress on standard error, and no report without --json");
         settings.threads.add_to(app);
         parse();
-        if (settings.structure != StructureChoice::grid) {
-          if (app.count("--merge") > 0)
-            throw Error(ErrorCode::usage, "--merge", "is of --structure grid alone");
-          settings.options.grid.kind =
-              settings.structure == StructureChoice::hierarchy ? GridKind::hierarchy : GridKind::fastest;
-        }
-        if (settings.structure == StructureChoice::grid && app.count("--quality") > 0)
-          throw Error(ErrorCode::usage, "--quality", "is of --structure bvh and fastest alone");
         const auto limit = settings.threads.limit();
         try {
-          settings.options.division = parse_division(settings.division); // before anything is read
+          BuildOptions& options = settings.options; // are checked before anything is read
+          options.division = parse_division(settings.division);
+          options.grid.kind =
+              kind_of(settings.structure, options.grid.kind, options.division, options.grid.quality);
           check_scene_input(settings.scene);
           check_files({settings.scene}, {settings.output});
           const SceneFile scene(settings.scene);

@@ -153,6 +153,20 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
 
 } // namespace
 
+GridKind kind_of(StructureChoice structure, GridKind merge, const DivisionRule& division,
+                 HierarchyQuality quality) {
+  const bool is_merge_given = merge != GridKind::automatic;
+  if (structure == StructureChoice::hierarchy) {
+    if (is_merge_given) throw Error(ErrorCode::usage, "merge", "is of grids alone");
+    return GridKind::hierarchy;
+  }
+  if (structure == StructureChoice::fastest && !is_merge_given &&
+      division.kind == DivisionRule::Kind::automatic)
+    return GridKind::fastest;
+  if (quality != HierarchyQuality::high) throw Error(ErrorCode::usage, "quality", "is of hierarchies alone");
+  return merge;
+}
+
 template <class Stored>
 DescribedGrid build_chosen(GridBuilder<Stored>& builder, const SceneGeometry& geometry,
                            const BuildOptions& options) {

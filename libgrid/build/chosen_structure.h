@@ -8,6 +8,15 @@
 
 namespace masu {
 
+// What is wanted: a grid, a hierarchy, or whichever of both a sample of rays is expected to take the least
+// time through. The masu_structure of masu.h.
+enum class StructureChoice { grid, hierarchy, fastest };
+
+// The kind that is built. `merge` is of a grid, automatic where none was given. fastest is a grid if a
+// merge rule or a division was given. Throws Error(usage) for options that contradict each other.
+GridKind kind_of(StructureChoice structure, GridKind merge, const DivisionRule& division,
+                 HierarchyQuality quality);
+
 // What rays take through a structure that was built, in order to choose (sampled_costs.h).
 struct Considered {
   GridKind kind = GridKind::uniform;

@@ -156,7 +156,7 @@ class Queries(WithFolder):
             self.assertIsNone(tracer.grid)
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
         for options, structure, merge in (
-                ({"merge": "none", "division": 7}, "grid", "none"), ({"merge": "irregular"}, "grid", "irregular"),
+                ({"division": 7}, "grid", "none"), ({"merge": "irregular"}, "grid", "irregular"),
                 ({"structure": "bvh"}, "bvh", "none"), ({"structure": "bvh", "quality": "fast"}, "bvh", "none"), ({"merge": "x", "division": "8x4x6"}, "grid", "x"),
                 ({"box_overlap": True, "cube_space": True, "merge": "balance", "threads": 1}, "grid", "balance")):
             self.grid = self.made.build(**options)
@@ -169,7 +169,7 @@ class Queries(WithFolder):
         self.scene()
         rays = random_rays(self.random, 500)
         with masu.Tracer(self.made) as tracer:
-            self.assertEqual(tracer.grid.describe(), self.made.build(structure="fastest", for_cpu=True).describe())
+            self.assertEqual(tracer.grid.describe(), self.made.build(for_cpu=True).describe())
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), self.tracer().nearest(rays, fields=masu.FIELDS))
         self.assertRaises(TypeError, masu.Tracer, self.made, self.grid, brute_force=True)
 
@@ -406,7 +406,7 @@ class Scenes(WithFolder):
         self.scene(10)
         for error, options in (
                 (TypeError, {"kind": "x"}), (TypeError, {"merge": 1}), (ValueError, {"structure": "octree"}),
-                (masu.Error, {"structure": "bvh", "merge": "x"}), (masu.Error, {"quality": "fast"}), (ValueError, {"quality": "best"}),
+                (masu.Error, {"structure": "bvh", "merge": "x"}), (masu.Error, {"merge": "x", "quality": "fast"}), (masu.Error, {"structure": "grid", "quality": "fast"}), (ValueError, {"quality": "best"}),
                 (ValueError, {"device": "gpu"}),
                 (TypeError, {"division": 1.5}), (ValueError, {"division": "8\0"}), (masu.Error, {"division": "x"}),
                 (ValueError, {"target": -1}), (ValueError, {"target": 2**32}), (TypeError, {"target": 1.5}),

@@ -1,6 +1,7 @@
 // The choice among structures by tracing some rays through each.
 #include "libgrid/build/chosen_structure.h"
 #include "libgrid/build/sampled_costs.h"
+#include "libscene/base/error.h"
 #include "tests/random_scene.h"
 #include "tests/same_grid.h"
 
@@ -128,6 +129,24 @@ TEST(FastestAnywhere, IsAGridWhereNoHierarchyReaches) {
   for (const double at : {-1e20, 1e20})
     scene.spheres.push_back(sphere_of<double>({at, at, at}, 1e18));
   EXPECT_NE(built(scene, GridKind::fastest).kind, GridKind::hierarchy);
+}
+
+TEST(FastestAnywhere, IsAGridWhereAMergeRuleOrADivisionIsGiven) {
+  const auto kind = [](StructureChoice structure, GridKind merge, const char* division,
+                       HierarchyQuality quality = HierarchyQuality::high) {
+    return kind_of(structure, merge, parse_division(division), quality);
+  };
+  EXPECT_EQ(kind(StructureChoice::fastest, GridKind::automatic, "auto"), GridKind::fastest);
+  EXPECT_EQ(kind(StructureChoice::fastest, GridKind::automatic, "auto", HierarchyQuality::fast),
+            GridKind::fastest);
+  for (const StructureChoice structure : {StructureChoice::fastest, StructureChoice::grid}) {
+    EXPECT_EQ(kind(structure, GridKind::automatic, "woo:2"), GridKind::automatic);
+    EXPECT_EQ(kind(structure, GridKind::x, "auto"), GridKind::x);
+    EXPECT_THROW(kind(structure, GridKind::x, "auto", HierarchyQuality::fast), Error);
+  }
+  EXPECT_EQ(kind(StructureChoice::grid, GridKind::automatic, "auto"), GridKind::automatic);
+  EXPECT_EQ(kind(StructureChoice::hierarchy, GridKind::automatic, "8"), GridKind::hierarchy);
+  EXPECT_THROW(kind(StructureChoice::hierarchy, GridKind::x, "auto"), Error);
 }
 
 } // namespace

@@ -80,7 +80,8 @@ TEST_F(HierarchyTool, ItsQualityIsToldAndMakesTheSameBytesForAnyNumberOfThreads)
   EXPECT_TRUE(read_bytes(one) == read_bytes(fast("three.grid", "3")));
   EXPECT_EQ(json_of("gridstat", {one})["merge_rule"], "bvh fast");
   EXPECT_EQ(json_of("gridstat", {hierarchy_})["merge_rule"], "bvh");
-  EXPECT_TRUE(fails(1, "gridbuild", {scene_, "-o", file("c.grid"), "--quality", "fast"}, "--quality"));
+  EXPECT_TRUE(fails(1, "gridbuild", {scene_, "-o", file("c.grid"), "--merge", "x", "--quality", "fast"},
+                    "--quality"));
 }
 
 TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {

@@ -4,7 +4,7 @@
 # BIN has the programs. OUT gets results.json, every command with its output, and performance.md, the tables that
 # performance_tables.py makes of it; that script also puts them into the documents. Without a third argument: cuda if
 # there is a usable GPU; without one, sections that need it are left out. A command that fails costs its figures alone.
-# MASU_QUICK=1: tiny sizes, to try the script. MASU_SCENES: more scene files for the section choice, as full paths, with
+# MASU_SECTIONS: only these, with spaces between. MASU_QUICK=1: tiny sizes, to try the script. MASU_SCENES: more scene files for the section choice, as full paths, with
 # spaces between. Needs python3, and 4 GB in TMPDIR (default /tmp).
 source "$(dirname "$0")/measure.sh"
 
@@ -39,13 +39,14 @@ prepare() {
     echo "nffgen $made | nff2bin - -o $name.scene -q $converted"
   done | at_once
   for name in "${standard[@]}"; do
-    echo "gridbuild $name.scene -o $name.grid -q --threads 1"
+    echo "gridbuild $name.scene -o $name.grid -q --threads 1 --structure grid"
+    echo "gridbuild $name.scene -o $name.chosen.grid -q --threads 1"
     echo "gridbuild $name.scene -o $name-bvh.grid -q --threads 1 --structure bvh"
     grids | while IFS=: read -r grid options; do
       echo "gridbuild $name.scene -o $name.$grid.grid -q --threads 1 $options"
     done
   done | at_once
-  for name in balls-5 mount-8; do gridbuild $name.scene -o $name.grid -q; done
+  for name in balls-5 mount-8; do gridbuild $name.scene -o $name.grid -q --structure grid; done
   for scene in *.scene; do record scenes "${scene%.scene}" nff2bin --info --json "$scene"; done
 }
 
@@ -73,14 +74,14 @@ picture() {
 pictures() {
   local name
   for name in "${standard[@]}"; do
-    picture pictures "$name.chosen" "$name" "$name" chosen.pfm --backend "$backend" --repeat $repeat
+    picture pictures "$name.chosen" "$name" "$name.chosen" chosen.pfm --backend "$backend" --repeat $repeat
     picture pictures "$name.uniform" "$name" "$name.none-auto" uniform.pfm --backend "$backend" --repeat $repeat
     record pictures "$name.same" cmp chosen.pfm uniform.pfm
   done
 }
 one_core() {
   for name in "${standard[@]}"; do
-    picture one_core "$name" "$name" "$name" one.pfm --backend cpu --threads 1 --repeat "$(full 3 1)"
+    picture one_core "$name" "$name" "$name.chosen" one.pfm --backend cpu --threads 1 --repeat "$(full 3 1)"
   done
 }
 png() {
@@ -168,5 +169,7 @@ lists() {
   done
 }
 
-measure performance prepare builds pictures one_core png views division cells merge load rays fastest hierarchies choice schedules \
-  $(if [ "$backend" = cuda ]; then echo kernels lists; fi)
+sections="prepare builds pictures one_core png views division cells merge load rays fastest hierarchies choice schedules"
+[ "$backend" = cuda ] && sections+=" kernels lists"
+# shellcheck disable=SC2086 # a list
+measure performance ${MASU_SECTIONS:-$sections}

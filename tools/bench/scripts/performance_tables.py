@@ -72,9 +72,9 @@ def tables(results):
 
     def readme():
         rows = [["primitives", *(figure(lambda: primitives(s), "{}") for s in STANDARD)],
-                [f"{device}, chosen grid", *(ms(lambda: seconds("pictures", f"{s}.chosen")) for s in STANDARD)],
+                [f"{device}, chosen structure", *(ms(lambda: seconds("pictures", f"{s}.chosen")) for s in STANDARD)],
                 [f"{device}, uniform grid", *(ms(lambda: seconds("pictures", f"{s}.uniform")) for s in STANDARD)],
-                ["one core, chosen grid", *(ms(lambda: seconds("one_core", s)) for s in STANDARD)]]
+                ["one core, chosen structure", *(ms(lambda: seconds("one_core", s)) for s in STANDARD)]]
         return table(["", *STANDARD], rows)
 
     def pictures():
@@ -82,7 +82,7 @@ def tables(results):
                  ms(lambda: seconds("one_core", s)),
                  figure(lambda: seconds("one_core", s) / seconds("pictures", f"{s}.chosen"), "{:.0f}")]
                 for s in STANDARD]
-        return table(["scene", "chosen grid, ms", "uniform, ms", "one CPU core, ms", f"core / {device}"], rows)
+        return table(["scene", "chosen structure, ms", "uniform grid, ms", "one CPU core, ms", f"core / {device}"], rows)
 
     def png():
         write = lambda s, kind: statistics.median(seconds("png", f"{s}.{kind}.{i}", "write") for i in (1, 2, 3))
