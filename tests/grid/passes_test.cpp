@@ -1,12 +1,9 @@
-// Grids built by passes as a device runs them, as plain loops, against those built by the CPU.
+// Grids built by passes as a device runs them, as plain loops, against those built by the CPU; and sorting.
 #include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/host_executor.h"
 #include "libgrid/build/passes/refit_passes.h"
+#include "tests/grid/builder_comparison.h"
 #include "tests/grid/device_like_executor.h"
-#include "tests/random_grid.h"
-#include "tests/random_scene.h"
-#include "tests/random_test.h"
-#include "tests/same_grid.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,117 +13,43 @@
 namespace masu {
 namespace {
 
-using Executors = RandomTest;
-
 template <class Stored>
-class Executor : public RandomTest {};
-using Stores = testing::Types<float, double>;
-TYPED_TEST_SUITE(Executor, Stores);
-
-TYPED_TEST(Executor, BuildTheSameUniformGrid) {
-  Chance& chance = this->chance_;
-  DeviceLikeExecutor executor;
-  for (std::int64_t s = cases(300); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-    const GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
-    expect_same(build_grid(scene.view(), layout, overlap),
-                on_host(uniform_grid(executor, scene.view(), layout, overlap)).grid);
-    ASSERT_FALSE(this->HasFailure()) << described(scene);
+class DeviceLikeBuilder final : public GridBuilder<Stored> {
+public:
+  explicit DeviceLikeBuilder(const SceneView<Stored>& scene) : scene_(scene) {}
+  BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+    if (options.kind == GridKind::uniform) return on_host(uniform_grid(executor_, scene_, layout, overlap));
+    if (options.kind != GridKind::hierarchy)
+      return on_host(merged_grid(executor_, scene_, layout, overlap, options));
+    if (options.quality == HierarchyQuality::high) return {hierarchy_grid(scene_, layout)};
+    return on_host(collapsed_hierarchy(executor_, layout, clustered_hierarchy(executor_, scene_, layout)));
   }
-}
-
-TYPED_TEST(Executor, BuildTheSameUniformGridOfBlocks) {
-  Chance& chance = this->chance_;
-  DeviceLikeExecutor executor;
-  for (std::int64_t s = cases(3); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
-    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
-    layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
-    const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
-    EXPECT_GT(grid.block_log2, 0);
-    expect_same(grid, on_host(uniform_grid(executor, scene.view(), layout, Overlap::exact)).grid);
+  bool refit(const GridLayout& layout, Grid& hierarchy) override {
+    if (!holds_all(executor_, scene_, hierarchy.references)) return false;
+    masu::refit(executor_, scene_, layout.margin, hierarchy.nodes, hierarchy.references);
+    hierarchy.layout = layout;
+    return true;
   }
-}
+  const SceneView<Stored>& scene() const override { return scene_; }
 
-TYPED_TEST(Executor, BuildTheSameMergedGrid) {
-  Chance& chance = this->chance_;
-  DeviceLikeExecutor executor;
-  std::int64_t divided = 0;
-  for (std::int64_t s = cases(300); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    auto [layout, overlap, options] = random_irregular_case<TypeParam>(chance, scene.bounds());
-    if (chance.one_in(3)) options.kind = chance.one_of({GridKind::x, GridKind::balance});
-    const Grid grid = build_grid(scene.view(), layout, overlap, options);
-    divided += grid.voxel_map.size() > voxel_count(layout.division) + 3;
-    expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, overlap, options)).grid);
-    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
-  }
-  EXPECT_GT(divided, cases(75));
-}
+private:
+  SceneView<Stored> scene_;
+  DeviceLikeExecutor executor_;
+};
 
-TYPED_TEST(Executor, BuildTheSameFastHierarchy) {
-  Chance& chance = this->chance_;
-  DeviceLikeExecutor executor;
-  for (std::int64_t s = cases(100); s > 0; --s) {
-    TestScene<TypeParam> scene = s % 10 == 0
-                                     ? scattered_scene<TypeParam>(chance, 5000)
-                                     : SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const GridLayout layout = hierarchy_layout(scene);
-    expect_same(
-        hierarchy_grid(scene.view(), layout, HierarchyQuality::fast),
-        on_host(collapsed_hierarchy(executor, layout, clustered_hierarchy(executor, scene.view(), layout)))
-            .grid);
-    ASSERT_FALSE(this->HasFailure()) << described(scene);
+template <class Stored_>
+struct DeviceLike {
+  using Stored = Stored_;
+  static constexpr int many = 5000;
+  static auto make(const SceneView<Stored>& scene) {
+    return std::make_unique<DeviceLikeBuilder<Stored>>(scene);
   }
-}
+  static std::string missing() { return ""; }
+};
+using DeviceLikes = testing::Types<DeviceLike<float>, DeviceLike<double>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(ByPasses, BuilderComparison, DeviceLikes);
 
-TYPED_TEST(Executor, RefitTheSameHierarchy) {
-  Chance& chance = this->chance_;
-  DeviceLikeExecutor executor;
-  for (std::int64_t s = cases(30); s > 0; --s) {
-    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 1000);
-    Grid grid = hierarchy_of(scene, any_quality(chance)), other = grid;
-    move_primitives(chance, scene, chance.power_of_two(-10, 1));
-    const GridLayout layout = hierarchy_layout(scene);
-    EXPECT_TRUE(refit_hierarchy(scene.view(), layout, grid));
-    refit(executor, scene.view(), layout.margin, other.nodes, other.references);
-    expect_same(grid, other);
-    ASSERT_FALSE(this->HasFailure()) << described(scene);
-  }
-}
-
-// On the host's cores one part after another; rows of many pairs all at once.
-TYPED_TEST(Executor, BuildTheSameMergedGridOfManyParts) {
-  Chance& chance = this->chance_;
-  DeviceLikeExecutor executor;
-  for (std::int64_t s = cases(4); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).fine();
-    while (scene.view().primitive_count() < 100000)
-      scene.triangles.insert(scene.triangles.end(), scene.triangles.begin(), scene.triangles.end());
-    GridOptions options = random_grid_options(chance);
-    options.nested_log2 = std::min(options.nested_log2, 2);
-    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
-    layout.division = {chance.whole(1, 60), chance.whole(1, 30), chance.whole(1, 30)};
-    if (s == 1) layout.division = {1, 1, 1};
-    const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
-    expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, Overlap::box, options)).grid);
-    ASSERT_FALSE(this->HasFailure()) << described(grid);
-  }
-}
-
-TYPED_TEST(Executor, BuildTheSameOfNothing) {
-  DeviceLikeExecutor executor;
-  TestScene<TypeParam> scene;
-  const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
-  expect_same(build_grid(scene.view(), layout, Overlap::exact),
-              on_host(uniform_grid(executor, scene.view(), layout, Overlap::exact)).grid);
-  for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular}) {
-    const GridOptions options{kind};
-    expect_same(build_grid(scene.view(), layout, Overlap::exact, options),
-                on_host(merged_grid(executor, scene.view(), layout, Overlap::exact, options)).grid);
-  }
-}
+using Executors = RandomTest;
 
 // Some keys twice, in any order; each one's value is its place in it.
 struct EmitKeys {

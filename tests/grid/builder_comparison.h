@@ -1,0 +1,130 @@
+// Grids of a builder against the CPU's, byte for byte: one text of tests for every builder there is.
+#pragma once
+
+#include "libgrid/build/builder.h"
+#include "tests/random_grid.h"
+#include "tests/random_scene.h"
+#include "tests/random_test.h"
+#include "tests/same_grid.h"
+
+#include <memory>
+
+namespace masu {
+
+// Builder: a type Stored, of the scene's numbers; make(scene), a GridBuilder; missing(), why there is none or
+// an empty text; and many, how many primitives a large scene has.
+template <class Builder>
+class BuilderComparison : public RandomTest {
+protected:
+  using Number = typename Builder::Stored;
+
+  void SetUp() override {
+    if (const std::string why = Builder::missing(); !why.empty())
+      GTEST_SKIP() << "nothing was compared: " << why;
+  }
+  // Of about ten primitives in random hard cases, and now and then of many.
+  TestScene<Number> scene(std::int64_t number) {
+    return number % 10 == 0 ? scattered_scene<Number>(chance_, Builder::many)
+                            : SceneMaker<Number>(chance_, chance_.power_of_two(-10, 20)).scene();
+  }
+  // Returns what both build.
+  Grid expect_same_builds(TestScene<Number>& scene, const GridLayout& layout, Overlap overlap,
+                          const GridOptions& options = {}) {
+    Grid grid = build_grid(scene.view(), layout, overlap, options);
+    expect_same(grid, Builder::make(scene.view())->build(layout, overlap, options));
+    EXPECT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
+    return grid;
+  }
+  Overlap any_overlap() { return chance_.one_in(2) ? Overlap::exact : Overlap::box; }
+};
+TYPED_TEST_SUITE_P(BuilderComparison);
+
+TYPED_TEST_P(BuilderComparison, AUniformGridIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(300); s > 0 && !this->HasFailure(); --s) {
+    auto scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
+    this->expect_same_builds(scene, random_layout<Stored>(chance, scene.bounds()), this->any_overlap());
+  }
+}
+
+TYPED_TEST_P(BuilderComparison, AUniformGridOfBlocksIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(3); s > 0; --s) {
+    auto scene = SceneMaker<Stored>(chance, 1).fine();
+    GridLayout layout = random_layout<Stored>(chance, scene.bounds());
+    layout.division = {chance.whole(200, 260), chance.whole(220, 250), chance.whole(220, 250)};
+    EXPECT_GT(this->expect_same_builds(scene, layout, Overlap::exact).block_log2, 0);
+  }
+}
+
+TYPED_TEST_P(BuilderComparison, AMergedGridIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  std::int64_t divided = 0;
+  for (std::int64_t s = cases(300); s > 0 && !this->HasFailure(); --s) {
+    auto scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
+    auto [layout, overlap, options] = random_irregular_case<Stored>(chance, scene.bounds());
+    if (chance.one_in(3)) options.kind = chance.one_of({GridKind::x, GridKind::balance});
+    const Grid grid = this->expect_same_builds(scene, layout, overlap, options);
+    divided += grid.voxel_map.size() > voxel_count(layout.division) + 3;
+  }
+  EXPECT_GT(divided, cases(75));
+}
+
+// On the host's cores one part after another; rows of many pairs all at once.
+TYPED_TEST_P(BuilderComparison, AMergedGridOfManyPartsIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(4); s > 0 && !this->HasFailure(); --s) {
+    auto scene = SceneMaker<Stored>(chance, 1).fine();
+    while (scene.view().primitive_count() < 100000)
+      scene.triangles.insert(scene.triangles.end(), scene.triangles.begin(), scene.triangles.end());
+    GridOptions options = random_grid_options(chance);
+    options.nested_log2 = std::min(options.nested_log2, 2);
+    GridLayout layout = random_layout<Stored>(chance, scene.bounds());
+    layout.division = {chance.whole(1, 60), chance.whole(1, 30), chance.whole(1, 30)};
+    if (s == 1) layout.division = {1, 1, 1};
+    this->expect_same_builds(scene, layout, Overlap::box, options);
+  }
+}
+
+TYPED_TEST_P(BuilderComparison, AFastHierarchyIsTheSameBytes) {
+  GridOptions options{GridKind::hierarchy};
+  options.quality = HierarchyQuality::fast;
+  for (std::int64_t s = cases(100); s > 0 && !this->HasFailure(); --s) {
+    auto scene = this->scene(s);
+    this->expect_same_builds(scene, hierarchy_layout(scene), Overlap::exact, options);
+  }
+}
+
+TYPED_TEST_P(BuilderComparison, ARefittedHierarchyIsTheSameBytes) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(30); s > 0 && !this->HasFailure(); --s) {
+    auto scene = scattered_scene<Stored>(chance, TypeParam::many / 5);
+    Grid grid = hierarchy_of(scene, any_quality(chance)), other = grid;
+    move_primitives(chance, scene, chance.power_of_two(-10, 1));
+    const GridLayout layout = hierarchy_layout(scene);
+    EXPECT_TRUE(cpu_builder(scene.view())->refit(layout, grid));
+    EXPECT_TRUE(TypeParam::make(scene.view())->refit(layout, other));
+    expect_same(grid, other);
+    EXPECT_FALSE(this->HasFailure()) << described(scene);
+  }
+}
+
+TYPED_TEST_P(BuilderComparison, AGridOfNothingIsTheSameBytes) {
+  TestScene<typename TypeParam::Stored> scene;
+  const GridLayout layout{{{-1, -1, -1}, {1, 1, 1}}, {3, 4, 5}, 0};
+  for (const GridKind kind :
+       {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy})
+    this->expect_same_builds(scene, layout, Overlap::exact, {kind});
+}
+
+REGISTER_TYPED_TEST_SUITE_P(BuilderComparison, AUniformGridIsTheSameBytes, AUniformGridOfBlocksIsTheSameBytes,
+                            AMergedGridIsTheSameBytes, AMergedGridOfManyPartsIsTheSameBytes,
+                            AFastHierarchyIsTheSameBytes, ARefittedHierarchyIsTheSameBytes,
+                            AGridOfNothingIsTheSameBytes);
+
+} // namespace masu
