@@ -22,7 +22,7 @@ has() { # package
     libflatbuffers-dev) header flatbuffers/flatbuffers.h ;;
     libfmt-dev) header fmt/format.h ;;
     libgtest-dev) header gtest/gtest.h ;;
-    libdeflate-dev) header libdeflate.h ;;
+    libisal-dev) header isa-l/igzip_lib.h ;;
     libopenmpi-dev) command -v mpicc >/dev/null ;;
     libpng-dev) header png.h ;;
     libtbb-dev) header tbb/tbb.h ;;
@@ -68,8 +68,8 @@ require() {
   fi
 }
 
-basics=(build-essential cmake flatbuffers-compiler fonts-dejavu-core libcairo2-dev libcli11-dev libdeflate-dev
-  libflatbuffers-dev libfmt-dev libpng-dev libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
+basics=(build-essential cmake flatbuffers-compiler fonts-dejavu-core libcairo2-dev libcli11-dev libflatbuffers-dev
+  libfmt-dev libisal-dev libpng-dev libtbb-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev)
 benchmarks=(libbenchmark-dev libembree-dev) # for masu_cpu_rays and gridbench stability
 # file: for cpack; help2man: for man pages
 # libgmp-dev: for exact hits; patchelf, python3-venv: for wheels of the Python module

@@ -20,10 +20,10 @@ constexpr std::int32_t rows_per_task = 16;
 
 template <bool srgb>
 std::uint8_t byte_of(float value) {
-  float v = value > 0 ? std::min(value, 1.0F) : 0.0F; // NaN becomes 0
+  float v = std::max(0.0F, std::min(value, 1.0F)); // NaN becomes 0
   if constexpr (srgb) v = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
   const double above = static_cast<double>(v * 255) + 0.5;
-  return static_cast<std::uint8_t>(above); // std::lround, but vectorized
+  return static_cast<std::uint8_t>(static_cast<std::int32_t>(above)); // std::lround, but vectorized
 }
 
 // Of so many bytes per pixel: convert(row, its pixels, all of the picture's bytes), in parallel.

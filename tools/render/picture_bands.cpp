@@ -12,8 +12,8 @@
 namespace masu {
 namespace {
 
-constexpr std::int32_t rows_wanted =
-    128; // so that rows of rays that two bands trace are less than one in a hundred
+// Rows of rays that two bands trace are less than one in a hundred, and a band keeps a GPU busy.
+constexpr std::int32_t least_rows = 128, least_png_bands = 8;
 
 struct PngPartHead {
   std::int32_t rows;
@@ -35,7 +35,7 @@ PictureBands::PictureBands(const RayWindow& rays, Sampling sampling)
     : rays_(rays), sampling_(sampling), more_(sampling == Sampling::corners ? 1 : 0),
       height_(rays.rows - more_) {
   const std::int32_t png_rows = png_band_rows(width());
-  band_rows_ = (rows_wanted + png_rows - 1) / png_rows * png_rows;
+  band_rows_ = std::max(least_png_bands, (least_rows + png_rows - 1) / png_rows) * png_rows;
 }
 
 RayWindow PictureBands::rays(std::size_t band) const {
