@@ -98,7 +98,7 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
   RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
-  list.excluded = wanted.exclude;
+  list.filters = {wanted.exclude, wanted.ray_masks, wanted.object_masks, wanted.object_count};
   const int place = device_of(rays);
   const std::pair<const void*, std::size_t> arrays[] = {// with their numbers' alignment
                                                         {results.t, sizeof(float)},
@@ -109,7 +109,9 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
                                                         {results.normal, sizeof(float)},
                                                         {results.face, sizeof(std::uint32_t)},
                                                         {results.count, sizeof(std::uint32_t)},
-                                                        {list.excluded, sizeof(std::uint32_t)},
+                                                        {wanted.exclude, sizeof(std::uint32_t)},
+                                                        {wanted.object_masks, sizeof(std::uint32_t)},
+                                                        {wanted.ray_masks, sizeof(std::uint32_t)},
                                                         {results.front, 1},
                                                         {results.inside, 1},
                                                         {results.occluded, 1}};

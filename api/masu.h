@@ -301,6 +301,12 @@ typedef struct masu_query {
   masu_faces faces;        /* that are hit */
   const uint32_t* exclude; /* where the rays are: for each a primitive that it doesn't hit, or MASU_NONE; such
                               as the one that it starts on. NULL: none */
+  /* Where the rays are. An object is hit by rays whose mask shares a bit with its own (Embree's ray masks):
+   * bits for each of the scene's objects, and for each ray. Without ray_masks rays have all bits, and masks
+   * of 1 and 0 say which objects are hit. NULL: all are. */
+  const uint32_t* object_masks;
+  size_t object_count; /* of object_masks: the scene's */
+  const uint32_t* ray_masks;
 } masu_query;
 
 #define MASU_NONE UINT32_MAX
@@ -345,7 +351,7 @@ MASU_API masu_status masu_occluded(const masu_tracer* tracer, const void* rays, 
  * side is crossed, so that every line crosses a closed mesh as often inwards as outwards, exactly. Spheres
  * are crossed twice, and cones, which have no caps, up to twice; where only the inside is visible, once.
  *
- * MASU_PRECISION_FAST is an error here, and with faces, exclude, t64 and front. */
+ * MASU_PRECISION_FAST is an error here, and with faces, exclude, masks, t64 and front. */
 MASU_API masu_status masu_all_hits(const masu_tracer* tracer, const void* rays, size_t count,
                                    const masu_query* query, uint32_t limit, const masu_hits* hits,
                                    uint32_t* counts);

@@ -186,7 +186,9 @@ struct QueryOptions {
   bool relative = false;  // to the scene's origin
   int threads = 0;        // of the host, for rays in its memory; 0: all cores
   masu_faces faces = MASU_FACES_BOTH;
-  const std::uint32_t* exclude = nullptr; // a primitive for each ray, or MASU_NONE
+  const std::uint32_t* exclude = nullptr;        // a primitive for each ray, or MASU_NONE
+  std::span<const std::uint32_t> object_masks{}; // bits for each object of the scene; none: all are hit
+  const std::uint32_t* ray_masks = nullptr;      // bits for each ray; null: all bits
 };
 
 // The hits of rays in host memory.
@@ -314,6 +316,9 @@ private:
     query.threads = options.threads;
     query.faces = options.faces;
     query.exclude = options.exclude;
+    query.object_masks = options.object_masks.data();
+    query.object_count = options.object_masks.size();
+    query.ray_masks = options.ray_masks;
     return query;
   }
 

@@ -1,5 +1,5 @@
 // Queries of a list's rays that need hits in their order: all of them, their number, those of one side, or
-// without an excluded primitive. One definition for both backends.
+// of chosen primitives. One definition for both backends.
 #pragma once
 
 #include "libgrid/trace/hits_in_order.h"
@@ -7,8 +7,26 @@
 
 namespace masu {
 
-// What is asked of each ray. With Faces::both, no excluded primitive and no t64, nearest_hit and occlusion
-// are trace_listed()'s, with the same results.
+// What rays of a list don't hit, each null where that is nothing.
+struct RayFilters {
+  const PrimitiveIndex* excluded = nullptr;    // a primitive for each ray, or no_primitive
+  const std::uint32_t* ray_masks = nullptr;    // for each ray; null: all bits
+  const std::uint32_t* object_masks = nullptr; // for each object
+  std::size_t object_count = 0;                // of object_masks: all of the scene's
+
+  bool any() const { return excluded != nullptr || ray_masks != nullptr || object_masks != nullptr; }
+  // Of ray i, with faces and edges as they are by default.
+  MASU_HD HitFilter of(std::size_t i) const {
+    HitFilter filter;
+    if (excluded != nullptr) filter.excluded = excluded[i];
+    filter.object_masks = object_masks;
+    if (ray_masks != nullptr) filter.ray_mask = ray_masks[i];
+    return filter;
+  }
+};
+
+// What is asked of each ray. With Faces::both, no filters and no t64, nearest_hit and occlusion are
+// trace_listed()'s, with the same results.
 struct HitRules {
   Query query = Query::nearest_hit;
   Faces faces = Faces::both;
@@ -21,12 +39,14 @@ struct HitRules {
 // Writes the results of ray i.
 template <class M, class Stored, class Grid>
 MASU_HD inline void write_hits(const SceneView<Stored>& scene, const Grid& grid, Ray<typename M::Real> ray,
-                               PrimitiveIndex excluded, const HitRules& rules, const RayResults& results,
+                               const RayFilters& filters, const HitRules& rules, const RayResults& results,
                                std::size_t i) {
   using Real = typename M::Real;
   using Near = NearHit<typename M::TestRay>;
   const bool counts_all = rules.query == Query::count_hits, lists = rules.query == Query::all_hits;
-  const HitFilter filter{rules.faces, counts_all || lists ? EdgeRule::half_open : EdgeRule::closed, excluded};
+  HitFilter filter = filters.of(i);
+  filter.faces = rules.faces;
+  filter.edges = counts_all || lists ? EdgeRule::half_open : EdgeRule::closed;
   const Real scale = scale_direction(ray);
   const std::size_t first = i * rules.row();
   const auto write = [&](std::uint32_t k, const Near& near, Real t, bool front) {

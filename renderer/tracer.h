@@ -113,7 +113,7 @@ struct RayList {
   const void* rays = nullptr;
   std::size_t count = 0;
   RayFormat format{};
-  const PrimitiveIndex* excluded = nullptr; // what each ray doesn't hit, or no_primitive; null: nothing
+  RayFilters filters{};
 
   RayList() = default;
   RayList(const void* rays_, std::size_t count_, const RayFormat& format_)
@@ -123,6 +123,9 @@ struct RayList {
   template <class Real>
   RayList(const std::vector<Ray<Real>>& list) : RayList(std::span(list)) {}
 };
+
+// Throws Error(usage) where they aren't for a scene of so many objects.
+void check_filters(const RayFilters& filters, std::uint64_t objects);
 
 // The same rays, whose origins are relative to the scene's.
 inline RayList relative(RayList rays) {
@@ -151,7 +154,7 @@ struct RaysRequest {
 // Whether hits are found in their order (hit_list.h), by `robust` or `double`, and aren't counted.
 inline bool needs_hits_in_order(const RayList& rays, const RayResults& results, const RaysRequest& request) {
   return request.query == Query::all_hits || request.query == Query::count_hits ||
-         request.faces != Faces::both || rays.excluded != nullptr || results.t64 != nullptr ||
+         request.faces != Faces::both || rays.filters.any() || results.t64 != nullptr ||
          results.front != nullptr;
 }
 inline HitRules hit_rules(const RaysRequest& request) {

@@ -64,9 +64,22 @@ void check_hits_in_order(const RaysRequest& request, const RayResults& results) 
 
 } // namespace
 
+void check_filters(const RayFilters& filters, std::uint64_t objects) {
+  const auto fail = [](const char* place, const std::string& what) {
+    throw Error(ErrorCode::usage, place, what);
+  };
+  if (filters.object_masks == nullptr) {
+    if (filters.ray_masks != nullptr) fail("ray masks", "have no effect without those of objects: give both");
+  } else if (filters.object_count != objects) {
+    fail("object masks",
+         fmt::format("are for {} objects, and the scene has {}", filters.object_count, objects));
+  }
+}
+
 RaysRequest Tracer::resolved(const RaysRequest& request, const RayList& rays,
                              const RayResults& results) const {
   check_results(rays, results, request.query);
+  check_filters(rays.filters, scene_.counts().objects);
   RaysRequest resolved_request = request;
   resolved_request.tracing = resolved(request.tracing);
   if (needs_hits_in_order(rays, results, request)) check_hits_in_order(resolved_request, results);

@@ -30,7 +30,7 @@ struct Settings {
   bool any_hit = false, count_hits = false;
   std::uint32_t all_hits = 0; // per ray; 0: the nearest alone
   Faces faces = Faces::both;
-  std::string excluded;
+  std::string excluded, objects;
   HitName hit_name = HitName::object;
   // One ray's way.
   std::string ray, pixel;
@@ -47,7 +47,7 @@ struct Settings {
   }
   // As needs_hits_in_order() (renderer/tracer.h) has it.
   bool hits_in_order() const {
-    return count_hits || all_hits > 0 || faces != Faces::both || !excluded.empty() ||
+    return count_hits || all_hits > 0 || faces != Faces::both || !excluded.empty() || !objects.empty() ||
            write.find("t64") != std::string::npos || write.find("front") != std::string::npos;
   }
 };
@@ -121,11 +121,32 @@ void check(const Settings& settings, const Sharing& sharing) {
 std::string description_of(const Settings& settings, const OpenedScene& opened, const TracingRules& rules) {
   return run_description(
       opened, rules,
-      fmt::format("--precision {}{} query {} {} faces {} --write {} names {} rays {} {}{}",
+      fmt::format("--precision {}{} query {} {} faces {} objects {} --write {} names {} rays {} {}{}",
                   name_of(rules.precision), rules.stop == StopRule::first_cell ? " --first-cell-hit" : "",
                   static_cast<int>(settings.query()), settings.all_hits, static_cast<int>(settings.faces),
-                  written_fields(settings), static_cast<int>(settings.hit_name), settings.ray_numbers,
-                  static_cast<int>(settings.ray_store), settings.relative ? " relative" : ""));
+                  settings.objects, written_fields(settings), static_cast<int>(settings.hit_name),
+                  settings.ray_numbers, static_cast<int>(settings.ray_store),
+                  settings.relative ? " relative" : ""));
+}
+
+// Masks of a list such as 0,3,7-9: 1 of the objects in it, 0 of the others.
+std::vector<std::uint32_t> object_masks(const std::string& list, std::uint64_t objects) {
+  std::vector<std::uint32_t> masks(objects);
+  for (const std::string& word : split(list)) {
+    std::array<std::uint64_t, 2> range{};
+    std::array<std::uint64_t, 1> one{};
+    if (read_numbers(word, ',', one))
+      range = {one[0], one[0]};
+    else if (!read_numbers(word, '-', range) || range[0] > range[1])
+      throw Error(ErrorCode::usage, "--objects",
+                  fmt::format("'{}' is neither a number nor FIRST-LAST", word));
+    if (range[1] >= objects)
+      throw Error(ErrorCode::usage, "--objects",
+                  fmt::format("{} isn't below {}, the number of objects", range[1], objects));
+    std::fill(masks.begin() + static_cast<std::ptrdiff_t>(range[0]),
+              masks.begin() + static_cast<std::ptrdiff_t>(range[1]) + 1, 1);
+  }
+  return masks;
 }
 
 void trace_list(const Settings& settings, const Sharing& sharing) {
@@ -140,6 +161,8 @@ void trace_list(const Settings& settings, const Sharing& sharing) {
   job.request.faces = settings.faces;
   job.request.limit = settings.all_hits;
   job.excluded = settings.excluded;
+  if (!settings.objects.empty())
+    job.object_masks = object_masks(settings.objects, opened.scene().counts().objects);
   job.repeat = settings.tracing.repeat;
   job.description = description_of(settings, opened, job.request.tracing);
   const TracingReport report = [&] {
@@ -225,6 +248,9 @@ void add_list_options(CLI::App& app, Settings& settings) {
       ->excludes(all);
   add_choice(app, "--faces", settings.faces,
              {{"both", Faces::both}, {"front", Faces::front}, {"back", Faces::back}}, "faces that are hit");
+  app.add_option("--objects", settings.objects,
+                 "objects that alone are hit: a list of numbers, as hits name them, and ranges such as 7-9")
+      ->type_name("LIST");
   group_options(app, rays_group);
   app.add_option("--ray-numbers", settings.ray_numbers,
                  "numbers per ray in a file of numbers: 6 (origin, direction) or 8 (origin, tmin, direction, "

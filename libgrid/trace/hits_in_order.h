@@ -15,11 +15,21 @@ namespace masu {
 
 enum class Faces { both, front, back };
 
-// What counts as a hit: of these faces, and not of the excluded primitive, which may be no_primitive.
+// What counts as a hit: of these faces; not of the excluded primitive, which may be no_primitive; and of
+// objects whose masks share a bit with the ray's, as in Embree.
 struct HitFilter {
   Faces faces = Faces::both;
   EdgeRule edges = EdgeRule::half_open;
   PrimitiveIndex excluded = no_primitive;
+  const std::uint32_t* object_masks = nullptr; // of each of the scene's objects; null: any is hit
+  std::uint32_t ray_mask = 0xffffffffU;
+
+  template <class Stored>
+  MASU_HD bool admits(const SceneView<Stored>& scene, PrimitiveIndex primitive) const {
+    return primitive != excluded &&
+           (object_masks == nullptr || (object_masks[surface_of(scene, primitive).object] & ray_mask) != 0);
+  }
+  MASU_HD bool admits(bool front) const { return faces == Faces::both || front == (faces == Faces::front); }
 };
 
 // A hit with the side that is met, in the lowest bit: set for the back. Primitives have 31 bits.
@@ -59,10 +69,9 @@ struct NextHits {
   int count = 0;
 
   MASU_HD void primitive(PrimitiveIndex number) {
-    if (number == filter.excluded) return;
+    if (!filter.admits(scene, number)) return;
     each_hit<M::kinds>(scene, ray, number, filter.edges, [&](Real t, bool front) {
-      if (t < t_max && (filter.faces == Faces::both || front == (filter.faces == Faces::front)))
-        keep({t, number << 1 | (front ? 0U : 1U)});
+      if (t < t_max && filter.admits(front)) keep({t, number << 1 | (front ? 0U : 1U)});
     });
   }
 #ifdef MASU_HOST_AVX2

@@ -68,8 +68,7 @@ void list_hits(const SceneView<Stored>& scene, const GridFile* grid, const RayLi
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.count, rays_a_task / 16), [&](const auto& range) {
     for (std::size_t i = range.begin(); i != range.end(); ++i)
       write_hits<Method<TestRay, with_all_kinds>>(scene, structure, loaded<Real>(rays.rays, rays.format, i),
-                                                  rays.excluded != nullptr ? rays.excluded[i] : no_primitive,
-                                                  rules, results, i);
+                                                  rays.filters, rules, results, i);
   });
 }
 

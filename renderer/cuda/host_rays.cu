@@ -91,6 +91,8 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
   const std::size_t ray_bytes = rays.format.bytes_per_ray();
   const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
                                    {nullptr, files.pool});
+  const DeviceArray<std::uint32_t> object_masks(rays.filters.object_masks, rays.filters.object_count,
+                                                {nullptr, files.pool});
   check(cudaStreamSynchronize(nullptr));
   const auto borrowed = files.buffers.borrow();
   struct Drain { // after an error something may still be copied to them
@@ -118,11 +120,15 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
     const DeviceArray<std::uint8_t> device_rays(bytes, {stream, files.pool}),
         device_results(result_bytes, {stream, files.pool});
-    const PrimitiveIndex* const excluded = rays.excluded != nullptr ? rays.excluded + work.first : nullptr;
-    const DeviceArray<PrimitiveIndex> device_excluded(excluded, excluded != nullptr ? work.count : 0,
-                                                      {stream, files.pool});
+    const auto one_per_ray = [&](const std::uint32_t* numbers) {
+      const bool there = numbers != nullptr;
+      return DeviceArray<std::uint32_t>(there ? numbers + work.first : nullptr, there ? work.count : 0,
+                                        {stream, files.pool});
+    };
+    const DeviceArray<std::uint32_t> excluded = one_per_ray(rays.filters.excluded),
+                                     ray_masks = one_per_ray(rays.filters.ray_masks);
     RayList list(device_rays.data(), work.count, rays.format);
-    list.excluded = device_excluded.data();
+    list.filters = {excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
     check(cudaEventRecord(piece.begun, stream));
     check(cudaMemcpyAsync(device_rays.data(), from, bytes, cudaMemcpyHostToDevice, stream));
     check(cudaEventRecord(piece.uploaded, stream));

@@ -112,7 +112,7 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
 // Hits in order (hit_list.h); not by `fast`.
 template <class TestRay, class Stored>
 KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const GridFile* host_grid, const HitRules& rules,
-                      const PrimitiveIndex* excluded, const RayBatch<typename TestRay::Real>& batch);
+                      const RayFilters& filters, const RayBatch<typename TestRay::Real>& batch);
 template <class Real, class Stored>
 void queue_attributes(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch,
                       const RayResults& results);

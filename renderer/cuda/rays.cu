@@ -34,7 +34,7 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
         const Ray<Real>* const own = converted(rays, queue, copy);
         if constexpr (!std::is_same_v<TestRay, TextbookRay>) {
           if (needs_hits_in_order(rays, results, request)) {
-            size = queue_hits<TestRay>(files.of<Stored>(), grid, hit_rules(request), rays.excluded,
+            size = queue_hits<TestRay>(files.of<Stored>(), grid, hit_rules(request), rays.filters,
                                        RayBatch<Real>{own, rays.count, results, nullptr, queue, begun});
             return;
           }

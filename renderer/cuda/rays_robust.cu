@@ -6,7 +6,7 @@ template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>
                                                       const GridFile*, const RaysRequest&,
                                                       const RayBatch<float>&);
 template KernelSize queue_hits<WatertightRay<float>>(const DeviceFilesOf<float>&, const GridFile*,
-                                                     const HitRules&, const PrimitiveIndex*,
+                                                     const HitRules&, const RayFilters&,
                                                      const RayBatch<float>&);
 template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
 

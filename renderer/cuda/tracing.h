@@ -40,12 +40,11 @@ __global__ void __launch_bounds__(rays_per_block)
 template <class M, class Stored>
 __global__ void __launch_bounds__(rays_per_block)
     hits_kernel(const SceneView<Stored> scene, const AnyStructure<typename M::Real> structure,
-                const Ray<typename M::Real>* const rays, const PrimitiveIndex* const excluded,
-                const std::uint64_t count, const HitRules rules, const RayResults results) {
+                const Ray<typename M::Real>* const rays, const RayFilters filters, const std::uint64_t count,
+                const HitRules rules, const RayResults results) {
   const std::uint64_t i = std::uint64_t{blockIdx.x} * rays_per_block + threadIdx.x;
   if (i >= count) return;
-  write_hits<M>(scene, structure, streamed(rays + i), excluded != nullptr ? excluded[i] : no_primitive, rules,
-                results, i);
+  write_hits<M>(scene, structure, streamed(rays + i), filters, rules, results, i);
 }
 
 // `double` traces occlusion, hierarchies and uniform grids by a thread per ray, `fast` everything: they
@@ -168,12 +167,12 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
 
 template <class TestRay, class Stored>
 KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const GridFile* host_grid, const HitRules& rules,
-                      const PrimitiveIndex* excluded, const RayBatch<typename TestRay::Real>& batch) {
+                      const RayFilters& filters, const RayBatch<typename TestRay::Real>& batch) {
   using Real = typename TestRay::Real;
   auto* const kernel = hits_kernel<OnDevice<Method<TestRay, with_all_kinds>>, Stored>;
   batch.begin();
   launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.queue.stream, files.scene.view,
-         files.grid.moved(any_structure<Real>(host_grid)), batch.rays, excluded, batch.count, rules,
+         files.grid.moved(any_structure<Real>(host_grid)), batch.rays, filters, batch.count, rules,
          batch.results);
   return files.kernels.of(kernel, rays_per_block).size;
 }

@@ -553,6 +553,50 @@ TEST_F(Library, ListsAndCountsTheHitsOfClosedMeshes) {
   EXPECT_TRUE(refused([&] { tracer.nearest(rays.data(), rays.size(), hits); }));
 }
 
+// The first hit of an object that they see.
+TEST_F(Library, RaysHitTheObjectsOfTheirMasks) {
+  std::vector<Mesh> parts;
+  std::vector<masu_mesh> meshes;
+  for (int k = 0; k < 3; ++k)
+    parts.push_back(random_mesh(engine_, 200));
+  for (const Mesh& part : parts)
+    meshes.push_back(part.view());
+  const masu::Scene scene(meshes);
+  const masu::Tracer tracer(scene, masu::Grid(scene));
+  const std::vector<masu_ray> rays = random_rays(engine_, 1000);
+  constexpr std::uint32_t limit = 600; // all
+  const masu::HitLists all = tracer.all_hits(rays, limit);
+  std::vector<std::uint32_t> ray_masks(rays.size());
+  const auto expect_hits = [&](std::span<const std::uint32_t> masks, const std::uint32_t* masks_of_rays) {
+    masu::Hits nearest{std::vector<float>(rays.size(), infinity),
+                       std::vector<std::uint32_t>(rays.size(), MASU_NONE)};
+    std::vector<std::uint32_t> counts(rays.size());
+    std::vector<std::uint8_t> occluded(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const std::uint32_t ray_mask = masks_of_rays != nullptr ? masks_of_rays[i] : 0xffffffffU;
+      for (std::size_t k = i * limit; k < i * limit + all.counts[i]; ++k) {
+        if ((masks[all.primitive[k] / 200] & ray_mask) == 0 || counts[i]++ > 0) continue;
+        nearest.t[i] = static_cast<float>(all.t[k]);
+        nearest.primitive[i] = all.primitive[k];
+        occluded[i] = 1;
+      }
+    }
+    const masu::QueryOptions options{.object_masks = masks, .ray_masks = masks_of_rays};
+    EXPECT_EQ(tracer.nearest(rays, options).t, nearest.t);
+    EXPECT_EQ(tracer.nearest(rays, options).primitive, nearest.primitive);
+    EXPECT_EQ(tracer.occluded(rays, options), occluded);
+    EXPECT_EQ(tracer.count_hits(rays, options), counts);
+  };
+  for (std::uint32_t chosen = 0; chosen < 8; ++chosen)
+    expect_hits(std::array{chosen & 1, chosen & 2, chosen & 4}, nullptr);
+  for (std::uint32_t& mask : ray_masks)
+    mask = static_cast<std::uint32_t>(engine_());
+  const std::array<std::uint32_t, 3> masks{1, 0x80000002, 0xffff0000};
+  expect_hits(masks, ray_masks.data());
+  EXPECT_THROW(tracer.nearest(rays, {.object_masks = std::span(masks).first(2)}), masu::Exception);
+  EXPECT_THROW(tracer.nearest(rays, {.ray_masks = ray_masks.data()}), masu::Exception);
+}
+
 TEST_F(Library, AnswersThreadsAtTheSameTime) {
   prepare(random_mesh(engine_, 500));
   masu_tracer* const tracers[]{opened(), opened()};

@@ -143,7 +143,13 @@ class Queries(WithFolder):
         same_bits(self, without, tracer.nearest(rays, fields=masu.FIELDS))
         others = tracer.nearest(rays, exclude=without["primitive_ids"])["primitive_ids"]
         self.assertFalse(((others == without["primitive_ids"]) & (others >= 0)).any())
-        for wrong in (lambda: tracer.all_hits(rays, 0), lambda: tracer.nearest(rays, faces="none"),
+        same_bits(self, tracer.nearest(rays, object_masks=[True], fields=masu.FIELDS), without)
+        masks = self.random.integers(0, 2**32, (4, 250), np.uint32)
+        chosen = tracer.nearest(rays, object_masks=[1 << 31], ray_masks=masks)["primitive_ids"]
+        np.testing.assert_array_equal(chosen, np.where(masks >> 31, without["primitive_ids"], -1))
+        self.assertFalse(tracer.occluded(rays, object_masks=[0]).any())
+        for wrong in (lambda: tracer.all_hits(rays, 0), lambda: tracer.nearest(rays, object_masks=[1, 1]),
+                      lambda: tracer.nearest(rays, object_masks=[1], ray_masks=[1]), lambda: tracer.nearest(rays, faces="none"),
                       lambda: tracer.nearest(rays, exclude=[1, 2])):
             with self.assertRaises(ValueError):
                 wrong()

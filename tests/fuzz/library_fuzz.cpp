@@ -118,7 +118,7 @@ std::vector<Real> rays_of(Input& input, std::size_t numbers) {
   return rays;
 }
 
-void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives) {
+void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, std::uint64_t objects) {
   const std::size_t count = input.take<std::uint8_t>() % 8U;
   auto options = sized<masu_query>(input);
   const int format = input.take<std::uint8_t>() % 5;
@@ -128,6 +128,13 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives) {
   set(options.faces, input.take<std::uint8_t>() % 4);
   const std::vector<std::uint32_t> excluded(count, input.take<std::uint8_t>());
   if (input.take<std::uint8_t>() % 2 != 0) options.exclude = excluded.data();
+  const std::vector<std::uint32_t> object_masks(objects, input.take<std::uint8_t>()), &ray_masks = excluded;
+  const auto masked = input.take<std::uint8_t>();
+  if (masked % 2 != 0) {
+    options.object_masks = object_masks.data();
+    options.object_count = masked < 250 ? objects : masked;
+  }
+  if (masked % 4 > 1) options.ray_masks = ray_masks.data();
   const std::vector<float> rays = rays_of<float>(input, 8 * count);
   const std::vector<double> rays64(rays.begin(), rays.end());
   const bool is_float64 = format == MASU_RAYS_FLOAT64 || format == MASU_RAYS_FLOAT64_6;
@@ -171,7 +178,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::array<masu_scene*, 2> scenes{};
   std::array<masu_grid*, 2> grids{};
   masu_tracer* tracer = nullptr;
-  std::uint64_t primitives = 0; // of the tracer's scene
+  std::uint64_t primitives = 0, objects = 0; // of the tracer's scene
   for (int calls = 0; calls < 24 && !input.is_empty(); ++calls) {
     const auto call = input.take<std::uint8_t>();
     masu_scene*& scene = scenes[call / 8U % 2];
@@ -202,6 +209,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       masu_scene_description description{};
       description.size = sizeof description;
       if (tracer != nullptr && masu_scene_describe(scene, &description) != MASU_OK) std::abort();
+      objects = description.objects;
       primitives = std::uint64_t{description.triangles} + description.spheres + description.cones;
       break;
     }
@@ -215,7 +223,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     }
     default:
-      if (tracer != nullptr) query(input, tracer, primitives);
+      if (tracer != nullptr) query(input, tracer, primitives, objects);
     }
   }
   for (masu_scene* const scene : scenes)

@@ -263,7 +263,8 @@ TEST_P(CpuAndGpu, FindTheSameRaysOccluded) {
     ASSERT_EQ(nearest.hits[i].name >= 0, cpu.hits[i].name >= 0) << i;
 }
 
-// All results of queries for hits in their order: of one side, with excluded primitives, listed and counted.
+// All results of queries for hits in their order: of one side and of chosen objects, without excluded
+// primitives, listed and counted.
 struct HitLists {
   std::vector<float> t;
   std::vector<double> t64;
@@ -273,11 +274,10 @@ struct HitLists {
   std::vector<std::uint8_t> front, inside, occluded;
   bool operator==(const HitLists&) const = default;
 
-  HitLists(const Tracer& tracer, RayList rays, const std::vector<PrimitiveIndex>& excluded,
-           const RaysRequest& request) {
+  HitLists(const Tracer& tracer, RayList rays, const RayFilters& filters, const RaysRequest& request) {
     const std::size_t n = rays.count, row = n * hit_rules(request).row();
     const bool lists = request.query == Query::nearest_hit || request.query == Query::all_hits;
-    if (!excluded.empty()) rays.excluded = excluded.data();
+    rays.filters = filters;
     RayResults results;
     const auto room = [](auto& array, std::size_t size) {
       array.resize(size);
@@ -311,6 +311,12 @@ TEST_P(CpuAndGpu, ListTheSameHits) {
     std::vector<PrimitiveIndex> excluded(rays.size());
     for (PrimitiveIndex& primitive : excluded)
       primitive = static_cast<PrimitiveIndex>(engine() % (built.scene.primitive_count() + 1)) - 1;
+    std::vector<std::uint32_t> ray_masks(rays.size()), object_masks(built.scene.counts().objects);
+    for (auto* const masks : {&ray_masks, &object_masks})
+      for (std::uint32_t& mask : *masks)
+        mask = static_cast<std::uint32_t>(engine() & engine());
+    const RayFilters exclusion{excluded.data()},
+        chosen{excluded.data(), ray_masks.data(), object_masks.data(), object_masks.size()};
     for (const bool with_grid : {true, false}) {
       const GridFile* const grid = with_grid ? &built.grid : nullptr;
       const Tracer cpu(built.scene, grid, Device::cpu), gpu(built.scene, grid, Device::cuda);
@@ -322,7 +328,8 @@ TEST_P(CpuAndGpu, ListTheSameHits) {
         request.faces = std::array{Faces::both, Faces::front, Faces::back}[engine() % 3];
         if (store == Store::float32 && engine() % 2 == 0) request.tracing.precision = Precision::doubled;
         const RayList list(std::span<const Ray<double>>(rays).first(few));
-        EXPECT_TRUE(HitLists(cpu, list, excluded, request) == HitLists(gpu, list, excluded, request))
+        const RayFilters& filters = engine() % 2 == 0 ? chosen : exclusion;
+        EXPECT_TRUE(HitLists(cpu, list, filters, request) == HitLists(gpu, list, filters, request))
             << "query " << static_cast<int>(query) << ", faces " << static_cast<int>(request.faces);
       }
     }

@@ -54,6 +54,8 @@ List<Real> tried(const SceneView<Stored>& scene, const Ray<Real>& ray, const Hit
   const WatertightRay<Real> test_ray = prepared(near.ray.origin, near.ray.direction);
   for (PrimitiveIndex i = 0; i < scene.primitive_count(); ++i) {
     if (i == filter.excluded) continue;
+    const std::uint32_t object = surface_of(scene, i).object;
+    if (filter.object_masks != nullptr && (filter.object_masks[object] & filter.ray_mask) == 0) continue;
     each_hit<with_all_kinds>(scene, test_ray, i, filter.edges, [&](Real t, bool front) {
       if (t < near.ray.t_max && (filter.faces == Faces::both || front == (filter.faces == Faces::front)))
         found.push_back({{t + near.skipped, i, front}, t});
@@ -70,8 +72,21 @@ protected:
     return {chance_.one_of({Faces::both, Faces::front, Faces::back}),
             chance_.one_of({EdgeRule::closed, EdgeRule::half_open}),
             chance_.one_in(2) ? no_primitive
-                              : static_cast<PrimitiveIndex>(chance_.index(scene.primitive_count()))};
+                              : static_cast<PrimitiveIndex>(chance_.index(scene.primitive_count())),
+            chance_.one_in(2) ? nullptr : masks_.data(),
+            chance_.one_in(4) ? 0xffffffffU : static_cast<std::uint32_t>(chance_.whole(0, 7))};
   }
+  // Of a scene that has a view: gives primitives objects, whose masks filter() may take.
+  void number_objects(TestScene<Real>& scene) {
+    const auto object = [&] { return static_cast<std::uint32_t>(chance_.index(masks_.size())); };
+    for (std::uint32_t& mask : masks_)
+      mask = static_cast<std::uint32_t>(chance_.whole(0, 7));
+    for (Triangle<Real>& triangle : scene.triangles)
+      triangle.object = object();
+    for (Surface& surface : scene.surfaces)
+      surface.object = object();
+  }
+  std::vector<std::uint32_t> masks_ = std::vector<std::uint32_t>(5);
   // Through a random grid and a hierarchy, as they are and as structures known when they are traced.
   template <class Act>
   void with_structures(TestScene<Real>& scene, const Grid& grid, const Grid& hierarchy, const Act& act) {
@@ -104,6 +119,7 @@ TYPED_TEST(HitsInOrder, AreThoseOfTryingEveryPrimitive) {
       }
     }
     const SceneView<Real> view = scene.view();
+    this->number_objects(scene);
     const Boxd bounds = scene.bounds();
     const Grid grid = random_grid(chance, view, bounds), hierarchy = hierarchy_of(scene);
     RayMaker<Real> rays(chance, scene, bounds, grid);

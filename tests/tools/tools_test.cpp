@@ -477,6 +477,14 @@ TEST_F(Tools, AllHitsAreListedCountedAndFiltered) {
             (Rows{{5, 1}, {miss, -1}, {0.5F, 1}, {miss, -1}}));
   write_records(file("none"), std::vector<std::int32_t>{2, -1, 2, -1}); // the sphere
   EXPECT_EQ(csv({"--exclude", file("none")}, "t,object"), (Rows{{5, 0}, {5, 0}, {miss, -1}, {miss, -1}}));
+  EXPECT_EQ(csv({"--objects", "0"}, "t,object"), (Rows{{5, 0}, {5, 0}, {miss, -1}, {miss, -1}}));
+  EXPECT_EQ(csv({"--objects", "1,0-1", "--count-hits"}, "count"), (Rows{{3}, {1}, {1}, {0}}));
+  for (const char* const wrong : {"2", "0-2", "1-0", "a", "0,", "-1"})
+    EXPECT_EQ(
+        run("gridtrace", {scene_, grid_, file("rays"), "-o", file("hits"), std::string("--objects=") + wrong})
+            .code,
+        1)
+        << wrong;
   for (const char* const more : {"--brute-force", "--threads"}) {
     const Arguments options = more == std::string("--threads")
                                   ? Arguments{scene_, grid_, file("rays"), more, "1"}

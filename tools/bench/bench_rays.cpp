@@ -1,6 +1,7 @@
 // Throughput of sets of rays (closest hit and any hit), and the tests and cells per ray.
 #include "tools/bench/bench.h"
 
+#include "libscene/file/output_file.h"
 #include "renderer/automatic_loop.h"
 #include "tests/stability/ray_sets.h"
 #include "tools/common/backend_choice.h"
@@ -23,7 +24,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Settings {
-  std::string scene, size = "1024x1024";
+  std::string scene, size = "1024x1024", save;
   std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow"};
   Backend backend = Backend::automatic;
   TracingRules tracing;
@@ -77,6 +78,13 @@ std::vector<RaySet> ray_sets(const Settings& settings, const SceneFile& scene, c
     if (name == "shadow") sets.push_back({name, Query::occlusion, shadow_rays(scene, grid, primary)});
   }
   return sets;
+}
+
+// As the numbers of Ray<double>.
+void save(const RaySet& set, const std::string& prefix) {
+  OutputFile file(prefix + set.name + ".f64");
+  file.write(set.rays.data(), set.rays.size() * sizeof(Ray<double>));
+  file.commit();
 }
 
 Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, const std::string& precision,
@@ -134,6 +142,9 @@ void bench_rays(const Settings& settings) {
     grids.back().check_geometry(scene.geometry_hash(), scene.primitive_count());
   }
   const std::vector<RaySet> sets = ray_sets(settings, scene, grids.front());
+  if (!settings.save.empty())
+    for (const RaySet& set : sets)
+      save(set, settings.save);
   Json rows = Json::array();
   if (!settings.json) {
     fmt::print("{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:<14} {:>9} {:>9} {:>7} {:>8} "
@@ -200,6 +211,11 @@ void add_rays(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   rays.add_flag("--json", settings.json, "print JSON");
+  rays.add_option(
+          "--save", settings.save,
+          "write the sets, too: 8 float64 numbers per ray (origin, tmin, direction, tmax), relative to "
+          "the scene's local origin, to PREFIX and the set's name and .f64")
+      ->type_name("PREFIX");
   settings.threads.add_to(rays);
   rays.callback([owned] { bench_rays(*owned); });
 }

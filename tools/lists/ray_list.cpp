@@ -207,7 +207,11 @@ public:
     const RayResults results = chunk->make_room(job_.fields, row_of(job_));
     if (excluded_) {
       chunk->excluded = excluded_->of_rays(chunk->task * rays_per_chunk(job_), chunk->count);
-      rays.excluded = chunk->excluded.data();
+      rays.filters.excluded = chunk->excluded.data();
+    }
+    if (!job_.object_masks.empty()) {
+      rays.filters.object_masks = job_.object_masks.data();
+      rays.filters.object_count = job_.object_masks.size();
     }
     RaysRequest request = job_.request;
     if (!needs_hits_in_order(rays, results, request)) request.loop = loop_for(rays);

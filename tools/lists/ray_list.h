@@ -16,6 +16,7 @@ struct RayListJob {
   std::string hits;       // a file, or - for standard output; empty: nothing is written (hit_file.h)
   RayFormat format{};     // of what is numbers alone
   std::string excluded{}; // a file (excluded_file.h); empty: nothing is
+  std::vector<std::uint32_t> object_masks{}; // RayFilters; empty: every object is hit
   std::vector<HitField> fields{};
   RaysRequest request{};
   std::string description{}; // of the scene and of the options that hits depend on

@@ -62,7 +62,8 @@ class PrimitiveRecord(ctypes.Structure):
 
 class QueryRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("format", c_int), ("precision", c_int), ("coherent", c_int), ("relative", c_int),
-                ("stream", c_void_p), ("threads", c_int), ("faces", c_int), ("exclude", c_void_p)]
+                ("stream", c_void_p), ("threads", c_int), ("faces", c_int), ("exclude", c_void_p),
+                ("object_masks", c_void_p), ("object_count", c_size_t), ("ray_masks", c_void_p)]
 
 
 class HitsRecord(ctypes.Structure):

@@ -116,7 +116,8 @@ class Tracer(Resource):
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,
-                threads: int = 0, faces: str = "both", exclude: Any = None) -> Dict[str, Any]:
+                threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
+                ray_masks: Any = None) -> Dict[str, Any]:
         """The nearest hit of each ray: a dictionary of the fields requested, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
@@ -135,21 +136,24 @@ class Tracer(Resource):
         CUDA Python, or a cudaStream_t as a number. relative: the rays' origins are relative to scene.describe().origin,
         where float32 keeps its digits, and not in the world. threads: of this machine, for rays in its memory; 0: all
         cores. faces: "both", "front" or "back", which alone are hit. exclude: for each ray a primitive that it doesn't
-        hit, or -1: whole numbers of the rays' leading shape, where the rays are."""
+        hit, or -1: whole numbers of the rays' leading shape, where the rays are. object_masks: whole numbers of 32 bits,
+        or bool, for each object of the scene, where the rays are; a ray hits the objects whose mask isn't 0, or, with
+        ray_masks, one for each ray, those whose mask shares a bit with its own."""
         return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), _chosen(fields), rays, precision,
-                           coherent, stream, relative, threads, faces, exclude)
+                           coherent, stream, relative, threads, faces, exclude, object_masks, ray_masks)
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
-                 relative: bool = False, threads: int = 0, faces: str = "both", exclude: Any = None) -> Any:
+                 relative: bool = False, threads: int = 0, faces: str = "both", exclude: Any = None,
+                 object_masks: Any = None, ray_masks: Any = None) -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
         return self._query_one(library.masu_occluded, "bool", rays, precision, coherent, stream, relative, threads, faces,
-                               exclude)
+                               exclude, object_masks, ray_masks)
 
     def all_hits(self, rays: Any, limit: int, *,
                  fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids", "front"), precision: str = "auto",
                  stream: Any = None, relative: bool = False, threads: int = 0, faces: str = "both",
-                 exclude: Any = None) -> Dict[str, Any]:
+                 exclude: Any = None, object_masks: Any = None, ray_masks: Any = None) -> Dict[str, Any]:
         """The first `limit` hits of each ray, from 1 to 65536, in their order: each field of nearest() with a dimension of
         that length after the rays' leading shape, the hits and then misses; and "counts", int32: how many hits there are
         in a row. Other arguments are those of nearest(), but for "fast".
@@ -166,21 +170,22 @@ class Tracer(Resource):
             return operator.index(limit), _hits(pointers), counts
 
         return self._query(library.masu_all_hits, arguments, {**rows, "counts": _Field("", "int32", ())}, rays, precision,
-                           False, stream, relative, threads, faces, exclude)
+                           False, stream, relative, threads, faces, exclude, object_masks, ray_masks)
 
     def count_hits(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
-                   threads: int = 0, faces: str = "both", exclude: Any = None) -> Any:
+                   threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
+                   ray_masks: Any = None) -> Any:
         """How many hits each ray has, as all_hits() finds them: an array of int32 of the rays' leading shape."""
         return self._query_one(library.masu_count_hits, "int32", rays, precision, False, stream, relative, threads, faces,
-                               exclude)
+                               exclude, object_masks, ray_masks)
 
     def inside(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
-               threads: int = 0) -> Any:
+               threads: int = 0, object_masks: Any = None, ray_masks: Any = None) -> Any:
         """Whether each ray, in any direction, starts inside the surfaces, whose fronts are outside: an array of uint8 of the
         rays' leading shape. 1 where one more of its hits is of a back than of a front, 0 where as many are; else 2, and the
         surfaces aren't closed, or their fronts not outside, or one lies in another."""
         return self._query_one(library.masu_inside, "uint8", rays, precision, False, stream, relative, threads, "both",
-                               None)
+                               None, object_masks, ray_masks)
 
     def _query_one(self, function: Callable[..., int], number: str, *query: Any) -> Any:
         return self._query(function, lambda pointers: (pointers["found"],), {"found": _Field("", number, ())},
@@ -188,7 +193,7 @@ class Tracer(Resource):
 
     def _query(self, function: Callable[..., int], arguments: Callable[[Dict[str, int]], Tuple[Any, ...]],
                fields: Dict[str, _Field], rays: Any, precision: str, coherent: bool, stream: Any, relative: bool,
-               threads: int, faces: str, exclude: Any) -> Dict[str, Any]:
+               threads: int, faces: str, exclude: Any, object_masks: Any, ray_masks: Any) -> Dict[str, Any]:
         """arguments: the function's last ones, made of the pointers to the results."""
         if not 0 <= operator.index(threads) <= 4096:
             raise ValueError("threads: {} isn't from 0 to 4096".format(threads))
@@ -208,13 +213,19 @@ class Tracer(Resource):
         count = math.prod(shape[:-1])
         with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays)
-            if exclude is not None:
-                others, exclude = _arrays.recognize(exclude, stream)
-                if others is not arrays or arrays.gpu(exclude) != gpu or tuple(exclude.shape) != shape[:-1]:
-                    raise ValueError("exclude: whole numbers of the shape {} are needed, where the rays are".format(
-                        shape[:-1]))
-                exclude = arrays.packed_int32(exclude)
-                record.exclude = arrays.pointer(exclude)
+            objects = (self.scene.describe().objects,) if object_masks is not None else ()
+            filters = {}  # kept until the query is queued
+            for name, given, needed in (("exclude", exclude, shape[:-1]), ("ray_masks", ray_masks, shape[:-1]),
+                                        ("object_masks", object_masks, objects)):
+                if given is None:
+                    continue
+                others, given = _arrays.recognize(given, stream)
+                if others is not arrays or arrays.gpu(given) != gpu or tuple(given.shape) != needed:
+                    raise ValueError("{}: whole numbers of the shape {} are needed, where the rays are".format(
+                        name, needed))
+                filters[name] = arrays.packed_int32(given)
+                setattr(record, name, arrays.pointer(filters[name]))
+            record.object_count = sum(objects)
             record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
             results = {name: arrays.empty(shape[:-1] + field.shape, field.number, rays)
                        for name, field in fields.items()}
