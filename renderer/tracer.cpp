@@ -5,6 +5,7 @@
 #include "libscene/base/stopwatch.h"
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
+#include "renderer/image/pixel.h"
 #include "renderer/view_precision.h"
 
 #include <fmt/format.h>
@@ -54,7 +55,11 @@ Frame sized_frame(const FrameRequest& request, Frame memory) {
   frame.columns = window.columns;
   frame.rows = window.rows;
   const std::size_t rays = static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
-  frame.radiance.resize(request.shaded ? rays : 0);
+  frame.radiance.resize(request.shaded && !request.rgb ? rays : 0);
+  const std::int32_t more = rays_beyond_pixels(request.sampling);
+  frame.rgb.resize(request.rgb ? 3 * static_cast<std::size_t>(frame.columns - more) *
+                                     static_cast<std::size_t>(frame.rows - more)
+                               : 0);
   frame.hits.resize(request.hits ? rays : 0);
   frame.objects.resize(request.attributes ? rays : 0);
   frame.normals.resize(request.attributes ? rays : 0);
@@ -104,19 +109,22 @@ Frame Tracer::render(const FrameRequest& request, std::size_t index, Frame memor
   resolved_request.camera = relative_to(scene_.origin(), request.camera);
   if (request.costs) resolved_request.tracing.count = true;
   if (!request.shaded) resolved_request.rules.depth = 0;
-  Frame frame = sized_frame(request, std::move(memory));
+  resolved_request.rgb = request.rgb && request.shaded && device_ == Device::cuda;
+  Frame frame = sized_frame(resolved_request, std::move(memory));
   device_ == Device::cuda ? render_cuda(*files_.at(index), scene_, grid_, resolved_request, frame)
                           : render_cpu(scene_, grid_, resolved_request, frame);
   check_unchanged();
   return frame;
 }
 
-Frame Tracer::render(const FrameRequest& request) const {
+Frame Tracer::render(const FrameRequest& wanted) const {
   constexpr std::int64_t rays_per_band = std::int64_t{1} << 20;
-  const RayWindow window = window_of(request);
+  const RayWindow window = window_of(wanted);
   const auto band_rows =
       static_cast<std::int32_t>(std::max<std::int64_t>(rays_per_band / std::max(window.columns, 1), 8));
-  if (device_count() == 1 || window.rows <= band_rows) return render(request, next_device());
+  if (device_count() == 1 || window.rows <= band_rows) return render(wanted, next_device());
+  FrameRequest request = wanted;
+  request.rgb = false; // bands share rows of corners, not of pixels
   check_window(window, all_rays(request.camera, request.sampling)); // before there is room for it
   const Precision precision = picture_precision(*this, request);
   Frame whole = sized_frame(request);

@@ -61,6 +61,7 @@ struct FrameRequest {
   bool hither = false; // camera rays start at the camera's hither distance
   RenderRules rules{5, false, HitName::object};
   bool shaded = true;                     // false: hits and costs of camera rays alone, no radiance
+  bool rgb = false;                       // a GPU may report Frame::rgb instead of radiance
   bool hits = false;                      // report the hit of each camera ray
   bool attributes = false;                // and its object and normal; hits are named by primitive
   RayWindow window{};                     // the camera rays to trace; all, where it has no columns
@@ -73,6 +74,7 @@ struct FrameRequest {
 struct Frame {
   std::int32_t columns = 0, rows = 0;
   HostArray<Vec3f> radiance;
+  HostArray<std::uint8_t> rgb; // of the picture's pixels, by byte_of(); radiance is then left out
   HostArray<HitRecord> hits;
   HostArray<std::int32_t> objects;       // as RayResults has them
   HostArray<Vec3f> normals;              // likewise
@@ -86,6 +88,7 @@ struct Frame {
 template <class A, class B, class Act>
 void for_each_array(A& a, B& b, const Act& act) {
   act(a.radiance, b.radiance);
+  act(a.rgb, b.rgb);
   act(a.hits, b.hits);
   act(a.objects, b.objects);
   act(a.normals, b.normals);

@@ -62,6 +62,7 @@ inline Frame used_memory(std::size_t rays) {
   constexpr float garbage = 1e30F;
   Frame frame;
   frame.radiance.assign(rays, {garbage, garbage, garbage});
+  frame.rgb.assign(rays, 123);
   frame.hits.assign(rays, {garbage, 12345});
   frame.cells.assign(rays, 12345);
   frame.tests.assign(rays, 12345);
@@ -74,6 +75,7 @@ bool same_values(const Values& a, const Values& b) {
 }
 inline void expect_same_frames(const Frame& a, const Frame& b) {
   EXPECT_TRUE(same_values(a.radiance, b.radiance));
+  EXPECT_TRUE(same_values(a.rgb, b.rgb));
   EXPECT_TRUE(same_values(a.hits, b.hits));
   EXPECT_TRUE(same_values(a.cells, b.cells));
   EXPECT_TRUE(same_values(a.tests, b.tests));

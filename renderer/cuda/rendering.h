@@ -7,6 +7,7 @@
 #include "libscene/base/stopwatch.h"
 #include "renderer/cuda/device_method.h"
 #include "renderer/cuda/queue.h"
+#include "renderer/image/pixel.h"
 #include "renderer/render_pixel.h"
 
 namespace masu {
@@ -47,6 +48,19 @@ void queue_camera_attributes(const SceneView<Stored>& scene, const CameraRays<Re
   });
 }
 
+// The picture's pixels of the radiance along all its rays: a thread for each.
+inline void queue_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
+                        const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream) {
+  std::uint8_t* const bytes = rgb.data();
+  for_each_on_device(rgb.size() / 3, stream, [=] __device__(std::uint64_t i) {
+    const auto width = static_cast<std::uint64_t>(columns - rays_beyond_pixels(sampling));
+    const Vec3f* const top = radiance + i / width * static_cast<std::uint64_t>(columns) + i % width;
+    const Vec3f pixel = pixel_at(top, columns, sampling);
+    for (int channel = 0; channel < 3; ++channel)
+      bytes[3 * i + static_cast<std::uint64_t>(channel)] = byte_of<false>(pixel[channel]);
+  });
+}
+
 // Traces a picture with rays of this arithmetic. Throws Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
@@ -54,7 +68,10 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
                       Frame& frame) {
   const cudaStream_t stream = buffers.stream;
   const Queue queue{stream, files.queue.pool};
-  const DeviceArray<Vec3f> colors(frame.radiance.size(), queue);
+  const std::size_t ray_count =
+      static_cast<std::size_t>(frame.columns) * static_cast<std::size_t>(frame.rows);
+  const DeviceArray<Vec3f> colors(request.shaded ? ray_count : 0, queue);
+  const DeviceArray<std::uint8_t> rgb(frame.rgb.size(), queue);
   const DeviceArray<HitRecord> hits(frame.hits.size(), queue);
   const DeviceArray<std::int32_t> objects(frame.objects.size(), queue);
   const DeviceArray<Vec3f> normals(frame.normals.size(), queue);
@@ -74,6 +91,7 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
       launch(kernel, dim3(tiles(frame.columns), tiles(frame.rows)), dim3(tile_side, tile_side), stream,
              files.scene.view, grid, rays, request.rules, colors.data(), hits.data(), total.data(),
              RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
+      if (request.rgb) queue_bytes(colors.data(), frame.columns, request.sampling, rgb, stream);
       if (request.attributes)
         queue_camera_attributes(files.scene.view, rays, hits,
                                 attribute_results(objects.data(), normals.data()), stream);
@@ -88,7 +106,10 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
     check(cudaStreamSynchronize(stream));
     copy_in_parallel(to.data(), staging, bytes);
   };
-  download(colors, frame.radiance);
+  if (request.rgb)
+    download(rgb, frame.rgb);
+  else
+    download(colors, frame.radiance);
   download(hits, frame.hits);
   download(objects, frame.objects);
   download(normals, frame.normals);

@@ -2,6 +2,7 @@
 
 #include "libscene/base/error.h"
 #include "libscene/file/output_file.h"
+#include "renderer/image/pixel.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -17,14 +18,6 @@ namespace masu {
 namespace {
 
 constexpr std::int32_t rows_per_task = 16;
-
-template <bool srgb>
-std::uint8_t byte_of(float value) {
-  float v = std::max(0.0F, std::min(value, 1.0F)); // NaN becomes 0
-  if constexpr (srgb) v = v <= 0.0031308F ? 12.92F * v : 1.055F * std::pow(v, 1 / 2.4F) - 0.055F;
-  const double above = static_cast<double>(v * 255) + 0.5;
-  return static_cast<std::uint8_t>(static_cast<std::int32_t>(above)); // std::lround, but vectorized
-}
 
 // Of so many bytes per pixel: convert(row, its pixels, all of the picture's bytes), in parallel.
 template <class Convert>
@@ -65,25 +58,21 @@ ImageFormat image_format(const std::string& path) {
 }
 
 std::int32_t image_width(const Frame& frame, Sampling sampling) {
-  return frame.columns - (sampling == Sampling::corners ? 1 : 0);
+  return frame.columns - rays_beyond_pixels(sampling);
 }
 std::int32_t image_height(const Frame& frame, Sampling sampling) {
-  return frame.rows - (sampling == Sampling::corners ? 1 : 0);
+  return frame.rows - rays_beyond_pixels(sampling);
 }
 
 void image_row(const Frame& frame, Sampling sampling, std::int32_t row, std::span<Vec3f> pixels) {
   const auto columns = static_cast<std::size_t>(frame.columns);
   const Vec3f* const top = frame.radiance.data() + static_cast<std::size_t>(row) * columns;
-  if (sampling == Sampling::centers) {
-    std::copy_n(top, pixels.size(), pixels.begin());
-    return;
-  }
-  const Vec3f* const bottom = top + columns;
   for (std::size_t i = 0; i < pixels.size(); ++i)
-    pixels[i] = ((top[i] + top[i + 1]) + (bottom[i] + bottom[i + 1])) * 0.25F;
+    pixels[i] = pixel_at(top + i, frame.columns, sampling);
 }
 
 std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool srgb) {
+  if (!frame.rgb.empty()) return {frame.rgb.begin(), frame.rgb.end()};
   return srgb ? rgb_of<true>(frame, sampling) : rgb_of<false>(frame, sampling);
 }
 

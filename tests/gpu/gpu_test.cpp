@@ -5,6 +5,7 @@
 #include "libscene/nff/nff.h"
 #include "libscene/spd/spd.h"
 #include "renderer/channels.h"
+#include "renderer/image/image.h"
 #include "renderer/tracer.h"
 #include "renderer/walk_report.h"
 #include "tests/rendering.h"
@@ -128,6 +129,26 @@ TEST_P(CpuAndGpu, SeeTheSameHitsAndPicture) {
   const Frame cpu = render(Device::cpu, built, wanted), gpu = render(Device::cuda, built, wanted);
   expect_same_hits(cpu.hits, gpu.hits);
   expect_same_picture(cpu, gpu);
+}
+
+// Of a window, in memory that another frame has used.
+TEST_P(CpuAndGpu, ReportPixelsAsTheyAreMadeOfRadiance) {
+  const Built built = build(Store::float32, GetParam().min_size + 1, "auto");
+  for (const Sampling sampling : {Sampling::corners, Sampling::centers}) {
+    FrameRequest wanted = request(built.scene, 203);
+    wanted.sampling = sampling;
+    wanted.window = {5, 7, 150, 93};
+    const Frame radiance = render(Device::cuda, built, wanted);
+    wanted.rgb = true;
+    const Tracer gpu(built.scene, &built.grid, Device::cuda);
+    const Frame frame = gpu.render(wanted, 0, used_memory(1000));
+    EXPECT_TRUE(frame.radiance.empty());
+    EXPECT_FALSE(frame.rgb.empty());
+    EXPECT_TRUE(rgb_rows(frame, sampling, false) == rgb_rows(radiance, sampling, false));
+    const Frame cpu = render(Device::cpu, built, wanted);
+    EXPECT_TRUE(cpu.rgb.empty());
+    EXPECT_EQ(cpu.radiance.size(), radiance.radiance.size());
+  }
 }
 
 TEST_P(CpuAndGpu, NameTheSameFaces) {

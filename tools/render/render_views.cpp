@@ -147,6 +147,7 @@ public:
     FrameRequest frame = request_.frame;
     frame.camera = request_.views[view].camera;
     frame.tracing.precision = precision_of(view, frame);
+    frame.rgb = request_.image.format == ImageFormat::png && !request_.image.srgb;
     frame.window = bands.rays(band);
     frame.count_last_row = bands.is_last(band) || frame.sampling == Sampling::centers;
     // A process on the CPU traces tasks one by one, and that takes the time.

@@ -59,9 +59,10 @@ struct PictureRows {
   std::vector<float> values{};
 };
 
-PictureRows shaded(const Tracer& tracer, const FrameRequest& request, Picture& picture) {
+PictureRows shaded(const Tracer& tracer, FrameRequest request, Picture& picture) {
+  request.rgb = true;
   const Frame frame = tracer.render(request);
-  picture.rays = frame.radiance.size();
+  picture.rays = static_cast<std::uint64_t>(frame.columns) * static_cast<std::uint64_t>(frame.rows);
   picture.seconds.trace = frame.seconds.trace;
   picture.seconds.copy = frame.seconds.download;
   const Stopwatch watch;
