@@ -16,13 +16,13 @@ HostArray<T> values_of(const HostArray<HitRecord>& hits, T HitRecord::*member) {
 } // namespace
 
 const char* name_of(Channel channel) {
-  constexpr std::array names{"depth", "normal", "object", "primitive", "cells", "tests"};
+  constexpr std::array names{"depth", "normal", "object", "primitive", "cells", "tests", "idle"};
   return names.at(static_cast<std::size_t>(channel));
 }
 
 Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request) {
   const auto has = [&](Channel channel) { return std::ranges::count(request.channels, channel) > 0; };
-  const bool costs = has(Channel::cells) || has(Channel::tests);
+  const bool costs = has(Channel::cells) || has(Channel::tests) || has(Channel::idle);
   FrameRequest frame = request.frame;
   frame.rules.hit_name = HitName::primitive;
   frame.shaded = costs && request.all_rays;
@@ -39,6 +39,11 @@ Channels trace_channels(const Tracer& tracer, const ChannelsRequest& request) {
   if (has(Channel::primitive)) channels.primitive = values_of(traced.hits, &HitRecord::name);
   if (has(Channel::object)) channels.object = std::move(traced.objects);
   if (has(Channel::normal)) channels.normal = std::move(traced.normals);
+  if (has(Channel::idle)) {
+    IdleLanes lanes = idle_lanes(traced.cells, traced.columns, traced.rows);
+    channels.idle = std::move(lanes.idle);
+    channels.warps = lanes.all;
+  }
   if (has(Channel::cells)) channels.cells = std::move(traced.cells);
   if (has(Channel::tests)) channels.tests = std::move(traced.tests);
   return channels;

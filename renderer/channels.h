@@ -1,8 +1,9 @@
 // What each camera ray of a picture meets and takes: maps of depth, normals, objects, primitives, and of the
-// cells visited and the primitives tested.
+// cells visited, the primitives tested and the lanes that idle.
 #pragma once
 
 #include "libscene/base/host_array.h"
+#include "renderer/picture_warps.h"
 #include "renderer/tracer.h"
 
 #include <string>
@@ -10,10 +11,11 @@
 
 namespace masu {
 
-enum class Channel { depth, normal, object, primitive, cells, tests };
+enum class Channel { depth, normal, object, primitive, cells, tests, idle };
 
 inline constexpr Channel all_channels[] = {Channel::depth,     Channel::normal, Channel::object,
-                                           Channel::primitive, Channel::cells,  Channel::tests};
+                                           Channel::primitive, Channel::cells,  Channel::tests,
+                                           Channel::idle};
 const char* name_of(Channel channel);
 
 struct ChannelsRequest {
@@ -21,7 +23,8 @@ struct ChannelsRequest {
   // Of the rays: all but `hits` and `costs`. `rules` matters only for all_rays.
   FrameRequest frame{};
   // cells and tests are sums over a camera ray and all rays that it spawns, shadow rays too; else of the
-  // camera ray alone.
+  // camera ray alone. idle is of the same cells: of sums a lower
+  // bound, for lanes wait for each other at each ray.
   bool all_rays = false;
 };
 
@@ -33,7 +36,9 @@ struct Channels {
   HostArray<std::int32_t> object; // index in the NFF text; -1 for a miss
   HostArray<std::int32_t> primitive; // index in the scene file; -1 for a miss
   HostArray<std::uint32_t> cells, tests;
-  Counts counts; // where cells or tests were requested: of the rays that they count
+  HostArray<float> idle; // lanes of the ray's warp (picture_warps.h); warps begin at the window's corner
+  WarpTurns warps;       // where idle was requested
+  Counts counts;         // where cells, tests or idle were requested: of the rays that they count
 };
 
 // The values are the same bits on the CPU and on a GPU in `robust` and `double` precision. Throws as

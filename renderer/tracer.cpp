@@ -6,6 +6,7 @@
 #include "renderer/backend.h"
 #include "renderer/dispatch.h"
 #include "renderer/image/pixel.h"
+#include "renderer/picture_warps.h"
 #include "renderer/view_precision.h"
 
 #include <fmt/format.h>
@@ -120,8 +121,8 @@ Frame Tracer::render(const FrameRequest& request, std::size_t index, Frame memor
 Frame Tracer::render(const FrameRequest& wanted) const {
   constexpr std::int64_t rays_per_band = std::int64_t{1} << 20;
   const RayWindow window = window_of(wanted);
-  const auto band_rows =
-      static_cast<std::int32_t>(std::max<std::int64_t>(rays_per_band / std::max(window.columns, 1), 8));
+  const auto band_rows = static_cast<std::int32_t>( // of whole tiles
+      std::max<std::int64_t>(rays_per_band / std::max(window.columns, 1) / tile_side, 1) * tile_side);
   if (device_count() == 1 || window.rows <= band_rows) return render(wanted, next_device());
   FrameRequest request = wanted;
   request.rgb = false; // bands share rows of corners, not of pixels

@@ -6,7 +6,6 @@ int main(int argc, char** argv) {
   using namespace masu;
   return run_tool("gridbench", "Measures the speed and accuracy of tracing, and the speed of loading.", argc,
                   argv, [](CLI::App& app, const auto& parse) {
-                    app.footer("Example:\n  gridbench rays balls.scene balls.grid");
                     add_frame(app);
                     add_rays(app);
                     add_lists(app);
@@ -19,6 +18,7 @@ int main(int argc, char** argv) {
                     add_crossings(app);
                     add_difference(app);
                     app.require_subcommand(1);
+                    app.footer("Example:\n  gridbench rays balls.scene balls.grid");
                     parse();
                   });
 }

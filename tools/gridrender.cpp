@@ -187,13 +187,16 @@ void render(const Settings& settings, Ranks& ranks) {
   check(settings, sharing);
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
   const OpenedScene opened("gridrender", settings.tracing,
-                           settings.tracing.devices.gpus("gridrender", ranks, quiet));
+                           settings.tracing.devices.gpus("gridrender", ranks, true));
   const ViewsRequest views = views_request(settings, opened, sharing);
   TracingReport report;
   if (wants_picture(settings)) report = render_pictures(opened.tracer(), views, sharing, quiet);
   if (ranks.rank() > 0) return;
   if (!settings.channels.empty()) {
     const TracingReport channels = render_channels(opened.tracer(), settings, views);
+    if (channels.warps.turns > 0 && !quiet)
+      print_note("gridrender: {:.1f} of {} lanes of a warp under way, on average over its turns\n",
+                 channels.warps.mean_busy(), lanes_per_warp);
     if (!wants_picture(settings)) report = channels;
   }
   write_reports("gridrender", settings.tracing, opened, ranks, report, quiet);
@@ -233,7 +236,7 @@ void add_options(CLI::App& app, Settings& settings) {
   group_options(app, "Channels");
   app.add_option("--channels", settings.channels,
                  "for each camera ray, files of values and of pictures beside that of -o: a list of depth, "
-                 "normal, object, primitive, cells, tests")
+                 "normal, object, primitive, cells, tests, idle")
       ->type_name("LIST");
   add_choice(app, "--channel-format", settings.channel_format,
              {{"pfm", ChannelFormat::pfm}, {"npy", ChannelFormat::npy}},

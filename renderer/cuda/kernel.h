@@ -2,6 +2,7 @@
 #pragma once
 
 #include "libscene/cuda/device_memory.h"
+#include "renderer/picture_warps.h"
 #include "renderer/tracer.h"
 
 #include <cuda/atomic>
@@ -13,7 +14,6 @@
 
 namespace masu {
 
-inline constexpr int lanes_per_warp = 32;
 inline constexpr unsigned all_lanes = 0xffffffffU;
 
 // How many of a warp's `lanes`, a bit each, come before `lane`.

@@ -12,9 +12,6 @@
 
 namespace masu {
 
-// A block of threads traces a tile of 8 x 8 rays, a warp 8 x 4 of them: neighbours visit the same cells.
-inline constexpr int tile_side = 8;
-
 template <class M, class Stored, class Grid, class C>
 __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<M> / (tile_side * tile_side))
     render_kernel(const SceneView<Stored> scene, const Grid grid, const CameraRays<typename M::Real> rays,

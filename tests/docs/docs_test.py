@@ -28,6 +28,7 @@ NOT_RUN = {
     r"^MASU_TEST_EFFORT=.*ctest|^ctest .*-L stability": "tests that run beside this one",
     r"^gridbench stability --pictures": "takes a minute: the tests PictureStability trace them",
     r"^gridbench lists ": "needs a GPU",
+    r"^tools/bench/scripts/charts\.py": "draws what is in docs/, with gnuplot",
     r"^tools/bench/scripts/choice\.py": "measures a GPU, for minutes",
     r"^ssh ": "needs another machine",
     r"^srun ": "needs Slurm",

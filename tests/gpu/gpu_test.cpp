@@ -394,6 +394,7 @@ TEST_P(CpuAndGpu, TraceTheSameChannels) {
           EXPECT_TRUE(same(cpu.primitive, gpu.primitive));
           EXPECT_TRUE(same(cpu.cells, gpu.cells));
           EXPECT_TRUE(same(cpu.tests, gpu.tests));
+          EXPECT_TRUE(same(cpu.idle, gpu.idle));
           expect_same_counts(cpu.counts, gpu.counts);
         }
       }

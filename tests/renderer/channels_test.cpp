@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <map>
 #include <numeric>
 
 namespace masu {
@@ -169,6 +170,40 @@ TEST(Channels, OfAWindowAreAPartOfThePictures) {
   });
 }
 
+// Turn by turn: a lane is busy while its ray has cells left.
+TEST(Channels, IdleLanesAreThoseOfWarpsThatGoRoundInLockStep) {
+  std::size_t partly = 0;
+  for_random_pictures(20, [&](const Tracer& tracer, const FrameRequest& request, Chance&) {
+    for (const bool all_rays : {false, true}) {
+      const Channels channels = all_of(tracer, request, all_rays);
+      std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::size_t>> warps; // rays of each
+      for (std::size_t i = 0; i < channels.idle.size(); ++i) {
+        const auto ray = static_cast<std::int32_t>(i);
+        warps[{ray % channels.columns / 8, ray / channels.columns / 4}].push_back(i);
+      }
+      std::uint64_t turns = 0, busy = 0;
+      for (const auto& [place, rays] : warps) {
+        std::uint64_t own_turns = 0, idle = 0;
+        for (;; ++own_turns) {
+          const auto under_way = static_cast<std::uint64_t>(
+              std::ranges::count_if(rays, [&](std::size_t i) { return channels.cells[i] > own_turns; }));
+          if (under_way == 0) break;
+          idle += 32 - under_way;
+          busy += under_way;
+        }
+        turns += own_turns;
+        const double mean = own_turns > 0 ? static_cast<double>(idle) / static_cast<double>(own_turns) : 0;
+        for (const std::size_t i : rays)
+          EXPECT_NEAR(channels.idle[i], mean, 1e-5);
+        partly += mean > 0 && rays.size() == 32;
+      }
+      EXPECT_EQ(channels.warps.turns, turns);
+      EXPECT_EQ(channels.warps.busy_lanes, busy);
+    }
+  });
+  EXPECT_GT(partly, 20U);
+}
+
 TEST(Channels, CostsOfAPictureChangeNothingElse) {
   for_random_pictures(8, [](const Tracer& tracer, FrameRequest request, Chance&) {
     request.tracing.count = false;
@@ -187,7 +222,8 @@ TEST(Channels, ThoseThatWereNotRequestedAreEmpty) {
     for (const Channel channel : all_channels) {
       const Channels one = trace_channels(tracer, {{channel}, request});
       const std::size_t sizes[] = {one.depth.size(),     one.normal.size(), one.object.size(),
-                                   one.primitive.size(), one.cells.size(),  one.tests.size()};
+                                   one.primitive.size(), one.cells.size(),  one.tests.size(),
+                                   one.idle.size()};
       for (const Channel other : all_channels)
         EXPECT_EQ(sizes[static_cast<int>(other)], other == channel ? size_of(one) : 0) << name_of(other);
     }

@@ -86,10 +86,10 @@ TEST_F(Inspection, ChannelsAreTheHitsAndSumUpToTheStatistics) {
 }
 
 TEST_F(Inspection, ArraysHaveTheValuesAndTheirTypes) {
-  render({"-o", file("p.png"), "--channels", "depth,normal,object,primitive,cells,tests"});
+  render({"-o", file("p.png"), "--channels", "depth,normal,object,primitive,cells,tests,idle"});
   const std::string shape = "(13, 17, )";
-  render({"-o", file("q.png"), "--channels", "depth,normal,object,primitive,cells,tests", "--channel-format",
-          "npy", "--no-picture"});
+  render({"-o", file("q.png"), "--channels", "depth,normal,object,primitive,cells,tests,idle",
+          "--channel-format", "npy", "--no-picture"});
   EXPECT_FALSE(std::filesystem::exists(file("q.png")));
   EXPECT_TRUE(read_bytes(file("p.tests.png")) == read_bytes(file("q.tests.png")));
   const auto compare = [&](const std::string& channel, const auto& values) {
@@ -99,6 +99,7 @@ TEST_F(Inspection, ArraysHaveTheValuesAndTheirTypes) {
       EXPECT_EQ(static_cast<float>(values[i]), floats[i]);
   };
   compare("depth", npy<float>("q.depth.npy", "'<f4', 'fortran_order': False, 'shape': " + shape));
+  compare("idle", npy<float>("q.idle.npy", "'<f4'"));
   compare("object", npy<std::int32_t>("q.object.npy", "'<i4', 'fortran_order': False, 'shape': " + shape));
   compare("primitive", npy<std::int32_t>("q.primitive.npy", "'<i4'"));
   compare("cells", npy<std::uint32_t>("q.cells.npy", "'<u4'"));

@@ -34,7 +34,8 @@ ToolResult run(const std::string& tool, const Arguments& arguments, const Surrou
 // Starts the tool without waiting for it. Its output is discarded.
 pid_t start(const std::string& tool, const Arguments& arguments);
 
-// Whether its exit code is 0, and stderr says at most what was traced, and that there is no usable GPU.
+// Whether its exit code is 0, and stderr says at most what was traced, how full warps are, and that there is
+// no usable GPU.
 testing::AssertionResult succeeded(const ToolResult& result);
 
 // Whether its exit code is `code`, stdout is empty, and stderr is one line `tool: place: message` that

@@ -388,7 +388,7 @@ class Page(unittest.TestCase):
             self.logs()
 
     def test_the_copied_command_of_a_channel_writes_its_values(self):
-        for channel in ["cells", "all tests", "depth"]:
+        for channel in ["cells", "all tests", "depth", "idle"]:
             self.js("panes[0].set({channel: arguments[0]})", channel)
             self.wait_sharp()
             tools.run(*shlex.split(self.js("return command()")), "-q")
@@ -444,7 +444,7 @@ class Page(unittest.TestCase):
             picture = self.pixels()
             self.assertNotIn(picture, seen, name)
             seen.append(picture)
-            is_number = name in ("depth", "cells", "tests", "all cells", "all tests")
+            is_number = name in ("depth", "cells", "tests", "idle", "all cells", "all tests")
             self.assertEqual(self.find(".scale").is_displayed(), is_number, name)
         self.screenshot("channel")
 

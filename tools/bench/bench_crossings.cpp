@@ -99,6 +99,7 @@ void add_crossings(CLI::App& app) {
   Settings& settings = *owned;
   CLI::App& command =
       *app.add_subcommand("crossings", "How often rays through corners, edges and faces cross a closed mesh");
+  command.footer("Example:\n  gridbench crossings teapot.scene teapot.grid");
   command.add_option("SCENE", settings.scene, "scene file of closed meshes, their fronts outside")
       ->required();
   command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();

@@ -63,6 +63,7 @@ void add_difference(CLI::App& app) {
   const auto owned = std::make_shared<Settings>(); // by the callback
   Settings& settings = *owned;
   CLI::App& command = *app.add_subcommand("difference", "How two pictures or channels differ");
+  command.footer("Example:\n  gridbench difference balls.png centers.png -o difference.png");
   command.add_option("A", settings.a, "picture or channel: PNG, PFM, .npy")->required();
   command.add_option("B", settings.b, "another one of the same size")->required();
   command.add_option("-o,--output", settings.output, "draw the differences: FILE.png")->type_name("FILE");

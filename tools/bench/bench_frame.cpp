@@ -133,6 +133,7 @@ void add_frame(CLI::App& app) {
   Settings& settings = *owned;
   CLI::App& frame =
       *app.add_subcommand("frame", "Whole pictures, by screen division: how tiles are scheduled");
+  frame.footer("Example:\n  gridbench frame balls.scene balls.grid --repeat 5");
   frame.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   frame.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
   std::set<std::string> names;

@@ -81,6 +81,7 @@ void add_lists(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "lists",
       "Long lists of rays from host memory through a GPU, compared with plain copies of their bytes");
+  command.footer("Example:\n  gridbench lists balls.scene balls.grid --count 10000000");
   command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
   command.add_option("--count", settings.count, "number of rays; 40 bytes of memory each")

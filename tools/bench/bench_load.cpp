@@ -119,6 +119,7 @@ void add_load(CLI::App& app) {
   CLI::App& command = *app.add_subcommand(
       "load",
       "Reading, validating and uploading a scene and its grid, compared with plain copies of their bytes");
+  command.footer("Example:\n  gridbench load balls.scene balls.grid");
   command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
   add_backend(command, settings.backend);

@@ -120,6 +120,7 @@ void add_oracle(CLI::App& app) {
   settings.precisions = {"robust", "double"};
   CLI::App& oracle = *app.add_subcommand(
       "oracle", "Closest hits of random rays, compared with brute force in 113-bit arithmetic");
+  oracle.footer("Example:\n  gridbench oracle balls.scene balls.grid --count 100000");
   oracle.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   oracle.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
   oracle.add_option("--count", settings.count, "number of random rays")

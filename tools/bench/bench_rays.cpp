@@ -174,6 +174,7 @@ void add_rays(CLI::App& app) {
   Settings& settings = *owned;
   CLI::App& rays =
       *app.add_subcommand("rays", "Throughput of sets of rays, with intersection tests and cells per ray");
+  rays.footer("Example:\n  gridbench rays balls.scene balls.grid --sets primary,diffuse");
   rays.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   rays.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
   rays.add_option("--sets", settings.sets,

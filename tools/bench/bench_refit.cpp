@@ -152,6 +152,7 @@ void add_refit(CLI::App& app) {
       "refit",
       "Building a hierarchy, and refitting it to the scene bent, with the rates that a sample of rays "
       "is expected to have through it, over those through a new one");
+  command.footer("Example:\n  gridbench refit teapot.scene");
   command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   command
       .add_option("--bends", settings.bends, "how far points move across the longest side, in percent of it")

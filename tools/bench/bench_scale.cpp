@@ -297,6 +297,7 @@ void add_scale(CLI::App& app) {
   settings.folder = std::filesystem::temp_directory_path().string();
   CLI::App& command = *app.add_subcommand(
       "scale", "How views, one large view and a list of rays speed up with more GPUs, or threads of the CPU");
+  command.footer("Example:\n  gridbench scale balls.scene balls.grid");
   command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
   command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
   settings.devices.add_to(command);

@@ -193,6 +193,7 @@ void add_stability(CLI::App& app) {
   CLI::App& stability =
       *app.add_subcommand("stability", "Where each precision fails: missed, false and wrong hits, compared "
                                        "with an oracle, as one parameter varies");
+  stability.footer("Example:\n  gridbench stability --sweep moved,tip --count 100000");
   stability.add_option("--sweep", settings.sweeps, "sweeps to run; default: all")
       ->type_name("LIST")
       ->delimiter(',');

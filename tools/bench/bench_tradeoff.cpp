@@ -354,6 +354,7 @@ void add_tradeoff(CLI::App& app) {
   CLI::App& tradeoff = *app.add_subcommand(
       "tradeoff",
       "Speed against accuracy of every precision, stop rule and grid, compared with brute force in double");
+  tradeoff.footer("Example:\n  gridbench tradeoff balls.scene -o tradeoff");
   tradeoff.add_option("SCENE", settings.scenes, "scene files, from nff2bin");
   tradeoff
       .add_option(

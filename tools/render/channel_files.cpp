@@ -32,6 +32,8 @@ void with_values(const Channels& channels, Channel channel, const Act& act) {
     return act(std::span(channels.cells), "'<u4'", 1);
   case Channel::tests:
     return act(std::span(channels.tests), "'<u4'", 1);
+  case Channel::idle:
+    return act(std::span(channels.idle), "'<f4'", 1);
   }
 }
 
@@ -94,6 +96,11 @@ Drawing picture_of(const Channels& channels, Channel channel, bool all_rays, dou
   case Channel::tests:
     return value_map(channels.tests,
                      {"tests: primitives tested for " + cost, "tests", "", Caption::Values::counts, high});
+  case Channel::idle:
+    return value_map(channels.idle,
+                     {fmt::format("idle: lanes of the warp that idle; {:.1f} of {} are under way",
+                                  channels.warps.mean_busy(), lanes_per_warp),
+                      "lanes", "", Caption::Values::counts, lanes_per_warp});
   }
   return {};
 }
@@ -109,7 +116,7 @@ std::vector<Channel> parse_channels(const std::string& names) {
     const auto* const found =
         std::ranges::find_if(all_channels, [&](Channel channel) { return word == name_of(channel); });
     if (found == std::end(all_channels))
-      fail(fmt::format("'{}' isn't one of depth, normal, object, primitive, cells, tests", word));
+      fail(fmt::format("'{}' isn't one of depth, normal, object, primitive, cells, tests, idle", word));
     if (std::ranges::count(channels, *found) > 0) fail(fmt::format("'{}' is there twice", word));
     channels.push_back(*found);
   }
@@ -135,6 +142,7 @@ TracingReport write_channels(const Tracer& tracer, const ChannelsJob& job,
     request.frame.camera = job.views[i].camera;
     request.frame.progress = [&](double share) { progress((static_cast<double>(i) + share) / views); };
     const Channels channels = trace_channels(tracer, request);
+    report.warps += channels.warps;
     report.totals.rays +=
         static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
     for (const Channel channel : request.channels) {

@@ -1,6 +1,7 @@
 // What a run of gridrender or gridtrace took, of all its tasks and ranks together.
 #pragma once
 
+#include "renderer/picture_warps.h"
 #include "renderer/view_precision.h"
 #include "tools/jobs/task_list.h"
 
@@ -15,6 +16,7 @@ struct TracingReport {
   TraceSeconds seconds;
   double write_seconds = 0;
   double elapsed_seconds = 0;   // from the first ray to the last byte
+  WarpTurns warps{};            // of the channel idle
   bool overlaps_writing = true; // else rays are traced in seconds.trace, and nothing is done besides
 
   // Of pictures with Precision::automatic: how many views were traced in double, and why a view was, if any

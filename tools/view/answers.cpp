@@ -98,9 +98,12 @@ HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is
   };
   HttpReply reply{200, has_values(request.channel) ? "application/octet-stream" : "image/jpeg",
                   std::move(made.bytes)};
-  reply.timing = fmt::format("precision;desc=\"{}\", ", made.precision) + timing("wait", s.wait) +
-                 timing("trace", s.trace) + timing("copy", s.copy) + timing("rows", s.rows) +
-                 timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
+  if (made.warps.turns > 0)
+    reply.timing =
+        fmt::format("turns;desc={}, busy_lanes;desc={}, ", made.warps.turns, made.warps.busy_lanes);
+  reply.timing += fmt::format("precision;desc=\"{}\", ", made.precision) + timing("wait", s.wait) +
+                  timing("trace", s.trace) + timing("copy", s.copy) + timing("rows", s.rows) +
+                  timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
   return reply;
 }
 

@@ -68,12 +68,17 @@ PictureChannel parse_picture_channel(const std::string& name) {
   throw Error(ErrorCode::usage, "channel", "isn't one that pictures have");
 }
 
+bool depends_on_grid(const PictureChannel& channel) {
+  return channel.channel && (counts(*channel.channel) || channel.channel == Channel::idle);
+}
+
 bool has_values(const PictureChannel& channel) {
-  return channel.channel && (channel.channel == Channel::depth || counts(*channel.channel));
+  return channel.channel && (channel.channel == Channel::depth || depends_on_grid(channel));
 }
 
 std::vector<float> channel_values(const Channels& channels, Channel channel) {
   if (channel == Channel::depth) return {channels.depth.begin(), channels.depth.end()};
+  if (channel == Channel::idle) return {channels.idle.begin(), channels.idle.end()};
   const HostArray<std::uint32_t>& counts = channel == Channel::cells ? channels.cells : channels.tests;
   std::vector<float> values(counts.size());
   std::transform(counts.begin(), counts.end(), values.begin(),

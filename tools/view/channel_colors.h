@@ -23,7 +23,10 @@ std::vector<std::string> picture_channel_names();
 // Throws Error(usage, "channel", …).
 PictureChannel parse_picture_channel(const std::string& name);
 
-// Of channels that are numbers: depth, cells, tests.
+// Whether the picture is another one for each grid: cells, tests, idle.
+bool depends_on_grid(const PictureChannel& channel);
+
+// Of channels that are numbers: depth, and those that depend on the grid.
 bool has_values(const PictureChannel& channel);
 
 // Of those, rows from the top: a depth is infinite where nothing is hit.

@@ -44,11 +44,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// Whether the channel's picture is another one for each grid.
-bool depends_on_grid(const PictureChannel& channel) {
-  return channel.channel == Channel::cells || channel.channel == Channel::tests;
-}
-
 // image: a JPEG; values: as Picture has them.
 Json picture_json(const Picture& picture, const PictureChannel& channel) {
   const PictureSeconds& s = picture.seconds;
@@ -60,6 +55,10 @@ Json picture_json(const Picture& picture, const PictureChannel& channel) {
               {"copy", s.copy * 1e3},
               {"rows", s.rows * 1e3},
               {"encode", s.encode * 1e3}}}};
+  if (channel.channel == Channel::idle) {
+    json["milliseconds"]["turns"] = picture.warps.turns;
+    json["milliseconds"]["busy_lanes"] = picture.warps.busy_lanes;
+  }
   if (has_values(channel))
     json["values"] = base64(picture.bytes);
   else

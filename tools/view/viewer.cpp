@@ -78,6 +78,7 @@ PictureRows channel(const Tracer& tracer, const PictureRequest& request, const F
   const Stopwatch trace;
   const Channels channels = trace_channels(tracer, {{wanted}, frame, request.channel.all_rays});
   picture.seconds.trace = trace.seconds(); // with the copy
+  picture.warps = channels.warps;
   picture.rays = static_cast<std::uint64_t>(channels.columns) * static_cast<std::uint64_t>(channels.rows);
   const Stopwatch watch;
   PictureRows rows{channels.columns, channels.rows};

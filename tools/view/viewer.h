@@ -61,6 +61,7 @@ struct Picture {
   std::uint64_t rays = 0;  // from the camera
   std::string precision{}; // that it was traced with, and why
   PictureSeconds seconds;
+  WarpTurns warps{}; // of the channel idle
 };
 
 // A plane perpendicular to `axis` (0 to 2), at a share of the grid's space.

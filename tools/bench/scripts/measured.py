@@ -63,12 +63,13 @@ def made_by(makers, without_gpu=()):
     return made
 
 
-def run_script(description, tables, draw, gather_more=lambda results, folder: None):
+def run_script(description, tables, draw=None, gather_more=lambda results, folder: None):
     """tables(results): texts by name; draw(results, folder): charts; gather_more(results, folder): beside commands."""
     options = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("results", type=pathlib.Path)
     options.add_argument("--gather", type=pathlib.Path)
-    options.add_argument("--charts", type=pathlib.Path)
+    if draw:
+        options.add_argument("--charts", type=pathlib.Path)
     options.add_argument("--into", type=pathlib.Path, nargs="+", default=[])
     given = options.parse_args()
     if given.gather:
@@ -76,11 +77,12 @@ def run_script(description, tables, draw, gather_more=lambda results, folder: No
         gather_more(results, given.gather)
         given.results.write_text(json.dumps(results, indent=1) + "\n")
     results = json.loads(given.results.read_text())
-    if given.charts:
-        draw(results, given.charts)
+    charts = draw and given.charts
+    if charts:
+        draw(results, charts)
     made = tables(results)
     mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
     for document in given.into:
         document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + "\n" + found[3], document.read_text()))
-    if not given.into and not given.charts:
+    if not given.into and not charts:
         print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))

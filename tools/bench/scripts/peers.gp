@@ -1,20 +1,38 @@
-# gnuplot -e "data='peers.dat'; out='peers'" peers.gp: Masu's rate over each peer's, a group of bars for each scene and kind
-# of rays. Columns: label, over CWBVH, over OptiX, over hagrid.
+# gnuplot -e "data='peers.dat'; out='peers.png'" peers.gp: Masu's rate over each peer's, a panel for each kind of rays and
+# a line for each scene. Columns: kind, line from below, scene, over CWBVH, over OptiX, over hagrid.
 set datafile separator "\t"
-set style data histogram
-set style histogram cluster gap 1
-set style fill solid 0.9 border -1
-set logscale y 2
-set yrange [0.5:32]
-set title "Rays a second of Masu, through what gridbuild --structure fastest builds, over those of others (H200)"
-set ylabel "times"
-set grid y
-set xtics rotate by -50 left
-set key top left
-set bmargin 9
-set rmargin 9
-set arrow from graph 0, first 1 to graph 1, first 1 nohead lw 2 lc rgb "black"
-set terminal pngcairo size 1100,520 noenhanced
-set output out.".png"
-plot data using 2:xtic(1) title "CWBVH, same test" lc rgb "#d95f02", "" using 3 title "OptiX" lc rgb "#1b9e77", \
-     "" using 4 title "hagrid's best" lc rgb "#7570b3"
+set terminal pngcairo size 1100, 430 font 'DejaVu Sans,11' noenhanced background rgb 'white'
+set output out
+stats data using 2 nooutput name 'line'
+set border 1 lc rgb '#444444'
+set tics nomirror
+set logscale x 2
+set xrange [0.6:18]
+set yrange [0.4:line_max + 0.6]
+set xtics (1, 2, 4, 8, 16) format '%g ×'
+array scenes[100]
+stats data using (scenes[int($2)] = strcol(3), 1) nooutput
+set ytics scale 0
+name_lines = "set ytics (); do for [k = 1:int(line_max)] { set ytics add (i == 1 ? scenes[k] : '' k) }"
+set grid xtics lc rgb '#d4d4d4' lw 1 dt 1, ytics lc rgb '#eeeeee'
+set label 1 'Masu’s rays a second over those of other tracers, NVIDIA H200 (more is better)' at screen 0.012, 0.955 font ',15'
+set label 2 'through what gridbuild --structure fastest builds; left of the line, the other tracer is faster' at screen 0.012, 0.895
+set key at screen 0.99, 0.05 right bottom maxrows 1 samplen 0.5 width -1
+set tmargin at screen 0.78
+set bmargin at screen 0.19
+set multiplot
+do for [i = 1:3] {
+  kind = word('primary diffuse random', i)
+  set lmargin at screen 0.145 + (i - 1) * 0.29
+  set rmargin at screen 0.145 + (i - 1) * 0.29 + 0.26
+  set label 3 kind.' rays' at graph 0, 1.06 font ',13'
+  set arrow 1 from 1, graph 0 to 1, graph 1 nohead lw 2 lc rgb 'black'
+  if (i > 1) { unset label 1; unset label 2; unset key }
+  eval name_lines
+  # Told apart in grey, too, by shape and lightness.
+  is_kind(_) = strcol(1) eq kind
+  plot data using (is_kind(0) ? $5 : NaN):2 with points pt 7 ps 1.7 lc rgb '#9a9a9a' title 'OptiX 9.0, software', \
+       '' using (is_kind(0) ? $6 : NaN):2 with points pt 8 ps 1.8 lw 1.6 lc rgb '#0072b2' title 'hagrid’s best', \
+       '' using (is_kind(0) ? $4 : NaN):2 with points pt 5 ps 1.2 lc rgb 'black' title 'CWBVH with Masu’s test'
+}
+unset multiplot

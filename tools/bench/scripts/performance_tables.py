@@ -5,12 +5,9 @@ performance_tables.py RESULTS.json                  prints them as markdown
 performance_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
                                                     <!-- table NAME --> … <!-- end -->
 performance_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of performance.sh's working folder first
-performance_tables.py RESULTS.json --charts FOLDER  draws FOLDER/peers.png, rates over those of peers.tsv (gnuplot)
 """
 import pathlib
 import statistics
-import subprocess
-import tempfile
 
 from choice import CHOICES, chosen, outcomes
 from measured import STANDARD, figure, head, made_by, run_script, table
@@ -44,17 +41,6 @@ def fastest_rates(results, scene):
         auto, *loops = [row for row in rows if row["rays"] == kind and row["grid"] == f"{fastest(results, scene)}.grid"]
         found += [row["mrays_per_second"] for row in loops if row["loop"] == auto["loop"]]
     return found
-
-
-def draw(results, folder):
-    with tempfile.NamedTemporaryFile("w", suffix=".dat") as data:
-        for scene, peer in PEERS.items():
-            for i, (kind, ours) in enumerate(zip(("primary", "diffuse", "random"), fastest_rates(results, scene))):
-                ratios = (ours / peer[other][i] for other in ("cwbvh", "optix", "hagrid_best"))
-                print(f"{scene} {kind}", *ratios, sep="\t", file=data)
-        data.flush()
-        script = pathlib.Path(__file__).parent / "peers.gp"
-        subprocess.run(["gnuplot", "-e", f"data='{data.name}'; out='{folder / 'peers'}'", script], check=True)
 
 
 def ms(make):
@@ -252,4 +238,4 @@ def tables(results):
 
 
 if __name__ == "__main__":
-    run_script(__doc__, tables, draw)
+    run_script(__doc__, tables)

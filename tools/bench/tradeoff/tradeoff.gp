@@ -39,7 +39,7 @@ high(k) = k > n ? 1 + gap : smaller(low(k), high(k + 1) - gap)
 set_labels = "do for [i = 1:n] { \
   set arrow from first px[i], first py[i] to graph 1.0, graph high(rank(i)) nohead lw 0.8 lc rgb '#999999'; \
   set arrow from graph 1.0, graph high(rank(i)) to graph 1.015, graph high(rank(i)) nohead lw 0.8 lc rgb '#999999'; \
-  set label pt[i] at graph 1.02, graph high(rank(i)) left }"
+  set label pt[i] at graph 1.02, graph high(rank(i)) left offset name_offset, 0 }"
 
 # --- What is in the file
 
@@ -54,17 +54,18 @@ stats data using (backend = strcol('backend') eq 'cuda' ? 'GPU' : 'CPU, ' . strc
 # --- Speed against accuracy: hits above, the picture below
 
 precisions = 'fast robust double'
-colors = '#d55e00 #0072b2 #009e73' # that the colour-blind tell apart, after Okabe & Ito
-filled = '7 5 9'                   # point types: proven
-open = '6 4 8'                     # first cell hit
+colors = '#ee9a3a #003f7f #2f9e7a' # light, dark, between: told apart in grey and by the colour-blind
+structures = 'none x balance irregular bvh'
+structure_titles = "'uniform grid' '--merge x' '--merge balance' 'irregular grid' 'hierarchy'"
+filled = '5 13 11 9 7' # point types: proven
+open = '4 12 10 8 6'   # first cell hit
 is_first_cell(_) = strcol('stop_rule') eq 'first-cell-hit'
-# A method is a precision's index and 1 for first cell hit, else 0, such as 21.
-all_methods = '10 11 20 21 30 31'
-method_of(_) = sprintf('%d%d', index_of(strcol('precision'), precisions), is_first_cell(0))
+# A method is the indices of a precision and a structure and 1 for first cell hit, else 0, such as 241.
+method_of(_) = sprintf('%d%d%d', index_of(strcol('precision'), precisions), index_of(strcol('merge'), structures), \
+  is_first_cell(0))
 color_of(method) = word(colors, int(method[1:1]))
-point_of(method) = int(word(method[2:2] eq '1' ? open : filled, int(method[1:1])))
-title_of(method) = word(precisions, int(method[1:1])) . (method[2:2] eq '1' ? ', first cell hit' : '')
-grid_of(_) = (strcol('merge') eq 'none' ? 'uniform' : strcol('merge')) . ' ' \
+point_of(method) = int(word(method[3:3] eq '1' ? open : filled, int(method[2:2])))
+grid_of(_) = (strcol('merge') eq 'none' ? 'uniform' : strcol('merge') eq 'bvh' ? 'hierarchy' : strcol('merge')) . ' ' \
   . (strcol('merge') eq 'bvh' ? '' : (strcol('merge') eq 'irregular' && strcol('division') eq 'auto' ? '' \
     : strcol('division') . ' ') . strcol('overlap'))
 label_of(_) = strcol('precision') . (is_first_cell(0) ? ', first cell hit' : '') . ': ' . grid_of(0)
@@ -90,7 +91,7 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
   set multiplot
   set lmargin at screen 0.115
   set rmargin at screen 0.695
-  set key at screen 0.05, screen 0.925 left top Left reverse vertical maxrows 2 samplen 2
+  set key at screen 0.05, screen 0.935 left top Left reverse vertical maxrows 3 samplen 2
   do for [panel in 'hits picture'] {
     unset label
     unset arrow
@@ -104,23 +105,22 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
         at screen 0.02, screen 0.952
       set bmargin at screen 0.50
       set tmargin at screen 0.855
-      x_title = 'million closest hits a second'
+      x_title = 'million closest hits per second'
       y_title = 'wrong hits'
     } else {
       unset key
       set bmargin at screen 0.065
       set tmargin at screen 0.42
-      x_title = 'pictures a second'
+      x_title = 'pictures per second'
       y_title = 'picture: RMSE of a channel'
     }
 
     stats data using (is_of(scene) ? speed(panel) : NaN) nooutput name 'scene'
     slowest = scene_max / 20
     stats data using (is_shown(scene, panel) ? speed(panel) : NaN) nooutput name 'shown'
-    found = ''
-    stats data using (is_shown(scene, panel) ? (found = found . ' ' . method_of(0), 1) : 1) nooutput
     methods = ''
-    do for [method in all_methods] { if (index_of(method, found) > 0) { methods = methods . ' ' . method } }
+    stats data using (is_shown(scene, panel) && index_of(method_of(0), methods) == 0 \
+      ? (methods = methods . ' ' . method_of(0), 1) : 1) nooutput
     error_min = 0 # of those above zero; none where it stays zero
     error_max = 0
     stats data using (is_shown(scene, panel) && error(panel) > 0 ? (error_max = larger(error_max, error(panel)), \
@@ -145,10 +145,14 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
     set object rectangle from graph 0, graph 0 to graph 1, first zero * 1.7 fs solid noborder fc rgb '#eeeeee' behind
 
     gap = 0.05
+    name_offset = 0
     eval set_labels
     plot for [method in methods] data \
         using (is_shown(scene, panel) && method_of(0) eq method ? speed(panel) : NaN):(drawn_error(panel)) \
-        with points pt point_of(method) ps 1.3 lw 1.6 lc rgb color_of(method) title title_of(method), \
+        with points pt point_of(method) ps 1.3 lw 1.6 lc rgb color_of(method) notitle, \
+      for [i = 1:3] NaN with points pt 7 ps 1.3 lc rgb word(colors, i) title word(precisions, i), \
+      for [i = 1:5] NaN with points pt int(word(filled, i)) ps 1.3 lc rgb '#666666' title word(structure_titles, i), \
+      NaN with points pt 6 ps 1.3 lw 1.6 lc rgb '#666666' title 'open: first cell hit', \
       NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
       data using (front_speed(scene, panel)):(drawn_error(panel)) smooth unique \
         with fsteps lw 1.8 dt '-' lc rgb '#222222' notitle, \
@@ -208,17 +212,20 @@ if (curves ne '') { do for [kind in 'svg png'] {
   set bmargin at screen 0.10
   set tmargin at screen 0.89
   unset key
-  set label sprintf('Time against division (%s)', backend) at screen 0.02, screen 0.963 font ',20'
+  set label sprintf('Time against division (%s; less is better)', backend) at screen 0.02, screen 0.963 font ',20'
   set label sprintf('uniform grids, exact overlap, %s; pictures of %s with shadows and mirrors; ringed: --division auto', \
     precision_of(pt[1]), picture_size) at screen 0.02, screen 0.921
-  set label 'ms a picture' at screen 0.018, graph 0.5 center rotate by 90
-  set xlabel 'voxels an axis'
+  set label 'ms per picture' at screen 0.018, graph 0.5 center rotate by 90
+  set xlabel 'voxels per axis'
   set xtics (1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024)
   eval log_ticks('y', y_low, y_high)
   set arrow from first 16, graph 0 to first 16, graph 1 nohead lw 1.5 dt '-' lc rgb '#444444'
   set label '16: the division of the 2012 thesis' at first 16, graph 0.97 offset 1, 0 left
   gap = 0.045
+  name_offset = 2
   eval set_labels
+  # Each name with its line's own mark.
+  do for [i = 1:n] { set label '' at graph 1.03, graph high(rank(i)) point pt point(i) ps 1.2 lc rgb color(i) }
   plot for [i = 1:n] data using (is_line(pt[i], 0) ? voxels_an_axis(0) : NaN):(column('picture_ms')) smooth unique \
     with linespoints pt point(i) ps 1.2 lw 2 lc rgb color(i)
   unset output

@@ -33,7 +33,9 @@ function spanOf(channel, values) {
   return {low: channel === 'depth' ? at(0) : 0, high: channel === 'depth' ? at(1) : at(0.999), median: at(0.5)};
 }
 
-// The scales of channels: {low, high, isLogarithmic}.
+const COUNTS = ['cells', 'tests', 'all cells', 'all tests']; // whose scale may be logarithmic
+
+// The scales of channels: {low, high, isLogarithmic}. Idle lanes are of 32.
 class Scales {
   constructor(colors) {
     Object.assign(this, {bytes: colors.bytes(1024), kind: 'automatic', fitted: new Map()});
@@ -43,6 +45,7 @@ class Scales {
   // flicker while the view moves. True where they changed.
   fit(channel, spans) {
     const low = Math.min(...spans.map((span) => span.low)), high = Math.max(...spans.map((span) => span.high));
+    if (channel === 'idle') return false;
     const isWide = channel !== 'depth' && high > 50 && spans.some((span) => span.median < high / 10); // as gridrender judges
     const old = this.fitted.get(channel);
     if (old && old.isWide === isWide && low >= old.low && high <= old.high && high - low > 0.45 * (old.high - old.low)) return false;
@@ -54,8 +57,8 @@ class Scales {
   }
 
   of(channel) {
-    const {low, high, isWide} = this.fitted.get(channel) || {low: 0, high: 1, isWide: false};
-    return {low, high, isLogarithmic: channel !== 'depth' && (this.kind === 'automatic' ? isWide : this.kind === 'logarithmic')};
+    const {low, high, isWide} = this.fitted.get(channel) || {low: 0, high: channel === 'idle' ? 32 : 1, isWide: false};
+    return {low, high, isLogarithmic: COUNTS.includes(channel) && (this.kind === 'automatic' ? isWide : this.kind === 'logarithmic')};
   }
 
   // A canvas; white where a value isn't finite.

@@ -276,14 +276,14 @@ class Pane {
     const channel = this.frame.view.channel;
     const isNumber = this.span && this.span.channel === channel;
     const isFirst = panes.find((pane) => pane.settings.channel === channel) === this; // the scale is that of all
-    this.scaleKind.hidden = !isNumber || channel === 'depth';
+    this.scaleKind.hidden = !isNumber || !COUNTS.includes(channel);
     this.scaleSelect.value = scales.kind;
     this.scale.hidden = !isNumber || !isFirst;
     if (this.scale.hidden) return;
     const {low, high, isLogarithmic} = scales.of(channel);
     this.scale.querySelector('.colors').style.backgroundImage = colors.gradient();
-    this.scale.querySelector('.low').textContent = `${channel} ${Text.number(low)}`;
-    this.scale.querySelector('.high').textContent = `${Text.number(high)}${channel === 'depth' ? '' : ' and more'}${isLogarithmic ? ', log' : ''}`;
+    this.scale.querySelector('.low').textContent = `${channel === 'idle' ? 'idle lanes' : channel} ${Text.number(low)}`;
+    this.scale.querySelector('.high').textContent = `${channel === 'depth' ? Text.number(high) : Text.count(high)}${COUNTS.includes(channel) ? ' and more' : ''}${isLogarithmic ? ', log' : ''}`;
   }
 
   // Under the pointer, which may be over the other picture, or under the cross hair.
@@ -293,7 +293,7 @@ class Pane {
     this.value.hidden = !isOver;
     if (!isOver) return;
     const value = values.data[Math.floor(at.y * values.height) * values.width + Math.floor(at.x * values.width)];
-    this.value.textContent = `${values.channel} ${!Number.isFinite(value) ? '∞' : values.channel === 'depth' ? Number(value.toPrecision(6)) : Text.count(value)}`;
+    this.value.textContent = `${values.channel} ${!Number.isFinite(value) ? '∞' : COUNTS.includes(values.channel) ? Text.count(value) : Number(value.toPrecision(values.channel === 'idle' ? 3 : 6))}`;
   }
 
   // Ray counts of a smaller picture of the same view.

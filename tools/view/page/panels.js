@@ -76,7 +76,8 @@ function table(names, rows, caption) {
       continue;
     }
     const numbers = values.filter((value) => Number.isFinite(value));
-    const best = less && numbers.length > 1 && Math.min(...numbers) < Math.max(...numbers) ? Math.min(...numbers) : null;
+    const least = Math.min(...numbers);
+    const best = less && numbers.length > 1 && Math.max(...numbers) >= 1.005 * least && least < Math.max(...numbers) ? least : null;
     body.append(element('tr', {}, element('th', {scope: 'row', title}, name), ...values.map((value) =>
       element('td', {class: value === best && best !== null ? 'better' : null}, value === null ? '–' : text(value))),
       ...(names.length === 2 ? [element('td', {class: 'ratio'}, best > 0 ? `${Text.times(Math.max(...numbers) / best)} × ${less}` : '')] : [])));
@@ -91,6 +92,7 @@ const EXPLAINED = {
   cells: 'Steps of a ray: cells of a grid or nodes of a hierarchy, one after the other',
   empty: 'Cells in which nothing is listed: steps without a test',
   tests: 'Intersections of a ray with one primitive',
+  idle: 'Lanes of a GPU’s warp whose rays have ended while its others go on, on average: shown with the channel idle',
   skipped: 'Smallest voxels that the ray passes without a step of their own',
 };
 
@@ -109,15 +111,16 @@ function costTable(shown) {
     ['picture', of((one) => `${one.frame.view.width} × ${one.frame.view.height}`), {}],
     ['trace', of((one) => one.frame.milliseconds.trace), {text: Text.milliseconds, less: areSharp ? 'faster' : null}],
     ['camera rays', of((one) => one.frame.rays / one.frame.milliseconds.trace / 1e3), {text: (v) => `${Text.number(v)} M/s`, title: 'Camera rays a second, with all rays that they spawn'}],
-    ['copy from device', of((one) => one.frame.milliseconds.copy), time],
+    ['copy from device', of((one) => one.frame.milliseconds.copy || null), time],
     ['rows, encoding', of((one) => one.frame.milliseconds.rows + one.frame.milliseconds.encode), time],
     ['until shown', of((one) => one.frame.milliseconds.total), {...time, title: 'From the request to the picture on the page, without the time that it waited for its turn'}],
+    ['idle lanes, of 32', of((one) => 32 - one.frame.milliseconds.busy_lanes / one.frame.milliseconds.turns || null), {text: Text.number, less: 'fewer', title: EXPLAINED.idle}],
     [`All rays${size ? `, of ${size.join(' × ')} pixels` : ''}`],
     [`${cells} per ray`, of((one) => one.counts.cells_visited / rays(one.counts)), perRay(EXPLAINED.cells)],
-    ['empty cells per ray', ofCells((c) => c.empty_cells_visited / rays(c)), perRay(EXPLAINED.empty)],
+    ['empty cells', ofCells((c) => c.empty_cells_visited / rays(c)), perRay(EXPLAINED.empty)],
     ['tests per ray', of((one) => tests(one.counts) / rays(one.counts)), perRay(EXPLAINED.tests)],
-    ['voxels skipped per ray', ofCells((c) => c.voxels_skipped / rays(c)), {text: Text.number, title: EXPLAINED.skipped}],
-    ['shadow rays per camera ray', of((one) => one.counts.shadow_rays / one.counts.eye_rays), {text: Text.number}],
+    ['voxels skipped', ofCells((c) => c.voxels_skipped / rays(c)), {text: Text.number, title: `${EXPLAINED.skipped}, per ray`}],
+    ['shadow rays', of((one) => one.counts.shadow_rays / one.counts.eye_rays), {text: Text.number, title: 'Shadow rays per camera ray'}],
     ['reflected, refracted', of((one) => (one.counts.reflection_rays + one.counts.refraction_rays) / one.counts.eye_rays), {text: Text.number, title: 'Reflection and refraction rays per camera ray'}],
     ['File'],
     ['file', of((one) => one.grid.bytes), {text: Text.bytes, less: 'smaller'}],

@@ -1,5 +1,5 @@
-// A picture that follows the view: coarse while it moves, then sharp. One request at a time, always for the
-// newest view; the sharp picture is made in bands, and given up as soon as the view moves.
+// A picture that follows the view: coarse while it moves, then sharp. Requests are for the newest view alone; the sharp
+// picture is made in bands, and given up as soon as the view moves.
 'use strict';
 
 const STILL_MS = 25;         // without a move, before the picture is made sharp
@@ -133,15 +133,19 @@ class Picture {
     const sum = {};
     let rays = 0, values = null;
     const begin = performance.now();
+    const {signal} = this.abort = new AbortController();
+    const asked = (y) => {
+      if (y >= view.height) return null;
+      const picture = this.source.picture(view, 'still', bands > 1 ? [0, y, view.width, Math.min(rows, view.height - y)] : null, signal);
+      picture.catch(() => {}); // where it isn't awaited any more
+      return picture;
+    };
+    // One band is traced while the one before is encoded, sent and drawn.
+    let next = asked(0);
     for (let y = 0; y < view.height; y += rows) {
-      const height = Math.min(rows, view.height - y);
-      this.abort = new AbortController();
-      let got;
-      try {
-        got = await this.source.picture(view, 'still', bands > 1 ? [0, y, view.width, height] : null, this.abort.signal);
-      } finally {
-        this.abort = null;
-      }
+      const height = Math.min(rows, view.height - y), coming = next;
+      next = asked(y + rows);
+      const got = await coming;
       if (this.version !== version || this.isClosed) return false;
       this.fit(view);
       this.context.drawImage(got.image || this.colored(view.channel, got.values, view.width, height), 0, y, view.width, height);
