@@ -8,6 +8,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
+#include "tools/common/grouped.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
@@ -77,7 +78,7 @@ void build(const Settings& settings, const SceneFile& file) {
   if (is_hierarchy) {
     const HierarchyStatistics counted = hierarchy_statistics(grid.nodes);
     json = {{"nodes", counted.nodes}, {"depth", counted.depth}, {"references", counted.references}};
-    text = fmt::format("{} nodes, {} references", counted.nodes, counted.references);
+    text = fmt::format("{} nodes, {} references", grouped(counted.nodes), grouped(counted.references));
   } else {
     const Vec3i n = grid.layout.division;
     const bool is_uniform = grid.kind == GridKind::uniform;
@@ -87,8 +88,8 @@ void build(const Settings& settings, const SceneFile& file) {
             {"occupied_cells", counted.occupied_cells},
             {"references", grid.references.size()}};
     text = fmt::format("{}x{}x{} voxels, {}{} occupied, {} references", n.x, n.y, n.z,
-                       is_uniform ? "" : fmt::format("{} cells, ", counted.cells), counted.occupied_cells,
-                       grid.references.size());
+                       is_uniform ? "" : fmt::format("{} cells, ", grouped(counted.cells)),
+                       grouped(counted.occupied_cells), grouped(grid.references.size()));
   }
   if (settings.json) {
     if (is_irregular) json["detail"] = grid.detail;
@@ -105,7 +106,7 @@ void build(const Settings& settings, const SceneFile& file) {
     json.update(provenance());
     return print_report(settings, "{}\n", json_text(json, -1));
   }
-  print_report(settings, "{}; built in {:.3f} s, written in {:.3f} s\n", text, seconds,
+  print_report(settings, "{}\nbuilt in {:.3f} s, written in {:.3f} s\n", text, seconds,
                total_seconds - seconds);
   if (is_irregular && grid.detail < settings.options.grid.detail)
     print_report(settings, "built with --detail {}: with more its map would be too large\n", grid.detail);

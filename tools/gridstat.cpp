@@ -3,6 +3,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
+#include "tools/common/grouped.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/draw/slice_picture.h"
@@ -112,13 +113,13 @@ void print_occupancy(const Settings& settings, const SceneFile& file) {
   }
   if (settings.json) return fmt::print("{}\n", json_text(with_version(rows)));
   fmt::print(
-      "{} primitives in a {} space: occupied voxels, by overlap test\n\n{:>8} {:>11} {:>21} {:>21} {:>21}\n",
-      scene.primitive_count(), settings.space == SpaceRule::cube ? "cubic" : "tight", "division", "voxels",
-      "box, half-open voxels", "box", "exact");
+      "{} primitives in a {} space: occupied voxels, by overlap test\n\n{:>8} {:>13} {:>18} {:>18} {:>18}\n",
+      grouped(scene.primitive_count()), settings.space == SpaceRule::cube ? "cubic" : "tight", "division",
+      "voxels", "half-open box", "box", "exact");
   for (const Json& row : rows) {
-    fmt::print("{:>6}^3 {:>11}", row["division"].get<int>(), row["voxels"].get<std::uint64_t>());
+    fmt::print("{:>6}^3 {:>13}", row["division"].get<int>(), grouped(row["voxels"].get<std::uint64_t>()));
     for (const char* const test : {"half_open_box", "box", "exact"}) {
-      fmt::print(" {:>11} {:>7.2f} %", row[test]["occupied"].get<std::uint64_t>(),
+      fmt::print(" {:>9} {:>6.2f} %", grouped(row[test]["occupied"].get<std::uint64_t>()),
                  row[test]["percent"].get<double>());
     }
     fmt::print("\n");

@@ -153,7 +153,7 @@ void trace_list(const Settings& settings, const Sharing& sharing) {
   Ranks& ranks = sharing.ranks;
   const bool quiet = settings.tracing.quiet || ranks.rank() > 0;
   const OpenedScene opened("gridtrace", settings.tracing,
-                           settings.tracing.devices.gpus("gridtrace", ranks, quiet));
+                           settings.tracing.devices.gpus("gridtrace", ranks, true));
   RayListJob job{settings.rays, settings.hits, ray_format(settings)};
   job.fields = hit_fields(written_fields(settings));
   job.request.tracing = settings.tracing.tracing();

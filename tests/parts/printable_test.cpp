@@ -1,4 +1,5 @@
 // What tools print of names and strings that come from outside.
+#include "tools/common/grouped.h"
 #include "tools/common/printable.h"
 
 #include <gtest/gtest.h>
@@ -20,6 +21,17 @@ TEST(Printable, EscapesWhatATerminalWouldObey) {
   EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");          // U+009B, CSI
   EXPECT_EQ(printable("\xe2\x80\xae"), "\\xe2\\x80\\xae"); // U+202E, from right to left
   EXPECT_EQ(printable(std::string("\0", 1)), "\\x00");
+}
+
+TEST(Grouped, HasACommaBeforeEveryThreeDigits) {
+  for (const auto& [number, text] : std::initializer_list<std::pair<std::uint64_t, const char*>>{
+           {0, "0"},
+           {999, "999"},
+           {1000, "1,000"},
+           {123456, "123,456"},
+           {1234567, "1,234,567"},
+           {~std::uint64_t{0}, "18,446,744,073,709,551,615"}})
+    EXPECT_EQ(grouped(number), text);
 }
 
 TEST(Printable, EscapesNoncharacters) {

@@ -38,17 +38,22 @@ std::vector<std::string> names_in_help(const std::string& help, const std::regex
   return names;
 }
 
+// The tool itself, and its subcommands.
+std::vector<Arguments> commands_of(const std::string& tool) {
+  std::vector<Arguments> commands{{}};
+  for (const std::string& name :
+       names_in_help(run(tool, {"--help"}).out, std::regex("Subcommands:"), std::regex("^ *([a-z]+)")))
+    commands.push_back({name});
+  EXPECT_EQ(commands.size() > 1, tool == "gridbench");
+  return commands;
+}
+
 TEST(EmptyValues, OfEveryOptionOfEveryToolAreUsageErrors) {
   const std::regex groups("(?!Subcommands|Positionals|Example).*:"),
-      option("(?:^ *|, *)(--?[a-zA-Z][a-z0-9-]*)"), subcommand("^ *([a-z]+)");
+      option("(?:^ *|, *)(--?[a-zA-Z][a-z0-9-]*)");
   std::size_t options = 0;
   for (const std::string& tool : all_tools()) {
-    std::vector<Arguments> commands{{}};
-    for (const std::string& name :
-         names_in_help(run(tool, {"--help"}).out, std::regex("Subcommands:"), subcommand))
-      commands.push_back({name});
-    EXPECT_EQ(commands.size() > 1, tool == "gridbench");
-    for (const Arguments& command : commands) {
+    for (const Arguments& command : commands_of(tool)) {
       const auto is_refused = [&](const Arguments& more) {
         return failed(run(tool, joined(command, more)), 1, tool, "command line", "is empty");
       };
@@ -99,14 +104,37 @@ TEST(HelpText, IsAsWideAsTheTerminalAndBreaksNoWords) {
 
 TEST(HelpText, HasAnExampleAndNamesTheManPage) {
   for (const std::string& tool : all_tools()) {
-    const ToolResult help = run(tool, {"--help"});
-    EXPECT_TRUE(succeeded(help));
-    const std::vector<std::string> lines = lines_of(help.out);
-    const auto example = std::ranges::find(lines, "Example:");
-    ASSERT_TRUE(lines.end() - example > 1) << tool;
-    EXPECT_TRUE((example + 1)->starts_with("  " + tool + " ")) << tool;
-    EXPECT_EQ(lines.back(), "Man page: " + tool + "(1)");
+    for (const Arguments& command : commands_of(tool)) {
+      const ToolResult help = run(tool, joined(command, {"--help"}));
+      EXPECT_TRUE(succeeded(help));
+      const std::vector<std::string> lines = lines_of(help.out);
+      const auto example = std::ranges::find(lines, "Example:");
+      ASSERT_TRUE(lines.end() - example > 1) << tool;
+      const std::string own = "  " + tool + " " + (command.empty() ? "" : command[0] + " ");
+      EXPECT_TRUE((example + 1)->starts_with(own)) << *(example + 1);
+      EXPECT_EQ(lines.back(), "Man page: " + tool + "(1)");
+    }
   }
+}
+
+class Tables : public ToolTest {};
+
+TEST_F(Tables, FitEightyColumnsAndGroupDigits) {
+  const std::string scene = this->scene("a.scene", spd("a.nff", "teapot", 20));
+  const auto expect_narrow = [](const std::string& tool, const Arguments& arguments) {
+    const std::string out = run(tool, arguments).out;
+    EXPECT_TRUE(std::regex_search(out, std::regex("[0-9],[0-9]{3}"))) << out;
+    EXPECT_FALSE(std::regex_search(out, std::regex("(^|[^.0-9a-f])[0-9]{5}"))) << out;
+    for (const std::string& line : lines_of(out))
+      EXPECT_LE(line.size(), 80U) << tool << ": " << line;
+  };
+  for (const Arguments& kind :
+       {Arguments{}, {"--merge", "none"}, {"--merge", "balance"}, {"--structure", "bvh"}}) {
+    expect_narrow("gridbuild", joined({scene, "-o", file("a.grid")}, kind));
+    expect_narrow("gridstat", {file("a.grid"), "--histogram"});
+  }
+  expect_narrow("gridstat", {"--occupancy", scene});
+  expect_narrow("nff2bin", {file("a.nff"), "--info"});
 }
 
 TEST(Version, GoesToStandardOutput) {

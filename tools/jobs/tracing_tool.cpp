@@ -1,5 +1,6 @@
 #include "tools/jobs/tracing_tool.h"
 
+#include "tools/common/grouped.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/scene_input.h"
@@ -133,14 +134,19 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
   if (options.has_report())
     write_text_file(options.stats.empty() ? options.times : options.stats, json_text(json) + "\n");
   if (quiet) return;
+  std::string why;
+  const DeviceChoice& wanted = options.devices;
+  const bool lacks_gpu = built_with_cuda() && opened.gpus().empty() && wanted.backend == Backend::automatic &&
+                         wanted.devices.empty() && !cuda_available(why);
   const double seconds = report.overlaps_writing ? report.elapsed_seconds : report.seconds.trace;
   const char* const besides = !report.overlaps_writing ? ""
                               : report.views == 0      ? " with reading and writing"
                                                        : " with writing";
   const std::uint64_t rays = report.totals.rays;
-  print_note("{}: traced {}{} rays in {:.3g} s{}, {:.3g} million a second, on {}{}\n", tool,
-             report.views > 1 ? fmt::format("{} views, ", report.views) : "", rays, seconds, besides,
-             seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device, precision_text(report));
+  print_note("{}: traced {}{} rays in {:.3g} s{}, {:.3g} million per second, on {}{}{}\n", tool,
+             report.views > 1 ? fmt::format("{} views, ", grouped(report.views)) : "", grouped(rays), seconds,
+             besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device,
+             lacks_gpu ? fmt::format(" (no usable GPU: {})", why) : "", precision_text(report));
 }
 
 int run_ranks_tool(const char* name, const char* description, int argc, char** argv,

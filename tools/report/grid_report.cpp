@@ -2,6 +2,7 @@
 
 #include "libgrid/statistics/cells.h"
 #include "tools/common/cli.h"
+#include "tools/common/grouped.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/vector_json.h"
@@ -60,10 +61,17 @@ void print_csv(const Json& report) {
 
 // --- Tables -----------------------------------------------------------------------------------------------
 
-constexpr Rows print_row{28};
+constexpr Rows print_row{22};
 
 std::string by_by(const Vec3i& n) {
   return fmt::format("{} x {} x {}", n.x, n.y, n.z);
+}
+
+std::string joined(const std::vector<std::uint64_t>& numbers) {
+  std::string text;
+  for (const std::uint64_t number : numbers)
+    text += (text.empty() ? "" : " + ") + grouped(number);
+  return text;
 }
 
 void print_table(const GridFile& file, const Statistics& statistics) {
@@ -71,43 +79,48 @@ void print_table(const GridFile& file, const Statistics& statistics) {
   const MapStatistics& map = statistics.map;
   const fb::Grid& table = file.table();
   const fb::Vec3 &low = table.space()->min(), &high = table.space()->max();
-  print_row("space", "({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), {}", low.x(), low.y(), low.z(), high.x(),
-            high.y(), high.z(), fb::EnumNameSpace(table.space_rule()));
+  print_row("space", "{}, from ({:g}, {:g}, {:g})", fb::EnumNameSpace(table.space_rule()), low.x(), low.y(),
+            low.z());
+  print_row("", "to ({:g}, {:g}, {:g})", high.x(), high.y(), high.z());
   print_row("division", "{} ({})", by_by(file.layout().division), printable(table.division_rule()->str()));
   if (table.nested_log2() > 0)
     print_row("  smallest voxels", "{}, 2^{} times finer", by_by(statistics.division), table.nested_log2());
-  print_row("voxels", "{}", map.voxels);
-  print_row("  occupied", "{} ({:.3g} %)", map.occupied_voxels, percent(map.occupied_voxels, map.voxels));
-  print_row("  empty", "{}", map.voxels - map.occupied_voxels);
-  print_row("cells", "{}, {} occupied", s.cells, s.occupied_cells);
+  print_row("voxels", "{}", grouped(map.voxels));
+  print_row("  occupied", "{} ({:.3g} %)", grouped(map.occupied_voxels),
+            percent(map.occupied_voxels, map.voxels));
+  print_row("  empty", "{}", grouped(map.voxels - map.occupied_voxels));
+  print_row("cells", "{} ({} occupied)", grouped(s.cells), grouped(s.occupied_cells));
   if (file.is_merged())
-    print_row("  expanded", "{}; boxes {:.3g} times their cells' own voxels (geometric mean)",
-              map.expanded_cells, map.mean_expansion);
-  print_row("references", "{}", s.references);
-  print_row("  per occupied cell",
-            "mean {:.2f}, stddev {:.2f} ({:.2f} of the mean), median {:g}, 99 % {}, least {}, most {}",
-            s.mean, s.stddev, statistics.evenness(), s.median, s.p99, s.min, s.max);
-  print_row("map words by level", "{}; {:.2f} loads for a random point", fmt::join(map.words, ", "),
-            map.loads);
+    print_row("  expanded", "{} (to {:.3g} times their volume, geometric mean)", grouped(map.expanded_cells),
+              map.mean_expansion);
+  print_row("references", "{}", grouped(s.references));
+  print_row("  per occupied cell", "mean {:.2f}, stddev {:.2f} ({:.2f} of the mean),", s.mean, s.stddev,
+            statistics.evenness());
+  print_row("", "median {:g}, 99 % {}, least {}, most {}", s.median, s.p99, s.min, grouped(s.max));
+  print_row("map words by level", "{}", joined(map.words));
+  print_row("  loads per point", "{:.2f}", map.loads);
   print_row("expected per ray", "{:.2f} cells, {:.2f} tests, {:.2f} voxels skipped", map.ray.cells,
             map.ray.tests, map.ray.voxels_skipped);
-  print_row("bytes", "{} (voxel map {}, cells {}, references {})", file.bytes(),
-            file.voxel_map().size_bytes(), file.cells().size_bytes(), file.references().size_bytes());
-  print_row("merge, overlap", "{}, {}",
-            file.is_merged() ? printable(table.merge_rule()->str()) : fb::EnumNameMerge(table.merge()),
-            fb::EnumNameOverlap(table.overlap()));
+  print_row("bytes", "{}", grouped(file.bytes()));
+  print_row("  voxel map", "{}", grouped(file.voxel_map().size_bytes()));
+  if (file.is_merged()) print_row("  cells", "{}", grouped(file.cells().size_bytes()));
+  print_row("  references", "{}", grouped(file.references().size_bytes()));
+  print_row("merge", "{}",
+            file.is_merged() ? printable(table.merge_rule()->str()) : fb::EnumNameMerge(table.merge()));
+  print_row("overlap test", "{}", fb::EnumNameOverlap(table.overlap()));
   print_row("geometry", "{}", geometry_hash(table));
 }
 
 void print_table(const GridFile& file, const HierarchyStatistics& s) {
-  print_row("nodes", "{}, {} deep", s.nodes, s.depth);
-  print_row("  boxes of nodes", "{}", s.node_boxes);
-  print_row("  boxes of references", "{}", s.reference_boxes);
-  print_row("  boxes a node", "{:.2f} of 8", s.boxes_per_node);
-  print_row("references", "{} to {} primitives", s.references, file.table().primitives());
+  print_row("nodes", "{}, {} deep", grouped(s.nodes), s.depth);
+  print_row("  boxes of nodes", "{}", grouped(s.node_boxes));
+  print_row("  boxes of references", "{}", grouped(s.reference_boxes));
+  print_row("  boxes per node", "{:.2f} of 8", s.boxes_per_node);
+  print_row("references", "{} to {} primitives", grouped(s.references), grouped(file.table().primitives()));
   print_row("expected per ray", "{:.2f} nodes, {:.2f} tests", s.nodes_per_ray, s.tests_per_ray);
-  print_row("bytes", "{} (nodes {}, references {})", file.bytes(), file.nodes().size_bytes(),
-            file.references().size_bytes());
+  print_row("bytes", "{}", grouped(file.bytes()));
+  print_row("  nodes", "{}", grouped(file.nodes().size_bytes()));
+  print_row("  references", "{}", grouped(file.references().size_bytes()));
   print_row("built by", "{}", printable(file.table().merge_rule()->str()));
   print_row("structure", "bvh");
   print_row("geometry", "{}", geometry_hash(file.table()));
@@ -118,11 +131,11 @@ void print_bars(const char* head, const char* counted, const Json& histogram) {
   std::uint64_t most = 1;
   for (const Json& pair : histogram)
     most = std::max(most, pair[1].get<std::uint64_t>());
-  fmt::print("\n{:>15} {:>10}\n", head, counted);
+  fmt::print("\n{:>17} {:>13}\n", head, counted);
   for (const Json& pair : histogram) {
     const auto count = pair[1].get<std::uint64_t>();
-    const double bar = 50 * static_cast<double>(count) / static_cast<double>(most);
-    fmt::print("{:>15} {:>10} {}\n", pair[0].get<std::uint64_t>(), count,
+    const double bar = 48 * static_cast<double>(count) / static_cast<double>(most);
+    fmt::print("{:>17} {:>13} {}\n", grouped(pair[0].get<std::uint64_t>()), grouped(count),
                std::string(static_cast<std::size_t>(bar), '#'));
   }
 }

@@ -2,6 +2,7 @@
 
 #include "libscene/file/output_file.h"
 #include "libscene/geometry/margin.h"
+#include "tools/common/grouped.h"
 #include "tools/common/number_list.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
@@ -220,11 +221,14 @@ void print_table(const Report& r) {
   const Rows row{12};
   const ObjectCounts& o = r.objects;
   row("objects", "{}: polygons {}, patches {}, spheres {}, cones {}",
-      o.polygons + o.patches + o.spheres + o.cones, o.polygons, o.patches, o.spheres, o.cones);
-  row("primitives", "{}: triangles {} ({} smooth), spheres {}, cones {}", r.triangles + r.spheres + r.cones,
-      r.triangles, r.smooth, r.spheres, r.cones);
-  if (r.faces > 0) row("faces", "{} numbers: triangles have others than their faces", r.faces);
-  row("materials", "{}: {} reflect, {} transmit", r.materials, r.reflecting, r.transmitting);
+      grouped(o.polygons + o.patches + o.spheres + o.cones), grouped(o.polygons), grouped(o.patches),
+      grouped(o.spheres), grouped(o.cones));
+  row("primitives", "{}: triangles {} ({} smooth), spheres {}, cones {}",
+      grouped(r.triangles + r.spheres + r.cones), grouped(r.triangles), grouped(r.smooth), grouped(r.spheres),
+      grouped(r.cones));
+  if (r.faces > 0) row("faces", "{} numbers: triangles have others than their faces", grouped(r.faces));
+  row("materials", "{}: {} reflect, {} transmit", grouped(r.materials), grouped(r.reflecting),
+      grouped(r.transmitting));
   row("lights", "{}", r.lights);
   row("resolution", "{} x {}", r.resolution[0], r.resolution[1]);
   const Boxd& b = r.bounds;
@@ -241,8 +245,8 @@ void print_table(const Report& r) {
   row("store", "{}: {}", store_name(r), reason_for(r).text);
   if (const std::string rounding = rounding_text(r); !rounding.empty())
     row(r.is_float64 ? "  float32" : "  rounding", "{}", rounding);
-  row("bytes", "{} of records{}", record_bytes(r),
-      r.file_bytes ? fmt::format(", {} of file", *r.file_bytes) : "");
+  row("bytes", "{} of records{}", grouped(record_bytes(r)),
+      r.file_bytes ? fmt::format(", {} of file", grouped(*r.file_bytes)) : "");
   if (r.geometry_hash) row("geometry", "{}", to_hex(*r.geometry_hash));
 }
 
