@@ -244,7 +244,9 @@ Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
     const bool with_empty = file.is_hierarchy() && request.depth;
     for_each_box(file, {{}, !with_empty, request.depth}, [&](const StructureBox& found) {
       if (++count <= request.most)
-        boxes.push_back({{"min", vector_json(found.box.min)}, {"max", vector_json(found.box.max)}});
+        boxes.push_back({{"min", vector_json(found.box.min)},
+                         {"max", vector_json(found.box.max)},
+                         {"depth", found.depth}});
     });
     return Json{{"boxes", std::move(boxes)}, {"count", count}};
   });

@@ -234,7 +234,7 @@ class Pane {
       }
     }
     const boxes = this.settings.cells === 'boxes' && slicePanel.boxesOf(this.settings.grid);
-    if (boxes) this.drawBoxes(boxes.boxes);
+    if (boxes) this.drawBoxes(boxes.boxes, this.structure.greatest_depth);
     const ray = walkPanel.rayOf(this.settings.grid);
     if (ray) this.drawWalk(ray);
     this.walkCounts.hidden = !ray;
@@ -242,9 +242,11 @@ class Pane {
     if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
   }
 
-  drawBoxes(boxes) {
+  // Lighter the deeper, where they have depths.
+  drawBoxes(boxes, deepest = 0) {
     this.overlay.boxes(boxes, '#000', 2.2, 0.25);
-    this.overlay.boxes(boxes, '#7fd1ff', 1, 0.75);
+    for (let depth = 0; depth <= deepest; ++depth)
+      this.overlay.boxes(boxes.filter((box) => (box.depth || 0) === depth), deepest > 0 ? colors.at(0.4 + 0.6 * depth / deepest) : '#7fd1ff', 1, 0.75);
   }
 
   // Of its own grid.
