@@ -5,6 +5,7 @@
 #include "renderer/automatic_loop.h"
 #include "tests/stability/ray_sets.h"
 #include "tools/common/backend_choice.h"
+#include "tools/common/grouped.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/repeated.h"
@@ -123,12 +124,12 @@ Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, 
 }
 
 void print_row(const Json& row) {
-  fmt::print("{:<24} {:<8} {:<6} {:<14} {:>9} {:>9.1f} {:>7.1f} {:>8.2f} {:>8.2f} {:>8.2f}\n",
-             printable(row["grid"].get<std::string>()), row["rays"].get<std::string>(),
-             row["precision"].get<std::string>(), row["loop"].get<std::string>(),
-             row["count"].get<std::uint64_t>(), row["mrays_per_second"].get<double>(),
-             100 * row["hits_a_ray"].get<double>(), row["tests_a_ray"].get<double>(),
-             row["cells_a_ray"].get<double>(), row["empty_cells_a_ray"].get<double>());
+  fmt::print("{:<8} {:<6} {:<14} {:>11} {:>8.1f} {:>5.1f} {:>7.2f} {:>6.2f} {:>6.2f}\n",
+             row["rays"].get<std::string>(), row["precision"].get<std::string>(),
+             row["loop"].get<std::string>(), grouped(row["count"].get<std::uint64_t>()),
+             row["mrays_per_second"].get<double>(), 100 * row["hits_a_ray"].get<double>(),
+             row["tests_a_ray"].get<double>(), row["cells_a_ray"].get<double>(),
+             row["empty_cells_a_ray"].get<double>());
   flush_standard_output();
 }
 
@@ -147,14 +148,15 @@ void bench_rays(const Settings& settings) {
       save(set, settings.save);
   Json rows = Json::array();
   if (!settings.json) {
-    fmt::print("{}, median of {} after {}, {} order\n\n{:<24} {:<8} {:<6} {:<14} {:>9} {:>9} {:>7} {:>8} "
-               "{:>8} {:>8}\n",
-               cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
-               settings.order == RayOrder::tiles ? "tile" : "row", "grid", "rays", "prec.", "loop", "count",
-               "Mray/s", "hit %", "tests", "cells", "empty");
+    fmt::print(
+        "{}, median of {} after {}, {} order\n\n{:<8} {:<6} {:<14} {:>11} {:>8} {:>5} {:>7} {:>6} {:>6}\n",
+        cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
+        settings.order == RayOrder::tiles ? "tile" : "row", "rays", "prec.", "loop", "count", "Mray/s",
+        "hit %", "tests", "cells", "empty");
   }
   for (const GridFile& grid : grids) {
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
+    if (!settings.json) fmt::print("{}\n", printable(grid.path()));
     for (const RaySet& set : sets) {
       for (const std::string& precision : settings.precisions) {
         for (const std::string& loop : settings.loops) {

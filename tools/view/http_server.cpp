@@ -14,6 +14,7 @@
 #include <array>
 #include <cctype>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <semaphore>
 #include <sstream>
@@ -274,10 +275,16 @@ void HttpServer::answer(const httplib::Request& request, httplib::Response& resp
       return fail(401, "the token is missing: open the address that gridview printed");
   }
   try {
-    const HttpReply made = handler_(query);
+    HttpReply made = handler_(query);
     response.status = made.status;
     if (!made.timing.empty()) response.set_header("Server-Timing", made.timing);
-    if (!made.body.empty()) response.set_content(made.body, made.type);
+    if (made.body.empty()) return;
+    // By a provider of known length, which cpp-httplib doesn't compress: its Brotli takes a second a megabyte.
+    const auto body = std::make_shared<const std::string>(std::move(made.body));
+    response.set_content_provider(
+        body->size(), made.type, [body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+          return sink.write(body->data() + offset, length);
+        });
   } catch (const Error& error) {
     fail(error.code() == ErrorCode::usage ? 400 : 500, error.what());
   } catch (const std::exception& error) {

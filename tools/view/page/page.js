@@ -234,7 +234,7 @@ class Pane {
       }
     }
     const boxes = this.settings.cells === 'boxes' && slicePanel.boxesOf(this.settings.grid);
-    if (boxes) this.drawBoxes(boxes.boxes, this.structure.greatest_depth);
+    if (boxes) this.drawBoxes(boxes.boxes);
     const ray = walkPanel.rayOf(this.settings.grid);
     if (ray) this.drawWalk(ray);
     this.walkCounts.hidden = !ray;
@@ -242,11 +242,12 @@ class Pane {
     if (state.picking && state.picking.pane === this.index) overlay.crossHair(state.picking.x, state.picking.y, '#ffd54a');
   }
 
-  // Lighter the deeper, where they have depths.
-  drawBoxes(boxes, deepest = 0) {
+  // Of several depths: lighter, the deeper.
+  drawBoxes(boxes) {
     this.overlay.boxes(boxes, '#000', 2.2, 0.25);
-    for (let depth = 0; depth <= deepest; ++depth)
-      this.overlay.boxes(boxes.filter((box) => (box.depth || 0) === depth), deepest > 0 ? colors.at(0.4 + 0.6 * depth / deepest) : '#7fd1ff', 1, 0.75);
+    const depths = [...new Set(boxes.map((box) => box.depth))], deepest = Math.max(...depths);
+    for (const depth of depths)
+      this.overlay.boxes(boxes.filter((box) => box.depth === depth), depths.length > 1 ? colors.at(0.45 + 0.55 * depth / deepest) : '#7fd1ff', 1, 0.75);
   }
 
   // Of its own grid.
