@@ -279,12 +279,13 @@ void HttpServer::answer(const httplib::Request& request, httplib::Response& resp
     response.status = made.status;
     if (!made.timing.empty()) response.set_header("Server-Timing", made.timing);
     if (made.body.empty()) return;
-    // By a provider of known length, which cpp-httplib doesn't compress: its Brotli takes a second a megabyte.
+    // By a provider of known length, which cpp-httplib doesn't compress: its Brotli takes a second a
+    // megabyte.
     const auto body = std::make_shared<const std::string>(std::move(made.body));
-    response.set_content_provider(
-        body->size(), made.type, [body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
-          return sink.write(body->data() + offset, length);
-        });
+    response.set_content_provider(body->size(), made.type,
+                                  [body](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+                                    return sink.write(body->data() + offset, length);
+                                  });
   } catch (const Error& error) {
     fail(error.code() == ErrorCode::usage ? 400 : 500, error.what());
   } catch (const std::exception& error) {
