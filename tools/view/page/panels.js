@@ -141,7 +141,7 @@ function statisticsTable(names, all) {
   return table(names, [
     ['structure', of((s) => s.structure || (s.merge === 'none' ? 'uniform' : s.merge)), {}],
     ['division', of((s) => Text.division(s.division)), {}],
-    ['smallest voxels', of((s) => Text.division(s.smallest_division)), {}],
+    ['smallest voxels', of((s) => s.smallest_division[0] > s.division[0] ? `${Text.count(s.smallest_division[0] / s.division[0])} × finer` : null), {}],
     ['overlap test', of((s) => s.overlap), {}],
     ['occupied voxels', of((s) => s.occupancy_percent), {text: Text.percent}],
     ['cells', of((s) => s.cells), count],

@@ -142,7 +142,7 @@ class SlicePanel {
 function sliceFacts(slice, cells, structure) {
   const isHierarchy = structure.structure === 'bvh';
   const occupied = cells.filter((cell) => cell[4] > 0).length;
-  return `${counted(cells.length, isHierarchy ? 'box' : 'cell').replace(/xs$/, 'xes')}, ${Text.count(occupied)} ${isHierarchy ? 'of references' : 'occupied'}, ` +
-    `at most ${counted(cells.reduce((sofar, cell) => Math.max(sofar, cell[4]), 0), 'reference')}` +
+  return `≤ ${counted(cells.reduce((sofar, cell) => Math.max(sofar, cell[4]), 0), 'reference')} in ${Text.count(occupied)} of ` +
+    `${counted(cells.length, isHierarchy ? 'box' : 'cell').replace(/xs$/, 'xes')}` +
     `${slice.without_empty ? '; the empty ones are too many to be drawn' : ''}${slice.truncated ? '; not all are drawn' : ''}`;
 }
