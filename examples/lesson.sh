@@ -176,3 +176,7 @@ for scene in teapot balls; do
   gridbuild -q $scene.scene -o $scene-bvh.grid --structure bvh
   cost hierarchy-$scene $scene.scene $scene-bvh.grid
 done
+for structure in 32 irregular bvh; do
+  run gridrender teapot.scene teapot-$structure.grid -o idle-$structure.png --channels idle --no-picture \
+    --size 256x256 --sampling centers --backend cpu
+done
