@@ -96,11 +96,14 @@ Drawing picture_of(const Channels& channels, Channel channel, bool all_rays, dou
   case Channel::tests:
     return value_map(channels.tests,
                      {"tests: primitives tested for " + cost, "tests", "", Caption::Values::counts, high});
-  case Channel::idle:
-    return value_map(channels.idle,
-                     {fmt::format("idle: lanes of the warp that idle; {:.1f} of {} are under way",
-                                  channels.warps.mean_busy(), lanes_per_warp),
-                      "lanes", "", Caption::Values::counts, lanes_per_warp});
+  case Channel::idle: {
+    const std::string mean =
+        channels.warps.turns > 0
+            ? fmt::format("; {:.1f} of {} are under way", channels.warps.mean_busy(), lanes_per_warp)
+            : "";
+    return value_map(channels.idle, {"idle: lanes of the warp that idle" + mean, "lanes", "",
+                                     Caption::Values::counts, lanes_per_warp});
+  }
   }
   return {};
 }

@@ -254,7 +254,7 @@ def draw(results, folder):
             for row, mode, share in values[name]:
                 out.writerow([row["sweep"], re.split("[,;(]", row["parameter"])[0], row["step"], mode, share])
             data.flush()
-            settings = (f"data='{data.name}'; out='{folder / name}.png'; title='{title}'; modes='{modes}'; "
+            settings = (f"data='{data.name}'; out='{folder / name}.png'; title='{title} (less is better)'; modes='{modes}'; "
                         f"floor={floor}")
             subprocess.run(["gnuplot", "-e", settings, pathlib.Path(__file__).parent / "accuracy.gp"], check=True)
 
