@@ -669,7 +669,7 @@ class Page(unittest.TestCase):
                 if depth is not None:
                     self.keys(Keys.ARROW_RIGHT)
                 self.assertEqual(self.js("return state.slice.depth"), depth)
-                wanted = [[*map(float, box[2:8]), int(box[1])] for box in boxes if (int(box[8]) > 0 if depth is None else int(box[1]) == depth)]
+                wanted = [[*map(float, box[2:8]), int(box[1])] for box in boxes if (int(box[8]) > 0 and (depth is None or int(box[1]) <= depth)) or int(box[1]) == depth]
                 wait_until(lambda: self.js("return (slicePanel.boxesOf(1) || {}).count") == len(wanted), "the boxes of another depth")
                 self.assertEqual(self.js("return slicePanel.boxesOf(1).boxes.map(({min, max, depth}) => [...min, ...max, depth])"), wanted)
                 if depth == 1:

@@ -241,9 +241,11 @@ Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
   return turns_.run(is_gone, [&] {
     Json boxes = Json::array();
     std::size_t count = 0;
-    const bool with_empty = file.is_hierarchy() && request.depth;
-    for_each_box(file, {{}, !with_empty, request.depth}, [&](const StructureBox& found) {
-      if (++count <= request.most)
+    const std::int32_t depth = request.depth.value_or(-1);
+    for_each_box(file, {{}, !request.depth, {}}, [&](const StructureBox& found) {
+      const bool is_shown = depth < 0 || (found.references > 0 ? found.depth <= depth
+                                                               : found.depth == depth && file.is_hierarchy());
+      if (is_shown && ++count <= request.most)
         boxes.push_back({{"min", vector_json(found.box.min)},
                          {"max", vector_json(found.box.max)},
                          {"depth", found.depth}});

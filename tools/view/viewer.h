@@ -119,8 +119,9 @@ public:
   // slice_cell_json() has them, those of a uniform grid without the empty ones where these are too many;
   // outline as [from u, from v, to u, to v] in scene units.
   nlohmann::ordered_json slice(const SliceRequest& request, const IsGone& is_gone) const;
-  // {boxes: [{min, max, depth}, …], count}: a grid's occupied cells, or a hierarchy's boxes, of a depth; of
-  // any depth those that list references. The first of `count`.
+  // {boxes: [{min, max, depth}, …], count}: those that list references, of any depth or
+  // down to one; there a hierarchy's boxes around nodes, too, so that they cover what all do. The first of
+  // `count`.
   nlohmann::ordered_json boxes(const BoxesRequest& request, const IsGone& is_gone) const;
 
   // The scene, its camera, and its grids by name.

@@ -130,7 +130,7 @@ class SlicePanel {
     this.boxesText.textContent = inOrder('boxes').map(([grid, i]) => {
       const {boxes, count} = this.boxes.get(grid);
       return `${this.names[i]}: ${count > boxes.length ? `the first ${Text.count(boxes.length)} of ` : ''}${Text.count(count)} boxes over the picture`;
-    }).join('; ') + (this.boxes.size > 0 && this.settings.depth === null ? '; lighter, the deeper' : '');
+    }).join('; ') + (this.boxes.size > 0 && this.settings.depth !== 0 ? '; lighter, the deeper' : '');
     const [shown] = inOrder('slices');
     if (!shown) return;
     const {axis, position, range} = this.of(shown[0]);
