@@ -122,7 +122,7 @@ private:
 
   Chance& chance_;
   const TestScene<Real>& scene_;
-  const Boxd& bounds_;
+  Boxd bounds_;
   const Grid& grid_;
   GridLayout finest_;
 };
