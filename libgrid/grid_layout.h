@@ -1,6 +1,7 @@
 // The space and its division: where each voxel is, for the builder.
 #pragma once
 
+#include "libgrid/trace/grid_view.h"
 #include "libscene/geometry/box.h"
 
 #include <algorithm>
@@ -23,6 +24,12 @@ struct VoxelRange {
 struct VoxelBox {
   Vec3i first, end;
 };
+
+// Those of a merged grid's cell.
+MASU_HD inline VoxelBox box_of(const MergedCell& cell) {
+  return {{first_of(cell.x), first_of(cell.y), first_of(cell.z)},
+          {end_of(cell.x), end_of(cell.y), end_of(cell.z)}};
+}
 
 MASU_HD inline Vec3d voxel_size(const GridLayout& layout) {
   const Vec3d extent = layout.space.max - layout.space.min;

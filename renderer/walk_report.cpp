@@ -32,9 +32,7 @@ VoxelBox cell_voxels(const GridView<Real>& grid, const Vec3i& voxel) {
 }
 template <class Real>
 VoxelBox cell_voxels(const MergedGridView<Real>& grid, const Vec3i& voxel) {
-  const MergedCell& cell = grid.cells[cell_number(grid, voxel)];
-  return {{first_of(cell.x), first_of(cell.y), first_of(cell.z)},
-          {end_of(cell.x), end_of(cell.y), end_of(cell.z)}};
+  return masu::box_of(grid.cells[cell_number(grid, voxel)]);
 }
 
 template <class Grid>

@@ -20,12 +20,6 @@ MASU_HD inline MergedCell packed(const VoxelBox& box, std::uint32_t list) {
   return {range(0), range(1), range(2), list};
 }
 
-// The voxels of a merged grid's cell.
-MASU_HD inline VoxelBox box_of(const MergedCell& cell) {
-  return {{first_of(cell.x), first_of(cell.y), first_of(cell.z)},
-          {end_of(cell.x), end_of(cell.y), end_of(cell.z)}};
-}
-
 // How an irregular grid's voxels are divided further: as often as planes can be numbered.
 std::int32_t nested_log2_for(const Vec3i& division, const GridOptions& options);
 

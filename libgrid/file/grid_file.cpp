@@ -10,10 +10,6 @@
 namespace masu {
 namespace {
 
-std::uint32_t number(fb::GridSection section) {
-  return static_cast<std::uint32_t>(section);
-}
-
 std::vector<std::uint8_t> grid_table(const Grid& grid, const GridProvenance& provenance,
                                      const std::vector<fb::Section>& section_layout) {
   flatbuffers::FlatBufferBuilder builder;
@@ -73,15 +69,12 @@ MergedGridView<Real> view_of(const GridLayout& layout, std::int32_t nested_log2,
           nested_log2};
 }
 
-} // namespace
-
-namespace {
-
 std::array<SectionData, 4> sections_of(const Grid& grid) {
-  return {section_data(number(fb::GridSection::voxel_map), std::span(grid.voxel_map)),
-          section_data(number(fb::GridSection::cells), std::span(grid.cells)),
-          section_data(number(fb::GridSection::references), std::span(grid.references)),
-          section_data(number(fb::GridSection::nodes), std::span(grid.nodes))};
+  const auto section = [](fb::GridSection kind, const auto& records) {
+    return section_data(static_cast<std::uint32_t>(kind), std::span(records));
+  };
+  return {section(fb::GridSection::voxel_map, grid.voxel_map), section(fb::GridSection::cells, grid.cells),
+          section(fb::GridSection::references, grid.references), section(fb::GridSection::nodes, grid.nodes)};
 }
 
 } // namespace
@@ -103,18 +96,13 @@ GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance) {
 GridFile::GridFile(const std::string& path, Residence residence)
     : GridFile(ContainerFile(path, grid_file_kind, residence)) {}
 
-GridFile::GridFile(ContainerFile container) : container_(std::move(container)) {
-  const auto bytes = container_.table();
-  flatbuffers::Verifier verifier(bytes.data(), bytes.size());
-  check(fb::VerifyGridBuffer(verifier), "its table is damaged");
-  table_ = fb::GetGrid(bytes.data());
+GridFile::GridFile(ContainerFile container) : TableFile(std::move(container)) {
   const auto axis_good = [](std::uint32_t voxels) { return voxels >= 1 && voxels <= largest_division; };
   const fb::Division& n = *table_->division();
   check(axis_good(n.x()) && axis_good(n.y()) && axis_good(n.z()), "its division is impossible");
   check(is_divisible(box_of(*table_->space())), "its space is impossible");
   check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
   check(table_->block_log2() <= 5, "its blocks are impossible");
-  check(is_aligned(sections()), "its table is damaged");
   container_.read_sections(sections());
   check_sizes();
   if (residence() != Residence::file) {
@@ -122,10 +110,6 @@ GridFile::GridFile(ContainerFile container) : container_(std::move(container)) {
     check(fault == nullptr, fault);
   }
   container_.set_validated();
-}
-
-void GridFile::check(bool good, const char* what) const {
-  if (!good) throw_damaged(path(), what);
 }
 
 void GridFile::check_sizes() const {
@@ -163,43 +147,21 @@ GridLayout GridFile::layout() const {
           table_->margin()};
 }
 
-std::span<const fb::Section> GridFile::sections() const {
-  const auto* const list = table_->sections();
-  return {reinterpret_cast<const fb::Section*>(list->Data()), list->size()};
-}
-
 GridRecords GridFile::records() const {
-  const auto count = [&]<class T>(std::span<const T>, fb::GridSection kind) {
-    return container_.count<T>(sections(), number(kind));
-  };
   return {voxel_map().data(),
           cells().data(),
           references().data(),
           nodes().data(),
-          count(voxel_map(), fb::GridSection::voxel_map),
-          count(cells(), fb::GridSection::cells),
-          count(references(), fb::GridSection::references),
-          count(nodes(), fb::GridSection::nodes),
+          count<std::uint32_t>(fb::GridSection::voxel_map),
+          count<MergedCell>(fb::GridSection::cells),
+          count<PrimitiveIndex>(fb::GridSection::references),
+          count<HierarchyNode>(fb::GridSection::nodes),
           table_->primitives(),
           is_hierarchy(),
           is_merged(),
           layout().division,
           static_cast<std::int32_t>(table_->block_log2()),
           static_cast<std::int32_t>(table_->nested_log2())};
-}
-
-std::span<const std::uint32_t> GridFile::voxel_map() const {
-  return container_.records<std::uint32_t>(sections(), number(fb::GridSection::voxel_map));
-}
-std::span<const MergedCell> GridFile::cells() const {
-  return container_.records<MergedCell>(sections(), number(fb::GridSection::cells));
-}
-std::span<const PrimitiveIndex> GridFile::references() const {
-  return container_.records<PrimitiveIndex>(sections(), number(fb::GridSection::references));
-}
-
-std::span<const HierarchyNode> GridFile::nodes() const {
-  return container_.records<HierarchyNode>(sections(), number(fb::GridSection::nodes));
 }
 
 void GridFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const {

@@ -36,37 +36,28 @@ GridFile grid_in_memory(const Grid& grid, const GridProvenance& provenance);
 
 // A grid file, checked: every index in it can be followed. Of one whose records stay in the file, only the
 // table is; who copies them checks them (grid_checks.h).
-class GridFile {
+class GridFile : public TableFile<fb::Grid, fb::GridSection> {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a grid or is damaged.
   explicit GridFile(const std::string& path, Residence residence = Residence::memory);
-  // Writes a file of the same bytes (container.h).
-  void write(const std::string& path) const { container_.write(path); }
-  // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
-  void check_unchanged() const { container_.check_unchanged(); }
 
-  const fb::Grid& table() const { return *table_; }
-  const Hash& hash() const { return container_.hash(); }
-  const std::string& path() const { return container_.path(); }
-  std::uint64_t bytes() const { return container_.bytes(); }
-  Residence residence() const { return container_.residence(); }
-  const LoadSeconds& load_seconds() const { return container_.load_seconds(); }
   // Of the scene that it was built from: the point in the world that all places are relative to.
   Vec3d origin() const;
   GridLayout layout() const;
   bool is_hierarchy() const { return table_->merge() == fb::Merge::hierarchy; }
   bool is_merged() const { return table_->merge() != fb::Merge::none && !is_hierarchy(); }
-  std::span<const std::uint32_t> voxel_map() const;
-  std::span<const MergedCell> cells() const;
-  std::span<const PrimitiveIndex> references() const;
-  std::span<const HierarchyNode> nodes() const;
+  std::span<const std::uint32_t> voxel_map() const {
+    return TableFile::records<std::uint32_t>(fb::GridSection::voxel_map);
+  }
+  std::span<const MergedCell> cells() const { return TableFile::records<MergedCell>(fb::GridSection::cells); }
+  std::span<const PrimitiveIndex> references() const {
+    return TableFile::records<PrimitiveIndex>(fb::GridSection::references);
+  }
+  std::span<const HierarchyNode> nodes() const {
+    return TableFile::records<HierarchyNode>(fb::GridSection::nodes);
+  }
   // The same arrays, and how long they are also where the records stay in the file.
   GridRecords records() const;
-  // Of records that stay in the file, which there must be.
-  template <class T>
-  SectionReader reader(fb::GridSection kind) const {
-    return container_.reader<T>(sections(), static_cast<std::uint32_t>(kind));
-  }
 
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
@@ -84,12 +75,7 @@ public:
 private:
   friend GridFile grid_in_memory(const Grid&, const GridProvenance&);
   explicit GridFile(ContainerFile container);
-  void check(bool good, const char* what) const;
   void check_sizes() const;
-  std::span<const fb::Section> sections() const;
-
-  ContainerFile container_;
-  const fb::Grid* table_;
 };
 
 // Of a grid in memory.

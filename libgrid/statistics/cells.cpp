@@ -17,11 +17,6 @@ bool meet(const VoxelBox& a, const VoxelBox& b) {
   return true;
 }
 
-VoxelBox box_of(const MergedCell& cell) {
-  return {{first_of(cell.x), first_of(cell.y), first_of(cell.z)},
-          {end_of(cell.x), end_of(cell.y), end_of(cell.z)}};
-}
-
 } // namespace
 
 GridLayout finest_layout(const GridFile& file) {

@@ -29,10 +29,10 @@ double expected_voxels(const Vec3i& n, const Vec3d& voxel) {
 
 // act(word, first voxel of its box, the box's sides as powers of two, level) for each word of a merged
 // grid's map that leads to something.
-template <class Real, class Act>
+template <class Act>
 class MapWords {
 public:
-  MapWords(const MergedGridView<Real>& grid, const Act& act) : grid_(grid), act_(act) {}
+  MapWords(const MergedGridView<double>& grid, const Act& act) : grid_(grid), act_(act) {}
 
   void visit_all() const {
     const std::int32_t log2 = grid_.nested_log2;
@@ -55,7 +55,7 @@ private:
     });
   }
 
-  const MergedGridView<Real>& grid_;
+  const MergedGridView<double>& grid_;
   const Act& act_;
 };
 
@@ -78,10 +78,9 @@ double volume_of(const MergedCell& cell) {
   return extent(cell.x) * extent(cell.y) * extent(cell.z);
 }
 
-template <class Real>
-ExpectedRay expected_ray(const MergedGridView<Real>& grid, std::span<const MergedCell> cells,
+ExpectedRay expected_ray(const MergedGridView<double>& grid, std::span<const MergedCell> cells,
                          std::span<const OwnVoxels> own) {
-  const Vec3d voxel = cast<double>(grid.voxel_size);
+  const Vec3d& voxel = grid.voxel_size;
   double visited = 0, tested = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (own[i].voxels == 0) continue;
@@ -95,8 +94,7 @@ ExpectedRay expected_ray(const MergedGridView<Real>& grid, std::span<const Merge
 
 } // namespace
 
-template <class Real>
-std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
+std::vector<OwnVoxels> own_voxels(const MergedGridView<double>& grid, std::span<const MergedCell> cells) {
   std::vector<OwnVoxels> own(cells.size());
   const auto add = [&](std::uint32_t word, const Vec3i& first, const Vec3i& sides_log2, std::size_t) {
     if ((word & occupied_bit) != 0) include(own[word & ~occupied_bit], first, sides_log2);
@@ -104,11 +102,8 @@ std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<co
   MapWords(grid, add).visit_all();
   return own;
 }
-template std::vector<OwnVoxels> own_voxels(const MergedGridView<float>&, std::span<const MergedCell>);
-template std::vector<OwnVoxels> own_voxels(const MergedGridView<double>&, std::span<const MergedCell>);
 
-template <class Real>
-MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
+MapStatistics map_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells) {
   MapStatistics statistics;
   statistics.voxels = voxel_count(grid.division);
   const auto voxels = static_cast<double>(statistics.voxels);
@@ -141,17 +136,14 @@ MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const M
   statistics.ray = expected_ray(grid, cells, own);
   return statistics;
 }
-template MapStatistics map_statistics(const MergedGridView<float>&, std::span<const MergedCell>);
-template MapStatistics map_statistics(const MergedGridView<double>&, std::span<const MergedCell>);
 
-template <class Real>
-MapStatistics map_statistics(const GridView<Real>& grid, std::span<const PrimitiveIndex> references) {
+MapStatistics map_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references) {
   MapStatistics statistics;
   statistics.voxels = voxel_count(grid.division);
   statistics.occupied_voxels = static_cast<std::uint64_t>(
       std::count_if(references.begin(), references.end(), [](auto r) { return (r & last_bit) != 0; }));
   statistics.words = {voxel_count(grid.blocks)};
-  const Vec3d voxel = cast<double>(grid.voxel_size);
+  const Vec3d& voxel = grid.voxel_size;
   const double space = half_area(cast<double>(grid.division) * voxel);
 
   std::uint64_t in_block_maps = 0;
@@ -177,7 +169,5 @@ MapStatistics map_statistics(const GridView<Real>& grid, std::span<const Primiti
                     static_cast<double>(references.size()) * half_area(voxel) / space, skipped};
   return statistics;
 }
-template MapStatistics map_statistics(const GridView<float>&, std::span<const PrimitiveIndex>);
-template MapStatistics map_statistics(const GridView<double>&, std::span<const PrimitiveIndex>);
 
 } // namespace masu

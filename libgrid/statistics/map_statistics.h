@@ -35,10 +35,8 @@ struct MapStatistics {
 };
 
 // Look at all that the map holds. `references` and `cells` as in grid_view.h.
-template <class Real>
-MapStatistics map_statistics(const GridView<Real>& grid, std::span<const PrimitiveIndex> references);
-template <class Real>
-MapStatistics map_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells);
+MapStatistics map_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references);
+MapStatistics map_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells);
 
 // The voxels that lead to a cell: how many, and the box around them, which they fill in grids that gridbuild
 // makes. A cell to which none leads has voxels = 0 and an unspecified box.
@@ -50,6 +48,5 @@ struct OwnVoxels {
 };
 
 // One for each cell.
-template <class Real>
-std::vector<OwnVoxels> own_voxels(const MergedGridView<Real>& grid, std::span<const MergedCell> cells);
+std::vector<OwnVoxels> own_voxels(const MergedGridView<double>& grid, std::span<const MergedCell> cells);
 } // namespace masu

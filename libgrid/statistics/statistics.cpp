@@ -45,8 +45,7 @@ void add_cell(GridStatistics& statistics, std::uint32_t references) {
 
 } // namespace
 
-template <class Real>
-GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const PrimitiveIndex> references) {
+GridStatistics grid_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references) {
   GridStatistics statistics;
   statistics.voxels = statistics.cells = voxel_count(grid.division);
   for (std::size_t first = 0, i = 0; i < references.size(); ++i) {
@@ -58,11 +57,8 @@ GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const Primi
   describe(statistics);
   return statistics;
 }
-template GridStatistics grid_statistics(const GridView<float>&, std::span<const PrimitiveIndex>);
-template GridStatistics grid_statistics(const GridView<double>&, std::span<const PrimitiveIndex>);
 
-template <class Real>
-GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells) {
+GridStatistics grid_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells) {
   GridStatistics statistics;
   statistics.voxels = voxel_count(grid.division);
   statistics.cells = cells.size();
@@ -72,8 +68,6 @@ GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const
   describe(statistics);
   return statistics;
 }
-template GridStatistics grid_statistics(const MergedGridView<float>&, std::span<const MergedCell>);
-template GridStatistics grid_statistics(const MergedGridView<double>&, std::span<const MergedCell>);
 
 template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {

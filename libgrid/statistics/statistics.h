@@ -23,10 +23,8 @@ struct GridStatistics {
 };
 
 // Looks at all that the grid holds. `references` and `cells` as in grid_view.h.
-template <class Real>
-GridStatistics grid_statistics(const GridView<Real>& grid, std::span<const PrimitiveIndex> references);
-template <class Real>
-GridStatistics grid_statistics(const MergedGridView<Real>& grid, std::span<const MergedCell> cells);
+GridStatistics grid_statistics(const GridView<double>& grid, std::span<const PrimitiveIndex> references);
+GridStatistics grid_statistics(const MergedGridView<double>& grid, std::span<const MergedCell> cells);
 
 // How many a list names; 0 for empty_list.
 inline std::uint32_t references_of(const PrimitiveIndex* references, std::uint32_t list) {

@@ -116,6 +116,19 @@ std::uint64_t size_of_body(std::span<const fb::Section> layout) {
   return layout.empty() ? 0 : layout.back().offset() + section_size(layout.back());
 }
 
+// Calls act(section, its offset in the body) for each that isn't empty. Returns where the last one ends.
+template <class Act>
+std::uint64_t for_each_placed(std::span<const SectionData> sections, const Act& act) {
+  std::uint64_t end = 0;
+  for (const SectionData& section : sections) {
+    if (section.count == 0) continue;
+    const std::uint64_t offset = rounded_up(end, section_alignment);
+    act(section, offset);
+    end = offset + section.record_bytes * section.count;
+  }
+  return end;
+}
+
 void write_zeros(OutputFile& file, std::uint64_t count) {
   const std::array<std::uint8_t, body_alignment> zeros{};
   file.write({zeros.data(), count});
@@ -134,16 +147,11 @@ std::string to_hex(const Hash& hash) {
 
 std::vector<fb::Section> lay_out(std::span<const SectionData> sections) {
   std::vector<fb::Section> layout;
-  std::uint64_t offset = 0;
-  for (const SectionData& section : sections) {
-    if (section.count == 0) continue;
-    offset = rounded_up(offset, section_alignment);
-    const std::uint64_t bytes = section.record_bytes * section.count;
+  for_each_placed(sections, [&](const SectionData& section, std::uint64_t offset) {
     const Hash hash = hash_of_section(section);
     layout.emplace_back(section.kind, section.record_bytes, section.count, offset,
                         fb::Hash(hash.low, hash.high));
-    offset += bytes;
-  }
+  });
   return layout;
 }
 
@@ -155,14 +163,11 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
   file.write(table);
   write_zeros(file, prelude.body_offset - sizeof prelude - table.size());
   std::uint64_t written = 0;
-  auto entry = layout.begin();
-  for (const SectionData& section : sections) {
-    if (section.count == 0) continue;
-    write_zeros(file, entry->offset() - written);
+  for_each_placed(sections, [&](const SectionData& section, std::uint64_t offset) {
+    write_zeros(file, offset - written);
     write_section(file, section);
-    written = entry->offset() + section_size(*entry);
-    ++entry;
-  }
+    written = offset + section.record_bytes * section.count;
+  });
   file.commit();
   return prelude.hash;
 }
@@ -170,15 +175,10 @@ Hash write_container(const std::string& path, const FileKind& kind, std::span<co
 ContainerMemory
 make_container(const FileKind& kind, std::span<const SectionData> sections,
                const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table) {
-  std::uint64_t end = 0;
-  for (const SectionData& section : sections)
-    if (section.count > 0) end = rounded_up(end, section_alignment) + section.record_bytes * section.count;
+  const std::uint64_t end = for_each_placed(sections, [](const SectionData&, std::uint64_t) {});
   ContainerMemory memory{{}, PrivateMemory(end)};
   std::vector<SectionData> made; // in the body
-  std::uint64_t offset = 0;
-  for (const SectionData& section : sections) {
-    if (section.count == 0) continue;
-    offset = rounded_up(offset, section_alignment);
+  for_each_placed(sections, [&](const SectionData& section, std::uint64_t offset) {
     std::uint8_t* const to = memory.body.bytes().data() + offset;
     constexpr std::uint64_t grain = std::uint64_t{1} << 14;
     tbb::parallel_for(tbb::blocked_range(std::uint64_t{0}, section.count, grain), [&](const auto& range) {
@@ -190,8 +190,7 @@ make_container(const FileKind& kind, std::span<const SectionData> sections,
                     count * each);
     });
     made.push_back({section.kind, section.record_bytes, section.count, to, {}});
-    offset += section.record_bytes * section.count;
-  }
+  });
   const std::vector<std::uint8_t> table_bytes = table(lay_out(made));
   const Prelude prelude = prelude_of(kind, table_bytes, end);
   memory.head = PrivateMemory(prelude.body_offset);

@@ -103,11 +103,6 @@ ContainerMemory
 make_container(const FileKind& kind, std::span<const SectionData> sections,
                const std::function<std::vector<std::uint8_t>(const std::vector<fb::Section>&)>& table);
 
-// The list of sections in a verified table can still be misaligned for its 8-byte numbers.
-inline bool is_aligned(std::span<const fb::Section> sections) {
-  return reinterpret_cast<std::uintptr_t>(sections.data()) % alignof(fb::Section) == 0;
-}
-
 // Throws Error(input, path, "<what>: make the file again").
 [[noreturn]] void throw_damaged(const std::string& path, const std::string& what);
 
@@ -234,6 +229,59 @@ private:
   PrivateMemory memory_;               // one of these has the sections,
   FileMapping mapping_;                // or none
   std::span<const std::uint8_t> body_; // of either
+};
+
+// What scene and grid files have in common: a container with a verified table, whose sections are of the
+// kinds of an enumeration.
+template <class Table, class Kind>
+class TableFile {
+public:
+  // Writes a file of the same bytes.
+  void write(const std::string& path) const { container_.write(path); }
+  // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
+  void check_unchanged() const { container_.check_unchanged(); }
+
+  const Table& table() const { return *table_; }
+  const Hash& hash() const { return container_.hash(); }
+  const std::string& path() const { return container_.path(); }
+  std::uint64_t bytes() const { return container_.bytes(); }
+  Residence residence() const { return container_.residence(); }
+  const LoadSeconds& load_seconds() const { return container_.load_seconds(); }
+  // Of records that stay in the file, which there must be.
+  template <class T>
+  SectionReader reader(Kind kind) const {
+    return container_.reader<T>(sections(), static_cast<std::uint32_t>(kind));
+  }
+
+protected:
+  explicit TableFile(ContainerFile container) : container_(std::move(container)) {
+    const auto bytes = container_.table();
+    flatbuffers::Verifier verifier(bytes.data(), bytes.size());
+    check(verifier.VerifyBuffer<Table>(nullptr), "its table is damaged");
+    table_ = flatbuffers::GetRoot<Table>(bytes.data());
+    // The list of sections can still be misaligned for its 8-byte numbers.
+    check(reinterpret_cast<std::uintptr_t>(sections().data()) % alignof(fb::Section) == 0,
+          "its table is damaged");
+  }
+
+  void check(bool good, const char* what) const {
+    if (!good) throw_damaged(path(), what);
+  }
+  std::span<const fb::Section> sections() const {
+    const auto* const list = table_->sections();
+    return {reinterpret_cast<const fb::Section*>(list->Data()), list->size()};
+  }
+  template <class T>
+  std::uint64_t count(Kind kind) const {
+    return container_.count<T>(sections(), static_cast<std::uint32_t>(kind));
+  }
+  template <class T>
+  std::span<const T> records(Kind kind) const {
+    return container_.records<T>(sections(), static_cast<std::uint32_t>(kind));
+  }
+
+  ContainerFile container_;
+  const Table* table_;
 };
 
 } // namespace masu

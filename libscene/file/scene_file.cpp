@@ -229,14 +229,7 @@ bool are_possible(const Boxd& box) {
 SceneFile::SceneFile(const std::string& path, Residence residence)
     : SceneFile(ContainerFile(path, scene_file_kind, residence)) {}
 
-SceneFile::SceneFile(ContainerFile container) : container_(std::move(container)) {
-  const auto check = [&](bool good, const char* what) {
-    if (!good) throw_damaged(path(), what);
-  };
-  const auto bytes = container_.table();
-  flatbuffers::Verifier verifier(bytes.data(), bytes.size());
-  check(fb::VerifySceneBuffer(verifier), "its table is damaged");
-  table_ = fb::GetScene(bytes.data());
+SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) {
   check(table_->store() == fb::Store::float32 || table_->store() == fb::Store::float64,
         "its coordinates are of an unknown type");
   check(is_finite(origin()) && largest_magnitude(origin()) <= max_origin, "its origin is invalid");
@@ -247,7 +240,6 @@ SceneFile::SceneFile(ContainerFile container) : container_(std::move(container))
         "its camera is invalid");
   check(is_float64() ? are_possible<double>(bounds()) : are_possible<float>(bounds()),
         "its bounds are invalid");
-  check(is_aligned(sections()), "its table is damaged");
   container_.read_sections(sections());
   geometry_hash_ = masu::geometry_hash(sections(), *table_->bounds(), *table_->origin());
 
@@ -268,11 +260,10 @@ SceneFile::SceneFile(ContainerFile container) : container_(std::move(container))
 SceneCounts SceneFile::counts() const {
   const fb::ObjectCounts& objects = *table_->objects();
   const auto normals = [&]<class Stored>(Stored) {
-    return container_.count<CornerNormals<Stored>>(sections(), number(fb::SceneSection::corner_normals));
+    return count<CornerNormals<Stored>>(fb::SceneSection::corner_normals);
   };
   return {objects.polygons() + objects.patches() + objects.spheres() + objects.cones(),
-          is_float64() ? normals(0.0) : normals(0.0F),
-          container_.count<Material>(sections(), number(fb::SceneSection::materials))};
+          is_float64() ? normals(0.0) : normals(0.0F), count<Material>(fb::SceneSection::materials)};
 }
 
 Vec3d SceneFile::origin() const {
@@ -290,16 +281,11 @@ Boxd SceneFile::bounds() const {
 }
 
 bool SceneFile::has_faces() const {
-  return container_.count<std::uint32_t>(sections(), number(fb::SceneSection::faces)) > 0;
+  return count<std::uint32_t>(fb::SceneSection::faces) > 0;
 }
 
 std::uint64_t SceneFile::primitive_count() const {
   return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
-}
-
-std::span<const fb::Section> SceneFile::sections() const {
-  const auto* const list = table_->sections();
-  return {reinterpret_cast<const fb::Section*>(list->Data()), list->size()};
 }
 
 template <class Stored>
@@ -307,11 +293,11 @@ SceneView<Stored> SceneFile::view() const {
   using fb::SceneSection;
   SceneView<Stored> view{};
   bool is_consistent = true;
-  const auto set = [&]<class T>(SceneSection kind, const T*& records, std::uint32_t& count) {
-    const std::uint64_t all = container_.count<T>(sections(), number(kind));
+  const auto set = [&]<class T>(SceneSection kind, const T*& first, std::uint32_t& number_of) {
+    const std::uint64_t all = count<T>(kind);
     is_consistent = is_consistent && all < no_primitive;
-    records = container_.records<T>(sections(), number(kind)).data();
-    count = static_cast<std::uint32_t>(all);
+    first = records<T>(kind).data();
+    number_of = static_cast<std::uint32_t>(all);
   };
   std::uint32_t normals_count = 0, sphere_surface_count = 0, cone_surface_count = 0, face_count = 0,
                 material_count = 0;

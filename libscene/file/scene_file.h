@@ -55,22 +55,12 @@ struct SceneGeometry {
 
 // A scene file, checked: every index and range in it is valid. Of one whose records stay in the file, only
 // the table is; who copies them checks them (scene_checks.h).
-class SceneFile {
+class SceneFile : public TableFile<fb::Scene, fb::SceneSection> {
 public:
   // Throws Error(input, path, …) for a file that can't be read, isn't a scene or is damaged.
   explicit SceneFile(const std::string& path, Residence residence = Residence::memory);
-  // Writes a file of the same bytes (container.h).
-  void write(const std::string& path) const { container_.write(path); }
-  // Throws Error(input, path, …) where it is mapped and the file was written since it was opened.
-  void check_unchanged() const { container_.check_unchanged(); }
 
-  const fb::Scene& table() const { return *table_; }
-  const Hash& hash() const { return container_.hash(); }
   const Hash& geometry_hash() const { return geometry_hash_; }
-  const std::string& path() const { return container_.path(); }
-  std::uint64_t bytes() const { return container_.bytes(); }
-  Residence residence() const { return container_.residence(); }
-  const LoadSeconds& load_seconds() const { return container_.load_seconds(); }
   std::uint64_t primitive_count() const;
   Vec3d origin() const;  // local_origin.h
   Camera camera() const; // in the world
@@ -87,19 +77,11 @@ public:
   // (is_float64).
   template <class Stored>
   SceneView<Stored> view() const;
-  // Of records that stay in the file, which there must be.
-  template <class T>
-  SectionReader reader(fb::SceneSection kind) const {
-    return container_.reader<T>(sections(), static_cast<std::uint32_t>(kind));
-  }
 
 private:
   friend SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&);
   explicit SceneFile(ContainerFile container);
-  std::span<const fb::Section> sections() const;
 
-  ContainerFile container_;
-  const fb::Scene* table_;
   Hash geometry_hash_;
 };
 

@@ -1,7 +1,6 @@
 #include "renderer/image/image.h"
 
 #include "libscene/base/error.h"
-#include "libscene/file/output_file.h"
 #include "renderer/image/pixel.h"
 
 #include <fmt/format.h>
@@ -87,18 +86,6 @@ std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling) {
 
 std::string pfm_head(std::int32_t width, std::int32_t height) {
   return fmt::format("PF\n{} {}\n-1.0\n", width, height); // -1: little-endian
-}
-
-void write_image(const Frame& frame, const std::string& path, const ImageOptions& options) {
-  const std::int32_t width = image_width(frame, options.sampling),
-                     height = image_height(frame, options.sampling);
-  if (options.format == ImageFormat::png)
-    return write_png(rgb_rows(frame, options.sampling, options.srgb), width, height, path, options.texts);
-  OutputFile file(path);
-  const std::string head = pfm_head(width, height);
-  file.write(head.data(), head.size());
-  file.write(pfm_rows(frame, options.sampling));
-  file.commit();
 }
 
 } // namespace masu

@@ -35,7 +35,4 @@ std::vector<std::uint8_t> rgb_rows(const Frame& frame, Sampling sampling, bool s
 std::vector<std::uint8_t> pfm_rows(const Frame& frame, Sampling sampling);
 std::string pfm_head(std::int32_t width, std::int32_t height);
 
-// PNG: 8 bits per channel; values above 1 are cut off. PFM: 32-bit floats. Throws Error(output).
-void write_image(const Frame& frame, const std::string& path, const ImageOptions& options);
-
 } // namespace masu

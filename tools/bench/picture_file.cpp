@@ -114,12 +114,13 @@ FloatPicture read_pfm(const File& file) {
 }
 
 FloatPicture read_npy(const File& file) {
-  constexpr std::size_t preamble = 10;
-  if (file.bytes.size() < preamble || file.bytes[6] != 1) file.fail("isn't a NumPy array of format 1.0");
-  const std::size_t length =
-      static_cast<std::uint8_t>(file.bytes[8]) | std::size_t{static_cast<std::uint8_t>(file.bytes[9])} << 8;
-  if (file.bytes.size() - preamble < length) file.fail("ends in its header");
-  const auto array = parsed_npy_header(file.bytes.substr(preamble, length));
+  std::size_t at = 0;
+  const auto array = read_npy_head([&](void* to, std::size_t bytes) {
+    if (bytes > file.bytes.size() - at) return false;
+    std::memcpy(to, file.bytes.data() + at, bytes);
+    at += bytes;
+    return true;
+  });
   const std::size_t dimensions = array ? array->shape.size() : 0;
   if (!array || (dimensions != 2 && dimensions != 3) || (dimensions == 3 && array->shape[2] != 3))
     file.fail("isn't an array of shape (rows, columns) or (rows, columns, 3)");
@@ -132,7 +133,6 @@ FloatPicture read_npy(const File& file) {
                        dimensions == 3 ? 3 : 1,
                        {}};
   const std::size_t count = array->shape[0] * array->shape[1] * (dimensions == 3 ? 3 : 1);
-  const std::size_t at = preamble + length;
   if (file.bytes.size() - at != count * sizeof(float)) file.fail("hasn't the length that its shape says");
   picture.values.resize(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -3,6 +3,7 @@
 #include "libscene/base/error.h"
 #include "tools/common/cli.h"
 #include "tools/common/printable.h"
+#include "tools/common/text_file.h"
 #include "tools/draw/axis_ticks.h"
 
 #include <cairo-svg.h>
@@ -138,9 +139,7 @@ void write_svg(const Drawing& drawing, const std::string& path, const std::strin
       fmt::format("\n<title>{}</title>\n<desc>{}</desc>\n"
                   "<style>path[fill-rule],path[style*=fill-rule]{{shape-rendering:crispEdges}}</style>",
                   xml_text(title), xml_text(description)));
-  OutputFile file(path);
-  file.write(svg.data(), svg.size());
-  file.commit();
+  write_text_file(path, svg);
 }
 
 void set_color(cairo_t* cairo, Rgb color, double opacity) {

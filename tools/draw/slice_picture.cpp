@@ -4,6 +4,7 @@
 #include "renderer/image/png_file.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
+#include "tools/common/text_file.h"
 #include "tools/draw/axis_ticks.h"
 #include "tools/draw/drawing.h"
 #include "tools/report/slice_json.h"
@@ -382,12 +383,6 @@ std::string subtitle_of(const GridFile& file, const SliceWindow& window, bool ha
   return text + (has_outline ? "; red: geometry" : "");
 }
 
-void write_text(const std::string& text, const std::string& path) {
-  OutputFile out(path);
-  out.write(text.data(), text.size());
-  out.commit();
-}
-
 } // namespace
 
 void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
@@ -396,7 +391,7 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
   if (path.ends_with(".json")) {
     auto json = slice_json(slice_of(file, plane, window, "--slice", most_json_cells), window, outline);
     json.update(program_version());
-    return write_text(json_text(json, -1) + "\n", path);
+    return write_text_file(path, json_text(json, -1) + "\n");
   }
   const GridLayout finest = finest_layout(file);
   const auto nested_log2 = static_cast<std::int32_t>(file.table().nested_log2());

@@ -5,24 +5,22 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace masu {
 
 ExcludedFile::ExcludedFile(const std::string& path, std::optional<std::uint64_t> rays) : file_(path) {
   const auto fail = [&](const std::string& what) { throw Error(ErrorCode::input, path, what); };
-  constexpr std::size_t preamble = 10;
-  std::array<std::uint8_t, preamble> start{};
-  if (file_.size() >= preamble) file_.read(0, start);
   std::uint64_t bytes = file_.size();
-  if (std::equal(npy_magic.begin(), npy_magic.end(), start.begin(),
-                 [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; })) {
-    std::string header(start[8] | static_cast<std::size_t>(start[9]) << 8, ' ');
-    first_byte_ = preamble + header.size();
-    if (start[6] != 1 || first_byte_ > bytes) fail("isn't a NumPy array of version 1.0");
-    file_.read(preamble, {reinterpret_cast<std::uint8_t*>(header.data()), header.size()});
-    const std::optional<NpyArray> array = parsed_npy_header(header);
+  const auto is_read = [&](void* to, std::size_t count) {
+    if (count > file_.size() - first_byte_) return false;
+    file_.read(first_byte_, {static_cast<std::uint8_t*>(to), count});
+    first_byte_ += count;
+    return true;
+  };
+  std::string start(npy_magic.size(), ' ');
+  const bool is_npy = is_read(start.data(), start.size()) && start == npy_magic;
+  first_byte_ = 0;
+  if (is_npy) {
+    const std::optional<NpyArray> array = read_npy_head(is_read);
     if (!array || (array->type != "<i4" && array->type != "<u4") || array->shape.size() != 1)
       fail("isn't a NumPy array of int32 of shape (N,)");
     bytes -= first_byte_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace masu {
@@ -40,6 +41,17 @@ std::optional<NpyArray> parsed_npy_header(const std::string& dictionary) {
     array.shape.push_back(length);
     at = after;
   }
+}
+
+std::optional<NpyArray> read_npy_head(const std::function<bool(void*, std::size_t)>& is_read) {
+  std::array<std::uint8_t, npy_magic.size() + 4> begin{}; // with the version and a length of two bytes
+  std::array<std::uint8_t, 2> more{};
+  if (!is_read(begin.data(), begin.size()) || (begin[6] > 1 && !is_read(more.data(), more.size()))) return {};
+  const std::size_t length =
+      begin[8] | std::size_t{begin[9]} << 8 | std::size_t{more[0]} << 16 | std::size_t{more[1]} << 24;
+  std::string header(std::min<std::size_t>(length, 1 << 16), ' ');
+  if (length > header.size() || !is_read(header.data(), header.size())) return {};
+  return parsed_npy_header(header);
 }
 
 std::string npy_header(const std::string& type, const std::string& shape) {

@@ -74,23 +74,14 @@ std::size_t RayFile::read(void* to, std::size_t bytes) {
 // --- What it begins with -----------------------------------------------------------------------------------
 
 void RayFile::read_npy_head() {
-  const auto is_read = [this](void* to, std::size_t bytes) {
+  const std::optional<NpyArray> array = masu::read_npy_head([this](void* to, std::size_t bytes) {
     first_byte_ += bytes;
     return read(to, bytes) == bytes;
-  };
-  std::array<std::uint8_t, npy_magic.size() + 4> begin{}; // with the version and a length of two bytes
-  std::array<std::uint8_t, 2> more{};
-  bool is_whole = is_read(begin.data(), begin.size());
-  if (begin[6] > 1) is_whole = is_whole && is_read(more.data(), more.size());
-  const std::size_t length =
-      begin[8] | std::size_t{begin[9]} << 8 | std::size_t{more[0]} << 16 | std::size_t{more[1]} << 24;
-  std::string header(std::min<std::size_t>(length, 1 << 16), ' ');
-  if (!is_whole || !is_read(header.data(), header.size()) || length > header.size())
-    stream_.fail("ends in its NumPy header, or the header is too long");
-  const std::optional<NpyArray> array = parsed_npy_header(header);
+  });
   if (!array || array->shape.size() != 2 || (array->type != "<f4" && array->type != "<f8") ||
       (array->shape[1] != 6 && array->shape[1] != 8))
-    stream_.fail("isn't a NumPy array of rays: float32 or float64, in C order, of shape (N, 6) or (N, 8)");
+    stream_.fail("isn't a NumPy array of rays, or ends in its header: they are float32 or float64, in C "
+                 "order, of shape (N, 6) or (N, 8)");
   format_.is_float64 = array->type == "<f8";
   format_.numbers = static_cast<int>(array->shape[1]);
   expected_ = array->shape[0];

@@ -1,14 +1,13 @@
 #include "tools/report/slice_place.h"
 
 #include "libscene/base/error.h"
+#include "tools/common/number_list.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
 #include <string_view>
 
 namespace masu {
@@ -21,18 +20,16 @@ SlicePlane parse_slice(const std::string& text, const GridLayout& finest) {
   };
   if (text.size() < 3 || text[0] < 'x' || text[0] > 'z' || (text[1] != '=' && text[1] != '@')) return fail();
   const int axis = text[0] - 'x';
-  const char *const number = text.c_str() + 2, *const last = text.c_str() + text.size();
-  if (std::string_view(number).find_first_not_of("0123456789+-.eE%") != std::string_view::npos) return fail();
-  char* end = nullptr;
-  if (text[1] == '=' && text.back() != '%') {
-    errno = 0;
-    const long long layer = std::strtoll(number, &end, 10);
-    return end == last && errno == 0 ? plane_of_layer(finest, axis, layer, place) : fail();
+  const bool is_share = text[1] == '=' && text.back() == '%';
+  const std::string_view number = std::string_view(text).substr(2, text.size() - (is_share ? 3 : 2));
+  if (text[1] == '=' && !is_share) {
+    std::array<std::int64_t, 1> layer{};
+    return read_numbers(number, ',', layer) ? plane_of_layer(finest, axis, layer[0], place) : fail();
   }
-  const double value = std::strtod(number, &end);
-  if (text[1] == '@')
-    return end == last && std::isfinite(value) ? plane_at(finest, axis, value, place) : fail();
-  if (end == number || end + 1 != last || !std::isfinite(value)) return fail();
+  std::array<double, 1> read{};
+  const double& value = read[0];
+  if (!read_numbers(number, ',', read) || !std::isfinite(value)) return fail();
+  if (text[1] == '@') return plane_at(finest, axis, value, place);
   if (!(value >= 0 && value <= 100))
     throw Error(ErrorCode::usage, place, fmt::format("'{}' lies outside: give 0% to 100%", text));
   const double low = finest.space.min[axis], high = finest.space.max[axis];
@@ -46,14 +43,9 @@ SliceWindow parse_window(const std::string& text, const GridLayout& finest, int 
     throw Error(ErrorCode::usage, "--window", fmt::format("'{}' {}", text, why));
   };
   std::array<double, 4> numbers{};
-  const char* at = text.c_str();
-  for (std::size_t i = 0; i < 4; ++i) {
-    char* end = nullptr;
-    numbers[i] = std::strtod(at, &end);
-    if (end == at || !std::isfinite(numbers[i]) || *end != (i < 3 ? ',' : '\0'))
-      fail("isn't LEFT,BOTTOM,RIGHT,TOP in scene units");
-    at = end + 1;
-  }
+  if (!read_numbers(text, ',', numbers) ||
+      !std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+    fail("isn't LEFT,BOTTOM,RIGHT,TOP in scene units");
   SliceWindow window{};
   const std::array<int, 2> axes = slice_axes(axis);
   for (std::size_t i = 0; i < 2; ++i) {
