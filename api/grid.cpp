@@ -99,6 +99,13 @@ GridFile fastest_grid(const SceneFile& scene, int device) {
   return built_grid(scene, build_options(options), device);
 }
 
+GridFile fast_hierarchy(const SceneFile& scene) {
+  masu_build_options options = default_options();
+  options.structure = MASU_STRUCTURE_BVH;
+  options.quality = MASU_QUALITY_FAST;
+  return built_grid(scene, build_options(options), MASU_CPU);
+}
+
 } // namespace masu
 
 extern "C" {

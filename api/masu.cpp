@@ -3,8 +3,10 @@
 #include "libscene/base/processor.h"
 #include "objects.h"
 #include "renderer/automatic_loop.h"
+#include "renderer/closest_points.h"
 #include "renderer/tracer.h"
 
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,7 +15,9 @@ struct masu_tracer {
   std::shared_ptr<const masu::SceneFile> scene;
   std::shared_ptr<const masu::GridFile> grid; // none for brute force
   masu::Tracer tracer;
-  mutable masu::UsualLoops loops; // found out by the first query
+  mutable masu::UsualLoops loops;                          // found out by the first query
+  mutable std::mutex mutex;                                // of what follows
+  mutable std::shared_ptr<const masu::GridFile> hierarchy; // for closest points, built by their first query
 
   // gpus: none for the CPU.
   masu_tracer(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::GridFile> grid_,
@@ -85,6 +89,38 @@ RayResults results_of(const masu_hits* hits) {
   return results;
 }
 
+RayFilters filters_of(const masu_query& query) {
+  return {query.exclude, query.ray_masks, query.object_masks, query.object_count};
+}
+
+// Of arrays that don't lie where the rays are, or not as their numbers must.
+void check_arrays(int place, const RayResults& results, const RayFilters& filters,
+                  const void* points = nullptr) {
+  const std::pair<const void*, std::size_t> arrays[] = {// with their numbers' alignment
+                                                        {results.t, sizeof(float)},
+                                                        {results.t64, sizeof(double)},
+                                                        {results.primitive, sizeof(std::uint32_t)},
+                                                        {results.object, sizeof(std::uint32_t)},
+                                                        {results.uv, sizeof(float)},
+                                                        {results.normal, sizeof(float)},
+                                                        {results.face, sizeof(std::uint32_t)},
+                                                        {results.count, sizeof(std::uint32_t)},
+                                                        {filters.excluded, sizeof(std::uint32_t)},
+                                                        {filters.object_masks, sizeof(std::uint32_t)},
+                                                        {filters.ray_masks, sizeof(std::uint32_t)},
+                                                        {points, sizeof(double)},
+                                                        {results.front, 1},
+                                                        {results.inside, 1},
+                                                        {results.occluded, 1}};
+  for (const auto& [pointer, alignment] : arrays) {
+    if (pointer == nullptr) continue;
+    if (device_of(pointer) != place)
+      fail("results", "don't lie where the rays are: take memory of one kind and device for all");
+    if (reinterpret_cast<std::uintptr_t>(pointer) % alignment != 0)
+      fail("results", "aren't aligned as their numbers must be");
+  }
+}
+
 // Traces rays where they lie; the results must be there, too.
 void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const masu_query* options,
            Query query, const RayResults& results, std::uint32_t limit = 1) {
@@ -98,30 +134,9 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   request.tracing.precision = choice<Precision>(wanted.precision, 4, "precision");
   RayList list(rays, count, ray_formats[choice<int>(wanted.format, 4, "format")]);
   list.format.is_relative = wanted.relative != 0;
-  list.filters = {wanted.exclude, wanted.ray_masks, wanted.object_masks, wanted.object_count};
+  list.filters = filters_of(wanted);
   const int place = device_of(rays);
-  const std::pair<const void*, std::size_t> arrays[] = {// with their numbers' alignment
-                                                        {results.t, sizeof(float)},
-                                                        {results.t64, sizeof(double)},
-                                                        {results.primitive, sizeof(std::uint32_t)},
-                                                        {results.object, sizeof(std::uint32_t)},
-                                                        {results.uv, sizeof(float)},
-                                                        {results.normal, sizeof(float)},
-                                                        {results.face, sizeof(std::uint32_t)},
-                                                        {results.count, sizeof(std::uint32_t)},
-                                                        {wanted.exclude, sizeof(std::uint32_t)},
-                                                        {wanted.object_masks, sizeof(std::uint32_t)},
-                                                        {wanted.ray_masks, sizeof(std::uint32_t)},
-                                                        {results.front, 1},
-                                                        {results.inside, 1},
-                                                        {results.occluded, 1}};
-  for (const auto& [pointer, alignment] : arrays) {
-    if (pointer == nullptr) continue;
-    if (device_of(pointer) != place)
-      fail("results", "don't lie where the rays are: take memory of one kind and device for all");
-    if (reinterpret_cast<std::uintptr_t>(pointer) % alignment != 0)
-      fail("results", "aren't aligned as their numbers must be");
-  }
+  check_arrays(place, results, list.filters);
   if (tracer.grid && tracer.tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
                        ? automatic_loop(tracer.tracer, list, request.query, request.tracing.precision)
@@ -135,6 +150,20 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
     fail("rays", fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
                              gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
   tracer.tracer.trace_on_device(list, results, request, wanted.stream, place);
+}
+
+// None for brute force. Of threads that ask at once each builds one, and the first is kept: a thread that
+// waited for another might be what that one waits for.
+std::shared_ptr<const GridFile> hierarchy_of(const masu_tracer& tracer) {
+  if (!tracer.grid || tracer.grid->is_hierarchy()) return tracer.grid;
+  {
+    const std::lock_guard lock(tracer.mutex);
+    if (tracer.hierarchy) return tracer.hierarchy;
+  }
+  auto built = std::make_shared<const GridFile>(fast_hierarchy(*tracer.scene));
+  const std::lock_guard lock(tracer.mutex);
+  if (!tracer.hierarchy) tracer.hierarchy = std::move(built);
+  return tracer.hierarchy;
 }
 
 } // namespace
@@ -232,6 +261,32 @@ masu_status masu_inside(const masu_tracer* tracer, const void* rays, size_t coun
     RayResults results;
     results.inside = inside;
     trace(*tracer, rays, count, query, Query::count_hits, results);
+  });
+}
+
+masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t count, const masu_query* query,
+                         const masu_hits* hits, double* points) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    const masu_query wanted = query != nullptr ? taken(query, "masu_query") : masu_query{};
+    const RayResults results = hits != nullptr ? results_of(hits) : RayResults{};
+    const auto format = choice<int>(wanted.format, 4, "format");
+    if (format != MASU_RAYS_FLOAT32 && format != MASU_RAYS_FLOAT64)
+      fail("format", "is of rays: places are MASU_RAYS_FLOAT32 or MASU_RAYS_FLOAT64");
+    if (wanted.faces != MASU_FACES_BOTH) fail("faces", "are both looked for");
+    if (results.front != nullptr) fail("front", "isn't found for places: take masu_inside()");
+    if (count == 0) return;
+    require(places, "places");
+    const PlaceList list{places, count, format == MASU_RAYS_FLOAT64, wanted.relative != 0,
+                         filters_of(wanted)};
+    if (device_of(places) != host_memory) fail("places", "must lie in host memory");
+    if (reinterpret_cast<std::uintptr_t>(places) % (list.is_float64 ? sizeof(double) : sizeof(float)) != 0)
+      fail("places", "aren't aligned as their numbers must be");
+    check_arrays(host_memory, results, list.filters, points);
+    on_threads_up_to(wanted.threads, [&] {
+      closest_points(*tracer->scene, hierarchy_of(*tracer).get(), list, results,
+                     reinterpret_cast<double(*)[3]>(points));
+    });
   });
 }
 }

@@ -367,6 +367,19 @@ MASU_API masu_status masu_count_hits(const masu_tracer* tracer, const void* rays
 MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, size_t count,
                                  const masu_query* query, uint8_t* inside);
 
+/* The point of the surfaces that is closest to each place. places: 3 numbers each in host memory, floats
+ * where query->format is MASU_RAYS_FLOAT32, doubles where it is MASU_RAYS_FLOAT64. points: 3 numbers of each
+ * closest point, in the places' coordinates; may be NULL. Of `hits`, which may be NULL, t and t64 are the
+ * distance, uv and normal those of the point; front must be NULL, for at an edge neither side is nearer
+ * (masu_inside() tells). Where there is no surface, or a number of the place is NaN or beyond 1e37, t is
+ * infinite and the point NaN. Of primitives at the same distance the one with the lowest index is reported.
+ *
+ * Of the query, exclude and masks say what isn't looked for; `threads` and `relative` are as for rays. All is
+ * computed on the CPU, wherever the tracer is, and in double: off by some roundings of the largest
+ * coordinate. Where the tracer's grid isn't a hierarchy, the first call builds one. */
+MASU_API masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t count,
+                                  const masu_query* query, const masu_hits* hits, double* points);
+
 /* NOLINTEND(modernize-use-using) */
 #ifdef __cplusplus
 }

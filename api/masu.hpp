@@ -206,6 +206,13 @@ struct HitLists {
   std::vector<std::uint8_t> front;
 };
 
+// The closest points to places in host memory.
+struct ClosestPoints {
+  std::vector<double> distance;
+  std::vector<std::uint32_t> primitive;
+  std::vector<std::array<double, 3>> point;
+};
+
 // A scene and its grid on a device; it keeps what it needs of both.
 class Tracer {
 public:
@@ -295,6 +302,28 @@ public:
   std::vector<std::uint8_t> inside(const Rays& rays, const QueryOptions& options = {}) const {
     std::vector<std::uint8_t> found(std::ranges::size(rays));
     inside(std::ranges::data(rays), found.size(), found.data(), options);
+    return found;
+  }
+
+  // Of places, in host memory (masu_closest()).
+  template <class Number>
+  requires std::same_as<Number, float> || std::same_as<Number, double>
+  void closest(const std::array<Number, 3>* places, std::size_t count, const masu_hits& hits, double* points,
+               const QueryOptions& options = {}) const {
+    const masu_query query =
+        query_of<std::conditional_t<std::same_as<Number, float>, masu_ray, masu_ray64>>(options);
+    check(masu_closest(handle_.get(), places, count, &query, &hits, points));
+  }
+  template <std::ranges::contiguous_range Places>
+  ClosestPoints closest(const Places& places, const QueryOptions& options = {}) const {
+    const std::size_t count = std::ranges::size(places);
+    ClosestPoints found{std::vector<double>(count), std::vector<std::uint32_t>(count),
+                        std::vector<std::array<double, 3>>(count)};
+    auto hits = sized<masu_hits>();
+    hits.t64 = found.distance.data();
+    hits.primitive = found.primitive.data();
+    closest(std::ranges::data(places), count, hits,
+            found.point.empty() ? nullptr : found.point.front().data(), options);
     return found;
   }
 

@@ -19,5 +19,7 @@ namespace masu {
 
 // What MASU_STRUCTURE_FASTEST builds for a device and on it: the GPU of that number, or MASU_CPU.
 GridFile fastest_grid(const SceneFile& scene, int device);
+// A hierarchy, built on the CPU with MASU_QUALITY_FAST.
+GridFile fast_hierarchy(const SceneFile& scene);
 
 } // namespace masu

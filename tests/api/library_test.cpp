@@ -597,6 +597,85 @@ TEST_F(Library, RaysHitTheObjectsOfTheirMasks) {
   EXPECT_THROW(tracer.nearest(rays, {.ray_masks = ray_masks.data()}), masu::Exception);
 }
 
+// Of every structure, in places of either type, in the world.
+TEST_F(Library, FindsClosestPoints) {
+  std::vector<Mesh> parts{random_mesh(engine_, 300), random_mesh(engine_, 300)};
+  for (Mesh& part : parts) {
+    for (std::size_t i = 0; i < part.vertices.size(); i += 3)
+      part.vertices[i] += 1024; // so that the scene has an origin of its own
+  }
+  const std::array meshes{parts[0].view(), parts[1].view()};
+  const masu::Scene scene(meshes);
+  std::vector<std::array<float, 3>> places(1000);
+  for (auto& place : places)
+    place = {1024 + 3 * coordinate(engine_), 3 * coordinate(engine_), 3 * coordinate(engine_)};
+  places.push_back({std::numeric_limits<float>::quiet_NaN(), 0, 0});
+  std::vector<std::array<double, 3>> places64;
+  for (const auto& [x, y, z] : places)
+    places64.push_back({x, y, z});
+  const masu::ClosestPoints expected = masu::Tracer(scene, nullptr, {}, true).closest(places);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const auto& [x, y, z] = expected.point[i];
+    EXPECT_NEAR(std::hypot(places64[i][0] - x, places64[i][1] - y, places64[i][2] - z), expected.distance[i],
+                1e-12);
+  }
+  EXPECT_EQ(expected.primitive.back(), MASU_NONE);
+  EXPECT_EQ(expected.distance.back(), infinity);
+  const auto expect_same = [&](const masu::ClosestPoints& found) {
+    EXPECT_EQ(found.primitive, expected.primitive);
+    EXPECT_EQ(found.distance, expected.distance);
+    EXPECT_TRUE(std::equal(found.point.begin(), found.point.end() - 1, expected.point.begin()));
+  };
+  for (const auto& [structure, quality] :
+       {std::pair(MASU_STRUCTURE_BVH, MASU_QUALITY_HIGH), std::pair(MASU_STRUCTURE_BVH, MASU_QUALITY_FAST),
+        std::pair(MASU_STRUCTURE_GRID, MASU_QUALITY_HIGH)}) {
+    masu_build_options options = masu::default_build_options();
+    options.structure = structure;
+    options.quality = quality;
+    const masu::Tracer tracer(scene, masu::Grid(scene, options));
+    expect_same(tracer.closest(places));
+    expect_same(tracer.closest(places64, {.threads = 1}));
+  }
+  const masu::Tracer tracer(scene);
+  // Without the closest, and of one mesh alone.
+  const masu::ClosestPoints next = tracer.closest(places, {.exclude = expected.primitive.data()});
+  const std::array<std::uint32_t, 2> second{0, 1};
+  const masu::ClosestPoints of_second = tracer.closest(places, {.object_masks = second});
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    EXPECT_NE(next.primitive[i], expected.primitive[i]);
+    EXPECT_GE(next.distance[i], expected.distance[i]);
+    EXPECT_GE(of_second.primitive[i], 300U);
+    EXPECT_GE(of_second.distance[i], expected.distance[i]);
+    if (expected.primitive[i] >= 300) EXPECT_EQ(of_second.distance[i], expected.distance[i]);
+  }
+  // At a corner of a triangle all that is known of the point.
+  const std::array<float, 3> corner{parts[0].vertices[3], parts[0].vertices[4], parts[0].vertices[5]};
+  auto hits = masu::sized<masu_hits>();
+  float t = -1, uv[2], normal[3];
+  std::uint32_t object = 5, face = 5;
+  hits.t = &t;
+  hits.uv = uv;
+  hits.normal = normal;
+  hits.object = &object;
+  hits.face = &face;
+  tracer.closest(&corner, 1, hits, nullptr);
+  EXPECT_EQ(t, 0);
+  EXPECT_EQ(uv[0], 1);
+  EXPECT_EQ(uv[1], 0);
+  EXPECT_EQ(object, 0U);
+  EXPECT_EQ(face, 0U);
+  EXPECT_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1, 1e-6);
+  std::uint8_t front = 0;
+  hits.front = &front;
+  EXPECT_THROW(tracer.closest(&corner, 1, hits, nullptr), masu::Exception);
+  EXPECT_THROW(tracer.closest(places, {.faces = MASU_FACES_BACK}), masu::Exception);
+  auto query = masu::sized<masu_query>();
+  query.format = MASU_RAYS_FLOAT32_6;
+  EXPECT_EQ(masu_closest(tracer.get(), places.data(), 1, &query, nullptr, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_closest(tracer.get(), nullptr, 1, nullptr, nullptr, nullptr), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_closest(tracer.get(), nullptr, 0, nullptr, nullptr, nullptr), MASU_OK);
+}
+
 TEST_F(Library, AnswersThreadsAtTheSameTime) {
   prepare(random_mesh(engine_, 500));
   masu_tracer* const tracers[]{opened(), opened()};

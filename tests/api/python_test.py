@@ -154,6 +154,43 @@ class Queries(WithFolder):
             with self.assertRaises(ValueError):
                 wrong()
 
+    def test_closest_points_of_a_cube(self):
+        corners = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
+        quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        faces = np.array([face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))], np.uint32)
+        points = self.random.uniform(-2, 2, (3, 200, 3))
+        outside = np.clip(points, -1, 1)
+        depth = 1 - np.abs(points).max(-1)
+        inside = depth > 0
+        expected = np.where(inside, depth, np.linalg.norm(points - outside, axis=-1))
+        with masu.Tracer(masu.Scene(corners, faces)) as tracer:
+            found = tracer.closest(points, fields=masu.CLOSEST_FIELDS)
+            np.testing.assert_allclose(found["distances"], expected, atol=1e-12)
+            np.testing.assert_allclose(found["points"][~inside], outside[~inside], atol=1e-12)
+            self.assertEqual(found["primitive_normals"].shape, (3, 200, 3))
+            np.testing.assert_array_equal(found["geometry_ids"], 0)
+            triangles = corners[faces][found["primitive_ids"]]
+            uv = found["primitive_uvs"]
+            weights = np.concatenate([1 - uv.sum(-1, keepdims=True), uv], -1)
+            np.testing.assert_allclose((triangles * weights[..., None]).sum(-2), found["points"], atol=1e-6)
+            nothing = tracer.closest(points, object_masks=[0])
+            self.assertTrue(np.isinf(nothing["distances"]).all() and np.isnan(nothing["points"]).all())
+            for wrong in (lambda: tracer.closest(np.zeros((5, 6))), lambda: tracer.closest(points, fields="t_hit"),
+                          lambda: tracer.closest(points, exclude=[1])):
+                self.assertRaises(ValueError, wrong)
+        scene = masu.RaycastingScene()
+        scene.add_triangles(corners, faces)
+        scene.add_triangles(corners + np.float32([9, 0, 0]), faces)
+        np.testing.assert_allclose(scene.compute_distance(points), expected, atol=1e-6)
+        np.testing.assert_allclose(scene.compute_signed_distance(points.astype(np.float32)), np.where(inside, -1, 1) * expected,
+                                   atol=1e-6)
+        np.testing.assert_array_equal(scene.compute_occupancy(points), inside)
+        closest = scene.compute_closest_points(points + np.float64([9, 0, 0]))
+        np.testing.assert_array_equal(closest["geometry_ids"], 1)
+        self.assertTrue((closest["primitive_ids"] < 12).all())
+        self.assertEqual(closest["points"].dtype, np.float32)
+        self.assertRaises(ValueError, scene.compute_distance, np.zeros((2, 6)))
+
     def test_results_depend_neither_on_the_grid_nor_on_coherence(self):
         self.scene()
         rays = random_rays(self.random, 2000)

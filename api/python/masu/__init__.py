@@ -13,7 +13,7 @@ from ._library import Error, Status, __version__, gpu_count
 from ._ray_mesh_intersector import RayMeshIntersector
 from ._raycasting_scene import RaycastingScene
 from ._scene import Description, Grid, GridDescription, Mesh, Primitive, Quadrics, Scene, load, load_grid
-from ._tracer import FIELDS, Tracer
+from ._tracer import CLOSEST_FIELDS, FIELDS, Tracer
 
-__all__ = ["Description", "Error", "FIELDS", "Grid", "GridDescription", "Mesh", "Primitive", "Quadrics", "RayMeshIntersector",
-           "RaycastingScene", "Scene", "Status", "Tracer", "__version__", "gpu_count", "load", "load_grid"]
+__all__ = ["CLOSEST_FIELDS", "Description", "Error", "FIELDS", "Grid", "GridDescription", "Mesh", "Primitive", "Quadrics",
+           "RayMeshIntersector", "RaycastingScene", "Scene", "Status", "Tracer", "__version__", "gpu_count", "load", "load_grid"]

@@ -191,6 +191,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_all_hits", c_int, *query, c_uint32, POINTER(HitsRecord), c_void_p)
     declare("masu_count_hits", c_int, *query, c_void_p)
     declare("masu_inside", c_int, *query, c_void_p)
+    declare("masu_closest", c_int, *query, POINTER(HitsRecord), c_void_p)
     return loaded
 
 

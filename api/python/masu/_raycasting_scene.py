@@ -75,6 +75,35 @@ class RaycastingScene:
         splits = np.concatenate([[0], np.cumsum(counts, dtype=np.int64)])
         return {"ray_splits": splits, "ray_ids": np.repeat(np.arange(len(flat)), counts), **self._numbered(lists)}
 
+    def compute_closest_points(self, query_points: Any, nthreads: int = 0) -> Dict[str, Any]:
+        """The closest point of the meshes to each point (..., 3): points, geometry_ids, primitive_ids, primitive_uvs,
+        primitive_normals."""
+        import numpy as np
+        found = self.tracer.closest(_points(query_points), threads=nthreads or self._nthreads, fields=(
+            "points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"))
+        return {**self._numbered(found), "points": found["points"].astype(np.float32)}
+
+    def compute_distance(self, query_points: Any, nthreads: int = 0) -> Any:
+        """The distance of each point (..., 3) to the meshes."""
+        import numpy as np
+        return self.tracer.closest(_points(query_points), fields="distances",
+                                   threads=nthreads or self._nthreads)["distances"].astype(np.float32)
+
+    def compute_signed_distance(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Any:
+        """The same, negative inside: where a ray crosses the meshes an odd number of times, which must be closed.
+        nsamples: crossings are counted exactly, more rays than one change nothing."""
+        import numpy as np
+        return np.where(self.compute_occupancy(query_points, nthreads) > 0, np.float32(-1),
+                        np.float32(1)) * self.compute_distance(query_points, nthreads)
+
+    def compute_occupancy(self, query_points: Any, nthreads: int = 0, nsamples: int = 1) -> Any:
+        """1 for points (..., 3) inside the meshes, which must be closed, else 0: float32."""
+        import numpy as np
+        points = _points(query_points)
+        rays = np.zeros(points.shape[:-1] + (6,), points.dtype)
+        rays[..., :3], rays[..., 3] = points, 1
+        return (self.count_intersections(rays, nthreads) % 2).astype(np.float32)
+
     def _numbered(self, hits: Dict[str, Any]) -> Dict[str, Any]:
         """With primitives numbered in their meshes, and the misses' numbers Open3D's."""
         import numpy as np
@@ -116,11 +145,19 @@ def hit_lists(tracer: Tracer, rays: Any, counts: Any, fields: Sequence[str], thr
 
 
 def _rays(rays: Any) -> Any:
+    return _vectors("rays", rays, 6)
+
+
+def _points(points: Any) -> Any:
+    return _vectors("query_points", points, 3)
+
+
+def _vectors(name: str, numbers: Any, length: int) -> Any:
     import numpy as np
-    rays = np.asarray(_arrays.on_host(rays))
-    if rays.ndim == 0 or rays.shape[-1] != 6:
-        raise ValueError("rays: the shape (..., 6) is needed, not {}".format(rays.shape))
-    return rays if rays.dtype == np.float64 else rays.astype(np.float32, copy=False)
+    vectors = np.asarray(_arrays.on_host(numbers))
+    if vectors.ndim == 0 or vectors.shape[-1] != length:
+        raise ValueError("{}: the shape (..., {}) is needed, not {}".format(name, length, vectors.shape))
+    return vectors if vectors.dtype == np.float64 else vectors.astype(np.float32, copy=False)
 
 
 def _vector(name: str, numbers: Any, shape: Tuple[int, ...]) -> Any:

@@ -29,18 +29,24 @@ _FIELDS = {
     "front": _Field("front", "bool", ()),
 }
 FIELDS = tuple(_FIELDS)  # of Tracer.nearest() and all_hits()
+_CLOSEST_FIELDS = {
+    "distances": _Field("t64", "float64", ()),
+    "points": _Field("", "float64", (3,)),
+    **{name: _FIELDS[name] for name in ("primitive_ids", "geometry_ids", "primitive_uvs", "primitive_normals", "face_ids")},
+}
+CLOSEST_FIELDS = tuple(_CLOSEST_FIELDS)  # of Tracer.closest()
 
 
-def _chosen(fields: Union[str, Iterable[str]]) -> Dict[str, _Field]:
+def _chosen(fields: Union[str, Iterable[str]], known: Dict[str, _Field] = _FIELDS) -> Dict[str, _Field]:
     chosen = (fields,) if isinstance(fields, str) else tuple(fields)
     for name in chosen:
-        if name not in _FIELDS:
-            raise ValueError("fields: {!r} isn't one of {}".format(name, ", ".join(FIELDS)))
-    return {name: _FIELDS[name] for name in chosen}
+        if name not in known:
+            raise ValueError("fields: {!r} isn't one of {}".format(name, ", ".join(known)))
+    return {name: known[name] for name in chosen}
 
 
-def _hits(pointers: Dict[str, int]) -> Any:
-    return byref(sized(HitsRecord(**{_FIELDS[name].record: pointer for name, pointer in pointers.items()})))
+def _hits(pointers: Dict[str, int], known: Dict[str, _Field] = _FIELDS) -> Any:
+    return byref(sized(HitsRecord(**{known[name].record: pointer for name, pointer in pointers.items()})))
 
 
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
@@ -187,13 +193,34 @@ class Tracer(Resource):
         return self._query_one(library.masu_inside, "uint8", rays, precision, False, stream, relative, threads, "both",
                                None, object_masks, ray_masks)
 
+    def closest(self, points: Any, *, fields: Union[str, Iterable[str]] = ("distances", "points", "primitive_ids"),
+                relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
+                ray_masks: Any = None) -> Dict[str, Any]:
+        """The point of the surfaces that is closest to each of the points (..., 3), which are in host memory: a dictionary of
+        the fields requested, each an array of the points' leading shape.
+
+        distances          float64; infinity where there is no surface
+        points             (..., 3) float64: the closest points
+        primitive_ids, geometry_ids, primitive_uvs, primitive_normals, face_ids   as nearest() has them, of these
+
+        Other arguments are those of nearest(), masks and exclude of points instead of rays. All is computed on the CPU and in
+        float64. Of primitives at the same distance the lowest index is reported. If the grid isn't a hierarchy, the first call
+        builds one."""
+        def arguments(pointers: Dict[str, int]) -> Tuple[Any, ...]:
+            to = pointers.pop("points", None)
+            return _hits(pointers, _CLOSEST_FIELDS), to
+
+        return self._query(library.masu_closest, arguments, _chosen(fields, _CLOSEST_FIELDS), points, "auto", False, None,
+                           relative, threads, "both", exclude, object_masks, ray_masks, name="points", numbers=(3,))
+
     def _query_one(self, function: Callable[..., int], number: str, *query: Any) -> Any:
         return self._query(function, lambda pointers: (pointers["found"],), {"found": _Field("", number, ())},
                            *query)["found"]
 
     def _query(self, function: Callable[..., int], arguments: Callable[[Dict[str, int]], Tuple[Any, ...]],
                fields: Dict[str, _Field], rays: Any, precision: str, coherent: bool, stream: Any, relative: bool,
-               threads: int, faces: str, exclude: Any, object_masks: Any, ray_masks: Any) -> Dict[str, Any]:
+               threads: int, faces: str, exclude: Any, object_masks: Any, ray_masks: Any, name: str = "rays",
+               numbers: Tuple[int, ...] = (6, 8)) -> Dict[str, Any]:
         """arguments: the function's last ones, made of the pointers to the results."""
         if not 0 <= operator.index(threads) <= 4096:
             raise ValueError("threads: {} isn't from 0 to 4096".format(threads))
@@ -203,8 +230,9 @@ class Tracer(Resource):
         arrays, rays = _arrays.recognize(rays, stream)
         gpu = arrays.gpu(rays)
         shape = tuple(rays.shape)
-        if not shape or shape[-1] not in (6, 8):
-            raise ValueError("rays: the shape (..., 6) or (..., 8) is needed, not {}".format(shape))
+        if not shape or shape[-1] not in numbers:
+            raise ValueError("{}: the shape {} is needed, not {}".format(
+                name, " or ".join("(..., {})".format(number) for number in numbers), shape))
         if gpu is None and stream is not None:
             raise ValueError("stream: it is for rays on a GPU, and these are in host memory")
         if gpu is not None and gpu not in self._gpus:
@@ -215,21 +243,21 @@ class Tracer(Resource):
             rays = arrays.packed(rays)
             objects = (self.scene.describe().objects,) if object_masks is not None else ()
             filters = {}  # kept until the query is queued
-            for name, given, needed in (("exclude", exclude, shape[:-1]), ("ray_masks", ray_masks, shape[:-1]),
+            for array, given, needed in (("exclude", exclude, shape[:-1]), ("ray_masks", ray_masks, shape[:-1]),
                                         ("object_masks", object_masks, objects)):
                 if given is None:
                     continue
                 others, given = _arrays.recognize(given, stream)
                 if others is not arrays or arrays.gpu(given) != gpu or tuple(given.shape) != needed:
                     raise ValueError("{}: whole numbers of the shape {} are needed, where the rays are".format(
-                        name, needed))
-                filters[name] = arrays.packed_int32(given)
-                setattr(record, name, arrays.pointer(filters[name]))
+                        array, needed))
+                filters[array] = arrays.packed_int32(given)
+                setattr(record, array, arrays.pointer(filters[array]))
             record.object_count = sum(objects)
             record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
-            results = {name: arrays.empty(shape[:-1] + field.shape, field.number, rays)
-                       for name, field in fields.items()}
+            results = {each: arrays.empty(shape[:-1] + field.shape, field.number, rays)
+                       for each, field in fields.items()}
             if count and results:
-                pointers = {name: arrays.pointer(array) for name, array in results.items()}
+                pointers = {each: arrays.pointer(result) for each, result in results.items()}
                 check(function(handle, arrays.pointer(rays), count, byref(record), *arguments(pointers)))
         return results

@@ -1,0 +1,73 @@
+#include "renderer/closest_points.h"
+
+#include "libgrid/trace/closest.h"
+#include "libscene/base/error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+namespace masu {
+namespace {
+
+Vec3d place_of(const PlaceList& places, std::size_t i) {
+  const auto place = [i](const auto* numbers) {
+    return Vec3d{static_cast<double>(numbers[3 * i]), static_cast<double>(numbers[3 * i + 1]),
+                 static_cast<double>(numbers[3 * i + 2])};
+  };
+  return places.is_float64 ? place(static_cast<const double*>(places.places))
+                           : place(static_cast<const float*>(places.places));
+}
+
+template <class Number>
+void write(Number (*to)[3], std::size_t i, const Vec3d& vector) {
+  if (to == nullptr) return;
+  for (int axis = 0; axis < 3; ++axis)
+    to[i][axis] = static_cast<Number>(vector[axis]);
+}
+
+template <class Stored>
+void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const Vec3d& origin,
+           const RayResults& results, double (*points)[3], std::size_t i) {
+  const auto& [closest, primitive] = found;
+  const bool is_there = primitive != no_primitive;
+  const double distance = std::sqrt(closest.squared);
+  if (results.t != nullptr) results.t[i] = static_cast<float>(distance);
+  if (results.t64 != nullptr) results.t64[i] = distance;
+  if (results.primitive != nullptr) results.primitive[i] = primitive;
+  if (results.object != nullptr)
+    results.object[i] = is_there ? surface_of(scene, primitive).object : no_primitive;
+  if (results.face != nullptr) results.face[i] = is_there ? face_of(scene, primitive) : no_primitive;
+  if (results.uv != nullptr) {
+    results.uv[i][0] = static_cast<float>(closest.weight_b);
+    results.uv[i][1] = static_cast<float>(closest.weight_c);
+  }
+  const double length = std::sqrt(dot(closest.normal, closest.normal));
+  write(results.normal, i, length > 0 ? closest.normal * (1 / length) : closest.normal);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  write(points, i, is_there ? closest.point + origin : Vec3d{nan, nan, nan});
+}
+
+} // namespace
+
+void closest_points(const SceneFile& scene, const GridFile* hierarchy, const PlaceList& places,
+                    const RayResults& results, double (*points)[3]) {
+  check_filters(places.filters, scene.counts().objects);
+  if (const Boxd bounds = scene.bounds(); !is_empty(bounds) && largest_magnitude(bounds) > max_closest)
+    throw Error(ErrorCode::usage, "scene", "has coordinates beyond 1e37, too large for distances");
+  const Vec3d origin = places.is_relative ? Vec3d{0, 0, 0} : scene.origin();
+  const auto search = [&](const auto& view, const auto& structure) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.count, 256), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        const HitFilter filter = places.filters.of(i);
+        write(view, closest_primitive(view, structure, place_of(places, i) - origin, filter), origin, results,
+              points, i);
+      }
+    });
+  };
+  const auto with_store = [&]<class Stored>(const SceneView<Stored>& view) {
+    hierarchy == nullptr ? search(view, NoGrid{}) : search(view, hierarchy->hierarchy_view<Stored>());
+  };
+  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
+}
+
+} // namespace masu

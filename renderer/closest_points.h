@@ -1,0 +1,26 @@
+// Lists of places, and the points of a scene's surfaces that are closest to them: on the CPU.
+#pragma once
+
+#include "renderer/tracer.h"
+
+namespace masu {
+
+// Places in host memory, 3 numbers each: in the world, or relative to the scene's origin.
+struct PlaceList {
+  const void* places = nullptr;
+  std::size_t count = 0;
+  bool is_float64 = false, is_relative = false;
+  RayFilters filters{}; // as of rays
+};
+
+// Writes the distance of each place as t and t64, and primitive, object, face, (u, v) and the normal of the
+// closest point as RayResults has them; and the point, in the list's coordinates. Where there is none they
+// are infinity, no_primitive, 0 and NaN. Of primitives that are as far the lowest index is taken. All is
+// computed in double, whatever the scene is stored in.
+//
+// `hierarchy`: of the scene; null: every primitive is tried. Throws Error(usage) for filters of another
+// scene, and for a scene with coordinates beyond max_closest (libgrid/trace/closest.h).
+void closest_points(const SceneFile& scene, const GridFile* hierarchy, const PlaceList& places,
+                    const RayResults& results, double (*points)[3]);
+
+} // namespace masu

@@ -1,0 +1,161 @@
+// Closest points: the same for every structure, on the surface, and none closer.
+#include "libgrid/trace/closest.h"
+#include "tests/random_grid.h"
+#include "tests/random_ray.h"
+#include "tests/random_scene.h"
+#include "tests/random_test.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace masu {
+namespace {
+
+double length_of(const Vec3d& v) {
+  return std::sqrt(dot(v, v));
+}
+
+// Of the primitive; its corners and its rim, too.
+Vec3d point_of(Chance& chance, const Triangle<double>& t) {
+  const auto share = [&] { return chance.one_in(3) ? chance.whole(0, 1) : chance.uniform(0, 1); };
+  const double b = share(), c = (1 - b) * share();
+  return t.a + (t.b - t.a) * b + (t.c - t.a) * c;
+}
+Vec3d point_of(Chance& chance, const Sphere<double>& s) {
+  return s.center + chance.direction() * std::abs(s.radius);
+}
+Vec3d point_of(Chance& chance, const Cone<double>& c) {
+  const Vec3d axis = c.apex - c.base;
+  Vec3d across = cross(axis, chance.direction());
+  across = across * (1 / length_of(across));
+  const double share = chance.one_in(3) ? chance.whole(0, 1) : chance.uniform(0, 1),
+               radius = std::abs(c.base_radius) + share * (std::abs(c.apex_radius) - std::abs(c.base_radius));
+  return c.base + axis * share + across * radius;
+}
+
+// How far a point is off the surface. A triangle's is the hull of its corners: the point is within it if
+// nowhere the corners are all on one side of it, which is tried along its edges and normal.
+double off_surface(const Triangle<double>& t, const Vec3d& point) {
+  const Vec3d normal = accurate_cross(t.b - t.a, t.c - t.a);
+  double off = 0;
+  const auto try_along = [&](const Vec3d& direction) {
+    const double length = length_of(direction);
+    if (!(length > 0)) return;
+    const double a = dot(t.a - point, direction), b = dot(t.b - point, direction),
+                 c = dot(t.c - point, direction);
+    off = std::max({off, std::min({a, b, c}) / length, -std::max({a, b, c}) / length});
+  };
+  for (const Vec3d& edge : {t.b - t.a, t.c - t.b, t.a - t.c}) {
+    try_along(edge);
+    try_along(cross(normal, edge));
+  }
+  try_along(normal);
+  return off;
+}
+double off_surface(const Sphere<double>& s, const Vec3d& point) {
+  return std::abs(length_of(point - s.center) - std::abs(s.radius));
+}
+double off_surface(const Cone<double>& c, const Vec3d& point) {
+  const Vec3d axis = c.apex - c.base, from = point - c.base;
+  const double height = length_of(axis), taper = std::abs(c.apex_radius) - std::abs(c.base_radius),
+               share = std::clamp(dot(from, axis) / dot(axis, axis), 0.0, 1.0),
+               radius = std::abs(c.base_radius) + share * taper;
+  const Vec3d along = axis * share, across = from - axis * (dot(from, axis) / dot(axis, axis));
+  const double beyond = length_of(from - across - along); // either end
+  return std::max(std::abs(length_of(across) - radius) * height / std::hypot(height, taper), beyond);
+}
+
+template <class Real>
+class ClosestPoints : public RandomTest {};
+using Stores = testing::Types<float, double>;
+TYPED_TEST_SUITE(ClosestPoints, Stores);
+
+TYPED_TEST(ClosestPoints, AreThoseOfTryingEveryPrimitive) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  std::size_t found = 0;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    if (scene.count() == 0) continue;
+    const SceneView<Real> view = scene.view();
+    const Grid grid = random_grid(chance, view, scene.bounds()),
+               hierarchy = hierarchy_of(scene, any_quality(chance));
+    RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
+    const std::uint32_t mask = 1;
+    for (int p = 0; p < 100; ++p) {
+      const Vec3d place = cast<double>(rays.ray().origin);
+      HitFilter filter;
+      if (chance.one_in(3)) filter.excluded = static_cast<PrimitiveIndex>(chance.index(scene.count()));
+      filter.object_masks = &mask; // of the only object
+      if (chance.one_in(8)) filter.ray_mask = 2;
+      const ClosestPrimitive expected = closest_primitive(view, NoGrid{}, place, filter),
+                             closest = closest_primitive(
+                                 view,
+                                 HierarchyView<Real>{hierarchy.nodes.data(), hierarchy.references.data()},
+                                 place, filter);
+      ASSERT_EQ(closest.primitive, expected.primitive) << described(cast<Real>(place), {});
+      ASSERT_EQ(closest.closest.squared, expected.closest.squared);
+      ASSERT_EQ(closest.closest.point, expected.closest.point);
+      found += closest.primitive != no_primitive ? 1 : 0;
+      ASSERT_TRUE(filter.ray_mask != 2 || closest.primitive == no_primitive);
+    }
+  }
+  EXPECT_GT(found, static_cast<std::size_t>(cases(10'000)));
+}
+
+TYPED_TEST(ClosestPoints, AreOnTheSurfaceAndNoneIsCloser) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(300); s > 0; --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    const SceneView<Real> view = scene.view();
+    const Grid grid = random_grid(chance, view, scene.bounds());
+    RayMaker<Real> rays(chance, scene, scene.bounds(), grid);
+    for (PrimitiveIndex i = 0; i < scene.count(); ++i) {
+      const Vec3d place = cast<double>(rays.ray().origin);
+      const double largest = largest_magnitude(place) + largest_magnitude(scene.bounds());
+      if (!(largest <= max_closest)) continue;
+      const double tolerance = 0x1p-46 * largest;
+      with_primitive(view, i, [&](const auto& primitive) {
+        if (!has_surface(primitive)) return;
+        const ClosestPoint closest = closest_point(primitive, place);
+        const double distance = std::sqrt(closest.squared);
+        ASSERT_NEAR(length_of(place - closest.point), distance, tolerance) << i;
+        ASSERT_LE(off_surface(primitive, closest.point), tolerance) << i;
+        for (int k = 0; k < 20; ++k)
+          ASSERT_LE(distance, length_of(place - point_of(chance, primitive)) + tolerance) << i;
+      });
+    }
+  }
+}
+
+// A face's projection, an edge, a corner; between spheres; from a cone's axis. Of two as close the first.
+TEST(ClosestPoint, OfKnownPlaces) {
+  TestScene<float> scene;
+  scene.triangles = {triangle_of<float>({0, 0, 0}, {4, 0, 0}, {0, 4, 0}),
+                     triangle_of<float>({0, 0, 2}, {4, 0, 2}, {0, 4, 2})};
+  scene.spheres = {sphere_of<float>({10, 0, 0}, 1), sphere_of<float>({14, 0, 0}, -2)};
+  scene.cones = {cone_of<float>({0, 20, 0}, 1, {0, 20, 4}, 1)};
+  const SceneView<float> view = scene.view();
+  const auto expect = [&](const Vec3d& place, PrimitiveIndex primitive, const Vec3d& point, double distance) {
+    const ClosestPrimitive found = closest_primitive(view, NoGrid{}, place, {});
+    EXPECT_EQ(found.primitive, primitive);
+    EXPECT_EQ(found.closest.point, point);
+    EXPECT_EQ(found.closest.squared, distance * distance);
+  };
+  expect({1, 1, 0.5}, 0, {1, 1, 0}, 0.5);
+  expect({1, 1, 1}, 0, {1, 1, 0}, 1); // or the second
+  expect({1, -3, 2}, 1, {1, 0, 2}, 3);
+  expect({-3, -4, 0}, 0, {0, 0, 0}, 5);
+  expect({11.5, 0, 0}, 2, {11, 0, 0}, 0.5);
+  expect({13, 0, 0}, 3, {12, 0, 0}, 1); // inside
+  const ClosestPrimitive on_axis = closest_primitive(view, NoGrid{}, {0, 20, 2}, {});
+  EXPECT_EQ(on_axis.primitive, 4U);
+  EXPECT_EQ(on_axis.closest.squared, 1);
+  EXPECT_EQ(closest_primitive(view, NoGrid{}, {NAN, 0, 0}, {}).primitive, no_primitive);
+  EXPECT_EQ(closest_primitive(view, NoGrid{}, {0, INFINITY, 0}, {}).primitive, no_primitive);
+}
+
+} // namespace
+} // namespace masu
