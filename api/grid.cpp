@@ -93,6 +93,15 @@ std::unique_ptr<masu_grid> held(GridFile file) {
 
 namespace masu {
 
+GridFile refitted_grid(const GridFile& from, const SceneFile& scene) {
+  return scene.is_float64() ? refitted<double>(from, scene) : refitted<float>(from, scene);
+}
+
+void require_hierarchy(const GridFile* grid) {
+  if (grid == nullptr || !grid->is_hierarchy())
+    fail("grid", "isn't a hierarchy, which alone can be refitted: build one with MASU_STRUCTURE_BVH");
+}
+
 GridFile fastest_grid(const SceneFile& scene, int device) {
   masu_build_options options = default_options();
   options.for_cpu = device == MASU_CPU ? 1 : 0;
@@ -126,17 +135,16 @@ masu_status masu_grid_build(const masu_scene* scene, const masu_build_options* o
   });
 }
 
-masu_status masu_grid_refit(const masu_grid* grid, const masu_scene* scene, masu_grid** refitted_grid) {
-  return make(refitted_grid, "refitted", [&] {
+masu_status masu_grid_refit(const masu_grid* grid, const masu_scene* scene, masu_grid** fitted) {
+  return make(fitted, "refitted", [&] {
     require(grid, "grid");
     require(scene, "scene");
     const GridFile& from = *grid->file;
-    if (!from.is_hierarchy()) fail("grid", "isn't a hierarchy: build one with MASU_STRUCTURE_BVH");
+    require_hierarchy(&from);
     if (from.table().primitives() != scene->file->primitive_count())
       fail("scene", fmt::format("has {} primitives, the grid was built from {}: build it anew",
                                 scene->file->primitive_count(), from.table().primitives()));
-    return held(scene->file->is_float64() ? refitted<double>(from, *scene->file)
-                                          : refitted<float>(from, *scene->file));
+    return held(refitted_grid(from, *scene->file));
   });
 }
 

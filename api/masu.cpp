@@ -11,19 +11,52 @@
 #include <utility>
 #include <vector>
 
-struct masu_tracer {
+namespace {
+
+// What a tracer traces, until an update.
+struct State {
   std::shared_ptr<const masu::SceneFile> scene;
   std::shared_ptr<const masu::GridFile> grid; // none for brute force
   masu::Tracer tracer;
-  mutable masu::UsualLoops loops;                          // found out by the first query
-  mutable std::mutex mutex;                                // of what follows
+  std::shared_ptr<masu::UsualLoops> loops; // found out by the first query
+  bool is_on_gpu_alone = false;            // moved there: what `scene` and `grid` say of places is of before
+  mutable std::mutex mutex;                // of what follows
   mutable std::shared_ptr<const masu::GridFile> hierarchy; // for closest points, built by their first query
 
   // gpus: none for the CPU.
-  masu_tracer(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::GridFile> grid_,
-              const std::vector<int>& gpus)
+  State(std::shared_ptr<const masu::SceneFile> scene_, std::shared_ptr<const masu::GridFile> grid_,
+        const std::vector<int>& gpus)
       : scene(std::move(scene_)), grid(std::move(grid_)),
-        tracer(*scene, grid.get(), gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus) {}
+        tracer(*scene, grid.get(), gpus.empty() ? masu::Device::cpu : masu::Device::cuda, gpus),
+        loops(std::make_shared<masu::UsualLoops>()) {}
+  State(const State& before, masu::Tracer moved)
+      : scene(before.scene), grid(before.grid), tracer(std::move(moved)), loops(before.loops),
+        is_on_gpu_alone(true) {}
+};
+
+} // namespace
+
+struct masu_tracer {
+  std::shared_ptr<const masu::SceneVertices> vertices;
+  std::mutex update; // one after the other
+
+  masu_tracer(std::shared_ptr<const masu::SceneVertices> vertices_, std::shared_ptr<const State> state)
+      : vertices(std::move(vertices_)), state_(std::move(state)) {}
+
+  // A query keeps the one that it begins with.
+  std::shared_ptr<const State> state() const {
+    const std::lock_guard lock(mutex_);
+    return state_;
+  }
+  // The caller holds the one before.
+  void set_state(std::shared_ptr<const State> next) {
+    const std::lock_guard lock(mutex_);
+    state_ = std::move(next);
+  }
+
+private:
+  mutable std::mutex mutex_;
+  std::shared_ptr<const State> state_;
 };
 
 namespace masu {
@@ -122,9 +155,11 @@ void check_arrays(int place, const RayResults& results, const RayFilters& filter
 }
 
 // Traces rays where they lie; the results must be there, too.
-void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const masu_query* options,
+void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count, const masu_query* options,
            Query query, const RayResults& results, std::uint32_t limit = 1) {
   if (count == 0) return;
+  const auto state = tracer_handle.state();
+  const Tracer& tracer = state->tracer;
   require(rays, "rays");
   const masu_query wanted = options != nullptr ? taken(options, "masu_query") : masu_query{};
   RaysRequest request;
@@ -137,24 +172,50 @@ void trace(const masu_tracer& tracer, const void* rays, std::size_t count, const
   list.filters = filters_of(wanted);
   const int place = device_of(rays);
   check_arrays(place, results, list.filters);
-  if (tracer.grid && tracer.tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
+  if (state->grid && tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
-                       ? automatic_loop(tracer.tracer, list, request.query, request.tracing.precision)
-                       : tracer.loops.of(tracer.tracer, wanted.coherent != 0);
+                       ? automatic_loop(tracer, list, request.query, request.tracing.precision)
+                       : state->loops->of(tracer, wanted.coherent != 0);
   if (place == host_memory) {
-    on_threads_up_to(wanted.threads, [&] { tracer.tracer.trace(list, results, request); });
+    on_threads_up_to(wanted.threads, [&] { tracer.trace(list, results, request); });
     return;
   }
-  const std::vector<int>& gpus = tracer.tracer.gpus();
+  const std::vector<int>& gpus = tracer.gpus();
   if (std::ranges::count(gpus, place) == 0)
     fail("rays", fmt::format("lie in memory of GPU {}, the tracer is on {}", place,
                              gpus.empty() ? "the CPU" : fmt::format("GPU {}", fmt::join(gpus, ", "))));
-  tracer.tracer.trace_on_device(list, results, request, wanted.stream, place);
+  tracer.trace_on_device(list, results, request, wanted.stream, place);
+}
+
+Vertices vertices_of(const masu_vertices& given, const SceneVertices& scene) {
+  if (given.values == nullptr) require(given.values64, "vertices");
+  if (given.values != nullptr && given.values64 != nullptr)
+    fail("vertices", "are given twice: as float and as double");
+  if (given.count != scene.count)
+    fail("vertices", fmt::format("are {}, the scene was made of {}", given.count, scene.count));
+  const Vertices vertices{given.values, given.values64, given.count, scene.indices};
+  const std::size_t number = given.values != nullptr ? sizeof(float) : sizeof(double);
+  if (reinterpret_cast<std::uintptr_t>(vertices.numbers()) % number != 0)
+    fail("vertices", "aren't aligned as their numbers must be");
+  if (const int place = device_of(vertices.numbers()); place != host_memory)
+    wait_for_stream(given.stream, place);
+  return vertices;
+}
+
+// Refitted where the tracer traces; where that can't be, built anew in host memory.
+std::shared_ptr<const State> moved(const State& before, const Vertices& vertices) {
+  if (before.tracer.device() == Device::cuda) {
+    if (std::optional<Tracer> tracer = before.tracer.moved(vertices))
+      return std::make_shared<const State>(before, *std::move(tracer));
+  }
+  auto scene = std::make_shared<const SceneFile>(moved_scene(*before.scene, vertices));
+  auto grid = std::make_shared<const GridFile>(refitted_grid(*before.grid, *scene));
+  return std::make_shared<const State>(std::move(scene), std::move(grid), before.tracer.gpus());
 }
 
 // None for brute force. Of threads that ask at once each builds one, and the first is kept: a thread that
 // waited for another might be what that one waits for.
-std::shared_ptr<const GridFile> hierarchy_of(const masu_tracer& tracer) {
+std::shared_ptr<const GridFile> hierarchy_of(const State& tracer) {
   if (!tracer.grid || tracer.grid->is_hierarchy()) return tracer.grid;
   {
     const std::lock_guard lock(tracer.mutex);
@@ -203,7 +264,21 @@ masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
     else if (wanted.brute_force == 0)
       file = std::make_shared<const GridFile>(
           fastest_grid(*scene->file, gpus.empty() ? MASU_CPU : gpus.front()));
-    return std::make_unique<masu_tracer>(scene->file, std::move(file), gpus);
+    return std::make_unique<masu_tracer>(
+        scene->vertices, std::make_shared<const State>(scene->file, std::move(file), gpus));
+  });
+}
+
+masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertices) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    const masu_vertices given = taken(vertices, "masu_vertices");
+    const std::lock_guard lock(tracer->update);
+    const auto before = tracer->state();
+    require_hierarchy(before->grid.get());
+    // Isolated, or a thread that waits might take another task of the program that updates.
+    tbb::this_task_arena::isolate(
+        [&] { tracer->set_state(moved(*before, vertices_of(given, *tracer->vertices))); });
   });
 }
 
@@ -283,8 +358,11 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
     if (reinterpret_cast<std::uintptr_t>(places) % (list.is_float64 ? sizeof(double) : sizeof(float)) != 0)
       fail("places", "aren't aligned as their numbers must be");
     check_arrays(host_memory, results, list.filters, points);
+    const auto state = tracer->state();
+    if (state->is_on_gpu_alone)
+      fail("tracer", "was moved on a GPU: closest points are found in host memory");
     on_threads_up_to(wanted.threads, [&] {
-      closest_points(*tracer->scene, hierarchy_of(*tracer).get(), list, results,
+      closest_points(*state->scene, hierarchy_of(*state).get(), list, results,
                      reinterpret_cast<double(*)[3]>(points));
     });
   });

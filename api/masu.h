@@ -252,6 +252,31 @@ typedef struct masu_tracer_options {
 MASU_API masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
                                         const masu_tracer_options* options, masu_tracer** tracer);
 
+/* Where the vertices of a scene's triangles are now. */
+typedef struct masu_vertices {
+  size_t size;
+  const float* values;    /* 3 per vertex, in the world; or */
+  const double* values64; /* the same */
+  size_t count;           /* as many as the scene was made of: of all meshes, one after the other; of a scene
+                             from a file three per triangle */
+  void* stream;           /* cudaStream_t that writes those in device memory; NULL: the default stream */
+} masu_vertices;
+
+/* Moves the triangles of the tracer's scene, between the same vertices as before, and refits its hierarchy
+ * (masu_grid_refit() says what that is worth); spheres and cones stay. On GPUs all of it happens in their
+ * memory, where the vertices may lie, too: two million triangles take some milliseconds. Hits are those of a
+ * new scene of these vertices with the same origin and store, and so is the error bound, which follows the
+ * coordinates that are farthest from that origin.
+ *
+ * The scene and the grid that the tracer was made of stay as they are: the tracer alone has moved, and they
+ * may be shared. When the call returns, it has, and the vertices aren't needed any more. Queries that other
+ * threads have under way are of the positions before or after, all rays of one alike; what was queued on a
+ * GPU before is of those before, and is waited for.
+ *
+ * After an error the tracer is as it was: MASU_ERROR_USAGE for a tracer without a hierarchy, another number of
+ * vertices, coordinates that aren't finite or that the scene's store doesn't hold. */
+MASU_API masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertices);
+
 /* Waits for what runs, and gives memory back. NULL is allowed. */
 MASU_API void masu_tracer_free(masu_tracer* tracer);
 

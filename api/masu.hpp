@@ -94,6 +94,17 @@ inline masu_build_options default_build_options() {
   return options;
 }
 
+// Where a scene's vertices are now; refers to the array.
+template <Vertices V>
+masu_vertices moved_to(const V& vertices) {
+  const masu_mesh as_mesh = mesh(vertices, std::array<std::uint32_t, 0>{});
+  auto moved = sized<masu_vertices>();
+  moved.values = as_mesh.vertices;
+  moved.values64 = as_mesh.vertices64;
+  moved.count = as_mesh.vertex_count;
+  return moved;
+}
+
 class Scene {
 public:
   explicit Scene(const masu_geometry& geometry)
@@ -325,6 +336,13 @@ public:
     closest(std::ranges::data(places), count, hits,
             found.point.empty() ? nullptr : found.point.front().data(), options);
     return found;
+  }
+
+  // Moves the triangles of its scene, and refits its hierarchy (masu_tracer_update).
+  void update(const masu_vertices& vertices) { check(masu_tracer_update(handle_.get(), &vertices)); }
+  template <Vertices V>
+  void update(const V& vertices) {
+    update(moved_to(vertices));
   }
 
   masu_tracer* get() const { return handle_.get(); }

@@ -4,12 +4,25 @@
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/scene_file.h"
 #include "masu.h"
+#include "renderer/tracer.h"
 
 #include <memory>
+#include <vector>
 
-// Both are shared with the tracers that use them, so that handles may be freed in any order.
+namespace masu {
+
+// A scene's vertices as its arrays had them, through all meshes; as a file has them, three per triangle.
+struct SceneVertices {
+  std::uint64_t count = 0;
+  std::vector<std::uint32_t> indices{}; // three per triangle; empty: one after the other
+};
+
+} // namespace masu
+
+// All are shared with the tracers that use them, so that handles may be freed in any order.
 struct masu_scene {
   std::shared_ptr<const masu::SceneFile> file; // in memory
+  std::shared_ptr<const masu::SceneVertices> vertices;
 };
 struct masu_grid {
   std::shared_ptr<const masu::GridFile> file; // in memory
@@ -21,5 +34,14 @@ namespace masu {
 GridFile fastest_grid(const SceneFile& scene, int device);
 // A hierarchy, built on the CPU with MASU_QUALITY_FAST.
 GridFile fast_hierarchy(const SceneFile& scene);
+
+// A scene in memory whose triangles have moved. Throws as moved_triangles() does (move_passes.h).
+SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices);
+
+// A hierarchy fitted to a scene whose primitives have moved, or built anew (masu_grid_refit).
+GridFile refitted_grid(const GridFile& from, const SceneFile& scene);
+
+// Throws Error(usage, "grid", …) for what can't be refitted.
+void require_hierarchy(const GridFile* grid);
 
 } // namespace masu

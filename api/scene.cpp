@@ -1,5 +1,7 @@
 // Scenes of the C interface: from arrays, or a file.
 #include "boundary.h"
+#include "libgrid/build/passes/host_executor.h"
+#include "libgrid/build/passes/move_passes.h"
 #include "libscene/base/processor.h"
 #include "libscene/cuda/host_copies.h"
 #include "libscene/mesh/indexed_mesh.h"
@@ -90,11 +92,57 @@ Surface surface_of(const auto& view, PrimitiveIndex index) {
                                     : view.cone_surfaces[sphere - view.sphere_count];
 }
 
-std::unique_ptr<masu_scene> held(SceneFile file) {
-  return std::make_unique<masu_scene>(masu_scene{std::make_shared<const SceneFile>(std::move(file))});
+std::unique_ptr<masu_scene> held(SceneFile file, SceneVertices vertices) {
+  return std::make_unique<masu_scene>(masu_scene{std::make_shared<const SceneFile>(std::move(file)),
+                                                 std::make_shared<const SceneVertices>(std::move(vertices))});
+}
+
+// Where all meshes' vertices are one list. Of checked meshes.
+SceneVertices vertices_of(const std::vector<IndexedMesh>& meshes) {
+  SceneVertices all;
+  std::size_t triangles = 0;
+  bool are_indexed = false;
+  for (const IndexedMesh& mesh : meshes) {
+    all.count += mesh.vertices;
+    triangles += mesh.triangles;
+    are_indexed = are_indexed || mesh.indices != nullptr || mesh.vertices != 3 * mesh.triangles;
+  }
+  if (!are_indexed) return all;
+  if (all.count > std::uint64_t{1} << 32) fail("meshes", "have more vertices than can be numbered");
+  all.indices.resize(3 * triangles);
+  std::uint32_t first_vertex = 0;
+  auto* index = all.indices.data();
+  for (const IndexedMesh& mesh : meshes) {
+    for (std::size_t i = 0; i < 3 * mesh.triangles; ++i)
+      *index++ = first_vertex + (mesh.indices != nullptr ? mesh.indices[i] : static_cast<std::uint32_t>(i));
+    first_vertex += static_cast<std::uint32_t>(mesh.vertices);
+  }
+  return all;
+}
+
+template <class Stored, class Number>
+SceneFile moved_scene(const SceneFile& scene, const Number* numbers, const Vertices& vertices) {
+  HostCopies copies;
+  TbbExecutor executor;
+  const std::uint32_t* const indices = vertices.indices.empty() ? nullptr : vertices.indices.data();
+  const MovedVertices<Number> in_host{copies.of(numbers, 3 * vertices.count), indices, scene.origin()};
+  const auto moved = moved_triangles(executor, scene.view<Stored>(), in_host, nullptr, 0);
+  return scene.with_triangles(std::span<const Triangle<Stored>>(moved.triangles), moved.bounds);
 }
 
 } // namespace
+
+namespace masu {
+
+SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices) {
+  const auto moved = [&](const auto* numbers) {
+    return scene.is_float64() ? ::moved_scene<double>(scene, numbers, vertices)
+                              : ::moved_scene<float>(scene, numbers, vertices);
+  };
+  return vertices.floats != nullptr ? moved(vertices.floats) : moved(vertices.doubles);
+}
+
+} // namespace masu
 
 extern "C" {
 
@@ -109,10 +157,11 @@ masu_status masu_scene_create(const masu_geometry* geometry, masu_scene** scene)
     std::optional<Vec3d> origin;
     if (given.origin != nullptr) origin = vector_at(given.origin);
     const auto store = choice<Store>(given.store, 3, "store");
-    return held(scene_in_memory(
+    SceneFile file = scene_in_memory(
         scene_of(meshes, arrays_of<Sphere<double>>(given.spheres, given.sphere_count, 4, "spheres", copies),
                  arrays_of<Cone<double>>(given.cones, given.cone_count, 8, "cones", copies)),
-        store, origin));
+        store, origin);
+    return held(std::move(file), vertices_of(meshes));
   });
 }
 
@@ -120,7 +169,10 @@ masu_status masu_scene_read(const char* path, masu_scene** scene) {
   return make(scene, "scene", [&] {
     check_processor();
     require(path, "path");
-    return held(SceneFile(path));
+    SceneFile file(path);
+    SceneVertices vertices;
+    with_view(file, [&](const auto& view) { vertices.count = 3 * std::uint64_t{view.triangle_count}; });
+    return held(std::move(file), std::move(vertices));
   });
 }
 

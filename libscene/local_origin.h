@@ -27,7 +27,7 @@ Vec3d automatic_origin(const Scene& scene);
 Vec3d origin_for(const Scene& scene, const std::optional<Vec3d>& wanted, const char* place = "origin");
 
 // A point relative to an origin: each coordinate rounded once. Never -0, which a moved scene wouldn't have.
-inline Vec3d relative_to(const Vec3d& origin, const Vec3d& point) {
+MASU_HD inline Vec3d relative_to(const Vec3d& origin, const Vec3d& point) {
   return point - origin + Vec3d{0, 0, 0};
 }
 // The same of records. Normals and intensities stay.

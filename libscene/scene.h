@@ -61,7 +61,7 @@ inline constexpr std::uint64_t max_objects = 0x7fffffff; // indices are int32, w
 
 // The largest magnitude of a coordinate as it is given. NaN isn't one.
 inline constexpr double max_coordinate = 1e100;
-inline bool is_coordinate(const Vec3d& v) {
+MASU_HD inline bool is_coordinate(const Vec3d& v) {
   return std::abs(v.x) <= max_coordinate && std::abs(v.y) <= max_coordinate &&
          std::abs(v.z) <= max_coordinate;
 }

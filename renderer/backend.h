@@ -39,6 +39,9 @@ void set_up_cuda(int device);
 // before any index in it is followed. Throws Error(device), Error(input) for a damaged or changed file.
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
                                                      int device);
+// Tracer::moved() on a device: null where it returns none.
+std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const SceneFile& scene,
+                                                    const Vertices& vertices);
 // The kinds of primitives in them (with_triangles, …).
 unsigned kinds_on(const DeviceFiles& files);
 

@@ -16,6 +16,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -187,6 +188,16 @@ struct ResidentRays {
 
 // --- The tracer -------------------------------------------------------------------------------------------
 
+// Positions in the world, in host memory or a GPU's, of the vertices of a scene's triangles.
+struct Vertices {
+  const float* floats = nullptr; // three per vertex; or
+  const double* doubles = nullptr;
+  std::size_t count = 0;
+  std::span<const std::uint32_t> indices{}; // three per triangle, below `count`; empty: one after the other
+
+  const void* numbers() const { return floats != nullptr ? static_cast<const void*>(floats) : doubles; }
+};
+
 struct DeviceFiles; // a scene and its grid in a GPU's memory
 
 // Queries change nothing in it, and threads may query at the same time: on a GPU each on a stream of its own.
@@ -244,6 +255,13 @@ public:
   ResidentRays upload(std::span<const Ray<double>> rays, Precision precision) const;
   // The report's seconds.trace is the device's time for it.
   QueryReport trace(const ResidentRays& rays, const RaysRequest& request) const;
+
+  // On GPUs, a tracer of the same scene whose triangles lie between other vertices, and its hierarchy, refitted
+  // there. It shares with this one what doesn't move. scene() and grid() still have the files of before: only
+  // what doesn't move is used of them. None where a triangle has an area that had none, which the hierarchy
+  // doesn't refer to. What writes vertices in device memory must be done. For one thread at a time. Throws
+  // Error(usage) for coordinates that aren't finite, or that the scene's store doesn't hold, Error(device).
+  std::optional<Tracer> moved(const Vertices& vertices) const;
 
 private:
   const SceneFile& scene_;

@@ -1,13 +1,16 @@
 // One source for both stores: lambdas of passes that are the same for both must not be compiled twice.
 #include "libgrid/build/builder.h"
 #include "libgrid/build/hierarchy.h"
+#include "libgrid/build/moved_hierarchy.h"
 #include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/cuda_executor.h"
 #include "libgrid/build/passes/merge_passes.h"
+#include "libgrid/build/passes/move_passes.h"
 #include "libgrid/build/passes/refit_passes.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/cuda/device_primitives.h"
+#include "libscene/geometry/margin.h"
 
 #include <future>
 
@@ -86,7 +89,7 @@ public:
                                                    queue);
       const DeviceTimer timer;
       const bool fits = holds_all(*executor_, device_->view, references);
-      if (fits) masu::refit(*executor_, device_->view, layout.margin, nodes, references);
+      if (fits) masu::refit(*executor_, device_->view, layout.margin, nodes, references.data());
       seconds_.build += timer.seconds();
       if (!fits) return false;
       nodes.download(hierarchy.nodes.data());
@@ -149,6 +152,36 @@ private:
 };
 
 } // namespace
+
+template <class Stored, class Number>
+MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const GridRecords& hierarchy,
+                                       const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu) {
+  return on_gpu(gpu, [&] {
+    CudaExecutor executor(pool);
+    auto moved =
+        moved_triangles(executor, scene, vertices, hierarchy.references, hierarchy.reference_count);
+    MovedHierarchy<Stored> found{std::move(moved.triangles), {}, moved.bounds};
+    if (moved.is_missing) return found;
+    check_hierarchy(scene.primitive_count(), padded_bounds<Stored>(moved.bounds));
+    found.nodes = executor.template array<HierarchyNode>(hierarchy.node_count);
+    check(cudaMemcpyAsync(found.nodes.data(), hierarchy.nodes, hierarchy.node_count * sizeof(HierarchyNode),
+                          cudaMemcpyDeviceToDevice, nullptr));
+    SceneView<Stored> view = scene;
+    view.triangles = found.triangles.data();
+    refit(executor, view, is_empty(moved.bounds) ? 0 : rounding_margin<Stored>(moved.bounds), found.nodes,
+          hierarchy.references);
+    check(cudaStreamSynchronize(nullptr));
+    return found;
+  });
+}
+template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const GridRecords&,
+                                               const MovedVertices<float>&, cudaMemPool_t, int);
+template MovedHierarchy<float> moved_hierarchy(const SceneView<float>&, const GridRecords&,
+                                               const MovedVertices<double>&, cudaMemPool_t, int);
+template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const GridRecords&,
+                                                const MovedVertices<float>&, cudaMemPool_t, int);
+template MovedHierarchy<double> moved_hierarchy(const SceneView<double>&, const GridRecords&,
+                                                const MovedVertices<double>&, cudaMemPool_t, int);
 
 template <class Stored>
 std::unique_ptr<GridBuilder<Stored>> cuda_builder(const SceneView<Stored>& scene, int device) {

@@ -51,7 +51,7 @@ bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, G
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor;
   if (!holds_all(executor, scene, hierarchy.references)) return false;
-  refit(executor, scene, layout.margin, hierarchy.nodes, hierarchy.references);
+  refit(executor, scene, layout.margin, hierarchy.nodes, hierarchy.references.data());
   hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
   return true;
 }

@@ -1,6 +1,6 @@
 #include "libscene/cuda/cuda_device.h"
 
-#include <cuda_runtime.h>
+#include "libscene/cuda/device_memory.h"
 
 namespace masu {
 
@@ -29,6 +29,11 @@ int device_of(const void* pointer) {
   }
   const bool on_device = attributes.type == cudaMemoryTypeDevice || attributes.type == cudaMemoryTypeManaged;
   return on_device ? attributes.device : host_memory;
+}
+
+void wait_for_stream(void* stream, int device) {
+  const DeviceScope scope(device);
+  check(cudaStreamSynchronize(static_cast<cudaStream_t>(stream)));
 }
 
 std::string cuda_device_name() {

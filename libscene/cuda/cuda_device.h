@@ -17,6 +17,9 @@ int cuda_device_count();
 inline constexpr int host_memory = -1;
 int device_of(const void* pointer);
 
+// Waits for what is queued on a device's stream, a cudaStream_t. Throws Error(device).
+void wait_for_stream(void* stream, int device);
+
 // Of the device in use, where there is one: "NVIDIA H100".
 std::string cuda_device_name();
 

@@ -196,7 +196,11 @@ public:
   std::span<const T> records(std::span<const fb::Section> sections, std::uint32_t kind) const {
     const fb::Section* const section = section_of(sections, kind, sizeof(T));
     if (section == nullptr || body_.empty()) return {};
-    return {reinterpret_cast<const T*>(body_.data() + section->offset()), section->count()};
+    return {reinterpret_cast<const T*>(bytes_of(*section).data()), section->count()};
+  }
+  // A section's bytes, where they aren't still in the file.
+  std::span<const std::uint8_t> bytes_of(const fb::Section& section) const {
+    return body_.subspan(section.offset(), section.count() * section.record_bytes());
   }
   // For a copy of the records that stay in the file, where there are any.
   template <class T>

@@ -68,8 +68,18 @@ std::vector<std::uint8_t> scene_table(const Scene& scene, fb::Store store, const
   return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
 }
 
-// The range of the largest coordinate's magnitude for which products of three coordinates neither overflow
-// nor underflow.
+// The same of a table, with other bounds.
+std::vector<std::uint8_t> scene_table(const fb::Scene& from, const fb::Box& bounds,
+                                      const std::vector<fb::Section>& layout) {
+  flatbuffers::FlatBufferBuilder builder;
+  const auto sections = builder.CreateVectorOfStructs(layout);
+  builder.Finish(fb::CreateScene(builder, from.store(), from.origin(), from.camera(), from.background(),
+                                 from.ambient(), from.objects(), &bounds, from.reflective_materials(),
+                                 from.transmitting_materials(), sections));
+  return {builder.GetBufferPointer(), builder.GetBufferPointer() + builder.GetSize()};
+}
+
+// The range of the largest coordinate's magnitude.
 struct Reach {
   double min, max;
 };
@@ -78,13 +88,6 @@ constexpr Reach reach_of =
     std::is_same_v<Stored, float> ? Reach{min_float32_reach, max_float32_reach} : Reach{1e-90, 1e100};
 template <class Stored>
 constexpr const char* store_name = std::is_same_v<Stored, float> ? "float32" : "float64";
-
-template <class Stored>
-bool reaches_within(const Boxd& bounds) {
-  if (bounds.min.x > bounds.max.x) return true; // no primitive
-  const double reach = largest_magnitude(bounds);
-  return reach >= reach_of<Stored>.min && reach <= reach_of<Stored>.max;
-}
 
 // Calls act(the sections, what makes the table of their layout).
 template <class Stored, class Act>
@@ -170,6 +173,15 @@ bool has_direction(const fb::Camera& camera) {
 }
 
 } // namespace
+
+template <class Stored>
+bool reaches_within(const Boxd& bounds) {
+  if (bounds.min.x > bounds.max.x) return true; // no primitive
+  const double reach = largest_magnitude(bounds);
+  return reach >= reach_of<Stored>.min && reach <= reach_of<Stored>.max;
+}
+template bool reaches_within<float>(const Boxd&);
+template bool reaches_within<double>(const Boxd&);
 
 Boxd bounds(const Scene& scene) {
   return bounds_of(scene, [](const auto& record) { return record; });
@@ -287,6 +299,24 @@ bool SceneFile::has_faces() const {
 std::uint64_t SceneFile::primitive_count() const {
   return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
 }
+
+template <class Stored>
+SceneFile SceneFile::with_triangles(std::span<const Triangle<Stored>> triangles, const Boxd& bounds) const {
+  std::vector<SectionData> data;
+  for (const fb::Section& section : sections()) {
+    const void* const records = section.kind() == number(fb::SceneSection::triangles)
+                                    ? static_cast<const void*>(triangles.data())
+                                    : container_.bytes_of(section).data();
+    data.push_back({section.kind(), section.record_bytes(), section.count(), records, {}});
+  }
+  return SceneFile(ContainerFile(make_container(scene_file_kind, data,
+                                                [&](const auto& layout) {
+                                                  return scene_table(*table_, table_box(bounds), layout);
+                                                }),
+                                 "scene"));
+}
+template SceneFile SceneFile::with_triangles(std::span<const Triangle<float>>, const Boxd&) const;
+template SceneFile SceneFile::with_triangles(std::span<const Triangle<double>>, const Boxd&) const;
 
 template <class Stored>
 SceneView<Stored> SceneFile::view() const {

@@ -20,6 +20,11 @@ enum class Store { automatic, float32, float64 };
 // Of all primitives; empty where there is none.
 Boxd bounds(const Scene& scene);
 
+// Whether a store holds coordinates within these bounds: float32 from 1e-10 to 1e12, float64 from 1e-90 to
+// 1e100, so that products of three neither overflow nor underflow. Also where there is no primitive.
+template <class Stored>
+bool reaches_within(const Boxd& bounds);
+
 // The store that is taken: never automatic.
 inline Store resolved(Store store, const Float32Precision& precision) {
   if (store != Store::automatic) return store;
@@ -36,8 +41,8 @@ Hash geometry_hash(std::span<const fb::Section> sections, const fb::Box& bounds,
 
 // Writes `scene` to `path`, whole or not at all, relative to its origin_for(`origin`). Returns its geometry
 // hash. Throws Error(output) when it can't be written, Error(usage) as origin_for() does, Error(input) when
-// the largest coordinate, relative to the origin, is out of the store's range (1e-10 to 1e12 for float32,
-// 1e-90 to 1e100 for float64), or a cone has no length once rounded.
+// the largest coordinate, relative to the origin, is out of the store's range, or a cone has no length once
+// rounded.
 Hash write_scene(const Scene& scene, Store store, const std::string& path,
                  const std::optional<Vec3d>& origin = {});
 
@@ -72,6 +77,10 @@ public:
   SceneGeometry geometry() const { return {bounds(), geometry_hash(), origin()}; }
   // Whether triangles have other numbers of faces than their own.
   bool has_faces() const;
+
+  // The same scene with other triangles, as many, where it is in memory. `bounds`: of all its primitives then.
+  template <class Stored>
+  SceneFile with_triangles(std::span<const Triangle<Stored>> triangles, const Boxd& bounds) const;
 
   // Points into its memory, or nowhere where the records stay in the file; Stored must be the file's own
   // (is_float64).

@@ -11,7 +11,8 @@
 namespace masu {
 
 // Puts the triangles without a surface where others are: in a corner of the first one that has a surface. So
-// neither bounds nor the choice of the store depend on them. Where none has one, in (1, 1, 1).
+// neither bounds nor the choice of the store depend on them. Where none has one, in this point.
+inline constexpr Vec3d points_without_surface{1, 1, 1};
 void place_points(GrowingArray<SceneTriangle>& triangles);
 
 } // namespace masu

@@ -9,12 +9,6 @@
 namespace masu {
 namespace {
 
-// The error of a cross product's components when coordinates up to m were rounded to doubles: a difference of
-// them is off by up to 2um, a component of the product of two such edges no longer than l by up to 8uml.
-double area_error(double largest_coordinate, double longest_edge) {
-  return 8 * RealTraits<double>::unit_roundoff * largest_coordinate * longest_edge;
-}
-
 int largest_axis(const Vec3d& v) {
   const double x = std::abs(v.x);
   const double y = std::abs(v.y);
@@ -128,14 +122,6 @@ void finish(std::span<const Vec3d> polygon, std::span<const Point2> points,
 }
 
 } // namespace
-
-bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const Vec3d to_b = b - a;
-  const Vec3d to_c = c - a;
-  const double coordinate = max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c)));
-  const double edge = max(largest_magnitude(to_b), largest_magnitude(to_c));
-  return largest_magnitude(cross(to_b, to_c)) > area_error(coordinate, edge);
-}
 
 void triangulate(std::span<const Vec3d> polygon, Triangulation& result) {
   result.triangles.clear();

@@ -7,7 +7,7 @@
 // (sweep_triangulation.h), unless they touch themselves.
 #pragma once
 
-#include "libscene/geometry/vector.h"
+#include "libscene/mesh/triangle_area.h"
 
 #include <array>
 #include <cstdint>
@@ -30,8 +30,5 @@ Triangulation triangulate(std::span<const Vec3d> polygon);
 
 // The same into `result`, whose memory is reused. Triangles and convex quadrilaterals have a fast path.
 void triangulate(std::span<const Vec3d> polygon, Triangulation& result);
-
-// False for a triangle no higher than the rounding error of its corners' decimal coordinates.
-bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c);
 
 } // namespace masu

@@ -33,7 +33,7 @@ unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, con
     refuse(scene.path(), fault_of(checker, view, scene.bounds(), scene.counts()));
   if (grid != nullptr && grid->residence() == Residence::file)
     refuse(grid->path(), fault_of(checker, files.grid.records));
-  files.make_leaves(grid);
+  files.make_leaves();
   const bool has_tapers =
       !checker.all(view.cone_count, [=] __device__(std::uint64_t i) { return !tapers(view.cones[i]); });
   return kinds_in(view, has_tapers);
@@ -44,10 +44,11 @@ unsigned checked_kinds(DeviceFilesOf<Stored>& files, const SceneFile& scene, con
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile& scene, const GridFile* grid,
                                                      int device) {
   const DeviceScope scope(device);
-  auto files = std::make_shared<DeviceFiles>(device);
-  Transfer upload(files->pool);
+  const auto memory = std::make_shared<DeviceMemory>(device);
+  auto files = std::make_shared<DeviceFiles>(memory);
+  Transfer upload(memory->pool);
   const auto upload_as = [&]<class Stored>(std::optional<DeviceFilesOf<Stored>>& stored) {
-    stored.emplace(scene, grid, files->pool, upload);
+    stored.emplace(scene, grid, memory->pool, upload);
     upload.run();
     files->kinds = checked_kinds(*stored, scene, grid);
   };
@@ -61,8 +62,8 @@ unsigned kinds_on(const DeviceFiles& files) {
 
 void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                  const FrameRequest& request, Frame& frame) {
-  const DeviceScope device(files.device);
-  const auto buffers = files.frames.borrow();
+  const DeviceScope device(files.memory->device);
+  const auto buffers = files.memory->frames.borrow();
   with_store_and_arithmetic(
       scene, request.tracing.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {

@@ -20,6 +20,9 @@ void set_up_cuda(int) {
 std::shared_ptr<const DeviceFiles> upload_files_cuda(const SceneFile&, const GridFile*, int) {
   refuse();
 }
+std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles&, const SceneFile&, const Vertices&) {
+  refuse();
+}
 unsigned kinds_on(const DeviceFiles&) {
   refuse();
 }

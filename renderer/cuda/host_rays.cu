@@ -84,17 +84,17 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
                             std::atomic<std::size_t>& next_piece) {
   QueryReport report;
   if (rays.count == 0) return report;
-  const DeviceScope device(files.device);
+  const DeviceScope device(files.memory->device);
   const ResultArrays arrays = arrays_of(results, hit_rules(request).row());
   const std::size_t piece_rays = rays_per_piece(request);
   const bool rays_page_locked = is_page_locked(rays.rays);
   const std::size_t ray_bytes = rays.format.bytes_per_ray();
   const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
-                                   {nullptr, files.pool});
+                                   {nullptr, files.memory->pool});
   const DeviceArray<std::uint32_t> object_masks(rays.filters.object_masks, rays.filters.object_count,
-                                                {nullptr, files.pool});
+                                                {nullptr, files.memory->pool});
   check(cudaStreamSynchronize(nullptr));
-  const auto borrowed = files.buffers.borrow();
+  const auto borrowed = files.memory->buffers.borrow();
   struct Drain { // after an error something may still be copied to them
     HostRayBuffers& buffers;
     ~Drain() {
@@ -118,12 +118,12 @@ QueryReport trace_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
     const std::size_t bytes = work.count * ray_bytes;
     const void* const from = rays_page_locked ? rays_of(work) : piece.rays.of(bytes);
     const std::size_t result_bytes = for_each_array(arrays, work.count, [](auto...) {});
-    const DeviceArray<std::uint8_t> device_rays(bytes, {stream, files.pool}),
-        device_results(result_bytes, {stream, files.pool});
+    const DeviceArray<std::uint8_t> device_rays(bytes, {stream, files.memory->pool}),
+        device_results(result_bytes, {stream, files.memory->pool});
     const auto one_per_ray = [&](const std::uint32_t* numbers) {
       const bool there = numbers != nullptr;
       return DeviceArray<std::uint32_t>(there ? numbers + work.first : nullptr, there ? work.count : 0,
-                                        {stream, files.pool});
+                                        {stream, files.memory->pool});
     };
     const DeviceArray<std::uint32_t> excluded = one_per_ray(rays.filters.excluded),
                                      ray_masks = one_per_ray(rays.filters.ray_masks);

@@ -51,25 +51,40 @@ private:
   std::size_t made_ = 0;
 };
 
+// What a tracer has on a device besides, whatever becomes of its scene.
+struct DeviceMemory {
+  int device;
+  MemoryPool pool; // of all that is allocated there: destroyed last
+  Pool<HostRayBuffers> buffers;
+  Pool<FrameBuffers> frames;
+  DeviceArray<std::uint32_t> indices; // of moved vertices (Tracer::moved)
+
+  explicit DeviceMemory(int current_device) : device(current_device) {}
+  DeviceMemory(const DeviceMemory&) = delete;
+  DeviceMemory& operator=(const DeviceMemory&) = delete;
+  ~DeviceMemory() {
+    on_device_if_possible(device, [&] {
+      buffers.clear();
+      frames.clear();
+      indices = {};
+    });
+  }
+};
+
 // A scene and its grid, of either store: one of them.
 struct DeviceFiles {
-  int device;
+  std::shared_ptr<DeviceMemory> memory;
   unsigned kinds = with_all_kinds; // of primitives in the scene
-  MemoryPool pool;                 // of all that is allocated there: destroyed last
   std::optional<DeviceFilesOf<float>> float32;
   std::optional<DeviceFilesOf<double>> float64;
-  mutable Pool<HostRayBuffers> buffers;
-  mutable Pool<FrameBuffers> frames;
 
-  explicit DeviceFiles(int current_device) : device(current_device) {}
+  explicit DeviceFiles(std::shared_ptr<DeviceMemory> of_device) : memory(std::move(of_device)) {}
   DeviceFiles(const DeviceFiles&) = delete;
   DeviceFiles& operator=(const DeviceFiles&) = delete;
   // Waits for queries that are still queued.
   ~DeviceFiles() {
-    on_device_if_possible(device, [&] {
+    on_device_if_possible(memory->device, [&] {
       static_cast<void>(cudaDeviceSynchronize());
-      buffers.clear();
-      frames.clear();
       float32.reset();
       float64.reset();
     });

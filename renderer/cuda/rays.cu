@@ -25,7 +25,7 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
                       Counts* counts, cudaStream_t stream, cudaEvent_t begun) {
   KernelSize size{};
   if (rays.count == 0) return size;
-  const Queue queue{stream, files.pool};
+  const Queue queue{stream, files.memory->pool};
   with_store_and_arithmetic(
       scene, request.tracing.precision,
       [&]<class TestRay, class Stored>(const SceneView<Stored>& view, Arithmetic<TestRay>) {
@@ -56,7 +56,7 @@ KernelSize queue_rays(const DeviceFiles& files, const SceneFile& scene, const Gr
 QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                             const RayList& rays, const RayResults& results, const RaysRequest& request,
                             void* stream) {
-  const DeviceScope device(files.device);
+  const DeviceScope device(files.memory->device);
   QueryReport report;
   report.kernel =
       queue_rays(files, scene, grid, rays, results, request, nullptr, static_cast<cudaStream_t>(stream));
@@ -65,10 +65,10 @@ QueryReport queue_rays_cuda(const DeviceFiles& files, const SceneFile& scene, co
 
 QueryReport time_rays_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFile* grid,
                            const ResidentRays& rays, const RaysRequest& request) {
-  const DeviceScope device(files.device);
+  const DeviceScope device(files.memory->device);
   QueryReport report;
   const DeviceArray<Counts> counts(&report.counts, request.tracing.count || grid == nullptr ? 1 : 0,
-                                   {nullptr, files.pool});
+                                   {nullptr, files.memory->pool});
   const DeviceTimer timer;
   report.kernel =
       queue_rays(files, scene, grid, rays.list, rays.results, request, counts.data(), nullptr, timer.start());

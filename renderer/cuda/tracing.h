@@ -71,7 +71,7 @@ void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const
           WarpProgress* progress) {
   if (!culled.queue.may_cull) return;
   auto* const kernel = cull_kernel<query, Real, Stored>;
-  launch(kernel, files.kernels.of(kernel, threads_per_culling_block).blocks, threads_per_culling_block,
+  launch(kernel, files.kernels->of(kernel, threads_per_culling_block).blocks, threads_per_culling_block,
          batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, batch.results,
          culled.chosen.data(), progress);
 }
@@ -87,8 +87,8 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   const bool refills = loop == RayLoop::warp_refill;
   auto* const trace = warp_kernel<false, query, OnDevice<M>, Stored, Grid>;
   auto* const finish = warp_kernel<true, query, OnDevice<M>, Stored, Grid>;
-  const auto known = files.kernels.of(trace, rays_per_block),
-             known_finish = files.kernels.of(finish, rays_per_block);
+  const auto known = files.kernels->of(trace, rays_per_block),
+             known_finish = files.kernels->of(finish, rays_per_block);
   const std::uint32_t blocks = std::min(blocks_of(rays_per_block, count), known.blocks),
                       finishing = std::max(blocks, known_finish.blocks);
   const StragglerQueueMemory<Real> left(blocks * (rays_per_block / lanes_per_warp), batch.queue);
@@ -108,7 +108,7 @@ KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files, const Hierarchy
                              const RayBatch<typename M::Real>& batch) {
   const SceneView<Stored>& scene = files.scene.view;
   auto* const trace = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
-  const auto known = files.kernels.of(trace, hierarchy_threads);
+  const auto known = files.kernels->of(trace, hierarchy_threads);
   const auto count = static_cast<std::uint32_t>(batch.count);
   const DeviceArray<WarpProgress> progress(1, batch.queue);
   progress.clear();
@@ -156,7 +156,7 @@ KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Store
       }
       auto* const kernel = trace_kernel<query, OnDevice<Used>, Stored, Accelerator, C>;
       constexpr int threads = threads_per_block<Accelerator>;
-      size = files.kernels.of(kernel, threads).size;
+      size = files.kernels->of(kernel, threads).size;
       batch.begin();
       launch(kernel, blocks_of(threads, batch.count), threads, batch.queue.stream, scene, grid, batch.rays,
              batch.count, batch.results, batch.counts);
@@ -174,7 +174,7 @@ KernelSize queue_hits(const DeviceFilesOf<Stored>& files, const GridFile* host_g
   launch(kernel, blocks_of(rays_per_block, batch.count), rays_per_block, batch.queue.stream, files.scene.view,
          files.grid.moved(any_structure<Real>(host_grid)), batch.rays, filters, batch.count, rules,
          batch.results);
-  return files.kernels.of(kernel, rays_per_block).size;
+  return files.kernels->of(kernel, rays_per_block).size;
 }
 
 template <class Real, class Stored>

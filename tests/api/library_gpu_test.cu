@@ -381,6 +381,115 @@ TEST_F(LibraryOnGpu, AScenesArraysMayLieOnTheGpu) {
   EXPECT_THROW(bytes(), masu::Exception);
 }
 
+// From vertices in host memory and the GPU's, written on a stream that is still busy; also a triangle that gets
+// an area, and with it a new hierarchy.
+TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
+  SCOPED_TRACE(seed_.trace());
+  for (const auto store : {MASU_STORE_FLOAT32, MASU_STORE_FLOAT64}) {
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    std::vector<float> vertices(9 * 20'000);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      vertices[i] = i % 9 < 3 ? coordinate(engine_) : vertices[i - 3] + 0.05F * coordinate(engine_);
+    std::vector<std::uint32_t> indices(vertices.size() / 3);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      indices[i] = static_cast<std::uint32_t>(engine_() % 100 == 0 ? engine_() % indices.size() : i);
+    indices[0] = indices[1] = indices[2];
+    std::copy_n(vertices.begin() + 9, 3, vertices.begin() + 12); // triangle 1 has no area at first
+    indices[3] = 3, indices[4] = 4, indices[5] = 5;
+    const auto mesh = masu::mesh(vertices, indices);
+    auto geometry = masu::sized<masu_geometry>();
+    geometry.meshes = &mesh;
+    geometry.mesh_count = 1;
+    geometry.store = store;
+    const masu::Scene scene(geometry);
+    auto options = masu::default_build_options();
+    options.structure = MASU_STRUCTURE_BVH;
+    options.quality = engine_() % 2 == 0 ? MASU_QUALITY_FAST : MASU_QUALITY_HIGH;
+    const masu::Grid grid(scene, options);
+    masu::Tracer cpu(scene, grid), gpu(scene, grid, 0);
+    const std::vector<masu_ray> list = rays(100'000);
+    const Device<masu_ray> device(list);
+    cudaStream_t stream = nullptr;
+    ASSERT_CUDA(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+    for (int round = 0; round < 6; ++round) {
+      for (std::size_t i = 0; i < vertices.size(); ++i)
+        if (round == 4 || i < 9 || i >= 15) vertices[i] += 0.02F * coordinate(engine_);
+      const std::vector<double> doubles(vertices.begin(), vertices.end());
+      cpu.update(vertices);
+      if (round % 3 == 0) {
+        gpu.update(doubles);
+      } else {
+        const Device<float> on_gpu(vertices.size());
+        ASSERT_CUDA(cudaMemcpyAsync(on_gpu.data(), vertices.data(), vertices.size() * sizeof(float),
+                                    cudaMemcpyHostToDevice, stream));
+        auto moved = masu::moved_to(vertices);
+        moved.values = on_gpu.data();
+        moved.stream = stream;
+        gpu.update(moved);
+      }
+      const Found expected = on_host(cpu.get(), list.data(), list.size());
+      expect_same(expected, on_host(gpu.get(), list.data(), list.size()));
+      expect_same(expected, on_device(gpu.get(), device.data(), list.size()));
+    }
+    vertices[17] = std::nanf("");
+    EXPECT_THROW(gpu.update(vertices), masu::Exception);
+    expect_same(on_host(cpu.get(), list.data(), list.size()),
+                on_device(gpu.get(), device.data(), list.size()));
+    ASSERT_CUDA(cudaStreamDestroy(stream));
+  }
+}
+
+// While threads query it, from host memory and on streams: each query is of one of the positions.
+TEST_F(LibraryOnGpu, IsUpdatedWhileOthersQueryIt) {
+  SCOPED_TRACE(seed_.trace());
+  std::vector<float> first(9 * 5000);
+  for (float& v : first)
+    v = std::uniform_real_distribution<float>(-1, 1)(engine_);
+  std::vector<float> second = first;
+  for (float& v : second)
+    v += 0.25F;
+  std::vector<std::uint32_t> indices(first.size() / 3);
+  std::iota(indices.begin(), indices.end(), 0U);
+  const masu::Scene scene(first, indices);
+  auto options = masu::default_build_options();
+  options.structure = MASU_STRUCTURE_BVH;
+  masu::Tracer tracer(scene, masu::Grid(scene, options), 0);
+  const std::vector<masu_ray> list = rays(300'000);
+  const Device<masu_ray> device(list);
+  const Found of_first = on_host(tracer.get(), list.data(), list.size());
+  tracer.update(second);
+  const Found of_second = on_host(tracer.get(), list.data(), list.size());
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 5; ++k) {
+    threads.emplace_back([&, k] {
+      cudaStream_t stream = nullptr;
+      ASSERT_CUDA(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
+      const Device<float> t(list.size());
+      const Device<std::uint32_t> primitive(list.size());
+      for (int round = 0; round < 20; ++round) {
+        if (k == 0) {
+          tracer.update(round % 2 == 0 ? first : second);
+          continue;
+        }
+        auto query = masu::sized<masu_query>();
+        query.stream = stream;
+        auto hits = masu::sized<masu_hits>();
+        hits.t = t.data();
+        hits.primitive = primitive.data();
+        ASSERT_DONE(masu_nearest(tracer.get(), device.data(), list.size(), &query, &hits));
+        ASSERT_CUDA(cudaStreamSynchronize(stream));
+        const auto found = t.host(list.size());
+        EXPECT_TRUE(found == of_first.t || found == of_second.t);
+        EXPECT_EQ(primitive.host(list.size()),
+                  found == of_first.t ? of_first.primitive : of_second.primitive);
+      }
+      ASSERT_CUDA(cudaStreamDestroy(stream));
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
 // Of so many that a loop is chosen for them.
 TEST_F(LibraryOnGpu, LongListsHaveTheHitsOfShortOnes) {
   SCOPED_TRACE(seed_.trace());

@@ -178,6 +178,131 @@ TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {
   }
 }
 
+// A scene's triangles share vertices; some have none, or get one.
+TEST_F(Library, AnUpdatedTracerGivesTheHitsOfANewScene) {
+  for (int round = 0; round < 8; ++round) {
+    const bool is_float64 = engine_() % 2 == 0;
+    std::vector<Mesh> meshes(1 + engine_() % 3);
+    std::vector<masu_mesh> views;
+    std::vector<double> vertices; // of all
+    const double far = engine_() % 3 == 0 ? 1e5 : 0;
+    for (Mesh& mesh : meshes) {
+      mesh = random_mesh(engine_, 200);
+      for (std::uint32_t& index : mesh.indices)
+        if (engine_() % 3 == 0) index = static_cast<std::uint32_t>(engine_() % 600);
+      for (float& v : mesh.vertices)
+        vertices.push_back(static_cast<double>(v) + far);
+    }
+    const double* next = vertices.data();
+    for (const Mesh& mesh : meshes) {
+      views.push_back(mesh.view());
+      views.back().vertices = nullptr;
+      views.back().vertices64 = next;
+      next += mesh.vertices.size();
+    }
+    const std::array<float, 8> sphere_and_cone{0, 0, 0, 0.5F, 1, 1, 0, 0.2F};
+    auto sphere = masu::sized<masu_quadrics>(), cone = masu::sized<masu_quadrics>();
+    sphere.values = cone.values = sphere_and_cone.data();
+    sphere.count = cone.count = 1;
+    auto geometry = geometry_of(views);
+    geometry.store = is_float64 ? MASU_STORE_FLOAT64 : MASU_STORE_FLOAT32;
+    if (far == 0 && engine_() % 2 == 0) {
+      geometry.spheres = &sphere;
+      geometry.cones = &cone;
+      geometry.sphere_count = geometry.cone_count = 1;
+    }
+    const masu::Scene scene(geometry);
+    auto options = masu::default_build_options();
+    options.structure = MASU_STRUCTURE_BVH;
+    options.quality = engine_() % 2 == 0 ? MASU_QUALITY_FAST : MASU_QUALITY_HIGH;
+    masu::Tracer tracer(scene, masu::Grid(scene, options));
+    const auto description = scene.describe();
+    geometry.origin = description.origin;
+    std::vector<masu_ray> rays = random_rays(engine_, 1000);
+    auto query = masu::sized<masu_query>();
+    query.relative = 1;
+    for (const double most : {0.01, 0.5, 20.0, 0.0}) {
+      for (double& v : vertices)
+        v = most == 0 ? far : v + most * static_cast<double>(coordinate(engine_)); // all points at last
+      if (engine_() % 2 == 0) std::copy_n(vertices.begin(), 3, vertices.begin() + 3);
+      tracer.update(vertices);
+      masu_tracer* const brute_force = brute_force_tracer(masu::Scene(geometry).get());
+      EXPECT_TRUE(found_by(tracer.get(), rays, query) == found_by(brute_force, rays, query)) << most;
+      masu_tracer_free(brute_force);
+    }
+  }
+}
+
+TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
+  Mesh mesh = random_mesh(engine_, 100);
+  const masu::Scene scene(mesh.vertices, mesh.indices);
+  auto options = masu::default_build_options();
+  options.structure = MASU_STRUCTURE_BVH;
+  masu::Tracer tracer(scene, masu::Grid(scene, options));
+  const std::vector<masu_ray> rays = random_rays(engine_, 1000);
+  const Found before = found_by(tracer.get(), rays);
+  const auto expect_refused = [&](const std::vector<float>& vertices, const char* place) {
+    try {
+      tracer.update(vertices);
+      ADD_FAILURE() << place;
+    } catch (const masu::Exception& error) {
+      EXPECT_EQ(error.status, MASU_ERROR_USAGE);
+      EXPECT_EQ(std::string(error.what()).rfind(place, 0), 0U) << error.what();
+    }
+    EXPECT_TRUE(found_by(tracer.get(), rays) == before);
+  };
+  for (const float wrong : {not_a_number, infinity}) {
+    std::vector<float> vertices = mesh.vertices;
+    vertices[engine_() % vertices.size()] = wrong;
+    expect_refused(vertices, "vertices: triangle");
+  }
+  std::vector<float> large = mesh.vertices;
+  for (float& v : large)
+    v *= 1e20F;
+  expect_refused(large, "vertices: reach");
+  expect_refused({mesh.vertices.begin(), mesh.vertices.end() - 3}, "vertices: are 299");
+  auto moved = masu::moved_to(mesh.vertices);
+  EXPECT_EQ(masu_tracer_update(nullptr, &moved), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_tracer_update(tracer.get(), nullptr), MASU_ERROR_USAGE);
+  moved.values = nullptr;
+  EXPECT_EQ(masu_tracer_update(tracer.get(), &moved), MASU_ERROR_USAGE);
+  tracer = masu::Tracer(scene, masu::Grid(scene)); // a grid isn't refitted
+  expect_refused(mesh.vertices, "grid: isn't a hierarchy");
+  tracer = masu::Tracer(scene, nullptr, {}, true);
+  expect_refused(mesh.vertices, "grid: isn't a hierarchy");
+}
+
+// Each query is of one of the positions, whole.
+TEST_F(Library, ATracerIsUpdatedWhileOthersQueryIt) {
+  const Mesh mesh = random_mesh(engine_, 300);
+  std::vector<float> shifted = mesh.vertices;
+  for (float& v : shifted)
+    v += 0.3F;
+  const masu::Scene scene(mesh.vertices, mesh.indices);
+  auto options = masu::default_build_options();
+  options.structure = MASU_STRUCTURE_BVH;
+  masu::Tracer tracer(scene, masu::Grid(scene, options));
+  const std::vector<masu_ray> rays = random_rays(engine_, 500);
+  const Found first = found_by(tracer.get(), rays);
+  tracer.update(shifted);
+  const Found second = found_by(tracer.get(), rays);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k) {
+    threads.emplace_back([&, k] {
+      for (int i = 0; i < 30; ++i) {
+        if (k == 0) tracer.update(i % 2 == 0 ? mesh.vertices : shifted);
+        Found found(rays.size());
+        const masu_hits hits = found.hits();
+        EXPECT_EQ(masu_nearest(tracer.get(), rays.data(), rays.size(), nullptr, &hits), MASU_OK);
+        found.occluded = found.t == first.t ? first.occluded : second.occluded;
+        EXPECT_TRUE(found == first || found == second);
+      }
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
 // Möller & Trumbore in double: t of a triangle, or infinity.
 double expected_t(const Mesh& mesh, std::size_t triangle, const masu_ray& ray) {
   const auto vector = [](const float* v) { return masu::cast<double>(masu::Vec3f{v[0], v[1], v[2]}); };

@@ -70,6 +70,29 @@ class Torch(WithTracers):
                                  for array in self.mesh))
             self.same(self.every(masu.Tracer(scene), rays), self.every(self.cpu, rays))
 
+    def test_a_tracer_is_updated_by_tensors(self):
+        vertices, faces = self.mesh
+        scene = masu.Scene(vertices, faces)
+        grid = scene.build(structure="bvh", quality="fast")
+        rays = self.lists()[0]
+        cpu, gpu = masu.Tracer(scene, grid), masu.Tracer(scene, grid, "cuda:0")
+        for dtype in (torch.float32, torch.float64, torch.float16):
+            moved = torch.as_tensor(vertices, device="cuda:0") + 0.1 * torch.rand(vertices.shape, device="cuda:0")
+            moved = moved.to(dtype)
+            cpu.update(moved.to(torch.float64).cpu().numpy())
+            stream = torch.cuda.Stream()
+            with torch.cuda.stream(stream):
+                late = torch.zeros(len(vertices), 6, device="cuda:0", dtype=dtype)
+                stream.wait_stream(torch.cuda.default_stream())
+                late[:, ::2] = moved
+                gpu.update(late[:, ::2])
+            for tracer in (gpu, cpu):
+                self.same(self.every(tracer, rays), self.every(cpu, rays))
+            cpu.update(moved)
+            self.same(self.every(gpu, torch.as_tensor(rays, device="cuda:0")), self.every(cpu, rays))
+        self.assertRaises(TypeError, gpu.update, moved > 0)
+        self.assertRaises(ValueError, gpu.update, moved[:, :2])
+
     def test_results_are_the_bits_of_the_cpu_and_on_the_device(self):
         for rays in self.lists():
             hits = self.every(self.gpu, torch.as_tensor(rays, device="cuda:0"), coherent=True)

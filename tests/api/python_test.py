@@ -471,6 +471,27 @@ class Scenes(WithFolder):
         self.assertRaises(masu.Error, grid.refit, masu.Scene(vertices[:297], faces[:99]))
         self.assertRaises(masu.Error, moved.build(merge="none").refit, moved)
 
+    def test_an_updated_tracer_gives_the_hits_of_a_new_scene(self):
+        vertices, faces = random_mesh(self.random, 100)
+        faces[3] = faces[4]  # vertices are shared
+        scene = masu.Scene(vertices, faces)
+        rays = random_rays(self.random, 500)
+        with masu.Tracer(scene, scene.build(structure="bvh", quality="fast")) as tracer:
+            for most in (0.01, 0.5):
+                moved = vertices + self.random.uniform(-most, most, vertices.shape)
+                for array in (moved, moved.astype(np.float32), np.asfortranarray(moved)):
+                    tracer.update(array)
+                    expected = masu.Tracer(masu.Scene(array, faces, origin=scene.describe().origin), brute_force=True)
+                    same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected.nearest(rays, fields=masu.FIELDS))
+            for error, wrong, says in ((ValueError, vertices[:, :2], "vertices: "), (masu.Error, vertices[1:], "vertices: "),
+                                       (TypeError, vertices > 0, "vertices: "), (masu.Error, vertices * np.nan, "vertices: ")):
+                with self.assertRaisesRegex(error, says):
+                    tracer.update(wrong)
+            self.assertRaises(ValueError, tracer.update, vertices, stream=1)
+            same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected.nearest(rays, fields=masu.FIELDS))
+        with self.assertRaisesRegex(masu.Error, "grid: isn't a hierarchy"):
+            masu.Tracer(scene, scene.build()).update(vertices)
+
     def test_paths_of_any_kind(self):
         vertices, faces = random_mesh(self.random, 3)
         for path in (pathlib.Path(self.folder) / "b ü.scene", os.fsencode(self.file("c.scene"))):

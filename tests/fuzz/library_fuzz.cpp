@@ -218,6 +218,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       tracer = nullptr;
       break;
     case 5: {
+      auto moved = sized<masu_vertices>(input);
+      moved.count = input.take<std::uint8_t>() % 16U; // as created_scene() has them
+      const std::vector<float> values = rays_of<float>(input, 3 * moved.count);
+      moved.values = values.data();
+      if (tracer != nullptr) static_cast<void>(masu_tracer_update(tracer, &moved));
       auto primitive = sized<masu_primitive>(input);
       static_cast<void>(masu_scene_primitive(scene, input.take<std::uint16_t>(), &primitive));
       break;

@@ -1,12 +1,14 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU; and sorting.
 #include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/host_executor.h"
+#include "libgrid/build/passes/move_passes.h"
 #include "libgrid/build/passes/refit_passes.h"
 #include "tests/grid/builder_comparison.h"
 #include "tests/grid/device_like_executor.h"
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,7 @@ public:
   }
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
     if (!holds_all(executor_, scene_, hierarchy.references)) return false;
-    masu::refit(executor_, scene_, layout.margin, hierarchy.nodes, hierarchy.references);
+    masu::refit(executor_, scene_, layout.margin, hierarchy.nodes, hierarchy.references.data());
     hierarchy.layout = layout;
     return true;
   }
@@ -50,6 +52,47 @@ using DeviceLikes = testing::Types<DeviceLike<float>, DeviceLike<double>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(ByPasses, BuilderComparison, DeviceLikes);
 
 using Executors = RandomTest;
+template <class Stored>
+class MovedTriangles : public RandomTest {};
+using Stores = testing::Types<float, double>;
+TYPED_TEST_SUITE(MovedTriangles, Stores);
+
+TYPED_TEST(MovedTriangles, AreTheSameByAnyExecutor) {
+  Chance& chance = this->chance_;
+  DeviceLikeExecutor executor;
+  TbbExecutor host;
+  for (std::int64_t s = cases(100); s > 0; --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    const std::size_t count = scene.triangles.size();
+    std::vector<double> vertices(9 * count);
+    for (double& v : vertices)
+      v = chance.one_in(20) ? vertices.front() : chance.uniform(-1, 1);
+    std::vector<std::uint32_t> indices(3 * count);
+    for (std::uint32_t& index : indices)
+      index = static_cast<std::uint32_t>(chance.index(3 * count));
+    const MovedVertices<double> moved{vertices.data(), chance.one_in(2) ? indices.data() : nullptr,
+                                      chance.one_in(2) ? Vec3d{} : chance.in_cube(1)};
+    const auto here = moved_triangles(host, scene.view(), moved, nullptr, 0);
+    const auto there = moved_triangles(executor, scene.view(), moved, nullptr, 0);
+    EXPECT_EQ(here.bounds.min, there.bounds.min);
+    EXPECT_EQ(here.bounds.max, there.bounds.max);
+    ASSERT_EQ(here.triangles.size(), there.triangles.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto &a = here.triangles[i], &b = there.triangles[i];
+      ASSERT_TRUE(a.a == b.a && a.b == b.b && a.c == b.c && a.object == b.object) << i;
+      for (const auto& corner : {a.a, a.b, a.c})
+        ASSERT_TRUE(contains(here.bounds, cast<double>(corner))) << i;
+    }
+    // All but the last are referred to.
+    std::vector<PrimitiveIndex> listed(count + 1);
+    std::iota(listed.begin(), listed.end(), PrimitiveIndex{0});
+    EXPECT_FALSE(moved_triangles(executor, scene.view(), moved, listed.data(), count).is_missing);
+    if (count == 0) continue;
+    const SceneTriangle last = moved.face(count - 1);
+    EXPECT_EQ(moved_triangles(executor, scene.view(), moved, listed.data(), count - 1).is_missing,
+              has_area(last.a, last.b, last.c));
+  }
+}
 
 // Some keys twice, in any order; each one's value is its place in it.
 struct EmitKeys {

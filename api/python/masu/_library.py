@@ -99,6 +99,10 @@ class TracerOptionsRecord(ctypes.Structure):
                 ("reserved", c_int)]
 
 
+class VerticesRecord(ctypes.Structure):
+    _fields_ = [("size", c_size_t), ("values", c_void_p), ("values64", c_void_p), ("count", c_size_t), ("stream", c_void_p)]
+
+
 Record = TypeVar("Record", bound=ctypes.Structure)
 
 
@@ -184,6 +188,7 @@ def _load() -> ctypes.CDLL:
     declare("masu_grid_free", None, c_void_p)
     declare("masu_grid_describe", c_int, c_void_p, POINTER(GridDescriptionRecord))
     declare("masu_tracer_create", c_int, c_void_p, c_void_p, POINTER(TracerOptionsRecord), handle)
+    declare("masu_tracer_update", c_int, c_void_p, POINTER(VerticesRecord))
     declare("masu_tracer_free", None, c_void_p)
     declare("masu_nearest", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), POINTER(HitsRecord))
     declare("masu_occluded", c_int, c_void_p, c_void_p, c_size_t, POINTER(QueryRecord), c_void_p)

@@ -7,8 +7,8 @@ from ctypes import byref, c_int
 from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
-from ._library import (CPU, FACES, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, check, choice,
-                       device_number, library, sized)
+from ._library import (CPU, FACES, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, VerticesRecord,
+                       check, choice, device_number, library, sized)
 from ._scene import Grid, Scene
 
 
@@ -119,6 +119,27 @@ class Tracer(Resource):
         if self._handle is None:
             return "<masu.Tracer: closed>"
         return "<masu.Tracer on {}: {!r}, {!r}>".format(self.device, self.scene, self.grid or "brute force")
+
+    def update(self, vertices: Any, *, stream: Any = None) -> None:
+        """Moves the triangles of the scene, and refits the tracer's hierarchy, which must be one (structure="bvh", best with
+        quality="fast"); spheres and cones stay. vertices: (V, 3) of float32 or float64, as many as the scene was made of, of
+        all meshes one after the other, or of a scene from a file three per triangle. Where they lie on a GPU and the tracer
+        is there, nothing is copied to the host. Hits are those of a new scene of these vertices with the same origin and
+        store.
+
+        The tracer alone moves: its scene and grid stay what it was made of. Queries of other threads are of the positions
+        before or after, all their rays alike. After an error the tracer is as it was. stream: as nearest() has it, of what
+        writes the vertices; it is waited for."""
+        arrays, vertices = _arrays.recognize(vertices, stream)
+        if len(vertices.shape) != 2 or vertices.shape[1] != 3:
+            raise ValueError("vertices: the shape (N, 3) is needed, not {}".format(tuple(vertices.shape)))
+        if arrays.gpu(vertices) is None and stream is not None:
+            raise ValueError("stream: it is for vertices on a GPU, and these are in host memory")
+        record = sized(VerticesRecord(count=len(vertices)))
+        with self._opened() as handle, arrays.queue(vertices, stream) as record.stream:
+            vertices = arrays.packed(vertices)
+            setattr(record, "values64" if arrays.is_float64(vertices) else "values", arrays.pointer(vertices))
+            check(library.masu_tracer_update(handle, byref(record)))
 
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,

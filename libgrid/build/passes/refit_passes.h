@@ -16,17 +16,27 @@
 
 namespace masu {
 
+// The set (record_checker.h) of what is referred to, of numbers below `end`.
+template <class Executor>
+ArrayOf<Executor, std::uint32_t> set_of(Executor& executor, const PrimitiveIndex* references,
+                                        std::uint64_t count, std::uint64_t end) {
+  auto set = executor.template zeros<std::uint32_t>(set_words(end));
+  std::uint32_t* const words = set.data();
+  executor.for_each(end > 0 ? count : 0, [=] MASU_PASS(std::uint64_t i) {
+    static_cast<void>(inserted(words, references[i]));
+  });
+  return set;
+}
+
 // Whether every primitive that can be hit is referred to. One that had no surface when the hierarchy was
 // built isn't in it.
 template <class Executor, class Stored>
 bool holds_all(Executor& executor, const SceneView<Stored>& scene,
                const ArrayOf<Executor, PrimitiveIndex>& references) {
-  auto listed_set = executor.template zeros<std::uint32_t>(set_words(scene.primitive_count()));
+  const auto listed_set = set_of(executor, references.data(), references.size(), scene.primitive_count());
   auto missing_count = executor.template zeros<std::uint32_t>(1);
-  std::uint32_t *const listed = listed_set.data(), *const missing = missing_count.data();
-  const PrimitiveIndex* const reference = references.data();
-  executor.for_each(references.size(),
-                    [=] MASU_PASS(std::uint64_t i) { static_cast<void>(inserted(listed, reference[i])); });
+  const std::uint32_t* const listed = listed_set.data();
+  std::uint32_t* const missing = missing_count.data();
   executor.for_each(scene.primitive_count(), [=] MASU_PASS(std::uint64_t i) {
     if ((listed[i / 32] >> i % 32 & 1) != 0) return;
     with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
@@ -85,9 +95,8 @@ MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const Pri
 
 template <class Executor, class Stored>
 void refit(Executor& executor, const SceneView<Stored>& scene, double margin,
-           ArrayOf<Executor, HierarchyNode>& nodes, const ArrayOf<Executor, PrimitiveIndex>& references) {
+           ArrayOf<Executor, HierarchyNode>& nodes, const PrimitiveIndex* references) {
   HierarchyNode* const node = nodes.data();
-  const PrimitiveIndex* const reference = references.data();
   std::vector<ArrayOf<Executor, std::uint32_t>> levels;
   for (auto level = executor.template zeros<std::uint32_t>(1); level.size() > 0;
        level = nodes_below(executor, node, levels.back()))
@@ -97,7 +106,7 @@ void refit(Executor& executor, const SceneView<Stored>& scene, double margin,
   for (; !levels.empty(); levels.pop_back()) {
     const std::uint32_t* const number = levels.back().data();
     executor.for_each(levels.back().size(), [=] MASU_PASS(std::uint64_t i) {
-      box[number[i]] = refit_node(scene, margin, reference, box, node[number[i]]);
+      box[number[i]] = refit_node(scene, margin, references, box, node[number[i]]);
     });
   }
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Milliseconds from arrays of triangles to the first hit, in Python: the scene, its hierarchy (quality="fast"), the
-tracer, one ray.
+tracer, one ray. Then of an update to moved vertices, in host memory and, with PyTorch, on the GPU.
 
     PYTHONPATH=api/python MASU_LIBRARY=…/libmasu.so tools/bench/scripts/arrays.py [TRIANGLES [DEVICE]]
 
@@ -43,6 +43,21 @@ def main():
         names = ("scene", "build", "tracer", "first hit")
         parts = [f"{name} {1e3 * (b - a):.1f}" for name, a, b in zip(names, times, times[1:])]
         print(", ".join(parts), f"ms; all {1e3 * (times[-1] - times[0]):.1f}")
+    moved = [("host", vertices)]
+    if device != "cpu":
+        try:
+            import torch
+        except ImportError:
+            pass
+        else:
+            moved.append(("device", torch.as_tensor(vertices, device=device)))
+    for place, array in moved:
+        times = []
+        for _ in range(7):
+            begin = time.perf_counter()
+            tracer.update(array)
+            times.append(1e3 * (time.perf_counter() - begin))
+        print(f"update from {place} memory: the first {times[0]:.1f}, median {sorted(times[1:])[3]:.2f} ms")
 
 
 if __name__ == "__main__":

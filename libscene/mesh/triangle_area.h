@@ -1,0 +1,23 @@
+// Whether a triangle has an area, or one by rounding alone.
+#pragma once
+
+#include "libscene/geometry/vector.h"
+
+namespace masu {
+
+// The error of a cross product's components when coordinates up to m were rounded to doubles: a difference of
+// them is off by up to 2um, a component of the product of two such edges no longer than l by up to 8uml.
+MASU_HD inline double area_error(double largest_coordinate, double longest_edge) {
+  return 8 * RealTraits<double>::unit_roundoff * largest_coordinate * longest_edge;
+}
+
+// False for a triangle no higher than the rounding error of its corners' decimal coordinates.
+MASU_HD inline bool has_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const Vec3d to_b = b - a;
+  const Vec3d to_c = c - a;
+  const double coordinate = max(largest_magnitude(a), max(largest_magnitude(b), largest_magnitude(c)));
+  const double edge = max(largest_magnitude(to_b), largest_magnitude(to_c));
+  return largest_magnitude(cross(to_b, to_c)) > area_error(coordinate, edge);
+}
+
+} // namespace masu

@@ -1,0 +1,54 @@
+// A tracer's files on a device, moved to other vertices.
+#include "libgrid/build/passes/move_passes.h"
+#include "renderer/cuda/queue.h"
+
+namespace masu {
+namespace {
+
+// An array on the device: where it lies, or copied there.
+template <class T>
+const T* on_device(const T* array, std::size_t count, const DeviceMemory& memory, DeviceArray<T>& copy) {
+  const int place = device_of(array);
+  if (place == memory.device || count == 0) return array;
+  Transfer upload(memory.pool);
+  DeviceArray<T> made = upload.room_for<T>(count);
+  if (place == host_memory)
+    upload.to_device(made.data(), array, count * sizeof(T));
+  else
+    check(cudaMemcpyPeer(made.data(), memory.device, array, place, count * sizeof(T)));
+  upload.run();
+  copy = std::move(made); // whole, or not at all
+  return copy.data();
+}
+
+} // namespace
+
+std::shared_ptr<const DeviceFiles> moved_files_cuda(const DeviceFiles& files, const SceneFile& scene,
+                                                    const Vertices& vertices) {
+  DeviceMemory& memory = *files.memory;
+  const DeviceScope scope(memory.device);
+  if (memory.indices.size() == 0)
+    on_device(vertices.indices.data(), vertices.indices.size(), memory, memory.indices);
+  auto moved_files = std::make_shared<DeviceFiles>(files.memory);
+  moved_files->kinds = files.kinds;
+  const auto move = [&]<class Stored, class Number>(std::optional<DeviceFilesOf<Stored>>& to,
+                                                    const Number* numbers) {
+    const DeviceFilesOf<Stored>& from = files.of<Stored>();
+    DeviceArray<Number> copy;
+    const MovedVertices<Number> on_gpu{on_device(numbers, 3 * vertices.count, memory, copy),
+                                       memory.indices.data(), scene.origin()};
+    MovedHierarchy<Stored> moved =
+        moved_hierarchy(from.scene.view, from.grid.records, on_gpu, memory.pool, memory.device);
+    if (moved.nodes.size() == 0) return false;
+    to.emplace(from, std::move(moved));
+    to->make_leaves();
+    return true;
+  };
+  const auto move_to = [&](auto& to) {
+    return vertices.floats != nullptr ? move(to, vertices.floats) : move(to, vertices.doubles);
+  };
+  const bool is_moved = scene.is_float64() ? move_to(moved_files->float64) : move_to(moved_files->float32);
+  return is_moved ? moved_files : nullptr;
+}
+
+} // namespace masu

@@ -1,0 +1,18 @@
+// A tracer whose scene has moved: apart, for who doesn't move one does without the code that refits.
+#include "libscene/base/on_threads.h"
+#include "renderer/backend.h"
+
+#include <algorithm>
+
+namespace masu {
+
+std::optional<Tracer> Tracer::moved(const Vertices& vertices) const {
+  Tracer tracer = *this;
+  on_threads(files_.size(), [&](std::size_t i) {
+    tracer.files_[i] = moved_files_cuda(*files_[i], scene_, vertices);
+  });
+  if (std::ranges::count(tracer.files_, nullptr) > 0) return std::nullopt;
+  return tracer;
+}
+
+} // namespace masu
