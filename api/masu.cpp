@@ -264,8 +264,8 @@ masu_status masu_tracer_create(const masu_scene* scene, const masu_grid* grid,
     else if (wanted.brute_force == 0)
       file = std::make_shared<const GridFile>(
           fastest_grid(*scene->file, gpus.empty() ? MASU_CPU : gpus.front()));
-    return std::make_unique<masu_tracer>(
-        scene->vertices, std::make_shared<const State>(scene->file, std::move(file), gpus));
+    return std::make_unique<masu_tracer>(scene->vertices,
+                                         std::make_shared<const State>(scene->file, std::move(file), gpus));
   });
 }
 
@@ -359,8 +359,7 @@ masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t c
       fail("places", "aren't aligned as their numbers must be");
     check_arrays(host_memory, results, list.filters, points);
     const auto state = tracer->state();
-    if (state->is_on_gpu_alone)
-      fail("tracer", "was moved on a GPU: closest points are found in host memory");
+    if (state->is_on_gpu_alone) fail("tracer", "was moved on a GPU: closest points are found in host memory");
     on_threads_up_to(wanted.threads, [&] {
       closest_points(*state->scene, hierarchy_of(*state).get(), list, results,
                      reinterpret_cast<double(*)[3]>(points));

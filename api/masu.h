@@ -273,8 +273,8 @@ typedef struct masu_vertices {
  * threads have under way are of the positions before or after, all rays of one alike; what was queued on a
  * GPU before is of those before, and is waited for.
  *
- * After an error the tracer is as it was: MASU_ERROR_USAGE for a tracer without a hierarchy, another number of
- * vertices, coordinates that aren't finite or that the scene's store doesn't hold. */
+ * After an error the tracer is as it was: MASU_ERROR_USAGE for a tracer without a hierarchy, another number
+ * of vertices, coordinates that aren't finite or that the scene's store doesn't hold. */
 MASU_API masu_status masu_tracer_update(masu_tracer* tracer, const masu_vertices* vertices);
 
 /* Waits for what runs, and gives memory back. NULL is allowed. */
@@ -401,7 +401,8 @@ MASU_API masu_status masu_inside(const masu_tracer* tracer, const void* rays, si
  *
  * Of the query, exclude and masks say what isn't looked for; `threads` and `relative` are as for rays. All is
  * computed on the CPU, wherever the tracer is, and in double: off by some roundings of the largest
- * coordinate. Where the tracer's grid isn't a hierarchy, the first call builds one. */
+ * coordinate. Where the tracer's grid isn't a hierarchy, the first call builds one. Not by a tracer
+ * that was moved on a GPU (MASU_ERROR_USAGE). */
 MASU_API masu_status masu_closest(const masu_tracer* tracer, const void* places, size_t count,
                                   const masu_query* query, const masu_hits* hits, double* points);
 

@@ -256,11 +256,12 @@ public:
   // The report's seconds.trace is the device's time for it.
   QueryReport trace(const ResidentRays& rays, const RaysRequest& request) const;
 
-  // On GPUs, a tracer of the same scene whose triangles lie between other vertices, and its hierarchy, refitted
-  // there. It shares with this one what doesn't move. scene() and grid() still have the files of before: only
-  // what doesn't move is used of them. None where a triangle has an area that had none, which the hierarchy
-  // doesn't refer to. What writes vertices in device memory must be done. For one thread at a time. Throws
-  // Error(usage) for coordinates that aren't finite, or that the scene's store doesn't hold, Error(device).
+  // On GPUs, a tracer of the same scene whose triangles lie between other vertices, and its hierarchy,
+  // refitted there. It shares with this one what doesn't move. scene() and grid() still have the files of
+  // before: only what doesn't move is used of them. None where a triangle has an area that had none, which
+  // the hierarchy doesn't refer to. What writes vertices in device memory must be done. For one thread at a
+  // time. Throws Error(usage) for coordinates that aren't finite, or that the scene's store doesn't hold,
+  // Error(device).
   std::optional<Tracer> moved(const Vertices& vertices) const;
 
 private:

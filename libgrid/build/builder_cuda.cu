@@ -158,8 +158,7 @@ MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const Gri
                                        const MovedVertices<Number>& vertices, cudaMemPool_t pool, int gpu) {
   return on_gpu(gpu, [&] {
     CudaExecutor executor(pool);
-    auto moved =
-        moved_triangles(executor, scene, vertices, hierarchy.references, hierarchy.reference_count);
+    auto moved = moved_triangles(executor, scene, vertices, hierarchy.references, hierarchy.reference_count);
     MovedHierarchy<Stored> found{std::move(moved.triangles), {}, moved.bounds};
     if (moved.is_missing) return found;
     check_hierarchy(scene.primitive_count(), padded_bounds<Stored>(moved.bounds));

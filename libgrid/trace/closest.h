@@ -73,7 +73,8 @@ MASU_HD inline void search(const HierarchyView<Real>& hierarchy, ClosestSearch<S
     double squared;
     std::uint32_t node;
   };
-  Waiting stack[max_hierarchy_depth * (boxes_per_node - 1) + 1];
+  constexpr int room = max_hierarchy_depth * (boxes_per_node - 1) + 1;
+  Waiting stack[room];
   int waiting = 0;
   stack[waiting++] = {0, 0};
   while (waiting > 0) {
@@ -82,6 +83,8 @@ MASU_HD inline void search(const HierarchyView<Real>& hierarchy, ClosestSearch<S
     const HierarchyNode& node = hierarchy.nodes[next.node];
     double squared[boxes_per_node];
     box_distances(node, search.place, squared);
+    // There is room, but while a mapped file changes: then results are thrown away.
+    if (waiting > room - boxes_per_node) waiting = 0;
     const int first = waiting;
     std::uint32_t child = node.first_node;
     for (int slot = 0; slot < boxes_per_node; ++slot) {

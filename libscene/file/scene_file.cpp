@@ -309,11 +309,10 @@ SceneFile SceneFile::with_triangles(std::span<const Triangle<Stored>> triangles,
                                     : container_.bytes_of(section).data();
     data.push_back({section.kind(), section.record_bytes(), section.count(), records, {}});
   }
-  return SceneFile(ContainerFile(make_container(scene_file_kind, data,
-                                                [&](const auto& layout) {
-                                                  return scene_table(*table_, table_box(bounds), layout);
-                                                }),
-                                 "scene"));
+  return SceneFile(ContainerFile(
+      make_container(scene_file_kind, data,
+                     [&](const auto& layout) { return scene_table(*table_, table_box(bounds), layout); }),
+      "scene"));
 }
 template SceneFile SceneFile::with_triangles(std::span<const Triangle<float>>, const Boxd&) const;
 template SceneFile SceneFile::with_triangles(std::span<const Triangle<double>>, const Boxd&) const;

@@ -78,7 +78,8 @@ public:
   // Whether triangles have other numbers of faces than their own.
   bool has_faces() const;
 
-  // The same scene with other triangles, as many, where it is in memory. `bounds`: of all its primitives then.
+  // The same scene with other triangles, as many, where it is in memory. `bounds`: of all its primitives
+  // then.
   template <class Stored>
   SceneFile with_triangles(std::span<const Triangle<Stored>> triangles, const Boxd& bounds) const;
 

@@ -381,8 +381,8 @@ TEST_F(LibraryOnGpu, AScenesArraysMayLieOnTheGpu) {
   EXPECT_THROW(bytes(), masu::Exception);
 }
 
-// From vertices in host memory and the GPU's, written on a stream that is still busy; also a triangle that gets
-// an area, and with it a new hierarchy.
+// From vertices in host memory and the GPU's, written on a stream that is still busy; also a triangle that
+// gets an area, and with it a new hierarchy.
 TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
   SCOPED_TRACE(seed_.trace());
   for (const auto store : {MASU_STORE_FLOAT32, MASU_STORE_FLOAT64}) {

@@ -22,9 +22,8 @@ ArrayOf<Executor, std::uint32_t> set_of(Executor& executor, const PrimitiveIndex
                                         std::uint64_t count, std::uint64_t end) {
   auto set = executor.template zeros<std::uint32_t>(set_words(end));
   std::uint32_t* const words = set.data();
-  executor.for_each(end > 0 ? count : 0, [=] MASU_PASS(std::uint64_t i) {
-    static_cast<void>(inserted(words, references[i]));
-  });
+  executor.for_each(end > 0 ? count : 0,
+                    [=] MASU_PASS(std::uint64_t i) { static_cast<void>(inserted(words, references[i])); });
   return set;
 }
 
