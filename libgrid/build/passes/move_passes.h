@@ -12,8 +12,6 @@
 #include "libscene/mesh/points.h"
 #include "libscene/mesh/triangle_area.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 namespace masu {
@@ -30,7 +28,7 @@ struct MovedVertices {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
   }
   // Triangle i's corners.
-  MASU_HD SceneTriangle face(std::uint64_t i) const {
+  MASU_HD Triangle<double> face(std::uint64_t i) const {
     return {corner(3 * i), 0, corner(3 * i + 1), 0, corner(3 * i + 2), no_normals};
   }
 };
@@ -40,7 +38,7 @@ MASU_HD Vec3<Stored> stored_point(const Vec3d& origin, const Vec3d& point) {
   return cast<Stored>(relative_to(origin, point));
 }
 template <class Stored>
-MASU_HD Triangle<Stored> stored_triangle(const Vec3d& origin, const SceneTriangle& face) {
+MASU_HD Triangle<Stored> stored_triangle(const Vec3d& origin, const Triangle<double>& face) {
   return {stored_point<Stored>(origin, face.a), face.object,
           stored_point<Stored>(origin, face.b), face.material,
           stored_point<Stored>(origin, face.c), face.normals};
@@ -72,7 +70,7 @@ struct SurveyOf {
                                                   : bounds(scene.cones[sphere - scene.sphere_count]);
       return survey;
     }
-    const SceneTriangle face = vertices.face(i);
+    const Triangle<double> face = vertices.face(i);
     if (!is_coordinate(face.a) || !is_coordinate(face.b) || !is_coordinate(face.c)) {
       survey.first_invalid = i;
     } else if (has_area(face.a, face.b, face.c)) {
@@ -128,7 +126,8 @@ moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedV
   const auto survey = joined<MoveSurvey>(executor, scene.primitive_count(),
                                          SurveyOf<Stored, Number>{scene, vertices, listed.data()});
   if (survey.first_invalid != no_primitive)
-    fail(fmt::format("triangle {} has a coordinate that isn't finite or beyond 1e100", survey.first_invalid));
+    fail("triangle " + std::to_string(survey.first_invalid) +
+         " has a coordinate that isn't finite or beyond 1e100");
   if (survey.first_missing != no_primitive) return {true};
   const bool is_all_points = survey.first_surface == no_primitive;
   const auto in_no_surface = stored_point<Stored>(vertices.origin, points_without_surface);
@@ -137,13 +136,12 @@ moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedV
   if (is_all_points && scene.triangle_count > 0)
     moved.bounds = join(moved.bounds, cast<double>(in_no_surface));
   if (!reaches_within<Stored>(moved.bounds))
-    fail(fmt::format("reach {:g} from the scene's origin, beyond what its store holds: make a new scene",
-                     largest_magnitude(moved.bounds)));
+    fail("reach farther from the scene's origin than its store holds: make a new scene");
   const Triangle<Stored>* const before = scene.triangles;
   Triangle<Stored>* const after = moved.triangles.data();
   const std::uint64_t first_corner = 3 * std::uint64_t{survey.first_surface};
   executor.for_each(scene.triangle_count, [=] MASU_PASS(std::uint64_t i) {
-    const SceneTriangle face = vertices.face(i);
+    const Triangle<double> face = vertices.face(i);
     Triangle<Stored> triangle = stored_triangle<Stored>(vertices.origin, face);
     if (!has_area(face.a, face.b, face.c))
       triangle.a = triangle.b = triangle.c =
