@@ -80,7 +80,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 40);
     const GridLayout layout = layout_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
-    const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
+    const MergedGridView<double> view = merged_view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
 
     std::vector<OwnVoxels> own(grid.cells.size());
@@ -155,7 +155,7 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
     const GridLayout layout =
         layout_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
-    const GridView<TypeParam> view = view_of<TypeParam>(grid);
+    const GridView<double> view = view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.references));
     std::uint64_t occupied = 0, references = 0;
     for_each_voxel_of(layout.division, [&](const Vec3i& voxel) {
@@ -184,7 +184,7 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
   const GridLayout layout = layout_for(scene, n);
   const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
-  const GridView<TypeParam> view = view_of<TypeParam>(grid);
+  const GridView<double> view = view_of<double>(grid);
   ASSERT_GT(view.block_log2, 0) << "choose a finer division";
   const MapStatistics told = map_statistics(view, std::span(grid.references));
 
@@ -217,7 +217,7 @@ TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 30);
     const GridLayout layout = layout_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
-    const MergedGridView<TypeParam> view = merged_view_of<TypeParam>(grid);
+    const MergedGridView<double> view = merged_view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
     const std::vector<OwnVoxels> own = own_voxels(view, std::span(grid.cells));
 

@@ -39,9 +39,10 @@ MASU_HD Vec3<Stored> stored_point(const Vec3d& origin, const Vec3d& point) {
 }
 template <class Stored>
 MASU_HD Triangle<Stored> stored_triangle(const Vec3d& origin, const Triangle<double>& face) {
-  return {stored_point<Stored>(origin, face.a), face.object,
-          stored_point<Stored>(origin, face.b), face.material,
-          stored_point<Stored>(origin, face.c), face.normals};
+  using Tag = typename Triangle<Stored>::Tag;
+  return {stored_point<Stored>(origin, face.a), static_cast<Tag>(face.object),
+          stored_point<Stored>(origin, face.b), static_cast<Tag>(face.material),
+          stored_point<Stored>(origin, face.c), static_cast<Tag>(face.normals)};
 }
 
 // What primitives will be.
