@@ -153,7 +153,7 @@ TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
   EXPECT_EQ(grid.cells.size(), 0U);
   EXPECT_TRUE(std::all_of(grid.voxel_map.begin(), grid.voxel_map.end(),
                           [](std::uint32_t word) { return word == 0; }));
-  const GridStatistics statistics = grid_statistics(view_of<TypeParam>(grid), grid.references);
+  const GridStatistics statistics = grid_statistics(view_of<double>(grid), grid.references);
   EXPECT_EQ(statistics.voxels, 60U);
   EXPECT_EQ(statistics.occupied_voxels, 0U);
   EXPECT_EQ(statistics.max, 0U);
@@ -169,7 +169,7 @@ TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
     const GridLayout layout = this->layout(scene, this->division(chance, 20));
     const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
     const Grid grid = build_grid(scene.view(), layout, overlap);
-    const GridView<TypeParam> view = view_of<TypeParam>(grid);
+    const GridView<double> view = view_of<double>(grid);
     const GridStatistics told = grid_statistics(view, grid.references);
 
     std::vector<std::uint64_t> counts; // of the occupied voxels
