@@ -771,7 +771,9 @@ TEST_F(Library, FindsClosestPoints) {
     EXPECT_GE(next.distance[i], expected.distance[i]);
     EXPECT_GE(of_second.primitive[i], 300U);
     EXPECT_GE(of_second.distance[i], expected.distance[i]);
-    if (expected.primitive[i] >= 300) EXPECT_EQ(of_second.distance[i], expected.distance[i]);
+    if (expected.primitive[i] >= 300) {
+      EXPECT_EQ(of_second.distance[i], expected.distance[i]);
+    }
   }
   // At a corner of a triangle all that is known of the point.
   const std::array<float, 3> corner{parts[0].vertices[3], parts[0].vertices[4], parts[0].vertices[5]};
