@@ -266,7 +266,8 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   EXPECT_EQ(masu_tracer_update(tracer.get(), nullptr), MASU_ERROR_USAGE);
   moved.values = nullptr;
   EXPECT_EQ(masu_tracer_update(tracer.get(), &moved), MASU_ERROR_USAGE);
-  tracer = masu::Tracer(scene, masu::Grid(scene)); // a grid isn't refitted
+  options.structure = MASU_STRUCTURE_GRID;
+  tracer = masu::Tracer(scene, masu::Grid(scene, options)); // isn't refitted
   expect_refused(mesh.vertices, "grid: isn't a hierarchy");
   tracer = masu::Tracer(scene, nullptr, {}, true);
   expect_refused(mesh.vertices, "grid: isn't a hierarchy");

@@ -490,7 +490,7 @@ class Scenes(WithFolder):
             self.assertRaises(ValueError, tracer.update, vertices, stream=1)
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected.nearest(rays, fields=masu.FIELDS))
         with self.assertRaisesRegex(masu.Error, "grid: isn't a hierarchy"):
-            masu.Tracer(scene, scene.build()).update(vertices)
+            masu.Tracer(scene, scene.build(structure="grid")).update(vertices)
 
     def test_paths_of_any_kind(self):
         vertices, faces = random_mesh(self.random, 3)

@@ -2,7 +2,8 @@
 
     adopted(array, stream)  another library's array as one of this library; queued on the stream
     gpu(array)            the number of the GPU that it lies on; None in host memory
-    packed(array)         the same numbers as float32 or float64, contiguous and aligned: itself or a copy
+    packed(array, name)   the same numbers as float32 or float64, contiguous and aligned: itself or a copy; name: the
+                          argument, for errors
     packed_int32(array)   the same numbers as int32, contiguous
     is_float64(array)     of a packed array
     pointer(array)        of a packed array

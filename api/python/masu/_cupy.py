@@ -30,9 +30,9 @@ def gpu(array: "cupy.ndarray") -> int:
     return int(array.device.id)
 
 
-def packed(array: "cupy.ndarray") -> "cupy.ndarray":
+def packed(array: "cupy.ndarray", name: str) -> "cupy.ndarray":
     if array.dtype.kind not in "fiu":
-        raise TypeError("an array of real numbers is needed, not of {}".format(array.dtype))
+        raise TypeError("{}: real numbers are needed, not {}".format(name, array.dtype))
     array = cupy.ascontiguousarray(array, array.dtype if array.dtype in (cupy.float32, cupy.float64) else cupy.float64)
     return array.copy() if array.data.ptr % array.itemsize else array
 

@@ -21,9 +21,9 @@ def gpu(array: "np.ndarray[Any, Any]") -> None:
     return None
 
 
-def packed(array: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
+def packed(array: "np.ndarray[Any, Any]", name: str) -> "np.ndarray[Any, Any]":
     if array.dtype.kind not in "fiu":
-        raise TypeError("an array of real numbers is needed, not of {}".format(array.dtype))
+        raise TypeError("{}: real numbers are needed, not {}".format(name, array.dtype))
     number = np.float32 if array.dtype.newbyteorder("=") == np.float32 else np.float64
     return np.require(array, number, ["C_CONTIGUOUS", "ALIGNED"])
 

@@ -32,9 +32,9 @@ def gpu(array: "torch.Tensor") -> Optional[int]:
     return array.get_device() if array.is_cuda else None
 
 
-def packed(array: "torch.Tensor") -> "torch.Tensor":
+def packed(array: "torch.Tensor", name: str) -> "torch.Tensor":
     if array.is_complex() or array.is_quantized or array.dtype == torch.bool:
-        raise TypeError("a tensor of real numbers is needed, not of {}".format(array.dtype))
+        raise TypeError("{}: real numbers are needed, not {}".format(name, array.dtype))
     array = array.detach().resolve_neg()
     if array.dtype not in (torch.float32, torch.float64):
         array = array.to(torch.float64)

@@ -137,7 +137,7 @@ class Tracer(Resource):
             raise ValueError("stream: it is for vertices on a GPU, and these are in host memory")
         record = sized(VerticesRecord(count=len(vertices)))
         with self._opened() as handle, arrays.queue(vertices, stream) as record.stream:
-            vertices = arrays.packed(vertices)
+            vertices = arrays.packed(vertices, "vertices")
             setattr(record, "values64" if arrays.is_float64(vertices) else "values", arrays.pointer(vertices))
             check(library.masu_tracer_update(handle, byref(record)))
 
@@ -261,7 +261,7 @@ class Tracer(Resource):
                 _device_name([gpu]), self.device))
         count = math.prod(shape[:-1])
         with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
-            rays = arrays.packed(rays)
+            rays = arrays.packed(rays, "rays")
             objects = (self.scene.describe().objects,) if object_masks is not None else ()
             filters = {}  # kept until the query is queued
             for array, given, needed in (("exclude", exclude, shape[:-1]), ("ray_masks", ray_masks, shape[:-1]),
