@@ -22,7 +22,7 @@ NOT_RUN = {
     r"examples/build-all": "compiles the library: run by examples_test.sh",
     r"^examples/lesson\.sh": "takes two minutes: most of its commands are lesson.md's",
     r"python_rays\.py": "takes minutes, and needs Open3D and trimesh to compare with",
-    r"^tools/bench/scripts/((performance|accuracy)(\.sh|_tables\.py)|cpu_rays\.sh)": "take minutes to hours on a quiet machine",
+    r"^tools/bench/scripts/((performance|accuracy)(\.sh|_tables\.py)|cpu_rays\.sh|library_rates\.py)": "take minutes to hours on a quiet machine",
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
     r"^MASU_TEST_EFFORT=.*ctest|^ctest .*-L stability": "tests that run beside this one",
