@@ -103,6 +103,12 @@ inline HierarchyQuality any_quality(Chance& chance) {
   return chance.one_of({HierarchyQuality::high, HierarchyQuality::fast});
 }
 
+template <class Stored>
+Grid random_structure(Chance& chance, TestScene<Stored>& scene) {
+  return chance.one_in(2) ? random_grid(chance, scene.view(), scene.bounds())
+                          : hierarchy_of(scene, any_quality(chance));
+}
+
 // Calls act(the grid's view); not of a hierarchy.
 template <class Real, class Act>
 void with_view(const Grid& grid, const Act& act) {

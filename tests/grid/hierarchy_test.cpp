@@ -1,11 +1,10 @@
-// Results are independent of the hierarchy: through it a ray finds the same bits as by trying every
-// primitive. And what is behind that: boxes contain what they hold, on every way of computing them, and walks
-// end.
+// What lets a hierarchy's results be those of trying every primitive (walk_test.cpp): boxes contain what they
+// hold, on every way of computing them, and are found to be met.
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/build/passes/node_boxes.h"
 #include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/trace/trace.h"
 #include "libscene/base/error.h"
-#include "tests/grid/walk_comparison.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/same_grid.h"
@@ -21,17 +20,6 @@
 
 namespace masu {
 namespace {
-
-// A box in a node, as tracing sees it: exact, since a unit is no finer than the origin's last digit.
-Boxd decoded_box(const HierarchyNode& node, int slot) {
-  Boxd box;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double unit = std::ldexp(1.0, static_cast<int>(node.exponents >> (8 * axis) & 0xff) - 127);
-    box.min.set(axis, node.origin[axis] + unit * slot_byte(node.low[axis], slot));
-    box.max.set(axis, node.origin[axis] + unit * slot_byte(node.high[axis], slot));
-  }
-  return box;
-}
 
 Boxd common(const Boxd& a, const Boxd& b) {
   Boxd box;
@@ -52,7 +40,7 @@ std::vector<std::vector<Boxd>> boxes_of_primitives(const Grid& grid, std::uint32
     std::uint32_t next = node.first_node;
     for (int slot = 0; slot < boxes_per_node; ++slot) {
       const std::uint32_t held = slot_byte(node.slots, slot);
-      const Boxd box = common(around, decoded_box(node, slot));
+      const Boxd box = common(around, box_of(node, slot));
       if ((node_slots(node) >> slot & 1) != 0) {
         descend(next++, box);
         continue;
@@ -64,233 +52,6 @@ std::vector<std::vector<Boxd>> boxes_of_primitives(const Grid& grid, std::uint32
   descend(0, everywhere);
   return boxes;
 }
-
-// Of scenes stored as Stored, traced by arithmetic of type Real.
-template <class Stored_, class Real_>
-struct Traced {
-  using Stored = Stored_;
-  using Real = Real_;
-};
-
-template <class T>
-class HierarchyWalks : public WalkComparison<typename T::Stored, typename T::Real> {
-protected:
-  using StoredReal = typename T::Stored;
-  using TracedReal = typename T::Real;
-
-  template <class MakeRay>
-  void compare(TestScene<StoredReal>& scene, const Grid& grid, int rays, const MakeRay& make_ray) {
-    this->compare_through(scene, hierarchy_view_of<TracedReal>(grid), rays, make_ray,
-                          [] { return "a hierarchy"; });
-  }
-  void compare(TestScene<StoredReal>& scene, const Grid& grid, int rays) {
-    const Boxd bounds = scene.bounds();
-    RayMaker<StoredReal> maker(this->chance_, scene, bounds, grid);
-    compare(scene, grid, rays, [&] {
-      const Ray<StoredReal> made = maker.ray();
-      Ray<TracedReal> ray{cast<TracedReal>(made.origin), static_cast<TracedReal>(made.t_min),
-                          cast<TracedReal>(made.direction), static_cast<TracedReal>(made.t_max)};
-      if (this->chance_.one_in(4)) put_on_planes(this->chance_, grid, ray);
-      return ray;
-    });
-  }
-
-  // Into planes of boxes of a node, or along their edges.
-  static void put_on_planes(Chance& chance, const Grid& grid, Ray<TracedReal>& ray) {
-    const HierarchyNode& node = grid.nodes[chance.index(grid.nodes.size())];
-    const Boxd box = decoded_box(node, chance.whole(0, boxes_per_node - 1));
-    for (int axis = 0; axis < 3; ++axis) {
-      if (chance.one_in(2)) continue;
-      ray.origin.set(axis, static_cast<TracedReal>(chance.one_in(2) ? box.min[axis] : box.max[axis]));
-      if (chance.one_in(2)) ray.direction.set(axis, chance.one_in(2) ? TracedReal(0) : TracedReal(-0.0));
-    }
-    // Rays are traced with a direction of this size (scale_direction).
-    int exponent = 0;
-    std::frexp(largest_magnitude(ray.direction), &exponent);
-    for (int axis = 0; axis < 3; ++axis)
-      ray.direction.set(axis, std::ldexp(ray.direction[axis], -exponent));
-    if (largest_magnitude(ray.direction) == 0) ray.direction = {1, 0, 0};
-  }
-};
-using Ways = testing::Types<Traced<float, float>, Traced<float, double>, Traced<double, double>>;
-TYPED_TEST_SUITE(HierarchyWalks, Ways);
-
-TYPED_TEST(HierarchyWalks, FindTheHitsOfTryingEveryPrimitive) {
-  using Stored = typename TypeParam::Stored;
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(2000); s > 0; --s) {
-    TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
-    this->compare(scene, grid, 200);
-  }
-  EXPECT_EQ(this->different_, 0) << this->first_;
-  EXPECT_GT(this->hits_, cases(60'000));
-}
-
-// Several levels of nodes, with primitives large and small that overlap: some are cut by spatial splits.
-TYPED_TEST(HierarchyWalks, FindThemAmongThousandsOfPrimitives) {
-  using Stored = typename TypeParam::Stored;
-  Chance& chance = this->chance_;
-  std::size_t cut = 0;
-  for (std::int64_t s = cases(16); s > 0; --s) {
-    TestScene<Stored> scene;
-    const Vec3d middle = chance.in_cube(chance.one_of({0.0, 1.0, 30.0}));
-    for (int i = chance.whole(500, 3000); i > 0; --i) {
-      const Vec3d at = middle + chance.in_cube(1);
-      const double size = chance.power_of_two(-9, chance.one_in(20) ? 0 : -4);
-      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
-      switch (chance.whole(0, 5)) {
-      case 0:
-        scene.spheres.push_back(sphere_of<Stored>(at, size));
-        break;
-      case 1:
-        scene.cones.push_back(cone_of<Stored>(at, size, at + chance.direction() * (size * 4),
-                                              size * chance.one_of({0.0, 0.5, 1.0})));
-        break;
-      default:
-        scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
-      }
-    }
-    const Grid grid = hierarchy_of(scene, s % 2 == 0 ? HierarchyQuality::high : HierarchyQuality::fast);
-    EXPECT_GT(hierarchy_statistics(grid.nodes).depth, 2);
-    cut += grid.references.size() - scene.count();
-    this->compare(scene, grid, 250);
-  }
-  EXPECT_EQ(this->different_, 0) << this->first_;
-  EXPECT_GT(this->hits_, cases(1000));
-  this->RecordProperty("references_of_cut_primitives", static_cast<int>(cut));
-}
-
-TYPED_TEST(HierarchyWalks, FindThemThroughARefittedHierarchy) {
-  using Stored = typename TypeParam::Stored;
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(500); s > 0; --s) {
-    const double scale = chance.power_of_two(-10, 20);
-    TestScene<Stored> scene = SceneMaker<Stored>(chance, scale).scene();
-    Grid grid = hierarchy_of(scene, any_quality(chance));
-    for (int moves = chance.whole(1, 3); moves > 0; --moves) {
-      const std::size_t cones = scene.cones.size();
-      move_primitives(chance, scene, scale * chance.power_of_two(-20, 4));
-      if (scene.cones.size() != cones) grid = hierarchy_of(scene); // one that is a point now is gone
-      ASSERT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), grid));
-    }
-    this->compare(scene, grid, 100);
-  }
-  EXPECT_EQ(this->different_, 0) << this->first_;
-  EXPECT_GT(this->hits_, cases(10'000));
-}
-
-TYPED_TEST(HierarchyWalks, FindThemAlongDirectionsWithTinyComponents) {
-  using Stored = typename TypeParam::Stored;
-  using Real = typename TypeParam::Real;
-  Chance& chance = this->chance_;
-  constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
-  for (std::int64_t s = cases(500); s > 0; --s) {
-    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).flat();
-    const Boxd bounds = scene.bounds();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
-    int across_plane = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      if (bounds.min[axis] == bounds.max[axis]) across_plane = axis;
-    const auto place = [&] { return cast<Real>(chance.in_box(bounds)); };
-    this->compare(scene, grid, 200, [&] {
-      const Vec3<Real> origin = place();
-      Vec3<Real> direction = place() - origin;
-      direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, -20)));
-      if (chance.one_in(4)) direction.set((across_plane + 1) % 3, Real(0));
-      return unbounded_ray(origin, direction);
-    });
-  }
-  EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
-}
-
-// As large, as small and as far from the origin as scene files allow.
-TYPED_TEST(HierarchyWalks, FindThemInScenesOfAnyScaleAndPlace) {
-  using Stored = typename TypeParam::Stored;
-  Chance& chance = this->chance_;
-  const bool wide = std::is_same_v<Stored, double>;
-  for (std::int64_t s = cases(400); s > 0; --s) {
-    const double scale = chance.power_of_two(wide ? -298 : -31, wide ? 49 : 39);
-    TestScene<Stored> scene = SceneMaker<Stored>(chance, scale).scene();
-    const Boxd bounds = scene.bounds();
-    const double most = wide ? 1e15 : 1e12, far = largest_magnitude(bounds);
-    if (far >= most / 2) continue;
-    if (chance.one_in(2)) { // far away for its size
-      const Vec3<Stored> by =
-          cast<Stored>(chance.direction() * std::min(far * chance.power_of_two(0, 16), most / 4));
-      for (auto& t : scene.triangles)
-        t.a = t.a + by, t.b = t.b + by, t.c = t.c + by;
-      for (auto& sphere : scene.spheres)
-        sphere.center = sphere.center + by;
-      std::erase_if(scene.cones, [&](auto& cone) {
-        cone.base = cone.base + by;
-        cone.apex = cone.apex + by;
-        return cone.base == cone.apex;
-      });
-      if (scene.count() == 0) continue;
-    }
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
-    this->compare(scene, grid, 200);
-  }
-  EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
-}
-
-TYPED_TEST(HierarchyWalks, FindTheFirstOfThousandsThatAreEqual) {
-  using Stored = typename TypeParam::Stored;
-  using Real = typename TypeParam::Real;
-  TestScene<Stored> scene;
-  scene.triangles.assign(5000, triangle_of<Stored>({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-  const SceneView<Stored> view = scene.view();
-  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-    const Grid grid = hierarchy_of(scene, quality);
-    EXPECT_EQ(grid.references.size(), 5000U);
-    EXPECT_LE(hierarchy_statistics(grid.nodes).depth, 6U);
-    NoCounts counts;
-    const auto hit =
-        nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid),
-                                  unbounded_ray<Real>({Real(0.25), Real(0.25), 1}, {0, 0, -1}), counts);
-    EXPECT_EQ(hit.primitive, 0U);
-    EXPECT_EQ(hit.t, 1);
-  }
-}
-
-TYPED_TEST(HierarchyWalks, FindNothingInAnEmptyScene) {
-  using Stored = typename TypeParam::Stored;
-  using Real = typename TypeParam::Real;
-  TestScene<Stored> empty, without_surface;
-  without_surface.triangles.assign(3, triangle_of<Stored>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
-  for (TestScene<Stored>* const scene : {&empty, &without_surface}) {
-    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
-      const Grid grid = hierarchy_of(*scene, quality);
-      EXPECT_EQ(grid.nodes.size(), 1U);
-      EXPECT_TRUE(grid.references.empty());
-      const auto ray = unbounded_ray<Real>({0, 0, 0}, {0, 0, -1});
-      const auto view = hierarchy_view_of<Real>(grid);
-      Counts counts;
-      EXPECT_EQ(nearest_hit<Robust<Real>>(scene->view(), view, ray, counts).primitive, no_primitive);
-      EXPECT_FALSE(is_occluded<Robust<Real>>(scene->view(), view, ray, counts));
-    }
-  }
-}
-
-TYPED_TEST(HierarchyWalks, EndForRaysOfAnyNumbers) {
-  using Stored = typename TypeParam::Stored;
-  using Real = typename TypeParam::Real;
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(30); s > 0; --s) {
-    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).scene();
-    const Grid grid = hierarchy_of(scene, any_quality(chance));
-    const SceneView<Stored> view = scene.view();
-    for (int i = 0; i < 2000; ++i) {
-      const Ray<Real> ray = ray_of_any_numbers<Real>(chance);
-      Counts counts;
-      nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid), ray, counts);
-      ASSERT_LE(counts.cells_visited, grid.nodes.size());
-    }
-  }
-}
-
-// --- What the builder promises ---------------------------------------------------------------------------
 
 template <class Stored>
 class BuiltHierarchy : public RandomTest {};

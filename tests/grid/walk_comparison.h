@@ -1,4 +1,4 @@
-// Hits of walks through a grid or hierarchy, against those of trying every primitive: the same bits.
+// Hits of walks through a grid or a hierarchy, against those of trying every primitive: the same bits.
 #pragma once
 
 #include "libgrid/trace/trace.h"
@@ -9,43 +9,94 @@
 namespace masu {
 
 // Of scenes stored as Stored, traced by arithmetic of type Real.
-template <class Stored, class Real>
+template <class Stored_, class Real_>
+struct Traced {
+  using Stored = Stored_;
+  using Real = Real_;
+};
+
+template <class T>
 class WalkComparison : public RandomTest {
 protected:
-  // Counts the rays whose result depends on the structure. describe() says which that is.
-  template <class View, class MakeRay, class Describe>
-  void compare_through(TestScene<Stored>& scene, const View& structure, int rays, const MakeRay& make_ray,
-                       const Describe& describe) {
-    const SceneView<Stored> view = scene.view();
-    Chance& chance = chance_;
-    for (int i = 0; i < rays; ++i) {
-      Ray<Real> ray = make_ray();
-      NoCounts counts;
-      const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts),
-                      found = nearest_hit<Robust<Real>>(view, structure, ray, counts);
-      const bool is_hit = expected.primitive != no_primitive;
-      hits_ += is_hit;
-      const bool same = found.primitive == expected.primitive && same_bits(found.t, expected.t);
-      // Between bounds at, before and beyond the hit.
-      if (is_hit && chance.one_in(2))
-        ray.t_max = chance.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
-      if (is_hit && chance.one_in(3))
-        ray.t_min =
-            chance.one_of({expected.t, nudged(expected.t, -1), nudged(expected.t, 1), expected.t / 2});
-      const Hit<Real> within = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts),
-                      found_within = nearest_hit<Robust<Real>>(view, structure, ray, counts);
-      const bool same_within =
-          found_within.primitive == within.primitive && same_bits(found_within.t, within.t);
-      const bool same_occlusion = is_occluded<Robust<Real>>(view, structure, ray, counts) ==
-                                  is_occluded<Robust<Real>>(view, NoGrid{}, ray, counts);
-      if ((same && same_within && same_occlusion) || ++different_ > 1) continue;
-      first_ = described(ray.origin, ray.direction) + " t_min " + described(ray.t_min) + " t_max " +
-               described(ray.t_max) + ": " + described(same ? found_within : found) + ", expected " +
-               described(same ? within : expected) + "; " + describe() + '\n' + described(scene);
-    }
+  using StoredReal = typename T::Stored;
+  using TracedReal = typename T::Real;
+
+  // Of rays that are hard for it.
+  void compare(TestScene<StoredReal>& scene, const Grid& structure, int rays) {
+    const Boxd bounds = scene.bounds();
+    RayMaker<StoredReal> maker(chance_, scene, bounds, structure);
+    compare(scene, structure, rays, [&] {
+      const Ray<StoredReal> made = maker.ray();
+      Ray<TracedReal> ray{cast<TracedReal>(made.origin), static_cast<TracedReal>(made.t_min),
+                          cast<TracedReal>(made.direction), static_cast<TracedReal>(made.t_max)};
+      if (!structure.nodes.empty() && chance_.one_in(4)) put_on_planes(structure, ray);
+      return ray;
+    });
+  }
+  // Counts the rays whose result depends on the structure.
+  template <class MakeRay>
+  void compare(TestScene<StoredReal>& scene, const Grid& structure, int rays, const MakeRay& make_ray) {
+    with_grid_view<TracedReal>(structure, [&](const auto& view) {
+      for (int i = 0; i < rays; ++i)
+        compare_one(scene, structure, view, make_ray());
+    });
+  }
+  void expect_same_hits(std::int64_t least_hits = 1) {
+    EXPECT_EQ(different_, 0) << "of " << hits_ << " hits: " << first_;
+    EXPECT_GE(hits_, least_hits);
   }
 
-  std::int64_t hits_ = 0, different_ = 0;
+  std::int64_t hits_ = 0, far_hits_ = 0; // far: from where rays are clipped more than once
+
+private:
+  template <class View>
+  void compare_one(TestScene<StoredReal>& scene, const Grid& structure, const View& view,
+                   Ray<TracedReal> ray) {
+    using M = Robust<TracedReal>;
+    const SceneView<StoredReal> all = scene.view();
+    NoCounts counts;
+    const Hit<TracedReal> expected = nearest_hit<M>(all, NoGrid{}, ray, counts),
+                          found = nearest_hit<M>(all, view, ray, counts);
+    const bool is_hit = expected.primitive != no_primitive;
+    hits_ += is_hit;
+    far_hits_ +=
+        is_hit && largest_magnitude(ray.origin) > 256 * static_cast<TracedReal>(largest_magnitude(all.clip));
+    const bool same = found.primitive == expected.primitive && same_bits(found.t, expected.t);
+    // Between bounds at, before and beyond the hit.
+    if (is_hit && chance_.one_in(2))
+      ray.t_max = chance_.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
+    if (is_hit && chance_.one_in(3))
+      ray.t_min = chance_.one_of({expected.t, nudged(expected.t, -1), nudged(expected.t, 1), expected.t / 2});
+    const Hit<TracedReal> within = nearest_hit<M>(all, NoGrid{}, ray, counts),
+                          found_within = nearest_hit<M>(all, view, ray, counts);
+    const bool same_within =
+        found_within.primitive == within.primitive && same_bits(found_within.t, within.t);
+    const bool same_occlusion =
+        is_occluded<M>(all, view, ray, counts) == is_occluded<M>(all, NoGrid{}, ray, counts);
+    if ((same && same_within && same_occlusion) || ++different_ > 1) return;
+    first_ = described(ray.origin, ray.direction) + " t_min " + described(ray.t_min) + " t_max " +
+             described(ray.t_max) + ": " + described(same ? found_within : found) + ", expected " +
+             described(same ? within : expected) + "; " + described(structure) + '\n' + described(scene);
+  }
+
+  // Into planes of boxes of a node, or along their edges.
+  void put_on_planes(const Grid& hierarchy, Ray<TracedReal>& ray) {
+    const Boxd box =
+        box_of(hierarchy.nodes[chance_.index(hierarchy.nodes.size())], chance_.whole(0, boxes_per_node - 1));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (chance_.one_in(2)) continue;
+      ray.origin.set(axis, static_cast<TracedReal>(chance_.one_in(2) ? box.min[axis] : box.max[axis]));
+      if (chance_.one_in(2)) ray.direction.set(axis, chance_.one_in(2) ? TracedReal(0) : TracedReal(-0.0));
+    }
+    // Rays are traced with a direction of this size (scale_direction).
+    int exponent = 0;
+    std::frexp(largest_magnitude(ray.direction), &exponent);
+    for (int axis = 0; axis < 3; ++axis)
+      ray.direction.set(axis, std::ldexp(ray.direction[axis], -exponent));
+    if (largest_magnitude(ray.direction) == 0) ray.direction = {1, 0, 0};
+  }
+
+  std::int64_t different_ = 0;
   std::string first_;
 };
 

@@ -1,4 +1,7 @@
-// The grid never shows: through any grid a ray finds the same bits as by trying every primitive.
+// Results are independent of the structure: through any grid and any hierarchy a ray finds the same bits as
+// by trying every primitive. And walks go forward, and end.
+#include "libgrid/build/hierarchy.h"
+#include "libgrid/statistics/hierarchy_statistics.h"
 #include "tests/grid/walk_comparison.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
@@ -15,78 +18,68 @@ namespace {
 
 // --- Hits ------------------------------------------------------------------------------------------------
 
-template <class Real>
-class GridWalk : public WalkComparison<Real, Real> {
-protected:
-  void compare(TestScene<Real>& scene, const Grid& grid, int rays_to_try) {
-    const Boxd bounds = scene.bounds();
-    RayMaker<Real> rays(this->chance_, scene, bounds, grid);
-    compare_each(scene, grid, rays_to_try, [&] { return rays.ray(); });
-  }
-  template <class MakeRay>
-  void compare_each(TestScene<Real>& scene, const Grid& grid, int rays_to_try, const MakeRay& make_ray) {
-    with_view<Real>(grid, [&](const auto& grid_view) {
-      this->compare_through(scene, grid_view, rays_to_try, make_ray, [&] { return described(grid); });
-    });
-  }
-};
-using Arithmetics = testing::Types<float, double>;
-TYPED_TEST_SUITE(GridWalk, Arithmetics);
+template <class T>
+class Walks : public WalkComparison<T> {};
+using Ways = testing::Types<Traced<float, float>, Traced<float, double>, Traced<double, double>>;
+TYPED_TEST_SUITE(Walks, Ways);
 
-TYPED_TEST(GridWalk, FindsTheHitsOfTryingEveryPrimitive) {
-  using Real = TypeParam;
+TYPED_TEST(Walks, FindTheHitsOfTryingEveryPrimitive) {
+  using Stored = typename TypeParam::Stored;
   Chance& chance = this->chance_;
-  for (std::int64_t s = cases(2000); s > 0; --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
-    const Grid grid = random_grid(chance, scene.view(), scene.bounds());
-    this->compare(scene, grid, 300);
+  for (std::int64_t s = cases(4000); s > 0; --s) {
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
+    const Grid structure = random_structure(chance, scene);
+    this->compare(scene, structure, 200);
   }
-  EXPECT_EQ(this->different_, 0) << this->first_;
-  EXPECT_GT(this->hits_, cases(100'000));
+  this->expect_same_hits(cases(120'000));
+  EXPECT_GT(this->far_hits_, cases(5000));
 }
 
 // Edge-on to triangles in a plane, but for the smallest numbers.
-TYPED_TEST(GridWalk, FindsThemAlongDirectionsWithTinyComponents) {
-  using Real = TypeParam;
+TYPED_TEST(Walks, FindThemAlongDirectionsWithTinyComponents) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
   Chance& chance = this->chance_;
   constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
   for (std::int64_t s = cases(1000); s > 0; --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, 1).flat();
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).flat();
     const Boxd bounds = scene.bounds();
-    const Grid grid = random_grid(chance, scene.view(), bounds);
+    const Grid grid = random_structure(chance, scene);
     int across_plane = 0;
     for (int axis = 0; axis < 3; ++axis)
       if (bounds.min[axis] == bounds.max[axis]) across_plane = axis;
     const auto place = [&] { return cast<Real>(chance.in_box(bounds)); };
-    this->compare_each(scene, grid, 200, [&] {
+    this->compare(scene, grid, 200, [&] {
       const Vec3<Real> origin = place();
       Vec3<Real> direction = place() - origin;
-      direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, lowest / 2)));
+      direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, -20)));
+      if (chance.one_in(4)) direction.set((across_plane + 1) % 3, Real(0));
       return unbounded_ray(origin, direction);
     });
   }
-  EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
+  this->expect_same_hits();
 }
 
 // Close to the tip, where all roots of the cone's quadratic meet; the grid's planes pass by it.
-TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
-  using Real = TypeParam;
+TYPED_TEST(Walks, FindThemAtTheTipsOfCones) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(1000); s > 0; --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, 1).pointed();
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).pointed();
     const Boxd bounds = scene.bounds();
-    const GridLayout layout = random_layout<Real>(chance, bounds);
+    const GridLayout layout = random_layout<Stored>(chance, bounds);
     const Vec3d size = voxel_size(layout);
     for (std::size_t i = 0; i < scene.cones.size(); ++i) {
-      Cone<Real>& cone = scene.cones[i];
-      Triangle<Real>& triangle = scene.triangles[i];
+      Cone<Stored>& cone = scene.cones[i];
+      Triangle<Stored>& triangle = scene.triangles[i];
       for (int axis = 0; axis < 3; ++axis) {
         const double at = static_cast<double>(cone.apex[axis]);
         const double number = std::round((at - layout.space.min[axis]) / size[axis]);
         if (number < 1 || number > layout.division[axis] - 1) continue; // the space's own
         const double plane = layout.space.min[axis] + size[axis] * number;
         const auto beside = [&] {
-          return static_cast<Real>(plane + chance.sign() * chance.power_of_two(-40, -24));
+          return static_cast<Stored>(plane + chance.sign() * chance.power_of_two(-40, -24));
         };
         const bool is_round = cone.base[axis] == cone.apex[axis];
         cone.apex.set(axis, beside());
@@ -94,14 +87,14 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
           cone.base.set(axis, cone.apex[axis]);
           continue;
         }
-        const Real level = beside();
-        for (Vec3<Real>* const corner : {&triangle.a, &triangle.b, &triangle.c})
+        const Stored level = beside();
+        for (Vec3<Stored>* const corner : {&triangle.a, &triangle.b, &triangle.c})
           corner->set(axis, level);
       }
     }
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
-    this->compare_each(scene, grid, 200, [&] {
-      const Cone<Real>& cone = scene.cones[chance.index(scene.cones.size())];
+    this->compare(scene, grid, 200, [&] {
+      const Cone<Stored>& cone = scene.cones[chance.index(scene.cones.size())];
       const Vec3d tip = cast<double>(cone.apex), axis = normalized(cast<double>(cone.base) - tip);
       const Vec3d off = chance.in_cube(chance.power_of_two(-40, -20));
       const Vec3d towards = axis * chance.sign() + chance.in_cube(chance.power_of_two(-60, -20));
@@ -109,26 +102,169 @@ TYPED_TEST(GridWalk, FindsThemAtTheTipsOfCones) {
       return unbounded_ray(cast<Real>(tip + off - cast<double>(direction) * 0.01), direction);
     });
   }
-  EXPECT_EQ(this->different_, 0) << "of " << this->hits_ << " hits: " << this->first_;
+  this->expect_same_hits();
 }
 
 // So fine that the builder makes a map of two levels by itself.
-TYPED_TEST(GridWalk, FindsThemThroughMillionsOfVoxels) {
-  using Real = TypeParam;
+TYPED_TEST(Walks, FindThemThroughMillionsOfVoxels) {
+  using Stored = typename TypeParam::Stored;
   Chance& chance = this->chance_;
   for (std::int64_t s = std::max<std::int64_t>(cases(4), 1); s > 0; --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, 1).fine();
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).fine();
     const Boxd bounds = scene.bounds();
-    const GridLayout layout{space_of<Real>(bounds, SpaceRule::tight),
+    const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight),
                             {chance.whole(200, 300), chance.whole(200, 300), chance.whole(250, 300)},
-                            rounding_margin<Real>(bounds)};
+                            rounding_margin<Stored>(bounds)};
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     this->compare(scene, grid, 3000);
   }
-  EXPECT_EQ(this->different_, 0) << this->first_;
-  EXPECT_GT(this->hits_, cases(1000));
+  this->expect_same_hits(cases(1000));
 }
+
+// Several levels of nodes, with primitives large and small that overlap: some are cut by spatial splits.
+TYPED_TEST(Walks, FindThemAmongThousandsOfPrimitives) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  std::size_t cut = 0;
+  for (std::int64_t s = cases(16); s > 0; --s) {
+    TestScene<Stored> scene;
+    const Vec3d middle = chance.in_cube(chance.one_of({0.0, 1.0, 30.0}));
+    for (int i = chance.whole(500, 3000); i > 0; --i) {
+      const Vec3d at = middle + chance.in_cube(1);
+      const double size = chance.power_of_two(-9, chance.one_in(20) ? 0 : -4);
+      const auto corner = [&] { return cast<Stored>(at + chance.in_cube(size)); };
+      switch (chance.whole(0, 5)) {
+      case 0:
+        scene.spheres.push_back(sphere_of<Stored>(at, size));
+        break;
+      case 1:
+        scene.cones.push_back(cone_of<Stored>(at, size, at + chance.direction() * (size * 4),
+                                              size * chance.one_of({0.0, 0.5, 1.0})));
+        break;
+      default:
+        scene.triangles.push_back(triangle_of(corner(), corner(), corner()));
+      }
+    }
+    const Grid grid = hierarchy_of(scene, s % 2 == 0 ? HierarchyQuality::high : HierarchyQuality::fast);
+    EXPECT_GT(hierarchy_statistics(grid.nodes).depth, 2);
+    cut += grid.references.size() - scene.count();
+    this->compare(scene, grid, 250);
+  }
+  this->expect_same_hits(cases(1000));
+  this->RecordProperty("references_of_cut_primitives", static_cast<int>(cut));
+}
+
+TYPED_TEST(Walks, FindThemThroughARefittedHierarchy) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(500); s > 0; --s) {
+    const double scale = chance.power_of_two(-10, 20);
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, scale).scene();
+    Grid grid = hierarchy_of(scene, any_quality(chance));
+    for (int moves = chance.whole(1, 3); moves > 0; --moves) {
+      const std::size_t cones = scene.cones.size();
+      move_primitives(chance, scene, scale * chance.power_of_two(-20, 4));
+      if (scene.cones.size() != cones) grid = hierarchy_of(scene); // one that is a point now is gone
+      ASSERT_TRUE(refit_hierarchy(scene.view(), hierarchy_layout(scene), grid));
+    }
+    this->compare(scene, grid, 100);
+  }
+  this->expect_same_hits(cases(10'000));
+}
+
+// As large, as small and as far from the origin as scene files allow.
+TYPED_TEST(Walks, FindThemInScenesOfAnyScaleAndPlace) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  const bool wide = std::is_same_v<Stored, double>;
+  for (std::int64_t s = cases(800); s > 0; --s) {
+    const double scale = chance.power_of_two(wide ? -298 : -31, wide ? 49 : 39);
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, scale).scene();
+    const Boxd bounds = scene.bounds();
+    const double most = wide ? 1e15 : 1e12, far = largest_magnitude(bounds);
+    if (far >= most / 2) continue;
+    if (chance.one_in(2)) { // far away for its size
+      const Vec3<Stored> by =
+          cast<Stored>(chance.direction() * std::min(far * chance.power_of_two(0, 16), most / 4));
+      for (auto& t : scene.triangles)
+        t.a = t.a + by, t.b = t.b + by, t.c = t.c + by;
+      for (auto& sphere : scene.spheres)
+        sphere.center = sphere.center + by;
+      std::erase_if(scene.cones, [&](auto& cone) {
+        cone.base = cone.base + by;
+        cone.apex = cone.apex + by;
+        return cone.base == cone.apex;
+      });
+      if (scene.count() == 0) continue;
+    }
+    const Grid grid = random_structure(chance, scene);
+    this->compare(scene, grid, 200);
+  }
+  this->expect_same_hits();
+}
+
+TYPED_TEST(Walks, FindTheFirstOfThousandsThatAreEqual) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
+  TestScene<Stored> scene;
+  scene.triangles.assign(5000, triangle_of<Stored>({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
+  const SceneView<Stored> view = scene.view();
+  for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+    const Grid grid = hierarchy_of(scene, quality);
+    EXPECT_EQ(grid.references.size(), 5000U);
+    EXPECT_LE(hierarchy_statistics(grid.nodes).depth, 6U);
+    NoCounts counts;
+    const auto hit =
+        nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid),
+                                  unbounded_ray<Real>({Real(0.25), Real(0.25), 1}, {0, 0, -1}), counts);
+    EXPECT_EQ(hit.primitive, 0U);
+    EXPECT_EQ(hit.t, 1);
+  }
+}
+
+TYPED_TEST(Walks, FindNothingInAnEmptyScene) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
+  TestScene<Stored> empty, without_surface;
+  without_surface.triangles.assign(3, triangle_of<Stored>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+  for (TestScene<Stored>* const scene : {&empty, &without_surface}) {
+    for (const HierarchyQuality quality : {HierarchyQuality::high, HierarchyQuality::fast}) {
+      const Grid grid = hierarchy_of(*scene, quality);
+      EXPECT_EQ(grid.nodes.size(), 1U);
+      EXPECT_TRUE(grid.references.empty());
+      const auto ray = unbounded_ray<Real>({0, 0, 0}, {0, 0, -1});
+      const auto view = hierarchy_view_of<Real>(grid);
+      Counts counts;
+      EXPECT_EQ(nearest_hit<Robust<Real>>(scene->view(), view, ray, counts).primitive, no_primitive);
+      EXPECT_FALSE(is_occluded<Robust<Real>>(scene->view(), view, ray, counts));
+    }
+  }
+}
+
+TYPED_TEST(Walks, EndForRaysOfAnyNumbers) {
+  using Stored = typename TypeParam::Stored;
+  using Real = typename TypeParam::Real;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(30); s > 0; --s) {
+    TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).scene();
+    const Grid grid = hierarchy_of(scene, any_quality(chance));
+    const SceneView<Stored> view = scene.view();
+    for (int i = 0; i < 2000; ++i) {
+      const Ray<Real> ray = ray_of_any_numbers<Real>(chance);
+      Counts counts;
+      nearest_hit<Robust<Real>>(view, hierarchy_view_of<Real>(grid), ray, counts);
+      ASSERT_LE(counts.cells_visited, grid.nodes.size());
+    }
+  }
+}
+
+// --- Walks through cells ---------------------------------------------------------------------------------
+
+template <class Real>
+class GridWalk : public RandomTest {};
+using Arithmetics = testing::Types<float, double>;
+TYPED_TEST_SUITE(GridWalk, Arithmetics);
 
 // Code that is compiled for fewer kinds of primitives does the same.
 TYPED_TEST(GridWalk, FindsTheSameWithoutTheCodeForAbsentKinds) {
@@ -227,7 +363,84 @@ TYPED_TEST(GridWalk, TiesGoToTheLowestPrimitive) {
   EXPECT_GT(ties, cases(100));
 }
 
-// --- The way through the cells ---------------------------------------------------------------------------
+// Places to cut the way from t = 0 to `to`: of equal length, anywhere, or just where the ray leaves cells.
+template <class Real, class View>
+std::vector<Real> cuts(Chance& chance, const View& grid, const ClippedRay<Real>& near, Real to) {
+  std::vector<Real> at;
+  const int pieces = chance.whole(2, 32), kind = chance.whole(0, 2);
+  const Real step = to / static_cast<Real>(pieces);
+  if (kind == 0) {
+    for (int i = 1; i < pieces; ++i)
+      at.push_back(fma(step, static_cast<Real>(i), Real(0)));
+  } else if (kind == 1) {
+    for (int i = 1; i < pieces; ++i)
+      at.push_back(static_cast<Real>(chance.uniform(0, 1) * static_cast<double>(to)));
+  } else {
+    Walk<Real, View> walk(grid, near);
+    do {
+      walk.enter(grid);
+      if (chance.one_in(3))
+        at.push_back(chance.one_in(2) ? walk.exit : nudged(walk.exit, chance.one_in(2) ? 1 : -1));
+    } while (walk.leave(grid));
+  }
+  std::erase_if(at, [&](Real t) { return !(t > 0 && t < to); });
+  std::sort(at.begin(), at.end());
+  return at;
+}
+
+template <class Real, class View>
+Hit<Real> found_in_pieces(Chance& chance, const SceneView<Real>& scene, const View& grid,
+                          const Ray<Real>& ray) {
+  using M = Robust<Real>;
+  ClippedRay<Real> near{};
+  if (!clip(ray, scene.clip, near)) return {ray.t_max, no_primitive};
+  WatertightRay<Real> frame{};
+  prepare(frame, near.ray.origin, near.ray.direction);
+  NoCounts counts;
+  const Hit<Real> nothing{near.ray.t_max, 0};
+  Hit<Real> nearest = nothing;
+  std::vector<Real> at =
+      cuts(chance, grid, near, fast_min(Walk<Real, View>(grid, near).end(grid), near.ray.t_max));
+  at.insert(at.begin(), Real(0));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    NearestHit<M, Real, NoCounts> visitor{scene, frame, counts, near.ray.t_max, nothing};
+    Walk<Real, View> walk(grid, near);
+    if (i > 0) walk.begin_at(grid, at[i]);
+    while (visit_cell(grid, walk, visitor) && (i + 1 == at.size() || walk.exit < at[i + 1])) {
+    }
+    if (is_nearer(visitor.hit.t, visitor.hit.primitive, nearest)) nearest = visitor.hit;
+  }
+  if (!(nearest.t < near.ray.t_max)) return {ray.t_max, no_primitive};
+  return {nearest.t + near.skipped, nearest.primitive};
+}
+
+// By whoever has time: the nearest of what the pieces find is what the whole walk finds.
+TYPED_TEST(GridWalk, FindsTheSameInPieces) {
+  using Real = TypeParam;
+  Chance& chance = this->chance_;
+  std::int64_t hits = 0;
+  for (std::int64_t s = cases(1000); s > 0 && !this->HasFailure(); --s) {
+    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
+    const SceneView<Real> view = scene.view();
+    const Boxd bounds = scene.bounds();
+    const Grid grid = random_grid(chance, view, bounds);
+    RayMaker<Real> rays(chance, scene, bounds, grid);
+    with_view<Real>(grid, [&](const auto& grid_view) {
+      for (int i = 0; i < 100 && !this->HasFailure(); ++i) {
+        const Ray<Real> ray = rays.ray();
+        NoCounts counts;
+        const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
+        const Hit<Real> found = found_in_pieces(chance, view, grid_view, ray);
+        hits += expected.primitive != no_primitive;
+        EXPECT_TRUE(found.primitive == expected.primitive && same_bits(found.t, expected.t))
+            << described(ray.origin, ray.direction) << ": " << described(found) << ", expected "
+            << described(expected) << "; " << described(grid) << '\n'
+            << described(scene);
+      }
+    });
+  }
+  EXPECT_GT(hits, cases(10'000));
+}
 
 // Walks to the end of the space, or until it must have lost its way.
 template <class Real>
