@@ -17,6 +17,9 @@ struct ClosestPoint {
   double weight_b = 0, weight_c = 0; // of a triangle: barycentric coordinates
 };
 
+// Of a vector whose square isn't rounded to a denormal number: a shorter one has no direction.
+inline constexpr double least_length = 0x1p-500;
+
 // a × b, with errors of some roundings of the result.
 MASU_HD inline Vec3d accurate_cross(const Vec3d& a, const Vec3d& b) {
   return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
@@ -73,7 +76,8 @@ MASU_HD inline ClosestPoint closest_point(const Sphere<double>& sphere, const Ve
   const Vec3d away = place - sphere.center;
   const double distance = std::sqrt(dot(away, away)), radius = std::abs(sphere.radius),
                off = distance - radius;
-  const Vec3d outward = distance > 0 ? away * (1 / distance) : Vec3d{1, 0, 0}; // any from the centre
+  // Any from the centre.
+  const Vec3d outward = distance > least_length ? away * (1 / distance) : Vec3d{1, 0, 0};
   return {off * off, sphere.center + outward * radius, outward * (sphere.radius < 0 ? -1.0 : 1.0)};
 }
 
@@ -86,12 +90,14 @@ MASU_HD inline ClosestPoint closest_point(const Cone<double>& cone, const Vec3d&
   const Vec3d rounded = from_base - up * along;
   const Vec3d across = rounded - up * dot(rounded, up); // near the axis, roundings along it have been left
   const double distance = std::sqrt(dot(across, across));
+  // Where most of `rounded` was along the axis, roundings are all there is, and what is left isn't across it.
+  const bool is_off_axis = distance > least_length && 4 * dot(across, across) > dot(rounded, rounded);
   // From the axis any direction across it will do: that of the coordinate axis that is farthest from it.
   const Vec3d least = std::abs(up.x) <= std::abs(up.y) && std::abs(up.x) <= std::abs(up.z) ? Vec3d{1, 0, 0}
                       : std::abs(up.y) <= std::abs(up.z)                                   ? Vec3d{0, 1, 0}
                                                                                            : Vec3d{0, 0, 1};
   const Vec3d any = cross(up, least);
-  const Vec3d outward = distance > 0 ? across * (1 / distance) : any * (1 / std::sqrt(dot(any, any)));
+  const Vec3d outward = is_off_axis ? across * (1 / distance) : any * (1 / std::sqrt(dot(any, any)));
   const double base = std::abs(cone.base_radius), taper = std::abs(cone.apex_radius) - base;
   const double at = along * height + (distance - base) * taper, length = height * height + taper * taper;
   const double share = at > 0 ? (at < length ? at / length : 1) : 0;

@@ -130,6 +130,27 @@ TYPED_TEST(ClosestPoints, AreOnTheSurfaceAndNoneIsCloser) {
   }
 }
 
+// There only roundings say which way is outward.
+class ClosestPointOfCone : public RandomTest {};
+
+TEST_F(ClosestPointOfCone, IsOnTheSurfaceFromTheAxisAndNearIt) {
+  for (std::int64_t s = cases(20'000); s > 0; --s) {
+    const auto corner = [&] {
+      return Vec3d{chance_.uniform(-1, 1), chance_.uniform(-1, 1), chance_.uniform(-1, 1)};
+    };
+    const Cone<double> cone{corner(), chance_.uniform(0.1, 1), corner(), chance_.uniform(0.1, 1)};
+    const double off = chance_.one_in(3) ? 0 : chance_.power_of_two(-600, -30);
+    const Vec3d axis = cone.apex - cone.base;
+    const Vec3d on_axis = chance_.one_in(3) ? cone.apex : cone.base + axis * chance_.uniform(-1, 2);
+    const Vec3d place = on_axis + across(chance_, axis) * off;
+    const ClosestPoint closest = closest_point(cone, place);
+    const double distance = std::sqrt(closest.squared), tolerance = 0x1p-44;
+    ASSERT_NEAR(length_of(place - closest.point), distance, tolerance);
+    ASSERT_LE(off_surface(cone, closest.point), tolerance);
+    ASSERT_LE(distance, length_of(place - point_of(chance_, cone)) + tolerance);
+  }
+}
+
 // A face's projection, an edge, a corner; between spheres; from a cone's axis. Of two as close the first.
 TEST(ClosestPoint, OfKnownPlaces) {
   TestScene<float> scene;
@@ -153,6 +174,8 @@ TEST(ClosestPoint, OfKnownPlaces) {
   const ClosestPrimitive on_axis = closest_primitive(view, NoGrid{}, {0, 20, 2}, {});
   EXPECT_EQ(on_axis.primitive, 4U);
   EXPECT_EQ(on_axis.closest.squared, 1);
+  const ClosestPoint near_center = closest_point(Sphere<double>{{0, 0, 0}, 1}, {0x1p-540, 0, -0x1p-540});
+  EXPECT_NEAR(length_of(near_center.point), 1, 0x1p-50);
   EXPECT_EQ(closest_primitive(view, NoGrid{}, {NAN, 0, 0}, {}).primitive, no_primitive);
   EXPECT_EQ(closest_primitive(view, NoGrid{}, {0, INFINITY, 0}, {}).primitive, no_primitive);
 }
