@@ -20,7 +20,7 @@ enum class Precision { automatic, fast, robust, doubled };
 inline Precision resolved(Precision precision, const SceneFile& scene) {
   if (precision == Precision::automatic) return scene.is_float64() ? Precision::doubled : Precision::robust;
   if (scene.is_float64() && precision != Precision::doubled) {
-    throw Error(ErrorCode::usage, "--precision",
+    throw Error(ErrorCode::usage, "precision",
                 scene.path() +
                     " holds float64 coordinates, which float32 arithmetic would round: take double, "
                     "or make the scene with nff2bin --store float32");

@@ -98,7 +98,7 @@ TracingRules Tracer::resolved(TracingRules rules) const {
   rules.precision = masu::resolved(rules.precision, scene_);
   rules.kinds = kinds_;
   if (rules.stop == StopRule::first_cell && grid_ != nullptr && grid_->is_hierarchy())
-    throw Error(ErrorCode::usage, "--first-cell-hit", "needs a grid of cells: a hierarchy has none");
+    throw Error(ErrorCode::usage, "first-cell-hit", "needs a grid of cells: a hierarchy has none");
   return rules;
 }
 

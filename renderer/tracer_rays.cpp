@@ -55,9 +55,9 @@ void check_hits_in_order(const RaysRequest& request, const RayResults& results) 
   if (request.query == Query::all_hits && (request.limit < 1 || request.limit > max_hits_per_ray))
     fail("limit", fmt::format("{} hits per ray aren't from 1 to {}", request.limit, max_hits_per_ray));
   if (request.tracing.precision == Precision::fast)
-    fail("--precision", "fast finds nearest hits and occlusion alone, of both faces: take robust or double");
+    fail("precision", "fast finds nearest hits and occlusion alone, of both faces: take robust or double");
   if (request.tracing.stop == StopRule::first_cell)
-    fail("--first-cell-hit", "is for nearest hits and occlusion alone, of both faces");
+    fail("first-cell-hit", "is for nearest hits and occlusion alone, of both faces");
   if (request.tracing.count || results.costs.wanted())
     fail("rays", "can't be counted where their hits are found in order");
 }

@@ -200,7 +200,7 @@ class Queries(WithFolder):
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected)
         for options, structure, merge in (
                 ({"division": 7}, "grid", "none"), ({"merge": "irregular"}, "grid", "irregular"),
-                ({"structure": "bvh"}, "bvh", "none"), ({"structure": "bvh", "quality": "fast"}, "bvh", "none"), ({"merge": "x", "division": "8x4x6"}, "grid", "x"),
+                ({"structure": "bvh"}, "bvh", "none"), ({"structure": "bvh", "quality": "fast"}, "bvh", "none"), ({"merge": "x", "division": (8, 4, 6)}, "grid", "x"),
                 ({"box_overlap": True, "cube_space": True, "merge": "balance", "threads": 1}, "grid", "balance")):
             self.grid = self.made.build(**options)
             about = self.grid.describe()
@@ -451,7 +451,7 @@ class Scenes(WithFolder):
                 (TypeError, {"kind": "x"}), (TypeError, {"merge": 1}), (ValueError, {"structure": "octree"}),
                 (masu.Error, {"structure": "bvh", "merge": "x"}), (masu.Error, {"merge": "x", "quality": "fast"}), (masu.Error, {"structure": "grid", "quality": "fast"}), (ValueError, {"quality": "best"}),
                 (ValueError, {"device": "gpu"}),
-                (TypeError, {"division": 1.5}), (ValueError, {"division": "8\0"}), (masu.Error, {"division": "x"}),
+                (TypeError, {"division": 1.5}), (TypeError, {"division": (1.5, 1, 1)}), (masu.Error, {"division": (8, 4)}), (ValueError, {"division": "8\0"}), (masu.Error, {"division": "x"}),
                 (ValueError, {"target": -1}), (ValueError, {"target": 2**32}), (TypeError, {"target": 1.5}),
                 (ValueError, {"threads": -1}), (ValueError, {"threads": 2**40}), (TypeError, {"alpha": []}),
                 (ValueError, {"alpha": "much"})):

@@ -64,7 +64,7 @@ TEST_F(ToolErrors, Float32ArithmeticOnFloat64CoordinatesIsRefused) {
     EXPECT_TRUE(
         fails(1, "gridrender",
               {path, "--brute-force", "-o", file("a.png"), "--backend", "cpu", "--precision", precision},
-              "--precision", "double"));
+              "precision", "double"));
   }
 }
 

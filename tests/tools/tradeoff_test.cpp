@@ -226,7 +226,7 @@ TEST_F(Tradeoff, Float64ScenesAreTracedInDoubleOnly) {
   EXPECT_EQ(rows().size(), 2U * 2 + 1);
   for (const TradeoffRow& row : rows())
     EXPECT_EQ(row.configuration.precision, Precision::doubled);
-  EXPECT_TRUE(failed(measured_few({"--precisions", "fast"}), 1, "gridbench", "--precision", "float64"));
+  EXPECT_TRUE(failed(measured_few({"--precisions", "fast"}), 1, "gridbench", "precision", "float64"));
 }
 
 TEST_F(Tradeoff, InvalidArgumentsAreRefused) {

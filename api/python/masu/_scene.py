@@ -237,7 +237,7 @@ class Scene(Resource):
         return Primitive(KINDS[record.kind], record.object, record.material, record.face, _vector(record.color),
                          record.diffuse, record.specular, record.shine, record.transmittance, record.refraction_index)
 
-    def build(self, *, structure: str = "fastest", merge: str = "auto", division: Union[str, int, None] = None,
+    def build(self, *, structure: str = "fastest", merge: str = "auto", division: Union[str, int, Sequence[int], None] = None,
               quality: str = "high", box_overlap: bool = False, cube_space: bool = False, target: Optional[int] = None,
               alpha: Optional[float] = None, step_cost: Optional[float] = None, detail: Optional[float] = None,
               nested: Optional[int] = None, expansions: Optional[int] = None, device: Union[str, int, Any] = "cpu",
@@ -245,7 +245,7 @@ class Scene(Resource):
         """A grid of the scene. The options are gridbuild's; None is the default.
 
         structure: "grid", "bvh", or "fastest" of both, which is a grid if merge or division is given; merge: "auto",
-        "none", "x", "balance" or "irregular"; division: "auto", 64, "64x64x32", "cleary:1", …; quality: of a hierarchy,
+        "none", "x", "balance" or "irregular"; division: "auto", 64, (64, 64, 32), "cleary:1", …; quality: of a hierarchy,
         "high", or "fast", which takes a fifth of the time or less; box_overlap: a voxel lists the primitives whose bounding
         box meets it, not their surface; cube_space: the smallest cube about the origin is divided, not the primitives'
         bounds; target, alpha, step_cost, detail, nested, expansions: of merged and irregular grids; device: where to build,
@@ -320,7 +320,11 @@ class Grid(Resource):
             setattr(options, name, choice(name, given[name], choices))
         division = given["division"]
         if division is not None:
-            text = division if isinstance(division, str) else str(operator.index(division))
+            voxels = division if isinstance(division, (tuple, list)) else [division]
+            try:
+                text = division if isinstance(division, str) else "x".join(str(operator.index(n)) for n in voxels)
+            except TypeError:
+                raise TypeError("division: text, one whole number or three are needed, not {!r}".format(division)) from None
             if "\0" in text:
                 raise ValueError("division: a null character")
             options.division = text.encode()
