@@ -229,7 +229,7 @@ class Page:
 
     def python(self, line, text):
         if "import torch" in text:
-            self.skip(line, "Python", "needs a GPU: run by python_gpu_test.py")
+            self.skip(line, "Python", "needs PyTorch: run by python_gpu_test.py and python_torch_test.py")
         else:
             self.python_text += text + "\n"  # each block goes on where the last ended
             self.run(line, "PYTHONPATH=api/python MASU_LIBRARY=build/api/libmasu.so python3 " +

@@ -3,6 +3,8 @@
 import contextlib
 import math
 import operator
+import secrets
+import weakref
 from ctypes import byref, c_int
 from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
@@ -12,32 +14,32 @@ from ._library import (CPU, FACES, PRECISIONS, HitsRecord, QueryRecord, Resource
 from ._scene import Grid, Scene
 
 
-class _Field(NamedTuple):
+class Field(NamedTuple):
     record: str  # its name in masu_hits
     number: str
     shape: Tuple[int, ...]  # a ray
 
 
 _FIELDS = {
-    "t_hit": _Field("t", "float32", ()),
-    "primitive_ids": _Field("primitive", "int32", ()),
-    "geometry_ids": _Field("object", "int32", ()),
-    "primitive_uvs": _Field("uv", "float32", (2,)),
-    "primitive_normals": _Field("normal", "float32", (3,)),
-    "face_ids": _Field("face", "int32", ()),
-    "t_hit64": _Field("t64", "float64", ()),
-    "front": _Field("front", "bool", ()),
+    "t_hit": Field("t", "float32", ()),
+    "primitive_ids": Field("primitive", "int32", ()),
+    "geometry_ids": Field("object", "int32", ()),
+    "primitive_uvs": Field("uv", "float32", (2,)),
+    "primitive_normals": Field("normal", "float32", (3,)),
+    "face_ids": Field("face", "int32", ()),
+    "t_hit64": Field("t64", "float64", ()),
+    "front": Field("front", "bool", ()),
 }
 FIELDS = tuple(_FIELDS)  # of Tracer.nearest() and all_hits()
 _CLOSEST_FIELDS = {
-    "distances": _Field("t64", "float64", ()),
-    "points": _Field("", "float64", (3,)),
+    "distances": Field("t64", "float64", ()),
+    "points": Field("", "float64", (3,)),
     **{name: _FIELDS[name] for name in ("primitive_ids", "geometry_ids", "primitive_uvs", "primitive_normals", "face_ids")},
 }
 CLOSEST_FIELDS = tuple(_CLOSEST_FIELDS)  # of Tracer.closest()
 
 
-def _chosen(fields: Union[str, Iterable[str]], known: Dict[str, _Field] = _FIELDS) -> Dict[str, _Field]:
+def chosen(fields: Union[str, Iterable[str]], known: Dict[str, Field] = _FIELDS) -> Dict[str, Field]:
     chosen = (fields,) if isinstance(fields, str) else tuple(fields)
     for name in chosen:
         if name not in known:
@@ -45,8 +47,19 @@ def _chosen(fields: Union[str, Iterable[str]], known: Dict[str, _Field] = _FIELD
     return {name: known[name] for name in chosen}
 
 
-def _hits(pointers: Dict[str, int], known: Dict[str, _Field] = _FIELDS) -> Any:
+def _hits(pointers: Dict[str, int], known: Dict[str, Field] = _FIELDS) -> Any:
     return byref(sized(HitsRecord(**{known[name].record: pointer for name, pointer in pointers.items()})))
+
+
+_tracers: "weakref.WeakValueDictionary[int, Tracer]" = weakref.WeakValueDictionary()
+
+
+def tracer_of(number: int) -> "Tracer":
+    """The tracer whose `number` it is. A ValueError where none has it that is still there."""
+    tracer = _tracers.get(number)
+    if tracer is None:
+        raise ValueError("tracer: {} is the number of none that is there in this process".format(number))
+    return tracer
 
 
 def _gpu_numbers(device: Any) -> Tuple[int, ...]:
@@ -91,6 +104,7 @@ class Tracer(Resource):
 
     scene: Scene
     grid: Optional[Grid]  # None for brute force
+    number: int  # by which operators of PyTorch know it: drawn, so that it is nobody else's in another process
 
     def __init__(self, scene: Scene, grid: Optional[Grid] = None, device: Union[str, int, Any] = "cpu", *,
                  brute_force: bool = False) -> None:
@@ -109,6 +123,8 @@ class Tracer(Resource):
         with contextlib.ExitStack() as used:
             handles = [used.enter_context(each._opened()) if each is not None else None for each in (scene, grid)]
             self._own("tracer", library.masu_tracer_create, (*handles, byref(options)), library.masu_tracer_free)
+        self.number = secrets.randbits(62)
+        _tracers[self.number] = self
 
     @property
     def device(self) -> str:
@@ -166,7 +182,7 @@ class Tracer(Resource):
         hit, or -1: whole numbers of the rays' leading shape, where the rays are. object_masks: whole numbers of 32 bits,
         or bool, for each object of the scene, where the rays are; a ray hits the objects whose mask isn't 0, or, with
         ray_masks, one for each ray, those whose mask shares a bit with its own."""
-        return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), _chosen(fields), rays, precision,
+        return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), chosen(fields), rays, precision,
                            coherent, stream, relative, threads, faces, exclude, object_masks, ray_masks)
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
@@ -190,13 +206,13 @@ class Tracer(Resource):
         if not 1 <= operator.index(limit) <= 65536:
             raise ValueError("limit: {} isn't from 1 to 65536".format(limit))
         rows = {name: field._replace(shape=(operator.index(limit),) + field.shape)
-                for name, field in _chosen(fields).items()}
+                for name, field in chosen(fields).items()}
 
         def arguments(pointers: Dict[str, int]) -> Tuple[Any, ...]:
             counts = pointers.pop("counts")
             return operator.index(limit), _hits(pointers), counts
 
-        return self._query(library.masu_all_hits, arguments, {**rows, "counts": _Field("", "int32", ())}, rays, precision,
+        return self._query(library.masu_all_hits, arguments, {**rows, "counts": Field("", "int32", ())}, rays, precision,
                            False, stream, relative, threads, faces, exclude, object_masks, ray_masks)
 
     def count_hits(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
@@ -231,15 +247,15 @@ class Tracer(Resource):
             to = pointers.pop("points", None)
             return _hits(pointers, _CLOSEST_FIELDS), to
 
-        return self._query(library.masu_closest, arguments, _chosen(fields, _CLOSEST_FIELDS), points, "auto", False, None,
+        return self._query(library.masu_closest, arguments, chosen(fields, _CLOSEST_FIELDS), points, "auto", False, None,
                            relative, threads, "both", exclude, object_masks, ray_masks, name="points", numbers=(3,))
 
     def _query_one(self, function: Callable[..., int], number: str, *query: Any) -> Any:
-        return self._query(function, lambda pointers: (pointers["found"],), {"found": _Field("", number, ())},
+        return self._query(function, lambda pointers: (pointers["found"],), {"found": Field("", number, ())},
                            *query)["found"]
 
     def _query(self, function: Callable[..., int], arguments: Callable[[Dict[str, int]], Tuple[Any, ...]],
-               fields: Dict[str, _Field], rays: Any, precision: str, coherent: bool, stream: Any, relative: bool,
+               fields: Dict[str, Field], rays: Any, precision: str, coherent: bool, stream: Any, relative: bool,
                threads: int, faces: str, exclude: Any, object_masks: Any, ray_masks: Any, name: str = "rays",
                numbers: Tuple[int, ...] = (6, 8)) -> Dict[str, Any]:
         """arguments: the function's last ones, made of the pointers to the results."""
