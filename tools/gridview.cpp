@@ -7,7 +7,6 @@
 #include "tools/common/scene_input.h"
 #include "tools/view/answers.h"
 #include "tools/view/export.h"
-#include "tools/view/measure.h"
 
 #include <csignal>
 #include <thread>
@@ -22,10 +21,9 @@ struct Settings {
   Backend backend = Backend::automatic;
   std::string address = "127.0.0.1";
   int port = -1; // the usual one, or any that is free
-  bool token = false, quiet = false, measures = false;
+  bool token = false, quiet = false;
   std::string size;
   ExportSettings exported; // to a file, where it has a path
-  MeasureSettings measured;
   Threads threads;
 };
 
@@ -79,17 +77,10 @@ void export_file(const Settings& settings, const ViewerSettings& viewed) {
 
 void view(const Settings& settings) {
   const bool cuda = use_cuda(settings.backend, "gridview", settings.quiet);
-  if (!settings.exported.path.empty() || settings.measures) {
-    ViewerSettings viewed = settings.viewer;
-    viewed.device = cuda ? Device::cuda : Device::cpu;
-    if (!settings.measures) return export_file(settings, viewed);
-    const Viewer viewer(viewed);
-    return fmt::print("{}\n",
-                      json_text(with_provenance(measure(viewer, settings.measured), device_name(cuda))));
-  }
-  const sigset_t signals = block_ending_signals();
   ViewerSettings viewed = settings.viewer;
   viewed.device = cuda ? Device::cuda : Device::cpu;
+  if (!settings.exported.path.empty()) return export_file(settings, viewed);
+  const sigset_t signals = block_ending_signals();
   std::thread([signals] { // at once, whatever is being traced
     int signal = 0;
     while (sigwait(&signals, &signal) != 0) {
@@ -139,16 +130,9 @@ int main(int argc, char** argv) {
             ->check(CLI::Range(1, 360))
             ->capture_default_str()
             ->needs(file);
-        auto* const measures =
-            app.add_flag("--measure", settings.measures,
-                         "instead of serving, measure pictures per second over loopback, and print JSON")
-                ->excludes(file);
-        app.add_option("--repeat", settings.measured.repeat, "of --measure: pictures")
-            ->check(CLI::Range(1, 100000))
-            ->capture_default_str()
-            ->needs(measures);
-        app.add_option("--size", settings.size, "pixels of --export (640x480) and --measure (1024x1024)")
-            ->type_name("WxH");
+        app.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
+            ->type_name("WxH")
+            ->needs(file);
         group_options(app, "Tracing");
         add_backend(app, settings.backend);
         add_precision(app, settings.viewer.precision);
@@ -159,8 +143,8 @@ int main(int argc, char** argv) {
           const Camera camera = resized({}, settings.size);
           if (std::int64_t{camera.width} * camera.height > most_pixels)
             throw Error(ErrorCode::usage, "--size", fmt::format("has more than {} pixels", most_pixels));
-          settings.exported.width = settings.measured.width = camera.width;
-          settings.exported.height = settings.measured.height = camera.height;
+          settings.exported.width = camera.width;
+          settings.exported.height = camera.height;
         }
         check_scene_input(settings.viewer.scene);
         const auto limit = settings.threads.limit();

@@ -41,7 +41,7 @@ void for_each_box(const GridFile& file, const BoxFilter& filter,
       if (filter.within && !touch(box, *filter.within)) return;
       const std::uint64_t number =
           std::uint64_t{found.node} * boxes_per_node + static_cast<unsigned>(found.slot);
-      act({number, box, box, found.references, 0, found.depth});
+      act({number, box, box, found.references, found.inner, found.depth});
     });
   }
   const GridLayout finest = finest_layout(file);

@@ -13,7 +13,7 @@ struct StructureBox {
   std::uint64_t number;
   Boxd box, expanded;       // expanded: as in GridCell; of a hierarchy the same
   std::uint32_t references; // of a box around a node 0
-  std::uint64_t voxels;     // as in GridCell; of a hierarchy 0
+  std::uint64_t voxels;     // as in GridCell; of a hierarchy HierarchyBox::inner
   std::int32_t depth;       // cell_depth(); of a hierarchy that of the box's node, of the root 0
 };
 

@@ -42,14 +42,14 @@ void for_each_box(std::span<const HierarchyNode> nodes, const std::function<void
   std::vector<std::uint8_t> depths(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) { // a node's nodes come after it
     const HierarchyNode& node = nodes[i];
-    const auto held = static_cast<std::uint64_t>(std::popcount(node_slots(node)));
-    for (std::uint64_t child = 0; child < held; ++child)
-      depths[node.first_node + child] = static_cast<std::uint8_t>(depths[i] + 1);
+    auto next = static_cast<std::uint32_t>(node.first_node);
     for (int slot = 0; slot < boxes_per_node; ++slot) {
       const std::uint32_t byte = slot_byte(node.slots, slot);
       if (byte == 0) continue;
       const bool is_node = (node_slots(node) >> slot & 1) != 0;
-      act({static_cast<std::uint32_t>(i), slot, depths[i], is_node ? 0 : references_in(byte)});
+      if (is_node) depths[next] = static_cast<std::uint8_t>(depths[i] + 1);
+      act({static_cast<std::uint32_t>(i), slot, depths[i], is_node ? 0 : references_in(byte),
+           is_node ? next++ : 0});
     }
   }
 }

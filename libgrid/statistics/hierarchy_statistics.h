@@ -28,6 +28,7 @@ struct HierarchyBox {
   std::uint32_t node;
   int slot, depth;          // of the node; the root's is 0
   std::uint32_t references; // 0 for a box around a node
+  std::uint32_t inner;      // that node; 0, the root, for a box of references
 };
 // In the order of the nodes, and in a node of the slots. Of checked nodes.
 void for_each_box(std::span<const HierarchyNode> nodes, const std::function<void(const HierarchyBox&)>& act);

@@ -52,6 +52,7 @@ SMALLER = [
     (r"gridbench tradeoff", "gridbench tradeoff --precisions robust --merges none --overlaps exact --divisions 4 "
                             "--curve 4 --size 16x16 --random 64 --compared 64 --picture 8x8 --repeat 1"),
     (r"(gridbench rays .*)--loop \S+", r"\1--size 64x64 --random 1000"),  # loops are a GPU's
+    (r"(page_speed\.py \S+) \S+ \d+", r"\1 64x48 2"),
     (r"(scale_of_scenes\.sh build/bin) [\d ]+", r"\1 2 3 "),
     (r"--(backend|device) cuda", r"--\1 cpu"),
     (r"--devices \S+", "--devices cpu"),
@@ -93,7 +94,7 @@ ctest() { # the tested build's tests are listed: there must be some
   esac
 }
 gridview() { # which serves until it is ended
-  if [[ $* = *--export* || $* = *--measure* || $* = *--help* ]]; then command gridview "$@"; return; fi
+  if [[ $* = *--export* || $* = *--help* ]]; then command gridview "$@"; return; fi
   command gridview "$@" --port 0 >typed/address &
   until [ -s typed/address ]; do kill -0 $! 2>/dev/null || break; sleep 0.1; done
   kill $! 2>/dev/null || true # ended by itself: with which code?

@@ -330,6 +330,7 @@ TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
         EXPECT_EQ(cell.number, boxes_per_node * i + static_cast<std::size_t>(slot));
         EXPECT_EQ(cell.depth, depths[i]);
         EXPECT_EQ(cell.references, is_node ? 0 : references_in(byte));
+        EXPECT_EQ(cell.voxels, is_node ? child - 1 : 0);
         const SliceWindow rectangle = in_scene(finest, axis, cell);
         for (std::size_t k = 0; k < 2; ++k) {
           const double tolerance = 1e-15 * (std::abs(space.min[axes[k]]) + std::abs(space.max[axes[k]]));

@@ -684,9 +684,24 @@ class Page(unittest.TestCase):
                 tools.run("gridstat", names[1], "--slice", "z=50%", "-o", "slice.json", *([] if depth is None else ["--depth", depth]))
                 self.assertEqual(self.js("return slicePanel.cellsOf(1)"), json.loads((tools.folder / "slice.json").read_text())["cells"])
                 most = self.js("return Math.max(...[0, 1].flatMap((grid) => slicePanel.cellsOf(grid).map((cell) => cell[4])))")
-                wait_until(lambda: self.find(".slice-scale").text.split() == ["references", "0", str(most)], "one colour bar for both")
+                wait_until(lambda: self.find(".slice-scale").text.split() == ["references", "1", str(most)], "one colour bar for both")
             self.assertEqual(len(self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")), 2)
             self.js("slicePanel.set({depth: null})")
+            # The box under the pointer, those around it, and those of its node, as gridstat's slice has them.
+            tools.run("gridstat", names[1], "--slice", "z=50%", "-o", "slice.json")
+            cells = json.loads((tools.folder / "slice.json").read_text())["cells"]
+            wait_until(lambda: self.js("return slicePanel.cellsOf(1)") == cells, "boxes of all depths")
+            canvas = self.browser.find_elements(By.CSS_SELECTOR, "canvas.slice")[1]
+            for x, y in [(0, 0), (5, -4), (-3, 6)]:
+                ActionChains(self.browser).move_to_element_with_offset(canvas, x, y).perform()
+                box, kin = self.js("const plot = planeView.plots[1]; return [plot.hovered, kin(plot.slice.cells, plot.hovered)]")
+                around, node = [], box[7] // 8
+                while node > 0:
+                    around.append(next(cell for cell in cells if cell[6] == node))
+                    node = around[-1][7] // 8
+                self.assertEqual(kin, {"around": around, "within": [cell for cell in cells if cell[7] // 8 == box[6] > 0]})
+                self.assertEqual(len(around), box[5])
+                self.assertIn(f"box {box[7]}, depth {box[5]}", self.browser.find_elements(By.CSS_SELECTOR, ".plots .status")[1].text)
             self.screenshot("hierarchy-slices")
             # An address holds the depth.
             self.show(1280, 900, server=server, fragment=fragment)

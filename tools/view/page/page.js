@@ -165,7 +165,6 @@ class Pane {
   set(change) {
     Object.assign(this.settings, change);
     if ('grid' in change) this.counts = null;
-    if (['slice', 'boxes'].includes(change.cells)) $('slice-panel').open = true; // there are the sliders
     update();
   }
 
@@ -337,11 +336,11 @@ function showPanes() {
   $('compare').setAttribute('aria-pressed', String(panes.length > 1));
   $('plane').setAttribute('aria-pressed', String(Boolean(state.plane)));
   $('pictures').hidden = Boolean(state.plane);
-  for (const id of ['compare', 'reset', 'copy-command', 'view-panel', 'cost-panel']) $(id).hidden = Boolean(state.plane);
+  for (const id of ['compare', 'reset', 'copy-command', 'view-panel', 'cost-panel', 'slice-panel']) $(id).hidden = Boolean(state.plane);
   $('walk-title').textContent = state.plane ? 'Walk of the ray' : 'Walk of a pixel';
   $('walk-all').parentElement.hidden = Boolean(state.plane);
   planeView.show(state.plane || []);
-  if (!state.plane) $('slice').prepend(slicePanel.place);
+  if (!state.plane) $('slice').prepend(slicePanel.place, slicePanel.depths);
 }
 
 function fitScale(channel) {
@@ -375,9 +374,10 @@ function update() {
 const shownGrids = () => [...new Set(state.plane || state.panes.map((pane) => pane.grid))];
 
 function showSlice() {
-  const shown = shownGrids();
+  const shown = shownGrids(), had = slicePanel.hasSlices || slicePanel.hasBoxes;
   slicePanel.hasSlices = state.plane || state.panes.some((pane) => pane.cells === 'slice');
   slicePanel.hasBoxes = !state.plane && state.panes.some((pane) => pane.cells === 'boxes');
+  if (!had && (slicePanel.hasSlices || slicePanel.hasBoxes)) $('slice-panel').open = true; // there are the sliders
   slicePanel.show(shown, shown.map(shortName), shown.map((grid) => state.scene.grids[grid]));
   drawOverlays();
 }

@@ -3,12 +3,23 @@
 'use strict';
 
 const BOXES_PER_NODE = 8; // as a box's number says its node and slot
+const KIN = '#7c3aed'; // boxes around the one under the pointer, and those in it
 const FATES = {met: '#1a7f37', missed: '#6b6b66', beyond: '#c2410c'};
+
+// Of a hierarchy's box: those around it, from the nearest on, and those of the node in it.
+function kin(cells, [, , , , , , inner, number]) {
+  const nodeOf = (box) => Math.floor(box / BOXES_PER_NODE);
+  const around = (node) => {
+    const box = node > 0 && cells.find((one) => one[6] === node);
+    return box ? [box, ...around(nodeOf(box[7]))] : [];
+  };
+  return {around: around(nodeOf(number)), within: inner > 0 ? cells.filter((one) => nodeOf(one[7]) === inner) : []};
+}
 
 // One slice. Draws cells or boxes once for each window, and the ray over them.
 class SlicePlot {
   constructor(index, grids, colors, choose) {
-    Object.assign(this, {index, colors, cells: document.createElement('canvas'), key: '', zoom: null});
+    Object.assign(this, {index, colors, cells: document.createElement('canvas'), key: '', hovered: null});
     this.gridSelect = element('select', {onchange: () => choose(index, Number(this.gridSelect.value))},
       ...grids.map((grid, i) => element('option', {value: i}, grid.name)));
     this.facts = element('output', {class: 'status', 'aria-live': 'off'});
@@ -53,7 +64,7 @@ class SlicePlot {
       const left = at.x(sliceU(slice, u0)), right = at.x(sliceU(slice, u1)), top = at.y(sliceV(slice, v1)), bottom = at.y(sliceV(slice, v0));
       if (right < 0 || left > canvas.width || bottom < 0 || top > canvas.height) continue;
       if (references > 0) {
-        context.fillStyle = colors.at(Math.log(1 + references) / Math.log(1 + most));
+        context.fillStyle = colors.at(Math.log(references) / Math.log(Math.max(2, most)));
         context.fillRect(left, top, right - left + 0.5, bottom - top + 0.5);
       }
       if (right - left > 3 && bottom - top > 3) lines.rect(left, top, right - left, bottom - top);
@@ -111,6 +122,19 @@ class SlicePlot {
       stroke(current, '#000', 5);
       stroke(current, '#ffc61a', 3);
     }
+    if (this.hovered && this.isHierarchy) {
+      const {around, within} = kin(slice.cells, this.hovered);
+      const path = (boxes) => boxes.reduce((made, box) => (made.rect(...rectangle(sliceBox(slice, box))), made), new Path2D());
+      around.forEach((box, i) => {
+        context.globalAlpha = Math.max(0.25, 0.85 - 0.15 * i);
+        stroke(path([box]), KIN, 2);
+      });
+      context.globalAlpha = 1;
+      context.fillStyle = 'rgba(124, 58, 237, 0.12)';
+      context.fill(path(within));
+      stroke(path(within), KIN, 1.2, [4 * pixel, 3 * pixel]);
+      stroke(path([this.hovered]), KIN, 3.5);
+    }
     const far = [ends.from[0] + 9 * (ends.to[0] - ends.from[0]), ends.from[1] + 9 * (ends.to[1] - ends.from[1])];
     stroke(segment(ends.from, far), 'rgba(0, 0, 0, 0.45)', 1, [3 * pixel, 4 * pixel]);
     if (ray) {
@@ -133,9 +157,9 @@ class SlicePlot {
     if (!node) return fates;
     const before = ray.steps.slice(0, step).flatMap(({tests}) => tests.filter((test) => test.kept));
     const hit = before.length === 0 ? Infinity : before[before.length - 1].t ?? ray.hit.t;
-    for (const [u0, v0, u1, v1, , , , number] of cells) {
-      if (Math.floor(number / BOXES_PER_NODE) !== node.index) continue;
-      const box = {min: slicePoint(slice, sliceU(slice, u0), sliceV(slice, v0)), max: slicePoint(slice, sliceU(slice, u1), sliceV(slice, v1))};
+    for (const cell of cells) {
+      if (Math.floor(cell[7] / BOXES_PER_NODE) !== node.index) continue;
+      const box = sliceBox(slice, cell);
       const [enter, exit] = intervalIn(box, ray);
       fates[enter > exit ? 'missed' : enter > hit ? 'beyond' : 'met'].push(box);
     }
@@ -187,7 +211,7 @@ class PlaneView {
         element('button', {type: 'button', title: 'Every walk a step back (,)', onclick: () => walkPanel.move(-1)}, '◂'),
         element('button', {type: 'button', title: 'Every walk a step on (.)', onclick: () => walkPanel.move(1)}, '▸'),
         this.step, this.stepText),
-      element('div', {class: 'slice-scale'}, 'references 0', this.scaleColors, this.most)), this.list);
+      element('div', {class: 'slice-scale'}, 'references 1', this.scaleColors, this.most)), this.list);
     this.resized = new ResizeObserver(() => this.draw());
   }
 
@@ -208,7 +232,7 @@ class PlaneView {
       this.resized.observe(plot.canvas);
     }
     this.list.dataset.count = grids.length;
-    if (!this.root.hidden) this.places.append(this.slicePanel.place);
+    if (!this.root.hidden) this.places.append(this.slicePanel.place, this.slicePanel.depths);
   }
 
   get slice() { return this.grids.length > 0 ? this.slicePanel.of(this.grids[0]) : null; }
@@ -222,8 +246,15 @@ class PlaneView {
     if (isParallel && !this.wish) {
       this.ends = {from: [ray.origin[i], ray.origin[j]], to: [ray.origin[i] + ray.direction[i], ray.origin[j] + ray.direction[j]]};
     } else if (this.axis !== slice.axis || !this.ends) {
-      const at = (u, v) => [slice.min[0] + u * slice.voxels[0] * slice.step[0], slice.min[1] + v * slice.voxels[1] * slice.step[1]];
-      this.ends = {from: at(0.02, 0.75), to: at(0.98, 0.4)};
+      // From the left through the middle of the geometry, in shares of the slice.
+      const sides = [0, 1].map((k) => slice.voxels[k] * slice.step[k]), from = [0.02, 0.75];
+      const [u, v] = sides.map((side, k) => {
+        const all = slice.outline.map((line) => (line[k] - slice.min[k]) / side).sort((a, b) => a - b);
+        return Math.max(0.1, all[all.length >> 1] ?? 0.5);
+      });
+      const far = Math.min(0.96 / (u - from[0]), v < from[1] ? 0.73 / (from[1] - v) : 0.23 / (v - from[1]));
+      const at = (shares) => shares.map((share, k) => slice.min[k] + share * sides[k]);
+      this.ends = {from: at(from), to: at([from[0] + far * (u - from[0]), from[1] + far * (v - from[1])])};
     }
     this.axis = slice.axis;
     if (!isIn && !this.isFollowing) this.follow();
@@ -269,13 +300,14 @@ class PlaneView {
     this.plots.forEach((plot, i) => {
       const grid = this.grids[i], own = slicePanel.of(grid), ray = shown[i];
       plot.gridSelect.value = grid;
+      plot.isHierarchy = this.scene.grids[grid].structure === 'bvh';
       if (!own) return;
       plot.fit();
       const cells = slicePanel.cellsOf(grid);
       plot.drawCells(own, cells, most, this.zoom);
       plot.draw(own, cells, this.zoom, this.ends, ray, Math.min(step, ray ? ray.steps.length - 1 : 0));
       const facts = sliceFacts(own, cells, this.scene.grids[grid]);
-      if (!plot.isHovered) plot.facts.textContent = facts;
+      if (!plot.under) plot.facts.textContent = facts;
       plot.counts.hidden = !ray;
       if (ray) plot.counts.textContent = this.progress(ray, step, last, visited(this.scene.grids[grid]));
       plot.canvas.setAttribute('aria-label', `${this.scene.grids[grid].name}: ${facts}. ${plot.counts.textContent}. Arrow keys move the ray’s end, with Shift its origin.`);
@@ -353,7 +385,7 @@ class PlaneView {
     canvas.addEventListener('pointerup', end);
     canvas.addEventListener('pointercancel', end);
     canvas.addEventListener('pointerleave', () => {
-      plot.isHovered = false;
+      Object.assign(plot, {under: '', hovered: null});
       this.draw();
     });
     canvas.addEventListener('dblclick', () => {
@@ -392,10 +424,12 @@ class PlaneView {
     const {slice} = plot;
     const [cu, cv] = [(u - slice.min[0]) / slice.step[0], (v - slice.min[1]) / slice.step[1]];
     const cell = this.slicePanel.cellsOf(this.grids[plot.index]).findLast(([u0, v0, u1, v1]) => cu >= u0 && cu < u1 && cv >= v0 && cv < v1); // of boxes the innermost
-    const isHierarchy = this.scene.grids[this.grids[plot.index]].structure === 'bvh';
     const [i, j] = slice.axes.map((axis) => 'xyz'[axis]);
-    const what = !cell ? 'nothing' : isHierarchy ? `box ${cell[7]}, depth ${cell[5]}` : `voxels ${cell[0]}–${cell[2] - 1}, ${cell[1]}–${cell[3] - 1}`;
-    plot.isHovered = true;
-    plot.facts.textContent = `${i} ${Text.number(u)}, ${j} ${Text.number(v)}: ${what}${cell && (cell[4] > 0 || !isHierarchy) ? `, ${counted(cell[4], 'reference')}` : ''}`;
+    const holds = () => cell[6] > 0 && plot.isHierarchy ? `around ${counted(kin(slice.cells, cell).within.length, 'box').replace(/xs$/, 'xes')} here` : counted(cell[4], 'reference');
+    const what = !cell ? 'nothing' : plot.isHierarchy ? `box ${cell[7]}, depth ${cell[5]}` : `voxels ${cell[0]}–${cell[2] - 1}, ${cell[1]}–${cell[3] - 1}`;
+    plot.facts.textContent = plot.under = `${i} ${Text.number(u)}, ${j} ${Text.number(v)}: ${what}${cell ? `, ${holds()}` : ''}`;
+    if (plot.hovered === (cell ?? null)) return;
+    plot.hovered = cell ?? null;
+    if (plot.isHierarchy) this.draw();
   }
 }

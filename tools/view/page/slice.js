@@ -9,6 +9,8 @@ function slicePoint(slice, u, v) {
   point[slice.axes[1]] = v;
   return point;
 }
+// A cell's or box's rectangle, as a box without thickness.
+const sliceBox = (slice, [u0, v0, u1, v1]) => ({min: slicePoint(slice, sliceU(slice, u0), sliceV(slice, v0)), max: slicePoint(slice, sliceU(slice, u1), sliceV(slice, v1))});
 const sliceU = (slice, voxel) => slice.min[0] + voxel * slice.step[0];
 const sliceV = (slice, voxel) => slice.min[1] + voxel * slice.step[1];
 
@@ -142,7 +144,7 @@ class SlicePanel {
 function sliceFacts(slice, cells, structure) {
   const isHierarchy = structure.structure === 'bvh';
   const occupied = cells.filter((cell) => cell[4] > 0).length;
-  return `≤ ${counted(cells.reduce((sofar, cell) => Math.max(sofar, cell[4]), 0), 'reference')} in ${Text.count(occupied)} of ` +
-    `${counted(cells.length, isHierarchy ? 'box' : 'cell').replace(/xs$/, 'xes')}` +
+  return `${Text.count(occupied)} of ${counted(cells.length, isHierarchy ? 'box' : 'cell').replace(/xs$/, 'xes')} list primitives, ` +
+    `at most ${Text.count(cells.reduce((sofar, cell) => Math.max(sofar, cell[4]), 0))}` +
     `${slice.without_empty ? '; the empty ones are too many to be drawn' : ''}${slice.truncated ? '; not all are drawn' : ''}`;
 }
