@@ -104,6 +104,7 @@ using namespace masu;
 constexpr RayFormat ray_formats[] = {{8, false}, {6, false}, {8, true}, {6, true}};
 static_assert(static_cast<int>(Precision::automatic) == MASU_PRECISION_AUTO &&
               static_cast<int>(Precision::doubled) == MASU_PRECISION_DOUBLE);
+static_assert(static_cast<int>(RayLoop::warp_refill) == MASU_LOOP_WARP_REFILL - MASU_LOOP_THREAD_PER_RAY);
 
 // Fewer are traced in little more time than it takes to find out how.
 constexpr std::size_t rays_worth_a_sample = std::size_t{1} << 22;
@@ -172,7 +173,10 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   list.filters = filters_of(wanted);
   const int place = device_of(rays);
   check_arrays(place, results, list.filters);
-  if (state->grid && tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
+  const auto loop = choice<int>(wanted.loop, 4, "loop");
+  if (loop != MASU_LOOP_AUTO)
+    request.loop = static_cast<RayLoop>(loop - MASU_LOOP_THREAD_PER_RAY);
+  else if (state->grid && tracer.device() == Device::cuda && !needs_hits_in_order(list, results, request))
     request.loop = place == host_memory && count >= rays_worth_a_sample
                        ? automatic_loop(tracer, list, request.query, request.tracing.precision)
                        : state->loops->of(tracer, wanted.coherent != 0);
@@ -188,6 +192,7 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
 }
 
 Vertices vertices_of(const masu_vertices& given, const SceneVertices& scene) {
+  if (scene.count == 0) fail("scene", "has no triangles, which alone can be moved");
   if (given.values == nullptr) require(given.values64, "vertices");
   if (given.values != nullptr && given.values64 != nullptr)
     fail("vertices", "are given twice: as float and as double");

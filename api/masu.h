@@ -312,6 +312,16 @@ typedef enum masu_precision {
 
 typedef enum masu_faces { MASU_FACES_BOTH = 0, MASU_FACES_FRONT = 1, MASU_FACES_BACK = 2 } masu_faces;
 
+/* How a GPU schedules rays for nearest hits and occlusion without filters, sides, t64 and front; of others it
+ * is chosen. Results are the same. */
+typedef enum masu_loop {
+  MASU_LOOP_AUTO = 0,           /* by a sample of the rays or, as `coherent` says, of the scene's */
+  MASU_LOOP_THREAD_PER_RAY = 1, /* neighbours that take equally long: primary rays, few hits */
+  MASU_LOOP_WARP = 2,           /* similar ones through a grid, where some try many primitives; through a
+                                   hierarchy MASU_LOOP_THREAD_PER_RAY */
+  MASU_LOOP_WARP_REFILL = 3     /* that differ: threads that are done fetch the next ray */
+} masu_loop;
+
 /* Zeros are the defaults; NULL instead of a query means them. */
 typedef struct masu_query {
   size_t size;
@@ -332,6 +342,8 @@ typedef struct masu_query {
   const uint32_t* object_masks;
   size_t object_count; /* of object_masks: the scene's */
   const uint32_t* ray_masks;
+  masu_loop loop;
+  int reserved;
 } masu_query;
 
 #define MASU_NONE UINT32_MAX

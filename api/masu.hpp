@@ -200,6 +200,7 @@ struct QueryOptions {
   const std::uint32_t* exclude = nullptr;        // a primitive for each ray, or MASU_NONE
   std::span<const std::uint32_t> object_masks{}; // bits for each object of the scene; none: all are hit
   const std::uint32_t* ray_masks = nullptr;      // bits for each ray; null: all bits
+  masu_loop loop = MASU_LOOP_AUTO;
 };
 
 // The hits of rays in host memory.
@@ -215,6 +216,8 @@ struct HitLists {
   std::vector<double> t;
   std::vector<std::uint32_t> primitive;
   std::vector<std::uint8_t> front;
+
+  bool operator==(const HitLists&) const = default;
 };
 
 // The closest points to places in host memory.
@@ -366,6 +369,7 @@ private:
     query.object_masks = options.object_masks.data();
     query.object_count = options.object_masks.size();
     query.ray_masks = options.ray_masks;
+    query.loop = options.loop;
     return query;
   }
 

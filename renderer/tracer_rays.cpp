@@ -69,9 +69,9 @@ void check_filters(const RayFilters& filters, std::uint64_t objects) {
     throw Error(ErrorCode::usage, place, what);
   };
   if (filters.object_masks == nullptr) {
-    if (filters.ray_masks != nullptr) fail("ray masks", "have no effect without those of objects: give both");
+    if (filters.ray_masks != nullptr) fail("ray_masks", "have no effect without those of objects: give both");
   } else if (filters.object_count != objects) {
-    fail("object masks",
+    fail("object_masks",
          fmt::format("are for {} objects, and the scene has {}", filters.object_count, objects));
   }
 }

@@ -161,7 +161,6 @@ MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const Gri
     auto moved = moved_triangles(executor, scene, vertices, hierarchy.references, hierarchy.reference_count);
     MovedHierarchy<Stored> found{std::move(moved.triangles), {}, moved.bounds};
     if (moved.is_missing) return found;
-    check_hierarchy(scene.primitive_count(), padded_bounds<Stored>(moved.bounds));
     found.nodes = executor.template array<HierarchyNode>(hierarchy.node_count);
     check(cudaMemcpyAsync(found.nodes.data(), hierarchy.nodes, hierarchy.node_count * sizeof(HierarchyNode),
                           cudaMemcpyDeviceToDevice, nullptr));

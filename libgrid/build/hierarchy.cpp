@@ -23,10 +23,14 @@ void check_hierarchy(std::uint64_t primitives, double available) {
                      primitives, needed / 1e9, available / 1e9));
 }
 
-void check_hierarchy(std::uint64_t primitives, const Boxd& space) {
+void check_hierarchy(const Boxd& space) {
   if (!fits_hierarchy(space))
     throw Error(ErrorCode::usage, "structure",
                 "a hierarchy holds coordinates up to 1e15: build a grid of voxels");
+}
+
+void check_hierarchy(std::uint64_t primitives, const Boxd& space) {
+  check_hierarchy(space);
   check_hierarchy(primitives, available_memory());
 }
 
@@ -48,7 +52,7 @@ template Grid hierarchy_grid(const SceneView<double>&, const GridLayout&, Hierar
 
 template <class Stored>
 bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, Grid& hierarchy) {
-  check_hierarchy(scene.primitive_count(), layout.space);
+  check_hierarchy(layout.space);
   TbbExecutor executor;
   if (!holds_all(executor, scene, hierarchy.references)) return false;
   refit(executor, scene, layout.margin, hierarchy.nodes, hierarchy.references.data());

@@ -22,7 +22,9 @@ inline bool fits_hierarchy(const Boxd& space) {
   return largest_magnitude(space) <= reach;
 }
 
-// Throws likewise, also for a scene that reaches farther than float32 does.
+// Throws likewise where it doesn't.
+void check_hierarchy(const Boxd& space);
+// For both, with the memory that is free.
 void check_hierarchy(std::uint64_t primitives, const Boxd& space);
 
 // As files have it.

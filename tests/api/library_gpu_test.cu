@@ -220,19 +220,26 @@ TEST_F(LibraryOnGpu, ListsTheCpusHits) {
                      front.host(limit * n), inside.host(n)} == expected));
 }
 
+// By every loop.
 TEST_F(LibraryOnGpu, FindsTheCpusBits) {
   SCOPED_TRACE(seed_.trace());
+  constexpr std::pair<masu_loop, int> schedules[]{{MASU_LOOP_AUTO, 0},
+                                                  {MASU_LOOP_AUTO, 1},
+                                                  {MASU_LOOP_THREAD_PER_RAY, 0},
+                                                  {MASU_LOOP_WARP, 0},
+                                                  {MASU_LOOP_WARP_REFILL, 0}};
   for (const std::size_t count : {std::size_t{1}, std::size_t{1000}, std::size_t{1'300'000}}) {
     for (const bool far : {false, true}) {
       const std::vector<masu_ray> list = rays(count, far);
       const Device<masu_ray> device(list);
-      for (const int coherent : {0, 1}) {
-        for (const auto precision : {MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
-          if (count > 1000 && precision == MASU_PRECISION_DOUBLE) continue;
-          auto query = masu::sized<masu_query>();
+      for (const auto precision : {MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
+        if (count > 1000 && precision == MASU_PRECISION_DOUBLE) continue;
+        auto query = masu::sized<masu_query>();
+        query.precision = precision;
+        const Found expected = on_host(cpu_, list.data(), count, query);
+        for (const auto& [loop, coherent] : schedules) {
+          query.loop = loop;
           query.coherent = coherent;
-          query.precision = precision;
-          const Found expected = on_host(cpu_, list.data(), count, query);
           expect_same(expected, on_host(gpu_, list.data(), count, query));
           expect_same(expected, on_device(gpu_, device.data(), count, query));
         }
@@ -430,6 +437,9 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
       const Found expected = on_host(cpu.get(), list.data(), list.size());
       expect_same(expected, on_host(gpu.get(), list.data(), list.size()));
       expect_same(expected, on_device(gpu.get(), device.data(), list.size()));
+      EXPECT_TRUE(gpu.all_hits(list, 3) == cpu.all_hits(list, 3));
+      EXPECT_EQ(gpu.count_hits(list), cpu.count_hits(list));
+      EXPECT_EQ(gpu.inside(list), cpu.inside(list));
     }
     vertices[17] = std::nanf("");
     EXPECT_THROW(gpu.update(vertices), masu::Exception);

@@ -221,26 +221,46 @@ TEST_F(Library, AnUpdatedTracerGivesTheHitsOfANewScene) {
     std::vector<masu_ray> rays = random_rays(engine_, 1000);
     auto query = masu::sized<masu_query>();
     query.relative = 1;
+    const masu::QueryOptions relative{.relative = true};
     for (const double most : {0.01, 0.5, 20.0, 0.0}) {
       for (double& v : vertices)
         v = most == 0 ? far : v + most * static_cast<double>(coordinate(engine_)); // all points at last
       if (engine_() % 2 == 0) std::copy_n(vertices.begin(), 3, vertices.begin() + 3);
       tracer.update(vertices);
-      masu_tracer* const brute_force = brute_force_tracer(masu::Scene(geometry).get());
-      EXPECT_TRUE(found_by(tracer.get(), rays, query) == found_by(brute_force, rays, query)) << most;
-      masu_tracer_free(brute_force);
+      const masu::Tracer brute_force(masu::Scene(geometry), nullptr, {}, true);
+      EXPECT_TRUE(found_by(tracer.get(), rays, query) == found_by(brute_force.get(), rays, query)) << most;
+      EXPECT_TRUE(tracer.all_hits(rays, 3, relative) == brute_force.all_hits(rays, 3, relative)) << most;
+      EXPECT_EQ(tracer.count_hits(rays, relative), brute_force.count_hits(rays, relative)) << most;
+      EXPECT_EQ(tracer.inside(rays, relative), brute_force.inside(rays, relative)) << most;
     }
   }
 }
 
-TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
-  Mesh mesh = random_mesh(engine_, 100);
+// As where a scene is made.
+TEST_F(Library, VerticesOfNoTriangleAreNotRead) {
+  Mesh mesh = random_mesh(engine_, 50);
+  mesh.vertices.insert(mesh.vertices.end(), {not_a_number, infinity, 1e30F});
   const masu::Scene scene(mesh.vertices, mesh.indices);
   auto options = masu::default_build_options();
   options.structure = MASU_STRUCTURE_BVH;
   masu::Tracer tracer(scene, masu::Grid(scene, options));
-  const std::vector<masu_ray> rays = random_rays(engine_, 1000);
+  const std::vector<masu_ray> rays = random_rays(engine_, 500);
   const Found before = found_by(tracer.get(), rays);
+  tracer.update(mesh.vertices);
+  EXPECT_TRUE(found_by(tracer.get(), rays) == before);
+}
+
+TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
+  const Mesh mesh = random_mesh(engine_, 100);
+  const std::array<masu_mesh, 1> meshes{mesh.view()};
+  auto geometry = geometry_of(meshes);
+  geometry.store = engine_() % 2 == 0 ? MASU_STORE_FLOAT32 : MASU_STORE_FLOAT64;
+  const masu::Scene scene(geometry);
+  auto options = masu::default_build_options();
+  options.structure = MASU_STRUCTURE_BVH;
+  masu::Tracer tracer(scene, masu::Grid(scene, options));
+  const std::vector<masu_ray> rays = random_rays(engine_, 1000);
+  Found before = found_by(tracer.get(), rays);
   const auto expect_refused = [&](const std::vector<float>& vertices, const char* place) {
     try {
       tracer.update(vertices);
@@ -258,7 +278,7 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   }
   std::vector<float> large = mesh.vertices;
   for (float& v : large)
-    v *= 1e20F;
+    v *= 1e16F; // float64 holds it, the hierarchy's boxes don't
   expect_refused(large, "vertices: reach");
   expect_refused({mesh.vertices.begin(), mesh.vertices.end() - 3}, "vertices: are 299");
   auto moved = masu::moved_to(mesh.vertices);
@@ -271,6 +291,18 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   expect_refused(mesh.vertices, "grid: isn't a hierarchy");
   tracer = masu::Tracer(scene, nullptr, {}, true);
   expect_refused(mesh.vertices, "grid: isn't a hierarchy");
+  const std::array<float, 4> values{0, 0, 0, 0.5F};
+  auto sphere = masu::sized<masu_quadrics>();
+  sphere.values = values.data();
+  sphere.count = 1;
+  geometry = geometry_of({});
+  geometry.spheres = &sphere;
+  geometry.sphere_count = 1;
+  const masu::Scene spheres(geometry);
+  options.structure = MASU_STRUCTURE_BVH;
+  tracer = masu::Tracer(spheres, masu::Grid(spheres, options));
+  before = found_by(tracer.get(), rays);
+  expect_refused({}, "scene: has no triangles");
 }
 
 // Each query is of one of the positions, whole.
@@ -629,12 +661,8 @@ TEST_F(Library, ListsAndCountsTheHitsOfClosedMeshes) {
     return farthest > 0.5 && farthest < 1 ? 1U : 0U;
   };
   for (const masu_precision precision : {MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
-    const masu::HitLists lists = tracer.all_hits(rays, 4, {.precision = precision}),
-                         others = brute_force.all_hits(rays, 4, {.precision = precision});
-    EXPECT_EQ(lists.t, others.t);
-    EXPECT_EQ(lists.primitive, others.primitive);
-    EXPECT_EQ(lists.front, others.front);
-    EXPECT_EQ(lists.counts, others.counts);
+    const masu::HitLists lists = tracer.all_hits(rays, 4, {.precision = precision});
+    EXPECT_TRUE(lists == brute_force.all_hits(rays, 4, {.precision = precision}));
     EXPECT_EQ(tracer.count_hits(rays, {.precision = precision}), lists.counts); // never more than 4
     const std::vector<std::uint8_t> inside = tracer.inside(rays, {.precision = precision});
     const std::vector<std::uint32_t> fronts =
@@ -1021,7 +1049,11 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   EXPECT_EQ(masu_grid_build(nullptr, nullptr, &built), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_grid_refit(nullptr, scene(), &built), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_grid_refit(grid(), nullptr, &built), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_grid_refit(grid(), scene(), &built), MASU_ERROR_USAGE); // it isn't a hierarchy
+  options = masu::default_build_options();
+  options.structure = MASU_STRUCTURE_GRID;
+  EXPECT_EQ(
+      masu_grid_refit(masu::Grid(masu::Scene(mesh.vertices, mesh.indices), options).get(), scene(), &built),
+      MASU_ERROR_USAGE); // it isn't a hierarchy
   EXPECT_EQ(masu_grid_build(scene(), nullptr, nullptr), MASU_ERROR_USAGE);
   EXPECT_EQ(built, nullptr);
   int count = -1;

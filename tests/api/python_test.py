@@ -148,7 +148,11 @@ class Queries(WithFolder):
         chosen = tracer.nearest(rays, object_masks=[1 << 31], ray_masks=masks)["primitive_ids"]
         np.testing.assert_array_equal(chosen, np.where(masks >> 31, without["primitive_ids"], -1))
         self.assertFalse(tracer.occluded(rays, object_masks=[0]).any())
-        for wrong in (lambda: tracer.all_hits(rays, 0), lambda: tracer.nearest(rays, object_masks=[1, 1]),
+        for given in (np.zeros((4, 250)), np.zeros((4, 250), complex)):
+            with self.assertRaisesRegex(TypeError, "^exclude: "):
+                tracer.nearest(rays, exclude=given)
+        for wrong in (lambda: tracer.nearest(rays, exclude=np.full((4, 250), 2**32)), lambda: tracer.nearest(rays, loop="cells"),
+                      lambda: tracer.all_hits(rays, 0), lambda: tracer.nearest(rays, object_masks=[1, 1]),
                       lambda: tracer.nearest(rays, object_masks=[1], ray_masks=[1]), lambda: tracer.nearest(rays, faces="none"),
                       lambda: tracer.nearest(rays, exclude=[1, 2])):
             with self.assertRaises(ValueError):
@@ -300,6 +304,25 @@ class Queries(WithFolder):
         before = rays.copy()
         self.tracer().nearest(rays, fields=masu.FIELDS)
         self.assertEqual(rays.tobytes(), before.tobytes())
+
+    def test_errors_name_the_argument(self):
+        self.scene(10)
+        tracer = self.tracer()
+        rays = random_rays(self.random, 2)
+
+        class Elsewhere:
+            def __dlpack_device__(self):
+                return 7, 0
+
+        for array, error in (([[0, 0], [0]], ValueError), (Elsewhere(), TypeError)):
+            for name, call in (("rays", tracer.nearest), ("points", tracer.closest), ("vertices", tracer.update),
+                               ("vertices", masu.Scene), ("exclude", lambda given: tracer.occluded(rays, exclude=given)),
+                               ("query_points", masu.RaycastingScene().compute_distance)):
+                with self.assertRaisesRegex(error, "^{}: ".format(name)):
+                    call(array)
+        for options in ({"ray_masks": [1, 1]}, {"object_masks": [1, 1]}):
+            with self.assertRaisesRegex((ValueError, masu.Error), "^{}: ".format(*options)):
+                tracer.occluded(rays, **options)
 
     def test_rays_that_are_no_rays_miss(self):
         self.scene()
@@ -487,6 +510,9 @@ class Scenes(WithFolder):
                                        (TypeError, vertices > 0, "vertices: "), (masu.Error, vertices * np.nan, "vertices: ")):
                 with self.assertRaisesRegex(error, says):
                     tracer.update(wrong)
+            with self.assertRaisesRegex(masu.Error, "scene: has no triangles"):
+                ball = masu.Scene(spheres=[[0, 0, 0, 1]])
+                masu.Tracer(ball, ball.build(structure="bvh")).update(np.zeros((0, 3)))
             self.assertRaises(ValueError, tracer.update, vertices, stream=1)
             same_bits(self, tracer.nearest(rays, fields=masu.FIELDS), expected.nearest(rays, fields=masu.FIELDS))
         with self.assertRaisesRegex(masu.Error, "grid: isn't a hierarchy"):
@@ -745,6 +771,21 @@ class OtherNames(WithFolder):
         np.testing.assert_allclose(rays[:, -1, 3] - rays[:, 0, 3], -2 + 2 / width, atol=1e-5)
         self.assertTrue((np.diff(rays[:, 0, 5]) > 0).all())  # rows follow up
         self.assertRaises(ValueError, masu.RaycastingScene.create_rays_pinhole, intrinsic, intrinsic, 4, 4)
+
+    def test_rays_of_a_lidar_have_its_angles(self):
+        elevations, azimuths = self.random.uniform(-90, 90, 5), self.random.uniform(-360, 720, 7)
+        pose = np.eye(4)
+        pose[:3, :3], pose[:3, 3] = np.linalg.qr(self.random.normal(size=(3, 3)))[0], self.random.normal(size=3)
+        rays = masu.RaycastingScene.create_rays_lidar(pose, elevations, azimuths)
+        self.assertEqual((rays.dtype, rays.shape), (np.float32, (5, 7, 6)))
+        for row, elevation in zip(rays.astype(np.float64), np.deg2rad(elevations)):
+            for ray, azimuth in zip(row, np.deg2rad(azimuths)):
+                direction = [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)]
+                np.testing.assert_allclose(ray[3:], sum(pose[:3, axis] * direction[axis] for axis in range(3)), atol=1e-7)
+                np.testing.assert_array_equal(ray[:3], np.float32(pose[:3, 3]))
+        for name, arguments in (("pose", (pose[:3], [0], [0])), ("elevations_deg", (pose, 0, [0])), ("azimuths_deg", (pose, [0], [[0]]))):
+            with self.assertRaisesRegex(ValueError, "^{}: ".format(name)):
+                masu.RaycastingScene.create_rays_lidar(*arguments)
 
     def test_a_ray_mesh_intersector_has_the_hits_of_the_tracer(self):
         vertices, faces = random_mesh(self.random, 100)

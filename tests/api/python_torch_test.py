@@ -63,7 +63,7 @@ class Operators(unittest.TestCase):
                 masks = {"object_masks": none.flatten()[:1], "ray_masks": none}
                 for operator, given, options in (
                         (ops.nearest, (list(masu.FIELDS),), {"precision": "double", "exclude": none}),
-                        (ops.nearest, (["primitive_uvs"],), masks), (ops.occluded, (), {"faces": "back", "coherent": True}),
+                        (ops.nearest, (["primitive_uvs"],), masks), (ops.occluded, (), {"faces": "back", "loop": "warp"}),
                         (ops.count_hits, (), masks), (ops.inside, (), {"relative": True})):
                     passed = torch.library.opcheck(operator, (tracer.number, tensor, *given), options)
                     self.assertEqual(set(passed.values()), {"SUCCESS"})

@@ -126,6 +126,7 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, st
   set(options.precision, input.take<std::uint8_t>() % 5);
   options.coherent = input.take<std::uint8_t>() % 2;
   set(options.faces, input.take<std::uint8_t>() % 4);
+  set(options.loop, format);
   const std::vector<std::uint32_t> excluded(count, input.take<std::uint8_t>());
   if (input.take<std::uint8_t>() % 2 != 0) options.exclude = excluded.data();
   const std::vector<std::uint32_t> object_masks(objects, input.take<std::uint8_t>()), &ray_masks = excluded;

@@ -1,10 +1,10 @@
-"""Whose arrays rays are. _numpy, _torch and _cupy each have the same functions for one library's arrays:
+"""Whose arrays rays are. _numpy, _torch and _cupy each have the same functions for one library's arrays; name is the
+argument's, for errors:
 
     adopted(array, stream)  another library's array as one of this library; queued on the stream
-    gpu(array)            the number of the GPU that it lies on; None in host memory
-    packed(array, name)   the same numbers as float32 or float64, contiguous and aligned: itself or a copy; name: the
-                          argument, for errors
-    packed_int32(array)   the same numbers as int32, contiguous
+    gpu(array, name)      the number of the GPU that it lies on; None in host memory
+    packed(array, name)   the same numbers as float32 or float64, contiguous and aligned: itself or a copy
+    packed_int32(array, name)  the same whole numbers as int32, contiguous; of uint32 the same bits
     is_float64(array)     of a packed array
     pointer(array)        of a packed array
     to_host(array)        NumPy's, of the same numbers
@@ -20,7 +20,7 @@ from typing import Any, Tuple
 _DLPACK_CPU, _DLPACK_CUDA, _DLPACK_CUDA_HOST, _DLPACK_CUDA_MANAGED = 1, 2, 3, 13
 
 
-def recognize(array: Any, stream: Any) -> Tuple[Any, Any]:
+def recognize(name: str, array: Any, stream: Any) -> Tuple[Any, Any]:
     """The module for an array's library, and the array, which is that library's then. Other libraries' arrays on a GPU
     become tensors of PyTorch or arrays of CuPy where they lie; everything else becomes NumPy's."""
     torch = sys.modules.get("torch")  # whoever has their arrays has imported them
@@ -29,38 +29,41 @@ def recognize(array: Any, stream: Any) -> Tuple[Any, Any]:
     cupy = sys.modules.get("cupy")
     if cupy is not None and isinstance(array, cupy.ndarray):
         return importlib.import_module("._cupy", __package__), array
-    if _lies_on_gpu(array):
-        return _adopted(array, stream)
+    if _lies_on_gpu(name, array):
+        return _adopted(name, array, stream)
     try:
         numpy = importlib.import_module("._numpy", __package__)
     except ImportError as error:
-        raise TypeError("{} needs NumPy: {}".format(type(array).__name__, error)) from error
-    return numpy, numpy.adopted(array, stream)
+        raise TypeError("{}: {} needs NumPy: {}".format(name, type(array).__name__, error)) from error
+    try:
+        return numpy, numpy.adopted(array, stream)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError("{}: no array of numbers: {}".format(name, error)) from None
 
 
-def on_host(array: Any) -> Any:
+def on_host(name: str, array: Any) -> Any:
     """The same numbers in host memory; those on a GPU are copied once what its library queued is done."""
-    module, array = recognize(array, None)
+    module, array = recognize(name, array, None)
     return module.to_host(array)
 
 
-def _lies_on_gpu(array: Any) -> bool:
+def _lies_on_gpu(name: str, array: Any) -> bool:
     if hasattr(array, "__dlpack_device__"):
         kind = int(array.__dlpack_device__()[0])
         if kind in (_DLPACK_CUDA, _DLPACK_CUDA_MANAGED):
             return True
         if kind not in (_DLPACK_CPU, _DLPACK_CUDA_HOST):
-            raise TypeError("{}: neither in host memory nor on a CUDA GPU".format(type(array).__name__))
+            raise TypeError("{}: {} lies neither in host memory nor on a CUDA GPU".format(name, type(array).__name__))
         return False
     return hasattr(array, "__cuda_array_interface__")
 
 
-def _adopted(array: Any, stream: Any) -> Tuple[Any, Any]:
+def _adopted(name: str, array: Any, stream: Any) -> Tuple[Any, Any]:
     # The library that the program uses already comes first.
-    for name in sorted(("torch", "cupy"), key=lambda name: name not in sys.modules):
+    for library in sorted(("torch", "cupy"), key=lambda library: library not in sys.modules):
         try:
-            module = importlib.import_module("._" + name, __package__)
+            module = importlib.import_module("._" + library, __package__)
         except ImportError:
             continue
         return module, module.adopted(array, stream)
-    raise TypeError("{} on a GPU needs PyTorch or CuPy to be read: install one".format(type(array).__name__))
+    raise TypeError("{}: {} on a GPU needs PyTorch or CuPy to be read: install one".format(name, type(array).__name__))

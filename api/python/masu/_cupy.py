@@ -26,7 +26,7 @@ def _chosen(stream: Any, device: int) -> Any:
     return cupy.cuda.ExternalStream(handle, device) if handle else cupy.cuda.Stream.null
 
 
-def gpu(array: "cupy.ndarray") -> int:
+def gpu(array: "cupy.ndarray", name: str) -> int:
     return int(array.device.id)
 
 
@@ -37,7 +37,9 @@ def packed(array: "cupy.ndarray", name: str) -> "cupy.ndarray":
     return array.copy() if array.data.ptr % array.itemsize else array
 
 
-def packed_int32(array: "cupy.ndarray") -> "cupy.ndarray":
+def packed_int32(array: "cupy.ndarray", name: str) -> "cupy.ndarray":
+    if array.dtype.kind not in "biu":
+        raise TypeError("{}: whole numbers are needed, not {}".format(name, array.dtype))
     return cupy.ascontiguousarray(array, cupy.int32)
 
 

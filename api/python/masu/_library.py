@@ -63,7 +63,8 @@ class PrimitiveRecord(ctypes.Structure):
 class QueryRecord(ctypes.Structure):
     _fields_ = [("size", c_size_t), ("format", c_int), ("precision", c_int), ("coherent", c_int), ("relative", c_int),
                 ("stream", c_void_p), ("threads", c_int), ("faces", c_int), ("exclude", c_void_p),
-                ("object_masks", c_void_p), ("object_count", c_size_t), ("ray_masks", c_void_p)]
+                ("object_masks", c_void_p), ("object_count", c_size_t), ("ray_masks", c_void_p), ("loop", c_int),
+                ("reserved", c_int)]
 
 
 class HitsRecord(ctypes.Structure):
@@ -113,6 +114,7 @@ def sized(record: Record) -> Record:
 
 
 FACES = {"both": 0, "front": 1, "back": 2}
+LOOPS = {"auto": 0, "thread_per_ray": 1, "warp": 2, "warp_refill": 3}
 PRECISIONS = {"auto": 0, "fast": 1, "robust": 2, "double": 3}
 STORES = {"auto": 0, "float32": 1, "float64": 2}
 STRUCTURES = {"grid": 0, "bvh": 1, "fastest": 2}

@@ -11,13 +11,10 @@ def adopted(array: Any, stream: Any) -> "np.ndarray[Any, Any]":
         return np.from_dlpack(array)
     if not hasattr(array, "__array__") and hasattr(array, "numpy"):  # Open3D's tensors
         array = array.numpy()
-    try:
-        return np.asarray(array)
-    except ValueError as error:  # rows of different lengths
-        raise ValueError("no array of numbers: {}".format(error)) from None
+    return np.asarray(array)
 
 
-def gpu(array: "np.ndarray[Any, Any]") -> None:
+def gpu(array: "np.ndarray[Any, Any]", name: str) -> None:
     return None
 
 
@@ -28,7 +25,11 @@ def packed(array: "np.ndarray[Any, Any]", name: str) -> "np.ndarray[Any, Any]":
     return np.require(array, number, ["C_CONTIGUOUS", "ALIGNED"])
 
 
-def packed_int32(array: "np.ndarray[Any, Any]") -> "np.ndarray[Any, Any]":
+def packed_int32(array: "np.ndarray[Any, Any]", name: str) -> "np.ndarray[Any, Any]":
+    if array.size and array.dtype.kind not in "biu":
+        raise TypeError("{}: whole numbers are needed, not {}".format(name, array.dtype))
+    if array.size and not -2**31 <= int(array.min()) <= int(array.max()) < 2**32:
+        raise ValueError("{}: numbers from {} to {} aren't of 32 bits".format(name, array.min(), array.max()))
     return np.ascontiguousarray(array, np.int32)
 
 

@@ -126,6 +126,20 @@ class RaycastingScene:
             return _pinhole(*camera, **named)
         return _pinhole_at(*camera, **named)
 
+    @staticmethod
+    def create_rays_lidar(pose: Any, elevations_deg: Any, azimuths_deg: Any) -> Any:
+        """Rays (N, M, 6), float32, of a spinning lidar: a row for each of N elevations, a column for each of M azimuths, in
+        degrees. pose is (4, 4), from the lidar to the world: its rotation, and its position in the last column. The lidar's x
+        points ahead, y to the left, z up: azimuths turn from x to y, elevations rise from that plane. Directions have the
+        length 1: t_hit is range. Open3D has no such function."""
+        import numpy as np
+        to_world = _vector("pose", pose, (4, 4))
+        (level, up), (ahead, left) = _angles("elevations_deg", elevations_deg), _angles("azimuths_deg", azimuths_deg)
+        directions = np.stack(np.broadcast_arrays(level[:, None] * ahead, level[:, None] * left, up[:, None]), -1)
+        rays = np.empty(directions.shape[:2] + (6,), np.float32)
+        rays[..., :3], rays[..., 3:] = to_world[:3, 3], directions @ to_world[:3, :3].T
+        return rays
+
     def __repr__(self) -> str:
         return "<masu.RaycastingScene on {}: {} meshes, {} triangles>".format(
             self._device, len(self._meshes), sum(len(mesh.faces) for mesh in self._meshes))
@@ -154,7 +168,7 @@ def _points(points: Any) -> Any:
 
 def _vectors(name: str, numbers: Any, length: int) -> Any:
     import numpy as np
-    vectors = np.asarray(_arrays.on_host(numbers))
+    vectors = np.asarray(_arrays.on_host(name, numbers))
     if vectors.ndim == 0 or vectors.shape[-1] != length:
         raise ValueError("{}: the shape (..., {}) is needed, not {}".format(name, length, vectors.shape))
     return vectors if vectors.dtype == np.float64 else vectors.astype(np.float32, copy=False)
@@ -162,10 +176,19 @@ def _vectors(name: str, numbers: Any, length: int) -> Any:
 
 def _vector(name: str, numbers: Any, shape: Tuple[int, ...]) -> Any:
     import numpy as np
-    array = np.asarray(_arrays.on_host(numbers), np.float64)
+    array = np.asarray(_arrays.on_host(name, numbers), np.float64)
     if array.shape != shape:
         raise ValueError("{}: the shape {} is needed, not {}".format(name, shape, array.shape))
     return array
+
+
+def _angles(name: str, degrees: Any) -> Any:
+    """Their cosines and sines."""
+    import numpy as np
+    angles = np.radians(np.asarray(_arrays.on_host(name, degrees), np.float64))
+    if angles.ndim != 1:
+        raise ValueError("{}: the shape (N,) is needed, not {}".format(name, angles.shape))
+    return np.cos(angles), np.sin(angles)
 
 
 def _pinhole(intrinsic_matrix: Any, extrinsic_matrix: Any, width_px: int, height_px: int) -> Any:

@@ -81,7 +81,7 @@ def _vector(numbers: Any) -> Vector:
 
 def _numbers(name: str, array: Any, columns: int) -> Any:
     import numpy as np
-    array = np.asarray(_arrays.on_host(array))
+    array = np.asarray(_arrays.on_host(name, array))
     if array.size and (array.ndim != 2 or array.shape[1] != columns):
         raise ValueError("{}: the shape (N, {}) is needed, not {}".format(name, columns, array.shape))
     if array.size and array.dtype.kind not in "fiu":
@@ -115,7 +115,7 @@ def _set_mesh(record: MeshRecord, mesh: Mesh, place: str) -> Any:
             raise ValueError("{}vertices: without faces they must be in threes, not {}".format(place, count))
         record.triangle_count = count // 3
         return vertices
-    faces = np.asarray(_arrays.on_host(mesh.faces))
+    faces = np.asarray(_arrays.on_host(place + "faces", mesh.faces))
     if faces.size and (faces.ndim != 2 or faces.shape[1] != 3):
         raise ValueError("{}faces: the shape (N, 3) is needed, not {}".format(place, faces.shape))
     if faces.size and faces.dtype.kind not in "iu":
@@ -155,7 +155,7 @@ def mesh_of(vertices: Any, faces: Any = None) -> Mesh:
             vertices, faces = vertices.vertices, vertices.faces
         else:
             raise TypeError("a mesh with vertices and faces is needed, not {}".format(type(vertices).__name__))
-    mesh = Mesh(np.array(_arrays.on_host(vertices)), np.array(_arrays.on_host(faces)))
+    mesh = Mesh(np.array(_arrays.on_host("vertices", vertices)), np.array(_arrays.on_host("faces", faces)))
     _set_mesh(MeshRecord(), mesh, "")  # checks it
     return mesh
 

@@ -25,10 +25,10 @@ def _chosen(stream: Any, device: "torch.device") -> "torch.cuda.Stream":
     return torch.cuda.ExternalStream(handle, device=device) if handle else torch.cuda.default_stream(device)
 
 
-def gpu(array: "torch.Tensor") -> Optional[int]:
+def gpu(array: "torch.Tensor", name: str) -> Optional[int]:
     if array.layout != torch.strided or array.device.type not in ("cpu", "cuda"):
-        raise TypeError("a dense tensor on the CPU or a CUDA GPU is needed, not one of {} on {}".format(
-            array.layout, array.device))
+        raise TypeError("{}: a dense tensor on the CPU or a CUDA GPU is needed, not one of {} on {}".format(
+            name, array.layout, array.device))
     return array.get_device() if array.is_cuda else None
 
 
@@ -42,7 +42,9 @@ def packed(array: "torch.Tensor", name: str) -> "torch.Tensor":
     return array.clone() if array.data_ptr() % array.element_size() else array
 
 
-def packed_int32(array: "torch.Tensor") -> "torch.Tensor":
+def packed_int32(array: "torch.Tensor", name: str) -> "torch.Tensor":
+    if array.is_floating_point() or array.is_complex() or array.is_quantized:
+        raise TypeError("{}: whole numbers are needed, not {}".format(name, array.dtype))
     return array.detach().to(torch.int32).contiguous()
 
 

@@ -9,7 +9,7 @@ from ctypes import byref, c_int
 from typing import Any, Callable, Dict, Iterable, NamedTuple, Optional, Tuple, Union
 
 from . import _arrays
-from ._library import (CPU, FACES, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, VerticesRecord,
+from ._library import (CPU, FACES, LOOPS, PRECISIONS, HitsRecord, QueryRecord, Resource, TracerOptionsRecord, VerticesRecord,
                        check, choice, device_number, library, sized)
 from ._scene import Grid, Scene
 
@@ -146,10 +146,10 @@ class Tracer(Resource):
         The tracer alone moves: its scene and grid stay what it was made of. Queries of other threads are of the positions
         before or after, all their rays alike. After an error the tracer is as it was. stream: as nearest() has it, of what
         writes the vertices; it is waited for."""
-        arrays, vertices = _arrays.recognize(vertices, stream)
+        arrays, vertices = _arrays.recognize("vertices", vertices, stream)
         if len(vertices.shape) != 2 or vertices.shape[1] != 3:
             raise ValueError("vertices: the shape (N, 3) is needed, not {}".format(tuple(vertices.shape)))
-        if arrays.gpu(vertices) is None and stream is not None:
+        if arrays.gpu(vertices, "vertices") is None and stream is not None:
             raise ValueError("stream: it is for vertices on a GPU, and these are in host memory")
         record = sized(VerticesRecord(count=len(vertices)))
         with self._opened() as handle, arrays.queue(vertices, stream) as record.stream:
@@ -160,7 +160,7 @@ class Tracer(Resource):
     def nearest(self, rays: Any, *, fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids"),
                 precision: str = "auto", coherent: bool = False, stream: Any = None, relative: bool = False,
                 threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
-                ray_masks: Any = None) -> Dict[str, Any]:
+                ray_masks: Any = None, loop: str = "auto") -> Dict[str, Any]:
         """The nearest hit of each ray: a dictionary of the fields requested, each an array of the rays' leading shape.
 
         t_hit              float32: t, infinity for a miss
@@ -181,17 +181,19 @@ class Tracer(Resource):
         cores. faces: "both", "front" or "back", which alone are hit. exclude: for each ray a primitive that it doesn't
         hit, or -1: whole numbers of the rays' leading shape, where the rays are. object_masks: whole numbers of 32 bits,
         or bool, for each object of the scene, where the rays are; a ray hits the objects whose mask isn't 0, or, with
-        ray_masks, one for each ray, those whose mask shares a bit with its own."""
+        ray_masks, one for each ray, those whose mask shares a bit with its own. loop: how a GPU schedules rays without
+        t_hit64, front, sides, exclude and masks, which changes the speed alone: "auto" (by a sample of the rays in host
+        memory, by `coherent` on a GPU), "thread_per_ray", "warp" or "warp_refill"."""
         return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), chosen(fields), rays, precision,
-                           coherent, stream, relative, threads, faces, exclude, object_masks, ray_masks)
+                           coherent, stream, relative, threads, faces, exclude, object_masks, ray_masks, loop)
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
                  relative: bool = False, threads: int = 0, faces: str = "both", exclude: Any = None,
-                 object_masks: Any = None, ray_masks: Any = None) -> Any:
+                 object_masks: Any = None, ray_masks: Any = None, loop: str = "auto") -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
         return self._query_one(library.masu_occluded, "bool", rays, precision, coherent, stream, relative, threads, faces,
-                               exclude, object_masks, ray_masks)
+                               exclude, object_masks, ray_masks, loop)
 
     def all_hits(self, rays: Any, limit: int, *,
                  fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids", "front"), precision: str = "auto",
@@ -256,16 +258,16 @@ class Tracer(Resource):
 
     def _query(self, function: Callable[..., int], arguments: Callable[[Dict[str, int]], Tuple[Any, ...]],
                fields: Dict[str, Field], rays: Any, precision: str, coherent: bool, stream: Any, relative: bool,
-               threads: int, faces: str, exclude: Any, object_masks: Any, ray_masks: Any, name: str = "rays",
-               numbers: Tuple[int, ...] = (6, 8)) -> Dict[str, Any]:
+               threads: int, faces: str, exclude: Any, object_masks: Any, ray_masks: Any, loop: str = "auto",
+               name: str = "rays", numbers: Tuple[int, ...] = (6, 8)) -> Dict[str, Any]:
         """arguments: the function's last ones, made of the pointers to the results."""
         if not 0 <= operator.index(threads) <= 4096:
             raise ValueError("threads: {} isn't from 0 to 4096".format(threads))
         record = sized(QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)),
                                    relative=int(bool(relative)), threads=operator.index(threads),
-                                   faces=choice("faces", faces, FACES)))
-        arrays, rays = _arrays.recognize(rays, stream)
-        gpu = arrays.gpu(rays)
+                                   faces=choice("faces", faces, FACES), loop=choice("loop", loop, LOOPS)))
+        arrays, rays = _arrays.recognize(name, rays, stream)
+        gpu = arrays.gpu(rays, name)
         shape = tuple(rays.shape)
         if not shape or shape[-1] not in numbers:
             raise ValueError("{}: the shape {} is needed, not {}".format(
@@ -273,22 +275,22 @@ class Tracer(Resource):
         if gpu is None and stream is not None:
             raise ValueError("stream: it is for rays on a GPU, and these are in host memory")
         if gpu is not None and gpu not in self._gpus:
-            raise ValueError("rays are on {}, the tracer on {}: copy them, or open a tracer there".format(
-                _device_name([gpu]), self.device))
+            raise ValueError("{} are on {}, the tracer on {}: copy them, or open a tracer there".format(
+                name, _device_name([gpu]), self.device))
         count = math.prod(shape[:-1])
         with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
-            rays = arrays.packed(rays, "rays")
+            rays = arrays.packed(rays, name)
             objects = (self.scene.describe().objects,) if object_masks is not None else ()
             filters = {}  # kept until the query is queued
             for array, given, needed in (("exclude", exclude, shape[:-1]), ("ray_masks", ray_masks, shape[:-1]),
                                         ("object_masks", object_masks, objects)):
                 if given is None:
                     continue
-                others, given = _arrays.recognize(given, stream)
-                if others is not arrays or arrays.gpu(given) != gpu or tuple(given.shape) != needed:
+                others, given = _arrays.recognize(array, given, stream)
+                if others is not arrays or arrays.gpu(given, array) != gpu or tuple(given.shape) != needed:
                     raise ValueError("{}: whole numbers of the shape {} are needed, where the rays are".format(
                         array, needed))
-                filters[array] = arrays.packed_int32(given)
+                filters[array] = arrays.packed_int32(given, array)
                 setattr(record, array, arrays.pointer(filters[array]))
             record.object_count = sum(objects)
             record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format

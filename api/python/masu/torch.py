@@ -21,6 +21,7 @@ from ._tracer import Field, Tracer, chosen, tracer_of
 _OPTIONS = ["str precision='auto'", "bool relative=False", "SymInt threads=0", "Tensor? object_masks=None",
             "Tensor? ray_masks=None"]
 _FILTERS = ["str faces='both'", "Tensor? exclude=None"]
+_SCHEDULE = ["bool coherent=False", "str loop='auto'"]
 
 
 def _define(name: str, result: str, options: List[str]) -> None:
@@ -40,8 +41,8 @@ def _define(name: str, result: str, options: List[str]) -> None:
     torch.library.custom_op("masu::" + name, query, mutates_args=(), schema=schema).register_fake(fake)
 
 
-_define("nearest", "fields", ["str[] fields", *_OPTIONS, *_FILTERS, "bool coherent=False"])
-_define("occluded", "bool", [*_OPTIONS, *_FILTERS, "bool coherent=False"])
+_define("nearest", "fields", ["str[] fields", *_OPTIONS, *_FILTERS, *_SCHEDULE])
+_define("occluded", "bool", [*_OPTIONS, *_FILTERS, *_SCHEDULE])
 _define("count_hits", "int32", [*_OPTIONS, *_FILTERS])
 _define("inside", "uint8", _OPTIONS)
 

@@ -5,6 +5,7 @@
 //   2. write   them, relative to the origin, as they are stored
 #pragma once
 
+#include "libgrid/build/hierarchy.h"
 #include "libgrid/build/passes/refit_passes.h"
 #include "libscene/base/error.h"
 #include "libscene/file/scene_file.h"
@@ -116,7 +117,7 @@ struct MovedTriangles {
 
 // Of a scene where the executor sees it. `references`: so many of a hierarchy, or null where nothing is to be
 // referred to. Throws Error(usage, "vertices", …) for coordinates that aren't finite or beyond 1e100, or that
-// the scene's store doesn't hold.
+// the scene's store or a hierarchy doesn't hold. Vertices between which there is no triangle aren't read.
 template <class Executor, class Stored, class Number>
 MovedTriangles<Executor, Stored>
 moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedVertices<Number>& vertices,
@@ -136,8 +137,8 @@ moved_triangles(Executor& executor, const SceneView<Stored>& scene, const MovedV
       false, executor.template array<Triangle<Stored>>(scene.triangle_count), survey.bounds};
   if (is_all_points && scene.triangle_count > 0)
     moved.bounds = join(moved.bounds, cast<double>(in_no_surface));
-  if (!reaches_within<Stored>(moved.bounds))
-    fail("reach farther from the scene's origin than its store holds: make a new scene");
+  if (!reaches_within<Stored>(moved.bounds) || !fits_hierarchy(padded_bounds<Stored>(moved.bounds)))
+    fail("reach farther from the scene's origin than its store or a hierarchy holds: make a new scene");
   const Triangle<Stored>* const before = scene.triangles;
   Triangle<Stored>* const after = moved.triangles.data();
   const std::uint64_t first_corner = 3 * std::uint64_t{survey.first_surface};
