@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""For developers: nearest hits of Masu's Python module on this machine's CPU, beside Embree 3 (rtcIntersect1), Open3D's
+"""For developers: nearest hits of Masu's Python module on this machine's CPU, beside Embree 4 or 3 (rtcIntersect1), Open3D's
 RaycastingScene (which calls Embree) and trimesh, for the table of docs/performance.md.
 
     nffgen teapot --size 60 | tools/bench/scripts/python_rays.py [RAYS]
@@ -73,8 +73,18 @@ def of_masu_double(triangles):
 
 
 EMBREE = """
-#include <embree3/rtcore.h>
+#include <embreeVERSION/rtcore.h>
 #include <math.h>
+
+static void intersect(RTCScene scene, struct RTCRayHit* hit) {
+#if RTC_VERSION_MAJOR > 3
+  rtcIntersect1(scene, hit, 0);
+#else
+  struct RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, hit);
+#endif
+}
 
 RTCScene made(const float* vertices, unsigned triangles) {
   RTCDevice device = rtcNewDevice(0);
@@ -94,12 +104,10 @@ RTCScene made(const float* vertices, unsigned triangles) {
 
 void traced(RTCScene scene, const float* rays, long first, long end, float* t, unsigned* triangle, unsigned* object,
             float* uv, float* normal) {
-  struct RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   for (long i = first; i < end; ++i) {
     const float* n = rays + 6 * i;
     struct RTCRayHit hit = {{n[0], n[1], n[2], 0, n[3], n[4], n[5], 0, INFINITY, -1, 0, 0}, {0, 0, 0, 0, 0, -1, -1, {-1}}};
-    rtcIntersect1(scene, &context, &hit);
+    intersect(scene, &hit);
     t[i] = hit.ray.tfar;
     triangle[i] = hit.hit.primID;
     object[i] = hit.hit.geomID;
@@ -113,9 +121,12 @@ void traced(RTCScene scene, const float* rays, long first, long end, float* t, u
 def of_embree(triangles):
     with tempfile.TemporaryDirectory() as folder:
         library = os.path.join(folder, "embree.so")
-        done = subprocess.run(["cc", "-O3", "-march=native", "-shared", "-fPIC", "-xc", "-", "-o", library, "-lembree3"],
-                              input=EMBREE.encode(), stderr=subprocess.PIPE)
-        if done.returncode != 0:
+        for version in ("4", "3"):
+            done = subprocess.run(["cc", "-O3", "-march=native", "-shared", "-fPIC", "-xc", "-", "-o", library, "-lembree" + version],
+                                  input=EMBREE.replace("VERSION", version, 1).encode(), stderr=subprocess.PIPE)
+            if done.returncode == 0:
+                break
+        else:
             raise ImportError(done.stderr.decode().splitlines()[0])
         embree = ctypes.CDLL(library)
     pointer = lambda array: array.ctypes.data_as(ctypes.c_void_p)
