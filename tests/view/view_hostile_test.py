@@ -167,7 +167,7 @@ class Hostile(unittest.TestCase):
         good["from"] = "2,1,1"
         bad = dict(grid=["-1", "2", "99999999999999999999", "x", "", "0x0", "1e0"], angle=["0", "180", "nan", "inf", "-1", "1e999"],
                    at=["2,1,1", "0,0", "0,0,0,0", "nan,0,0", "1e300,0,0", "a,b,c", ","], up=["0,0,0", "2,1,1"], depth=["0", "33", "-5"],
-                   channel=["", "shade", "../x"], quality=["", "best"], width=["0", "-1", "8193", "4294967296", "1e9"], height=["0", "65536"],
+                   channel=["", "shade", "../x", "cut"], quality=["", "best"], width=["0", "-1", "8193", "4294967296", "1e9"], height=["0", "65536"],
                    crop=["0,0,17,1", "-1,0,1,1", "0,0,0,0", "1,1,1", "0,0,2147483647,2147483647"], other=["1"])
         bad["from"] = ["0,0,0", "inf,0,0"]
         query = lambda parameters: "&".join(f"{name}={value}" for name, value in parameters.items())
@@ -179,6 +179,11 @@ class Hostile(unittest.TestCase):
             self.assertEqual(status_of(self.server, "/api/picture?" + query({k: v for k, v in good.items() if k != name})), 400, name)
         self.assertEqual(status_of(self.server, "/api/picture?" + query({**good, "width": "8192", "height": "8192"})), 400)
         self.assertEqual(status_of(self.server, "/api/picture?" + query(good) + "&grid=1"), 400, "given twice")
+        cut = {**good, "channel": "cut", "axis": "0", "share": "0.5"}
+        for at in ["2,1,1", "0,0.001,9"]:  # on the plane too, and along it
+            self.assertEqual(status_of(self.server, "/api/picture?" + query({**cut, "from": at})), 200)
+        for change in [{"axis": "3"}, {"axis": ""}, {"share": "1.5"}, {"share": "nan"}, {"channel": "depth"}]:
+            self.assertEqual(status_of(self.server, "/api/picture?" + query({**cut, **change})), 400, change)
         for path in ["/api/slice?grid=0&axis=3&share=0.5", "/api/slice?grid=0&axis=0&share=1.5", "/api/slice?grid=0&axis=0&share=nan",
                      "/api/boxes?grid=2", "/api/boxes?grid=0&depth=-1", "/api/boxes?grid=0&depth=49", "/api/statistics?grid=2", "/api/statistics", "/api/scene?x=1", "/?x=1"]:
             self.assertEqual(status_of(self.server, path), 400, path)

@@ -444,9 +444,45 @@ class Page(unittest.TestCase):
             picture = self.pixels()
             self.assertNotIn(picture, seen, name)
             seen.append(picture)
-            is_number = name in ("depth", "cells", "tests", "idle", "all cells", "all tests")
+            is_number = name in ("depth", "cells", "tests", "idle", "all cells", "all tests", "cut")
             self.assertEqual(self.find(".scale").is_displayed(), is_number, name)
         self.screenshot("channel")
+
+    def test_a_cut_shows_what_lies_behind_the_plane(self):
+        seed = int(os.environ.get("MASU_TEST_SEED", time.time_ns() % 10**9))
+        print(f"seed {seed}", end=" ", file=sys.stderr, flush=True)
+        choice = random.Random(seed)
+        met = 0
+        for axis, grid in [(0, 1), (1, 0), (2, 0)]:
+            self.show(fragment=f"#grid={scene[1 + grid]}&channel=cut&slice={'xyz'[axis]},{choice.uniform(0.4, 0.6)}")
+            self.js("setCamera(Camera.orbited(state.camera, arguments[0], 0))", choice.uniform(-3, 3))
+            self.wait_sharp()
+            wait_until(lambda: self.js("return slicePanel.of(panes[0].settings.grid) && !slicePanel.isLoading"), "the slice")
+            width, height, got = self.pixels()
+            plane = self.js("return slicePanel.of(panes[0].settings.grid)")
+            view = self.js("const {from, at, up, angle} = panes[0].camera(arguments[0], arguments[1]); return `from=${from}&at=${at}&up=${up}&angle=${angle}`", width, height)
+            pixels = [(choice.randrange(width), choice.randrange(height)) for _ in range(60)]
+            rays = [json.loads(self.server.get(f"/api/ray?{view}&width={width}&height={height}&x={x}&y={y}")) for x, y in pixels]
+            lines = ["ox,oy,oz,dx,dy,dz,tmin,tmax"]
+            for ray in rays:
+                ahead = (plane["position"] - ray["origin"][axis]) / ray["direction"][axis]
+                lines.append(",".join(map(repr, [*ray["origin"], *ray["direction"], *([ahead, 1e30] if ahead >= 0 else [0, -1])])))
+            (tools.folder / "rays.csv").write_text("\n".join(lines) + "\n")
+            tools.run("gridtrace", *scene[:2], "rays.csv", "-o", "hits.csv", "--write", "object,normal", "-q")
+            for (x, y), ray, line in zip(pixels, rays, (tools.folder / "hits.csv").read_text().splitlines()[1:]):
+                name, *normal = map(float, line.split(","))
+                met += name >= 0
+                light = 0.3 + 0.7 * abs(sum(a * b for a, b in zip(normal, ray["direction"])))
+                wanted = [light * lightest for lightest in (236, 229, 214)] if name >= 0 else [255] * 3
+                # At edges JPEG mixes neighbours' colours.
+                around = [[got[4 * (v * width + u) + c] for c in range(3)] for v in range(max(0, y - 3), min(height, y + 4)) for u in range(max(0, x - 3), min(width, x + 4))]
+                nearest = min(max(abs(a - b) for a, b in zip(color, wanted)) for color in around)
+                self.assertLess(nearest, 24, (x, y, axis, name))
+            most = self.js("return slicePanel.most()")
+            self.assertEqual(self.find(".scale").text.replace("\u2009", "").split(), ["references", "1", f"{most},", "log"])
+            tools.run(*shlex.split(self.js("return command()")))
+        self.assertGreater(met, 20)
+        self.screenshot("cut")
 
     def test_two_grids_side_by_side(self):
         self.find("#compare").click()

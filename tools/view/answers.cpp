@@ -71,6 +71,10 @@ Camera camera_of(const Viewer& viewer, Parameters& parameters) {
   return camera;
 }
 
+SharePlane plane_of(Parameters& parameters) {
+  return {parameters.number<int>("axis", 0, 2), parameters.number<double>("share", 0, 1)};
+}
+
 PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   PictureRequest request;
   request.grid = grid_of(viewer, parameters);
@@ -78,12 +82,13 @@ PictureRequest picture_request(const Viewer& viewer, Parameters& parameters) {
   request.depth = parameters.number<int>("depth", 1, largest_depth);
   if (const std::string* const crop = parameters.find("crop")) request.crop = parse_crop("crop", *crop);
   request.channel = parse_picture_channel(parameters.text("channel"));
+  if (request.channel.is_cut) request.cut = plane_of(parameters);
   // moving: soon another one comes. still: the picture that gridrender makes.
   const std::string& quality = parameters.text("quality");
   if (quality != "moving" && quality != "still")
     throw Error(ErrorCode::usage, "quality", "isn't moving or still");
   const bool still = quality == "still";
-  request.sampling = still && !request.channel.channel ? Sampling::corners : Sampling::centers;
+  request.sampling = still && request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
   request.quality = still ? JpegQuality{95, true} : JpegQuality{80, false};
   return request;
 }
@@ -156,8 +161,7 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
     return json(viewer.walk(walked, request.is_gone));
   }
   if (is("/api/slice")) {
-    const SliceRequest sliced{grid_of(viewer, parameters), parameters.number<int>("axis", 0, 2),
-                              parameters.number<double>("share", 0, 1)};
+    const SliceRequest sliced{grid_of(viewer, parameters), plane_of(parameters)};
     parameters.end();
     return json(viewer.slice(sliced, request.is_gone));
   }

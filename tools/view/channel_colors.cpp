@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace masu {
 namespace {
@@ -56,11 +57,13 @@ std::vector<std::string> picture_channel_names() {
     names.emplace_back(name_of(channel));
   for (const Channel channel : {Channel::cells, Channel::tests})
     names.push_back(std::string(all_prefix) + name_of(channel));
+  names.emplace_back(cut_name);
   return names;
 }
 
 PictureChannel parse_picture_channel(const std::string& name) {
   if (name == "shaded") return {};
+  if (name == cut_name) return {{}, false, true};
   for (const Channel channel : all_channels) {
     if (name == name_of(channel)) return {channel, false};
     if (counts(channel) && name == std::string(all_prefix) + name_of(channel)) return {channel, true};
@@ -84,6 +87,15 @@ std::vector<float> channel_values(const Channels& channels, Channel channel) {
   std::transform(counts.begin(), counts.end(), values.begin(),
                  [](std::uint32_t count) { return static_cast<float>(count); });
   return values;
+}
+
+std::vector<std::uint8_t> lit_bytes(std::span<const Vec3f> normals, std::span<const Ray<double>> rays) {
+  return colored(normals.size(), [&](std::size_t i) {
+    if (normals[i] == Vec3f{0, 0, 0}) return missed;
+    const double light = 0.3 + 0.7 * std::abs(dot(cast<double>(normals[i]), rays[i].direction));
+    const auto byte = [&](int lightest) { return static_cast<std::uint8_t>(std::lround(light * lightest)); };
+    return Rgb{byte(236), byte(229), byte(214)};
+  });
 }
 
 std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channel) {

@@ -6,17 +6,22 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace masu {
 
 // What a picture shows: the shaded picture, or a channel; of cells and tests the camera ray's alone, or the
-// sum over all rays of a pixel.
+// sum over all rays of a pixel. Or what lies behind a plane.
 struct PictureChannel {
-  std::optional<Channel> channel{}; // none: shaded
+  std::optional<Channel> channel{}; // none: shaded, or cut
   bool all_rays = false;
+  bool is_cut = false;
+
+  bool is_shaded() const { return !channel && !is_cut; }
 };
+inline constexpr const char* cut_name = "cut";
 
 // As the page calls them: shaded, depth, …, "all cells".
 std::vector<std::string> picture_channel_names();
@@ -31,6 +36,10 @@ bool has_values(const PictureChannel& channel);
 
 // Of those, rows from the top: a depth is infinite where nothing is hit.
 std::vector<float> channel_values(const Channels& channels, Channel channel);
+
+// By the cosine between the line of sight and the surface, as if the light were at the eye; what missed is
+// white.
+std::vector<std::uint8_t> lit_bytes(std::span<const Vec3f> normals, std::span<const Ray<double>> rays);
 
 // Of the others, 8 bits a channel, rows from the top; what missed is white.
 std::vector<std::uint8_t> channel_bytes(const Channels& channels, Channel channel);

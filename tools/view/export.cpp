@@ -70,8 +70,9 @@ Json picture_json(const Picture& picture, const PictureChannel& channel) {
 Json channels_json(const Viewer& viewer, PictureRequest request) {
   Json all;
   for (const std::string& name : picture_channel_names()) {
+    if (name == cut_name) continue; // of any plane
     request.channel = parse_picture_channel(name);
-    request.sampling = request.channel.channel ? Sampling::centers : Sampling::corners;
+    request.sampling = request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
     for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
       Json json = picture_json(viewer.picture(request, is_gone), request.channel);
       if (request.grid > 0 && !depends_on_grid(request.channel)) {
@@ -224,7 +225,7 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
     Json slices = Json::array();
     for (int axis = 0; axis < 3; ++axis) {
       for (const double share : slice_shares)
-        slices.push_back(viewer.slice({grid, axis, share, most_slice_cells}, is_gone));
+        slices.push_back(viewer.slice({grid, {axis, share}, most_slice_cells}, is_gone));
     }
     data["slices"].push_back(std::move(slices));
     Json boxes = Json::array();

@@ -17,6 +17,8 @@
 #include "tools/report/slice_json.h"
 #include "tools/report/walk_text.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -86,6 +88,39 @@ PictureRows channel(const Tracer& tracer, const PictureRequest& request, const F
     rows.values = channel_values(channels, wanted);
   else
     rows.rgb = channel_bytes(channels, wanted);
+  picture.seconds.rows = watch.seconds();
+  return rows;
+}
+
+SlicePlane plane_of(const GridFile& file, const SharePlane& plane) {
+  const GridLayout finest = finest_layout(file);
+  const double low = finest.space.min[plane.axis], high = finest.space.max[plane.axis];
+  return plane_at(finest, plane.axis, low + plane.share * (high - low), "share");
+}
+
+// What camera rays meet from the plane on; nothing where they don't meet it.
+PictureRows cut(const Tracer& tracer, const SlicePlane& plane, const FrameRequest& frame, Picture& picture) {
+  const RayWindow window = window_of(frame);
+  const CameraRays<double> lattice = camera_rays<double>(frame.camera, frame.sampling, false, window);
+  picture.rays = static_cast<std::uint64_t>(window.columns) * static_cast<std::uint64_t>(window.rows);
+  std::vector<Ray<double>> rays(picture.rays);
+  tbb::parallel_for(0, window.rows, [&](std::int32_t row) {
+    for (std::int32_t column = 0; column < window.columns; ++column) {
+      Ray<double>& ray = rays[static_cast<std::size_t>(row) * static_cast<std::size_t>(window.columns) +
+                              static_cast<std::size_t>(column)];
+      ray = camera_ray(lattice, column, row);
+      const double ahead = (plane.position - ray.origin[plane.axis]) / ray.direction[plane.axis];
+      ray.t_min = ahead >= 0 ? ahead : ray.t_max;
+    }
+  });
+  std::vector<Vec3f> normals(rays.size());
+  const Stopwatch trace;
+  RayResults results;
+  results.normal = reinterpret_cast<float(*)[3]>(normals.data());
+  tracer.trace(rays, results, {frame.tracing});
+  picture.seconds.trace = trace.seconds();
+  const Stopwatch watch;
+  PictureRows rows{window.columns, window.rows, lit_bytes(normals, rays)};
   picture.seconds.rows = watch.seconds();
   return rows;
 }
@@ -163,6 +198,8 @@ Picture Viewer::picture(const PictureRequest& request, const IsGone& is_gone) co
     } else {
       picture.precision = name_of(precision_);
     }
+    if (request.channel.is_cut)
+      return cut(tracer, plane_of(grid(request.grid).file, request.cut), frame_request, picture);
     return request.channel.channel ? channel(tracer, request, frame_request, picture)
                                    : shaded(tracer, frame_request, picture);
   });
@@ -214,17 +251,17 @@ Json Viewer::walk(const RayWalkRequest& request, const IsGone& is_gone) const {
 Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
   const GridFile& file = grid(request.grid).file;
   const GridLayout finest = finest_layout(file);
-  const auto [u, v] = slice_axes(request.axis);
-  const double low = finest.space.min[request.axis], high = finest.space.max[request.axis];
-  const SlicePlane plane = plane_at(finest, request.axis, low + request.share * (high - low), "share");
-  const SliceWindow window = window_of(finest, request.axis);
+  const int axis = request.plane.axis;
+  const auto [u, v] = slice_axes(axis);
+  const SlicePlane plane = plane_of(file, request.plane);
+  const SliceWindow window = window_of(finest, axis);
   const Vec3d step = voxel_size(finest);
-  Json json{{"axis", request.axis},
+  Json json{{"axis", axis},
             {"axes", {u, v}},
             {"position", plane.position},
             {"layer", plane.layer},
-            {"layers", finest.division[request.axis]},
-            {"range", {low, high}},
+            {"layers", finest.division[axis]},
+            {"range", {finest.space.min[axis], finest.space.max[axis]}},
             {"voxels", {finest.division[u], finest.division[v]}},
             {"min", window.min},
             {"step", {step[u], step[v]}}};

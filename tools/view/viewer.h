@@ -41,6 +41,12 @@ struct ViewerSettings {
 
 inline constexpr std::int64_t most_pixels = std::int64_t{1} << 23; // of a picture
 
+// A plane perpendicular to `axis` (0 to 2), at a share of the grid's space.
+struct SharePlane {
+  int axis = 2;
+  double share = 0.5;
+};
+
 struct PictureRequest {
   std::size_t grid = 0;
   Camera camera{};
@@ -48,6 +54,7 @@ struct PictureRequest {
   std::optional<Crop> crop{}; // all of the picture, where it isn't given
   int depth = 5;
   PictureChannel channel{};
+  SharePlane cut{}; // of a channel that is cut: what is on the eye's side of it is left out
   JpegQuality quality{};
 };
 
@@ -64,11 +71,9 @@ struct Picture {
   WarpTurns warps{}; // of the channel idle
 };
 
-// A plane perpendicular to `axis` (0 to 2), at a share of the grid's space.
 struct SliceRequest {
   std::size_t grid = 0;
-  int axis = 2;
-  double share = 0.5;
+  SharePlane plane{};
   std::size_t most_cells = 200000; // beyond, the slice is truncated
 };
 

@@ -57,6 +57,23 @@ class Overlay {
     this.stroke(path, color, width, alpha);
   }
 
+  // polygons: their corners.
+  fill(polygons, color, alpha) {
+    const path = new Path2D(), depth = (point) => Vec.dot(Vec.sub(point, this.camera.from), this.axes.forward) - this.near;
+    for (const corners of polygons) {
+      const seen = corners.flatMap((a, i) => { // in front of the camera
+        const b = corners[(i + 1) % corners.length], da = depth(a), db = depth(b);
+        return [...(da >= 0 ? [a] : []), ...(da * db < 0 ? [Vec.add(a, Vec.scaled(Vec.sub(b, a), da / (da - db)))] : [])];
+      });
+      seen.map(this.project).forEach(([x, y], i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+      if (seen.length > 0) path.closePath();
+    }
+    this.context.globalAlpha = alpha;
+    this.context.fillStyle = color;
+    this.context.fill(path);
+    this.context.globalAlpha = 1;
+  }
+
   lines(lines, color, width, alpha) {
     const path = new Path2D();
     for (const [a, b] of lines) this.segment(path, a, b);

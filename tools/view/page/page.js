@@ -192,8 +192,9 @@ class Pane {
     this.cellsSelect.value = this.settings.cells;
     this.stage.setAttribute('aria-label', `${state.scene.scene.name} through ${state.scene.grids[this.settings.grid].name}, ${this.settings.channel}. Arrow keys orbit, Enter picks a pixel.`);
     this.picture.show({grid: this.settings.grid, channel: this.settings.channel, camera: this.camera(width, height),
-      width, height, depth: state.depth});
+      width, height, depth: state.depth, axis: state.slice.axis, share: state.slice.share});
   }
+  get isCut() { return this.settings.channel === 'cut'; }
 
   drawn(frame) {
     this.frame = frame;
@@ -225,10 +226,13 @@ class Pane {
     const {camera, width, height} = this.frame.view;
     const {overlay} = this;
     overlay.begin(camera, width, height);
-    if (this.settings.cells === 'slice') {
+    if (this.settings.cells === 'slice' || this.isCut) {
       const slice = slicePanel.of(this.settings.grid);
       if (slice) {
-        overlay.lines(sliceLines(slice, slicePanel.cellsOf(this.settings.grid), 60000), '#fff', 0.8, 0.55);
+        const cells = slicePanel.cellsOf(this.settings.grid);
+        if (this.isCut)
+          for (const [color, polygons] of sliceColors(slice, cells, colors.reversed(), slicePanel.most())) overlay.fill(polygons, color, 0.85);
+        overlay.lines(sliceLines(slice, cells, 60000), this.isCut ? '#000' : '#fff', 0.8, this.isCut ? 0.4 : 0.55);
         overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
       }
     }
@@ -280,11 +284,11 @@ class Pane {
     const isFirst = panes.find((pane) => pane.settings.channel === channel) === this; // the scale is that of all
     this.scaleKind.hidden = !isNumber || !COUNTS.includes(channel);
     this.scaleSelect.value = scales.kind;
-    this.scale.hidden = !isNumber || !isFirst;
+    this.scale.hidden = !(isNumber || this.isCut) || !isFirst;
     if (this.scale.hidden) return;
-    const {low, high, isLogarithmic} = scales.of(channel);
-    this.scale.querySelector('.colors').style.backgroundImage = colors.gradient();
-    this.scale.querySelector('.low').textContent = `${channel === 'idle' ? 'idle lanes' : channel} ${Text.number(low)}`;
+    const {low, high, isLogarithmic} = this.isCut ? {low: 1, high: slicePanel.most(), isLogarithmic: true} : scales.of(channel);
+    this.scale.querySelector('.colors').style.backgroundImage = (this.isCut ? colors.reversed() : colors).gradient();
+    this.scale.querySelector('.low').textContent = `${{idle: 'idle lanes', cut: 'references'}[channel] || channel} ${this.isCut ? low : Text.number(low)}`;
     this.scale.querySelector('.high').textContent = `${channel === 'depth' ? Text.number(high) : Text.count(high)}${COUNTS.includes(channel) ? ' and more' : ''}${isLogarithmic ? ', log' : ''}`;
   }
 
@@ -375,7 +379,7 @@ const shownGrids = () => [...new Set(state.plane || state.panes.map((pane) => pa
 
 function showSlice() {
   const shown = shownGrids(), had = slicePanel.hasSlices || slicePanel.hasBoxes;
-  slicePanel.hasSlices = state.plane || state.panes.some((pane) => pane.cells === 'slice');
+  slicePanel.hasSlices = state.plane || state.panes.some((pane) => pane.cells === 'slice' || pane.channel === 'cut');
   slicePanel.hasBoxes = !state.plane && state.panes.some((pane) => pane.cells === 'boxes');
   if (!had && (slicePanel.hasSlices || slicePanel.hasBoxes)) $('slice-panel').open = true; // there are the sliders
   slicePanel.show(shown, shown.map(shortName), shown.map((grid) => state.scene.grids[grid]));
@@ -392,6 +396,7 @@ function drawOverlays() {
   for (const pane of panes) {
     pane.drawOverlay();
     pane.showValue();
+    if (pane.isCut && pane.frame) pane.showScale();
   }
   planeView.draw();
   rememberSoon();
@@ -707,10 +712,12 @@ function quoted(word) {
   return /^[\w@%+=:,.\/-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`;
 }
 
-// The command that makes the first picture; of a channel its values, and gridrender's own picture of them.
+// The command that makes the first picture; of a channel its values, and gridrender's own picture of them; of a cut the slice.
 function command() {
   const pane = panes[0];
   const {scene, grids, precision} = state.scene;
+  if (pane.isCut)
+    return `gridstat ${quoted(grids[pane.settings.grid].path)} --slice ${'xyz'[state.slice.axis]}=${100 * state.slice.share}% --outline ${quoted(scene.path)} --lines -o slice.png`;
   const [width, height] = pane.size();
   const {from, at, up, angle} = pane.camera(width, height);
   return ['gridrender', quoted(scene.path), quoted(grids[pane.settings.grid].path), '-o picture.png',
@@ -745,11 +752,11 @@ async function begin() {
   source = typeof EXPORTED === 'undefined' ? new Server() : new Exported(EXPORTED);
   document.body.classList.toggle('exported', !source.isLive);
   state.scene = await source.scene();
-  state.scene.channels = state.scene.channels || ['shaded'];
+  state.scene.channels = state.scene.channels.filter((channel) => source.isLive || channel !== 'cut');
   colors = new ColorScale(state.scene.colors);
   scales = new Scales(colors);
   describeScene();
-  slicePanel = new SlicePanel($('slice'), source, state.slice, drawOverlays);
+  slicePanel = new SlicePanel($('slice'), source, state.slice, () => panes.filter((pane) => pane.isCut).forEach((pane) => pane.update()), drawOverlays);
   walkPanel = new WalkPanel($('walk'), source, () => planeView && drawOverlays(), (point) => setCamera(Camera.centered(state.camera, point)));
   planeView = new PlaneView($('planes'), state.scene, source, colors, slicePanel, walkPanel, (index, grid) => {
     state.plane[index] = grid;

@@ -35,9 +35,9 @@ function sliceLines(slice, cells, most) {
 }
 
 class SlicePanel {
-  // changed(): slices or boxes were loaded; settings: {axis, share, depth} of the page, depth null for any.
-  constructor(root, source, settings, changed) {
-    Object.assign(this, {root, source, settings, changed, loaded: new Map(), slices: new Map(), boxes: new Map()});
+  // moved(): other settings; changed(): slices or boxes were loaded; settings: {axis, share, depth} of the page, depth null for any.
+  constructor(root, source, settings, moved, changed) {
+    Object.assign(this, {root, source, settings, moved, changed, loaded: new Map(), slices: new Map(), boxes: new Map()});
     this.axis = element('select', {'aria-label': 'Axis of the slice', onchange: () => this.set({axis: Number(this.axis.value)})},
       ...['x', 'y', 'z'].map((name, i) => element('option', {value: i}, name)));
     this.slider = element('input', {type: 'range', min: 0, max: 1, step: 0.0025, 'aria-label': 'Position of the slice',
@@ -56,6 +56,7 @@ class SlicePanel {
 
   set(change) {
     Object.assign(this.settings, change);
+    this.moved();
     this.load();
   }
 
@@ -138,6 +139,17 @@ class SlicePanel {
     const {axis, position, range} = this.of(shown[0]);
     this.position.textContent = `${'xyz'[axis]} = ${Text.number(position)} of ${Text.number(range[0])} to ${Text.number(range[1])}`;
   }
+}
+
+// Its cells that list something, as polygons of the scene by their colour; most: references of the darkest.
+function sliceColors(slice, cells, colors, most) {
+  const byColor = new Map();
+  for (const cell of cells.filter(([, , , , references]) => references > 0)) {
+    const {min, max} = sliceBox(slice, cell), [i, j] = slice.axes, corner = (u, v) => slicePoint(slice, u[i], v[j]);
+    const color = colors.at(Math.log(cell[4]) / Math.log(Math.max(2, most)));
+    byColor.set(color, [...byColor.get(color) || [], [corner(min, min), corner(max, min), corner(max, max), corner(min, max)]]);
+  }
+  return byColor;
 }
 
 // In words; cells: of the depth that is shown.

@@ -40,7 +40,8 @@ class Server {
   static cameraParameters(view) {
     const {from, at, up, angle} = view.camera;
     return {grid: view.grid, from: from.join(), at: at.join(), up: up.join(), angle, width: view.width,
-            height: view.height, depth: view.depth, channel: view.channel};
+            height: view.height, depth: view.depth, channel: view.channel,
+            ...(view.channel === 'cut' ? {axis: view.axis, share: view.share} : {})};
   }
 
   // {image, values, precision, milliseconds: {wait, trace, …, total}, rays}: values of channels that are numbers, an
