@@ -314,12 +314,22 @@ class Queries(WithFolder):
             def __dlpack_device__(self):
                 return 7, 0
 
+        class Triangle:
+            vertices, faces = np.eye(3), [[0, 1, 2]]
+
+        meshes = masu.RayMeshIntersector(Triangle)
         for array, error in (([[0, 0], [0]], ValueError), (Elsewhere(), TypeError)):
             for name, call in (("rays", tracer.nearest), ("points", tracer.closest), ("vertices", tracer.update),
                                ("vertices", masu.Scene), ("exclude", lambda given: tracer.occluded(rays, exclude=given)),
-                               ("query_points", masu.RaycastingScene().compute_distance)):
+                               ("query_points", masu.RaycastingScene().compute_distance),
+                               ("rays", masu.RaycastingScene().cast_rays), ("points", meshes.contains_points),
+                               ("ray_origins", lambda given: meshes.intersects_any(given, given))):
                 with self.assertRaisesRegex(error, "^{}: ".format(name)):
                     call(array)
+        for name, call in (("rays", masu.RaycastingScene().cast_rays), ("points", meshes.contains_points),
+                           ("pose", lambda given: masu.RaycastingScene.create_rays_lidar(given, [0], [0]))):
+            with self.assertRaisesRegex(TypeError, "^{}: real numbers".format(name)):
+                call([["a"] * 6])
         for options in ({"ray_masks": [1, 1]}, {"object_masks": [1, 1]}):
             with self.assertRaisesRegex((ValueError, masu.Error), "^{}: ".format(*options)):
                 tracer.occluded(rays, **options)
@@ -783,7 +793,8 @@ class OtherNames(WithFolder):
                 direction = [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)]
                 np.testing.assert_allclose(ray[3:], sum(pose[:3, axis] * direction[axis] for axis in range(3)), atol=1e-7)
                 np.testing.assert_array_equal(ray[:3], np.float32(pose[:3, 3]))
-        for name, arguments in (("pose", (pose[:3], [0], [0])), ("elevations_deg", (pose, 0, [0])), ("azimuths_deg", (pose, [0], [[0]]))):
+        for name, arguments in (("pose", (pose[:3], [0], [0])), ("elevations_deg", (pose, 0, [0])),
+                                ("azimuths_deg", (pose, [0], [[0]]))):
             with self.assertRaisesRegex(ValueError, "^{}: ".format(name)):
                 masu.RaycastingScene.create_rays_lidar(*arguments)
 

@@ -47,6 +47,14 @@ def on_host(name: str, array: Any) -> Any:
     return module.to_host(array)
 
 
+def real_numbers(name: str, array: Any) -> Any:
+    """The same as an array of NumPy's. A TypeError for what isn't real numbers."""
+    array = on_host(name, array)
+    if array.size and array.dtype.kind not in "fiu":
+        raise TypeError("{}: real numbers are needed, not {}".format(name, array.dtype))
+    return array
+
+
 def _lies_on_gpu(name: str, array: Any) -> bool:
     if hasattr(array, "__dlpack_device__"):
         kind = int(array.__dlpack_device__()[0])

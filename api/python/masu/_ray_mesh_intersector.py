@@ -2,6 +2,7 @@
 
 from typing import Any, Tuple, Union
 
+from . import _arrays
 from ._raycasting_scene import hit_lists
 from ._scene import Scene, mesh_of
 from ._tracer import Tracer
@@ -51,8 +52,8 @@ class RayMeshIntersector:
     def contains_points(self, points: Any) -> Any:
         """Whether each point (n, 3) is inside the mesh, which must be closed."""
         import numpy as np
-        points = np.asarray(points, np.float64)
-        return self.tracer.inside(_rays(points, np.broadcast_to((0.0, 0.0, 1.0), points.shape))) == 1
+        points = _vectors("points", points)
+        return self.tracer.inside(np.concatenate([points, np.broadcast_to((0.0, 0.0, 1.0), points.shape)], 1)) == 1
 
     def __repr__(self) -> str:
         return "<masu.RayMeshIntersector: {!r}>".format(self.tracer)
@@ -60,10 +61,14 @@ class RayMeshIntersector:
 
 def _rays(origins: Any, directions: Any) -> Any:
     import numpy as np
-    origins, directions = np.asarray(origins, np.float64), np.asarray(directions, np.float64)
-    for name, array in (("ray_origins", origins), ("ray_directions", directions)):
-        if array.ndim != 2 or array.shape[1] != 3:
-            raise ValueError("{}: the shape (n, 3) is needed, not {}".format(name, array.shape))
+    origins, directions = _vectors("ray_origins", origins), _vectors("ray_directions", directions)
     if len(origins) != len(directions):
         raise ValueError("ray_directions: {} are needed, one per origin, not {}".format(len(origins), len(directions)))
     return np.concatenate([origins, directions], 1)
+
+
+def _vectors(name: str, numbers: Any) -> Any:
+    array = _arrays.real_numbers(name, numbers).astype("float64")
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError("{}: the shape (n, 3) is needed, not {}".format(name, array.shape))
+    return array

@@ -168,7 +168,7 @@ def _points(points: Any) -> Any:
 
 def _vectors(name: str, numbers: Any, length: int) -> Any:
     import numpy as np
-    vectors = np.asarray(_arrays.on_host(name, numbers))
+    vectors = _arrays.real_numbers(name, numbers)
     if vectors.ndim == 0 or vectors.shape[-1] != length:
         raise ValueError("{}: the shape (..., {}) is needed, not {}".format(name, length, vectors.shape))
     return vectors if vectors.dtype == np.float64 else vectors.astype(np.float32, copy=False)
@@ -176,7 +176,7 @@ def _vectors(name: str, numbers: Any, length: int) -> Any:
 
 def _vector(name: str, numbers: Any, shape: Tuple[int, ...]) -> Any:
     import numpy as np
-    array = np.asarray(_arrays.on_host(name, numbers), np.float64)
+    array = _arrays.real_numbers(name, numbers).astype(np.float64)
     if array.shape != shape:
         raise ValueError("{}: the shape {} is needed, not {}".format(name, shape, array.shape))
     return array
@@ -185,7 +185,7 @@ def _vector(name: str, numbers: Any, shape: Tuple[int, ...]) -> Any:
 def _angles(name: str, degrees: Any) -> Any:
     """Their cosines and sines."""
     import numpy as np
-    angles = np.radians(np.asarray(_arrays.on_host(name, degrees), np.float64))
+    angles = np.radians(_arrays.real_numbers(name, degrees).astype(np.float64))
     if angles.ndim != 1:
         raise ValueError("{}: the shape (N,) is needed, not {}".format(name, angles.shape))
     return np.cos(angles), np.sin(angles)

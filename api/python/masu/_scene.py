@@ -81,11 +81,9 @@ def _vector(numbers: Any) -> Vector:
 
 def _numbers(name: str, array: Any, columns: int) -> Any:
     import numpy as np
-    array = np.asarray(_arrays.on_host(name, array))
+    array = _arrays.real_numbers(name, array)
     if array.size and (array.ndim != 2 or array.shape[1] != columns):
         raise ValueError("{}: the shape (N, {}) is needed, not {}".format(name, columns, array.shape))
-    if array.size and array.dtype.kind not in "fiu":
-        raise TypeError("{}: real numbers are needed, not {}".format(name, array.dtype))
     is_float32 = array.dtype.newbyteorder("=") == np.float32
     return np.require(array, np.float32 if is_float32 else np.float64, ["C_CONTIGUOUS", "ALIGNED"])
 
@@ -115,7 +113,7 @@ def _set_mesh(record: MeshRecord, mesh: Mesh, place: str) -> Any:
             raise ValueError("{}vertices: without faces they must be in threes, not {}".format(place, count))
         record.triangle_count = count // 3
         return vertices
-    faces = np.asarray(_arrays.on_host(place + "faces", mesh.faces))
+    faces = _arrays.on_host(place + "faces", mesh.faces)
     if faces.size and (faces.ndim != 2 or faces.shape[1] != 3):
         raise ValueError("{}faces: the shape (N, 3) is needed, not {}".format(place, faces.shape))
     if faces.size and faces.dtype.kind not in "iu":

@@ -16,6 +16,9 @@ from typing import Any, Dict, Iterable, List, Union
 
 import torch
 
+if not hasattr(torch.library, "custom_op"):
+    raise ImportError("masu.torch needs PyTorch 2.4 or later, and {} is installed".format(torch.__version__))
+
 from ._tracer import Field, Tracer, chosen, tracer_of
 
 _OPTIONS = ["str precision='auto'", "bool relative=False", "SymInt threads=0", "Tensor? object_masks=None",
