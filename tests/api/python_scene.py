@@ -21,6 +21,13 @@ def random_mesh(random, count):
     return corners.reshape(-1, 3).astype(np.float32), np.arange(3 * count, dtype=np.uint32).reshape(-1, 3)
 
 
+def cube():
+    """From -1 to 1, fronts outside."""
+    corners = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
+    quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    return corners, np.array([face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))], np.uint32)
+
+
 def random_rays(random, count):
     """From around the unit cube into it; directions of any length."""
     origins = random.uniform(-1, 2, (count, 3))

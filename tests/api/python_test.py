@@ -14,7 +14,7 @@ import unittest
 import numpy as np
 
 import masu
-from python_scene import brute_force, random_generator, random_mesh, random_rays
+from python_scene import brute_force, cube, random_generator, random_mesh, random_rays
 
 INFINITY = np.float32(np.inf)
 
@@ -118,10 +118,7 @@ class Queries(WithFolder):
                           "t_hit64": "float64", "front": "bool"})
 
     def test_all_hits_are_counted_and_listed_in_order(self):
-        corners = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
-        quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-        faces = np.array([face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))], np.uint32)
-        self.made = masu.Scene(corners, faces)
+        self.made = masu.Scene(*cube())
         self.grid = self.made.build()
         tracer = self.tracer()
         # On a lattice, where rays meet edges and corners exactly.
@@ -159,9 +156,7 @@ class Queries(WithFolder):
                 wrong()
 
     def test_closest_points_of_a_cube(self):
-        corners = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], np.float32)
-        quads = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
-        faces = np.array([face for a, b, c, d in quads for face in ((a, b, c), (a, c, d))], np.uint32)
+        corners, faces = cube()
         points = self.random.uniform(-2, 2, (3, 200, 3))
         outside = np.clip(points, -1, 1)
         depth = 1 - np.abs(points).max(-1)
@@ -828,17 +823,12 @@ class OtherNames(WithFolder):
         self.assertRaises(TypeError, masu.RayMeshIntersector, vertices)
 
     def test_points_in_a_closed_mesh_are_told_from_those_outside(self):
-        corners = np.float64([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-        quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-
         class Cube:
-            vertices = corners
-            faces = np.array([triangle for a, b, c, d in quads for triangle in ((a, b, c), (a, c, d))])
+            vertices, faces = cube()
 
-        points = self.random.uniform(-0.5, 1.5, (500, 3))
-        points = points[(np.abs(points - np.rint(points)) > 1e-3).all(1)]
-        np.testing.assert_array_equal(masu.RayMeshIntersector(Cube).contains_points(points),
-                                      ((points > 0) & (points < 1)).all(1))
+        points = self.random.uniform(-2, 2, (500, 3))
+        points = points[(np.abs(np.abs(points) - 1) > 1e-3).all(1)]
+        np.testing.assert_array_equal(masu.RayMeshIntersector(Cube).contains_points(points), (np.abs(points) < 1).all(1))
 
 
 class Module(unittest.TestCase):

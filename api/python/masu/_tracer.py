@@ -184,16 +184,14 @@ class Tracer(Resource):
         ray_masks, one for each ray, those whose mask shares a bit with its own. loop: how a GPU schedules rays without
         t_hit64, front, sides, exclude and masks, which changes the speed alone: "auto" (by a sample of the rays in host
         memory, by `coherent` on a GPU), "thread_per_ray", "warp" or "warp_refill"."""
-        return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), chosen(fields), rays, precision,
-                           coherent, stream, relative, threads, faces, exclude, object_masks, ray_masks, loop)
+        return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), chosen(fields), locals())
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
                  relative: bool = False, threads: int = 0, faces: str = "both", exclude: Any = None,
                  object_masks: Any = None, ray_masks: Any = None, loop: str = "auto") -> Any:
         """Whether each ray hits anything at tmin < t < tmax: an array of bool of the rays' leading shape. Arguments are
         those of nearest()."""
-        return self._query_one(library.masu_occluded, "bool", rays, precision, coherent, stream, relative, threads, faces,
-                               exclude, object_masks, ray_masks, loop)
+        return self._query_one(library.masu_occluded, "bool", locals())
 
     def all_hits(self, rays: Any, limit: int, *,
                  fields: Union[str, Iterable[str]] = ("t_hit", "primitive_ids", "front"), precision: str = "auto",
@@ -214,23 +212,20 @@ class Tracer(Resource):
             counts = pointers.pop("counts")
             return operator.index(limit), _hits(pointers), counts
 
-        return self._query(library.masu_all_hits, arguments, {**rows, "counts": Field("", "int32", ())}, rays, precision,
-                           False, stream, relative, threads, faces, exclude, object_masks, ray_masks)
+        return self._query(library.masu_all_hits, arguments, {**rows, "counts": Field("", "int32", ())}, locals())
 
     def count_hits(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
                    threads: int = 0, faces: str = "both", exclude: Any = None, object_masks: Any = None,
                    ray_masks: Any = None) -> Any:
         """How many hits each ray has, as all_hits() finds them: an array of int32 of the rays' leading shape."""
-        return self._query_one(library.masu_count_hits, "int32", rays, precision, False, stream, relative, threads, faces,
-                               exclude, object_masks, ray_masks)
+        return self._query_one(library.masu_count_hits, "int32", locals())
 
     def inside(self, rays: Any, *, precision: str = "auto", stream: Any = None, relative: bool = False,
                threads: int = 0, object_masks: Any = None, ray_masks: Any = None) -> Any:
         """Whether each ray, in any direction, starts inside the surfaces, whose fronts are outside: an array of uint8 of the
         rays' leading shape. 1 where one more of its hits is of a back than of a front, 0 where as many are; else 2, and the
         surfaces aren't closed, or their fronts not outside, or one lies in another."""
-        return self._query_one(library.masu_inside, "uint8", rays, precision, False, stream, relative, threads, "both",
-                               None, object_masks, ray_masks)
+        return self._query_one(library.masu_inside, "uint8", locals())
 
     def closest(self, points: Any, *, fields: Union[str, Iterable[str]] = ("distances", "points", "primitive_ids"),
                 relative: bool = False, threads: int = 0, exclude: Any = None, object_masks: Any = None,
@@ -249,24 +244,25 @@ class Tracer(Resource):
             to = pointers.pop("points", None)
             return _hits(pointers, _CLOSEST_FIELDS), to
 
-        return self._query(library.masu_closest, arguments, chosen(fields, _CLOSEST_FIELDS), points, "auto", False, None,
-                           relative, threads, "both", exclude, object_masks, ray_masks, name="points", numbers=(3,))
+        return self._query(library.masu_closest, arguments, chosen(fields, _CLOSEST_FIELDS), locals(), "points", (3,))
 
-    def _query_one(self, function: Callable[..., int], number: str, *query: Any) -> Any:
+    def _query_one(self, function: Callable[..., int], number: str, given: Dict[str, Any]) -> Any:
         return self._query(function, lambda pointers: (pointers["found"],), {"found": Field("", number, ())},
-                           *query)["found"]
+                           given)["found"]
 
     def _query(self, function: Callable[..., int], arguments: Callable[[Dict[str, int]], Tuple[Any, ...]],
-               fields: Dict[str, Field], rays: Any, precision: str, coherent: bool, stream: Any, relative: bool,
-               threads: int, faces: str, exclude: Any, object_masks: Any, ray_masks: Any, loop: str = "auto",
-               name: str = "rays", numbers: Tuple[int, ...] = (6, 8)) -> Dict[str, Any]:
-        """arguments: the function's last ones, made of the pointers to the results."""
-        if not 0 <= operator.index(threads) <= 4096:
+               fields: Dict[str, Field], given: Dict[str, Any], name: str = "rays",
+               numbers: Tuple[int, ...] = (6, 8)) -> Dict[str, Any]:
+        """arguments: the function's last ones, made of the pointers to the results. given: those of the method by name."""
+        threads, stream = operator.index(given["threads"]), given.get("stream")
+        if not 0 <= threads <= 4096:
             raise ValueError("threads: {} isn't from 0 to 4096".format(threads))
-        record = sized(QueryRecord(precision=choice("precision", precision, PRECISIONS), coherent=int(bool(coherent)),
-                                   relative=int(bool(relative)), threads=operator.index(threads),
-                                   faces=choice("faces", faces, FACES), loop=choice("loop", loop, LOOPS)))
-        arrays, rays = _arrays.recognize(name, rays, stream)
+        record = sized(QueryRecord(relative=int(bool(given["relative"])), threads=threads,
+                                   coherent=int(bool(given.get("coherent")))))
+        for option, choices in (("precision", PRECISIONS), ("faces", FACES), ("loop", LOOPS)):
+            if option in given:
+                setattr(record, option, choice(option, given[option], choices))
+        arrays, rays = _arrays.recognize(name, given[name], stream)
         gpu = arrays.gpu(rays, name)
         shape = tuple(rays.shape)
         if not shape or shape[-1] not in numbers:
@@ -280,18 +276,17 @@ class Tracer(Resource):
         count = math.prod(shape[:-1])
         with self._opened() as handle, arrays.queue(rays, stream) as record.stream:
             rays = arrays.packed(rays, name)
-            objects = (self.scene.describe().objects,) if object_masks is not None else ()
+            objects = (self.scene.describe().objects,) if given["object_masks"] is not None else ()
             filters = {}  # kept until the query is queued
-            for array, given, needed in (("exclude", exclude, shape[:-1]), ("ray_masks", ray_masks, shape[:-1]),
-                                        ("object_masks", object_masks, objects)):
-                if given is None:
+            for each, needed in (("exclude", shape[:-1]), ("ray_masks", shape[:-1]), ("object_masks", objects)):
+                if given.get(each) is None:
                     continue
-                others, given = _arrays.recognize(array, given, stream)
-                if others is not arrays or arrays.gpu(given, array) != gpu or tuple(given.shape) != needed:
-                    raise ValueError("{}: whole numbers of the shape {} are needed, where the rays are".format(
-                        array, needed))
-                filters[array] = arrays.packed_int32(given, array)
-                setattr(record, array, arrays.pointer(filters[array]))
+                others, array = _arrays.recognize(each, given[each], stream)
+                if others is not arrays or arrays.gpu(array, each) != gpu or tuple(array.shape) != needed:
+                    raise ValueError("{}: whole numbers of the shape {} are needed, where the {} are".format(
+                        each, needed, name))
+                filters[each] = arrays.packed_int32(array, each)
+                setattr(record, each, arrays.pointer(filters[each]))
             record.object_count = sum(objects)
             record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
             results = {each: arrays.empty(shape[:-1] + field.shape, field.number, rays)
