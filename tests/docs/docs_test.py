@@ -26,7 +26,6 @@ NOT_RUN = {
     r"preset fuzz|^tests/fuzz/|^build/fuzz/": "need clang and minutes: tools/check.sh --full",
     r"preset tsan|^tests/sanitizers/tsan_tbb\.sh": "need packages' sources and minutes: tools/check.sh --full",
     r"^MASU_TEST_EFFORT=.*ctest|^ctest .*-L stability": "tests that run beside this one",
-    r"^gridbench stability --pictures": "takes a minute: the tests PictureStability trace them",
     r"^gridbench lists ": "needs a GPU",
     r"^tools/bench/scripts/charts\.py": "draws what is in docs/, with gnuplot",
     r"^tools/bench/scripts/choice\.py": "measures a GPU, for minutes",

@@ -77,7 +77,7 @@ TYPED_TEST_P(BuilderComparison, AMergedGridIsTheSameBytes) {
 TYPED_TEST_P(BuilderComparison, AMergedGridOfManyPartsIsTheSameBytes) {
   using Stored = typename TypeParam::Stored;
   Chance& chance = this->chance_;
-  for (std::int64_t s = cases(4); s > 0 && !this->HasFailure(); --s) {
+  for (std::int64_t s = cases(2); s > 0 && !this->HasFailure(); --s) {
     auto scene = SceneMaker<Stored>(chance, 1).fine();
     while (scene.view().primitive_count() < 100000)
       scene.triangles.insert(scene.triangles.end(), scene.triangles.begin(), scene.triangles.end());

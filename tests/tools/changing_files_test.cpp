@@ -13,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <future>
 #include <random>
 #include <thread>
 #include <tuple>
@@ -225,30 +226,34 @@ TEST_F(ChangingFiles, PipesWithoutAWriterAndEndlessDevicesAreRefused) {
   const std::string pipe = file("pipe"), in = scene("a.scene", nff("a.nff", small_nff)),
                     divided = grid("a.grid", in);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  const Arguments picture{"-o", file("a.png"), "--backend", "cpu"};
-  for (const std::string& input : {pipe, std::string("/dev/zero")}) {
-    EXPECT_TRUE(failed(run("nff2bin", {input, "-o", file("b.scene")}), 2, "nff2bin", input));
-    EXPECT_TRUE(failed(run("gridbuild", {input, "-o", file("b.grid")}), 2, "gridbuild", input));
-    EXPECT_TRUE(failed(run("gridstat", {input}), 2, "gridstat", input));
-    EXPECT_TRUE(failed(run("gridrender", joined({input, divided}, picture)), 2, "gridrender", input));
-    EXPECT_TRUE(failed(run("gridrender", joined({in, input}, picture)), 2, "gridrender", input));
-    EXPECT_TRUE(
-        failed(run("gridrender", joined({in, divided, "--views", input}, {"-o", file("{index}.png")})), 2,
-               "gridrender", input));
-  }
-  EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("b.scene")}, {"/dev/zero", {}, {}}), 2, "nff2bin",
-                     "stdin", "isn't a text"));
   ASSERT_EQ(mkfifo(file("pipe.csv").c_str(), 0600), 0);
-  std::filesystem::create_symlink("/dev/zero", file("zero.csv"));
-  for (const std::string& input : {pipe, file("pipe.csv"), std::string("/dev/zero"), file("zero.csv")})
-    EXPECT_TRUE(failed(run("gridtrace", {in, divided, input, "-o", file("hits")}), 2, "gridtrace", input));
-  EXPECT_TRUE(failed(run("gridtrace", {in, divided, "-", "-o", file("hits")}, {"/dev/zero", {}, {}}), 2,
-                     "gridtrace", "stdin"));
-  EXPECT_TRUE(succeeded(run("gridrender", joined({in, divided}, picture))));
-  for (const std::string& input : {pipe, std::string("/dev/zero")}) {
-    EXPECT_TRUE(failed(run("gridbench", {"difference", input, file("a.png")}), 2, "gridbench", input));
-    EXPECT_TRUE(failed(run("gridbench", {"difference", file("a.png"), input}), 2, "gridbench", input));
+  const std::string zero = "/dev/zero";
+  std::filesystem::create_symlink(zero, file("zero.csv"));
+  const Arguments picture{"-o", file("a.png"), "--backend", "cpu"};
+  ASSERT_TRUE(succeeded(run("gridrender", {in, divided, "-o", file("b.png"), "--backend", "cpu"})));
+  // At the same time, since a text is waited for.
+  std::vector<std::future<void>> refusals;
+  const auto refused = [&](const std::string& input, const std::string& tool, const Arguments& arguments) {
+    refusals.push_back(std::async(
+        std::launch::async, [=] { EXPECT_TRUE(failed(run(tool, arguments), 2, tool, input)) << input; }));
+  };
+  for (const std::string& input : {pipe, zero}) {
+    refused(input, "nff2bin", {input, "-o", file("b.scene")});
+    refused(input, "gridbuild", {input, "-o", file("b.grid")});
+    refused(input, "gridstat", {input});
+    refused(input, "gridrender", joined({input, divided}, picture));
+    refused(input, "gridrender", joined({in, input}, picture));
+    refused(input, "gridrender", {in, divided, "--views", input, "-o", file("{index}.png")});
+    refused(input, "gridbench", {"difference", input, file("b.png")});
+    refused(input, "gridbench", {"difference", file("b.png"), input});
   }
+  for (const std::string& input : {pipe, file("pipe.csv"), zero, file("zero.csv")})
+    refused(input, "gridtrace", {in, divided, input, "-o", file("hits")});
+  refusals.clear(); // waits for them
+  EXPECT_TRUE(failed(run("nff2bin", {"-", "-o", file("b.scene")}, {zero, {}, {}}), 2, "nff2bin", "stdin",
+                     "isn't a text"));
+  EXPECT_TRUE(failed(run("gridtrace", {in, divided, "-", "-o", file("hits")}, {zero, {}, {}}), 2, "gridtrace",
+                     "stdin"));
 }
 
 } // namespace

@@ -117,16 +117,23 @@ TEST(HelpText, HasAnExampleAndNamesTheManPage) {
   }
 }
 
-class Tables : public ToolTest {};
+class Tables : public ToolTest {
+protected:
+  static std::string narrow(const std::string& tool, const Arguments& arguments) {
+    const ToolResult result = run(tool, arguments);
+    EXPECT_TRUE(succeeded(result));
+    for (const std::string& line : lines_of(result.out))
+      EXPECT_LE(line.size(), 80U) << tool << ": " << line;
+    return result.out;
+  }
+};
 
 TEST_F(Tables, FitEightyColumnsAndGroupDigits) {
   const std::string scene = this->scene("a.scene", spd("a.nff", "teapot", 20));
   const auto expect_narrow = [](const std::string& tool, const Arguments& arguments) {
-    const std::string out = run(tool, arguments).out;
+    const std::string out = narrow(tool, arguments);
     EXPECT_TRUE(std::regex_search(out, std::regex("[0-9],[0-9]{3}"))) << out;
     EXPECT_FALSE(std::regex_search(out, std::regex("[ (][0-9]{5,}[,.) \n]"))) << out;
-    for (const std::string& line : lines_of(out))
-      EXPECT_LE(line.size(), 80U) << tool << ": " << line;
   };
   for (const Arguments& kind :
        {Arguments{}, {"--merge", "none"}, {"--merge", "balance"}, {"--structure", "bvh"}}) {
@@ -135,6 +142,22 @@ TEST_F(Tables, FitEightyColumnsAndGroupDigits) {
   }
   expect_narrow("gridstat", {"--occupancy", scene});
   expect_narrow("nff2bin", {file("a.nff"), "--info"});
+}
+
+TEST_F(Tables, OfGridbenchFitEightyColumns) {
+  const std::string scene = this->scene("a.scene", spd("a.nff", "tetra", 2)), divided = grid("a.grid", scene);
+  const Arguments both{scene, divided}, small{"--size", "16x16", "--repeat", "1"};
+  const auto with = [](const char* command, const Arguments& files, const Arguments& more) {
+    return joined(joined({command}, files), more);
+  };
+  for (const Arguments& arguments :
+       {with("rays", both, joined(small, {"--random", "1000"})), with("frame", both, small),
+        with("load", both, {"--repeat", "1"}), with("refit", {scene}, {"--repeat", "1"}),
+        with("oracle", both, {"--count", "100"}), with("crossings", both, {"--count", "100"}),
+        with("scale", both, joined(small, {"--views", "2", "--large", "32", "--rays", "1000"})),
+        with("stability", {"--sweep", "start-triangles,leaving-contrast,axis-ray"}, {"--count", "20"}),
+        with("stability", {"--pictures", "--sweep", "needles"}, {})})
+    static_cast<void>(narrow("gridbench", arguments));
 }
 
 TEST(Version, GoesToStandardOutput) {

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <sstream>
 
 namespace masu {
 namespace {
@@ -21,17 +20,9 @@ protected:
   // The values of each line but the first.
   std::vector<std::vector<double>> boxes(const Arguments& more = {}) const {
     EXPECT_TRUE(succeeded(run("gridstat", joined({hierarchy_, "--cells", file("boxes.csv")}, more))));
-    std::istringstream text(read_text(file("boxes.csv")));
-    std::string line, value;
-    std::getline(text, line);
-    EXPECT_EQ(line, "box,depth,min_x,min_y,min_z,max_x,max_y,max_z,references");
-    std::vector<std::vector<double>> rows;
-    while (std::getline(text, line)) {
-      rows.emplace_back();
-      for (std::istringstream values(line); std::getline(values, value, ',');)
-        rows.back().push_back(std::stod(value));
-    }
-    return rows;
+    const Csv<double> csv = read_csv<double>(file("boxes.csv"));
+    EXPECT_EQ(csv.names, "box,depth,min_x,min_y,min_z,max_x,max_y,max_z,references");
+    return csv.rows;
   }
 
   const std::string scene_ = scene("a.scene", spd("a.nff", "tetra", 3)),

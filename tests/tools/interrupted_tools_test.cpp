@@ -101,7 +101,7 @@ TEST_F(InterruptedTool, Nff2binLeavesTheOldOrTheNewScene) {
 }
 
 TEST_F(InterruptedTool, GridbuildLeavesTheOldOrTheNewGrid) {
-  const std::string in = scene("a.scene", spd("a.nff", "balls", 3), {"--tessellate", "12"}),
+  const std::string in = scene("a.scene", spd("a.nff", "balls", 2), {"--tessellate", "12"}),
                     out = file("a.grid");
   expect_same_or_new("gridbuild", {in, "-o", out}, [&] { write_text(out, "old"); });
 }

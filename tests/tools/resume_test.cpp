@@ -51,7 +51,7 @@ protected:
   }
   // A view of several bands: these have 1048 rows each.
   Job large(const std::string& prefix, const std::string& ending, const std::string& sampling) const {
-    return {on_cpu({"--size", "1333x3000", "--sampling", sampling, "--depth", "1", "-o",
+    return {on_cpu({"--size", "1333x2100", "--sampling", sampling, "--depth", "1", "-o",
                     file(prefix + "." + ending), "--hits", file(prefix + ".hits")}),
             {prefix + "." + ending, prefix + ".hits"}};
   }
@@ -108,6 +108,10 @@ protected:
     for (const std::string& name : job.outputs)
       std::filesystem::remove(file(name));
   }
+
+  template <class SecondsOf, class Start, class Kill>
+  void resume_killed(int runs, std::mt19937_64& random, const SecondsOf& seconds_of_job, const Start& begin,
+                     const Kill& kill_it) const;
 
   // Of a run in the tests' folder, which ends in the middle: it can't write its files beyond so many bytes.
   ToolResult run_up_to(std::uint64_t bytes, const Job& job) const {
@@ -181,16 +185,31 @@ Killed run_until_whole(std::mt19937_64& random, double seconds, const Start& beg
   }
 }
 
-void record(const Killed& killed) {
-  testing::Test::RecordProperty("killed", killed.runs);
-  testing::Test::RecordProperty("hung", killed.hung);
-  fmt::print("killed {} times, of which {} had to be killed as a whole\n", killed.runs, killed.hung);
-}
-
 double seconds_of(const std::string& tool, const Arguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_TRUE(succeeded(run(tool, arguments)));
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// Kills runs of each job in turn, so many in all; what they leave is resumed to the files of all("a").
+template <class SecondsOf, class Start, class Kill>
+void SharedRuns::resume_killed(int runs, std::mt19937_64& random, const SecondsOf& seconds_of_job,
+                               const Start& begin, const Kill& kill_it) const {
+  std::vector<double> seconds;
+  for (const Job& job : all("b"))
+    seconds.push_back(seconds_of_job(job));
+  Killed killed;
+  for (std::size_t round = 0; killed.runs < cases(runs); ++round) {
+    const std::size_t i = round % seconds.size();
+    const Job expected = all("a")[i], resumed = all("b")[i];
+    remove(resumed);
+    killed += run_until_whole(
+        random, seconds[i], [&] { return begin(resumed); }, kill_it);
+    expect_same(resumed, expected);
+  }
+  RecordProperty("killed", killed.runs);
+  RecordProperty("hung", killed.hung);
+  fmt::print("killed {} times, of which {} had to be killed as a whole\n", killed.runs, killed.hung);
 }
 
 TEST_F(SharedRuns, AResumedRunIsTheSameAsAnUndisturbedOne) {
@@ -206,24 +225,14 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
-  const std::size_t kinds = all("x").size();
-  std::vector<double> seconds(kinds);
-  for (std::size_t i = 0; i < kinds; ++i)
-    seconds[i] = seconds_of(all("a")[i].tool, all("a")[i].arguments);
-  Killed killed;
-  for (int round = 0; killed.runs < cases(10); ++round) {
-    const std::size_t i = static_cast<std::size_t>(round) % kinds;
-    const Job expected = all("a")[i], resumed = all("b")[i];
-    remove(resumed);
-    killed += run_until_whole(
-        random, seconds[i],
-        [&] {
-          return start(resumed.tool, joined(resumed.arguments, {"--resume", "-q"}));
-        },
-        [](pid_t process) { kill(process, SIGKILL); });
-    expect_same(resumed, expected);
-  }
-  record(killed);
+  for (const Job& job : all("a"))
+    expect_made(job);
+  resume_killed(
+      10, random, [&](const Job& job) { return seconds_of(job.tool, job.arguments); },
+      [](const Job& job) {
+        return start(job.tool, joined(job.arguments, {"--resume", "-q"}));
+      },
+      [](pid_t process) { kill(process, SIGKILL); });
 }
 
 // What is finished isn't done again: a finished view that is changed under its journal's hash is made again,
@@ -325,15 +334,15 @@ TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
   ASSERT_EQ(mkfifo(file("fifo").c_str(), 0600), 0);
-  Job picture = large("a1", "png", "corners"), resumed_picture = large("b1", "png", "corners");
-  for (Job* const job : {&picture, &resumed_picture})
-    std::ranges::replace(job->arguments, "1333x3000", "1333x2100");
   struct Case {
     Job expected, resumed;
     std::uint64_t bytes; // of two tasks of three
     std::vector<std::string> partial;
   };
-  const Case kinds[] = {{picture, resumed_picture, 22'370'000, {"b1.png.partial", "b1.hits.partial"}},
+  const Case kinds[] = {{large("a1", "png", "corners"),
+                         large("b1", "png", "corners"),
+                         22'370'000,
+                         {"b1.png.partial", "b1.hits.partial"}},
                         {list("a2", ".npy"), list("b2", ".npy"), 42'000'000, {"b2.npy.partial"}}};
   for (const auto& [expected, resumed, bytes, partial] : kinds) {
     expect_made(expected);
@@ -570,7 +579,7 @@ TEST_F(MpiRuns, AnyNumberOfRanksWritesTheSameBytes) {
   for (std::size_t i = 0; i < all("x").size(); ++i) {
     const Job expected = all("a")[i], shared = all("b")[i];
     expect_made(expected, {"--stats", file("a.json")});
-    for (const int ranks : {1, 2, 4}) {
+    for (const int ranks : {1, 3}) {
       remove(shared);
       EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(ranks, shared, {"--stats", file("b.json")})))) << ranks;
       expect_same(shared, expected);
@@ -614,36 +623,24 @@ TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
   const RandomSeed seed;
   SCOPED_TRACE(seed.trace());
   auto random = seed.engine();
-  const std::size_t kinds = all("x").size();
-  std::vector<double> seconds(kinds);
-  for (std::size_t i = 0; i < kinds; ++i) {
-    EXPECT_TRUE(succeeded(run(all("a")[i].tool, all("a")[i].arguments)));
-    seconds[i] = seconds_of(MASU_MPIRUN, by(2, all("b")[i]));
-  }
-  Killed killed;
-  for (int round = 0; killed.runs < cases(6); ++round) {
-    const std::size_t i = static_cast<std::size_t>(round) % kinds;
-    const Job expected = all("a")[i], resumed = all("b")[i];
-    remove(resumed);
-    killed += run_until_whole(
-        random, seconds[i],
-        [&] {
-          const int ranks = 1 + static_cast<int>(random() % 3);
-          return start(MASU_MPIRUN, by(ranks, resumed, {"--resume", "-q"}));
-        },
-        [&](pid_t process) {
-          const std::vector<pid_t> ranks = children_of(process);
-          if (ranks.empty() || random() % 2 == 0) {
-            kill(process, SIGKILL);
-            for (const pid_t rank : ranks)
-              kill(rank, SIGKILL);
-          } else {
-            kill(ranks[random() % ranks.size()], SIGKILL);
-          }
-        });
-    expect_same(resumed, expected);
-  }
-  record(killed);
+  for (const Job& job : all("a"))
+    expect_made(job);
+  resume_killed(
+      6, random, [&](const Job& job) { return seconds_of(MASU_MPIRUN, by(2, job)); },
+      [&](const Job& job) {
+        const int ranks = 1 + static_cast<int>(random() % 3);
+        return start(MASU_MPIRUN, by(ranks, job, {"--resume", "-q"}));
+      },
+      [&](pid_t process) {
+        const std::vector<pid_t> ranks = children_of(process);
+        if (ranks.empty() || random() % 2 == 0) {
+          kill(process, SIGKILL);
+          for (const pid_t rank : ranks)
+            kill(rank, SIGKILL);
+        } else {
+          kill(ranks[random() % ranks.size()], SIGKILL);
+        }
+      });
 }
 
 // mpirun adds lines of its own; Open MPI 5 also spaces before those of its ranks.

@@ -5,6 +5,8 @@
 
 #include <sys/types.h>
 
+#include <charconv>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -42,6 +44,26 @@ testing::AssertionResult succeeded(const ToolResult& result);
 // contains `says`.
 testing::AssertionResult failed(const ToolResult& result, int code, const std::string& tool,
                                 const std::string& place, const std::string& says = "");
+
+// A text of names and numbers, separated by commas.
+template <class Number>
+struct Csv {
+  std::string names; // the first line
+  std::vector<std::vector<Number>> rows{};
+};
+template <class Number>
+Csv<Number> read_csv(const std::string& path) {
+  std::istringstream lines(read_text(path));
+  Csv<Number> csv;
+  std::getline(lines, csv.names);
+  for (std::string line, word; std::getline(lines, line);) {
+    std::vector<Number>& row = csv.rows.emplace_back();
+    for (std::istringstream words(line); std::getline(words, word, ',');)
+      if (std::from_chars(word.data(), word.data() + word.size(), row.emplace_back()).ec != std::errc())
+        ADD_FAILURE() << word << " isn't a number";
+  }
+  return csv;
+}
 
 // A test with a temporary folder for files.
 class ToolTest : public testing::Test {

@@ -1,15 +1,13 @@
 // gridstat's slices and exported cells, end to end.
+#include "tests/decoded_image.h"
 #include "tests/tools/run_tool.h"
 #include "tools/draw/color_map.h"
 
 #include <nlohmann/json.hpp>
-#include <png.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <map>
-#include <sstream>
 
 namespace masu {
 namespace {
@@ -18,136 +16,35 @@ using Json = nlohmann::json;
 
 const std::vector<std::string> merges{"none", "x", "balance", "irregular"};
 
-std::string text_of(const std::string& path) {
-  const Bytes bytes = read_bytes(path);
-  return {bytes.begin(), bytes.end()};
-}
-
-// What is wrong with XML of a declaration, elements, attributes, character data and the five entities; empty
-// if nothing is.
-class XmlCheck {
-public:
-  explicit XmlCheck(const std::string& xml) : xml_(xml) {}
-
-  std::string problem() {
-    const std::string declaration = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>";
-    if (xml_.starts_with(declaration)) at_ = declaration.size();
-    while (at_ < xml_.size()) {
-      if (xml_[at_] != '<') {
-        if (!open_.empty() ? !character(true) : xml_[at_++] != '\n') return "text";
-      } else if (!tag()) {
-        return "tag";
-      }
-    }
-    return open_.empty() && elements_ > 0 ? "" : "an open element";
-  }
-  // Character data of the elements of this name.
-  std::vector<std::string> texts(const std::string& name) const {
-    const auto found = texts_.find(name);
-    return found == texts_.end() ? std::vector<std::string>{} : found->second;
-  }
-
-private:
-  bool character(bool is_data) {
-    const auto c = static_cast<unsigned char>(xml_[at_]);
-    if (c == '<' || (c < 0x20 && c != '\n')) return false;
-    std::size_t size = 1;
-    if (c == '&') {
-      size = 0;
-      for (const char* const entity : {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"})
-        if (xml_.compare(at_, std::strlen(entity), entity) == 0) size = std::strlen(entity);
-    }
-    if (is_data && !open_.empty()) texts_[open_.back()].back() += xml_.substr(at_, size);
-    at_ += size;
-    return size > 0;
-  }
-  std::string name() {
-    const std::size_t from = at_;
-    while (at_ < xml_.size() &&
-           (std::isalnum(static_cast<unsigned char>(xml_[at_])) != 0 || xml_[at_] == '-' || xml_[at_] == ':'))
-      ++at_;
-    return xml_.substr(from, at_ - from);
-  }
-  bool tag() {
-    ++at_;
-    if (xml_[at_] == '/') {
-      ++at_;
-      const bool closes = !open_.empty() && name() == open_.back();
-      if (closes) open_.pop_back();
-      return closes && xml_[at_++] == '>';
-    }
-    const std::string element = name();
-    if (element.empty() || (open_.empty() && elements_++ > 0)) return false; // one root
-    std::map<std::string, int> attributes;
-    const auto is_at = [&](const char* text) { return xml_.compare(at_, std::strlen(text), text) == 0; };
-    while (is_at(" ") && !is_at(" >")) {
-      ++at_;
-      const std::string attribute = name();
-      if (attribute.empty() || attributes[attribute]++ > 0 || xml_.compare(at_, 2, "=\"") != 0) return false;
-      for (at_ += 2; at_ < xml_.size() && xml_[at_] != '"';)
-        if (!character(false)) return false;
-      ++at_;
-    }
-    at_ += is_at(" >") ? 1 : 0;
-    const bool is_empty = is_at("/>");
-    if (!is_empty && xml_[at_] != '>') return false;
-    at_ += is_empty ? 2 : 1;
-    if (is_empty) return true;
-    open_.push_back(element);
-    texts_[element].emplace_back();
-    return true;
-  }
-
-  const std::string& xml_;
-  std::size_t at_ = 0;
-  int elements_ = 0;
-  std::vector<std::string> open_;
-  std::map<std::string, std::vector<std::string>> texts_;
+// The texts of the titles and descriptions of an SVG, as a parser of XML reads them; none where it refuses
+// it.
+struct SvgTexts {
+  std::vector<std::string> titles, descriptions;
 };
-
-struct Size {
-  std::uint32_t width, height;
-};
-Size png_size(const std::string& path) {
-  png_image png{};
-  png.version = PNG_IMAGE_VERSION;
-  if (png_image_begin_read_from_file(&png, path.c_str()) == 0) return {0, 0};
-  const Size size{png.width, png.height};
-  png_image_free(&png);
-  return size;
+SvgTexts svg_texts(const std::string& path) {
+  const ToolResult parsed = run(
+      "/usr/bin/env", {"python3", "-c",
+                       "import json, sys, xml.etree.ElementTree as tree\n"
+                       "root = tree.parse(sys.argv[1]).getroot()\n"
+                       "print(json.dumps([[one.text for one in root.iter('{http://www.w3.org/2000/svg}' + "
+                       "name)] for name in ('title', 'desc')]))",
+                       path});
+  EXPECT_EQ(parsed.code, 0) << parsed.err;
+  const Json texts = Json::parse(parsed.out, nullptr, false);
+  return texts.is_discarded() ? SvgTexts{} : SvgTexts{texts[0], texts[1]};
 }
 
 class SliceTool : public ToolTest {
 protected:
   Json json_slice(const std::string& grid, const Arguments& more) {
-    Arguments all{grid, "-o", file("slice.json")};
-    all.insert(all.end(), more.begin(), more.end());
-    EXPECT_TRUE(succeeded(run("gridstat", all)));
-    return Json::parse(text_of(file("slice.json")));
+    EXPECT_TRUE(succeeded(run("gridstat", joined({grid, "-o", file("slice.json")}, more))));
+    return Json::parse(read_text(file("slice.json")));
   }
   Json statistics(const std::string& grid) { return Json::parse(run("gridstat", {grid, "--json"}).out); }
 
-  struct Csv {
-    std::vector<std::string> names;
-    std::vector<std::vector<double>> rows;
-  };
-  Csv csv_cells(const std::string& grid, const Arguments& more = {}) {
-    Arguments all{grid, "--cells", file("cells.csv")};
-    all.insert(all.end(), more.begin(), more.end());
-    EXPECT_TRUE(succeeded(run("gridstat", all)));
-    std::istringstream lines(text_of(file("cells.csv")));
-    Csv csv;
-    std::string line, word;
-    std::getline(lines, line);
-    for (std::istringstream words(line); std::getline(words, word, ',');)
-      csv.names.push_back(word);
-    while (std::getline(lines, line)) {
-      csv.rows.emplace_back();
-      for (std::istringstream words(line); std::getline(words, word, ',');)
-        csv.rows.back().push_back(std::stod(word));
-      EXPECT_EQ(csv.rows.back().size(), csv.names.size());
-    }
-    return csv;
+  std::vector<std::vector<double>> csv_cells(const std::string& grid, const Arguments& more = {}) {
+    EXPECT_TRUE(succeeded(run("gridstat", joined({grid, "--cells", file("cells.csv")}, more))));
+    return read_csv<double>(file("cells.csv")).rows;
   }
 
   const std::string scene_ = scene("a.scene", spd("a.nff", "balls", 2));
@@ -165,14 +62,12 @@ TEST_F(SliceTool, AnSvgIsWellFormedXmlWhateverItsTitle) {
     for (const char* const color : {"references", "volume", "depth"}) {
       EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=50%", "--outline", scene_, "--lines",
                                              "--title", title, "--color", color, "-o", file("s.svg")})));
-      const std::string svg = text_of(file("s.svg"));
-      XmlCheck check(svg);
-      EXPECT_EQ(check.problem(), "") << title;
-      EXPECT_EQ(check.texts("title").size(), 1U);
-      EXPECT_NE(svg.find("\n<svg xmlns=\"http://www.w3.org/2000/svg\""), std::string::npos);
+      EXPECT_EQ(svg_texts(file("s.svg")).titles.size(), 1U) << title;
+      EXPECT_NE(read_text(file("s.svg")).find("\n<svg xmlns=\"http://www.w3.org/2000/svg\""),
+                std::string::npos);
     }
   }
-  EXPECT_NE(text_of(file("s.svg")).find("\\xff\\xc0"), std::string::npos); // bytes that aren't UTF-8
+  EXPECT_NE(read_text(file("s.svg")).find("\\xff\\xc0"), std::string::npos); // bytes that aren't UTF-8
 }
 
 std::size_t count_of(const std::string& part, const std::string& text) {
@@ -187,12 +82,10 @@ TEST_F(SliceTool, APictureNamesAxesPlaneAndLegend) {
   const std::string path = grid("a.grid", scene_, "6");
   for (const auto& [axis, right, up] : {std::array{"x", "y", "z"}, {"y", "x", "z"}, {"z", "x", "y"}}) {
     EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", std::string(axis) + "=2", "-o", file("s.svg")})));
-    const std::string svg = text_of(file("s.svg"));
-    XmlCheck check(svg);
-    EXPECT_EQ(check.problem(), "");
-    ASSERT_EQ(check.texts("title").size(), 1U);
-    ASSERT_EQ(check.texts("desc").size(), 1U);
-    const std::string title = check.texts("title")[0], description = check.texts("desc")[0];
+    const SvgTexts texts = svg_texts(file("s.svg"));
+    ASSERT_EQ(texts.titles.size(), 1U);
+    ASSERT_EQ(texts.descriptions.size(), 1U);
+    const std::string title = texts.titles[0], description = texts.descriptions[0];
     EXPECT_TRUE(title.starts_with("a.grid, " + std::string(axis) + " = ")) << title;
     EXPECT_TRUE(title.ends_with("(layer 2 of 6)")) << title;
     for (const char* const part : {"uniform grid, 6 x 6 x 6 voxels", "Colour: references, ", "white: empty"})
@@ -210,7 +103,7 @@ TEST_F(SliceTool, SlicesOfDifferentGridsHaveTheScaleThatIsAskedFor) {
          {std::array{"references", "references, 1 to 500"}, {"depth", "depth of nesting, 0 to 500"}}) {
       EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=1", "--color", color, "--color-high", "500",
                                              "-o", file("s.svg")})));
-      const std::string svg = text_of(file("s.svg"));
+      const std::string svg = read_text(file("s.svg"));
       EXPECT_NE(svg.find(std::string("Colour: ") + scale), std::string::npos) << svg.substr(0, 1000);
     }
   }
@@ -220,7 +113,7 @@ TEST_F(SliceTool, EveryLetterOfATitleIsDrawn) {
   const std::string path = grid("a.grid", scene_, "6");
   const auto glyphs = [&](const std::string& title) {
     EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=2", "--title", title, "-o", file("s.svg")})));
-    return count_of("<use ", text_of(file("s.svg")));
+    return count_of("<use ", read_text(file("s.svg")));
   };
   const std::size_t one = glyphs("a");
   EXPECT_GE(one, std::string("auniformgrid,6x6x6voxelsx(sceneunits)y(sceneunits)referencesempty").size());
@@ -239,8 +132,8 @@ TEST_F(SliceTool, WithoutFontsAPictureHasNoText) {
     EXPECT_EQ(count_of("\n", result.err), 1U) << result.err;
     EXPECT_NE(result.err.find("no font was found"), std::string::npos) << result.err;
   }
-  EXPECT_EQ(count_of("<use ", text_of(file("s.svg"))), 0U);
-  EXPECT_GT(png_size(file("s.png")).width, 640U);
+  EXPECT_EQ(count_of("<use ", read_text(file("s.svg"))), 0U);
+  EXPECT_GT(decoded_png(file("s.png")).width, 640U);
 }
 
 // A pixel shows the darkest of its cells: the picture, read back, is the JSON's cells in the colours of the
@@ -251,15 +144,10 @@ TEST_F(SliceTool, PixelsOfAPngAreTheCellsInTheirColors) {
     const Json slice = json_slice(path, {"--slice", "z@0.05"});
     ASSERT_TRUE(
         succeeded(run("gridstat", {path, "--slice", "z@0.05", "--size", "640", "-o", file("s.png")})));
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    ASSERT_NE(png_image_begin_read_from_file(&png, file("s.png").c_str()), 0);
-    png.format = PNG_FORMAT_RGB;
-    Bytes rgb(PNG_IMAGE_SIZE(png));
-    ASSERT_NE(png_image_finish_read(&png, nullptr, rgb.data(), 0, nullptr), 0);
+    const DecodedPng png = decoded_png(file("s.png"));
     const auto at = [&](std::size_t x, std::size_t y) {
       const std::size_t i = 3 * (y * png.width + x);
-      return Rgb{rgb[i], rgb[i + 1], rgb[i + 2]};
+      return Rgb{png.rgb[i], png.rgb[i + 1], png.rgb[i + 2]};
     };
     // The plot: within the largest frame of black pixels.
     const auto is_black = [&](std::size_t x, std::size_t y) { return at(x, y) == Rgb{0, 0, 0}; };
@@ -315,14 +203,14 @@ TEST_F(SliceTool, PixelsOfAPngAreTheCellsInTheirColors) {
 
 TEST_F(SliceTool, PngAndSvgHaveTheSameSizeAndGrowWithIt) {
   const std::string path = grid("a.grid", scene_, "8x8x4");
-  std::uint32_t last = 0;
+  std::size_t last = 0;
   for (const char* const size : {"64", "200", "640", "1000"}) {
     EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=1", "--size", size, "-o", file("s.png")})));
     EXPECT_TRUE(succeeded(run("gridstat", {path, "--slice", "z=1", "--size", size, "-o", file("s.svg")})));
-    const Size png = png_size(file("s.png"));
+    const DecodedPng png = decoded_png(file("s.png"));
     EXPECT_GT(png.width, last);
     last = png.width;
-    EXPECT_NE(text_of(file("s.svg"))
+    EXPECT_NE(read_text(file("s.svg"))
                   .find("width=\"" + std::to_string(png.width) + "\" height=\"" + std::to_string(png.height) +
                         "\""),
               std::string::npos);
@@ -367,13 +255,13 @@ TEST_F(SliceTool, ExportedCellsAreThoseOfTheGrid) {
   for (const std::string& merge : merges) {
     const std::string path = grid("a.grid", scene_, "5", {"--merge", merge});
     const Json known = statistics(path);
-    const Csv csv = csv_cells(path);
-    ASSERT_EQ(csv.names.size(), 16U);
-    EXPECT_EQ(csv.names[0], "cell");
-    EXPECT_EQ(csv.names[13], "references");
-    EXPECT_EQ(csv.rows.size(), known["cells"].get<std::size_t>());
+    const auto csv = csv_cells(path);
+    EXPECT_EQ(read_csv<double>(file("cells.csv")).names,
+              "cell,min_x,min_y,min_z,max_x,max_y,max_z,expanded_min_x,expanded_min_y,expanded_min_z,"
+              "expanded_max_x,expanded_max_y,expanded_max_z,references,occupied,voxels");
+    EXPECT_EQ(csv.size(), known["cells"].get<std::size_t>());
     double volume = 0, voxels = 0, references = 0, occupied = 0, expanded_volume = 0;
-    for (const auto& row : csv.rows) {
+    for (const auto& row : csv) {
       volume += (row[4] - row[1]) * (row[5] - row[2]) * (row[6] - row[3]);
       expanded_volume += (row[10] - row[7]) * (row[11] - row[8]) * (row[12] - row[9]);
       for (std::size_t i = 1; i <= 3; ++i) { // the expanded box holds the cell's own
@@ -399,12 +287,12 @@ TEST_F(SliceTool, ExportedCellsAreThoseOfTheGrid) {
     // Cells may share a list; so the sum over cells is at least that of lists.
     EXPECT_GE(references, known["references"].get<double>());
 
-    EXPECT_EQ(csv_cells(path, {"--occupied"}).rows.size(), known["occupied_cells"].get<std::size_t>());
+    EXPECT_EQ(csv_cells(path, {"--occupied"}).size(), known["occupied_cells"].get<std::size_t>());
     std::size_t inside = 0;
-    for (const auto& row : csv.rows)
+    for (const auto& row : csv)
       inside += row[1] < 0.25 && row[4] > 0 && row[2] < 0.25 && row[5] > 0 && row[3] < 0.25 && row[6] > 0;
-    EXPECT_EQ(csv_cells(path, {"--within", "0,0,0,0.25,0.25,0.25"}).rows.size(), inside);
-    EXPECT_TRUE(csv_cells(path, {"--within", "100,100,100,101,101,101"}).rows.empty());
+    EXPECT_EQ(csv_cells(path, {"--within", "0,0,0,0.25,0.25,0.25"}).size(), inside);
+    EXPECT_TRUE(csv_cells(path, {"--within", "100,100,100,101,101,101"}).empty());
   }
 }
 
@@ -413,32 +301,32 @@ TEST_F(SliceTool, APlyHasTheBoxOfEachCell) {
   for (const std::string& merge : merges) {
     const std::string path = grid("a.grid", scene_, "4", {"--merge", merge});
     for (const bool expanded : {false, true}) {
-      const Csv csv = csv_cells(path);
+      const auto csv = csv_cells(path);
       for (const bool wireframe : {false, true}) {
         Arguments arguments{path, "--cells", file("cells.ply")};
         if (expanded) arguments.emplace_back("--expanded");
         if (wireframe) arguments.emplace_back("--wireframe");
         ASSERT_TRUE(succeeded(run("gridstat", arguments)));
-        const std::string ply = text_of(file("cells.ply"));
+        const std::string ply = read_text(file("cells.ply"));
         const std::string end = "end_header\n";
-        const std::size_t body = ply.find(end) + end.size(), corners = 8 * csv.rows.size();
+        const std::size_t body = ply.find(end) + end.size(), corners = 8 * csv.size();
         const std::string head = ply.substr(0, body);
         EXPECT_TRUE(head.starts_with("ply\nformat binary_little_endian 1.0\n"));
         EXPECT_NE(head.find("element vertex " + std::to_string(corners) + "\n"), std::string::npos);
         constexpr std::size_t corner_bytes = 3 * 8 + 3 + 4, face_bytes = 1 + 4 * 4, edge_bytes = 2 * 4;
         ASSERT_EQ(ply.size() - body,
-                  corners * corner_bytes + csv.rows.size() * (wireframe ? 12 * edge_bytes : 6 * face_bytes));
+                  corners * corner_bytes + csv.size() * (wireframe ? 12 * edge_bytes : 6 * face_bytes));
         std::vector<std::array<double, 3>> at(corners);
         for (std::size_t i = 0; i < corners; ++i) {
           std::memcpy(at[i].data(), ply.data() + body + i * corner_bytes, 3 * 8);
           float quality = 0;
           std::memcpy(&quality, ply.data() + body + i * corner_bytes + 3 * 8 + 3, 4);
-          EXPECT_EQ(quality, csv.rows[i / 8][13]);
+          EXPECT_EQ(quality, csv[i / 8][13]);
         }
         const std::size_t box = expanded ? 7 : 1;
         double volume = 0;
-        for (std::size_t i = 0; i < csv.rows.size(); ++i) {
-          const auto& row = csv.rows[i];
+        for (std::size_t i = 0; i < csv.size(); ++i) {
+          const auto& row = csv[i];
           for (std::size_t axis = 0; axis < 3; ++axis) {
             EXPECT_EQ(at[8 * i][axis], row[box + axis]);
             EXPECT_EQ(at[8 * i + 7][axis], row[box + 3 + axis]);
@@ -453,14 +341,14 @@ TEST_F(SliceTool, APlyHasTheBoxOfEachCell) {
           return number;
         };
         if (wireframe) { // each edge along one axis
-          for (std::size_t i = 0; i < 12 * csv.rows.size(); ++i) {
+          for (std::size_t i = 0; i < 12 * csv.size(); ++i) {
             const std::uint32_t a = index(), b = index();
             EXPECT_EQ(a / 8, b / 8);
             EXPECT_TRUE((a ^ b) == 1 || (a ^ b) == 2 || (a ^ b) == 4);
           }
         } else { // the divergence theorem: faces that close and point outwards enclose the boxes' volume
           double enclosed = 0;
-          for (std::size_t i = 0; i < 6 * csv.rows.size(); ++i) {
+          for (std::size_t i = 0; i < 6 * csv.size(); ++i) {
             ASSERT_EQ(*shape++, 4);
             std::array<std::uint32_t, 4> face{};
             for (std::uint32_t& corner : face)

@@ -114,6 +114,11 @@ class Page(unittest.TestCase):
     def logs(self):
         return [json.loads(entry["message"])["message"] for entry in self.browser.get_log("performance")], self.browser.get_log("browser")
 
+    def leave(self):
+        """What the page asks for or says from now on isn't looked at."""
+        self.browser.get("about:blank")
+        self.logs()
+
     def assert_quiet(self):
         """No message on the console, and no request but to the page's own address."""
         events, console = self.logs()
@@ -123,12 +128,22 @@ class Page(unittest.TestCase):
                 url = event["params"]["request"]["url"]
                 self.assertTrue(url.startswith((f"http://127.0.0.1:{self.server.port}/", "data:", "blob:", "about:")), url)
 
+    def assert_fits(self, width):
+        """Nothing sticks out of the page."""
+        self.assertLessEqual(self.js("return document.scrollingElement.scrollWidth"), width)
+        wide = self.js("const w = innerWidth; return [...document.querySelectorAll('main *, header *')].filter((e) => e.getBoundingClientRect().right > w + 1 && "
+                       "!e.closest('.scroll') && e.getClientRects().length > 0).map((e) => e.outerHTML.slice(0, 80))")
+        self.assertEqual(wide, [], width)
+
     def screenshot(self, name):
         if pictures:
             self.browser.save_screenshot(str(pictures / f"{name}.png"))
 
     def find(self, selector):
         return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def select(self, selector, value):
+        self.js("const s = document.querySelector(arguments[0]); s.value = arguments[1]; s.dispatchEvent(new Event('change'))", selector, value)
 
     def keys(self, *keys):
         chain = ActionChains(self.browser)
@@ -276,7 +291,7 @@ class Page(unittest.TestCase):
                 self.assertEqual(shown[i]["grid"], scene[1 + i])
                 self.assert_shows(printed[i], shown[i], True)
             self.assert_lists(printed[pane])
-            self.js("const s = document.querySelector('.walk-pane'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", 1 - pane)
+            self.select(".walk-pane", 1 - pane)
             self.assert_lists(printed[1 - pane])
         self.screenshot("compare-walk")
         # The grids change places; the ray stays.
@@ -296,7 +311,7 @@ class Page(unittest.TestCase):
         rays = len(self.browser.find_elements(By.CSS_SELECTOR, ".walk-ray option"))
         self.assertGreater(rays, 3)
         for index in [0, 1, rays - 1]:
-            self.js("const s = document.querySelector('.walk-ray'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", index)
+            self.select(".walk-ray", index)
             shown = self.walk()
             for i in range(2):
                 self.assert_shows(self.printed(scene[2 - i], index), shown[i], True)
@@ -316,7 +331,7 @@ class Page(unittest.TestCase):
         self.wait_walk()
         index = self.js("return walkPanel.walk.rays.findIndex((ray) => ray.kind === 'shadow' && ray.cells > 3)")
         self.assertGreater(index, 0)
-        self.js("const s = document.querySelector('.walk-ray'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", index)
+        self.select(".walk-ray", index)
         for _ in range(2):
             self.find("#walk .controls button").click()
         look = "return [walkPanel.ray, walkPanel.pane, walkPanel.index, walkPanel.step, walkPanel.current, document.querySelector('[aria-selected=true]').dataset.step]"
@@ -360,8 +375,7 @@ class Page(unittest.TestCase):
                 self.show(fragment=self.js("return fragment()"), server=server)
                 shown = self.js("return state.panes.map((pane) => state.scene.grids[pane.grid].hash)")
                 self.assertEqual(shown, [self.js("return state.scene.grids[arguments[0]].hash", grid) for grid in (first, second)])
-            self.browser.get("about:blank")
-            self.logs()
+            self.leave()
 
     def test_a_walk_of_too_many_rays_says_how_many_more(self):
         glass = tools.make_nested_glass()
@@ -384,8 +398,7 @@ class Page(unittest.TestCase):
                     printed = json.loads(tools.run("gridtrace", *glass, f"--ray={ray}", "--all-rays", "--depth", depth, "--json", "-q"))
                     self.assertEqual(len(printed["rays"]), rays + count)
                     self.assertEqual(printed["rays"][:rays], self.js("return walkPanel.walk.rays"))
-            self.browser.get("about:blank")
-            self.logs()
+            self.leave()
 
     def test_the_copied_command_of_a_channel_writes_its_values(self):
         for channel in ["cells", "all tests", "depth", "idle"]:
@@ -439,7 +452,7 @@ class Page(unittest.TestCase):
         self.assertGreater(len(names), 5)
         seen = []
         for name in names:
-            self.js("const s = document.querySelector('.channel'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", name)
+            self.select(".channel", name)
             self.wait_sharp()
             picture = self.pixels()
             self.assertNotIn(picture, seen, name)
@@ -505,7 +518,7 @@ class Page(unittest.TestCase):
     def test_slices_over_the_picture(self):
         self.js("document.getElementById('slice-panel').open = true; panes[0].set({cells: 'slice'})")
         for axis in range(3):
-            self.js("const s = document.querySelector('#slice select'); s.value = arguments[0]; s.dispatchEvent(new Event('change'))", axis)
+            self.select("#slice select", axis)
             wait_until(lambda: self.js("return slicePanel.of(0) && slicePanel.of(0).axis") == axis, "the slice along another axis")
             self.assertGreater(len(self.js("return slicePanel.of(0).cells")), 0)
         self.wait_sharp()
@@ -660,17 +673,13 @@ class Page(unittest.TestCase):
             for width, height in [(400, 800), (1280, 800), (1920, 1080)]:
                 for dark in (False, True):
                     self.show_plane(server, width, height, dark)
-                    self.assertLessEqual(self.js("return document.scrollingElement.scrollWidth"), width, "nothing sticks out")
-                    wide = self.js("const w = innerWidth; return [...document.querySelectorAll('main *, header *')].filter((e) => e.getBoundingClientRect().right > w + 1 && "
-                                   "!e.closest('.scroll') && e.getClientRects().length > 0).map((e) => e.outerHTML.slice(0, 80))")
-                    self.assertEqual(wide, [], width)
+                    self.assert_fits(width)
                     self.screenshot(f"plane-{width}-{'dark' if dark else 'light'}")
             self.js("document.activeElement.blur()")
             self.keys("p")
             self.wait_sharp()
             self.assertIsNone(self.js("return walkPanel.ray"))
-            self.browser.get("about:blank")
-            self.logs()
+            self.leave()
 
     def test_a_hierarchy_beside_a_grid(self):
         names = [scene[1], tools.make_hierarchy(scene[0])]
@@ -747,8 +756,7 @@ class Page(unittest.TestCase):
             served = json.loads(server.get("/api/statistics?grid=1"))
             self.assertEqual({**served, "commit": None}, {**printed, "commit": None})
             wait_until(lambda: "boxes per node" in self.find("#statistics").text and "occupied voxels" in self.find("#statistics").text, "both kinds of statistics")
-            self.browser.get("about:blank")
-            self.logs()
+            self.leave()
 
     def test_statistics_are_those_of_gridstat(self):
         wait_until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#statistics table"), "statistics")
@@ -809,10 +817,7 @@ class Page(unittest.TestCase):
                 wait_until(lambda: self.js("return walkPanel.walk"), "a walk")
                 self.js("document.querySelectorAll('details').forEach((details) => { details.open = true; })")
                 wait_until(lambda: self.js("return document.querySelector('#statistics table')"), "all panels")
-                self.assertLessEqual(self.js("return document.scrollingElement.scrollWidth"), width, "nothing sticks out")
-                wide = self.js("const w = innerWidth; return [...document.querySelectorAll('main *, header *')].filter((e) => e.getBoundingClientRect().right > w + 1 && "
-                               "!e.closest('.scroll') && e.getClientRects().length > 0).map((e) => e.outerHTML.slice(0, 80))")
-                self.assertEqual(wide, [], width)
+                self.assert_fits(width)
                 colors = self.js("const s = getComputedStyle(document.body), f = getComputedStyle(document.querySelector('.facts')); return [s.backgroundColor, s.color, f.color]")
                 paper, ink, faint = [tuple(map(float, re.findall(r"[\d.]+", color)[:3])) for color in colors]
                 self.assertEqual(paper < (100, 100, 100), dark)
@@ -826,8 +831,7 @@ class Page(unittest.TestCase):
         text = (tools.folder / "page.html").read_text()
         self.assertIn("default-src 'none'", text)
         self.assertNotRegex(text, r'(src|href)="(?!data:|#)[^"]*"')
-        self.browser.get("about:blank")
-        self.logs()
+        self.leave()
         address = (tools.folder / "page.html").as_uri()
         self.browser.get(f"{address}#grid={scene[1]},{scene[2]}&channel=shaded,cells")
         self.wait_sharp()
@@ -886,8 +890,7 @@ class Page(unittest.TestCase):
     def test_an_exported_hierarchy(self):
         names = [tools.make_hierarchy(scene[0]), scene[1]]
         tools.run("gridview", scene[0], *names, "--export", "hierarchy.html", "--views", "1", "--size", "160x120", "-q")
-        self.browser.get("about:blank")
-        self.logs()
+        self.leave()
         self.browser.get(f"{(tools.folder / 'hierarchy.html').as_uri()}#grid={','.join(names)}&channel=cells,cells&slice=z,0.5,1")
         self.wait_sharp()
         self.js("for (const pane of panes) pane.set({cells: 'boxes'}); panes[0].stage.focus()")
@@ -909,8 +912,7 @@ class Page(unittest.TestCase):
         for name, grid in zip(names, scene[1:]):
             shutil.copy(tools.folder / grid, tools.folder / name)
         tools.run("gridview", scene[0], *names, "--export", "markup.html", "--views", "1", "--size", "64x48", "-q")
-        self.browser.get("about:blank")
-        self.logs()
+        self.leave()
         self.browser.get((tools.folder / "markup.html").as_uri())
         self.wait_sharp()
         self.assertEqual(self.js("return [...document.querySelectorAll('.grid option')].map((option) => option.textContent)"), names)
@@ -918,8 +920,7 @@ class Page(unittest.TestCase):
         self.assertEqual([entry["message"] for entry in self.logs()[1]], [])
 
     def test_a_hidden_or_closed_page_asks_nothing(self):
-        self.browser.get("about:blank")
-        self.logs()
+        self.leave()
         before = self.server.cpu_seconds()
         time.sleep(1)
         self.assertLess(self.server.cpu_seconds() - before, 0.2)
@@ -940,8 +941,7 @@ class Page(unittest.TestCase):
             again.terminate()
             again.wait(30)
             again.stdout.close()
-        self.browser.get("about:blank")
-        self.logs()  # what Chromium says of refused connections
+        self.leave()  # what Chromium says of refused connections
 
 
 if __name__ == "__main__":

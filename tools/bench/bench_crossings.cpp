@@ -2,28 +2,22 @@
 // crosses it as often inwards as outwards.
 #include "tests/stability/closed_mesh.h"
 #include "tools/bench/bench.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
+#include "tools/bench/command.h"
 
-#include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 namespace masu {
 namespace {
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene, grid;
   std::uint64_t count = 1'000'000;
   std::uint64_t seed = 1;
   Backend backend = Backend::automatic;
   Precision precision = Precision::automatic;
-  bool json = false;
-  Threads threads;
 };
 
 struct Crossings {
@@ -75,7 +69,6 @@ Crossings count_crossings(const Settings& settings, const Tracer& tracer, const 
 }
 
 void bench_crossings(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
@@ -92,28 +85,23 @@ void bench_crossings(const Settings& settings) {
   }
 }
 
-} // namespace
-
-void add_crossings(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& command =
-      *app.add_subcommand("crossings", "How often rays through corners, edges and faces cross a closed mesh");
-  command.footer("Example:\n  gridbench crossings teapot.scene teapot.grid");
+void add_options(CLI::App& command, Settings& settings) {
   command.add_option("SCENE", settings.scene, "scene file of closed meshes, their fronts outside")
       ->required();
-  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
-  command.add_option("--count", settings.count, "number of rays")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
-      ->capture_default_str();
-  command.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
+  add_grid(command, settings.grid);
+  add_count(command, "--count", settings.count, "number of rays", 40);
+  add_seed(command, settings.seed);
   add_backend(command, settings.backend);
   add_choice(command, "--precision", settings.precision,
              {{"auto", Precision::automatic}, {"robust", Precision::robust}, {"double", Precision::doubled}},
              "arithmetic: robust, double, or auto, what the scene's store asks for");
-  command.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(command);
-  command.callback([owned] { bench_crossings(*owned); });
+}
+
+} // namespace
+
+void add_crossings(CLI::App& app) {
+  add_command(app, "crossings", "How often rays through corners, edges and faces cross a closed mesh",
+              "teapot.scene teapot.grid", add_options, bench_crossings);
 }
 
 } // namespace masu

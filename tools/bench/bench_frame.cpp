@@ -1,16 +1,11 @@
 // Seconds of whole pictures by screen division: how tiles of the picture are scheduled.
 #include "tools/bench/bench.h"
+#include "tools/bench/command.h"
 #include "tools/bench/screen_division/screen_division.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tools/common/repeated.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
@@ -28,7 +23,7 @@ const std::vector<std::pair<std::string, std::optional<ScreenDivision>>> all_sch
     {"cyclic", ScreenDivision::cyclic},
     {"persistent", ScreenDivision::persistent}};
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene, size = "1024x1024";
   std::vector<std::string> grids, schedules;
   Backend backend = Backend::automatic;
@@ -36,8 +31,6 @@ struct Settings {
   Sampling sampling = Sampling::centers;
   RenderRules rules{5, false, HitName::object};
   int workers_each = 0, warm_up = 5, repeat = 25;
-  bool json = false;
-  Threads threads;
 };
 
 Json measure(const Settings& settings, const Tracer& tracer, const std::string& name,
@@ -99,7 +92,6 @@ std::vector<std::string> schedules_for(const Settings& settings, const SceneFile
 }
 
 void bench_frame(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   const std::vector<std::string> names = schedules_for(settings, scene);
@@ -123,57 +115,44 @@ void bench_frame(const Settings& settings) {
       if (!settings.json) print_row(rows.back());
     }
   }
-  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
+  if (settings.json) print_json(rows, device_name(cuda));
+}
+
+void add_options(CLI::App& command, Settings& settings) {
+  add_scene(command, settings.scene);
+  add_grids(command, settings.grids);
+  std::set<std::string> names;
+  for (const auto& [name, schedule] : all_schedules)
+    names.insert(name);
+  add_names(command, "--schedule", settings.schedules, names,
+            "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
+            "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
+            "take the next tile from a counter); default: all");
+  command
+      .add_option("--workers", settings.workers_each,
+                  "workers per multiprocessor (or per CPU thread); 0: as many as are resident at once")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  add_backend(command, settings.backend);
+  add_precision(command, settings.tracing.precision);
+  add_first_cell_hit(command, settings.tracing.stop);
+  add_general(command, settings.tracing);
+  add_picture_size(command, settings.size, "size of the picture");
+  add_choice(command, "--sampling", settings.sampling,
+             {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
+             "rays through pixel corners or centers");
+  command.add_option("--depth", settings.rules.depth, "largest depth of rays; camera rays have depth 1")
+      ->check(CLI::Range(1, largest_depth))
+      ->capture_default_str();
+  add_warm_up(command, settings.warm_up);
+  add_repeat(command, settings.repeat, "timed runs, of which the median counts");
 }
 
 } // namespace
 
 void add_frame(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& frame =
-      *app.add_subcommand("frame", "Whole pictures, by screen division: how tiles are scheduled");
-  frame.footer("Example:\n  gridbench frame balls.scene balls.grid --repeat 5");
-  frame.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  frame.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
-  std::set<std::string> names;
-  for (const auto& [name, schedule] : all_schedules)
-    names.insert(name);
-  frame
-      .add_option(
-          "--schedule", settings.schedules,
-          "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
-          "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
-          "take the next tile from a counter); default: all")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names));
-  frame
-      .add_option("--workers", settings.workers_each,
-                  "workers per multiprocessor (or per CPU thread); 0: as many as are resident at once")
-      ->check(CLI::Range(0, 64))
-      ->capture_default_str();
-  add_backend(frame, settings.backend);
-  add_precision(frame, settings.tracing.precision);
-  add_first_cell_hit(frame, settings.tracing.stop);
-  frame.add_flag("--general", settings.tracing.general,
-                 "use the kernel for all kinds of primitives, not the one for those in the scene");
-  frame.add_option("--size", settings.size, "size of the picture")->type_name("WxH")->capture_default_str();
-  add_choice(frame, "--sampling", settings.sampling,
-             {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
-             "rays through pixel corners or centers");
-  frame.add_option("--depth", settings.rules.depth, "largest depth of rays; camera rays have depth 1")
-      ->check(CLI::Range(1, largest_depth))
-      ->capture_default_str();
-  frame.add_option("--warm-up", settings.warm_up, "untimed pictures before the timed ones")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  frame.add_option("--repeat", settings.repeat, "timed pictures, of which the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  frame.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(frame);
-  frame.callback([owned] { bench_frame(*owned); });
+  add_command(app, "frame", "Whole pictures, by screen division: how tiles are scheduled",
+              "balls.scene balls.grid --repeat 5", add_options, bench_frame);
 }
 
 } // namespace masu

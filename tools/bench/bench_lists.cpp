@@ -1,16 +1,11 @@
 // Long lists of rays in host memory, compared with plain copies of their bytes to the device and back.
 #include "libscene/base/stopwatch.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/command.h"
 #include "tools/bench/host_list.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tools/common/repeated.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 namespace masu {
@@ -18,13 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene, grid;
   std::size_t count = 100'000'000;
   std::uint64_t seed = 1;
   int repeat = 5;
-  bool json = false;
-  Threads threads;
 };
 
 Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
@@ -52,7 +45,6 @@ Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
 }
 
 void bench_lists(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   static_cast<void>(use_cuda(Backend::cuda, "gridbench"));
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
@@ -70,30 +62,23 @@ void bench_lists(const Settings& settings) {
                  row["kernel_seconds"].get<double>(), row["plain_copy_seconds"].get<double>(),
                  row["plain_copy_over_list"].get<double>());
   }
-  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(true))));
+  if (settings.json) print_json(rows, device_name(true));
+}
+
+void add_options(CLI::App& command, Settings& settings) {
+  add_scene(command, settings.scene);
+  add_grid(command, settings.grid);
+  add_count(command, "--count", settings.count, "number of rays; 40 bytes of memory each", 32);
+  add_seed(command, settings.seed);
+  add_repeat(command, settings.repeat);
 }
 
 } // namespace
 
 void add_lists(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& command = *app.add_subcommand(
-      "lists",
-      "Long lists of rays from host memory through a GPU, compared with plain copies of their bytes");
-  command.footer("Example:\n  gridbench lists balls.scene balls.grid --count 10000000");
-  command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
-  command.add_option("--count", settings.count, "number of rays; 40 bytes of memory each")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 32))
-      ->capture_default_str();
-  command.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
-  command.add_option("--repeat", settings.repeat, "timed runs after an untimed one; the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(command);
-  command.callback([owned] { bench_lists(*owned); });
+  add_command(app, "lists",
+              "Long lists of rays from host memory through a GPU, compared with plain copies of their bytes",
+              "balls.scene balls.grid --count 10000000", add_options, bench_lists);
 }
 
 } // namespace masu

@@ -1,14 +1,9 @@
 // Seconds of loading a scene and its grid, compared with plain copies of the files' bytes to the same memory.
 #include "tools/bench/bench.h"
+#include "tools/bench/command.h"
 #include "tools/bench/load/plain_copy.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tools/common/repeated.h"
 
-#include <nlohmann/json.hpp>
-
-#include <memory>
 #include <vector>
 
 namespace masu {
@@ -16,12 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene, grid;
   Backend backend = Backend::automatic;
   int repeat = 9;
-  bool json = false;
-  Threads threads;
 };
 
 // Seconds of each step, for each run. A GPU gets the records from the file and validates them: that counts as
@@ -100,7 +93,6 @@ void print_table(const Json& report) {
 }
 
 void bench_load(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend, "gridbench");
   Json report = measure(settings, cuda);
   report.update(provenance());
@@ -111,24 +103,20 @@ void bench_load(const Settings& settings) {
     print_table(report);
 }
 
+void add_options(CLI::App& command, Settings& settings) {
+  add_scene(command, settings.scene);
+  add_grid(command, settings.grid);
+  add_backend(command, settings.backend);
+  add_repeat(command, settings.repeat);
+}
+
 } // namespace
 
 void add_load(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& command = *app.add_subcommand(
-      "load",
-      "Reading, validating and uploading a scene and its grid, compared with plain copies of their bytes");
-  command.footer("Example:\n  gridbench load balls.scene balls.grid");
-  command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
-  add_backend(command, settings.backend);
-  command.add_option("--repeat", settings.repeat, "timed runs after an untimed one; the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(command);
-  command.callback([owned] { bench_load(*owned); });
+  add_command(
+      app, "load",
+      "Reading, validating and uploading a scene and its grid, compared with plain copies of their bytes",
+      "balls.scene balls.grid", add_options, bench_load);
 }
 
 } // namespace masu

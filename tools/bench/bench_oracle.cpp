@@ -2,15 +2,11 @@
 #include "tests/stability/ray_sets.h"
 #include "tests/stability/run.h"
 #include "tools/bench/bench.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
+#include "tools/bench/command.h"
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
-#include <memory>
 #include <set>
 
 namespace masu {
@@ -19,13 +15,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace stability;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene, grid;
   std::vector<std::string> precisions;
   std::size_t count = 100'000;
   std::uint64_t seed = 1;
-  bool first_cell_hit = false, json = false;
-  Threads threads;
+  bool first_cell_hit = false;
 };
 
 std::vector<Mode> modes_for(const Settings& settings, const SceneFile& scene) {
@@ -80,7 +75,6 @@ std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, c
 }
 
 void bench_oracle(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   grid.check_geometry(scene.geometry_hash(), scene.primitive_count());
@@ -109,34 +103,26 @@ void bench_oracle(const Settings& settings) {
                  t.missed, t.false_hit, t.wrong, t.misplaced, t.worst_t);
     }
   }
-  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(false))));
+  if (settings.json) print_json(rows, device_name(false));
+}
+
+void add_options(CLI::App& command, Settings& settings) {
+  add_scene(command, settings.scene);
+  add_grid(command, settings.grid);
+  add_count(command, "--count", settings.count, "number of random rays", 28);
+  add_seed(command, settings.seed);
+  add_names(command, "--precision", settings.precisions, {"fast", "robust", "double"},
+            "precisions: fast, robust, double")
+      ->capture_default_str();
+  command.add_flag("--first-cell-hit", settings.first_cell_hit,
+                   "terminate at the first cell in which anything is hit (see gridrender --help)");
 }
 
 } // namespace
 
 void add_oracle(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  settings.precisions = {"robust", "double"};
-  CLI::App& oracle = *app.add_subcommand(
-      "oracle", "Closest hits of random rays, compared with brute force in 113-bit arithmetic");
-  oracle.footer("Example:\n  gridbench oracle balls.scene balls.grid --count 100000");
-  oracle.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  oracle.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
-  oracle.add_option("--count", settings.count, "number of random rays")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
-      ->capture_default_str();
-  oracle.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
-  oracle.add_option("--precision", settings.precisions, "precisions: fast, robust, double")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"fast", "robust", "double"}))
-      ->capture_default_str();
-  oracle.add_flag("--first-cell-hit", settings.first_cell_hit,
-                  "terminate at the first cell in which anything is hit (see gridrender --help)");
-  oracle.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(oracle);
-  oracle.callback([owned] { bench_oracle(*owned); });
+  add_command(app, "oracle", "Closest hits of random rays, compared with brute force in 113-bit arithmetic",
+              "balls.scene balls.grid --count 100000", add_options, bench_oracle);
 }
 
 } // namespace masu

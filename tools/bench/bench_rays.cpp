@@ -1,22 +1,16 @@
 // Throughput of sets of rays (closest hit and any hit), and the tests and cells per ray.
 #include "tools/bench/bench.h"
+#include "tools/bench/command.h"
 
 #include "libscene/file/output_file.h"
 #include "renderer/automatic_loop.h"
 #include "tests/stability/ray_sets.h"
-#include "tools/common/backend_choice.h"
 #include "tools/common/grouped.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tools/common/repeated.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace masu {
@@ -24,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene, size = "1024x1024", save;
   std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow"};
   Backend backend = Backend::automatic;
@@ -34,8 +28,6 @@ struct Settings {
   std::uint64_t seed = 1;
   std::vector<std::string> loops{"auto"}, precisions{"auto"};
   int warm_up = 5, repeat = 25;
-  bool json = false;
-  Threads threads;
 };
 
 struct RaySet {
@@ -134,7 +126,6 @@ void print_row(const Json& row) {
 }
 
 void bench_rays(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   std::vector<GridFile> grids;
@@ -166,61 +157,43 @@ void bench_rays(const Settings& settings) {
       }
     }
   }
-  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
+  if (settings.json) print_json(rows, device_name(cuda));
+}
+
+void add_options(CLI::App& command, Settings& settings) {
+  add_scene(command, settings.scene);
+  add_grids(command, settings.grids);
+  add_names(command, "--sets", settings.sets, {"primary", "diffuse", "random", "shadow"},
+            "sets of rays: primary, diffuse, random (closest hit), shadow (any hit); default: all");
+  add_backend(command, settings.backend);
+  add_choice(command, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
+             "order of primary rays: rows, or tiles of 8x4");
+  add_names(
+      command, "--loop", settings.loops, loop_names(),
+      "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
+      "tests), warp_refill (warp, and idle threads fetch the next ray), or auto (by what a sample of the "
+      "rays costs)");
+  add_names(command, "--precision", settings.precisions, {"auto", "fast", "robust", "double"},
+            "auto, fast, robust, double (see gridrender --help)");
+  add_first_cell_hit(command, settings.tracing.stop);
+  add_general(command, settings.tracing);
+  add_picture_size(command, settings.size, "number of primary rays");
+  add_count(command, "--random", settings.random, "number of random rays", 28);
+  add_seed(command, settings.seed, "seed of diffuse and random rays");
+  add_warm_up(command, settings.warm_up);
+  add_repeat(command, settings.repeat, "timed runs, of which the median counts");
+  command
+      .add_option("--save", settings.save,
+                  "write the sets, too: 8 float64 numbers per ray (origin, tmin, direction, tmax), relative "
+                  "to the scene's local origin, to PREFIX and the set's name and .f64")
+      ->type_name("PREFIX");
 }
 
 } // namespace
 
 void add_rays(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& rays =
-      *app.add_subcommand("rays", "Throughput of sets of rays, with intersection tests and cells per ray");
-  rays.footer("Example:\n  gridbench rays balls.scene balls.grid --sets primary,diffuse");
-  rays.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  rays.add_option("GRID", settings.grids, "grid files, from gridbuild")->required();
-  rays.add_option("--sets", settings.sets,
-                  "sets of rays: primary, diffuse, random (closest hit), shadow (any hit); default: all")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"primary", "diffuse", "random", "shadow"}));
-  add_backend(rays, settings.backend);
-  add_choice(rays, "--order", settings.order, {{"rows", RayOrder::rows}, {"tiles", RayOrder::tiles}},
-             "order of primary rays: rows, or tiles of 8x4");
-  rays.add_option(
-          "--loop", settings.loops,
-          "tracing loop of the GPU: thread_per_ray, warp (the 32 threads share their rays' intersection "
-          "tests), warp_refill (warp, and idle threads fetch the next ray), or auto (by what a sample of the "
-          "rays costs)")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(loop_names()));
-  rays.add_option("--precision", settings.precisions, "auto, fast, robust, double (see gridrender --help)")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double"}));
-  add_first_cell_hit(rays, settings.tracing.stop);
-  rays.add_flag("--general", settings.tracing.general,
-                "use the kernel for all kinds of primitives, not the one for those in the scene");
-  rays.add_option("--size", settings.size, "number of primary rays")->type_name("WxH")->capture_default_str();
-  rays.add_option("--random", settings.random, "number of random rays")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 28))
-      ->capture_default_str();
-  rays.add_option("--seed", settings.seed, "seed of diffuse and random rays")->capture_default_str();
-  rays.add_option("--warm-up", settings.warm_up, "untimed runs before the timed ones")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
-  rays.add_option("--repeat", settings.repeat, "timed runs, of which the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  rays.add_flag("--json", settings.json, "print JSON");
-  rays.add_option(
-          "--save", settings.save,
-          "write the sets, too: 8 float64 numbers per ray (origin, tmin, direction, tmax), relative to "
-          "the scene's local origin, to PREFIX and the set's name and .f64")
-      ->type_name("PREFIX");
-  settings.threads.add_to(rays);
-  rays.callback([owned] { bench_rays(*owned); });
+  add_command(app, "rays", "Throughput of sets of rays, with intersection tests and cells per ray",
+              "balls.scene balls.grid --sets primary,diffuse", add_options, bench_rays);
 }
 
 } // namespace masu

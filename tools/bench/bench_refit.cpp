@@ -4,14 +4,9 @@
 #include "libscene/base/stopwatch.h"
 #include "tests/stability/test_scene.h"
 #include "tools/bench/bench.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
+#include "tools/bench/command.h"
 #include "tools/common/repeated.h"
 
-#include <nlohmann/json.hpp>
-
-#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -20,13 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene;
   Backend backend = Backend::automatic;
   std::vector<double> bends{1, 10, 50};
   int repeat = 5;
-  bool json = false;
-  Threads threads;
 };
 
 template <class Stored>
@@ -121,7 +114,6 @@ void measure(const Settings& settings, bool cuda, const SceneFile& file, Json& r
 }
 
 void bench_refit(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile file(settings.scene);
   if (file.primitive_count() == 0) throw Error(ErrorCode::input, settings.scene, "holds no primitives");
@@ -143,17 +135,8 @@ void bench_refit(const Settings& settings) {
                row["refit_seconds"].get<double>() * 1e3, row["expected_rate"].get<double>());
 }
 
-} // namespace
-
-void add_refit(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& command = *app.add_subcommand(
-      "refit",
-      "Building a hierarchy, and refitting it to the scene bent, with the rates that a sample of rays "
-      "is expected to have through it, over those through a new one");
-  command.footer("Example:\n  gridbench refit teapot.scene");
-  command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
+void add_options(CLI::App& command, Settings& settings) {
+  add_scene(command, settings.scene);
   command
       .add_option("--bends", settings.bends, "how far points move across the longest side, in percent of it")
       ->delimiter(',')
@@ -161,12 +144,17 @@ void add_refit(CLI::App& app) {
       ->type_name("LIST")
       ->default_str("1,10,50");
   add_backend(command, settings.backend);
-  command.add_option("--repeat", settings.repeat, "timed runs; the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(command);
-  command.callback([owned] { bench_refit(*owned); });
+  add_repeat(command, settings.repeat, "timed runs; the median counts");
+}
+
+} // namespace
+
+void add_refit(CLI::App& app) {
+  add_command(
+      app, "refit",
+      "Building a hierarchy, and refitting it to the scene bent, with the rates that a sample of rays "
+      "is expected to have through it, over those through a new one",
+      "teapot.scene", add_options, bench_refit);
 }
 
 } // namespace masu

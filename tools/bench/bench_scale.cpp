@@ -5,23 +5,19 @@
 #include "libscene/file/output_file.h"
 #include "scale_script.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/command.h"
 #include "tools/bench/gnuplot.h"
 #include "tools/bench/host_list.h"
 #include "tools/common/device_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tools/jobs/run_tasks.h"
 #include "tools/render/picture_bands.h"
 #include "tools/render/render_views.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -31,14 +27,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::string scene, grid, size = "1024x1024", folder, charts;
   DeviceChoice devices;
   int views = 400, large = 16384, repeat = 3;
   std::size_t rays = 100'000'000;
   std::uint64_t seed = 1;
-  bool json = false;
-  Threads threads;
 };
 
 // So many GPUs, or threads of the CPU.
@@ -191,7 +185,7 @@ Json row_of(const char* work, const char* scaling, const Workers& workers, const
 }
 
 void print_row(const Json& row) {
-  fmt::print("{:<12} {:<7} {:>7} {:>9.4f} {:>9.1f} {:>8.2f} {:>6.0f} %  {} {:.0f} %\n",
+  fmt::print("{:<10} {:<7} {:>7} {:>9.4f} {:>9.1f} {:>8.2f} {:>6.0f} %  {} {:.0f} %\n",
              row["work"].get<std::string>(), row["scaling"].get<std::string>(),
              row["workers"].get<std::size_t>(), row["seconds"].get<double>(),
              row["mrays_per_second"].get<double>(), row["speedup"].get<double>(),
@@ -233,7 +227,6 @@ int rounded(double value) {
 }
 
 void bench_scale(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   int argc = 0;
   char** argv = nullptr;
   Ranks ranks(&argc, &argv);
@@ -247,7 +240,7 @@ void bench_scale(const Settings& settings) {
   if (settings.rays > 0) list.emplace(scene, settings.rays, settings.seed, cuda);
   if (!settings.json)
     fmt::print(
-        "{} views of {}, one of {}x{}, {} random rays; median of {} on {}\n\n{:<12} {:<7} {:>7} {:>9} {:>9} "
+        "{} views of {}, one of {}x{}, {} random rays;\nmedian of {} on {}\n\n{:<10} {:<7} {:>7} {:>9} {:>9} "
         "{:>8} {:>8}  {}\n",
         settings.views, settings.size, settings.large, settings.large, settings.rays, settings.repeat,
         devices_name(gpus), "work", "scaling", cuda ? "GPUs" : "threads", "s", "Mray/s", "speed-up",
@@ -286,43 +279,36 @@ void bench_scale(const Settings& settings) {
       });
   }
   if (!settings.charts.empty()) draw(settings, rows);
-  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, devices_name(gpus))));
+  if (settings.json) print_json(rows, devices_name(gpus));
 }
 
-} // namespace
-
-void add_scale(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
+void add_options(CLI::App& command, Settings& settings) {
   settings.folder = std::filesystem::temp_directory_path().string();
-  CLI::App& command = *app.add_subcommand(
-      "scale", "How views, one large view and a list of rays speed up with more GPUs, or threads of the CPU");
-  command.footer("Example:\n  gridbench scale balls.scene balls.grid");
-  command.add_option("SCENE", settings.scene, "scene file, from nff2bin")->required();
-  command.add_option("GRID", settings.grid, "grid file, from gridbuild")->required();
+  add_scene(command, settings.scene);
+  add_grid(command, settings.grid);
   settings.devices.add_to(command);
   command.add_option("--views", settings.views, "number of views; 0: none")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  command.add_option("--size", settings.size, "pixels of a view")->type_name("WxH")->capture_default_str();
-  command.add_option("--large", settings.large, "pixels of the large view's sides; 0: none")
-      ->check(CLI::Range(0, 65536))
-      ->capture_default_str();
-  command.add_option("--rays", settings.rays, "rays of the list, 40 bytes of memory each; 0: none")
-      ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 32))
-      ->capture_default_str();
+  add_picture_size(command, settings.size, "pixels of a view");
+  add_count(command, "--large", settings.large, "pixels of the large view's sides; 0: none", 16, 0);
+  add_count(command, "--rays", settings.rays, "rays of the list, 40 bytes of memory each; 0: none", 32,
+            std::size_t{0});
   command.add_option("--folder", settings.folder, "where pictures are written, and removed again")
       ->type_name("FOLDER")
       ->capture_default_str();
   command.add_option("--charts", settings.charts, "a folder that gets scale.csv, scale.svg and scale.png")
       ->type_name("FOLDER");
-  command.add_option("--seed", settings.seed, "seed of the rays")->capture_default_str();
-  command.add_option("--repeat", settings.repeat, "timed runs after an untimed one; the median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(command);
-  command.callback([owned] { bench_scale(*owned); });
+  add_seed(command, settings.seed);
+  add_repeat(command, settings.repeat);
+}
+
+} // namespace
+
+void add_scale(CLI::App& app) {
+  add_command(app, "scale",
+              "How views, one large view and a list of rays speed up with more GPUs, or threads of the CPU",
+              "balls.scene balls.grid", add_options, bench_scale);
 }
 
 } // namespace masu

@@ -5,14 +5,9 @@
 #include "tests/stability/run.h"
 #include "tests/stability/sweeps/picture_sweeps.h"
 #include "tools/bench/bench.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
+#include "tools/bench/command.h"
 
-#include <nlohmann/json.hpp>
-
-#include <memory>
-#include <set>
+#include <utility>
 
 namespace masu {
 namespace {
@@ -20,22 +15,25 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace stability;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::vector<std::string> sweeps, precisions;
   RunSettings run{};
   Backend backend = Backend::cpu;
-  bool pictures = false, json = false;
-  Threads threads;
+  bool pictures = false;
 };
 
 bool wanted(const std::vector<std::string>& list, const std::string& name) {
   return list.empty() || std::find(list.begin(), list.end(), name) != list.end();
 }
 
+const char* store_of(bool float64) {
+  return float64 ? "float64" : "float32";
+}
+
 Json to_json(const Row& row) {
   const Tally& t = row.tally;
   return {{"sweep", row.sweep},    {"parameter", row.parameter},
-          {"step", row.step},      {"store", row.float64 ? "float64" : "float32"},
+          {"step", row.step},      {"store", store_of(row.float64)},
           {"mode", row.mode.name}, {"within_envelope", row.within},
           {"rays", t.rays},        {"unsure", t.unsure},
           {"missed", t.missed},    {"false", t.false_hit},
@@ -43,17 +41,30 @@ Json to_json(const Row& row) {
           {"by_grid", t.by_grid},  {"worst_t_error", t.worst_t}};
 }
 
+std::string step_text(double step) {
+  std::string text = fmt::format("{}", step);
+  return text.size() <= 8 ? text : fmt::format("{:.3g}", step);
+}
+
+// Of a sweep in one store, before its rows.
+void print_head(const Row& row) {
+  fmt::print("\n{}, {}:\n{}\n{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7}\n", row.sweep,
+             store_of(row.float64), row.parameter, "step", "mode", "rays", "unsure", "missed", "false",
+             "wrong", "mispl.", "by grid", "t error");
+}
+
 // Fractions of the rays; - for none.
 void print_row(const Row& row) {
   const Tally& t = row.tally;
   const auto share = [&](std::uint64_t number) {
     return number == 0 ? std::string("-")
-                       : fmt::format("{:.3g}", static_cast<double>(number) / static_cast<double>(t.rays));
+                       : fmt::format("{:.1g}", static_cast<double>(number) / static_cast<double>(t.rays));
   };
-  fmt::print("{:<22} {:>8.3g} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9.1e}{}\n", row.sweep,
-             row.step, row.float64 ? "float64" : "float32", row.mode.name, t.rays, share(t.unsure),
-             share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced), share(t.by_grid),
-             t.worst_t, row.promised && t.failures() > 0 ? "  FAILS" : "");
+  const std::string mode =
+      fmt::format("{}{}", row.mode.name, row.promised && t.failures() > 0 ? " FAILS" : "");
+  fmt::print("{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7.1e}\n", step_text(row.step), mode,
+             t.rays, share(t.unsure), share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced),
+             share(t.by_grid), t.worst_t);
   flush_standard_output();
 }
 
@@ -67,13 +78,12 @@ Json to_json(const std::string& sweep, double step, const Disagreement& d) {
 
 void print_disagreements(const std::vector<Row>& rows) {
   if (rows.empty()) return;
-  fmt::print(
-      "\nRays of which robust and embree-robust find different primitives, and which of them is right in "
-      "exact arithmetic\n{:<22} {:>8} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n",
-      "sweep", "step", "rays", "differing", "robust", "embree", "both", "neither");
+  fmt::print("\nRays of which robust and embree-robust find different primitives, and which of\n"
+             "them is right in exact arithmetic\n{:<21} {:>8} {:>7} {:>9} {:>7} {:>7} {:>7} {:>7}\n",
+             "sweep", "step", "rays", "differing", "robust", "embree", "both", "neither");
   for (const Row& row : rows) {
     const Disagreement& d = row.disagreement.value();
-    fmt::print("{:<22} {:>8.3g} {:>8} {:>9} {:>8} {:>8} {:>8} {:>8}\n", row.sweep, row.step, d.rays,
+    fmt::print("{:<21} {:>8} {:>7} {:>9} {:>7} {:>7} {:>7} {:>7}\n", row.sweep, step_text(row.step), d.rays,
                d.differing, d.first, d.second, d.both, d.neither);
   }
 }
@@ -90,14 +100,14 @@ std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps
       bad += d.mode.precision != Precision::fast && d.differing > 0 ? 1 : 0;
       rows.push_back({{"sweep", d.sweep},
                       {"step", d.step},
-                      {"store", d.float64 ? "float64" : "float32"},
+                      {"store", store_of(d.float64)},
                       {"mode", d.mode.name},
                       {"backends", "cpu,cuda"},
                       {"rays", d.rays},
                       {"differing", d.differing}});
       if (!settings.json)
-        fmt::print("{:<22} {:>8.3g} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, d.step,
-                   d.float64 ? "float64" : "float32", d.mode.name, d.rays, d.differing);
+        fmt::print("{:<22} {:>8} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, step_text(d.step), store_of(d.float64),
+                   d.mode.name, d.rays, d.differing);
     });
   }
   return bad;
@@ -126,8 +136,7 @@ void sweep_pictures(const Settings& settings) {
   for (const PictureSweep& sweep : chosen(picture_sweeps(), settings)) {
     run(sweep, settings.run.seed, [&](const PictureRow& row) {
       if (!wanted(settings.precisions, name_of(row.precision))) return;
-      const char *const origin = row.local_origin ? "local" : "none", *const store =
-                                                                          row.float64 ? "float64" : "float32";
+      const char *const origin = row.local_origin ? "local" : "none", *const store = store_of(row.float64);
       rows.push_back({{"sweep", row.sweep},
                       {"parameter", row.parameter},
                       {"step", row.step},
@@ -141,29 +150,28 @@ void sweep_pictures(const Settings& settings) {
       flush_standard_output();
     });
   }
-  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(false))));
+  if (settings.json) print_json(rows, device_name(false));
 }
 
 void bench_stability(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   if (settings.pictures) return sweep_pictures(settings);
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const std::vector<Sweep> sweeps = chosen(all_sweeps(), settings);
   Json rows = Json::array();
-  if (!settings.json)
-    fmt::print("{:<22} {:>8} {:<7} {:<14} {:>8} {:>8} {:>8} {:>8} {:>8} {:>9} {:>8} {:>9}\n", "sweep", "step",
-               "store", "mode", "rays", "unsure", "missed", "false", "wrong", "misplaced", "by grid",
-               "t error");
   RunSettings run_settings = settings.run;
   run_settings.embree = embree_available;
   std::vector<Row> disagreements;
+  std::string head; // the last one printed
   for (const Sweep& sweep : sweeps) {
     run(sweep, run_settings, [&](const Row& row) {
       if (!wanted(settings.precisions, row.mode.name)) return;
-      if (settings.json)
+      if (settings.json) {
         rows.push_back(to_json(row));
-      else
+      } else {
+        const std::string own = row.sweep + store_of(row.float64);
+        if (std::exchange(head, own) != own) print_head(row);
         print_row(row);
+      }
       if (!row.disagreement) return;
       disagreements.push_back(row);
       if (settings.json) rows.push_back(to_json(row.sweep, row.step, *row.disagreement));
@@ -177,7 +185,7 @@ void bench_stability(const Settings& settings) {
       fmt::print("Who is right where Embree differs isn't decided: built without GMP (libgmp-dev)\n");
   }
   const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
-  if (settings.json) fmt::print("{}\n", json_text(with_provenance(rows, device_name(cuda))));
+  if (settings.json) print_json(rows, device_name(cuda));
   if (bad == 0) return;
   flush_standard_output();
   throw Error(
@@ -185,39 +193,30 @@ void bench_stability(const Settings& settings) {
       fmt::format("differs from the CPU at {} steps of robust or double: please report this bug", bad));
 }
 
+void add_options(CLI::App& command, Settings& settings) {
+  command.add_option("--sweep", settings.sweeps, "sweeps to run; default: all")
+      ->type_name("LIST")
+      ->delimiter(',');
+  add_count(command, "--count", settings.run.rays, "rays per step, approximately", 30);
+  add_seed(command, settings.run.seed, "seed of scenes and rays");
+  add_names(command, "--precision", settings.precisions,
+            {"auto", "fast", "robust", "double", "first-cell-hit", "embree", "embree-robust"},
+            "show only these: fast, robust, double, of pictures auto, first-cell-hit (robust, with "
+            "gridrender's --first-cell-hit), and of triangles embree and embree-robust, where this program "
+            "was built with Embree");
+  add_backend(command, settings.backend);
+  command.add_flag("--pictures", settings.pictures,
+                   "sweeps of pictures instead, on the CPU: the share of pixels that are off by more than "
+                   "1/50 from double on float64 coordinates");
+}
+
 } // namespace
 
 void add_stability(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& stability =
-      *app.add_subcommand("stability", "Where each precision fails: missed, false and wrong hits, compared "
-                                       "with an oracle, as one parameter varies");
-  stability.footer("Example:\n  gridbench stability --sweep moved,tip --count 100000");
-  stability.add_option("--sweep", settings.sweeps, "sweeps to run; default: all")
-      ->type_name("LIST")
-      ->delimiter(',');
-  stability.add_option("--count", settings.run.rays, "rays per step, approximately")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30))
-      ->capture_default_str();
-  stability.add_option("--seed", settings.run.seed, "seed of scenes and rays")->capture_default_str();
-  stability
-      .add_option(
-          "--precision", settings.precisions,
-          "show only these: fast, robust, double, of pictures auto, first-cell-hit (robust, with "
-          "gridrender's --first-cell-hit), and of triangles embree and embree-robust, where this program "
-          "was built with Embree")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->check(CLI::IsMember(std::set<std::string>{"auto", "fast", "robust", "double", "first-cell-hit",
-                                                  "embree", "embree-robust"}));
-  add_backend(stability, settings.backend);
-  stability.add_flag("--pictures", settings.pictures,
-                     "sweeps of pictures instead, on the CPU: the share of pixels that are off by more than "
-                     "1/50 from double on float64 coordinates");
-  stability.add_flag("--json", settings.json, "print JSON");
-  settings.threads.add_to(stability);
-  stability.callback([owned] { bench_stability(*owned); });
+  add_command(app, "stability",
+              "Where each precision fails: missed, false and wrong hits, compared with an oracle, as one "
+              "parameter varies",
+              "--sweep moved,tip --count 100000", add_options, bench_stability);
 }
 
 } // namespace masu

@@ -1,22 +1,18 @@
 // Speed against accuracy of every precision, stop rule and grid: measurements, charts and Pareto fronts.
 #include "tools/bench/bench.h"
+#include "tools/bench/command.h"
 #include "tools/bench/gnuplot.h"
 #include "tools/bench/tradeoff/tradeoff_csv.h"
 #include "tools/bench/tradeoff/tradeoff_front.h"
 #include "tools/bench/tradeoff/tradeoff_measure.h"
-#include "tools/common/backend_choice.h"
-#include "tools/common/printable.h"
-#include "tools/common/provenance.h"
 #include "tradeoff_script.h"
 
-#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <set>
 #include <vector>
 
@@ -25,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings {
+struct Settings : BenchSettings {
   std::vector<std::string> scenes;
   std::string folder;
   Backend backend = Backend::automatic;
@@ -35,8 +31,7 @@ struct Settings {
   // Empty and 0: defaults of the backend, which take it a few minutes.
   std::string size, picture;
   std::uint64_t random = 0, compared = 0, repeat = 0, seed = 1;
-  bool charts_only = false, json = false;
-  Threads threads;
+  bool charts_only = false;
 };
 
 TradeoffSetup setup_of(const Settings& settings, bool cuda) {
@@ -254,15 +249,15 @@ Json json_of(const TradeoffRow& row) {
           {"picture_largest_error", a.largest}};
 }
 
+// Two lines: what it costs, and below it how accurate it is.
 void print_row(const TradeoffRow& row) {
   const Measurement& m = row.measured;
   const Accuracy& a = m.accuracy;
-  fmt::print("{:<10} {:<23} {:<20} {:>8.2f} {:>9.3f} {:>7.2f} {:>7.2f} {:>7} {:>7} {:>7} {:>9.1e} {:>9.1e} "
-             "{:>9.1e}\n",
-             printable(row.scene), method_of(row.configuration), grid_of(row.configuration), m.mrays,
-             m.picture_ms, static_cast<double>(m.grid_bytes) * 1e-6,
-             static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6, a.missed, a.false_hits,
-             a.wrong_primitives, a.worst_t, a.median_t, a.rmse);
+  fmt::print("{:<22} {:<20} {:>9.2f} {:>9.3f} {:>7.2f} {:>7.2f}\n", method_of(row.configuration),
+             grid_of(row.configuration), m.mrays, m.picture_ms, static_cast<double>(m.grid_bytes) * 1e-6,
+             static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6);
+  fmt::print("{:>22} {:>9} {:>10} {:>9.1e} {:>9.1e} {:>9.1e}\n", a.missed, a.false_hits, a.wrong_primitives,
+             a.worst_t, a.median_t, a.rmse);
 }
 
 // Prints the front of each group, by hits.
@@ -270,14 +265,15 @@ void report(const std::vector<std::vector<TradeoffRow>>& groups, bool as_json) {
   Json json = Json::array();
   const TradeoffSetup& setup = groups.front().front().setup;
   if (!as_json) {
-    fmt::print("{}, {} primary and {} random rays, up to {} of each compared with brute force in double, "
+    fmt::print("{}, {} primary and {} random rays, up to {} of each compared\nwith brute force in double, "
                "pictures of {}\nThe Pareto fronts of speed (millions of rays a second) and wrong hits:\n\n"
-               "{:<10} {:<23} {:<20} {:>8} {:>9} {:>7} {:>7} {:>7} {:>7} {:>7} {:>9} {:>9} {:>9}\n",
-               setup.backend, setup.size, setup.random, setup.compared, setup.picture, "scene", "method",
-               "grid", "Mray/s", "ms", "grid MB", "all MB", "missed", "false", "wrong", "worst t", "median t",
+               "{:<22} {:<20} {:>9} {:>9} {:>7} {:>7}\n{:>22} {:>9} {:>10} {:>9} {:>9} {:>9}\n",
+               setup.backend, setup.size, setup.random, setup.compared, setup.picture, "method", "grid",
+               "Mray/s", "ms", "grid MB", "all MB", "missed", "false", "wrong", "worst t", "median t",
                "RMSE");
   }
   for (const auto& group : groups) {
+    if (!as_json) fmt::print("{}\n", printable(group.front().scene));
     for (const std::size_t i : front_of(group, merit_of_hits))
       as_json ? json.push_back(json_of(group[i])) : print_row(group[i]);
   }
@@ -310,7 +306,6 @@ void present(const Settings& settings, const std::vector<TradeoffRow>& rows) {
 }
 
 void bench_tradeoff(const Settings& settings) {
-  const auto limit = settings.threads.limit();
   check_names(settings.scenes, settings.folder);
   static_cast<void>(plan_of(settings, false)); // throws for invalid values before anything is read
   const std::string path = settings.folder + "/tradeoff.csv";
@@ -346,27 +341,19 @@ void bench_tradeoff(const Settings& settings) {
   present(settings, comparable(rows, setup, hashes));
 }
 
-} // namespace
-
-void add_tradeoff(CLI::App& app) {
-  const auto owned = std::make_shared<Settings>(); // by the callback
-  Settings& settings = *owned;
-  CLI::App& tradeoff = *app.add_subcommand(
-      "tradeoff",
-      "Speed against accuracy of every precision, stop rule and grid, compared with brute force in double");
-  tradeoff.footer("Example:\n  gridbench tradeoff balls.scene -o tradeoff");
-  tradeoff.add_option("SCENE", settings.scenes, "scene files, from nff2bin");
-  tradeoff
+void add_options(CLI::App& command, Settings& settings) {
+  command.add_option("SCENE", settings.scenes, "scene files, from nff2bin");
+  command
       .add_option(
           "-o,--output", settings.folder,
           "folder for tradeoff.csv, charts.csv and charts; rows that it has already aren't measured again")
       ->type_name("FOLDER")
       ->required();
-  add_backend(tradeoff, settings.backend);
+  add_backend(command, settings.backend);
   const auto add_list = [&](const char* option, std::vector<std::string>& list, const char* help,
-                            const std::set<std::string>& among) {
+                            const std::set<std::string>& among = {}) {
     CLI::Option* const added =
-        tradeoff.add_option(option, list, help)->type_name("LIST")->delimiter(',')->capture_default_str();
+        command.add_option(option, list, help)->type_name("LIST")->delimiter(',')->capture_default_str();
     if (!among.empty()) added->check(CLI::IsMember(among));
   };
   add_list("--precisions", settings.precisions, "precisions (see gridrender --help)",
@@ -379,29 +366,34 @@ void add_tradeoff(CLI::App& app) {
            {"none", "x", "balance", "irregular", "bvh"});
   add_list("--overlaps", settings.overlaps, "overlap tests (see gridbuild --help)", {"box", "exact"});
   add_list("--divisions", settings.divisions,
-           "divisions (see gridbuild --help); irregular grids always use auto, bvh has none", {});
+           "divisions (see gridbuild --help); irregular grids always use auto, bvh has none");
   add_list("--curve", settings.curve,
-           "divisions of the chart of time against division (uniform grids, exact overlap, robust)", {});
-  tradeoff.add_option("--size", settings.size, "number of primary rays [256x256; 1024x1024 on a GPU]")
+           "divisions of the chart of time against division (uniform grids, exact overlap, robust)");
+  const auto add = [&](const char* option, auto& value, const char* help) {
+    return command.add_option(option, value, help);
+  };
+  add("--size", settings.size, "number of primary rays [256x256; 1024x1024 on a GPU]")->type_name("WxH");
+  const CLI::Range rays(std::uint64_t{1}, std::uint64_t{1} << 28);
+  add("--random", settings.random, "number of random rays [65536; 1048576 on a GPU]")->check(rays);
+  add("--compared", settings.compared,
+      "rays of each of the two sets that are compared with brute force, at most [32768; 1048576 on a GPU]")
+      ->check(rays);
+  add("--picture", settings.picture, "size of the pictures (depth 5) [128x128; 512x512 on a GPU]")
       ->type_name("WxH");
-  tradeoff.add_option("--random", settings.random, "number of random rays [65536; 1048576 on a GPU]")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
-  tradeoff
-      .add_option("--compared", settings.compared,
-                  "rays of each of the two sets that are compared with brute force, at most [32768; 1048576 "
-                  "on a GPU]")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 28));
-  tradeoff
-      .add_option("--picture", settings.picture, "size of the pictures (depth 5) [128x128; 512x512 on a GPU]")
-      ->type_name("WxH");
-  tradeoff.add_option("--repeat", settings.repeat, "timed runs, of which the median counts [3; 15 on a GPU]")
+  add("--repeat", settings.repeat, "timed runs, of which the median counts [3; 15 on a GPU]")
       ->check(CLI::Range(1, 1000));
-  tradeoff.add_option("--seed", settings.seed, "seed of the random rays")->capture_default_str();
-  tradeoff.add_flag("--charts-only", settings.charts_only,
-                    "measure nothing: draw the charts of the rows with the last row's setup again");
-  tradeoff.add_flag("--json", settings.json, "print the Pareto fronts as JSON");
-  settings.threads.add_to(tradeoff);
-  tradeoff.callback([owned] { bench_tradeoff(*owned); });
+  add_seed(command, settings.seed, "seed of the random rays");
+  command.add_flag("--charts-only", settings.charts_only,
+                   "measure nothing: draw the charts of the rows with the last row's setup again");
+}
+
+} // namespace
+
+void add_tradeoff(CLI::App& app) {
+  add_command(
+      app, "tradeoff",
+      "Speed against accuracy of every precision, stop rule and grid, compared with brute force in double",
+      "balls.scene -o tradeoff", add_options, bench_tradeoff);
 }
 
 } // namespace masu

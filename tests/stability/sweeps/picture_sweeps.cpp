@@ -78,7 +78,9 @@ public:
 
 private:
   GridFile built(const auto& view) const {
-    const auto [grid, provenance, considered] = build_chosen(*cpu_builder(view), file_.geometry(), {});
+    BuildOptions options; // pictures are the same through any grid: one that is built at once
+    options.grid = {.kind = GridKind::hierarchy, .quality = HierarchyQuality::fast};
+    const auto [grid, provenance, considered] = build_chosen(*cpu_builder(view), file_.geometry(), options);
     return grid_in_memory(grid, provenance);
   }
 

@@ -16,6 +16,15 @@ std::vector<Sweep> all_sweeps() {
   return all;
 }
 
+Sweep triangles_alone(Sweep sweep, decltype(Sweep::float32) triangles) {
+  sweep.name += "-triangles";
+  sweep.parameter += ", triangles alone";
+  sweep.float32 = triangles;
+  sweep.float64_steps.clear();
+  sweep.float64 = nullptr;
+  return sweep;
+}
+
 Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter) {
   // FNV-1a.
   std::uint64_t hash = 0xcbf29ce484222325U ^ seed;

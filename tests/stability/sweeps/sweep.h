@@ -63,8 +63,8 @@ struct Envelope {
 inline constexpr Envelope everywhere{0, 1e300};
 
 struct Sweep {
-  const char* name;
-  const char* parameter; // description
+  std::string name;
+  std::string parameter; // description
   Judge judge = Judge::closest;
   double share = 1;                                     // of the number of rays: sweeps differ in cost
   std::vector<double> float32_steps{}, float64_steps{}; // by store
@@ -80,6 +80,9 @@ void PrintTo(const Sweep& sweep, std::ostream* out);
 
 // All of them, in the order of docs/accuracy.md.
 std::vector<Sweep> all_sweeps();
+
+// A sweep's scenes and rays of triangles alone, which Embree can trace, too: NAME-triangles.
+Sweep triangles_alone(Sweep sweep, decltype(Sweep::float32) triangles);
 
 // Those of each source.
 std::vector<Sweep> place_sweeps(); // position and size of the scene, origins of rays

@@ -1,6 +1,5 @@
 // Closed surfaces: leaks, rays that leave surfaces, and glass.
-#include "tests/stability/random_mesh.h"
-#include "tests/stability/sweeps/sweep.h"
+#include "tests/stability/sweeps/mesh_rays.h"
 
 #include <cmath>
 
@@ -9,23 +8,14 @@ namespace {
 
 // --- Closed meshes --------------------------------------------------------------------------------------
 
-// Rays from around the mesh's centre to its corners and to points on its edges.
 template <class Stored>
-Trial<Stored> rays_at_edges(Chance& chance, const Mesh<double>& mesh, const Vec3d& at, double size,
+Trial<Stored> rays_at_edges(Chance& chance, Mesh<double> mesh, const Vec3d& at, double size,
                             std::size_t rays) {
+  for (Vec3d& corner : mesh.corners)
+    corner = kept<Stored>(at + corner * size);
   Trial<Stored> trial;
-  const auto place = [&](std::size_t corner) { return kept<Stored>(at + mesh.corners[corner] * size); };
-  for (const auto& [a, b, c] : mesh.faces)
-    trial.scene.triangles.push_back(
-        triangle_of<Stored>(cast<Stored>(place(a)), cast<Stored>(place(b)), cast<Stored>(place(c))));
-  for (std::size_t i = 0; i < rays; ++i) {
-    const auto& face = mesh.faces[chance.index(mesh.faces.size())];
-    const std::size_t corner = chance.index(3);
-    const Vec3d a = place(face[corner]), b = place(face[(corner + 1) % 3]);
-    const double share = chance.one_of({0.0, 0.0, 0.5, 0.25, chance.uniform(0, 1)});
-    const Vec3d from = chance.one_in(4) ? at : at + chance.in_cube(0.1 * size);
-    trial.rays.push_back(ray_towards<Stored>(from, a + (b - a) * share));
-  }
+  add_mesh(trial.scene, mesh);
+  trial.rays = edge_rays<Stored>(chance, mesh, at, size, rays);
   return trial;
 }
 
@@ -191,32 +181,21 @@ Trial<Stored> nearly_no_glass(Chance& chance, double parameter, std::size_t rays
 } // namespace
 
 std::vector<Sweep> body_sweeps() {
-  const std::vector<double> distances = powers_of_ten(0, 6), far = powers_of_ten(0, 15, 3);
+  const auto closed = [](const char* name, double share, decltype(Sweep::float32) float32,
+                         decltype(Sweep::float64) float64) {
+    return Sweep{.name = name,
+                 .parameter = "distance from the origin; rays at edges and corners from inside",
+                 .judge = Judge::enclosed,
+                 .share = share,
+                 .float32_steps = powers_of_ten(0, 6),
+                 .float64_steps = powers_of_ten(0, 15, 3),
+                 .float32 = float32,
+                 .float64 = float64};
+  };
   return {
-      {.name = "closed-cube",
-       .parameter = "distance from the origin; rays at edges and corners from inside",
-       .judge = Judge::enclosed,
-       .share = 10,
-       .float32_steps = distances,
-       .float64_steps = far,
-       .float32 = in_a_cube<float>,
-       .float64 = in_a_cube<double>},
-      {.name = "closed-ball",
-       .parameter = "distance from the origin; rays at edges and corners from inside",
-       .judge = Judge::enclosed,
-       .share = 4,
-       .float32_steps = distances,
-       .float64_steps = far,
-       .float32 = in_a_ball<float>,
-       .float64 = in_a_ball<double>},
-      {.name = "closed-fan",
-       .parameter = "distance from the origin; rays at edges and corners from inside",
-       .judge = Judge::enclosed,
-       .share = 4,
-       .float32_steps = distances,
-       .float64_steps = far,
-       .float32 = in_a_fan<float>,
-       .float64 = in_a_fan<double>},
+      closed("closed-cube", 10, in_a_cube<float>, in_a_cube<double>),
+      closed("closed-ball", 4, in_a_ball<float>, in_a_ball<double>),
+      closed("closed-fan", 4, in_a_fan<float>, in_a_fan<double>),
       {.name = "closed-scaled",
        .parameter = "size of a closed mesh; rays at edges and corners from inside",
        .judge = Judge::enclosed,

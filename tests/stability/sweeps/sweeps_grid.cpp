@@ -126,17 +126,20 @@ std::vector<Sweep> grid_sweeps() {
   std::vector<double> powers_of_two;
   for (int n = 1; n <= 4096; n *= 2)
     powers_of_two.push_back(n);
+  const Sweep axis_rays{.name = "axis-ray",
+                        .parameter = "components of the direction across an axis (1 along it)",
+                        .float32_steps = {0, 1.5e-45, 1e-38, 1e-30, 1e-20, 1e-12, 1e-8, 1e-6, 1e-4},
+                        .float64_steps = {0, 5e-324, 1e-308, 1e-200, 1e-100, 1e-30, 1e-20, 1e-10},
+                        .float32 = along_axes<float>,
+                        .float64 = along_axes<double>};
+  const Sweep proportions{.name = "proportions",
+                          .parameter = "depth of a scene over its width",
+                          .float32_steps = powers_of_ten(-8, 0),
+                          .float32 = flattened<float>,
+                          .robust = {1e-4, 1}};
   return {
-      {.name = "axis-ray",
-       .parameter = "components of the direction across an axis (1 along it)",
-       .float32_steps = {0, 1.5e-45, 1e-38, 1e-30, 1e-20, 1e-12, 1e-8, 1e-6, 1e-4},
-       .float64_steps = {0, 5e-324, 1e-308, 1e-200, 1e-100, 1e-30, 1e-20, 1e-10},
-       .float32 = along_axes<float>,
-       .float64 = along_axes<double>},
-      {.name = "axis-ray-triangles",
-       .parameter = "components of the direction across an axis (1 along it), triangles alone",
-       .float32_steps = {0, 1.5e-45, 1e-38, 1e-30, 1e-20, 1e-12, 1e-8, 1e-6, 1e-4},
-       .float32 = along_axes<float, Kinds::triangles>},
+      axis_rays,
+      triangles_alone(axis_rays, along_axes<float, Kinds::triangles>),
       {.name = "voxel-face",
        .parameter = "voxels per axis; rays and surfaces in their faces",
        .float32_steps = {1, 2, 3, 4, 8, 16, 32, 64, 100, 128},
@@ -147,16 +150,8 @@ std::vector<Sweep> grid_sweeps() {
        .parameter = "voxels along an axis",
        .float32_steps = powers_of_two,
        .float32 = divided_by<float>},
-      {.name = "proportions",
-       .parameter = "depth of a scene over its width",
-       .float32_steps = powers_of_ten(-8, 0),
-       .float32 = flattened<float>,
-       .robust = {1e-4, 1}},
-      {.name = "proportions-triangles",
-       .parameter = "depth of a scene over its width, triangles alone",
-       .float32_steps = powers_of_ten(-8, 0),
-       .float32 = flattened<float, Kinds::triangles>,
-       .robust = {1e-4, 1}},
+      proportions,
+      triangles_alone(proportions, flattened<float, Kinds::triangles>),
   };
 }
 

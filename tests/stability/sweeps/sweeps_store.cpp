@@ -1,7 +1,6 @@
 // Scenes of small parts, stored as `--store auto` does (libscene/float32_precision.h): the judge's scene is
 // the one before its coordinates are rounded.
-#include "tests/stability/random_mesh.h"
-#include "tests/stability/sweeps/sweep.h"
+#include "tests/stability/sweeps/mesh_rays.h"
 
 #include <algorithm>
 
@@ -20,13 +19,6 @@ TestScene<Stored> stored(const TestScene<double>& scene) {
 
 Vec3d middle_of(const Mesh<double>& mesh, const std::array<std::size_t, 3>& face) {
   return (mesh.corners[face[0]] + mesh.corners[face[1]] + mesh.corners[face[2]]) * (1.0 / 3);
-}
-
-template <class Real>
-void add_mesh(TestScene<Real>& scene, const Mesh<double>& mesh) {
-  for (const auto& [a, b, c] : mesh.faces)
-    scene.triangles.push_back(triangle_of<Real>(cast<Real>(mesh.corners[a]), cast<Real>(mesh.corners[b]),
-                                                cast<Real>(mesh.corners[c])));
 }
 
 // --- Parts that stand alone -----------------------------------------------------------------------------
@@ -119,19 +111,26 @@ Mesh<double> rough_ball(Chance& chance, double size) {
   return mesh;
 }
 
+// The ball as it is stored, without rays.
+template <class Stored>
+Trial<Stored> trial_of(const Mesh<double>& mesh) {
+  TestScene<double> scene;
+  add_mesh(scene, mesh);
+  Trial<Stored> trial{stored<Stored>(scene), {}};
+  trial.original = std::move(scene);
+  return trial;
+}
+
 // From outside: one ray in four aims at any face, the others at the ball.
 template <class Stored>
 Trial<Stored> rough_surface(Chance& chance, double parameter, std::size_t rays) {
   const Mesh<double> mesh = rough_ball(chance, parameter);
-  TestScene<double> scene;
-  add_mesh(scene, mesh);
-  Trial<Stored> trial{stored<Stored>(scene), {}};
+  Trial<Stored> trial = trial_of<Stored>(mesh);
   for (std::size_t i = 0; i < rays; ++i) {
     const Vec3d target = chance.one_in(4) ? middle_of(mesh, mesh.faces[chance.index(mesh.faces.size())])
                                           : chance.direction() * chance.uniform(0, 1);
     trial.rays.push_back(ray_towards<Stored>(chance.direction() * 3.0, target));
   }
-  trial.original = std::move(scene);
   return trial;
 }
 
@@ -139,19 +138,8 @@ Trial<Stored> rough_surface(Chance& chance, double parameter, std::size_t rays) 
 template <class Stored>
 Trial<Stored> inside_rough_surface(Chance& chance, double parameter, std::size_t rays) {
   const Mesh<double> mesh = rough_ball(chance, parameter);
-  TestScene<double> scene;
-  add_mesh(scene, mesh);
-  Trial<Stored> trial{stored<Stored>(scene), {}};
-  for (std::size_t i = 0; i < rays; ++i) {
-    const auto& face = mesh.faces[chance.index(mesh.faces.size())];
-    const std::size_t corner = chance.index(3);
-    const Vec3d a = kept<Stored>(mesh.corners[face[corner]]),
-                b = kept<Stored>(mesh.corners[face[(corner + 1) % 3]]);
-    const double share = chance.one_of({0.0, 0.0, 0.5, 0.25, chance.uniform(0, 1)});
-    const Vec3d from = chance.one_in(4) ? Vec3d{0, 0, 0} : chance.in_cube(0.1);
-    trial.rays.push_back(ray_towards<Stored>(from, a + (b - a) * share));
-  }
-  trial.original = std::move(scene);
+  Trial<Stored> trial = trial_of<Stored>(mesh);
+  trial.rays = edge_rays<Stored>(chance, mesh, {0, 0, 0}, 1, rays);
   return trial;
 }
 

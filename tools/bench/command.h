@@ -1,0 +1,88 @@
+// What gridbench's subcommands have in common.
+#pragma once
+
+#include "tools/common/backend_choice.h"
+#include "tools/common/printable.h"
+#include "tools/common/provenance.h"
+
+#include <nlohmann/json.hpp>
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace masu {
+
+// Every subcommand's settings are derived from these.
+struct BenchSettings {
+  bool json = false;
+  Threads threads;
+};
+
+// Adds a subcommand: add_options(command, settings), --json and --threads. Where it is given, run(settings)
+// runs with so many threads.
+template <class Settings>
+void add_command(CLI::App& app, const char* name, const char* description, const char* example,
+                 void (*add_options)(CLI::App&, Settings&), void (*run)(const Settings&)) {
+  const auto settings = std::make_shared<Settings>(); // owned by the callback
+  CLI::App& command = *app.add_subcommand(name, description);
+  command.footer(fmt::format("Example:\n  gridbench {} {}", name, example));
+  add_options(command, *settings);
+  command.add_flag("--json", settings->json, "print JSON");
+  settings->threads.add_to(command);
+  command.callback([settings, run] {
+    const auto limit = settings->threads.limit();
+    run(*settings);
+  });
+}
+
+inline void add_scene(CLI::App& command, std::string& scene) {
+  command.add_option("SCENE", scene, "scene file, from nff2bin")->required();
+}
+inline void add_grid(CLI::App& command, std::string& grid) {
+  command.add_option("GRID", grid, "grid file, from gridbuild")->required();
+}
+inline void add_grids(CLI::App& command, std::vector<std::string>& grids) {
+  command.add_option("GRID", grids, "grid files, from gridbuild")->required();
+}
+inline void add_seed(CLI::App& command, std::uint64_t& seed, const char* what = "seed of the rays") {
+  command.add_option("--seed", seed, what)->capture_default_str();
+}
+template <class Number>
+void add_count(CLI::App& command, const char* option, Number& count, const char* what, int log2_most,
+               Number least = 1) {
+  command.add_option(option, count, what)
+      ->check(CLI::Range(least, Number{1} << log2_most))
+      ->capture_default_str();
+}
+inline void add_repeat(CLI::App& command, int& repeat,
+                       const char* what = "timed runs after an untimed one; the median counts") {
+  command.add_option("--repeat", repeat, what)->check(CLI::Range(1, 1000))->capture_default_str();
+}
+inline void add_warm_up(CLI::App& command, int& warm_up) {
+  command.add_option("--warm-up", warm_up, "untimed runs before the timed ones")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+}
+inline void add_picture_size(CLI::App& command, std::string& size, const char* what) {
+  command.add_option("--size", size, what)->type_name("WxH")->capture_default_str();
+}
+inline void add_general(CLI::App& command, TracingRules& rules) {
+  command.add_flag("--general", rules.general,
+                   "use the kernel for all kinds of primitives, not the one for those in the scene");
+}
+// A list of some of these names.
+inline CLI::Option* add_names(CLI::App& command, const char* option, std::vector<std::string>& names,
+                              const std::set<std::string>& among, const char* what) {
+  return command.add_option(option, names, what)
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->check(CLI::IsMember(among));
+}
+
+inline void print_json(const nlohmann::ordered_json& rows, const std::string& device) {
+  fmt::print("{}\n", json_text(with_provenance(rows, device)));
+}
+
+} // namespace masu
