@@ -24,15 +24,12 @@ def make_street():
 
 
 def sweep_rays(positions, beams=64, steps=900):
-    """(positions, steps, beams, 8): origin, least distance, direction, range."""
-    azimuth = np.linspace(0, 2 * np.pi, steps, endpoint=False)[:, None]
-    elevation = np.radians(np.linspace(-25, 10, beams))
-    rays = np.empty((len(positions), steps, beams, 8), np.float32)
-    rays[..., :3] = positions[:, None, None]
+    """(positions, beams, steps, 8): origin, least distance, direction, range."""
+    pose = np.eye(4)  # the lidar's axes are the street's
+    beam = masu.RaycastingScene.create_rays_lidar(pose, np.linspace(-25, 10, beams), np.linspace(0, 360, steps, endpoint=False))
+    rays = np.empty((len(positions), beams, steps, 8), np.float32)
+    rays[..., :3], rays[..., 4:7] = positions[:, None, None], beam[..., 3:]
     rays[..., 3], rays[..., 7] = 0.5, 80
-    rays[..., 4] = np.cos(elevation) * np.cos(azimuth)
-    rays[..., 5] = np.cos(elevation) * np.sin(azimuth)
-    rays[..., 6] = np.sin(elevation)
     return rays
 
 

@@ -66,7 +66,8 @@ class RaycastingScene:
 
     def list_intersections(self, rays: Any, nthreads: int = 0) -> Dict[str, Any]:
         """All hits of all rays (..., 6), one after the other: t_hit, geometry_ids, primitive_ids, primitive_uvs, and
-        ray_ids, the ray of each; those of ray i are from ray_splits[i] to below ray_splits[i + 1]."""
+        ray_ids, the ray of each; those of ray i are from ray_splits[i] to below ray_splits[i + 1]. Both are int64, for more
+        hits than Open3D's uint32 can number."""
         import numpy as np
         flat = _rays(rays).reshape(-1, 6)
         threads = nthreads or self._nthreads
