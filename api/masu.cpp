@@ -129,30 +129,19 @@ RayFilters filters_of(const masu_query& query) {
 
 // Of arrays that don't lie where the rays are, or not as their numbers must.
 void check_arrays(int place, const RayResults& results, const RayFilters& filters,
-                  const void* points = nullptr) {
-  const std::pair<const void*, std::size_t> arrays[] = {// with their numbers' alignment
-                                                        {results.t, sizeof(float)},
-                                                        {results.t64, sizeof(double)},
-                                                        {results.primitive, sizeof(std::uint32_t)},
-                                                        {results.object, sizeof(std::uint32_t)},
-                                                        {results.uv, sizeof(float)},
-                                                        {results.normal, sizeof(float)},
-                                                        {results.face, sizeof(std::uint32_t)},
-                                                        {results.count, sizeof(std::uint32_t)},
-                                                        {filters.excluded, sizeof(std::uint32_t)},
-                                                        {filters.object_masks, sizeof(std::uint32_t)},
-                                                        {filters.ray_masks, sizeof(std::uint32_t)},
-                                                        {points, sizeof(double)},
-                                                        {results.front, 1},
-                                                        {results.inside, 1},
-                                                        {results.occluded, 1}};
-  for (const auto& [pointer, alignment] : arrays) {
-    if (pointer == nullptr) continue;
-    if (device_of(pointer) != place)
+                  const double* points = nullptr) {
+  const auto check = [place](const auto* array) {
+    if (array == nullptr) return;
+    if (device_of(array) != place)
       fail("results", "don't lie where the rays are: take memory of one kind and device for all");
-    if (reinterpret_cast<std::uintptr_t>(pointer) % alignment != 0)
+    if (reinterpret_cast<std::uintptr_t>(array) % alignof(std::remove_pointer_t<decltype(array)>) != 0)
       fail("results", "aren't aligned as their numbers must be");
-  }
+  };
+  for_each_array(results, check);
+  check(filters.excluded);
+  check(filters.object_masks);
+  check(filters.ray_masks);
+  check(points);
 }
 
 // Traces rays where they lie; the results must be there, too.

@@ -4,6 +4,7 @@
 #include "libgrid/build/passes/move_passes.h"
 #include "libscene/base/processor.h"
 #include "libscene/cuda/host_copies.h"
+#include "libscene/geometry/intersect.h"
 #include "libscene/mesh/indexed_mesh.h"
 #include "objects.h"
 #include "renderer/precision.h"
@@ -81,15 +82,6 @@ std::vector<PrimitiveArray<Primitive>> arrays_of(const masu_quadrics* given, std
 template <class Act>
 void with_view(const SceneFile& scene, const Act& act) {
   scene.is_float64() ? act(scene.view<double>()) : act(scene.view<float>());
-}
-
-Surface surface_of(const auto& view, PrimitiveIndex index) {
-  if (index < view.triangle_count)
-    return {static_cast<std::uint32_t>(view.triangles[index].object),
-            static_cast<std::uint32_t>(view.triangles[index].material)};
-  const PrimitiveIndex sphere = index - view.triangle_count;
-  return sphere < view.sphere_count ? view.sphere_surfaces[sphere]
-                                    : view.cone_surfaces[sphere - view.sphere_count];
 }
 
 std::unique_ptr<masu_scene> held(SceneFile file, SceneVertices vertices) {
@@ -223,14 +215,13 @@ masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_p
     with_view(*scene->file, [&](const auto& view) {
       const Surface surface = surface_of(view, index);
       const Material& m = view.materials[surface.material];
-      const bool is_triangle = index < view.triangle_count;
       give(masu_primitive{sizeof(masu_primitive),
-                          is_triangle                                       ? MASU_TRIANGLE
+                          index < view.triangle_count                       ? MASU_TRIANGLE
                           : index - view.triangle_count < view.sphere_count ? MASU_SPHERE
                                                                             : MASU_CONE,
                           surface.object,
                           surface.material,
-                          is_triangle && view.faces != nullptr ? view.faces[index] : index,
+                          face_of(view, index),
                           {m.color.x, m.color.y, m.color.z},
                           m.diffuse,
                           m.specular,

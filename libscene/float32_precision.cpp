@@ -59,10 +59,6 @@ double rounding_of(const Cone<double>& c) {
       {rounding_of(c.base), rounding_of(c.apex), rounding_of(c.base_radius), rounding_of(c.apex_radius)});
 }
 
-double length_of(const Vec3d& v) {
-  return std::sqrt(dot(v, v));
-}
-
 // How far rounding moves a cone's side at most: its ends, its radii, and its rims by the turn of its axis.
 double movement_of(const Cone<double>& cone) {
   const Cone<float> stored{cast<float>(cone.base), static_cast<float>(cone.base_radius),
@@ -71,9 +67,9 @@ double movement_of(const Cone<double>& cone) {
   const Cone<double> rounded = widened(stored);
   const Vec3d axis = normalized(cone.apex - cone.base), turned = normalized(rounded.apex - rounded.base);
   const double radius = std::max(std::abs(cone.base_radius), std::abs(cone.apex_radius));
-  return std::max(length_of(rounded.base - cone.base), length_of(rounded.apex - cone.apex)) +
+  return std::max(length(rounded.base - cone.base), length(rounded.apex - cone.apex)) +
          std::max(rounding_of(cone.base_radius), rounding_of(cone.apex_radius)) +
-         radius * length_of(turned - axis);
+         radius * length(turned - axis);
 }
 
 // --- Triangles that stand alone -------------------------------------------------------------------------

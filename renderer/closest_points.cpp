@@ -18,13 +18,6 @@ Vec3d place_of(const PlaceList& places, std::size_t i) {
                            : place(static_cast<const float*>(places.places));
 }
 
-template <class Number>
-void write(Number (*to)[3], std::size_t i, const Vec3d& vector) {
-  if (to == nullptr) return;
-  for (int axis = 0; axis < 3; ++axis)
-    to[i][axis] = static_cast<Number>(vector[axis]);
-}
-
 template <class Stored>
 void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const Vec3d& origin,
            const RayResults& results, double (*points)[3], std::size_t i) {
@@ -34,17 +27,19 @@ void write(const SceneView<Stored>& scene, const ClosestPrimitive& found, const 
   if (results.t != nullptr) results.t[i] = static_cast<float>(distance);
   if (results.t64 != nullptr) results.t64[i] = distance;
   if (results.primitive != nullptr) results.primitive[i] = primitive;
-  if (results.object != nullptr)
-    results.object[i] = is_there ? surface_of(scene, primitive).object : no_primitive;
-  if (results.face != nullptr) results.face[i] = is_there ? face_of(scene, primitive) : no_primitive;
-  if (results.uv != nullptr) {
-    results.uv[i][0] = static_cast<float>(closest.weight_b);
-    results.uv[i][1] = static_cast<float>(closest.weight_c);
+  HitAttributes found_there;
+  if (is_there) {
+    const double length = std::sqrt(dot(closest.normal, closest.normal));
+    found_there = {surface_of(scene, primitive).object, face_of(scene, primitive),
+                   static_cast<float>(closest.weight_b), static_cast<float>(closest.weight_c),
+                   cast<float>(length > 0 ? closest.normal * (1 / length) : closest.normal)};
   }
-  const double length = std::sqrt(dot(closest.normal, closest.normal));
-  write(results.normal, i, length > 0 ? closest.normal * (1 / length) : closest.normal);
+  write_attributes(found_there, results, i);
+  if (points == nullptr) return;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  write(points, i, is_there ? closest.point + origin : Vec3d{nan, nan, nan});
+  const Vec3d point = is_there ? closest.point + origin : Vec3d{nan, nan, nan};
+  for (int axis = 0; axis < 3; ++axis)
+    points[i][axis] = point[axis];
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // What a picture took, counted ray by ray; or not counted, at no cost.
 #pragma once
 
-#include "libscene/base/portable.h"
+#include "libgrid/trace/walk.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -76,13 +76,7 @@ MASU_HD inline void write_costs(const RayCosts& costs, std::size_t i, const Coun
     costs.tests[i] = clamped(counts.triangle_tests + counts.sphere_tests + counts.cone_tests);
 }
 
-struct NoCounts {
-  static constexpr bool is_counted = false;
-  MASU_HD void triangle_test() {}
-  MASU_HD void sphere_test() {}
-  MASU_HD void cone_test() {}
-  MASU_HD void cell(bool) {}
-  MASU_HD void skipped(std::int32_t) {}
+struct NoCounts : NoWalkCounts {
   MASU_HD void camera_ray(bool) {}
   MASU_HD void reflection_ray() {}
   MASU_HD void refraction_ray() {}

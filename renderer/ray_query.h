@@ -123,6 +123,16 @@ struct RayResults {
   }
 };
 
+// Calls act(array) for each of a list's results; the first arrays_of_hits have an element per hit, the others
+// one per ray.
+inline constexpr std::size_t arrays_of_hits = 8;
+template <class Results, class Act>
+void for_each_array(Results& results, const Act& act) {
+  const auto all = [&](auto&... arrays) { (act(arrays), ...); };
+  auto& [t, t64, primitive, object, face, uv, normal, front, count, inside, occluded, costs] = results;
+  all(t, t64, primitive, object, face, uv, normal, front, count, inside, occluded, costs.cells, costs.tests);
+}
+
 // What is reported of a ray that was scaled and clipped: `nearest` is at t_max where nothing was hit.
 template <class Real>
 MASU_HD inline Hit<float> reported(const Hit<Real>& nearest, Real t_max, Real skipped, Real scale) {
@@ -157,37 +167,45 @@ MASU_HD inline Hit<float> trace_listed(const SceneView<Stored>& scene, const Gri
   return {static_cast<float>(hit.t * scale), hit.primitive};
 }
 
+// Of a hit, besides t and the primitive; by default of a miss.
+struct HitAttributes {
+  std::uint32_t object = no_primitive, face = no_primitive;
+  float u = 0, v = 0;
+  Vec3f normal{0, 0, 0};
+};
+MASU_HD inline void write_attributes(const HitAttributes& hit, const RayResults& results, std::size_t i) {
+  if (results.object != nullptr) results.object[i] = hit.object;
+  if (results.face != nullptr) results.face[i] = hit.face;
+  if (results.uv != nullptr) {
+    results.uv[i][0] = hit.u;
+    results.uv[i][1] = hit.v;
+  }
+  if (results.normal != nullptr) {
+    results.normal[i][0] = hit.normal.x;
+    results.normal[i][1] = hit.normal.y;
+    results.normal[i][2] = hit.normal.z;
+  }
+}
+
 // Writes the attributes of a hit as element i; of a miss where `near` has no primitive.
 template <class TestRay, class Stored>
 MASU_HD inline void write_attributes(const SceneView<Stored>& scene, const NearHit<TestRay>& near,
                                      const RayResults& results, std::size_t i) {
   using Real = typename TestRay::Real;
-  std::uint32_t object = no_primitive, face = no_primitive;
-  Vec3f normal{0, 0, 0};
-  float u = 0, v = 0;
+  HitAttributes found;
   const PrimitiveIndex primitive = near.hit.primitive;
   if (primitive != no_primitive) {
-    object = surface_of(scene, primitive).object;
-    face = face_of(scene, primitive);
-    normal = cast<float>(surface_at<with_all_kinds>(scene, near).normal);
+    found.object = surface_of(scene, primitive).object;
+    found.face = face_of(scene, primitive);
+    found.normal = cast<float>(surface_at<with_all_kinds>(scene, near).normal);
     if (primitive < scene.triangle_count) {
       const EdgeFunctions<Real> weights =
           barycentric(prepare_watertight(near.ray), scene.triangles[primitive]);
-      u = static_cast<float>(weights.b);
-      v = static_cast<float>(weights.c);
+      found.u = static_cast<float>(weights.b);
+      found.v = static_cast<float>(weights.c);
     }
   }
-  if (results.object != nullptr) results.object[i] = object;
-  if (results.face != nullptr) results.face[i] = face;
-  if (results.uv != nullptr) {
-    results.uv[i][0] = u;
-    results.uv[i][1] = v;
-  }
-  if (results.normal != nullptr) {
-    results.normal[i][0] = normal.x;
-    results.normal[i][1] = normal.y;
-    results.normal[i][2] = normal.z;
-  }
+  write_attributes(found, results, i);
 }
 
 // Of ray i's hit, whose t counts from its own origin.

@@ -21,11 +21,11 @@ double expected_build_bytes(const GridLayout& layout, double references) {
 }
 
 template <class Stored>
-BuildResult uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
   TbbExecutor executor;
-  return on_host(uniform_grid(executor, scene, layout, overlap));
+  return uniform_grid(executor, scene, layout, overlap);
 }
-template BuildResult uniform_grid(const SceneView<float>&, const GridLayout&, Overlap);
-template BuildResult uniform_grid(const SceneView<double>&, const GridLayout&, Overlap);
+template Grid uniform_grid(const SceneView<float>&, const GridLayout&, Overlap);
+template Grid uniform_grid(const SceneView<double>&, const GridLayout&, Overlap);
 
 } // namespace masu

@@ -11,27 +11,33 @@
 
 namespace masu {
 
-// In host memory; see grid_view.h and hierarchy_view.h for what the arrays hold.
-struct Grid {
+// In arrays of that memory; see grid_view.h and hierarchy_view.h for what they hold.
+template <class Memory>
+struct GridIn {
+  template <class T>
+  using Array = typename Memory::template Array<T>;
+
   GridLayout layout{}; // a merged grid's smallest voxels are 2^nested_log2 times smaller
   GridKind kind = GridKind::uniform;
   std::int32_t block_log2 = 0;  // of uniform grids
   std::int32_t nested_log2 = 0; // of merged ones
-  HostArray<std::uint32_t> voxel_map;
-  HostArray<MergedCell> cells; // of merged ones
-  HostArray<PrimitiveIndex> references;
-  HostArray<HierarchyNode> nodes{}; // of a hierarchy, which has no map and no cells
-  double detail = 0;                // of an irregular one: as GridOptions, or less where its map demands that
+  Array<std::uint32_t> voxel_map{};
+  Array<MergedCell> cells{}; // of merged ones
+  Array<PrimitiveIndex> references{};
+  Array<HierarchyNode> nodes{};   // of a hierarchy, which has no map and no cells
+  double detail = 0;              // of an irregular one: as GridOptions, or less where its map demands that
+  const char* exceeded = nullptr; // what the layout makes too many of, where there is no grid: "more than …"
 };
+
+struct HostMemory {
+  template <class T>
+  using Array = HostArray<T>;
+};
+using Grid = GridIn<HostMemory>;
 
 // About how many bytes building takes at its peak, for so many references.
 double expected_build_bytes(const GridLayout& layout, double references);
 
-// A grid; or what a layout makes too many of: "more than …".
-struct BuildResult {
-  Grid grid{};
-  const char* exceeded = nullptr;
-};
 inline constexpr const char* too_many_references = "more than 2^31 references";
 
 // Throws Error(input) for more primitives than grids can number.
@@ -39,6 +45,6 @@ void check_primitives(std::uint64_t count);
 
 // Throws Error(input) for more primitives than grids can number.
 template <class Stored>
-BuildResult uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);
+Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);
 
 } // namespace masu

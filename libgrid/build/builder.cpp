@@ -12,10 +12,10 @@ namespace masu {
 
 template <class Stored>
 Grid GridBuilder<Stored>::build(const GridLayout& layout, Overlap overlap, const GridOptions& options) {
-  BuildResult result = try_build(layout, overlap, options);
-  if (result.exceeded != nullptr)
-    throw Error(ErrorCode::usage, "division", fmt::format("makes {}: choose a coarser one", result.exceeded));
-  return std::move(result.grid);
+  Grid grid = try_build(layout, overlap, options);
+  if (grid.exceeded != nullptr)
+    throw Error(ErrorCode::usage, "division", fmt::format("makes {}: choose a coarser one", grid.exceeded));
+  return grid;
 }
 template class GridBuilder<float>;
 template class GridBuilder<double>;
@@ -27,9 +27,9 @@ class CpuBuilder final : public GridBuilder<Stored> {
 public:
   CpuBuilder(const SceneView<Stored>& scene, std::function<void(double)> progress)
       : scene_(scene), progress_(std::move(progress)) {}
-  BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy)
-      return {hierarchy_grid(scene_, layout, options.quality, progress_)};
+      return hierarchy_grid(scene_, layout, options.quality, progress_);
     return options.kind == GridKind::uniform ? uniform_grid(scene_, layout, overlap)
                                              : merged_grid(scene_, layout, overlap, options, progress_);
   }

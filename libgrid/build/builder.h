@@ -28,7 +28,7 @@ public:
   // A grid of any kind but automatic. For a hierarchy the layout's space and margin matter alone, and every
   // builder builds one of high quality on the CPU. Throws Error(input) for more primitives than grids can
   // number, and Error(usage, "structure", …) for a hierarchy of a scene that reaches too far.
-  virtual BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) = 0;
+  virtual Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) = 0;
   // The same, but throws Error(usage, "division", …) for a layout that exceeds a limit.
   Grid build(const GridLayout& layout, Overlap overlap, const GridOptions& options = {});
 

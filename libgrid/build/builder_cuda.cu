@@ -66,9 +66,9 @@ public:
   CudaBuilder& operator=(const CudaBuilder&) = delete;
   CudaBuilder& operator=(CudaBuilder&&) = delete;
 
-  BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy && options.quality == HierarchyQuality::high)
-      return {hierarchy_grid(host_, layout)}; // by the CPU
+      return hierarchy_grid(host_, layout); // by the CPU
     return on_gpu(gpu_, [&] {
       if (options.kind == GridKind::hierarchy) {
         check_hierarchy(host_.primitive_count(), layout.space);
@@ -122,13 +122,14 @@ private:
   }
 
   template <class Build>
-  BuildResult built(const Build& build) {
+  Grid built(const Build& build) {
     const DeviceTimer timer;
     const ExecutorGrid<CudaExecutor> grid = build();
     seconds_.build += timer.seconds();
     const Stopwatch watch;
-    if (grid.exceeded != nullptr) return {{}, grid.exceeded};
-    Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {}, {}, {}, grid.detail};
+    Grid copy{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, {}, {},
+              {},          {},        grid.detail,     grid.exceeded};
+    if (copy.exceeded != nullptr) return copy;
     Transfer transfer(*pool_);
     const auto fetch = [&](const auto& from, auto& to) {
       to.resize(from.size());
@@ -140,7 +141,7 @@ private:
     fetch(grid.nodes, copy.nodes);
     transfer.run();
     seconds_.download += watch.seconds();
-    return {std::move(copy)};
+    return copy;
   }
 
   SceneView<Stored> host_;

@@ -138,15 +138,14 @@ Grid fastest_of(const std::vector<Candidate>& candidates, GridBuilder<Stored>& b
   Grid fastest;
   double least = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) {
-    BuildResult built =
-        builder.try_build(candidate.layout, options.overlap, of_kind(candidate.kind, options.grid));
+    Grid built = builder.try_build(candidate.layout, options.overlap, of_kind(candidate.kind, options.grid));
     if (built.exceeded != nullptr) continue;
-    const SampledCosts costs = sampled_costs(builder.scene(), built.grid);
+    const SampledCosts costs = sampled_costs(builder.scene(), built);
     const double time = expected_time(costs, candidate.kind, options.processor);
     considered.push_back({candidate.kind, candidate.layout.division, costs, time});
     if (!(time < clearly * least)) continue;
     least = time;
-    fastest = std::move(built.grid);
+    fastest = std::move(built);
   }
   return least < std::numeric_limits<double>::infinity() ? std::move(fastest) : one(candidates.front());
 }

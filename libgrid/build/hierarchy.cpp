@@ -39,11 +39,10 @@ Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, Hi
                     const std::function<void(double)>& progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor;
-  return on_host(collapsed_hierarchy(executor, layout,
-                                     quality == HierarchyQuality::fast
-                                         ? clustered_hierarchy(executor, scene, layout)
-                                         : binary_hierarchy(scene, layout.margin, progress)))
-      .grid;
+  return collapsed_hierarchy(executor, layout,
+                             quality == HierarchyQuality::fast
+                                 ? clustered_hierarchy(executor, scene, layout)
+                                 : binary_hierarchy(scene, layout.margin, progress));
 }
 template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, HierarchyQuality,
                              const std::function<void(double)>&);

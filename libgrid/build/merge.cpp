@@ -62,8 +62,7 @@ struct PartBegin {
   std::uint64_t nested, cells, references;
 };
 
-void copy_part(const BuildResult& part, const VoxelSpan& span, const PartBegin& begin, Grid& whole) {
-  const Grid& own = part.grid;
+void copy_part(const Grid& own, const VoxelSpan& span, const PartBegin& begin, Grid& whole) {
   const std::uint64_t own_nested = rounded_to_unit(span.size());
   const auto first_cell = static_cast<std::uint32_t>(begin.cells),
              first_list = static_cast<std::uint32_t>(begin.references),
@@ -90,11 +89,10 @@ void copy_part(const BuildResult& part, const VoxelSpan& span, const PartBegin& 
 
 // Part by part, each by one thread; a row of very many pairs is shared by all.
 template <class BuildPart>
-ExecutorGrid<TbbExecutor> build_in_parts(TbbExecutor& executor, const GridLayout& layout,
-                                         const VoxelSpan& all, std::uint64_t max_words,
-                                         const BuildPart& build_part) {
+Grid build_in_parts(TbbExecutor& executor, const GridLayout& layout, const VoxelSpan& all,
+                    std::uint64_t max_words, const BuildPart& build_part) {
   const std::vector<VoxelSpan> spans = parts_of(all, layout.division);
-  std::vector<BuildResult> parts(spans.size());
+  std::vector<Grid> parts(spans.size());
   const auto is_large = [&](std::size_t i) { return spans[i].pairs > 16 * max_part_pairs; };
   std::mutex counting;
   std::size_t finished = 0;
@@ -106,27 +104,27 @@ ExecutorGrid<TbbExecutor> build_in_parts(TbbExecutor& executor, const GridLayout
     SerialExecutor serial;
     if (too_many() != nullptr) return;
     if (!is_large(i)) {
-      parts[i] = on_host(build_part(serial, spans[i]));
-      words += parts[i].grid.voxel_map.size() -
-               std::min(parts[i].grid.voxel_map.size(), rounded_to_unit(spans[i].size()));
+      parts[i] = build_part(serial, spans[i]);
+      words +=
+          parts[i].voxel_map.size() - std::min(parts[i].voxel_map.size(), rounded_to_unit(spans[i].size()));
     }
     if (!executor.progress) return;
     const std::lock_guard lock(counting);
     executor.progress(parts_share * static_cast<double>(++finished) / static_cast<double>(spans.size()));
   });
-  ExecutorGrid<TbbExecutor> whole{layout};
+  Grid whole{layout};
   if ((whole.exceeded = too_many()) != nullptr) return whole;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (is_large(i)) parts[i] = on_host(build_part(executor, spans[i]));
+    if (is_large(i)) parts[i] = build_part(executor, spans[i]);
   }
 
-  whole.kind = parts[0].grid.kind;
-  whole.nested_log2 = parts[0].grid.nested_log2;
+  whole.kind = parts[0].kind;
+  whole.nested_log2 = parts[0].nested_log2;
   PartBegin end{top_words, 0, 0};
   std::vector<PartBegin> begins;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if ((whole.exceeded = parts[i].exceeded) != nullptr) return whole;
-    const Grid& part = parts[i].grid;
+    const Grid& part = parts[i];
     begins.push_back(end);
     end.nested += part.voxel_map.size() - rounded_to_unit(spans[i].size());
     end.cells += part.cells.size();
@@ -135,31 +133,27 @@ ExecutorGrid<TbbExecutor> build_in_parts(TbbExecutor& executor, const GridLayout
   if ((whole.exceeded = exceeded_by_sizes(end.cells, end.references, top_words, end.nested, max_words)) !=
       nullptr)
     return whole;
-  Grid grid;
-  grid.voxel_map.resize(end.nested);
-  std::fill(grid.voxel_map.data() + all.size(), grid.voxel_map.data() + top_words, 0U);
-  grid.cells.resize(end.cells);
-  grid.references.resize(end.references);
+  whole.voxel_map.resize(end.nested);
+  std::fill(whole.voxel_map.data() + all.size(), whole.voxel_map.data() + top_words, 0U);
+  whole.cells.resize(end.cells);
+  whole.references.resize(end.references);
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-    copy_part(parts[i], spans[i], begins[i], grid);
+    copy_part(parts[i], spans[i], begins[i], whole);
     parts[i] = {};
   });
-  whole.voxel_map = std::move(grid.voxel_map);
-  whole.cells = std::move(grid.cells);
-  whole.references = std::move(grid.references);
   return whole;
 }
 
 template <class Stored>
-BuildResult merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                        const GridOptions& options, const std::function<void(double)>& progress) {
+Grid merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                 const GridOptions& options, const std::function<void(double)>& progress) {
   TbbExecutor executor;
   executor.progress = progress;
-  return on_host(merged_grid(executor, scene, layout, overlap, options));
+  return merged_grid(executor, scene, layout, overlap, options);
 }
-template BuildResult merged_grid(const SceneView<float>&, const GridLayout&, Overlap, const GridOptions&,
-                                 const std::function<void(double)>&);
-template BuildResult merged_grid(const SceneView<double>&, const GridLayout&, Overlap, const GridOptions&,
-                                 const std::function<void(double)>&);
+template Grid merged_grid(const SceneView<float>&, const GridLayout&, Overlap, const GridOptions&,
+                          const std::function<void(double)>&);
+template Grid merged_grid(const SceneView<double>&, const GridLayout&, Overlap, const GridOptions&,
+                          const std::function<void(double)>&);
 
 } // namespace masu

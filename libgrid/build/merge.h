@@ -40,7 +40,7 @@ const char* exceeded_by_sizes(std::uint64_t cells, std::uint64_t references, std
 // Of kind x, balance or irregular. Independent of the number of threads. Throws Error(input) for more
 // primitives than grids can number. `progress` gets shares of the work, by one thread at a time.
 template <class Stored>
-BuildResult merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
-                        const GridOptions& options, const std::function<void(double)>& progress = {});
+Grid merged_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap,
+                 const GridOptions& options, const std::function<void(double)>& progress = {});
 
 } // namespace masu

@@ -19,21 +19,15 @@ struct AnyStructure {
 
 template <class Real>
 AnyStructure<Real> any_structure(const GridView<Real>& view) {
-  AnyStructure<Real> any{Structure::uniform};
-  any.uniform = view;
-  return any;
+  return {Structure::uniform, StopRule::proven, view, {}, {}};
 }
 template <class Real>
 AnyStructure<Real> any_structure(const MergedGridView<Real>& view) {
-  AnyStructure<Real> any{Structure::merged};
-  any.merged = view;
-  return any;
+  return {Structure::merged, StopRule::proven, {}, view, {}};
 }
 template <class Real>
 AnyStructure<Real> any_structure(const HierarchyView<Real>& view) {
-  AnyStructure<Real> any{Structure::hierarchy};
-  any.hierarchy = view;
-  return any;
+  return {Structure::hierarchy, StopRule::proven, {}, {}, view};
 }
 
 template <class View>

@@ -198,6 +198,33 @@ MASU_ALWAYS_INLINE void meet_triangles(const Triangle<float>* triangles, const W
   }
 }
 
+template <class Visitor>
+concept TakesMetTriangles = requires(Visitor visitor) {
+  visitor.met(0.0F, PrimitiveIndex{});
+};
+
+// Shows a visitor references[i] where bit i is set; of triangles only those that the ray meets, where it
+// takes them.
+template <class Visitor>
+MASU_ALWAYS_INLINE void show_references(Visitor& visitor, const PrimitiveIndex* references,
+                                        std::uint32_t bits) {
+  if constexpr (TakesMetTriangles<Visitor>) {
+    meet_triangles(visitor.scene.triangles, visitor.ray, references, bits,
+                   [&](PrimitiveIndex number, float t) { visitor.met(t, number); });
+  } else {
+    for (; bits != 0; bits &= bits - 1)
+      visitor.primitive(references[std::countr_zero(bits)]);
+  }
+}
+template <class Visitor>
+MASU_ALWAYS_INLINE void prefetch_references(const Visitor& visitor, const PrimitiveIndex* references,
+                                            std::uint32_t bits) {
+  if constexpr (TakesMetTriangles<Visitor>) {
+    for (; bits != 0; bits &= bits - 1)
+      prefetch(visitor.scene.triangles + references[std::countr_zero(bits)]);
+  }
+}
+
 // Room for what a walk has ahead. Apart from it, since where many are made it isn't to be cleared.
 inline constexpr int max_nodes_ahead = (boxes_per_node - 1) * max_hierarchy_depth;
 using NodesAhead = NodeAhead[max_nodes_ahead];
@@ -216,7 +243,7 @@ public:
   template <class Visitor>
   MASU_ALWAYS_INLINE bool advance(const HierarchyView<float>& hierarchy, Visitor& visitor) {
     if (met_ != 0) {
-      visitor.primitives(references_, met_);
+      show_references(visitor, references_, met_);
       met_ = 0;
       if (visitor.ends()) return false;
     }
@@ -231,7 +258,7 @@ public:
     if (met.slots != nodes) {
       references_ = hierarchy.references + node.first_reference;
       met_ = references_met(node, met.lanes);
-      visitor.prefetch(references_, met_);
+      prefetch_references(visitor, references_, met_);
     }
     if (nodes != 0) {
       next_ = nearest_of(node, nodes, met.enter);

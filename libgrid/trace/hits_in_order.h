@@ -47,13 +47,6 @@ struct SidedHit {
 
 inline constexpr int hits_per_pass = 16;
 
-// Counts nothing.
-struct NoWalkCounts {
-  static constexpr bool is_counted = false;
-  MASU_HD void cell(bool) {}
-  MASU_HD void skipped(std::int32_t) {}
-};
-
 // Keeps the first `capacity` hits after `last`, in order.
 template <class M, class Stored>
 struct NextHits {
@@ -74,25 +67,10 @@ struct NextHits {
       if (t < t_max && filter.admits(front)) keep({t, number << 1 | (front ? 0U : 1U)});
     });
   }
-#ifdef MASU_HOST_AVX2
-  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
-    for (; bits != 0; bits &= bits - 1)
-      primitive(references[std::countr_zero(bits)]);
-  }
-  void prefetch(const PrimitiveIndex*, std::uint32_t) const {}
-#endif
-  MASU_HD bool is_full() const {
-    return count == capacity;
-  }
-  MASU_HD Real farthest() const {
-    return is_full() ? hits[count - 1].t : t_max;
-  }
-  MASU_HD bool done(Real exit) const {
-    return farthest() <= exit;
-  }
-  MASU_HD bool ends() const {
-    return false;
-  }
+  MASU_HD bool is_full() const { return count == capacity; }
+  MASU_HD Real farthest() const { return is_full() ? hits[count - 1].t : t_max; }
+  MASU_HD bool done(Real exit) const { return farthest() <= exit; }
+  MASU_HD bool ends() const { return false; }
 
 private:
   MASU_HD void keep(const SidedHit<Real>& hit) {

@@ -63,27 +63,6 @@ template <class M, class Stored>
 inline constexpr bool tests_four_triangles =
     M::kinds == with_triangles&& std::is_same_v<typename M::TestRay, WatertightRay<float>>&&
                     std::is_same_v<Stored, float>;
-
-// Shows a visitor references[i] where bit i is set; of triangles only those that the ray meets.
-template <class M, class Stored, class Visitor>
-MASU_ALWAYS_INLINE void test_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
-                                        std::uint32_t bits, Visitor& visitor) {
-  if constexpr (tests_four_triangles<M, Stored>) {
-    meet_triangles(scene.triangles, visitor.ray, references, bits,
-                   [&](PrimitiveIndex number, float t) { visitor.met(t, number); });
-  } else {
-    for (; bits != 0; bits &= bits - 1)
-      visitor.primitive(references[std::countr_zero(bits)]);
-  }
-}
-template <class M, class Stored>
-MASU_ALWAYS_INLINE void prefetch_references(const SceneView<Stored>& scene, const PrimitiveIndex* references,
-                                            std::uint32_t bits) {
-  if constexpr (tests_four_triangles<M, Stored>) {
-    for (; bits != 0; bits &= bits - 1)
-      prefetch(scene.triangles + references[std::countr_zero(bits)]);
-  }
-}
 #endif
 
 // Keeps the nearest hit.
@@ -112,13 +91,7 @@ struct NearestHit {
     if (intersect_triangle(ray, triangle, t, counts) && is_nearer(t, number, hit)) hit = {t, number};
   }
 #ifdef MASU_HOST_AVX2
-  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
-    test_references<M>(scene, references, bits, *this);
-  }
-  void prefetch(const PrimitiveIndex* references, std::uint32_t bits) const {
-    prefetch_references<M>(scene, references, bits);
-  }
-  void met(Real t, PrimitiveIndex number) {
+  void met(Real t, PrimitiveIndex number) requires tests_four_triangles<M, Stored> {
     if (is_nearer(t, number, hit)) hit = {t, number};
   }
 #endif
@@ -156,13 +129,7 @@ struct AnyHit {
     if (!found() && intersect_triangle(ray, fetched(leaf), t, counts) && t < t_max) hit = t;
   }
 #ifdef MASU_HOST_AVX2
-  void primitives(const PrimitiveIndex* references, std::uint32_t bits) {
-    test_references<M>(scene, references, bits, *this);
-  }
-  void prefetch(const PrimitiveIndex* references, std::uint32_t bits) const {
-    prefetch_references<M>(scene, references, bits);
-  }
-  void met(Real t, PrimitiveIndex) {
+  void met(Real t, PrimitiveIndex) requires tests_four_triangles<M, Stored> {
     if (t < t_max) hit = t;
   }
 #endif

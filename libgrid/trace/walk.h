@@ -12,6 +12,7 @@
 
 #include "libgrid/trace/grid_view.h"
 #include "libscene/geometry/clip.h"
+#include "libscene/geometry/intersect.h"
 
 namespace masu {
 
@@ -20,6 +21,13 @@ namespace masu {
 template <class Counts>
 inline constexpr bool records_walk = requires {
   Counts::records_walk;
+};
+
+// Counts nothing.
+struct NoWalkCounts : NoTestCounts {
+  static constexpr bool is_counted = false;
+  MASU_HD void cell(bool) {}
+  MASU_HD void skipped(std::int32_t) {}
 };
 
 // One axis of the walk: plane i is crossed at t = i · plane_step + plane_start, and at t the ray is

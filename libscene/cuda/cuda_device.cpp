@@ -36,6 +36,11 @@ void wait_for_stream(void* stream, int device) {
   check(cudaStreamSynchronize(static_cast<cudaStream_t>(stream)));
 }
 
+void copy_to_host(void* to, const void* from, std::size_t bytes, int device) {
+  const DeviceScope scope(device);
+  check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost));
+}
+
 std::string cuda_device_name() {
   int device = 0;
   cudaDeviceProp properties{};

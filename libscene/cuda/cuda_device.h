@@ -1,6 +1,7 @@
 // Looks for a CUDA device.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace masu {
@@ -19,6 +20,9 @@ int device_of(const void* pointer);
 
 // Waits for what is queued on a device's stream, a cudaStream_t. Throws Error(device).
 void wait_for_stream(void* stream, int device);
+
+// Once what was queued on the device's legacy stream is done. Throws Error(device).
+void copy_to_host(void* to, const void* from, std::size_t bytes, int device);
 
 // Of the device in use, where there is one: "NVIDIA H100".
 std::string cuda_device_name();

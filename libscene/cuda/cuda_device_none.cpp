@@ -1,6 +1,8 @@
 // For builds without CUDA.
 #include "libscene/cuda/cuda_device.h"
 
+#include <cstring>
+
 namespace masu {
 
 bool cuda_available(std::string& why) {
@@ -21,6 +23,10 @@ int device_of(const void*) {
 }
 
 void wait_for_stream(void*, int) {}
+
+void copy_to_host(void* to, const void* from, std::size_t bytes, int) {
+  std::memcpy(to, from, bytes);
+}
 
 std::string cuda_device_name() {
   return {};

@@ -9,9 +9,6 @@
 
 namespace masu {
 
-// Once what was queued on the device's legacy stream is done. Throws Error(device).
-void copy_to_host(void* to, const void* from, std::size_t bytes, int device);
-
 // Keeps the copies.
 class HostCopies {
 public:

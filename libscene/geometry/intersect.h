@@ -15,6 +15,13 @@ namespace masu {
 inline constexpr unsigned with_triangles = 1, with_spheres = 2, with_cones = 4, with_tapers = 8,
                           with_all_kinds = 15;
 
+// Counts nothing.
+struct NoTestCounts {
+  MASU_HD void triangle_test() {}
+  MASU_HD void sphere_test() {}
+  MASU_HD void cone_test() {}
+};
+
 // Whether the ray meets the triangle at a t > 0; then `t` is that.
 template <class TestRay, class Stored, class Counts>
 MASU_HD inline bool intersect_triangle(const TestRay& ray, const Triangle<Stored>& triangle,

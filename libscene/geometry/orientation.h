@@ -55,4 +55,14 @@ inline double orientation(const Point2& a, const Point2& b, const Point2& c) {
   return sum_of_products({{{a.x, b.y}, {-a.x, c.y}, {-c.x, b.y}, {-a.y, b.x}, {a.y, c.x}, {c.y, b.x}}});
 }
 
+// Of the corner p of an ear that is cut off from a to b, whose orientation is `turn`: the sine over the cut's
+// squared length; 0 where two of them are one point.
+inline double ear_shape(const Point2& a, const Point2& p, const Point2& b, double turn) {
+  const auto square = [](const Point2& from, const Point2& to) {
+    return (from.x - to.x) * (from.x - to.x) + (from.y - to.y) * (from.y - to.y);
+  };
+  const double weight = square(a, b) * std::sqrt(square(a, p)) * std::sqrt(square(p, b));
+  return weight > 0 ? turn / weight : 0;
+}
+
 } // namespace masu

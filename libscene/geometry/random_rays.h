@@ -11,25 +11,28 @@
 
 namespace masu {
 
-// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): a sequence of its own for each ray, so that rays can be made
+// SplitMix64's finalizer (Steele, Lea & Flood, OOPSLA 2014): every bit of the result depends on every bit of
+// z.
+inline std::uint64_t mixed_bits(std::uint64_t z) {
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31);
+}
+
+// SplitMix64: a sequence of its own for each ray, so that rays can be made
 // in parallel.
 class RandomSequence {
 public:
   RandomSequence(std::uint64_t seed, std::uint64_t ray)
-      : state_(mixed(seed) ^ mixed(ray + 0x632be59bd9b4e019U)) {}
+      : state_(mixed_bits(seed) ^ mixed_bits(ray + 0x632be59bd9b4e019U)) {}
 
   // In [0, 1).
   double uniform() {
     state_ += 0x9e3779b97f4a7c15U;
-    return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
+    return static_cast<double>(mixed_bits(state_) >> 11) * 0x1p-53;
   }
 
 private:
-  static std::uint64_t mixed(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31);
-  }
   std::uint64_t state_;
 };
 

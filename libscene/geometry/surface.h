@@ -125,13 +125,6 @@ MASU_HD inline SurfacePoint<Real> surface_at(const PreparedRay<Real>& ray, Real 
   return point;
 }
 
-// Counts nothing.
-struct NoTestCounts {
-  MASU_HD void triangle_test() {}
-  MASU_HD void sphere_test() {}
-  MASU_HD void cone_test() {}
-};
-
 // At a ray's hit; near.hit.primitive isn't no_primitive.
 template <unsigned kinds, class TestRay, class Stored>
 MASU_HD inline SurfacePoint<typename TestRay::Real> surface_at(const SceneView<Stored>& scene,

@@ -14,10 +14,6 @@ double extent(const Point2& a, const Point2& b) {
   return max(std::abs(a.x - b.x), std::abs(a.y - b.y));
 }
 
-double squared_distance(const Point2& a, const Point2& b) {
-  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
-}
-
 bool lies_between(double a, double value, double b) {
   return min(a, b) < value && value < max(a, b);
 }
@@ -180,11 +176,8 @@ EarClipper::Fit EarClipper::fit(const std::array<Point2, 3>& ear, std::uint32_t 
 }
 
 void EarClipper::push(std::uint32_t v, Rank rank) {
-  const Point2 &a = before(v), &p = points_[v], &b = after(v);
-  const double cut = squared_distance(a, b);
-  const double weight = cut * std::sqrt(squared_distance(a, p)) * std::sqrt(squared_distance(p, b));
   ranks_[v] = rank;
-  heap_.push_back({rank, weight > 0 ? turn(v) / weight : 0, v, ++stamps_[v]});
+  heap_.push_back({rank, ear_shape(before(v), points_[v], after(v), turn(v)), v, ++stamps_[v]});
   std::push_heap(heap_.begin(), heap_.end());
 }
 

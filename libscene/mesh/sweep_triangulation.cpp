@@ -16,10 +16,6 @@ using Diagonal = std::pair<Vertex, Vertex>;
 
 constexpr Vertex none = ~Vertex{0};
 
-double squared_distance(const Point2& a, const Point2& b) {
-  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
-}
-
 struct Ring {
   std::vector<Point2> points;
 
@@ -277,10 +273,7 @@ private:
     const Vertex p = previous_[v], n = next_[v];
     const double turn = ring_.turn(p, v, n);
     if (v == low_ || v == high_ || !(turn > 0)) return;
-    const Point2 &a = ring_.points[p], &b = ring_.points[v], &c = ring_.points[n];
-    const double weight =
-        squared_distance(a, c) * std::sqrt(squared_distance(a, b)) * std::sqrt(squared_distance(b, c));
-    heap_.push_back({weight > 0 ? turn / weight : 0, p, v, n});
+    heap_.push_back({ear_shape(ring_.points[p], ring_.points[v], ring_.points[n], turn), p, v, n});
     std::push_heap(heap_.begin(), heap_.end());
   }
   Vertex pop() {

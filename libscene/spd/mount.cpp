@@ -1,6 +1,7 @@
 // A fractal mountain by midpoint displacement, under four glass spheres.
 // Random numbers depend only on the lattice point: so neighbouring squares agree on their shared edge without
 // being stored, and a larger size refines the same mountain.
+#include "libscene/geometry/random_rays.h"
 #include "libscene/spd/scenes.h"
 
 #include <array>
@@ -28,21 +29,13 @@ struct LatticePoint {
   std::uint32_t x, y;
 };
 
-// SplitMix64's finalizer (G. Steele, D. Lea, C. Flood, OOPSLA 2014): every bit of the result depends on every
-// bit of k.
-std::uint64_t mixed(std::uint64_t k) {
-  k = (k ^ (k >> 30)) * 0xbf58476d1ce4e5b9;
-  k = (k ^ (k >> 27)) * 0x94d049bb133111eb;
-  return k ^ (k >> 31);
-}
-
 constexpr std::uint32_t modulus = 134456; // of the generator below
 
 // The definition's seeds, which suffice up to size 7; hashes between its lattice points.
 std::uint32_t seed_at(LatticePoint p) {
   constexpr std::uint32_t spacing = 1U << (finest_bits - original_bits);
   if (p.x % spacing == 0 && p.y % spacing == 0) return 21 + 256 * (p.y / spacing) + p.x / spacing;
-  return static_cast<std::uint32_t>(mixed((std::uint64_t{p.y} << 32) + p.x) % modulus);
+  return static_cast<std::uint32_t>(mixed_bits((std::uint64_t{p.y} << 32) + p.x) % modulus);
 }
 
 // A normally distributed number: the first of a pair of the polar method, from a linear congruential

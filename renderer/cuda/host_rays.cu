@@ -29,14 +29,13 @@ using ResultArrays = std::array<ResultArray, 13>;
 
 // `row`: elements per ray of the arrays of hits.
 ResultArrays arrays_of(const RayResults& results, std::size_t row) {
-  const auto array = [](auto* host, std::size_t each = 1) {
-    return ResultArray{host, each * sizeof(*host), is_page_locked(host)};
-  };
-  return {array(results.t, row),      array(results.t64, row),   array(results.primitive, row),
-          array(results.object, row), array(results.face, row),  array(results.uv, row),
-          array(results.normal, row), array(results.front, row), array(results.count),
-          array(results.inside),      array(results.occluded),   array(results.costs.cells),
-          array(results.costs.tests)};
+  ResultArrays arrays{};
+  std::size_t k = 0;
+  for_each_array(results, [&](auto* host) {
+    arrays[k] = {host, (k < arrays_of_hits ? row : 1) * sizeof(*host), is_page_locked(host)};
+    ++k;
+  });
+  return arrays;
 }
 
 // One array after another in a block of memory, for so many rays; 16-byte boundaries.
@@ -56,18 +55,8 @@ RayResults results_in(std::uint8_t* block, const ResultArrays& arrays, std::size
   for_each_array(arrays, rays,
                  [&](std::size_t k, std::size_t offset, std::size_t) { at[k] = block + offset; });
   RayResults results;
-  results.t = reinterpret_cast<float*>(at[0]);
-  results.t64 = reinterpret_cast<double*>(at[1]);
-  results.primitive = reinterpret_cast<std::uint32_t*>(at[2]);
-  results.object = reinterpret_cast<std::uint32_t*>(at[3]);
-  results.face = reinterpret_cast<std::uint32_t*>(at[4]);
-  results.uv = reinterpret_cast<float(*)[2]>(at[5]);
-  results.normal = reinterpret_cast<float(*)[3]>(at[6]);
-  results.front = at[7];
-  results.count = reinterpret_cast<std::uint32_t*>(at[8]);
-  results.inside = at[9];
-  results.occluded = at[10];
-  results.costs = {reinterpret_cast<std::uint32_t*>(at[11]), reinterpret_cast<std::uint32_t*>(at[12])};
+  std::size_t k = 0;
+  for_each_array(results, [&]<class T>(T*& array) { array = reinterpret_cast<T*>(at[k++]); });
   return results;
 }
 

@@ -9,7 +9,6 @@
 #include "tests/fuzz/repaired.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace {
 
@@ -23,11 +22,6 @@ struct Visitor {
   void primitive(masu::PrimitiveIndex index) const {
     if (index >= primitive_count) std::abort();
   }
-  void primitives(const masu::PrimitiveIndex* references, std::uint32_t bits) const {
-    for (; bits != 0; bits &= bits - 1)
-      primitive(references[std::countr_zero(bits)]);
-  }
-  void prefetch(const masu::PrimitiveIndex*, std::uint32_t) const {}
   bool done(Real) const { return false; }
   Real farthest() const { return ray.t_max; }
   bool ends() const { return false; }

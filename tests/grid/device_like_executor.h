@@ -16,6 +16,7 @@ namespace masu {
 
 struct DeviceLikeExecutor {
   static constexpr bool has_warps = true;
+  using Memory = HostMemory;
   template <class T>
   using Array = HostArray<T>;
 

@@ -194,7 +194,7 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
     EXPECT_LE(grid.voxel_map.size(), options.max_map_words);
     expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::exact));
     DeviceLikeExecutor executor;
-    expect_same(grid, on_host(merged_grid(executor, scene.view(), layout, Overlap::exact, options)).grid);
+    expect_same(grid, merged_grid(executor, scene.view(), layout, Overlap::exact, options));
     options.max_map_words = voxel_count(layout.division);
     EXPECT_THROW(cpu_builder(scene.view())->build(layout, Overlap::exact, options), Error);
     ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);

@@ -19,12 +19,11 @@ template <class Stored>
 class DeviceLikeBuilder final : public GridBuilder<Stored> {
 public:
   explicit DeviceLikeBuilder(const SceneView<Stored>& scene) : scene_(scene) {}
-  BuildResult try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
-    if (options.kind == GridKind::uniform) return on_host(uniform_grid(executor_, scene_, layout, overlap));
-    if (options.kind != GridKind::hierarchy)
-      return on_host(merged_grid(executor_, scene_, layout, overlap, options));
+  Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
+    if (options.kind == GridKind::uniform) return uniform_grid(executor_, scene_, layout, overlap);
+    if (options.kind != GridKind::hierarchy) return merged_grid(executor_, scene_, layout, overlap, options);
     if (options.quality == HierarchyQuality::high) return {hierarchy_grid(scene_, layout)};
-    return on_host(collapsed_hierarchy(executor_, layout, clustered_hierarchy(executor_, scene_, layout)));
+    return collapsed_hierarchy(executor_, layout, clustered_hierarchy(executor_, scene_, layout));
   }
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
     if (!holds_all(executor_, scene_, hierarchy.references)) return false;

@@ -131,6 +131,7 @@ struct Sum {
 class CudaExecutor {
 public:
   static constexpr bool has_warps = true;
+  using Memory = CudaExecutor;
   template <class T>
   using Array = DeviceArray<T>;
 

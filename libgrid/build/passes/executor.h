@@ -2,7 +2,7 @@
 // them (an executor) is a template parameter: TbbExecutor on the host's cores, SerialExecutor on one of them
 // (host_executor.h), CudaExecutor (cuda_executor.h) on a device. An executor has
 //
-//   Array<T>                      in its memory: data(), size(); moves, doesn't copy
+//   Array<T>                      in its Memory: data(), size(); moves, doesn't copy
 //   array<T>(count)               of any content;  zeros<T>(count)
 //   for_each(count, act)          act(i) for i = 0 … count - 1
 //   for_each_by_group(count, work)  work(group, scratch, i): a group of threads (thread_group.h) to each i, a

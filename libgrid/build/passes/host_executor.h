@@ -1,9 +1,9 @@
 // Executors (executor.h) on the host: on all of its cores, or on one of them.
 #pragma once
 
+#include "libgrid/build/build.h"
 #include "libgrid/build/passes/executor.h"
 #include "libgrid/build/passes/thread_group.h"
-#include "libscene/base/host_array.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -24,6 +24,7 @@ public:
   std::function<void(double)> progress; // gets shares of a grid's work; may be empty
 
   static constexpr bool has_warps = false;
+  using Memory = HostMemory;
   template <class T>
   using Array = HostArray<T>;
 

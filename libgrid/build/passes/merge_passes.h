@@ -85,16 +85,12 @@ ArrayOf<Executor, Fragment> fragments_of(Executor& executor, const Splitter<Stor
                                          std::uint64_t count, const Boxed& boxed_primitive,
                                          ArrayOf<Executor, std::uint32_t>& kept) {
   auto all = executor.template array<Fragment>(count);
-  kept = executor.template array<std::uint32_t>(count + 1);
   Fragment* const fragment = all.data();
-  std::uint32_t* const kept_before = kept.data();
-  executor.for_each(count + 1, [=] MASU_PASS(std::uint64_t i) {
-    kept_before[i] = 0;
-    if (i == count) return;
+  kept = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
     const BoxedPrimitive boxed = boxed_primitive(i);
-    kept_before[i] = splitter.fragment_in(boxed.box, boxed.primitive, fragment[i]);
+    return splitter.fragment_in(boxed.box, boxed.primitive, fragment[i]);
   });
-  executor.scan(kept);
+  const std::uint32_t* const kept_before = kept.data();
   auto fragments = executor.template array<Fragment>(executor.value(kept, count));
   Fragment* const kept_fragment = fragments.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
@@ -154,21 +150,11 @@ template <class Executor>
 ArrayOf<Executor, std::uint32_t>
 cells_before_voxels(Executor& executor, const Vec3i& division, const VoxelSpan& span,
                     const std::uint32_t* occupied_number, const LeafCounts* leaves) {
-  const std::uint64_t voxels = span.size();
-  auto cells = executor.template array<std::uint32_t>(voxels + 1);
-  std::uint32_t* const before = cells.data();
   const auto row = static_cast<std::uint32_t>(division.x);
-  executor.for_each(voxels + 1, [=] MASU_PASS(std::uint64_t i) {
-    if (i == voxels) {
-      before[i] = 0;
-    } else if (occupied_number[i] != 0) {
-      before[i] = leaves[occupied_number[i] - 1].leaves;
-    } else {
-      before[i] = (span.first + i) % row == 0 || occupied_number[i - 1] != 0 ? 1 : 0;
-    }
+  return sums_before(executor, span.size(), [=] MASU_PASS(std::uint64_t i) {
+    if (occupied_number[i] != 0) return leaves[occupied_number[i] - 1].leaves;
+    return (span.first + i) % row == 0 || occupied_number[i - 1] != 0 ? 1U : 0U;
   });
-  executor.scan(cells);
-  return cells;
 }
 
 // The cells of runs of empty voxels, and the words of their voxels.
@@ -254,12 +240,9 @@ void write_nested_maps(Executor& executor, const Vec3i& division, const VoxelSpa
   }
 
   const auto counts = count_words(executor, levels);
-  auto begins = executor.template array<std::uint32_t>(box_count + 1);
-  std::uint32_t* const begin = begins.data();
   const std::uint32_t* const count = counts[0].data();
-  executor.for_each(box_count + 1,
-                    [=] MASU_PASS(std::uint64_t i) { begin[i] = i == box_count ? 0 : count[i]; });
-  executor.scan(begins);
+  auto begins = sums_before(executor, box_count, [=] MASU_PASS(std::uint64_t i) { return count[i]; });
+  std::uint32_t* const begin = begins.data();
   executor.for_each(box_count,
                     [=] MASU_PASS(std::uint64_t i) { begin[i] += static_cast<std::uint32_t>(top_words); });
   grid.voxel_map = executor.template zeros<std::uint32_t>(words);
@@ -380,8 +363,8 @@ ExecutorGrid<Executor> balanced_grid(Executor& executor, const Splitter<Stored>&
   return grid;
 }
 
-template <class Executor>
-MergedGridView<double> merged_view(const ExecutorGrid<Executor>& grid) {
+template <class Memory>
+MergedGridView<double> merged_view(const GridIn<Memory>& grid) {
   const GridLayout finest = finer(grid.layout, grid.nested_log2);
   return {grid.voxel_map.data(), grid.cells.data(),    grid.references.data(), {}, {}, {},
           finest.division,       grid.layout.division, grid.nested_log2};

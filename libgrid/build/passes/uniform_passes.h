@@ -18,27 +18,8 @@
 
 namespace masu {
 
-// A grid or hierarchy in an executor's memory; grid_view.h and hierarchy_view.h say what the arrays hold.
 template <class Executor>
-struct ExecutorGrid {
-  GridLayout layout{};
-  GridKind kind = GridKind::uniform;
-  std::int32_t block_log2 = 0, nested_log2 = 0;
-  ArrayOf<Executor, std::uint32_t> voxel_map{};
-  ArrayOf<Executor, MergedCell> cells{};
-  ArrayOf<Executor, PrimitiveIndex> references{};
-  ArrayOf<Executor, HierarchyNode> nodes{};
-  const char* exceeded = nullptr; // as in BuildResult
-  double detail = 0;              // as in Grid
-};
-
-// Of an executor in host memory.
-template <class Executor>
-BuildResult on_host(ExecutorGrid<Executor> grid) {
-  return {{grid.layout, grid.kind, grid.block_log2, grid.nested_log2, std::move(grid.voxel_map),
-           std::move(grid.cells), std::move(grid.references), std::move(grid.nodes), grid.detail},
-          grid.exceeded};
-}
+using ExecutorGrid = GridIn<typename Executor::Memory>;
 
 // Pairs of a voxel's index in the storage order and a primitive that it lists, row by row of the voxels that
 // the primitive's bounds meet.
