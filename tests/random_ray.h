@@ -28,7 +28,7 @@ public:
       if (chance_.one_in(2)) origin.set((axis + 1) % 3, target[(axis + 1) % 3]);
     }
     if (origin == target) origin = cast<Real>(chance_.in_box(padded()));
-    Vec3<Real> direction = scaled(target - origin);
+    Vec3<Real> direction = scaled_to_one(target - origin);
     for (int axis = 0; axis < 3; ++axis) {
       if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, Real(-0.0));
       if (direction[axis] == 0 && chance_.one_in(4)) direction.set(axis, tiny());
@@ -48,20 +48,12 @@ public:
     if (largest_magnitude(along) == 0) along.set(chance_.whole(0, 2), chance_.sign());
     const Vec3d from = cast<double>(point()) -
                        along * (size() * chance_.power_of_two(0, sizeof(Real) == sizeof(float) ? 100 : 300));
-    return unbounded_ray(cast<Real>(from), scaled(cast<Real>(along)));
+    return unbounded_ray(cast<Real>(from), scaled_to_one(cast<Real>(along)));
   }
 
 private:
   Boxd padded() const { return padded_bounds<Real>(bounds_); }
   double size() const { return largest_magnitude(bounds_.max - bounds_.min); }
-
-  // v scaled by a power of two to a largest component between a half and one; {1, 0, 0} for zero.
-  static Vec3<Real> scaled(const Vec3<Real>& v) {
-    int exponent = 0;
-    std::frexp(largest_magnitude(v), &exponent);
-    if (largest_magnitude(v) == 0) return {1, 0, 0};
-    return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
-  }
 
   Real tiny() {
     constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;

@@ -52,11 +52,8 @@ std::string case_described(const Case<Real, Primitive>& c) {
 // Scaled as the renderer's directions: to unit length, or to a largest component between a half and one.
 template <class Real>
 Vec3<Real> sized(Chance& chance, const Vec3<Real>& direction) {
-  int exponent = 0;
-  std::frexp(largest_magnitude(direction), &exponent);
-  const Vec3<Real> scaled{std::ldexp(direction.x, -exponent), std::ldexp(direction.y, -exponent),
-                          std::ldexp(direction.z, -exponent)};
-  if (largest_magnitude(scaled) == 0) return {0, 0, 1};
+  if (largest_magnitude(direction) == 0) return {0, 0, 1};
+  const Vec3<Real> scaled = scaled_to_one(direction);
   return chance.one_in(2) ? scaled : normalized(scaled);
 }
 

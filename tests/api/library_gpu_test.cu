@@ -1,4 +1,5 @@
 // The C interface with memory of a GPU: the CPU's bits, on any stream, by threads at the same time.
+#include "tests/api/found.h"
 #include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
@@ -26,7 +27,6 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-#define ASSERT_DONE(call) ASSERT_EQ(call, MASU_OK) << masu_error()
 #define ASSERT_CUDA(call) ASSERT_EQ(call, cudaSuccess)
 
 // Device memory of so many elements.
@@ -50,22 +50,6 @@ public:
 private:
   T* data_ = nullptr;
 };
-
-struct Found {
-  std::vector<float> t, uv, normal;
-  std::vector<std::uint32_t> primitive, object, face;
-  std::vector<std::uint8_t> occluded;
-};
-
-void expect_same(const Found& a, const Found& b) {
-  EXPECT_EQ(a.t, b.t);
-  EXPECT_EQ(a.uv, b.uv);
-  EXPECT_EQ(a.normal, b.normal);
-  EXPECT_EQ(a.primitive, b.primitive);
-  EXPECT_EQ(a.object, b.object);
-  EXPECT_EQ(a.face, b.face);
-  EXPECT_EQ(a.occluded, b.occluded);
-}
 
 class LibraryOnGpu : public testing::Test {
 protected:
@@ -135,35 +119,25 @@ protected:
     return rays;
   }
 
-  static Found on_host(const masu_tracer* tracer, const void* rays, std::size_t n,
-                       const masu_query& query = masu::sized<masu_query>()) {
-    Found found{std::vector<float>(n),         std::vector<float>(2 * n),     std::vector<float>(3 * n),
-                std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n),
-                std::vector<std::uint8_t>(n)};
-    const masu_hits hits{sizeof hits,         found.t.data(),  found.primitive.data(),
-                         found.object.data(), found.uv.data(), found.normal.data(),
-                         found.face.data(),   nullptr,         nullptr};
-    EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
-    EXPECT_EQ(masu_occluded(tracer, rays, n, &query, found.occluded.data()), MASU_OK) << masu_error();
-    return found;
-  }
-
   // `rays` in device memory; the stream is waited for, and nothing else.
   static Found on_device(const masu_tracer* tracer, const void* rays, std::size_t n,
                          masu_query query = masu::sized<masu_query>()) {
-    const Device<float> t(n), uv(2 * n), normal(3 * n);
-    const Device<std::uint32_t> primitive(n), object(n), face(n);
-    const Device<std::uint8_t> occluded(n);
-    const masu_hits hits{sizeof hits,   t.data(),    primitive.data(), object.data(), uv.data(),
-                         normal.data(), face.data(), nullptr,          nullptr};
-    EXPECT_EQ(masu_nearest(tracer, rays, n, &query, &hits), MASU_OK) << masu_error();
-    EXPECT_EQ(masu_occluded(tracer, rays, n, &query, occluded.data()), MASU_OK) << masu_error();
+    FoundIn<Device> found(n);
+    found.find(tracer, rays, n, query);
     EXPECT_EQ(cudaStreamSynchronize(static_cast<cudaStream_t>(query.stream)), cudaSuccess);
-    return {t.host(n),      uv.host(2 * n), normal.host(3 * n), primitive.host(n),
-            object.host(n), face.host(n),   occluded.host(n)};
+    Found copy(0);
+    copy.t = found.t.host(n);
+    copy.uv = found.uv.host(2 * n);
+    copy.normal = found.normal.host(3 * n);
+    copy.primitive = found.primitive.host(n);
+    copy.object = found.object.host(n);
+    copy.face = found.face.host(n);
+    copy.occluded = found.occluded.host(n);
+    return copy;
   }
 
   const masu::RandomSeed seed_;
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
   std::mt19937_64 engine_{seed_.value()};
   float center_[3]{};
   std::optional<masu::Scene> scene_;
@@ -173,7 +147,6 @@ protected:
 
 // With excluded primitives, in host memory and in the GPU's.
 TEST_F(LibraryOnGpu, ListsTheCpusHits) {
-  SCOPED_TRACE(seed_.trace());
   const std::size_t n = 300'000;
   constexpr std::uint32_t limit = 3;
   const std::vector<masu_ray> list = rays(n);
@@ -222,7 +195,6 @@ TEST_F(LibraryOnGpu, ListsTheCpusHits) {
 
 // By every loop.
 TEST_F(LibraryOnGpu, FindsTheCpusBits) {
-  SCOPED_TRACE(seed_.trace());
   constexpr std::pair<masu_loop, int> schedules[]{{MASU_LOOP_AUTO, 0},
                                                   {MASU_LOOP_AUTO, 1},
                                                   {MASU_LOOP_THREAD_PER_RAY, 0},
@@ -236,11 +208,11 @@ TEST_F(LibraryOnGpu, FindsTheCpusBits) {
         if (count > 1000 && precision == MASU_PRECISION_DOUBLE) continue;
         auto query = masu::sized<masu_query>();
         query.precision = precision;
-        const Found expected = on_host(cpu_, list.data(), count, query);
+        const Found expected = found_by(cpu_, list.data(), count, query);
         for (const auto& [loop, coherent] : schedules) {
           query.loop = loop;
           query.coherent = coherent;
-          expect_same(expected, on_host(gpu_, list.data(), count, query));
+          expect_same(expected, found_by(gpu_, list.data(), count, query));
           expect_same(expected, on_device(gpu_, device.data(), count, query));
         }
       }
@@ -249,7 +221,6 @@ TEST_F(LibraryOnGpu, FindsTheCpusBits) {
 }
 
 TEST_F(LibraryOnGpu, TakesEveryFormatAndAlignmentOfNumbers) {
-  SCOPED_TRACE(seed_.trace());
   const std::size_t count = 5000;
   const std::vector<masu_ray> list = rays(count);
   std::vector<float> floats, shifted(1);
@@ -264,18 +235,17 @@ TEST_F(LibraryOnGpu, TakesEveryFormatAndAlignmentOfNumbers) {
   auto query = masu::sized<masu_query>();
   const Device<float> device_floats(floats), device_shifted(shifted);
   const Device<double> device_doubles(doubles);
-  const Found expected = on_host(cpu_, list.data(), count);
+  const Found expected = found_by(cpu_, list.data(), count);
   expect_same(expected, on_device(gpu_, device_shifted.data() + 1, count, query));
   query.format = MASU_RAYS_FLOAT64;
   expect_same(expected, on_device(gpu_, device_doubles.data(), count, query));
   query.format = MASU_RAYS_FLOAT32_6;
-  expect_same(on_host(cpu_, floats.data(), count, query),
+  expect_same(found_by(cpu_, floats.data(), count, query),
               on_device(gpu_, device_floats.data(), count, query));
 }
 
 // On any GPU, and the caller's current one stays that.
 TEST_F(LibraryOnGpu, WithoutAGridBuildsOneForTheDevice) {
-  SCOPED_TRACE(seed_.trace());
   int count = 0, before = 0, after = 0;
   ASSERT_DONE(masu_gpu_count(&count));
   const int last = count - 1;
@@ -287,20 +257,19 @@ TEST_F(LibraryOnGpu, WithoutAGridBuildsOneForTheDevice) {
   ASSERT_CUDA(cudaGetDevice(&after));
   EXPECT_EQ(after, before);
   const std::vector<masu_ray> list = rays(10'000);
-  const Found expected = on_host(cpu_, list.data(), list.size());
+  const Found expected = found_by(cpu_, list.data(), list.size());
   for (masu_tracer* const tracer : {cpu, gpu, brute_force}) {
-    expect_same(expected, on_host(tracer, list.data(), list.size()));
+    expect_same(expected, found_by(tracer, list.data(), list.size()));
     masu_tracer_free(tracer);
   }
 }
 
 TEST_F(LibraryOnGpu, AnswersThreadsTracersAndStreamsAtTheSameTime) {
-  SCOPED_TRACE(seed_.trace());
   masu_tracer* const other = opened({0});
   const std::size_t count = 400'000;
   const std::vector<masu_ray> list = rays(count, true);
   const Device<masu_ray> device(list);
-  const Found expected = on_host(cpu_, list.data(), count);
+  const Found expected = found_by(cpu_, list.data(), count);
   std::vector<std::thread> threads;
   for (int k = 0; k < 6; ++k) {
     threads.emplace_back([&, k] {
@@ -310,7 +279,7 @@ TEST_F(LibraryOnGpu, AnswersThreadsTracersAndStreamsAtTheSameTime) {
       query.stream = stream;
       const masu_tracer* const tracer = k % 2 == 0 ? gpu_ : other;
       for (int round = 0; round < 5; ++round)
-        expect_same(expected, k % 3 == 0 ? on_host(tracer, list.data(), count)
+        expect_same(expected, k % 3 == 0 ? found_by(tracer, list.data(), count)
                                          : on_device(tracer, device.data(), count, query));
       ASSERT_CUDA(cudaStreamDestroy(stream));
     });
@@ -340,13 +309,12 @@ TEST_F(LibraryOnGpu, RefusesMemoryOfTwoKinds) {
 
 // In page-locked memory, in more than one piece.
 TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
-  SCOPED_TRACE(seed_.trace());
   const std::vector<masu_ray> few = rays(100'000);
   std::vector<masu_ray> many;
   for (int i = 0; i < 23; ++i)
     many.insert(many.end(), few.begin(), few.end());
-  const Found expected = on_host(cpu_, few.data(), few.size()),
-              found = on_host(gpu_, many.data(), many.size());
+  const Found expected = found_by(cpu_, few.data(), few.size()),
+              found = found_by(gpu_, many.data(), many.size());
   masu_ray* locked = nullptr;
   float* t = nullptr;
   ASSERT_CUDA(cudaMallocHost(&locked, many.size() * sizeof(masu_ray)));
@@ -365,7 +333,6 @@ TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
 }
 
 TEST_F(LibraryOnGpu, AScenesArraysMayLieOnTheGpu) {
-  SCOPED_TRACE(seed_.trace());
   std::vector<float> vertices(9 * 100);
   for (float& v : vertices)
     v = std::uniform_real_distribution<float>(-1, 1)(engine_);
@@ -391,7 +358,6 @@ TEST_F(LibraryOnGpu, AScenesArraysMayLieOnTheGpu) {
 // From vertices in host memory and the GPU's, written on a stream that is still busy; also a triangle that
 // gets an area, and with it a new hierarchy.
 TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
-  SCOPED_TRACE(seed_.trace());
   for (const auto store : {MASU_STORE_FLOAT32, MASU_STORE_FLOAT64}) {
     std::uniform_real_distribution<float> coordinate(-1, 1);
     std::vector<float> vertices(9 * 20'000);
@@ -434,8 +400,8 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
         moved.stream = stream;
         gpu.update(moved);
       }
-      const Found expected = on_host(cpu.get(), list.data(), list.size());
-      expect_same(expected, on_host(gpu.get(), list.data(), list.size()));
+      const Found expected = found_by(cpu.get(), list.data(), list.size());
+      expect_same(expected, found_by(gpu.get(), list.data(), list.size()));
       expect_same(expected, on_device(gpu.get(), device.data(), list.size()));
       EXPECT_TRUE(gpu.all_hits(list, 3) == cpu.all_hits(list, 3));
       EXPECT_EQ(gpu.count_hits(list), cpu.count_hits(list));
@@ -443,7 +409,7 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
     }
     vertices[17] = std::nanf("");
     EXPECT_THROW(gpu.update(vertices), masu::Exception);
-    expect_same(on_host(cpu.get(), list.data(), list.size()),
+    expect_same(found_by(cpu.get(), list.data(), list.size()),
                 on_device(gpu.get(), device.data(), list.size()));
     ASSERT_CUDA(cudaStreamDestroy(stream));
   }
@@ -451,7 +417,6 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
 
 // While threads query it, from host memory and on streams: each query is of one of the positions.
 TEST_F(LibraryOnGpu, IsUpdatedWhileOthersQueryIt) {
-  SCOPED_TRACE(seed_.trace());
   std::vector<float> first(9 * 5000);
   for (float& v : first)
     v = std::uniform_real_distribution<float>(-1, 1)(engine_);
@@ -466,9 +431,9 @@ TEST_F(LibraryOnGpu, IsUpdatedWhileOthersQueryIt) {
   masu::Tracer tracer(scene, masu::Grid(scene, options), 0);
   const std::vector<masu_ray> list = rays(300'000);
   const Device<masu_ray> device(list);
-  const Found of_first = on_host(tracer.get(), list.data(), list.size());
+  const Found of_first = found_by(tracer.get(), list.data(), list.size());
   tracer.update(second);
-  const Found of_second = on_host(tracer.get(), list.data(), list.size());
+  const Found of_second = found_by(tracer.get(), list.data(), list.size());
   std::vector<std::thread> threads;
   for (int k = 0; k < 5; ++k) {
     threads.emplace_back([&, k] {
@@ -502,13 +467,12 @@ TEST_F(LibraryOnGpu, IsUpdatedWhileOthersQueryIt) {
 
 // Of so many that a loop is chosen for them.
 TEST_F(LibraryOnGpu, LongListsHaveTheHitsOfShortOnes) {
-  SCOPED_TRACE(seed_.trace());
   const std::size_t count = (std::size_t{1} << 22) + 1;
   const std::vector<masu_ray> few = rays(1 << 16);
   std::vector<masu_ray> many;
   while (many.size() < count)
     many.insert(many.end(), few.begin(), few.end());
-  const Found expected = on_host(cpu_, few.data(), few.size());
+  const Found expected = found_by(cpu_, few.data(), few.size());
   std::vector<float> t(count);
   auto hits = masu::sized<masu_hits>();
   hits.t = t.data();
@@ -544,7 +508,7 @@ TEST_F(LibraryOnGpu, LeavesTheDefaultMemoryPoolAsTheHostProgramSetIt) {
   const PoolState before = default_pool();
   masu_tracer* const tracer = opened({0});
   const std::vector<masu_ray> list = rays(100'000);
-  on_host(tracer, list.data(), list.size());
+  found_by(tracer, list.data(), list.size());
   const masu_build_options options = on_gpu();
   build(options);
   EXPECT_EQ(default_pool(), before);
@@ -554,13 +518,13 @@ TEST_F(LibraryOnGpu, LeavesTheDefaultMemoryPoolAsTheHostProgramSetIt) {
 
 TEST_F(LibraryOnGpu, LeavesTheHostProgramsErrorPending) {
   const std::vector<masu_ray> list = rays(1000);
-  const Found expected = on_host(cpu_, list.data(), list.size());
+  const Found expected = found_by(cpu_, list.data(), list.size());
   const masu_build_options options = on_gpu();
   EXPECT_NE(cudaSetDevice(-1), cudaSuccess);
   const cudaError_t pending = cudaPeekAtLastError();
   ASSERT_NE(pending, cudaSuccess);
   masu_tracer* const tracer = opened({0});
-  expect_same(expected, on_host(tracer, list.data(), list.size()));
+  expect_same(expected, found_by(tracer, list.data(), list.size()));
   build(options);
   masu_tracer_free(tracer);
   EXPECT_EQ(cudaGetLastError(), pending);
@@ -578,7 +542,7 @@ TEST_F(LibraryOnGpu, LeavesThreadsWithoutAContextWithoutOne) {
     return current == nullptr;
   };
   const std::vector<masu_ray> list = rays(3'000'000);
-  const Found expected = on_host(gpu_, list.data(), list.size());
+  const Found expected = found_by(gpu_, list.data(), list.size());
   const masu_build_options options = on_gpu();
   std::thread([&] {
     ASSERT_TRUE(has_none()); // of its own
@@ -587,7 +551,7 @@ TEST_F(LibraryOnGpu, LeavesThreadsWithoutAContextWithoutOne) {
     EXPECT_TRUE(has_none()) << "GPUs are counted";
     masu_tracer* const tracer = opened({0});
     EXPECT_TRUE(has_none()) << "a tracer is opened";
-    expect_same(expected, on_host(tracer, list.data(), list.size()));
+    expect_same(expected, found_by(tracer, list.data(), list.size()));
     EXPECT_TRUE(has_none()) << "rays are traced";
     masu_tracer_free(tracer);
     EXPECT_TRUE(has_none()) << "a tracer is closed";
@@ -606,7 +570,7 @@ TEST_F(LibraryOnGpu, UsesNoOtherGpuThanTheTracers) {
   ASSERT_CUDA(cudaMemGetInfo(&before, &all));
   masu_tracer* const tracer = opened({1});
   const std::vector<masu_ray> list = rays(3'000'000);
-  on_host(tracer, list.data(), list.size());
+  found_by(tracer, list.data(), list.size());
   ASSERT_CUDA(cudaMemGetInfo(&after, &all));
   EXPECT_EQ(before, after);
   int current = -1;
@@ -617,28 +581,26 @@ TEST_F(LibraryOnGpu, UsesNoOtherGpuThanTheTracers) {
 
 // Tasks of the host program that ask while a loop is found out by the same threads.
 TEST_F(LibraryOnGpu, IsAskedByTasksOfTheHostProgram) {
-  SCOPED_TRACE(seed_.trace());
   const std::vector<masu_ray> list = rays(5000);
-  const Found expected = on_host(cpu_, list.data(), list.size());
+  const Found expected = found_by(cpu_, list.data(), list.size());
   for (int round = 0; round < 10; ++round) {
     masu_tracer* const tracer = opened({0});
-    tbb::parallel_for(0, 64, [&](int) { expect_same(expected, on_host(tracer, list.data(), list.size())); });
+    tbb::parallel_for(0, 64, [&](int) { expect_same(expected, found_by(tracer, list.data(), list.size())); });
     masu_tracer_free(tracer);
   }
 }
 
 TEST_F(LibraryOnGpu, FindsTheSameOnSeveralGpus) {
-  SCOPED_TRACE(seed_.trace());
   int count = 0;
   ASSERT_DONE(masu_gpu_count(&count));
   std::vector<int> all(static_cast<std::size_t>(count));
   for (int gpu = 0; gpu < count; ++gpu)
     all[static_cast<std::size_t>(gpu)] = gpu;
   const std::vector<masu_ray> list = rays(2'500'000); // three pieces
-  const Found expected = on_host(gpu_, list.data(), list.size());
+  const Found expected = found_by(gpu_, list.data(), list.size());
   for (const std::vector<int>& gpus : {std::vector<int>{0, 0}, all}) {
     masu_tracer* const several = opened(gpus);
-    expect_same(expected, on_host(several, list.data(), list.size()));
+    expect_same(expected, found_by(several, list.data(), list.size()));
     // Rays on any of its GPUs are traced there.
     const std::size_t some = 1000;
     for (const int gpu : gpus) {

@@ -1,6 +1,7 @@
 // The C interface, and that of C++ over it: right answers on the CPU, and an error for whatever is wrong,
 // never a fault.
 #include "libscene/geometry/vector.h"
+#include "tests/api/found.h"
 #include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
@@ -24,8 +25,6 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity(),
                 not_a_number = std::numeric_limits<float>::quiet_NaN();
-
-#define ASSERT_DONE(call) ASSERT_EQ(call, MASU_OK) << masu_error()
 
 struct Mesh {
   std::vector<float> vertices;
@@ -118,33 +117,6 @@ masu_tracer* brute_force_tracer(const masu_scene* scene) {
   masu_tracer* tracer = nullptr;
   EXPECT_EQ(masu_tracer_create(scene, nullptr, &options, &tracer), MASU_OK) << masu_error();
   return tracer;
-}
-
-struct Found {
-  std::vector<float> t, uv, normal;
-  std::vector<std::uint32_t> primitive, object, face;
-  std::vector<std::uint8_t> occluded;
-
-  explicit Found(std::size_t n)
-      : t(n), uv(2 * n), normal(3 * n), primitive(n), object(n), face(n), occluded(n) {}
-  masu_hits hits() {
-    return {sizeof(masu_hits), t.data(),    primitive.data(), object.data(), uv.data(),
-            normal.data(),     face.data(), nullptr,          nullptr};
-  }
-  friend bool operator==(const Found& a, const Found& b) {
-    return a.t == b.t && a.uv == b.uv && a.normal == b.normal && a.primitive == b.primitive &&
-           a.object == b.object && a.face == b.face && a.occluded == b.occluded;
-  }
-};
-
-Found found_by(const masu_tracer* tracer, const std::vector<masu_ray>& rays,
-               masu_query query = masu::sized<masu_query>()) {
-  Found found(rays.size());
-  const masu_hits hits = found.hits();
-  EXPECT_EQ(masu_nearest(tracer, rays.data(), rays.size(), &query, &hits), MASU_OK) << masu_error();
-  EXPECT_EQ(masu_occluded(tracer, rays.data(), rays.size(), &query, found.occluded.data()), MASU_OK)
-      << masu_error();
-  return found;
 }
 
 TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {

@@ -83,6 +83,8 @@ protected:
     return request;
   }
 
+  const RandomSeed seed_;
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
   TemporaryFolder folder_;
 };
 
@@ -179,9 +181,7 @@ TEST_P(CpuAndGpu, SeeTheSameInDouble) {
 }
 
 TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto engine = seed.engine();
+  auto engine = seed_.engine();
   const Built built = build(Store::float32, GetParam().standard, "auto");
   const Boxf box = built.scene.view<float>().clip;
   const Vec3f center = (box.min + box.max) * 0.5F;
@@ -202,8 +202,6 @@ TEST_P(CpuAndGpu, FindTheSameForAMillionRandomRays) {
 
 // Of few rays and of many, through cells that list next to nothing and through such as list nearly all.
 TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
   for (const auto& [division, kind] :
        {std::pair{"2", GridKind::uniform}, std::pair{"auto", GridKind::uniform},
         std::pair{"4", GridKind::irregular}, std::pair{"1", GridKind::hierarchy}}) {
@@ -211,7 +209,7 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
                                           : kind == GridKind::irregular ? " irregular"
                                                                         : " bvh"));
     const Built built = build(Store::float32, GetParam().min_size + 1, division, options_of(kind));
-    std::vector<Ray<double>> rays = random_rays(built.scene, 4000, seed.engine()());
+    std::vector<Ray<double>> rays = random_rays(built.scene, 4000, seed_.engine()());
     const std::vector<Ray<double>> eye =
         primary_rays(built.scene, request(built.scene, 64).camera, RayOrder::tiles);
     rays.insert(rays.end(), eye.begin(), eye.end());
@@ -245,12 +243,10 @@ TEST_P(CpuAndGpu, FindTheSameByEveryLoop) {
 // Nearly all warps have next to nothing to do while a few have long ways: those rays are left to the kernel
 // that finishes. The many miss the bounds, or cut a corner of them.
 TEST_P(CpuAndGpu, FindTheSameWhereFewRaysTakeLong) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
   const Built built = build(Store::float32, GetParam().min_size + 1, "300");
   const Box<double> box = cast<double>(built.scene.view<float>().clip);
   const Vec3<double> away = box.max - box.min;
-  const std::vector<Ray<double>> crossing = random_rays(built.scene, 1000, seed.engine()());
+  const std::vector<Ray<double>> crossing = random_rays(built.scene, 1000, seed_.engine()());
   const Vec3<double> corner_from = box.max + away * Vec3<double>{0.05, -0.06, -0.01},
                      corner_to = box.max + away * Vec3<double>{-0.06, 0.05, -0.01};
   for (const Ray<double>& brief :
@@ -322,9 +318,7 @@ struct HitLists {
 };
 
 TEST_P(CpuAndGpu, ListTheSameHits) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  std::mt19937_64 engine = seed.engine();
+  std::mt19937_64 engine = seed_.engine();
   for (const Store store : {Store::float32, Store::float64}) {
     GridOptions options = options_of(engine() % 2 == 0 ? GridKind::irregular : GridKind::uniform);
     const Built built = build(store, GetParam().min_size + 1, "auto", options);

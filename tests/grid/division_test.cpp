@@ -1,9 +1,9 @@
 // How many voxels each rule asks for, and how rules are written.
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
-#include "libscene/base/error.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
+#include "tests/refused.h"
 
 #include <gtest/gtest.h>
 
@@ -41,14 +41,8 @@ TEST(DivisionRules, AreReadAsTheyAreWritten) {
 class BadDivision : public testing::TestWithParam<const char*> {};
 
 TEST_P(BadDivision, IsAUsageError) {
-  try {
-    parse_division(GetParam());
-    FAIL() << "'" << GetParam() << "' was taken";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::usage);
-    EXPECT_EQ(error.place(), "division");
-    EXPECT_NE(error.message().find(GetParam()), std::string::npos) << error.message();
-  }
+  EXPECT_TRUE(is_refused_with(
+      ErrorCode::usage, "division", [] { parse_division(GetParam()); }, GetParam()));
 }
 
 INSTANTIATE_TEST_SUITE_P(DivisionRules, BadDivision,
@@ -109,15 +103,10 @@ TEST(DivisionRules, ClearyMakesAboutLambdaTimesNVoxelsOfFlatSpacesToo) {
 TEST(DivisionRules, RefuseMoreVoxelsThanAnAxisCanHave) {
   EXPECT_EQ(chosen("cube-root:65535", 1, {1, 1, 1}), (Vec3i{65535, 65535, 65535}));
   for (const char* const rule :
-       {"cube-root:65536", "cube-root:1e300", "woo:1e6", "heterogeneous:1e9", "cleary:1e18"}) {
-    try {
+       {"cube-root:65536", "cube-root:1e300", "woo:1e6", "heterogeneous:1e9", "cleary:1e18"})
+    EXPECT_TRUE(is_refused_with(ErrorCode::usage, "division", [&] {
       chosen(rule, 1000, {1, 1, 1});
-      ADD_FAILURE() << rule << " was taken";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::usage) << rule;
-      EXPECT_EQ(error.place(), "division") << rule;
-    }
-  }
+    })) << rule;
 }
 
 // --- Spaces ----------------------------------------------------------------------------------------------

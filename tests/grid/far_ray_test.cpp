@@ -1,8 +1,5 @@
 // Rays from far away: clipping to the scene's bounds, and their hits.
 #include "libscene/geometry/surface.h"
-#include "tests/random_grid.h"
-#include "tests/random_ray.h"
-#include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/ray_case.h"
 
@@ -251,60 +248,6 @@ TYPED_TEST(FarRay, SurfacePointsAreAccurate) {
     }
   }
   EXPECT_LE(worst, 1) << "margins: " << worst_case;
-}
-
-// However far away: t is from near the scene, and fine enough for what the ray meets.
-TYPED_TEST(FarRay, HitsAreIndependentOfTheGridAtAnyDistance) {
-  using Real = TypeParam;
-  Chance& chance = this->chance_;
-  constexpr double one_clip = 256, two_clips = 256 / 12.0 / RealTraits<Real>::unit_roundoff; // scene sizes
-  struct Hits {
-    std::int64_t near = 0, far = 0, beyond = 0; // by how often the ray is clipped: once, twice, more
-  } hits;
-  std::int64_t different = 0;
-  std::string first;
-  for (std::int64_t s = cases(1000); s > 0; --s) {
-    const bool is_tiny = chance.one_in(2);
-    TestScene<Real> scene =
-        SceneMaker<Real>(chance, chance.power_of_two(is_tiny ? -33 : -10, is_tiny ? -20 : 20)).scene();
-    const SceneView<Real> view = scene.view();
-    const Boxd bounds = scene.bounds();
-    const Grid grids[]{random_uniform_grid(chance, view, bounds), random_merged_grid(chance, view, bounds)},
-        hierarchy = hierarchy_of(scene);
-    RayMaker<Real> rays(chance, scene, bounds, grids[0]);
-    for (int i = 0; i < 100; ++i) {
-      Ray<Real> ray = rays.very_far_ray();
-      NoCounts counts;
-      const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
-      const bool is_hit = expected.primitive != no_primitive;
-      const double away = static_cast<double>(largest_magnitude(ray.origin)) /
-                          static_cast<double>(largest_magnitude(view.clip));
-      if (is_hit) ++(away < one_clip ? hits.near : away < two_clips ? hits.far : hits.beyond);
-      Ray<Real> shadow = ray;
-      if (is_hit && chance.one_in(2))
-        shadow.t_max = chance.one_of({expected.t, nudged(expected.t, 1), expected.t * 2, expected.t / 2});
-      const bool is_shadow = is_occluded<Robust<Real>>(view, NoGrid{}, shadow, counts);
-      const auto compare = [&](const auto& through, const char* name) {
-        const Hit<Real> found = nearest_hit<Robust<Real>>(view, through, ray, counts);
-        if (found.primitive == expected.primitive && same_bits(found.t, expected.t) &&
-            is_occluded<Robust<Real>>(view, through, shadow, counts) == is_shadow)
-          return;
-        if (++different > 1) return;
-        first = described(ray.origin, ray.direction) + ": " + described(found) + " through " + name +
-                ", expected " + described(expected) + '\n' + described(scene);
-      };
-      for (const Grid& grid : grids)
-        with_view<Real>(grid, [&](const auto& grid_view) { compare(grid_view, "a grid"); });
-      compare(hierarchy_view_of<Real>(hierarchy), "a hierarchy");
-    }
-  }
-  EXPECT_EQ(different, 0) << first;
-  EXPECT_GT(hits.near, cases(500));
-  EXPECT_GT(hits.far, cases(1000));
-  EXPECT_GT(hits.beyond, cases(1000));
-  this->RecordProperty("hits_after_one_clip", std::to_string(hits.near));
-  this->RecordProperty("hits_after_two", std::to_string(hits.far));
-  this->RecordProperty("hits_after_more", std::to_string(hits.beyond));
 }
 
 } // namespace

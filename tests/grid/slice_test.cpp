@@ -7,6 +7,7 @@
 #include "libscene/base/error.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -30,21 +31,18 @@ VoxelRange range_of(const VoxelBox& box) {
 }
 
 // Random grids as files, small enough to look up every voxel.
-class GridCells : public testing::Test {
+class GridCells : public RandomTest {
 protected:
   template <class Check> // check(grid, file)
   void for_random_grids(int count, const Check& check) {
-    const RandomSeed seed;
-    SCOPED_TRACE(seed.trace());
-    Chance chance(seed);
     for (int i = 0; i < count; ++i) {
-      TestScene<float> scene = SceneMaker<float>(chance, 1).scene();
-      const Grid grid = random_grid<float>(chance, scene.view(), scene.bounds());
+      TestScene<float> scene = SceneMaker<float>(chance_, 1).scene();
+      const Grid grid = random_grid<float>(chance_, scene.view(), scene.bounds());
       SCOPED_TRACE(described(grid));
       const std::string path = folder_.file("grid");
       write_grid(grid, {{1, 2}, scene.count(), {0, 0, 0}, SpaceRule::tight, Overlap::exact, "any", "any"},
                  path);
-      check(chance, grid, GridFile(path));
+      check(chance_, grid, GridFile(path));
       if (HasFailure()) return;
     }
   }
@@ -258,15 +256,12 @@ TEST_F(GridCells, BoxesInOneFormAreTheCells) {
 }
 
 // Random hierarchies as files.
-class HierarchySlices : public testing::Test {
+class HierarchySlices : public RandomTest {
 protected:
   template <class Check> // check(chance, file)
   void for_random_hierarchies(int count, const Check& check) {
-    const RandomSeed seed;
-    SCOPED_TRACE(seed.trace());
-    Chance chance(seed);
     for (int i = 0; i < count; ++i) {
-      TestScene<float> scene = SceneMaker<float>(chance, 1).scene();
+      TestScene<float> scene = SceneMaker<float>(chance_, 1).scene();
       Boxd space = scene.bounds();
       if (!fits_hierarchy(space)) continue;
       for (int axis = 0; axis < 3; ++axis) { // none is flat
@@ -275,9 +270,9 @@ protected:
       }
       const Grid grid = hierarchy_grid(scene.view(), {space, {1, 1, 1}, 1e-3}, {});
       const std::string path = folder_.file("hierarchy");
-      const Vec3d origin{chance.uniform(-9, 9), 0, 1e6};
+      const Vec3d origin{chance_.uniform(-9, 9), 0, 1e6};
       write_grid(grid, {{1, 2}, scene.count(), origin, SpaceRule::tight, Overlap::exact, "any", "any"}, path);
-      check(chance, GridFile(path));
+      check(chance_, GridFile(path));
       if (HasFailure()) return;
     }
   }

@@ -6,6 +6,9 @@
 #include "tests/random_ray.h"
 #include "tests/random_test.h"
 
+#include <array>
+#include <numeric>
+
 namespace masu {
 
 // Of scenes stored as Stored, traced by arithmetic of type Real.
@@ -21,14 +24,16 @@ protected:
   using StoredReal = typename T::Stored;
   using TracedReal = typename T::Real;
 
+  static Ray<TracedReal> as_traced(const Ray<StoredReal>& ray) {
+    return {cast<TracedReal>(ray.origin), static_cast<TracedReal>(ray.t_min), cast<TracedReal>(ray.direction),
+            static_cast<TracedReal>(ray.t_max)};
+  }
   // Of rays that are hard for it.
   void compare(TestScene<StoredReal>& scene, const Grid& structure, int rays) {
     const Boxd bounds = scene.bounds();
     RayMaker<StoredReal> maker(chance_, scene, bounds, structure);
     compare(scene, structure, rays, [&] {
-      const Ray<StoredReal> made = maker.ray();
-      Ray<TracedReal> ray{cast<TracedReal>(made.origin), static_cast<TracedReal>(made.t_min),
-                          cast<TracedReal>(made.direction), static_cast<TracedReal>(made.t_max)};
+      Ray<TracedReal> ray = as_traced(maker.ray());
       if (!structure.nodes.empty() && chance_.one_in(4)) put_on_planes(structure, ray);
       return ray;
     });
@@ -42,11 +47,12 @@ protected:
     });
   }
   void expect_same_hits(std::int64_t least_hits = 1) {
-    EXPECT_EQ(different_, 0) << "of " << hits_ << " hits: " << first_;
-    EXPECT_GE(hits_, least_hits);
+    const std::int64_t hits = std::accumulate(hits_.begin(), hits_.end(), std::int64_t{0});
+    EXPECT_EQ(different_, 0) << "of " << hits << " hits: " << first_;
+    EXPECT_GE(hits, least_hits);
   }
 
-  std::int64_t hits_ = 0, far_hits_ = 0; // far: from where rays are clipped more than once
+  std::array<std::int64_t, 3> hits_{}; // by how often their rays are clipped: once, twice, more
 
 private:
   template <class View>
@@ -58,9 +64,10 @@ private:
     const Hit<TracedReal> expected = nearest_hit<M>(all, NoGrid{}, ray, counts),
                           found = nearest_hit<M>(all, view, ray, counts);
     const bool is_hit = expected.primitive != no_primitive;
-    hits_ += is_hit;
-    far_hits_ +=
-        is_hit && largest_magnitude(ray.origin) > 256 * static_cast<TracedReal>(largest_magnitude(all.clip));
+    constexpr double one_clip = 256, two_clips = one_clip / 12 / RealTraits<TracedReal>::unit_roundoff;
+    const double away =
+        static_cast<double>(largest_magnitude(ray.origin)) / static_cast<double>(largest_magnitude(all.clip));
+    if (is_hit) ++hits_[away < one_clip ? 0 : away < two_clips ? 1 : 2];
     const bool same = found.primitive == expected.primitive && same_bits(found.t, expected.t);
     // Between bounds at, before and beyond the hit.
     if (is_hit && chance_.one_in(2))
@@ -88,12 +95,7 @@ private:
       ray.origin.set(axis, static_cast<TracedReal>(chance_.one_in(2) ? box.min[axis] : box.max[axis]));
       if (chance_.one_in(2)) ray.direction.set(axis, chance_.one_in(2) ? TracedReal(0) : TracedReal(-0.0));
     }
-    // Rays are traced with a direction of this size (scale_direction).
-    int exponent = 0;
-    std::frexp(largest_magnitude(ray.direction), &exponent);
-    for (int axis = 0; axis < 3; ++axis)
-      ray.direction.set(axis, std::ldexp(ray.direction[axis], -exponent));
-    if (largest_magnitude(ray.direction) == 0) ray.direction = {1, 0, 0};
+    ray.direction = scaled_to_one(ray.direction); // as scale_direction() has them
   }
 
   std::int64_t different_ = 0;

@@ -32,7 +32,28 @@ TYPED_TEST(Walks, FindTheHitsOfTryingEveryPrimitive) {
     this->compare(scene, structure, 200);
   }
   this->expect_same_hits(cases(120'000));
-  EXPECT_GT(this->far_hits_, cases(5000));
+  EXPECT_GT(this->hits_[1] + this->hits_[2], cases(5000));
+}
+
+// However far away: t is from near the scene, and fine enough for what the ray meets.
+TYPED_TEST(Walks, FindThemFromAnyDistance) {
+  using Stored = typename TypeParam::Stored;
+  Chance& chance = this->chance_;
+  for (std::int64_t s = cases(1000); s > 0; --s) {
+    const bool is_tiny = chance.one_in(2);
+    TestScene<Stored> scene =
+        SceneMaker<Stored>(chance, chance.power_of_two(is_tiny ? -33 : -10, is_tiny ? -20 : 20)).scene();
+    const Boxd bounds = scene.bounds();
+    const Grid structures[]{random_uniform_grid(chance, scene.view(), bounds),
+                            random_merged_grid(chance, scene.view(), bounds), hierarchy_of(scene)};
+    RayMaker<Stored> rays(chance, scene, bounds, structures[0]);
+    for (const Grid& structure : structures)
+      this->compare(scene, structure, 40, [&] { return this->as_traced(rays.very_far_ray()); });
+  }
+  this->expect_same_hits();
+  EXPECT_GT(this->hits_[0], cases(500));
+  EXPECT_GT(this->hits_[1], cases(1000));
+  EXPECT_GT(this->hits_[2], cases(1000));
 }
 
 // Edge-on to triangles in a plane, but for the smallest numbers.
@@ -52,7 +73,9 @@ TYPED_TEST(Walks, FindThemAlongDirectionsWithTinyComponents) {
     this->compare(scene, grid, 200, [&] {
       const Vec3<Real> origin = place();
       Vec3<Real> direction = place() - origin;
-      direction.set(across_plane, static_cast<Real>(chance.sign() * chance.power_of_two(lowest, -20)));
+      direction.set(across_plane,
+                    static_cast<Real>(chance.sign() *
+                                      chance.power_of_two(lowest, chance.one_in(2) ? lowest / 2 : -20)));
       if (chance.one_in(4)) direction.set((across_plane + 1) % 3, Real(0));
       return unbounded_ray(origin, direction);
     });
@@ -262,7 +285,29 @@ TYPED_TEST(Walks, EndForRaysOfAnyNumbers) {
 // --- Walks through cells ---------------------------------------------------------------------------------
 
 template <class Real>
-class GridWalk : public RandomTest {};
+class GridWalk : public RandomTest {
+protected:
+  TestScene<Real> scene_of_any_size() {
+    return SceneMaker<Real>(chance_, chance_.power_of_two(-10, 20)).scene();
+  }
+  // Calls act(scene, the grid's view, its margin, ray) for rays through random grids of the scenes.
+  template <class MakeScene, class Act>
+  void with_rays(std::int64_t scenes, const MakeScene& make_scene, const Act& act) {
+    for (std::int64_t s = scenes; s > 0 && !HasFailure(); --s) {
+      TestScene<Real> scene = make_scene();
+      if (scene.count() == 0) continue;
+      const SceneView<Real> view = scene.view();
+      const Boxd bounds = scene.bounds();
+      const Grid grid = random_grid(chance_, view, bounds);
+      RayMaker<Real> rays(chance_, scene, bounds, grid);
+      with_view<Real>(grid, [&](const auto& grid_view) {
+        for (int i = 0; i < 100 && !HasFailure(); ++i)
+          act(view, grid_view, grid.layout.margin, rays.ray());
+      });
+      EXPECT_FALSE(HasFailure()) << described(grid) << '\n' << described(scene);
+    }
+  }
+};
 using Arithmetics = testing::Types<float, double>;
 TYPED_TEST_SUITE(GridWalk, Arithmetics);
 
@@ -270,33 +315,28 @@ TYPED_TEST_SUITE(GridWalk, Arithmetics);
 TYPED_TEST(GridWalk, FindsTheSameWithoutTheCodeForAbsentKinds) {
   using Real = TypeParam;
   Chance& chance = this->chance_;
-  for (std::int64_t s = cases(200); s > 0 && !this->HasFailure(); --s) {
+  const auto make_scene = [&] {
     TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
     if (chance.one_in(3)) scene.triangles.clear();
     if (chance.one_in(3)) scene.spheres.clear();
     if (chance.one_in(2)) scene.cones.clear();
-    if (scene.count() == 0) continue;
-    const SceneView<Real> view = scene.view();
-    const Boxd bounds = scene.bounds();
-    const Grid grid = random_grid(chance, view, bounds);
-    RayMaker<Real> rays(chance, scene, bounds, grid);
-    with_view<Real>(grid, [&](const auto& grid_view) {
-      for (int i = 0; i < 100; ++i) {
-        const Ray<Real> ray = rays.ray();
-        NoCounts counts;
-        const Hit<Real> expected = nearest_hit<Robust<Real>>(view, grid_view, ray, counts);
-        const auto expect_same = [&](const Hit<Real>& hit) {
-          ASSERT_TRUE(hit.primitive == expected.primitive && same_bits(hit.t, expected.t));
-        };
-        if (scene.spheres.empty() && scene.cones.empty())
-          expect_same(nearest_hit<Robust<Real, with_triangles>>(view, grid_view, ray, counts));
-        if (scene.triangles.empty() && scene.cones.empty())
-          expect_same(nearest_hit<Robust<Real, with_spheres>>(view, grid_view, ray, counts));
-        if (scene.cones.empty())
-          expect_same(nearest_hit<Robust<Real, with_triangles | with_spheres>>(view, grid_view, ray, counts));
-      }
-    });
-  }
+    return scene;
+  };
+  const auto compare = [](const SceneView<Real>& view, const auto& grid, double, const Ray<Real>& ray) {
+    NoCounts counts;
+    const Hit<Real> expected = nearest_hit<Robust<Real>>(view, grid, ray, counts);
+    const auto expect_same = [&](const Hit<Real>& hit) {
+      ASSERT_TRUE(hit.primitive == expected.primitive && same_bits(hit.t, expected.t));
+    };
+    const bool no_spheres = view.sphere_count == 0, no_cones = view.cone_count == 0;
+    if (no_spheres && no_cones)
+      expect_same(nearest_hit<Robust<Real, with_triangles>>(view, grid, ray, counts));
+    if (view.triangle_count == 0 && no_cones)
+      expect_same(nearest_hit<Robust<Real, with_spheres>>(view, grid, ray, counts));
+    if (no_cones)
+      expect_same(nearest_hit<Robust<Real, with_triangles | with_spheres>>(view, grid, ray, counts));
+  };
+  this->with_rays(cases(200), make_scene, compare);
 }
 
 // The nearest hit by definition: of all primitives' own hits the least t, and there the lowest number.
@@ -335,10 +375,9 @@ void expect_nearest(const SceneView<Real>& scene, const View& grid, Ray<Real> ra
 
 TYPED_TEST(GridWalk, TiesGoToTheLowestPrimitive) {
   using Real = TypeParam;
-  Chance& chance = this->chance_;
   std::int64_t ties = 0;
-  for (std::int64_t s = cases(300); s > 0; --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, 1).scene();
+  const auto make_scene = [&] {
+    TestScene<Real> scene = SceneMaker<Real>(this->chance_, 1).scene();
     const auto again = [](auto& primitives) {
       const auto once = primitives;
       primitives.insert(primitives.end(), once.begin(), once.end());
@@ -346,20 +385,14 @@ TYPED_TEST(GridWalk, TiesGoToTheLowestPrimitive) {
     again(scene.triangles);
     again(scene.spheres);
     again(scene.cones);
-    const SceneView<Real> view = scene.view();
-    const Boxd bounds = scene.bounds();
-    const Grid grid = random_grid(chance, view, bounds);
-    RayMaker<Real> rays(chance, scene, bounds, grid);
-    with_view<Real>(grid, [&](const auto& grid_view) {
-      for (int i = 0; i < 100 && !this->HasFailure(); ++i) {
-        Ray<Real> ray = rays.ray();
-        ray.t_max = RealTraits<Real>::largest;
-        if (!contains(view.clip, ray.origin)) continue; // a ray from inside isn't changed before it is tested
-        expect_nearest(view, grid_view, ray, ties);
-      }
-    });
-    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
-  }
+    return scene;
+  };
+  this->with_rays(cases(300), make_scene,
+                  [&](const SceneView<Real>& view, const auto& grid, double, Ray<Real> ray) {
+                    ray.t_max = RealTraits<Real>::largest;
+                    // A ray from inside isn't changed before it is tested.
+                    if (contains(view.clip, ray.origin)) expect_nearest(view, grid, ray, ties);
+                  });
   EXPECT_GT(ties, cases(100));
 }
 
@@ -417,28 +450,18 @@ Hit<Real> found_in_pieces(Chance& chance, const SceneView<Real>& scene, const Vi
 // By whoever has time: the nearest of what the pieces find is what the whole walk finds.
 TYPED_TEST(GridWalk, FindsTheSameInPieces) {
   using Real = TypeParam;
-  Chance& chance = this->chance_;
   std::int64_t hits = 0;
-  for (std::int64_t s = cases(1000); s > 0 && !this->HasFailure(); --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
-    const SceneView<Real> view = scene.view();
-    const Boxd bounds = scene.bounds();
-    const Grid grid = random_grid(chance, view, bounds);
-    RayMaker<Real> rays(chance, scene, bounds, grid);
-    with_view<Real>(grid, [&](const auto& grid_view) {
-      for (int i = 0; i < 100 && !this->HasFailure(); ++i) {
-        const Ray<Real> ray = rays.ray();
+  this->with_rays(
+      cases(1000), [&] { return this->scene_of_any_size(); },
+      [&](const SceneView<Real>& view, const auto& grid, double, const Ray<Real>& ray) {
         NoCounts counts;
         const Hit<Real> expected = nearest_hit<Robust<Real>>(view, NoGrid{}, ray, counts);
-        const Hit<Real> found = found_in_pieces(chance, view, grid_view, ray);
+        const Hit<Real> found = found_in_pieces(this->chance_, view, grid, ray);
         hits += expected.primitive != no_primitive;
         EXPECT_TRUE(found.primitive == expected.primitive && same_bits(found.t, expected.t))
             << described(ray.origin, ray.direction) << ": " << described(found) << ", expected "
-            << described(expected) << "; " << described(grid) << '\n'
-            << described(scene);
-      }
-    });
-  }
+            << described(expected);
+      });
   EXPECT_GT(hits, cases(10'000));
 }
 
@@ -470,32 +493,24 @@ struct WholeWalk {
 
 TYPED_TEST(GridWalk, EndsAndGoesForward) {
   using Real = TypeParam;
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(400); s > 0 && !this->HasFailure(); --s) {
-    TestScene<Real> scene = SceneMaker<Real>(chance, chance.power_of_two(-10, 20)).scene();
-    const SceneView<Real> view = scene.view();
-    const Boxd bounds = scene.bounds();
-    const Grid grid = random_grid(chance, view, bounds);
-    RayMaker<Real> rays(chance, scene, bounds, grid);
-    with_view<Real>(grid, [&](const auto& grid_view) {
-      for (int i = 0; i < 100; ++i) {
-        const Ray<Real> ray = rays.ray();
+  this->with_rays(
+      cases(400), [&] { return this->scene_of_any_size(); },
+      [&]<class View>(const SceneView<Real>& view, const View& grid, double margin, const Ray<Real>& ray) {
         ClippedRay<Real> clipped;
-        if (!clip(ray, view.clip, clipped)) continue;
-        const WholeWalk<Real> whole(grid_view, clipped);
-        ASSERT_LE(whole.voxels, whole.max_voxels) << described(grid) << described(ray.origin, ray.direction);
+        if (!clip(ray, view.clip, clipped)) return;
+        const WholeWalk<Real> whole(grid, clipped);
+        ASSERT_LE(whole.voxels, whole.max_voxels) << described(ray.origin, ray.direction);
         // After a cell of many voxels the place along the other axes is computed anew: off by a rounding.
         double slowest = 1;
         for (int axis = 0; axis < 3; ++axis) {
           const double d = std::abs(static_cast<double>(clipped.ray.direction[axis]));
           if (d > 0) slowest = std::min(slowest, d);
         }
-        const bool single_voxels = grid.kind == GridKind::uniform && grid.block_log2 == 0;
-        ASSERT_LE(whole.largest_fall * slowest, single_voxels ? 0 : grid.layout.margin)
-            << described(grid) << described(ray.origin, ray.direction);
-      }
-    });
-  }
+        bool single_voxels = false;
+        if constexpr (std::is_same_v<View, GridView<Real>>) single_voxels = grid.block_log2 == 0;
+        ASSERT_LE(whole.largest_fall * slowest, single_voxels ? 0 : margin)
+            << described(ray.origin, ray.direction);
+      });
 }
 
 // Goes to the end of the space.

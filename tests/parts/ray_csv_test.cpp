@@ -2,6 +2,7 @@
 // errors with line and column.
 #include "tools/lists/ray_csv.h"
 
+#include "tests/random_test.h"
 #include "tests/refused.h"
 #include "tests/stability/random_seed.h"
 
@@ -13,6 +14,8 @@
 
 namespace masu {
 namespace {
+
+using RayCsvs = RandomTest;
 
 struct Rays {
   int numbers = 0;
@@ -49,7 +52,7 @@ Rays read(std::string_view text, std::size_t piece = 1'000'000, std::size_t coun
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TEST(RayCsv, ColumnsAreKnownByTheirNames) {
+TEST_F(RayCsvs, ColumnsAreKnownByTheirNames) {
   const Rays six{6, {1, 2, 3, 4, 5, 6}}, eight{8, {1, 2, 3, 0.5, 4, 5, 6, 7}};
   EXPECT_EQ(read("ox,oy,oz,dx,dy,dz\n1,2,3,4,5,6\n"), six);
   EXPECT_EQ(read("dz,dy,dx,oz,oy,ox\n6,5,4,3,2,1"), six);
@@ -61,7 +64,7 @@ TEST(RayCsv, ColumnsAreKnownByTheirNames) {
 }
 
 // As spreadsheets, NumPy's savetxt() and Windows write it.
-TEST(RayCsv, BlanksLineEndsAndMarksMakeNoDifference) {
+TEST_F(RayCsvs, BlanksLineEndsAndMarksMakeNoDifference) {
   const Rays expected{6, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}};
   for (const char* const text :
        {"ox,oy,oz,dx,dy,dz\r\n1,2,3,4,5,6\r\n7,8,9,10,11,12\r\n",
@@ -72,16 +75,14 @@ TEST(RayCsv, BlanksLineEndsAndMarksMakeNoDifference) {
     EXPECT_EQ(read(text), expected) << text;
 }
 
-TEST(RayCsv, NumbersAreTheNearest) {
+TEST_F(RayCsvs, NumbersAreTheNearest) {
   EXPECT_EQ(read("ox,oy,oz,dx,dy,dz\n0.1,-1e-320,1e-400,inf,-infinity,1.7976931348623157e308\n").rays,
             (std::vector<double>{0.1, -1e-320, 0, infinity, -infinity, std::numeric_limits<double>::max()}));
   EXPECT_TRUE(std::isnan(read("ox,oy,oz,dx,dy,dz\n1,2,3,4,5,nan\n").rays[5]));
 }
 
-TEST(RayCsv, PiecesMakeNoDifference) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+TEST_F(RayCsvs, PiecesMakeNoDifference) {
+  auto random = seed_.engine();
   std::string text = "ox,oy,oz,tmin,dx,dy,dz\n";
   for (int i = 0; i < 200; ++i) {
     for (int number = 0; number < 7; ++number)
@@ -99,7 +100,7 @@ TEST(RayCsv, PiecesMakeNoDifference) {
   EXPECT_EQ(rays, 200U);
 }
 
-TEST(RayCsv, ErrorsNameLineAndColumn) {
+TEST_F(RayCsvs, ErrorsNameLineAndColumn) {
   const auto refused = [](const std::string& text, const std::string& place, const std::string& says) {
     return is_refused([&](const std::string&) { read(text); }, place, says);
   };
@@ -123,7 +124,7 @@ TEST(RayCsv, ErrorsNameLineAndColumn) {
 }
 
 // Which never end: of a device, or of a program that doesn't write what it should.
-TEST(RayCsv, EndlessLinesAreRefused) {
+TEST_F(RayCsvs, EndlessLinesAreRefused) {
   RayCsv csv("a.csv");
   const std::string line(100'000, '1');
   EXPECT_TRUE(

@@ -2,6 +2,7 @@
 #include "renderer/automatic_loop.h"
 
 #include "tests/random_ray.h"
+#include "tests/random_test.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 #include "tests/stability/test_scene.h"
@@ -15,6 +16,8 @@
 
 namespace masu {
 namespace {
+
+using AutomaticLoop = RandomTest;
 
 Scene random_scene(Chance& chance) {
   Scene scene = empty_scene({0, -4, 1}, {0, 0, 0});
@@ -33,18 +36,15 @@ std::vector<Ray<float>> random_rays(Chance& chance, std::size_t count) {
   return rays;
 }
 
-TEST(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
   for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
     GridOptions options;
     options.kind = kind;
-    const Rendering rendering(random_scene(chance), Store::float32, "6x5x7", options);
+    const Rendering rendering(random_scene(chance_), Store::float32, "6x5x7", options);
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       // The last warp isn't full.
-      const std::size_t warps = 1 + static_cast<std::size_t>(chance.uniform(0, 63));
-      const std::vector<Ray<float>> rays = random_rays(chance, warps * 32 + 17);
+      const std::size_t warps = 1 + static_cast<std::size_t>(chance_.uniform(0, 63));
+      const std::vector<Ray<float>> rays = random_rays(chance_, warps * 32 + 17);
       double work = 0, tests = 0, most_work = 0, most_tests = 0;
       for (std::size_t warp = 0; warp < warps; ++warp) {
         double longest = 0, most = 0;
@@ -78,7 +78,7 @@ TEST(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
   }
 }
 
-TEST(AutomaticLoop, SamplesNothingBeyondTheList) {
+TEST_F(AutomaticLoop, SamplesNothingBeyondTheList) {
   Scene scene = empty_scene({0, -4, 0}, {0, 0, 0});
   add_sphere(scene, {0, 0, 0}, 1, matte({1, 1, 1}));
   const Rendering rendering(scene, Store::float32);
@@ -102,12 +102,9 @@ TEST(AutomaticLoop, SamplesNothingBeyondTheList) {
   }
 }
 
-TEST(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
   for (int i = 0; i < 1000; ++i) {
-    const double work = chance.power_of_two(-2, 8), tests = work * chance.uniform(0, 1);
+    const double work = chance_.power_of_two(-2, 8), tests = work * chance_.uniform(0, 1);
     for (const bool is_hierarchy : {false, true}) {
       // All rays alike: none waits for another.
       EXPECT_EQ(automatic_loop(WarpCosts{work, tests, work, tests}, is_hierarchy), RayLoop::thread_per_ray);

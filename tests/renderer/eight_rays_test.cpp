@@ -9,6 +9,7 @@
 #include "tests/random_grid.h"
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,8 @@
 
 namespace masu {
 namespace {
+
+using RaysByEight = RandomTest;
 
 #ifdef MASU_HOST_AVX2
 
@@ -98,29 +101,23 @@ void compare_scenes(std::int64_t scenes, Chance& chance, Tally& tally) {
   }
 }
 
-TEST(EightRays, HitTheTrianglesThatOneRayHits) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(RaysByEight, HitTheTrianglesThatOneRayHits) {
   Tally tally;
-  compare_scenes<with_triangles>(cases(2000), chance, tally);
+  compare_scenes<with_triangles>(cases(2000), chance_, tally);
   EXPECT_EQ(tally.different, 0) << tally.first;
   EXPECT_GT(tally.hits, cases(40'000));
 }
 
-TEST(EightRays, HitThePrimitivesOfAnyKindThatOneRayHits) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+TEST_F(RaysByEight, HitThePrimitivesOfAnyKindThatOneRayHits) {
   Tally tally;
-  compare_scenes<with_all_kinds>(cases(1000), chance, tally);
+  compare_scenes<with_all_kinds>(cases(1000), chance_, tally);
   EXPECT_EQ(tally.different, 0) << tally.first;
   EXPECT_GT(tally.hits, cases(20'000));
 }
 
 #else
 
-TEST(EightRays, HitTheTrianglesThatOneRayHits) {
+TEST_F(RaysByEight, HitTheTrianglesThatOneRayHits) {
   GTEST_SKIP() << "built without AVX2: rays are prepared one at a time";
 }
 

@@ -4,6 +4,7 @@
 #include "libscene/nff/nff.h"
 #include "libscene/spd/spd.h"
 #include "tests/picture_scenes.h"
+#include "tests/random_test.h"
 #include "tests/rendering.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@
 
 namespace masu {
 namespace {
+
+using ViewPrecisions = RandomTest;
 
 Frame picture(const Rendering& rendering, Precision precision) {
   FrameRequest request = rendering.request();
@@ -33,16 +36,13 @@ void expect_right(const char* name, const Scene& scene) {
   EXPECT_LT(automatic, 1e-3) << name << ": of robust " << robust;
 }
 
-TEST(ViewPrecision, PicturesOfSmallThingsAndOfThoseFarFromZeroAreRight) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
-  expect_right("small", from_nearby(chance, {0, 0, 0}, 4e-4, 128));
-  expect_right("far", far_away(chance, 1000, 128));
+TEST_F(ViewPrecisions, PicturesOfSmallThingsAndOfThoseFarFromZeroAreRight) {
+  expect_right("small", from_nearby(chance_, {0, 0, 0}, 4e-4, 128));
+  expect_right("far", far_away(chance_, 1000, 128));
 }
 
 // A wall seen head-on, from nearer and nearer.
-TEST(ViewPrecision, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
+TEST_F(ViewPrecisions, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
   for (double distance = 4; distance > 1e-6; distance /= 1.5) {
     Scene scene = empty_scene({0.25, 0, distance}, {0.25, 0, 0});
     scene.camera.angle = 30;
@@ -67,11 +67,8 @@ TEST(ViewPrecision, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
   }
 }
 
-TEST(ViewPrecision, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
-  const Rendering stored(from_nearby(chance, {0, 0, 0}, 4e-4, 128), Store::float64);
+TEST_F(ViewPrecisions, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
+  const Rendering stored(from_nearby(chance_, {0, 0, 0}, 4e-4, 128), Store::float64);
   const Tracer tracer(stored.scene(), &stored.grid(), Device::cpu);
   EXPECT_EQ(view_precision(tracer, stored.request()).precision, Precision::doubled);
   EXPECT_TRUE(view_precision(tracer, stored.request()).is_stored);
@@ -82,7 +79,7 @@ TEST(ViewPrecision, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
 }
 
 // As long as their errors can't be seen: doubled takes half as long again.
-TEST(ViewPrecision, IsRobustForTheStandardScenes) {
+TEST_F(ViewPrecisions, IsRobustForTheStandardScenes) {
   const TemporaryFolder folder;
   for (const char* const name : {"balls", "gears", "mount", "rings", "teapot", "tetra", "tree"}) {
     const SpdInfo& info = spd_info(name);

@@ -1,6 +1,7 @@
 // The rule of --store auto: which scenes float32 is precise enough for.
 #include "libscene/float32_precision.h"
 #include "libscene/geometry/margin.h"
+#include "tests/random_test.h"
 #include "tests/scene_builder.h"
 #include "tests/temporary_folder.h"
 #include "tests/tiny_scene.h"
@@ -11,6 +12,8 @@
 
 namespace masu {
 namespace {
+
+using Float32Precisions = RandomTest;
 
 // Within ±1, so that twice the margin is 1.53e-5.
 constexpr double size = 2.0 * margin_roundings / (1 << 24);
@@ -27,7 +30,7 @@ std::uint64_t parts_of(const Scene& scene) {
   return float32_precision(scene).standing_alone;
 }
 
-TEST(Float32Precision, SpecksThatStandAloneAreCounted) {
+TEST_F(Float32Precisions, SpecksThatStandAloneAreCounted) {
   Scene scene = wall_of_size_1();
   EXPECT_TRUE(float32_precision(scene).suffices());
   EXPECT_DOUBLE_EQ(2 * float32_precision(scene).margin, size);
@@ -46,7 +49,7 @@ TEST(Float32Precision, SpecksThatStandAloneAreCounted) {
   EXPECT_EQ(parts_of(scene), 6U);
 }
 
-TEST(Float32Precision, SpecksAtACornerOfALargerTriangleBelongToIt) {
+TEST_F(Float32Precisions, SpecksAtACornerOfALargerTriangleBelongToIt) {
   Scene scene = wall_of_size_1();
   add_speck(scene, {0, 1, 0});
   add_speck(scene, {0.5 * size, 1, 0}); // at a corner of the last one alone
@@ -55,7 +58,7 @@ TEST(Float32Precision, SpecksAtACornerOfALargerTriangleBelongToIt) {
   EXPECT_EQ(parts_of(scene), 1U);
 }
 
-TEST(Float32Precision, CornersAreSharedThatRoundToTheSame) {
+TEST_F(Float32Precisions, CornersAreSharedThatRoundToTheSame) {
   Scene scene = wall_of_size_1();
   add_speck(scene, {1 + 1e-9, -1 - 1e-9, 0});
   EXPECT_EQ(parts_of(scene), 0U);
@@ -67,7 +70,7 @@ TEST(Float32Precision, CornersAreSharedThatRoundToTheSame) {
   EXPECT_EQ(parts_of(signs), 0U);
 }
 
-TEST(Float32Precision, AFineMeshIsOnePart) {
+TEST_F(Float32Precisions, AFineMeshIsOnePart) {
   Scene scene = wall_of_size_1();
   const double step = 0.25 * size;
   const auto add_strip = [&](double y, int length) {
@@ -81,7 +84,7 @@ TEST(Float32Precision, AFineMeshIsOnePart) {
   EXPECT_EQ(parts_of(scene), 1U);
 }
 
-TEST(Float32Precision, DigitsAreNoReason) {
+TEST_F(Float32Precisions, DigitsAreNoReason) {
   Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
   add_triangle(scene, {0.123456789012, 1.0 / 3, 0}, {1.0 / 7, -1.0 / 9, 0}, {-2.0 / 3, 0, 1.0 / 11},
                matte({1, 1, 1}));
@@ -93,7 +96,7 @@ TEST(Float32Precision, DigitsAreNoReason) {
   EXPECT_LE(precision.rounding, precision.margin / margin_roundings);
 }
 
-TEST(Float32Precision, RoundingIsTheLargestOfAnyNumber) {
+TEST_F(Float32Precisions, RoundingIsTheLargestOfAnyNumber) {
   constexpr double off = 0x1p-27; // of 0.5: float32 has 0x1p-25
   using Change = void (*)(Scene&);
   const std::initializer_list<Change> changes{
@@ -113,7 +116,7 @@ TEST(Float32Precision, RoundingIsTheLargestOfAnyNumber) {
   }
 }
 
-TEST(Float32Precision, ConesThatRoundingTurnsAreCounted) {
+TEST_F(Float32Precisions, ConesThatRoundingTurnsAreCounted) {
   Scene scene = wall_of_size_1();
   // Its axis of 1e-6 turns by a few percent; twice as a number of float32 it doesn't.
   add_cone(scene, {{0.3, 0.3, 0.3}, 0.5, {0.3 + 3e-8, 0.3, 0.3 + 1e-6}, 0.25}, matte({1, 1, 1}));
@@ -124,7 +127,7 @@ TEST(Float32Precision, ConesThatRoundingTurnsAreCounted) {
   EXPECT_EQ(float32_precision(scene).moved_cones, 2U);
 }
 
-TEST(Float32Precision, DependsOnRangeAndDistance) {
+TEST_F(Float32Precisions, DependsOnRangeAndDistance) {
   const auto sphere = [](double x, double radius) {
     Scene scene = empty_scene({0, 0, 3}, {0, 0, 0});
     add_sphere(scene, {x, 0, 0}, radius, matte({1, 1, 1}));
@@ -177,25 +180,22 @@ std::uint64_t parts_by_definition(const GrowingArray<SceneTriangle>& triangles, 
   return parts;
 }
 
-TEST(Float32Precision, PartsOfRandomTrianglesAreThoseOfTheDefinition) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
+TEST_F(Float32Precisions, PartsOfRandomTrianglesAreThoseOfTheDefinition) {
   std::uint64_t counted = 0, scenes_without = 0;
-  Chance chance(seed);
   for (int i = 0; i < 300; ++i) {
     Scene scene = wall_of_size_1();
     // Corners on a few points of a fine lattice, some of them off by less than rounding.
-    const double lattice = 0.3 * size, spread = chance.uniform(1, 40);
+    const double lattice = 0.3 * size, spread = chance_.uniform(1, 40);
     const auto corner = [&] {
-      const auto on_lattice = [&] { return std::floor(chance.uniform(0, spread)) * lattice; };
+      const auto on_lattice = [&] { return std::floor(chance_.uniform(0, spread)) * lattice; };
       const Vec3d at{0.5 + on_lattice(), 0.5 + on_lattice(), 0.5};
-      return at + Vec3d{chance.uniform(0, 1e-9), 0, 0};
+      return at + Vec3d{chance_.uniform(0, 1e-9), 0, 0};
     };
-    const int triangles = static_cast<int>(chance.uniform(1, 60));
+    const int triangles = static_cast<int>(chance_.uniform(1, 60));
     for (int n = 0; n < triangles; ++n) {
       const Vec3d a = corner();
       const auto near = [&] {
-        const auto off = [&] { return std::floor(chance.uniform(-2, 3)) * lattice; };
+        const auto off = [&] { return std::floor(chance_.uniform(-2, 3)) * lattice; };
         return a + Vec3d{off(), off(), 0};
       };
       if (n % 7 == 6)
@@ -214,7 +214,7 @@ TEST(Float32Precision, PartsOfRandomTrianglesAreThoseOfTheDefinition) {
 }
 
 // The scene file's geometry is judged as the text's was, except for what rounding did.
-TEST(Float32Precision, IsThatOfTheStoredScene) {
+TEST_F(Float32Precisions, IsThatOfTheStoredScene) {
   const TemporaryFolder folder;
   Scene scene = wall_of_size_1();
   add_speck(scene, {0.25, 0.25, 0.25});

@@ -1,5 +1,6 @@
 #include "libscene/base/growing_array.h"
 
+#include "tests/random_test.h"
 #include "tests/stability/random_seed.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +10,10 @@
 namespace masu {
 namespace {
 
-TEST(GrowingArray, HoldsWhatAVectorHolds) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+using GrowingArrays = RandomTest;
+
+TEST_F(GrowingArrays, HoldsWhatAVectorHolds) {
+  auto random = seed_.engine();
   GrowingArray<int> array;
   std::vector<int> expected;
   for (int step = 0; step < 3000; ++step) {

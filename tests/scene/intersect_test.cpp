@@ -14,10 +14,8 @@ TYPED_TEST_SUITE(RayAndPrimitive, Kinds, KindNames);
 
 // The largest distance of a computed hit from the surface, in u M.
 template <class K, class Draw>
-void expect_hits_on_the_surface(const RandomSeed& seed, std::int64_t tries, const Draw& draw) {
+void expect_hits_on_the_surface(Chance& chance, std::int64_t tries, const Draw& draw) {
   using Real = typename K::Real;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
   double worst = 0, documented = 0;
   std::string worst_case;
   std::int64_t hits = 0;
@@ -40,13 +38,13 @@ void expect_hits_on_the_surface(const RandomSeed& seed, std::int64_t tries, cons
 
 // Conservative grids rely on this bound.
 TYPED_TEST(RayAndPrimitive, ComputedHitsLieWithinTheDocumentedErrorOfTheSurface) {
-  expect_hits_on_the_surface<TypeParam>(this->seed_, 100'000,
+  expect_hits_on_the_surface<TypeParam>(this->chance_, 100'000,
                                         [](Chance& chance) { return TypeParam::random(chance); });
 }
 
 TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAtAnyScale) {
   using Real = typename TypeParam::Real;
-  expect_hits_on_the_surface<TypeParam>(this->seed_, 100'000, [](Chance& chance) {
+  expect_hits_on_the_surface<TypeParam>(this->chance_, 100'000, [](Chance& chance) {
     return TypeParam::random(chance, unusual_scale<Real>(chance));
   });
 }
@@ -55,7 +53,7 @@ TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAtAnyScale) {
 TYPED_TEST(RayAndPrimitive, HitsAreAsAccurateAlongDirectionsWithTinyComponents) {
   using Real = typename TypeParam::Real;
   constexpr double lowest = std::is_same_v<Real, float> ? -148 : -1072;
-  expect_hits_on_the_surface<TypeParam>(this->seed_, 50'000, [](Chance& chance) {
+  expect_hits_on_the_surface<TypeParam>(this->chance_, 50'000, [](Chance& chance) {
     for (;;) {
       auto c = TypeParam::random(chance);
       int set = 0;

@@ -3,6 +3,7 @@
 
 #include "libscene/base/error.h"
 #include "libscene/file/memory_file.h"
+#include "tests/refused.h"
 #include "tests/temporary_folder.h"
 
 #include <sys/stat.h>
@@ -29,14 +30,7 @@ void write_whole(const std::string& path, std::string_view text,
 
 // Whether `act` throws Error(output, path).
 testing::AssertionResult fails_as_output(const std::string& path, const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const Error& error) {
-    if (error.code() == ErrorCode::output && error.place() == path && !error.message().empty())
-      return testing::AssertionSuccess();
-    return testing::AssertionFailure() << "another error: " << error.what();
-  }
-  return testing::AssertionFailure() << "nothing was thrown";
+  return is_refused_with(ErrorCode::output, path, act);
 }
 
 // Runs act in a child process, which it must end by that signal.

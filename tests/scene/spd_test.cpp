@@ -1,8 +1,8 @@
 // The SPD scenes have their defining properties at every size.
 #include "libscene/spd/spd.h"
 
-#include "libscene/base/error.h"
-#include "libscene/geometry/vector.h"
+#include "libscene/geometry/primitives.h"
+#include "tests/refused.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -24,8 +24,8 @@
 
 namespace {
 
-using masu::Error;
 using masu::ErrorCode;
+using masu::is_refused_with;
 using masu::SpdInfo;
 using masu::SpdScene;
 using masu::Vec3d;
@@ -33,18 +33,8 @@ using masu::Vec3d;
 // Six significant digits of coordinates up to 10.
 constexpr double digit = 1e-5;
 
-struct Sphere {
-  Vec3d center;
-  double radius;
-};
-
-struct Cone {
-  Vec3d base;
-  double base_radius;
-  Vec3d apex;
-  double apex_radius;
-};
-
+using Sphere = masu::Sphere<double>;
+using Cone = masu::Cone<double>;
 using Polygon = std::vector<Vec3d>;
 
 struct Parsed {
@@ -190,16 +180,6 @@ std::size_t background_objects(SpdScene scene) {
   default:
     return 0;
   }
-}
-
-ErrorCode code_thrown_by(const auto& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.code();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return ErrorCode::device;
 }
 
 TEST(Spd, ObjectsFollowTheClosedForms) {
@@ -480,32 +460,25 @@ TEST(Spd, NurbsStartsAndEndsInItsCornerControlPoints) {
 }
 
 TEST(Spd, UnknownScenesAndSizesOutOfRangeAreUsageErrors) {
-  EXPECT_EQ(code_thrown_by([] { masu::spd_info("bolls"); }), ErrorCode::usage);
-  EXPECT_EQ(code_thrown_by([] { masu::spd_info(""); }), ErrorCode::usage);
+  for (const char* const name : {"bolls", ""})
+    EXPECT_TRUE(is_refused_with(ErrorCode::usage, name, [&] { masu::spd_info(name); }));
   for (const SpdInfo& info : masu::spd_scenes()) {
     EXPECT_NO_THROW(masu::check_spd_size(info.scene, info.min_size));
     EXPECT_NO_THROW(masu::check_spd_size(info.scene, info.max_size));
     for (const int size : {INT_MIN, info.min_size - 1, info.max_size + 1, INT_MAX})
-      EXPECT_EQ(code_thrown_by([&] {
-                  masu::write_spd({info.scene, size}, nullptr, "");
-                }),
-                ErrorCode::usage)
-          << info.name << ' ' << size;
+      EXPECT_TRUE(is_refused_with(ErrorCode::usage, "size " + std::to_string(size), [&] {
+        masu::write_spd({info.scene, size}, nullptr, "");
+      })) << info.name;
   }
 }
 
 TEST(Spd, FullDiskIsAnOutputError) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> full(std::fopen("/dev/full", "wb"), std::fclose);
   if (!full) GTEST_SKIP() << "no /dev/full here";
-  for (const int size : {1, 6}) { // fails in the last flush, and before
-    try {
+  for (const int size : {1, 6}) // fails in the last flush, and before
+    EXPECT_TRUE(is_refused_with(ErrorCode::output, "disk.nff", [&] {
       masu::write_spd({SpdScene::tetra, size}, full.get(), "disk.nff");
-      ADD_FAILURE() << "nothing was thrown";
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::output);
-      EXPECT_EQ(error.place(), "disk.nff");
-    }
-  }
+    }));
 }
 
 // Peak memory of this process, in KiB.

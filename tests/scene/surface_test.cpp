@@ -72,10 +72,8 @@ class SurfaceAtHit : public RandomTest {};
 TYPED_TEST_SUITE(SurfaceAtHit, Kinds, KindNames);
 
 template <class K, class Draw>
-void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw& draw) {
+void expect_good_surfaces(Chance& chance, std::int64_t tries, const Draw& draw) {
   using Real = typename K::Real;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
   constexpr double u = static_cast<double>(RealTraits<Real>::unit_roundoff);
   std::int64_t hits = 0, bad_normals = 0, wrong_sides = 0, self_hits = 0;
   double worst_off = 0;
@@ -130,12 +128,12 @@ void expect_good_surfaces(const RandomSeed& seed, std::int64_t tries, const Draw
 }
 
 TYPED_TEST(SurfaceAtHit, SecondaryRaysDoNotHitTheirSurface) {
-  expect_good_surfaces<TypeParam>(this->seed_, 40'000,
+  expect_good_surfaces<TypeParam>(this->chance_, 40'000,
                                   [](Chance& chance) { return TypeParam::random(chance); });
 }
 
 TYPED_TEST(SurfaceAtHit, SurfacesAreAsAccurateAtAnyScale) {
-  expect_good_surfaces<TypeParam>(this->seed_, 20'000, [](Chance& chance) {
+  expect_good_surfaces<TypeParam>(this->chance_, 20'000, [](Chance& chance) {
     return TypeParam::random(chance, unusual_scale<typename TypeParam::Real>(chance));
   });
 }

@@ -72,6 +72,15 @@ inline Vec3d across(Chance& chance, const Vec3d& v) {
   }
 }
 
+// v scaled by a power of two to a largest component between a half and one; {1, 0, 0} for zero.
+template <class Real>
+Vec3<Real> scaled_to_one(const Vec3<Real>& v) {
+  int exponent = 0;
+  std::frexp(largest_magnitude(v), &exponent);
+  if (largest_magnitude(v) == 0) return {1, 0, 0};
+  return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+}
+
 // Moved by `steps` representable numbers.
 template <class Real>
 Real nudged(Real value, int steps) {

@@ -38,11 +38,9 @@ Chance chance_for(std::uint64_t seed, std::string_view sweep, double parameter) 
 
 template <class Stored>
 Ray<double> ray_along(const Vec3d& from, const Vec3d& direction) {
-  int exponent = 0;
-  std::frexp(largest_magnitude(direction), &exponent);
-  const auto sized = [&](double c) { return std::ldexp(c, 1 - exponent); };
-  const Vec3d stored = kept<Stored>(Vec3d{sized(direction.x), sized(direction.y), sized(direction.z)});
-  return unbounded_ray(kept<Stored>(from), largest_magnitude(stored) > 0 ? stored : Vec3d{0, 0, 1});
+  const bool is_zero = !(largest_magnitude(direction) > 0);
+  return unbounded_ray(kept<Stored>(from),
+                       is_zero ? Vec3d{0, 0, 1} : kept<Stored>(scaled_to_one(direction) * 2.0));
 }
 template Ray<double> ray_along<float>(const Vec3d&, const Vec3d&);
 template Ray<double> ray_along<double>(const Vec3d&, const Vec3d&);
