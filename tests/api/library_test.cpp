@@ -119,16 +119,20 @@ masu_tracer* brute_force_tracer(const masu_scene* scene) {
   return tracer;
 }
 
+masu::Grid hierarchy_of(const masu::Scene& scene, masu_quality quality = MASU_QUALITY_HIGH) {
+  auto options = masu::default_build_options();
+  options.structure = MASU_STRUCTURE_BVH;
+  options.quality = quality;
+  return masu::Grid(scene, options);
+}
+
 TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {
   for (const masu_quality quality : {MASU_QUALITY_HIGH, MASU_QUALITY_FAST}) {
     Mesh mesh = random_mesh(engine_, 500);
     const auto corners = mesh.vertices.begin() + 9 * 7; // of a triangle that is a point
     std::copy_n(corners, 3, corners + 3);
     std::copy_n(corners, 3, corners + 6);
-    auto options = masu::default_build_options();
-    options.structure = MASU_STRUCTURE_BVH;
-    options.quality = quality;
-    masu::Grid grid(masu::Scene(mesh.vertices, mesh.indices), options);
+    masu::Grid grid = hierarchy_of(masu::Scene(mesh.vertices, mesh.indices), quality);
     for (const float most : {0.01F, 0.3F, 5.0F, 0.0F}) {
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
         mesh.vertices[i] += i / 9 == 7 ? most : most * coordinate(engine_);
@@ -136,13 +140,9 @@ TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {
       const masu::Scene moved(mesh.vertices, mesh.indices);
       grid = grid.refitted(moved);
       EXPECT_EQ(grid.describe().structure, MASU_STRUCTURE_BVH);
-      masu_tracer* tracer = nullptr;
-      ASSERT_DONE(masu_tracer_create(moved.get(), grid.get(), nullptr, &tracer));
-      masu_tracer* const brute_force = brute_force_tracer(moved.get());
+      const masu::Tracer tracer(moved, grid), brute_force(moved, nullptr, {}, true);
       const std::vector<masu_ray> rays = random_rays(engine_, 2000);
-      EXPECT_TRUE(found_by(tracer, rays) == found_by(brute_force, rays));
-      masu_tracer_free(tracer);
-      masu_tracer_free(brute_force);
+      EXPECT_TRUE(found_by(tracer.get(), rays) == found_by(brute_force.get(), rays));
     }
     const Mesh other = random_mesh(engine_, 499);
     EXPECT_THROW(static_cast<void>(grid.refitted(masu::Scene(other.vertices, other.indices))),
@@ -184,10 +184,8 @@ TEST_F(Library, AnUpdatedTracerGivesTheHitsOfANewScene) {
       geometry.sphere_count = geometry.cone_count = 1;
     }
     const masu::Scene scene(geometry);
-    auto options = masu::default_build_options();
-    options.structure = MASU_STRUCTURE_BVH;
-    options.quality = engine_() % 2 == 0 ? MASU_QUALITY_FAST : MASU_QUALITY_HIGH;
-    masu::Tracer tracer(scene, masu::Grid(scene, options));
+    masu::Tracer tracer(scene,
+                        hierarchy_of(scene, engine_() % 2 == 0 ? MASU_QUALITY_FAST : MASU_QUALITY_HIGH));
     const auto description = scene.describe();
     geometry.origin = description.origin;
     std::vector<masu_ray> rays = random_rays(engine_, 1000);
@@ -213,9 +211,7 @@ TEST_F(Library, VerticesOfNoTriangleAreNotRead) {
   Mesh mesh = random_mesh(engine_, 50);
   mesh.vertices.insert(mesh.vertices.end(), {not_a_number, infinity, 1e30F});
   const masu::Scene scene(mesh.vertices, mesh.indices);
-  auto options = masu::default_build_options();
-  options.structure = MASU_STRUCTURE_BVH;
-  masu::Tracer tracer(scene, masu::Grid(scene, options));
+  masu::Tracer tracer(scene, hierarchy_of(scene));
   const std::vector<masu_ray> rays = random_rays(engine_, 500);
   const Found before = found_by(tracer.get(), rays);
   tracer.update(mesh.vertices);
@@ -228,9 +224,7 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   auto geometry = geometry_of(meshes);
   geometry.store = engine_() % 2 == 0 ? MASU_STORE_FLOAT32 : MASU_STORE_FLOAT64;
   const masu::Scene scene(geometry);
-  auto options = masu::default_build_options();
-  options.structure = MASU_STRUCTURE_BVH;
-  masu::Tracer tracer(scene, masu::Grid(scene, options));
+  masu::Tracer tracer(scene, hierarchy_of(scene));
   const std::vector<masu_ray> rays = random_rays(engine_, 1000);
   Found before = found_by(tracer.get(), rays);
   const auto expect_refused = [&](const std::vector<float>& vertices, const char* place) {
@@ -258,6 +252,7 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   EXPECT_EQ(masu_tracer_update(tracer.get(), nullptr), MASU_ERROR_USAGE);
   moved.values = nullptr;
   EXPECT_EQ(masu_tracer_update(tracer.get(), &moved), MASU_ERROR_USAGE);
+  auto options = masu::default_build_options();
   options.structure = MASU_STRUCTURE_GRID;
   tracer = masu::Tracer(scene, masu::Grid(scene, options)); // isn't refitted
   expect_refused(mesh.vertices, "grid: isn't a hierarchy");
@@ -271,8 +266,7 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   geometry.spheres = &sphere;
   geometry.sphere_count = 1;
   const masu::Scene spheres(geometry);
-  options.structure = MASU_STRUCTURE_BVH;
-  tracer = masu::Tracer(spheres, masu::Grid(spheres, options));
+  tracer = masu::Tracer(spheres, hierarchy_of(spheres));
   before = found_by(tracer.get(), rays);
   expect_refused({}, "scene: has no triangles");
 }
@@ -284,9 +278,7 @@ TEST_F(Library, ATracerIsUpdatedWhileOthersQueryIt) {
   for (float& v : shifted)
     v += 0.3F;
   const masu::Scene scene(mesh.vertices, mesh.indices);
-  auto options = masu::default_build_options();
-  options.structure = MASU_STRUCTURE_BVH;
-  masu::Tracer tracer(scene, masu::Grid(scene, options));
+  masu::Tracer tracer(scene, hierarchy_of(scene));
   const std::vector<masu_ray> rays = random_rays(engine_, 500);
   const Found first = found_by(tracer.get(), rays);
   tracer.update(shifted);
