@@ -54,3 +54,7 @@ inline Found found_by(const masu_tracer* tracer, const std::vector<masu_ray>& ra
                       const masu_query& query = masu::sized<masu_query>()) {
   return found_by(tracer, rays.data(), rays.size(), query);
 }
+inline Found found_by(const masu::Tracer& tracer, const std::vector<masu_ray>& rays,
+                      const masu_query& query = masu::sized<masu_query>()) {
+  return found_by(tracer.get(), rays, query);
+}

@@ -71,6 +71,27 @@ masu_geometry geometry_of(std::span<const masu_mesh> meshes) {
   return geometry;
 }
 
+masu_quadrics quadrics(std::span<const float> values, std::size_t count = 1) {
+  auto result = masu::sized<masu_quadrics>();
+  result.values = values.data();
+  result.count = count;
+  return result;
+}
+
+masu::Grid built(const masu::Scene& scene, masu_structure structure,
+                 masu_quality quality = MASU_QUALITY_HIGH) {
+  auto options = masu::default_build_options();
+  options.structure = structure;
+  options.quality = quality;
+  return masu::Grid(scene, options);
+}
+masu::Grid hierarchy_of(const masu::Scene& scene, masu_quality quality = MASU_QUALITY_HIGH) {
+  return built(scene, MASU_STRUCTURE_BVH, quality);
+}
+masu::Tracer brute_force(const masu::Scene& scene) {
+  return {scene, nullptr, {}, true};
+}
+
 class Library : public testing::Test {
 protected:
   std::string file(const char* name) const { return folder_.file(name); }
@@ -89,9 +110,10 @@ protected:
   const masu_grid* grid() const { return grids_.back(); }
 
   // Of what is prepared, on the CPU; until the test's end.
-  masu_tracer* opened() {
+  masu_tracer* opened() { return opened(grid(), nullptr); }
+  masu_tracer* opened(const masu_grid* grid, const masu_tracer_options* options) {
     masu_tracer* tracer = nullptr;
-    EXPECT_EQ(masu_tracer_create(scene(), grid(), nullptr, &tracer), MASU_OK) << masu_error();
+    EXPECT_EQ(masu_tracer_create(scene(), grid, options, &tracer), MASU_OK) << masu_error();
     return opened_.emplace_back(tracer);
   }
   ~Library() override {
@@ -111,21 +133,6 @@ private:
   std::vector<masu_tracer*> opened_;
 };
 
-masu_tracer* brute_force_tracer(const masu_scene* scene) {
-  auto options = masu::sized<masu_tracer_options>();
-  options.brute_force = 1;
-  masu_tracer* tracer = nullptr;
-  EXPECT_EQ(masu_tracer_create(scene, nullptr, &options, &tracer), MASU_OK) << masu_error();
-  return tracer;
-}
-
-masu::Grid hierarchy_of(const masu::Scene& scene, masu_quality quality = MASU_QUALITY_HIGH) {
-  auto options = masu::default_build_options();
-  options.structure = MASU_STRUCTURE_BVH;
-  options.quality = quality;
-  return masu::Grid(scene, options);
-}
-
 TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {
   for (const masu_quality quality : {MASU_QUALITY_HIGH, MASU_QUALITY_FAST}) {
     Mesh mesh = random_mesh(engine_, 500);
@@ -140,9 +147,8 @@ TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {
       const masu::Scene moved(mesh.vertices, mesh.indices);
       grid = grid.refitted(moved);
       EXPECT_EQ(grid.describe().structure, MASU_STRUCTURE_BVH);
-      const masu::Tracer tracer(moved, grid), brute_force(moved, nullptr, {}, true);
       const std::vector<masu_ray> rays = random_rays(engine_, 2000);
-      EXPECT_TRUE(found_by(tracer.get(), rays) == found_by(brute_force.get(), rays));
+      EXPECT_TRUE(found_by(masu::Tracer(moved, grid), rays) == found_by(brute_force(moved), rays));
     }
     const Mesh other = random_mesh(engine_, 499);
     EXPECT_THROW(static_cast<void>(grid.refitted(masu::Scene(other.vertices, other.indices))),
@@ -173,9 +179,7 @@ TEST_F(Library, AnUpdatedTracerGivesTheHitsOfANewScene) {
       next += mesh.vertices.size();
     }
     const std::array<float, 8> sphere_and_cone{0, 0, 0, 0.5F, 1, 1, 0, 0.2F};
-    auto sphere = masu::sized<masu_quadrics>(), cone = masu::sized<masu_quadrics>();
-    sphere.values = cone.values = sphere_and_cone.data();
-    sphere.count = cone.count = 1;
+    const masu_quadrics sphere = quadrics(sphere_and_cone), cone = sphere;
     auto geometry = geometry_of(views);
     geometry.store = is_float64 ? MASU_STORE_FLOAT64 : MASU_STORE_FLOAT32;
     if (far == 0 && engine_() % 2 == 0) {
@@ -197,11 +201,11 @@ TEST_F(Library, AnUpdatedTracerGivesTheHitsOfANewScene) {
         v = most == 0 ? far : v + most * static_cast<double>(coordinate(engine_)); // all points at last
       if (engine_() % 2 == 0) std::copy_n(vertices.begin(), 3, vertices.begin() + 3);
       tracer.update(vertices);
-      const masu::Tracer brute_force(masu::Scene(geometry), nullptr, {}, true);
-      EXPECT_TRUE(found_by(tracer.get(), rays, query) == found_by(brute_force.get(), rays, query)) << most;
-      EXPECT_TRUE(tracer.all_hits(rays, 3, relative) == brute_force.all_hits(rays, 3, relative)) << most;
-      EXPECT_EQ(tracer.count_hits(rays, relative), brute_force.count_hits(rays, relative)) << most;
-      EXPECT_EQ(tracer.inside(rays, relative), brute_force.inside(rays, relative)) << most;
+      const masu::Tracer expected = brute_force(masu::Scene(geometry));
+      EXPECT_TRUE(found_by(tracer, rays, query) == found_by(expected, rays, query)) << most;
+      EXPECT_TRUE(tracer.all_hits(rays, 3, relative) == expected.all_hits(rays, 3, relative)) << most;
+      EXPECT_EQ(tracer.count_hits(rays, relative), expected.count_hits(rays, relative)) << most;
+      EXPECT_EQ(tracer.inside(rays, relative), expected.inside(rays, relative)) << most;
     }
   }
 }
@@ -213,9 +217,9 @@ TEST_F(Library, VerticesOfNoTriangleAreNotRead) {
   const masu::Scene scene(mesh.vertices, mesh.indices);
   masu::Tracer tracer(scene, hierarchy_of(scene));
   const std::vector<masu_ray> rays = random_rays(engine_, 500);
-  const Found before = found_by(tracer.get(), rays);
+  const Found before = found_by(tracer, rays);
   tracer.update(mesh.vertices);
-  EXPECT_TRUE(found_by(tracer.get(), rays) == before);
+  EXPECT_TRUE(found_by(tracer, rays) == before);
 }
 
 TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
@@ -226,7 +230,7 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   const masu::Scene scene(geometry);
   masu::Tracer tracer(scene, hierarchy_of(scene));
   const std::vector<masu_ray> rays = random_rays(engine_, 1000);
-  Found before = found_by(tracer.get(), rays);
+  Found before = found_by(tracer, rays);
   const auto expect_refused = [&](const std::vector<float>& vertices, const char* place) {
     try {
       tracer.update(vertices);
@@ -235,7 +239,7 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
       EXPECT_EQ(error.status, MASU_ERROR_USAGE);
       EXPECT_EQ(std::string(error.what()).rfind(place, 0), 0U) << error.what();
     }
-    EXPECT_TRUE(found_by(tracer.get(), rays) == before);
+    EXPECT_TRUE(found_by(tracer, rays) == before);
   };
   for (const float wrong : {not_a_number, infinity}) {
     std::vector<float> vertices = mesh.vertices;
@@ -252,22 +256,18 @@ TEST_F(Library, AnUpdateThatIsRefusedChangesNothing) {
   EXPECT_EQ(masu_tracer_update(tracer.get(), nullptr), MASU_ERROR_USAGE);
   moved.values = nullptr;
   EXPECT_EQ(masu_tracer_update(tracer.get(), &moved), MASU_ERROR_USAGE);
-  auto options = masu::default_build_options();
-  options.structure = MASU_STRUCTURE_GRID;
-  tracer = masu::Tracer(scene, masu::Grid(scene, options)); // isn't refitted
+  tracer = masu::Tracer(scene, built(scene, MASU_STRUCTURE_GRID)); // isn't refitted
   expect_refused(mesh.vertices, "grid: isn't a hierarchy");
-  tracer = masu::Tracer(scene, nullptr, {}, true);
+  tracer = brute_force(scene);
   expect_refused(mesh.vertices, "grid: isn't a hierarchy");
   const std::array<float, 4> values{0, 0, 0, 0.5F};
-  auto sphere = masu::sized<masu_quadrics>();
-  sphere.values = values.data();
-  sphere.count = 1;
+  const masu_quadrics sphere = quadrics(values);
   geometry = geometry_of({});
   geometry.spheres = &sphere;
   geometry.sphere_count = 1;
   const masu::Scene spheres(geometry);
   tracer = masu::Tracer(spheres, hierarchy_of(spheres));
-  before = found_by(tracer.get(), rays);
+  before = found_by(tracer, rays);
   expect_refused({}, "scene: has no triangles");
 }
 
@@ -280,10 +280,10 @@ TEST_F(Library, ATracerIsUpdatedWhileOthersQueryIt) {
   const masu::Scene scene(mesh.vertices, mesh.indices);
   masu::Tracer tracer(scene, hierarchy_of(scene));
   const std::vector<masu_ray> rays = random_rays(engine_, 500);
-  const Found first = found_by(tracer.get(), rays);
+  const Found first = found_by(tracer, rays);
   tracer.update(shifted);
-  const Found second = found_by(tracer.get(), rays);
-  std::vector<std::thread> threads;
+  const Found second = found_by(tracer, rays);
+  std::vector<std::jthread> threads;
   for (int k = 0; k < 4; ++k) {
     threads.emplace_back([&, k] {
       for (int i = 0; i < 30; ++i) {
@@ -296,8 +296,6 @@ TEST_F(Library, ATracerIsUpdatedWhileOthersQueryIt) {
       }
     });
   }
-  for (std::thread& thread : threads)
-    thread.join();
 }
 
 // Möller & Trumbore in double: t of a triangle, or infinity.
@@ -366,9 +364,11 @@ TEST_F(Library, FindsWhatBruteForceFinds) {
 
 TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   prepare(random_mesh(engine_, 300));
-  masu_tracer *const tracer = opened(), *const brute_force = brute_force_tracer(scene());
+  auto by_brute_force = masu::sized<masu_tracer_options>();
+  by_brute_force.brute_force = 1;
+  masu_tracer* const tracer = opened();
   std::vector<masu_ray> rays = random_rays(engine_, 2000);
-  EXPECT_TRUE(found_by(tracer, rays) == found_by(brute_force, rays));
+  EXPECT_TRUE(found_by(tracer, rays) == found_by(opened(nullptr, &by_brute_force), rays));
   // Six numbers each, floats and doubles.
   std::vector<float> floats;
   std::vector<double> doubles, doubles8;
@@ -383,13 +383,9 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   doubles.assign(floats.begin(), floats.end());
   const Found all = found_by(tracer, rays);
   const auto same = [&](const void* data, masu_ray_format format) {
-    Found found(rays.size());
-    const masu_hits hits = found.hits();
     auto query = masu::sized<masu_query>();
     query.format = format;
-    EXPECT_EQ(masu_nearest(tracer, data, rays.size(), &query, &hits), MASU_OK) << masu_error();
-    found.occluded = all.occluded;
-    return found == all;
+    return found_by(tracer, data, rays.size(), query) == all;
   };
   EXPECT_TRUE(same(floats.data(), MASU_RAYS_FLOAT32_6));
   EXPECT_TRUE(same(doubles.data(), MASU_RAYS_FLOAT64_6));
@@ -401,16 +397,12 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   ASSERT_DONE(masu_nearest(tracer, rays.data(), rays.size(), nullptr, &only));
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);
-  masu_tracer_free(brute_force);
 }
 
 TEST_F(Library, WithoutAGridTheFastestIsBuilt) {
   prepare(random_mesh(engine_, 300));
-  masu_tracer* without = nullptr;
-  ASSERT_DONE(masu_tracer_create(scene(), nullptr, nullptr, &without));
   const std::vector<masu_ray> rays = random_rays(engine_, 2000);
-  EXPECT_TRUE(found_by(opened(), rays) == found_by(without, rays));
-  masu_tracer_free(without);
+  EXPECT_TRUE(found_by(opened(), rays) == found_by(opened(nullptr, nullptr), rays));
 }
 
 // Whichever way the handles are freed.
@@ -423,9 +415,9 @@ TEST_F(Library, ATracerKeepsWhatItUses) {
   std::optional<masu::Grid> grid(*scene);
   const masu::Tracer tracer(*scene, *grid);
   scene.reset();
-  EXPECT_TRUE(found_by(tracer.get(), rays) == expected);
+  EXPECT_TRUE(found_by(tracer, rays) == expected);
   grid.reset();
-  EXPECT_TRUE(found_by(tracer.get(), rays) == expected);
+  EXPECT_TRUE(found_by(tracer, rays) == expected);
 }
 
 TEST_F(Library, FilesHaveTheBytesOfWhatIsInMemory) {
@@ -443,11 +435,9 @@ TEST_F(Library, FilesHaveTheBytesOfWhatIsInMemory) {
   EXPECT_EQ(masu::read_bytes(file("grid")), masu::read_bytes(file("grid2")));
   EXPECT_EQ(masu::read_bytes(file("grid")), masu::read_bytes(file("grid3")));
   const std::vector<masu_ray> rays = random_rays(engine_, 500);
-  EXPECT_TRUE(found_by(opened(), rays) == found_by(masu::Tracer(scene_again, grid_again).get(), rays));
+  EXPECT_TRUE(found_by(opened(), rays) == found_by(masu::Tracer(scene_again, grid_again), rays));
   // The pair of what is written and what isn't fits.
-  masu_tracer* tracer = nullptr;
-  ASSERT_DONE(masu_tracer_create(scene(), grid_again.get(), nullptr, &tracer));
-  masu_tracer_free(tracer);
+  opened(grid_again.get(), nullptr);
 }
 
 // Vertices in a row, and in double, are the same scene; spheres and cones are numbered after triangles.
@@ -459,12 +449,9 @@ TEST_F(Library, ArraysOfEveryKindMakeTheSameScene) {
   auto row = mesh.view();
   row.indices = nullptr;
   const auto bytes_of = [&](const masu_mesh& view, bool in_double) {
-    auto sphere = masu::sized<masu_quadrics>(), cone = masu::sized<masu_quadrics>();
-    (in_double ? static_cast<void>(sphere.values64 = spheres64.data())
-               : static_cast<void>(sphere.values = spheres.data()));
-    sphere.count = 2;
-    cone.values = cones.data();
-    cone.count = 1;
+    masu_quadrics sphere = quadrics(spheres, 2);
+    if (in_double) sphere.values = nullptr, sphere.values64 = spheres64.data();
+    const masu_quadrics cone = quadrics(cones);
     masu_geometry geometry = geometry_of({&view, 1});
     geometry.spheres = &sphere;
     geometry.cones = &cone;
@@ -483,7 +470,7 @@ TEST_F(Library, ArraysOfEveryKindMakeTheSameScene) {
   EXPECT_EQ(scene.primitive(52).object, 2U);
   const std::vector<masu_ray> rays{{{0, 0, 20}, 0, {0, 0, -1}, infinity},
                                    {{9, 0, 1}, 0, {-1, 0, 0}, infinity}};
-  const Found found = found_by(masu::Tracer(scene).get(), rays);
+  const Found found = found_by(masu::Tracer(scene), rays);
   EXPECT_EQ(found.primitive[0], 51U);
   EXPECT_EQ(found.t[0], 11);
   EXPECT_EQ(found.primitive[1], 52U);
@@ -546,10 +533,7 @@ TEST_F(Library, InCppTypesDecideTheFormat) {
   const auto check = [&](const auto& rays, masu_ray_format format) {
     auto query = masu::sized<masu_query>();
     query.format = format;
-    Found expected(rays.size());
-    const masu_hits hits = expected.hits();
-    ASSERT_DONE(masu_nearest(tracer.get(), rays.data(), rays.size(), &query, &hits));
-    ASSERT_DONE(masu_occluded(tracer.get(), rays.data(), rays.size(), &query, expected.occluded.data()));
+    const Found expected = found_by(tracer.get(), rays.data(), rays.size(), query);
     EXPECT_EQ(tracer.nearest(rays).primitive, expected.primitive);
     EXPECT_EQ(tracer.nearest(std::span(rays), {.coherent = true}).t, expected.t);
     EXPECT_EQ(tracer.occluded(rays), expected.occluded);
@@ -580,7 +564,7 @@ TEST_F(Library, InCppTypesDecideTheFormat) {
   };
   static_assert(!masu::Ray<Larger> && !masu::Ray<float> && !masu::RayRange<std::vector<double>>);
   EXPECT_TRUE(tracer.nearest(std::vector<masu_ray>()).t.empty());
-  EXPECT_EQ(masu::Tracer(of_mesh, nullptr, {}, true).nearest(rays).t, tracer.nearest(rays).t);
+  EXPECT_EQ(brute_force(of_mesh).nearest(rays).t, tracer.nearest(rays).t);
   EXPECT_EQ(masu::Tracer(of_mesh).nearest(rays).t, tracer.nearest(rays).t);
   try {
     FAIL() << masu::Scene::read(file("missing")).describe().triangles;
@@ -610,7 +594,7 @@ Mesh hollow_box() {
 TEST_F(Library, ListsAndCountsTheHitsOfClosedMeshes) {
   const Mesh mesh = hollow_box();
   const masu::Scene of_mesh(mesh.vertices, mesh.indices);
-  const masu::Tracer tracer(of_mesh, masu::Grid(of_mesh)), brute_force(of_mesh, nullptr, {}, true);
+  const masu::Tracer tracer(of_mesh, masu::Grid(of_mesh)), without_grid = brute_force(of_mesh);
   std::vector<std::array<double, 6>> rays;
   const auto whole = [&](int most) {
     return static_cast<double>(static_cast<int>(engine_() % (2U * most + 1)) - most);
@@ -626,7 +610,7 @@ TEST_F(Library, ListsAndCountsTheHitsOfClosedMeshes) {
   };
   for (const masu_precision precision : {MASU_PRECISION_ROBUST, MASU_PRECISION_DOUBLE}) {
     const masu::HitLists lists = tracer.all_hits(rays, 4, {.precision = precision});
-    EXPECT_TRUE(lists == brute_force.all_hits(rays, 4, {.precision = precision}));
+    EXPECT_TRUE(lists == without_grid.all_hits(rays, 4, {.precision = precision}));
     EXPECT_EQ(tracer.count_hits(rays, {.precision = precision}), lists.counts); // never more than 4
     const std::vector<std::uint8_t> inside = tracer.inside(rays, {.precision = precision});
     const std::vector<std::uint32_t> fronts =
@@ -731,7 +715,7 @@ TEST_F(Library, FindsClosestPoints) {
   std::vector<std::array<double, 3>> places64;
   for (const auto& [x, y, z] : places)
     places64.push_back({x, y, z});
-  const masu::ClosestPoints expected = masu::Tracer(scene, nullptr, {}, true).closest(places);
+  const masu::ClosestPoints expected = brute_force(scene).closest(places);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const auto& [x, y, z] = expected.point[i];
     EXPECT_NEAR(std::hypot(places64[i][0] - x, places64[i][1] - y, places64[i][2] - z), expected.distance[i],
@@ -747,10 +731,7 @@ TEST_F(Library, FindsClosestPoints) {
   for (const auto& [structure, quality] :
        {std::pair(MASU_STRUCTURE_BVH, MASU_QUALITY_HIGH), std::pair(MASU_STRUCTURE_BVH, MASU_QUALITY_FAST),
         std::pair(MASU_STRUCTURE_GRID, MASU_QUALITY_HIGH)}) {
-    masu_build_options options = masu::default_build_options();
-    options.structure = structure;
-    options.quality = quality;
-    const masu::Tracer tracer(scene, masu::Grid(scene, options));
+    const masu::Tracer tracer(scene, built(scene, structure, quality));
     expect_same(tracer.closest(places));
     expect_same(tracer.closest(places64, {.threads = 1}));
   }
@@ -801,7 +782,7 @@ TEST_F(Library, AnswersThreadsAtTheSameTime) {
   masu_tracer* const tracers[]{opened(), opened()};
   const std::vector<masu_ray> rays = random_rays(engine_, 20000);
   const Found expected = found_by(tracers[0], rays);
-  std::vector<std::thread> threads;
+  std::vector<std::jthread> threads;
   std::vector<int> right(8);
   for (std::size_t k = 0; k < right.size(); ++k) {
     threads.emplace_back([&, k] {
@@ -813,8 +794,7 @@ TEST_F(Library, AnswersThreadsAtTheSameTime) {
       }
     });
   }
-  for (std::thread& thread : threads)
-    thread.join();
+  threads.clear(); // they have ended
   for (const int r : right)
     EXPECT_EQ(r, 5);
 }
@@ -901,7 +881,7 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   const Mesh mesh = random_mesh(engine_, 10);
   prepare(mesh);
   masu_scene* read = nullptr;
-  masu_grid* built = nullptr;
+  masu_grid* made = nullptr;
   masu_tracer* tracer = nullptr;
   EXPECT_EQ(masu_tracer_create(nullptr, grid(), nullptr, &tracer), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_tracer_create(scene(), grid(), nullptr, nullptr), MASU_ERROR_USAGE);
@@ -914,12 +894,12 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   ASSERT_DONE(masu_scene_write(scene(), file("scene").c_str()));
   ASSERT_DONE(masu_grid_write(grid(), file("grid").c_str()));
   EXPECT_EQ(masu_scene_read(file("grid").c_str(), &read), MASU_ERROR_INPUT);
-  EXPECT_EQ(masu_grid_read(file("scene").c_str(), &built), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_grid_read(file("scene").c_str(), &made), MASU_ERROR_INPUT);
   EXPECT_EQ(masu_scene_read(nullptr, &read), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_scene_read(file("scene").c_str(), nullptr), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_scene_read(file("missing").c_str(), &read), MASU_ERROR_INPUT);
   EXPECT_NE(std::string(masu_error()).find("missing"), std::string::npos);
-  EXPECT_EQ(masu_grid_read(file("missing").c_str(), &built), MASU_ERROR_INPUT);
+  EXPECT_EQ(masu_grid_read(file("missing").c_str(), &made), MASU_ERROR_INPUT);
   EXPECT_EQ(masu_scene_write(scene(), file("no/folder").c_str()), MASU_ERROR_OUTPUT);
   EXPECT_EQ(masu_grid_write(grid(), file("no/folder").c_str()), MASU_ERROR_OUTPUT);
   EXPECT_EQ(masu_scene_write(nullptr, file("out").c_str()), MASU_ERROR_USAGE);
@@ -927,7 +907,7 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   EXPECT_EQ(masu_scene_describe(scene(), nullptr), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_grid_describe(grid(), nullptr), MASU_ERROR_USAGE);
 
-  ASSERT_DONE(masu_tracer_create(scene(), grid(), nullptr, &tracer));
+  tracer = opened();
   const std::vector<masu_ray> rays = random_rays(engine_, 4);
   Found found(rays.size());
   const masu_hits hits = found.hits(), nothing = masu::sized<masu_hits>();
@@ -951,7 +931,6 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   }
   ASSERT_DONE(masu_nearest(tracer, rays.data(), 4, nullptr, &nothing));
   ASSERT_DONE(masu_nearest(tracer, nullptr, 0, nullptr, &nothing));
-  masu_tracer_free(tracer);
   masu_tracer_free(nullptr);
   masu_scene_free(nullptr);
   masu_grid_free(nullptr);
@@ -980,9 +959,7 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
                                           {0, 0, 0, 0, 0, 0, 1, 0},
                                           {0, 0, 0, 1, 0, 0, 1, -1},
                                           {0, 0, 0, 1, 0, not_a_number, 1, 1}}) {
-    auto cones = masu::sized<masu_quadrics>();
-    cones.values = cone.data();
-    cones.count = 1;
+    const masu_quadrics cones = quadrics(cone);
     auto geometry = masu::sized<masu_geometry>();
     geometry.cones = &cones;
     geometry.cone_count = 1;
@@ -994,10 +971,10 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   const auto built_with = [&](const auto& change) {
     options = masu::default_build_options();
     change();
-    return masu_grid_build(scene(), &options, &built);
+    return masu_grid_build(scene(), &options, &made);
   };
   EXPECT_EQ(built_with([] {}), MASU_OK) << masu_error();
-  masu_grid_free(built);
+  masu_grid_free(made);
   EXPECT_EQ(built_with([&] { options.division = "0"; }), MASU_ERROR_USAGE);
   EXPECT_EQ(built_with([&] { options.division = "what"; }), MASU_ERROR_USAGE);
   EXPECT_EQ(built_with([&] { options.alpha = std::nan(""); }), MASU_ERROR_USAGE);
@@ -1010,16 +987,13 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
               options.merge = MASU_MERGE_X;
             }),
             MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_grid_build(nullptr, nullptr, &built), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_grid_refit(nullptr, scene(), &built), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_grid_refit(grid(), nullptr, &built), MASU_ERROR_USAGE);
-  options = masu::default_build_options();
-  options.structure = MASU_STRUCTURE_GRID;
-  EXPECT_EQ(
-      masu_grid_refit(masu::Grid(masu::Scene(mesh.vertices, mesh.indices), options).get(), scene(), &built),
-      MASU_ERROR_USAGE); // it isn't a hierarchy
+  EXPECT_EQ(masu_grid_build(nullptr, nullptr, &made), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_refit(nullptr, scene(), &made), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_grid_refit(grid(), nullptr, &made), MASU_ERROR_USAGE);
+  const masu::Grid grid_of_voxels = built(masu::Scene(mesh.vertices, mesh.indices), MASU_STRUCTURE_GRID);
+  EXPECT_EQ(masu_grid_refit(grid_of_voxels.get(), scene(), &made), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_grid_build(scene(), nullptr, nullptr), MASU_ERROR_USAGE);
-  EXPECT_EQ(built, nullptr);
+  EXPECT_EQ(made, nullptr);
   int count = -1;
   EXPECT_EQ(masu_gpu_count(nullptr), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_gpu_count(&count), MASU_OK);

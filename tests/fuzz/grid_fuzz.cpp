@@ -8,8 +8,6 @@
 #include "renderer/counts.h"
 #include "tests/fuzz/repaired.h"
 
-#include <algorithm>
-
 namespace {
 
 // Checks the primitive indices that traversal meets.
@@ -39,9 +37,9 @@ void traverse(const Grid& grid, const masu::GridFile& file) {
   }
 }
 
-void open_and_traverse(const masu::ReusedFile& memory, std::span<const std::uint8_t> bytes) {
+void open_and_traverse(const std::string& path) {
   try {
-    const masu::GridFile file(memory.with(bytes));
+    const masu::GridFile file(path);
     if (file.is_hierarchy()) {
       static_cast<void>(masu::hierarchy_statistics(file.nodes()));
       traverse<float>(file.hierarchy_view<float>(), file);
@@ -61,18 +59,12 @@ void open_and_traverse(const masu::ReusedFile& memory, std::span<const std::uint
 
 } // namespace
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
-
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
-  return masu::mutated<masu::fb::Grid>(data, size, max_size, seed, masu::grid_file_kind, LLVMFuzzerMutate);
+  return masu::mutated<masu::fb::Grid>(data, size, max_size, seed, masu::grid_file_kind);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const masu::ReusedFile memory;
-  const std::span bytes(data, size);
-  open_and_traverse(memory, bytes);
-  const auto right = masu::repaired<masu::fb::Grid>(bytes, masu::grid_file_kind);
-  if (!std::ranges::equal(bytes, right)) open_and_traverse(memory, right);
+  masu::with_repaired<masu::fb::Grid>({data, size}, masu::grid_file_kind, open_and_traverse);
   return 0;
 }

@@ -115,16 +115,27 @@ std::vector<std::uint8_t> repaired(std::span<const std::uint8_t> input, const Fi
   return bytes;
 }
 
-// A mutator for LLVMFuzzerCustomMutator: what the fuzzer does anywhere in the file, or to four bytes of the
-// body, with hashes that are right afterwards most of the time.
+// Acts on the file of these bytes, and on that of them repaired.
+template <class Table, class Act>
+void with_repaired(std::span<const std::uint8_t> bytes, const FileKind& kind, const Act& act) {
+  static const ReusedFile memory;
+  act(memory.with(bytes));
+  const std::vector<std::uint8_t> right = repaired<Table>(bytes, kind);
+  if (!std::ranges::equal(bytes, right)) act(memory.with(right));
+}
+
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
+
+// For LLVMFuzzerCustomMutator: what the fuzzer does anywhere in the file, or to four bytes of the body, with
+// hashes that are right afterwards most of the time.
 template <class Table>
 std::size_t mutated(std::uint8_t* data, std::size_t size, std::size_t max_size, unsigned seed,
-                    const FileKind& kind, std::size_t (*mutate)(std::uint8_t*, std::size_t, std::size_t)) {
+                    const FileKind& kind) {
   if (seed % 2 == 0 && size > 4096) {
     const std::size_t word = (4096 + seed / 2 % (size - 4096)) / 4 * 4;
-    if (word + 4 <= size) static_cast<void>(mutate(data + word, 4, 4));
+    if (word + 4 <= size) static_cast<void>(LLVMFuzzerMutate(data + word, 4, 4));
   } else {
-    size = mutate(data, size, max_size);
+    size = LLVMFuzzerMutate(data, size, max_size);
   }
   if (seed % 16 == 0) return size;
   const std::vector<std::uint8_t> bytes = repaired<Table>({data, size}, kind);

@@ -4,13 +4,11 @@
 #include "tests/fuzz/repaired.h"
 #include "tests/tracing_probe.h"
 
-#include <algorithm>
-
 namespace {
 
-void open_and_trace(const masu::ReusedFile& memory, std::span<const std::uint8_t> bytes) {
+void open_and_trace(const std::string& path) {
   try {
-    const masu::SceneFile scene(memory.with(bytes));
+    const masu::SceneFile scene(path);
     masu::trace_a_little(scene, nullptr);
     for (const masu::GridKind kind : {masu::GridKind::uniform, masu::GridKind::balance,
                                       masu::GridKind::irregular, masu::GridKind::hierarchy})
@@ -21,18 +19,12 @@ void open_and_trace(const masu::ReusedFile& memory, std::span<const std::uint8_t
 
 } // namespace
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
-
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
-  return masu::mutated<masu::fb::Scene>(data, size, max_size, seed, masu::scene_file_kind, LLVMFuzzerMutate);
+  return masu::mutated<masu::fb::Scene>(data, size, max_size, seed, masu::scene_file_kind);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const masu::ReusedFile memory;
-  const std::span bytes(data, size);
-  open_and_trace(memory, bytes);
-  const auto right = masu::repaired<masu::fb::Scene>(bytes, masu::scene_file_kind);
-  if (!std::ranges::equal(bytes, right)) open_and_trace(memory, right);
+  masu::with_repaired<masu::fb::Scene>({data, size}, masu::scene_file_kind, open_and_trace);
   return 0;
 }

@@ -15,11 +15,9 @@ struct TinyScene {
 
 } // namespace
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
-
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t max_size,
                                                unsigned seed) {
-  return masu::mutated<masu::fb::Grid>(data, size, max_size, seed, masu::grid_file_kind, LLVMFuzzerMutate);
+  return masu::mutated<masu::fb::Grid>(data, size, max_size, seed, masu::grid_file_kind);
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

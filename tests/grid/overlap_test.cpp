@@ -243,16 +243,6 @@ Cone<double> random_cone(Chance& chance, const GridLayout& layout, double scale)
   return cone;
 }
 
-Triangle<double> moved(const Triangle<double>& t, const Vec3d& by) {
-  return triangle_of(t.a + by, t.b + by, t.c + by);
-}
-Sphere<double> moved(const Sphere<double>& s, const Vec3d& by) {
-  return {s.center + by, s.radius};
-}
-Cone<double> moved(const Cone<double>& c, const Vec3d& by) {
-  return {c.base + by, c.base_radius, c.apex + by, c.apex_radius};
-}
-
 template <class Real, template <class> class Primitive>
 struct Kind {
   static auto random(Chance& chance, const GridLayout& layout, double scale) {
@@ -267,14 +257,14 @@ struct Kind {
   static GridLayout layout(Chance& chance, double scale, int finest) {
     return random_layout<Real>(chance, scale, finest);
   }
-  static auto stored(const Primitive<double>& p) {
+  static auto moved(const Primitive<double>& p, const Vec3d& by) {
+    const auto there = [&](const Vec3d& point) { return kept<Real>(point + by); };
     if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {
-      return triangle_of(kept<Real>(p.a), kept<Real>(p.b), kept<Real>(p.c));
+      return triangle_of(there(p.a), there(p.b), there(p.c));
     } else if constexpr (std::is_same_v<Primitive<Real>, Sphere<Real>>) {
-      return Sphere<double>{kept<Real>(p.center), kept<Real>(p.radius)};
+      return Sphere<double>{there(p.center), p.radius};
     } else {
-      return Cone<double>{kept<Real>(p.base), kept<Real>(p.base_radius), kept<Real>(p.apex),
-                          kept<Real>(p.apex_radius)};
+      return Cone<double>{there(p.base), p.base_radius, there(p.apex), p.apex_radius};
     }
   }
 };
@@ -359,7 +349,7 @@ TYPED_TEST(Overlaps, WhatTouchesACornerIsListedAllRound) {
     const GridLayout layout = TypeParam::layout(chance, scale, 16);
     const auto start = TypeParam::random(chance, layout, scale / 4);
     const Vec3d corner = inner_corner(chance, layout);
-    const auto primitive = TypeParam::stored(moved(start, corner - on_surface(chance, start).at));
+    const auto primitive = TypeParam::moved(start, corner - on_surface(chance, start).at);
     if (!has_surface(primitive)) continue; // a point once it is rounded
     const Listing exact(layout, Overlap::exact, primitive);
     const oracle::Point at = oracle::point(corner);
