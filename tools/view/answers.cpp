@@ -97,19 +97,8 @@ HttpReply picture(const Viewer& viewer, Parameters& parameters, const IsGone& is
   const PictureRequest request = picture_request(viewer, parameters);
   parameters.end();
   Picture made = viewer.picture(request, is_gone);
-  const PictureSeconds& s = made.seconds;
-  const auto timing = [](const char* name, double seconds) {
-    return fmt::format("{};dur={:.3f}, ", name, seconds * 1e3);
-  };
-  HttpReply reply{200, has_values(request.channel) ? "application/octet-stream" : "image/jpeg",
-                  std::move(made.bytes)};
-  if (made.warps.turns > 0)
-    reply.timing =
-        fmt::format("turns;desc={}, busy_lanes;desc={}, ", made.warps.turns, made.warps.busy_lanes);
-  reply.timing += fmt::format("precision;desc=\"{}\", ", made.precision) + timing("wait", s.wait) +
-                  timing("trace", s.trace) + timing("copy", s.copy) + timing("rows", s.rows) +
-                  timing("encode", s.encode) + fmt::format("rays;desc={}", made.rays);
-  return reply;
+  return {200, has_values(request.channel) ? "application/octet-stream" : "image/jpeg", std::move(made.bytes),
+          timing_of(made)};
 }
 
 // Of a walk: that of the picture that its ray was picked in.

@@ -44,28 +44,6 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-// image: a JPEG; values: as Picture has them.
-Json picture_json(const Picture& picture, const PictureChannel& channel) {
-  const PictureSeconds& s = picture.seconds;
-  Json json{{"precision", picture.precision},
-            {"rays", picture.rays},
-            {"milliseconds",
-             {{"wait", 0},
-              {"trace", s.trace * 1e3},
-              {"copy", s.copy * 1e3},
-              {"rows", s.rows * 1e3},
-              {"encode", s.encode * 1e3}}}};
-  if (channel.channel == Channel::idle) {
-    json["milliseconds"]["turns"] = picture.warps.turns;
-    json["milliseconds"]["busy_lanes"] = picture.warps.busy_lanes;
-  }
-  if (has_values(channel))
-    json["values"] = base64(picture.bytes);
-  else
-    json["image"] = "data:image/jpeg;base64," + base64(picture.bytes);
-  return json;
-}
-
 // All pictures of a view: {channel: [one a grid]}, of channels that don't depend on the grid the first one's.
 Json channels_json(const Viewer& viewer, PictureRequest request) {
   Json all;
@@ -74,12 +52,10 @@ Json channels_json(const Viewer& viewer, PictureRequest request) {
     request.channel = parse_picture_channel(name);
     request.sampling = request.channel.is_shaded() ? Sampling::corners : Sampling::centers;
     for (request.grid = 0; request.grid < viewer.grids(); ++request.grid) {
-      Json json = picture_json(viewer.picture(request, is_gone), request.channel);
-      if (request.grid > 0 && !depends_on_grid(request.channel)) {
-        json.erase("image");
-        json.erase("values");
-      }
-      all[name].push_back(std::move(json));
+      const Picture picture = viewer.picture(request, is_gone);
+      Json& json = all[name].emplace_back(Json{{"timing", timing_of(picture)}});
+      if (request.grid == 0 || depends_on_grid(request.channel))
+        json[has_values(request.channel) ? "values" : "jpeg"] = base64(picture.bytes);
     }
   }
   return all;

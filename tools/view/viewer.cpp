@@ -167,6 +167,20 @@ Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceW
 
 } // namespace
 
+std::string timing_of(const Picture& picture) {
+  const PictureSeconds& s = picture.seconds;
+  std::string text = fmt::format("precision;desc=\"{}\", rays;desc={}", picture.precision, picture.rays);
+  if (picture.warps.turns > 0)
+    text += fmt::format(", turns;desc={}, busy_lanes;desc={}", picture.warps.turns, picture.warps.busy_lanes);
+  for (const auto& [stage, seconds] : {std::pair{"wait", s.wait},
+                                       {"trace", s.trace},
+                                       {"copy", s.copy},
+                                       {"rows", s.rows},
+                                       {"encode", s.encode}})
+    text += fmt::format(", {};dur={:.3f}", stage, seconds * 1e3);
+  return text;
+}
+
 Viewer::Viewer(const ViewerSettings& settings) : scene_(settings.scene), precision_(settings.precision) {
   for (const std::string& path : settings.grids)
     grids_.push_back(std::make_unique<ViewedGrid>(path, scene_, settings.device));

@@ -71,6 +71,10 @@ struct Picture {
   WarpTurns warps{}; // of the channel idle
 };
 
+// As a header Server-Timing: stages in milliseconds, `precision`, `rays`, and of idle lanes `turns` and
+// `busy_lanes`.
+std::string timing_of(const Picture& picture);
+
 struct SliceRequest {
   std::size_t grid = 0;
   SharePlane plane{};

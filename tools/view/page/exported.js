@@ -24,14 +24,10 @@ class Exported {
 
   async picture(view) {
     const all = this.data.views[this.index(view.camera)].channels[view.channel];
-    const one = all[view.grid], {image: address, values: text} = one.image || one.values ? one : all[0];
-    const image = address ? new Image() : null;
-    if (image) {
-      image.src = address;
-      await image.decode();
-    }
-    const values = text ? await inflated(new Blob([Uint8Array.from(atob(text), (byte) => byte.charCodeAt(0))])) : null;
-    return {image, values, rays: one.rays, precision: one.precision, milliseconds: {...one.milliseconds, total: NaN}};
+    const {timing, jpeg = all[0].jpeg, values = all[0].values} = all[view.grid];
+    const {precision, rays, ...milliseconds} = readTiming(timing);
+    const blob = new Blob([Uint8Array.from(atob(jpeg ?? values), (byte) => byte.charCodeAt(0))]);
+    return {image: jpeg ? await createImageBitmap(blob) : null, values: jpeg ? null : await inflated(blob), precision, rays, milliseconds: {...milliseconds, total: NaN}};
   }
 
   async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }

@@ -43,14 +43,15 @@ class Overlay {
     context.globalAlpha = 1;
   }
 
-  // boxes: [{min, max}].
+  // boxes: [{min, max}], also without thickness.
   boxes(boxes, color, width, alpha) {
     const path = new Path2D();
     for (const {min, max} of boxes) {
       const corner = (i) => [i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]];
+      const flat = [1, 2, 4].filter((bit, axis) => min[axis] === max[axis]).reduce((bits, bit) => bits | bit, 0);
       for (let i = 0; i < 8; ++i) {
         for (const bit of [1, 2, 4]) {
-          if (!(i & bit)) this.segment(path, corner(i), corner(i | bit));
+          if (!((i | bit) & flat) && !(i & bit)) this.segment(path, corner(i), corner(i | bit));
         }
       }
     }

@@ -232,7 +232,7 @@ class Pane {
         const cells = slicePanel.cellsOf(this.settings.grid);
         if (this.isCut)
           for (const [color, polygons] of sliceColors(slice, cells, colors.reversed(), slicePanel.most())) overlay.fill(polygons, color, 0.85);
-        overlay.lines(sliceLines(slice, cells, 60000), this.isCut ? '#000' : '#fff', 0.8, this.isCut ? 0.4 : 0.55);
+        overlay.boxes(cells.slice(0, 20000).map((cell) => sliceBox(slice, cell)), this.isCut ? '#000' : '#fff', 0.8, this.isCut ? 0.4 : 0.55);
         overlay.lines(slice.outline.map(([u0, v0, u1, v1]) => [slicePoint(slice, u0, v0), slicePoint(slice, u1, v1)]), '#ff7a1a', 1.6);
       }
     }
@@ -424,10 +424,10 @@ const ORBIT = 2.6;     // radians for a drag over the picture's height
 const KEY_ORBIT = 0.05, KEY_PAN = 0.03, KEY_ZOOM = 1.08;
 
 // Shares of a picture; an exported one doesn't fill its stage.
-function placeIn(pane, event) {
-  const box = pane.stage.getBoundingClientRect(), [width, height] = pane.size();
-  const scale = Math.min(box.width / width, box.height / height);
-  return {x: 0.5 + (event.clientX - box.left - box.width / 2) / (scale * width), y: 0.5 + (event.clientY - box.top - box.height / 2) / (scale * height)};
+function sharesOf(pane, [x, y]) {
+  const {clientWidth, clientHeight} = pane.stage, [width, height] = pane.size();
+  const scale = Math.min(clientWidth / width, clientHeight / height);
+  return {x: 0.5 + (x - clientWidth / 2) / (scale * width), y: 0.5 + (y - clientHeight / 2) / (scale * height)};
 }
 
 function showValues(pointer) {
@@ -436,58 +436,25 @@ function showValues(pointer) {
 }
 
 function controlCamera(pane) {
-  const {stage} = pane;
-  const pointers = new Map(); // id to {x, y}
-  let moved = 0, button = 0;
-
-  stage.addEventListener('pointerdown', (event) => {
-    if (event.button > 2) return;
-    stage.focus({preventScroll: true});
-    stage.setPointerCapture(event.pointerId);
-    pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});
-    moved = pointers.size > 1 ? 100 : 0;
-    button = event.button;
-    event.preventDefault();
+  const {stage} = pane, wished = () => state.wish || state.camera;
+  const ofHeight = (move) => move.map((pixels) => pixels / stage.clientHeight);
+  onGestures(stage, {
+    hover: (place) => showValues(sharesOf(pane, place)),
+    leave: () => showValues(null),
+    drag: (from, to, event) => {
+      const [dx, dy] = ofHeight([to[0] - from[0], to[1] - from[1]]);
+      setCamera(event.buttons & 6 || event.shiftKey ? Camera.panned(wished(), -dx, dy) : Camera.orbited(wished(), -dx * ORBIT, dy * ORBIT));
+    },
+    pinch: (factor, middle, move) => {
+      const [dx, dy] = ofHeight(move);
+      setCamera(Camera.zoomed(Camera.panned(wished(), -dx / 2, dy / 2), 1 / factor));
+    },
+    wheel: (lines) => setCamera(Camera.zoomed(state.camera, Math.exp(lines * 0.04))),
+    click: (place, event) => {
+      const {x, y} = sharesOf(pane, place);
+      if (!event.shiftKey) pick(pane, x, y);
+    },
   });
-  stage.addEventListener('pointerleave', () => showValues(null));
-  stage.addEventListener('pointermove', (event) => {
-    showValues(placeIn(pane, event));
-    const old = pointers.get(event.pointerId);
-    if (!old) return;
-    const now = {x: event.clientX, y: event.clientY};
-    const height = stage.clientHeight;
-    const dx = (now.x - old.x) / height, dy = (now.y - old.y) / height;
-    moved += Math.abs(now.x - old.x) + Math.abs(now.y - old.y);
-    if (moved < 4) return;
-    let camera = state.wish || state.camera;
-    if (pointers.size === 2) {
-      const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
-      const before = Math.hypot(old.x - other.x, old.y - other.y), after = Math.hypot(now.x - other.x, now.y - other.y);
-      camera = Camera.panned(camera, -dx / 2, dy / 2);
-      if (before > 0 && after > 0) camera = Camera.zoomed(camera, before / after);
-    } else if (button === 2 || button === 1 || event.shiftKey) {
-      camera = Camera.panned(camera, -dx, dy);
-    } else {
-      camera = Camera.orbited(camera, -dx * ORBIT, dy * ORBIT);
-    }
-    pointers.set(event.pointerId, now);
-    setCamera(camera);
-  });
-  const end = (event) => {
-    if (!pointers.delete(event.pointerId)) return;
-    if (event.type === 'pointerup' && moved < 4 && button === 0 && !event.shiftKey) {
-      const {x, y} = placeIn(pane, event);
-      pick(pane, x, y);
-    }
-  };
-  stage.addEventListener('pointerup', end);
-  stage.addEventListener('pointercancel', end);
-  stage.addEventListener('contextmenu', (event) => event.preventDefault());
-  stage.addEventListener('wheel', (event) => {
-    event.preventDefault();
-    const lines = event.deltaMode === 0 ? event.deltaY / 40 : event.deltaY;
-    setCamera(Camera.zoomed(state.camera, Math.exp(Math.max(-8, Math.min(8, lines)) * 0.04)));
-  }, {passive: false});
   stage.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (keyOfPicture(pane, event)) event.preventDefault();
@@ -496,9 +463,8 @@ function controlCamera(pane) {
 
 function keyOfPicture(pane, event) {
   if (state.picking && keyOfPicking(pane, event)) return true;
-  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
-  if (event.key in arrows) {
-    const [x, y] = arrows[event.key];
+  if (event.key in ARROWS) {
+    const [x, y] = ARROWS[event.key];
     const orbit = source.isLive ? KEY_ORBIT : source.step;
     setCamera(event.shiftKey ? Camera.panned(state.camera, x * KEY_PAN, y * KEY_PAN)
                              : Camera.orbited(state.camera, x * orbit, y * orbit));
@@ -506,36 +472,33 @@ function keyOfPicture(pane, event) {
   }
   if (event.key === '+' || event.key === '=') setCamera(Camera.zoomed(state.camera, 1 / KEY_ZOOM));
   else if (event.key === '-' || event.key === '_') setCamera(Camera.zoomed(state.camera, KEY_ZOOM));
-  else if (event.key === 'c') nextChannel(pane);
-  else if (event.key === 'g') nextGrid(pane);
-  else if (event.key === 'w') nextCells(pane);
-  else if (event.key === 'l') nextScale();
+  else if (event.key in NEXT) announce(NEXT[event.key](pane));
   else if (event.key === 'Enter') setPicking({pane: pane.index, x: 0.5, y: 0.5});
   else if (event.key === 'Escape' && walkPanel.ray) walkPanel.clear();
   else return false;
   return true;
 }
 
-function nextChannel(pane) {
-  const all = state.scene.channels;
-  pane.set({channel: all[(all.indexOf(pane.settings.channel) + 1) % all.length]});
-  announce(`channel ${pane.settings.channel}`);
-}
-function nextGrid(pane) {
-  pane.set({grid: (pane.settings.grid + 1) % state.scene.grids.length});
-  announce(`grid ${state.scene.grids[pane.settings.grid].name}`);
-}
-
-function nextScale() {
-  const kinds = ['automatic', 'linear', 'logarithmic'];
-  setScale(kinds[(kinds.indexOf(scales.kind) + 1) % kinds.length]);
-  announce(`scale: ${scales.kind}`);
-}
-
-function nextCells(pane) {
-  pane.set({cells: CELLS[(CELLS.indexOf(pane.settings.cells) + 1) % CELLS.length]});
-  announce(`cells: ${pane.settings.cells}`);
-}
+// What keys change, in words.
+const after = (all, one) => all[(all.indexOf(one) + 1) % all.length];
+const NEXT = {
+  c(pane) {
+    pane.set({channel: after(state.scene.channels, pane.settings.channel)});
+    return `channel ${pane.settings.channel}`;
+  },
+  g(pane) {
+    pane.set({grid: (pane.settings.grid + 1) % state.scene.grids.length});
+    return `grid ${pane.structure.name}`;
+  },
+  w(pane) {
+    pane.set({cells: after(CELLS, pane.settings.cells)});
+    return `cells: ${pane.settings.cells}`;
+  },
+  l() {
+    setScale(after(['automatic', 'linear', 'logarithmic'], scales.kind));
+    return `scale: ${scales.kind}`;
+  },
+};
 
 // The cross hair, moved by keys.
 function setPicking(picking) {
@@ -545,14 +508,13 @@ function setPicking(picking) {
   if (picking) announce('Arrow keys move the cross hair, Enter picks, Escape drops it');
 }
 function keyOfPicking(pane, event) {
-  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
   const {x, y} = state.picking;
-  if (event.key in arrows) {
-    const [dx, dy] = arrows[event.key];
+  if (event.key in ARROWS) {
+    const [dx, dy] = ARROWS[event.key];
     const [width, height] = pane.size();
     const pixels = event.shiftKey ? 20 : 2;
     const clamped = (value) => Math.max(0, Math.min(0.99999, value));
-    state.picking = {pane: pane.index, x: clamped(x + dx * pixels / width), y: clamped(y + dy * pixels / height)};
+    state.picking = {pane: pane.index, x: clamped(x + dx * pixels / width), y: clamped(y - dy * pixels / height)};
     drawOverlays();
   } else if (event.key === 'Enter') {
     setPicking(null);
@@ -625,43 +587,17 @@ function toggleKeys() {
 // --- Panels --------------------------------------------------------------------------------------------------
 
 function showView() {
-  const rows = [['from', 'Vector x, y, z'], ['at', 'The point that the camera orbits'], ['up', 'Vector x, y, z']];
-  const panel = $('view-rows');
-  if (panel.childElementCount === 0) {
-    for (const [name, title] of rows) {
-      const input = element('input', {id: `view-${name}`, type: 'text', title, spellcheck: 'false', autocomplete: 'off',
-        onchange: () => changeVector(name)});
-      panel.append(element('label', {class: 'name', for: `view-${name}`}, name), input);
-    }
-    panel.append(element('label', {class: 'name', for: 'view-angle'}, 'angle, degrees'),
-      element('input', {id: 'view-angle', type: 'number', min: 0.1, max: 179, step: 'any', onchange: () => {
-        const angle = Number($('view-angle').value);
-        if (angle > 0 && angle < 180) setCamera({...state.camera, angle});
-        else showView();
-      }}),
-      element('label', {class: 'name', for: 'view-depth'}, 'ray depth'),
-      element('input', {id: 'view-depth', type: 'number', min: 1, max: 32, step: 1, onchange: () => {
-        const depth = Math.round(Number($('view-depth').value));
-        if (depth >= 1 && depth <= 32) state.depth = depth;
-        update();
-      }}));
-  }
-  for (const [name] of rows) {
+  for (const [name, value] of [['angle', Number(state.camera.angle.toPrecision(6))], ['depth', state.depth]]) {
     const input = $(`view-${name}`);
-    if (document.activeElement !== input) input.value = Text.vector(state.camera[name]);
+    if (document.activeElement !== input) input.value = value;
   }
-  if (document.activeElement !== $('view-angle')) $('view-angle').value = Number(state.camera.angle.toPrecision(6));
-  if (document.activeElement !== $('view-depth')) $('view-depth').value = state.depth;
 }
 
-function changeVector(name) {
-  const numbers = $(`view-${name}`).value.split(/[\s,]+/).filter(Boolean).map(Number);
-  const camera = {...state.camera, [name]: numbers};
-  const sees = numbers.length === 3 && numbers.every(Number.isFinite) &&
-    Vec.length(Vec.cross(Vec.sub(camera.at, camera.from), camera.up)) > 0;
-  if (sees) setCamera(camera);
-  else announce(`${name} isn’t a vector x, y, z by which the camera can see`);
-  $(`view-${name}`).value = Text.vector(state.camera[name]);
+function changeView() {
+  const angle = Number($('view-angle').value), depth = Math.round(Number($('view-depth').value));
+  if (depth >= 1 && depth <= 32) state.depth = depth;
+  if (angle > 0 && angle < 180) setCamera({...state.camera, angle});
+  update();
 }
 
 let costFrame = 0;
@@ -764,6 +700,7 @@ async function begin() {
   });
   $('walk-all').addEventListener('change', () => walkPanel.followAgain({all: $('walk-all').checked}));
   openAddress();
+  $('view-panel').addEventListener('change', changeView);
   $('compare').addEventListener('click', toggleCompare);
   $('plane').addEventListener('click', togglePlane);
   $('reset').addEventListener('click', () => setCamera(homeCamera()));

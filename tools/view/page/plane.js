@@ -331,16 +331,21 @@ class PlaneView {
     this.draw();
   }
 
+  pan([u, v]) {
+    this.zoom = {...this.zoom, u: this.zoom.u - u, v: this.zoom.v - v};
+    this.draw();
+  }
+
   // The mouse, fingers and keys of a slice.
   control(plot) {
     const {canvas} = plot;
-    const pointers = new Map(); // id to [x, y], pixels of the canvas
-    let held = null;            // 'from', 'to', 'ray' or 'window'
-    const place = (event) => {
-      const box = canvas.getBoundingClientRect();
-      return [(event.clientX - box.left) * canvas.width / box.width, (event.clientY - box.top) * canvas.height / box.height];
+    let held = null; // 'from', 'to', 'ray' or 'window'
+    const pixels = ([x, y]) => { // of the canvas
+      const {width, height} = canvas.getBoundingClientRect();
+      return [x * canvas.width / width, y * canvas.height / height];
     };
-    const nearest = ([x, y], reach) => {
+    const nearest = (place, event) => {
+      const reach = (event.pointerType === 'touch' ? 26 : 16) * plot.pixel, [x, y] = pixels(place);
       const at = plot.window(plot.slice, this.zoom);
       const [fx, fy, tx, ty] = [at.x(this.ends.from[0]), at.y(this.ends.from[1]), at.x(this.ends.to[0]), at.y(this.ends.to[1])];
       if (Math.hypot(tx - x, ty - y) < reach) return 'to';
@@ -349,61 +354,39 @@ class PlaneView {
       const across = Math.abs((x - fx) * (ty - fy) - (y - fy) * (tx - fx)) / length;
       return along > 0 && along < length && across < reach / 2 ? 'ray' : 'window';
     };
-    const reachOf = (event) => (event.pointerType === 'touch' ? 26 : 16) * plot.pixel;
-    canvas.addEventListener('pointerdown', (event) => {
-      if (!plot.slice || event.button > 0) return;
-      canvas.focus({preventScroll: true});
-      canvas.setPointerCapture(event.pointerId);
-      pointers.set(event.pointerId, place(event));
-      held = pointers.size > 1 ? 'window' : nearest(place(event), reachOf(event));
-      event.preventDefault();
-    });
-    canvas.addEventListener('pointermove', (event) => {
-      if (!plot.slice) return;
-      const now = place(event), old = pointers.get(event.pointerId);
-      const at = plot.window(plot.slice, this.zoom);
-      this.hover(plot, at.u(now[0]), at.v(now[1]));
-      if (!old) {
-        canvas.style.cursor = {from: 'move', to: 'move', ray: 'grab', window: 'crosshair'}[nearest(now, reachOf(event))];
-        return;
-      }
-      const move = [at.u(now[0]) - at.u(old[0]), at.v(now[1]) - at.v(old[1])];
-      pointers.set(event.pointerId, now);
-      if (pointers.size === 2) {
-        const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
-        const before = Math.hypot(old[0] - other[0], old[1] - other[1]), after = Math.hypot(now[0] - other[0], now[1] - other[1]);
-        if (before > 0) this.zoomed(plot, after / before, at.u((now[0] + other[0]) / 2), at.v((now[1] + other[1]) / 2));
-      } else if (held === 'window') {
-        if (!this.zoom) return;
-        this.zoom = {...this.zoom, u: this.zoom.u - move[0], v: this.zoom.v - move[1]};
+    const inScene = (place) => {
+      const at = plot.window(plot.slice, this.zoom), [x, y] = pixels(place);
+      return [at.u(x), at.v(y)];
+    };
+    onGestures(canvas, {
+      down: (place, event) => { held = plot.slice && event.button === 0 ? nearest(place, event) : null; },
+      hover: (place, event, isDown) => {
+        if (!plot.slice) return;
+        this.hover(plot, ...inScene(place));
+        if (!isDown) canvas.style.cursor = {from: 'move', to: 'move', ray: 'grab', window: 'crosshair'}[nearest(place, event)];
+      },
+      drag: (from, to) => {
+        if (!held) return;
+        const [a, b] = [inScene(from), inScene(to)], move = [b[0] - a[0], b[1] - a[1]];
+        if (held !== 'window') this.move(held, move, held === 'ray' ? null : b);
+        else if (this.zoom) this.pan(move);
+      },
+      pinch: (factor, middle) => plot.slice && this.zoomed(plot, factor, ...inScene(middle)),
+      wheel: (lines, place) => plot.slice && this.zoomed(plot, Math.exp(-lines * 0.06), ...inScene(place)),
+      leave: () => {
+        Object.assign(plot, {under: '', hovered: null});
         this.draw();
-      } else {
-        this.move(held, move, held === 'ray' ? null : [at.u(now[0]), at.v(now[1])]);
-      }
-    });
-    const end = (event) => { pointers.delete(event.pointerId); };
-    canvas.addEventListener('pointerup', end);
-    canvas.addEventListener('pointercancel', end);
-    canvas.addEventListener('pointerleave', () => {
-      Object.assign(plot, {under: '', hovered: null});
-      this.draw();
+      },
     });
     canvas.addEventListener('dblclick', () => {
       this.zoom = null;
       this.draw();
     });
-    canvas.addEventListener('wheel', (event) => {
-      event.preventDefault();
-      if (!plot.slice) return;
-      const [x, y] = place(event), at = plot.window(plot.slice, this.zoom), lines = event.deltaMode === 0 ? event.deltaY / 40 : event.deltaY;
-      this.zoomed(plot, Math.exp(-Math.max(-8, Math.min(8, lines)) * 0.06), at.u(x), at.v(y));
-    }, {passive: false});
     canvas.addEventListener('keydown', (event) => {
       if (!plot.slice || event.ctrlKey || event.altKey || event.metaKey) return;
-      const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
       const at = plot.window(plot.slice, this.zoom), [u, v] = [at.u(canvas.width / 2), at.v(canvas.height / 2)];
-      if (event.key in arrows) {
-        const by = arrows[event.key].map((part) => part * this.source.planeStep(this.slice, 0.01 * Math.min(canvas.width, canvas.height) / at.scale));
+      if (event.key in ARROWS) {
+        const by = ARROWS[event.key].map((part) => part * this.source.planeStep(this.slice, 0.01 * Math.min(canvas.width, canvas.height) / at.scale));
         this.move(event.shiftKey ? 'from' : 'to', by, null);
       } else if (event.key === '+' || event.key === '=') this.zoomed(plot, 1.25, u, v);
       else if (event.key === '-' || event.key === '_') this.zoomed(plot, 0.8, u, v);

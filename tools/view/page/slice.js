@@ -14,26 +14,6 @@ const sliceBox = (slice, [u0, v0, u1, v1]) => ({min: slicePoint(slice, sliceU(sl
 const sliceU = (slice, voxel) => slice.min[0] + voxel * slice.step[0];
 const sliceV = (slice, voxel) => slice.min[1] + voxel * slice.step[1];
 
-// The edges of cells of a slice as segments of the scene, each once where neighbours share it whole.
-function sliceLines(slice, cells, most) {
-  const lines = [];
-  const seen = new Set();
-  const add = (u0, v0, u1, v1) => {
-    const key = `${u0},${v0},${u1},${v1}`;
-    if (seen.has(key)) return;
-    seen.add(key);
-    lines.push([slicePoint(slice, sliceU(slice, u0), sliceV(slice, v0)), slicePoint(slice, sliceU(slice, u1), sliceV(slice, v1))]);
-  };
-  for (const [u0, v0, u1, v1] of cells) {
-    if (lines.length >= most) break;
-    add(u0, v0, u1, v0);
-    add(u0, v1, u1, v1);
-    add(u0, v0, u0, v1);
-    add(u1, v0, u1, v1);
-  }
-  return lines;
-}
-
 class SlicePanel {
   // moved(): other settings; changed(): slices or boxes were loaded; settings: {axis, share, depth} of the page, depth null for any.
   constructor(root, source, settings, moved, changed) {

@@ -53,8 +53,8 @@ class Server {
     const response = await this.get('api/picture', parameters, signal);
     const blob = await response.blob(), isImage = blob.type === 'image/jpeg';
     const image = isImage ? await createImageBitmap(blob) : null, values = isImage ? null : await inflated(blob);
-    const {precision, ...milliseconds} = readTiming(response.headers.get('Server-Timing'));
-    return {image, values, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays: milliseconds.rays};
+    const {precision, rays, ...milliseconds} = readTiming(response.headers.get('Server-Timing'));
+    return {image, values, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays};
   }
 
   counts(view, signal) {
