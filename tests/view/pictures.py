@@ -6,13 +6,14 @@ import sys
 from gridview_run import Gridview, Tools, wait_until
 from view_test import open_browser
 
-SHARP = "return panes.length > 0 && panes.every((pane) => pane.frame && pane.frame.isSharp && pane.counts)"
+SHARP = "return panes.length > 0 && panes.every((pane) => pane.frame && pane.frame.isSharp && pane.counts) && !slicePanel.isLoading"
 WALKED = "return planeView && planeView.plots.length > 0 && !planeView.wish && planeView.plots.every((plot) => plot.counts.textContent)"
 BUILDS = {"32": ["--division", 32], "balance": ["--division", 32, "--merge", "balance"],
           "irregular": ["--merge", "irregular"], "bvh": ["--structure", "bvh"]}
 # Name, scene, grids, what the address holds, what there is to wait for.
 PICTURES = [
     ("view.jpg", "balls", ["irregular", "32"], "#grid={0},{1}&channel=all tests,all tests", SHARP),
+    ("cut.png", "teapot", ["32", "irregular"], "#grid={0},{1}&channel=cut,cut&slice=y,0.5", SHARP),
     ("plane.png", "teapot", ["32", "balance", "irregular", "bvh"],
      "#view=plane&grid={0},{1},{2},{3}&slice=y,0.5&ray=-3.9,0,2.9,7.6,0,-1.4", WALKED),
 ]
