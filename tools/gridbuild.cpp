@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
         app.footer("Example:\n  gridbuild balls.scene -o balls.grid --merge irregular");
         app.add_option("SCENE", settings.scene, "scene file, from nff2bin or mesh2bin")->required();
         group_options(app, "Output");
-        app.add_option("-o,--output", settings.output, "grid file")->type_name("FILE")->required();
+        add_file(app, "-o,--output", settings.output, "grid file")->required();
         app.add_flag("--record-seconds", settings.record_seconds,
                      "write the build's seconds into the file (equal builds then differ)");
         app.add_flag("--json", settings.json, "report as JSON");
@@ -188,30 +188,18 @@ int main(int argc, char** argv) {
                    "whichever a sample of rays is expected to take less time through), none, x (empty ones "
                    "in a run along x), balance (as many as list "
                    "--target primitives), irregular (voxels are divided further, by expected cost)");
-        app.add_option("--target", settings.options.grid.target, "balance: the most references of a cell")
-            ->check(CLI::Range(1U, 1U << 20))
-            ->capture_default_str();
-        app.add_option("--nested", settings.options.grid.nested_log2,
-                       "irregular: each voxel is divided into at most 2^N per axis")
-            ->check(CLI::Range(0, 15))
-            ->capture_default_str();
-        app.add_option("--step-cost", settings.options.grid.step_cost,
-                       "irregular: what a step to a cell costs, in intersection tests")
-            ->check(CLI::Range(0.0, 1000.0))
-            ->capture_default_str();
-        app.add_option("--detail", settings.options.grid.detail,
-                       "irregular: planes no closer than a primitive's typical extent divided by this")
-            ->check(CLI::Range(0.1, 100.0))
-            ->capture_default_str();
-        app.add_option(
-               "--alpha", settings.options.grid.alpha,
-               "irregular: divide while that makes the expected cost less than alpha times what it is")
-            ->check(CLI::Range(0.0, 1.0))
-            ->capture_default_str();
-        app.add_option("--expand", settings.options.grid.expansions,
-                       "irregular: rounds of expanding cells over neighbours that list nothing else")
-            ->check(CLI::Range(0, 64))
-            ->capture_default_str();
+        add_number(app, "--target", settings.options.grid.target, 1U, 1U << 20,
+                   "balance: the most references of a cell");
+        add_number(app, "--nested", settings.options.grid.nested_log2, 0, 15,
+                   "irregular: each voxel is divided into at most 2^N per axis");
+        add_number(app, "--step-cost", settings.options.grid.step_cost, 0.0, 1000.0,
+                   "irregular: what a step to a cell costs, in intersection tests");
+        add_number(app, "--detail", settings.options.grid.detail, 0.1, 100.0,
+                   "irregular: planes no closer than a primitive's typical extent divided by this");
+        add_number(app, "--alpha", settings.options.grid.alpha, 0.0, 1.0,
+                   "irregular: divide while that makes the expected cost less than alpha times what it is");
+        add_number(app, "--expand", settings.options.grid.expansions, 0, 64,
+                   "irregular: rounds of expanding cells over neighbours that list nothing else");
         group_options(app, "General");
         add_choice(
             app, "--device", settings.device, {{"cpu", Device::cpu}, {"cuda", Device::cuda}},

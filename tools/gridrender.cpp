@@ -206,27 +206,24 @@ void add_options(CLI::App& app, Settings& settings) {
   app.footer("Example:\n  gridrender balls.scene balls.grid -o balls.png --size 1024x768");
   settings.tracing.add_files(app);
   group_options(app, "Output");
-  app.add_option("-o,--output", settings.output,
-                 "picture: .png, or .pfm for linear floats; - is standard output; of several views with "
-                 "{index} or {name} in it")
-      ->type_name("FILE");
+  add_file(app, "-o,--output", settings.output,
+           "picture: .png, or .pfm for linear floats; - is standard output; of several views with "
+           "{index} or {name} in it");
   add_choice(app, "--format", settings.format,
              {{"auto", Format::automatic}, {"png", Format::png}, {"pfm", Format::pfm}},
              "the picture's format; auto: by the name's end, PNG on standard output");
   app.add_flag("--srgb", settings.srgb, "encode PNG values as sRGB; without it they are stored as they are");
-  app.add_option("--hits", settings.hits,
-                 "write a record for each camera ray: float t (infinity for a miss), int32 object (-1 for a "
-                 "miss); .npy: a NumPy array; .csv: text; - is standard output")
-      ->type_name("FILE");
+  add_file(app, "--hits", settings.hits,
+           "write a record for each camera ray: float t (infinity for a miss), int32 object (-1 for a "
+           "miss); .npy: a NumPy array; .csv: text; - is standard output");
   add_hit_name(app, settings.hit_name, "what --hits identifies");
   group_options(app, "Camera");
   settings.frame.add_camera(app);
   app.add_option("--crop", settings.crop, "render only these pixels of the picture")->type_name("X,Y,W,H");
   auto* const views =
-      app.add_option("--views", settings.views,
-                     "render the views of a list, a JSON object per line: name, from, at, up, angle, size; "
-                     "- is standard input")
-          ->type_name("FILE");
+      add_file(app, "--views", settings.views,
+               "render the views of a list, a JSON object per line: name, from, at, up, angle, size; "
+               "- is standard input");
   app.add_option("--turntable", settings.turntable, "render N views around the point looked at")
       ->check(CLI::Range(1, 1000000))
       ->excludes(views);

@@ -153,90 +153,76 @@ int main(int argc, char** argv) {
             app.add_option("--slice", settings.slice,
                            "draw the cells or boxes that a plane cuts: AXIS=K, a layer of the smallest "
                            "voxels; AXIS=P%, of the space; AXIS@X, in scene units")
-                ->type_name("PLANE")
-                ->excludes(json)
-                ->excludes(csv)
-                ->excludes(histogram);
-        app.add_option("-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json")
-            ->type_name("FILE")
-            ->needs(slice);
+                ->type_name("PLANE");
+        add_file(app, "-o,--output", settings.picture, "of --slice: FILE.png, FILE.svg or FILE.json");
         app.add_option("--window", settings.window, "of --slice: what to show, in scene units; default: all")
-            ->type_name("LEFT,BOTTOM,RIGHT,TOP")
-            ->needs(slice);
+            ->type_name("LEFT,BOTTOM,RIGHT,TOP");
         app.add_option("--outline", settings.outline,
                        "of --slice: the grid's scene file, whose cut through the plane is drawn")
-            ->type_name("SCENE")
-            ->needs(slice);
+            ->type_name("SCENE");
         SliceStyle& style = settings.style;
         add_choice(app, "--color", style.color,
                    {{"references", SliceColor::references},
                     {"volume", SliceColor::volume},
                     {"depth", SliceColor::depth}},
                    "of --slice: what a cell's colour shows: its references, its volume in voxels of the "
-                   "division (of grids alone), or its depth")
-            ->needs(slice);
+                   "division (of grids alone), or its depth");
         app.add_option(
                "--depth", settings.depth,
                "of --slice: only boxes of nodes of this depth, the root's is 0; of a grid, cells down "
                "to which a voxel is halved so often")
-            ->check(CLI::Range(0, max_hierarchy_depth))
-            ->needs(slice);
+            ->check(CLI::Range(0, max_hierarchy_depth));
         app.add_option("--color-high", style.high,
                        "of --slice: the references or the depth that the darkest colour stands for, so that "
                        "slices can be compared; default: the most that is shown")
             ->type_name("N")
-            ->check(CLI::Range(1, 1 << 30))
-            ->needs(slice);
-        app.add_flag("--lines", style.lines, "of --slice: draw the cells' sides")->needs(slice);
-        app.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane")
-            ->needs(slice);
-        app.add_option("--size", style.size, "of --slice: pixels of the longer side")
-            ->check(CLI::Range(least_slice_size, most_slice_size))
-            ->capture_default_str()
-            ->needs(slice);
+            ->check(CLI::Range(1, 1 << 30));
+        app.add_flag("--lines", style.lines, "of --slice: draw the cells' sides");
+        app.add_option("--title", style.title, "of --slice: instead of the grid's name and the plane");
+        add_number(app, "--size", style.size, least_slice_size, most_slice_size,
+                   "of --slice: pixels of the longer side");
 
         group_options(app, "Cells");
-        auto* const cells =
-            app.add_option("--cells", settings.cells,
-                           "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
-                ->type_name("FILE")
-                ->excludes(slice)
-                ->excludes(json)
-                ->excludes(csv)
-                ->excludes(histogram);
+        auto* const cells = add_file(app, "--cells", settings.cells,
+                                     "write all cells as boxes: FILE.csv, or FILE.ply for viewers of meshes")
+                                ->excludes(slice);
         CellExport& cell_export = settings.cell_export;
-        app.add_flag("--occupied", cell_export.occupied_only, "of --cells: only those with references")
-            ->needs(cells);
+        app.add_flag("--occupied", cell_export.occupied_only, "of --cells: only those with references");
         app.add_option(
                "--within", settings.within,
                "of --cells: only those that share space with the box between two corners, in scene units")
             ->type_name("X,Y,Z,X,Y,Z")
             ->delimiter(',')
-            ->expected(6)
-            ->needs(cells);
+            ->expected(6);
         app.add_flag("--expanded", cell_export.expanded,
-                     "of --cells FILE.ply: the boxes that rays leave cells through, which may overlap")
-            ->needs(cells);
-        app.add_flag("--wireframe", cell_export.wireframe, "of --cells FILE.ply: edges instead of faces")
-            ->needs(cells);
+                     "of --cells FILE.ply: the boxes that rays leave cells through, which may overlap");
+        app.add_flag("--wireframe", cell_export.wireframe, "of --cells FILE.ply: edges instead of faces");
 
         group_options(app, "Occupancy of a scene");
-        auto* const occupancy_option = app.add_option("--occupancy", settings.occupancy,
-                                                      "instead of GRID: a scene file, whose occupied voxels "
-                                                      "are counted by division and overlap test")
-                                           ->type_name("SCENE")
-                                           ->excludes(grid)
-                                           ->excludes(slice)
-                                           ->excludes(cells);
+        auto* const occupancy = app.add_option("--occupancy", settings.occupancy,
+                                               "instead of GRID: a scene file, whose occupied voxels "
+                                               "are counted by division and overlap test")
+                                    ->type_name("SCENE")
+                                    ->excludes(grid)
+                                    ->excludes(slice)
+                                    ->excludes(cells);
         app.add_option("--divisions", settings.divisions, "of --occupancy: voxels per axis")
             ->type_name("LIST")
             ->delimiter(',')
-            ->capture_default_str()
-            ->needs(occupancy_option);
+            ->capture_default_str();
         add_choice(app, "--space", settings.space, {{"tight", SpaceRule::tight}, {"cube", SpaceRule::cube}},
                    "of --occupancy: the objects' bounds (tight), or the smallest cube centred on the origin "
-                   "that holds them (cube)")
-            ->needs(occupancy_option);
+                   "that holds them (cube)");
+        // Options of a group need what comes first in it, which goes with none of other groups.
+        const auto all_options = app.get_options([](const CLI::Option*) { return true; });
+        for (CLI::Option* const first : {slice, cells, occupancy}) {
+          for (CLI::Option* const option : all_options)
+            if (option != first && option->get_group() == first->get_group()) option->needs(first);
+        }
+        for (CLI::Option* const other : {json, csv, histogram}) {
+          slice->excludes(other);
+          cells->excludes(other);
+        }
         parse();
         const auto ends_with_one_of = [](const std::string& name,
                                          std::initializer_list<const char*> endings) {

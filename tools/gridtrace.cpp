@@ -260,10 +260,8 @@ void add_list_options(CLI::App& app, Settings& settings) {
   add_choice(app, "--ray-store", settings.ray_store,
              {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
              "type of these numbers; auto: float64 where the file's name ends in .f64");
-  app.add_option(
-         "--exclude", settings.excluded,
-         "a primitive for each ray that it doesn't hit, or -1: int32 numbers, or a NumPy array of them")
-      ->type_name("FILE");
+  add_file(app, "--exclude", settings.excluded,
+           "a primitive for each ray that it doesn't hit, or -1: int32 numbers, or a NumPy array of them");
   app.add_flag("--relative", settings.relative,
                "rays are relative to the scene's local origin, and not in the world");
 }

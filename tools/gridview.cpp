@@ -122,13 +122,10 @@ int main(int argc, char** argv) {
             ->capture_default_str();
         app.add_flag("--token", settings.token, "ask for a token on the loopback address, too");
         group_options(app, "Instead of a server");
-        auto* const file = app.add_option("--export", settings.exported.path,
-                                          "write the page to this .html instead of serving it: pictures "
-                                          "around the scene, channels, slices and statistics in one file")
-                               ->type_name("FILE");
-        app.add_option("--views", settings.exported.views, "of --export: how many, on a circle")
-            ->check(CLI::Range(1, 360))
-            ->capture_default_str()
+        auto* const file = add_file(app, "--export", settings.exported.path,
+                                    "write the page to this .html instead of serving it: pictures "
+                                    "around the scene, channels, slices and statistics in one file");
+        add_number(app, "--views", settings.exported.views, 1, 360, "of --export: how many, on a circle")
             ->needs(file);
         app.add_option("--size", settings.size, "of --export: pixels instead of 640x480")
             ->type_name("WxH")

@@ -162,10 +162,8 @@ int main(int argc, char** argv) {
                      "the faces round each vertex");
         app.add_option("--size", settings.size, "width and height of the picture in pixels")
             ->type_name("WxH");
-        app.add_option(
-               "--objects", settings.objects,
-               "write the objects' names, one a line in the order of their numbers; - is standard output")
-            ->type_name("FILE");
+        add_file(app, "--objects", settings.objects,
+                 "write the objects' names, one a line in the order of their numbers; - is standard output");
         app.add_option(
                "--time-limit", settings.time_limit,
                "seconds of processor time that reading the mesh may take; 0: any; by default 20, and 5 "

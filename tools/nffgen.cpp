@@ -23,8 +23,7 @@ void add_options(CLI::App& app, Settings& settings) {
   app.add_option("scene", settings.scene, "balls, gears, mount, nurbs, rings, teapot, tetra or tree")
       ->required();
   app.add_option("--size", settings.size, "subdivision level (default: the standard size)");
-  app.add_option("-o,--output", settings.output, "NFF file to write; - is standard output")
-      ->type_name("FILE")
+  add_file(app, "-o,--output", settings.output, "NFF file to write; - is standard output")
       ->capture_default_str();
   app.add_flag("--no-background", settings.no_background,
                "leave out floors, walls, grounds, and the mountain's spheres");

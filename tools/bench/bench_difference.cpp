@@ -66,7 +66,7 @@ void add_difference(CLI::App& app) {
   command.footer("Example:\n  gridbench difference balls.png centers.png -o difference.png");
   command.add_option("A", settings.a, "picture or channel: PNG, PFM, .npy")->required();
   command.add_option("B", settings.b, "another one of the same size")->required();
-  command.add_option("-o,--output", settings.output, "draw the differences: FILE.png")->type_name("FILE");
+  add_file(command, "-o,--output", settings.output, "draw the differences: FILE.png");
   command.add_flag("--json{-}", settings.json, "print JSON; --json=FILE writes it to a file");
   command.callback([owned] { print_difference(*owned); });
 }

@@ -128,11 +128,8 @@ void add_options(CLI::App& command, Settings& settings) {
             "how tiles of 8x8 rays are assigned: hardware (a thread block per tile), block (consecutive "
             "tiles to each worker), cyclic (every W-th tile to each of W workers), persistent (workers "
             "take the next tile from a counter); default: all");
-  command
-      .add_option("--workers", settings.workers_each,
-                  "workers per multiprocessor (or per CPU thread); 0: as many as are resident at once")
-      ->check(CLI::Range(0, 64))
-      ->capture_default_str();
+  add_number(command, "--workers", settings.workers_each, 0, 64,
+             "workers per multiprocessor (or per CPU thread); 0: as many as are resident at once");
   add_backend(command, settings.backend);
   add_precision(command, settings.tracing.precision);
   add_first_cell_hit(command, settings.tracing.stop);
@@ -141,9 +138,8 @@ void add_options(CLI::App& command, Settings& settings) {
   add_choice(command, "--sampling", settings.sampling,
              {{"corners", Sampling::corners}, {"centers", Sampling::centers}},
              "rays through pixel corners or centers");
-  command.add_option("--depth", settings.rules.depth, "largest depth of rays; camera rays have depth 1")
-      ->check(CLI::Range(1, largest_depth))
-      ->capture_default_str();
+  add_number(command, "--depth", settings.rules.depth, 1, largest_depth,
+             "largest depth of rays; camera rays have depth 1");
   add_warm_up(command, settings.warm_up);
   add_repeat(command, settings.repeat, "timed runs, of which the median counts");
 }

@@ -2,13 +2,13 @@
 // what bounds them.
 #include "libscene/base/on_threads.h"
 #include "libscene/base/stopwatch.h"
-#include "libscene/file/output_file.h"
 #include "scale_script.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/command.h"
 #include "tools/bench/gnuplot.h"
 #include "tools/bench/host_list.h"
 #include "tools/common/device_choice.h"
+#include "tools/common/text_file.h"
 #include "tools/jobs/run_tasks.h"
 #include "tools/render/picture_bands.h"
 #include "tools/render/render_views.h"
@@ -202,9 +202,7 @@ void draw(const Settings& settings, const Json& rows) {
                     row["workers"].get<std::size_t>(), row["seconds"].get<double>(),
                     row["mrays_per_second"].get<double>(), row["speedup"].get<double>());
   std::filesystem::create_directories(settings.charts);
-  OutputFile file(settings.charts + "/scale.csv");
-  file.write(csv.data(), csv.size());
-  file.commit();
+  write_text_file(settings.charts + "/scale.csv", csv);
   if (!draw_charts(scale_script, settings.charts, {"scale.svg", "scale.png"}))
     print_note("gridbench: gnuplot isn't installed: scale.csv was written, but no chart\n");
 }
@@ -287,9 +285,7 @@ void add_options(CLI::App& command, Settings& settings) {
   add_scene(command, settings.scene);
   add_grid(command, settings.grid);
   settings.devices.add_to(command);
-  command.add_option("--views", settings.views, "number of views; 0: none")
-      ->check(CLI::Range(0, 1000000))
-      ->capture_default_str();
+  add_number(command, "--views", settings.views, 0, 1000000, "number of views; 0: none");
   add_picture_size(command, settings.size, "pixels of a view");
   add_count(command, "--large", settings.large, "pixels of the large view's sides; 0: none", 16, 0);
   add_count(command, "--rays", settings.rays, "rays of the list, 40 bytes of memory each; 0: none", 32,

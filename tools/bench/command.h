@@ -61,9 +61,7 @@ inline void add_repeat(CLI::App& command, int& repeat,
   command.add_option("--repeat", repeat, what)->check(CLI::Range(1, 1000))->capture_default_str();
 }
 inline void add_warm_up(CLI::App& command, int& warm_up) {
-  command.add_option("--warm-up", warm_up, "untimed runs before the timed ones")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  add_number(command, "--warm-up", warm_up, 0, 1000, "untimed runs before the timed ones");
 }
 inline void add_picture_size(CLI::App& command, std::string& size, const char* what) {
   command.add_option("--size", size, what)->type_name("WxH")->capture_default_str();

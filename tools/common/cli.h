@@ -81,6 +81,19 @@ CLI::Option* add_choice(CLI::App& app, const std::string& option, Value& value,
       ->default_str(chosen);
 }
 
+// A number from `least` to `most`, whose initial value is its default.
+template <class Number>
+CLI::Option* add_number(CLI::App& app, const std::string& option, Number& number,
+                        std::type_identity_t<Number> least, std::type_identity_t<Number> most,
+                        const std::string& help) {
+  return app.add_option(option, number, help)->check(CLI::Range(least, most))->capture_default_str();
+}
+
+inline CLI::Option* add_file(CLI::App& app, const std::string& option, std::string& path,
+                             const std::string& help) {
+  return app.add_option(option, path, help)->type_name("FILE");
+}
+
 // -q, among the general options.
 inline void add_quiet(CLI::App& app, bool& quiet, const std::string& help) {
   app.add_flag("-q,--quiet", quiet, help)->group("General");
@@ -93,10 +106,7 @@ Camera resized(Camera camera, const std::string& size);
 class Threads {
 public:
   void add_to(CLI::App& app) {
-    app.add_option("--threads", threads_, "number of CPU threads; 0: all cores")
-        ->check(CLI::Range(0, 4096))
-        ->capture_default_str()
-        ->group("General");
+    add_number(app, "--threads", threads_, 0, 4096, "number of CPU threads; 0: all cores")->group("General");
   }
   // The limit is in force while the result lives.
   tbb::global_control limit(std::size_t cores = std::max(1U, std::thread::hardware_concurrency())) const {

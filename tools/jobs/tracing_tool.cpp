@@ -54,11 +54,8 @@ void TracingOptions::add_to(CLI::App& app) {
                "go on where a run with --resume was interrupted: what it finished isn't done again");
   group_options(app, "Reports");
   auto* const counts =
-      app.add_option("--stats", stats, "write ray counts and seconds as JSON; counting slows tracing down")
-          ->type_name("FILE");
-  app.add_option("--times", times, "write seconds as JSON, without counting")
-      ->type_name("FILE")
-      ->excludes(counts);
+      add_file(app, "--stats", stats, "write ray counts and seconds as JSON; counting slows tracing down");
+  add_file(app, "--times", times, "write seconds as JSON, without counting")->excludes(counts);
   app.add_option("--repeat", repeat, "trace N times and report the median's seconds")
       ->check(CLI::Range(1, 10000))
       ->excludes(counts);

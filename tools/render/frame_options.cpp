@@ -19,9 +19,7 @@ void FrameOptions::add_sampling(CLI::App& app) {
 }
 
 void FrameOptions::add_secondary(CLI::App& app) {
-  app.add_option("--depth", depth, "largest depth of rays; camera rays have depth 1")
-      ->check(CLI::Range(1, largest_depth))
-      ->capture_default_str();
+  add_number(app, "--depth", depth, 1, largest_depth, "largest depth of rays; camera rays have depth 1");
   app.add_flag("--spd-rules", spd_rules,
                "spawn the secondary rays that the SPD counts, even those of weight zero");
 }

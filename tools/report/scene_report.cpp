@@ -280,7 +280,7 @@ void print_warning(const char* tool, const std::string& input, std::uint64_t num
 
 void SceneOutput::add_to(CLI::App& app) {
   group_options(app, "Scene file");
-  app.add_option("-o,--output", path, "scene file to write")->type_name("FILE");
+  add_file(app, "-o,--output", path, "scene file to write");
   add_choice(app, "--store", store,
              {{"auto", Store::automatic}, {"float32", Store::float32}, {"float64", Store::float64}},
              "number type of coordinates; auto: float32 unless its arithmetic is too coarse for the scene");

@@ -2,10 +2,10 @@
 
 #include "libgrid/statistics/cells.h"
 #include "libscene/base/error.h"
-#include "libscene/file/output_file.h"
 #include "page_files.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
+#include "tools/common/text_file.h"
 #include "tools/common/vector_json.h"
 
 #include <fmt/format.h>
@@ -267,9 +267,7 @@ void export_page(const Viewer& viewer, const ExportSettings& settings,
       "img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'\">");
   replace(page, "<link rel=\"stylesheet\"", ">", fmt::format("<style>\n{}</style>", page_file("page.css")));
   replace(page, "</body>", "</body>", scripts + "</body>");
-  OutputFile file(settings.path);
-  file.write(page.data(), page.size());
-  file.commit();
+  write_text_file(settings.path, page);
 }
 
 } // namespace masu

@@ -15,46 +15,29 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <type_traits>
 
 namespace masu {
 namespace {
 
 // Measurements are less precise than six digits. No text contains a comma.
-std::string text_of(double value) {
-  return fmt::format("{:.6g}", value);
-}
-std::string text_of(std::uint64_t value) {
-  return fmt::format("{}", value);
-}
-std::string text_of(const std::string& value) {
-  return value;
-}
-std::string text_of(Precision value) {
-  return name_of(value);
-}
-std::string text_of(StopRule value) {
-  return name_of(value);
-}
-std::string text_of(GridKind value) {
-  return name_of(value);
-}
-std::string text_of(Overlap value) {
-  return name_of(value);
+template <class Value>
+std::string text_of(const Value& value) {
+  if constexpr (std::is_enum_v<Value>)
+    return name_of(value);
+  else if constexpr (std::is_floating_point_v<Value>)
+    return fmt::format("{:.6g}", value);
+  else
+    return fmt::format("{}", value);
 }
 
 // Throws Error(input) where `text` isn't a number of that type.
 template <class Number>
-void read_number(const std::string& text, Number& value) {
+void read(const std::string& text, Number& value) {
   const char* const end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end)
     throw Error(ErrorCode::input, text, "isn't a valid number");
-}
-void read(const std::string& text, double& value) {
-  read_number(text, value);
-}
-void read(const std::string& text, std::uint64_t& value) {
-  read_number(text, value);
 }
 void read(const std::string& text, std::string& value) {
   value = text;
