@@ -29,7 +29,7 @@ SvgTexts svg_texts(const std::string& path) {
                        "print(json.dumps([[one.text for one in root.iter('{http://www.w3.org/2000/svg}' + "
                        "name)] for name in ('title', 'desc')]))",
                        path});
-  EXPECT_EQ(parsed.code, 0) << parsed.err;
+  EXPECT_EQ(parsed.code, 0) << "python3 is needed: " << parsed.err;
   const Json texts = Json::parse(parsed.out, nullptr, false);
   return texts.is_discarded() ? SvgTexts{} : SvgTexts{texts[0], texts[1]};
 }
