@@ -679,6 +679,8 @@ class Page(unittest.TestCase):
             self.keys("p")
             self.wait_sharp()
             self.assertIsNone(self.js("return walkPanel.ray"))
+            self.js("setCamera(Camera.orbited(state.camera, 0.1, 0)); showCost(); togglePlane()")  # before the next frame
+            self.wait_plane()
             self.leave()
 
     def test_a_hierarchy_beside_a_grid(self):

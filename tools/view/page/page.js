@@ -605,6 +605,7 @@ function showCost() {
   if (costFrame) return;
   costFrame = requestAnimationFrame(() => {
     costFrame = 0;
+    if (panes.length === 0) return; // the plane, by now
     const shown = panes.map((pane) => ({name: shortName(pane.settings.grid), frame: pane.frame,
       counts: pane.counts, grid: state.scene.grids[pane.settings.grid]}));
     const isOpen = $('cost').querySelector('details')?.open;
