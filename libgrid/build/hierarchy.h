@@ -9,7 +9,7 @@
 namespace masu {
 
 // The most primitives of a hierarchy: with what is divided, fragments and nodes can still be numbered.
-inline constexpr double spare_fragments = 0.3; // a primitive, for what is divided
+inline constexpr double spare_fragments = 2; // a primitive, for what is divided
 inline constexpr auto max_hierarchy_primitives =
     static_cast<std::uint64_t>(static_cast<double>(0x7fffffff) / (1 + spare_fragments));
 

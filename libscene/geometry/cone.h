@@ -171,24 +171,23 @@ MASU_HD inline bool intersect(const PreparedRay<Real>& ray, const Cone<Stored>& 
   return met;
 }
 
-// The bounds of both end discs, rounded outwards.
+// The bounds of a disc across an axis, rounded outwards.
+MASU_HD inline Boxd disc_bounds(const Vec3d& center, double radius, const Vec3d& axis) {
+  const double square = dot(axis, axis);
+  Vec3d reach{};
+  for (int i = 0; i < 3; ++i) {
+    const double along1 = axis[(i + 1) % 3], along2 = axis[(i + 2) % 3];
+    reach.set(i, radius * std::sqrt((along1 * along1 + along2 * along2) / square) * (1 + 1e-14));
+  }
+  return {center - reach, center + reach};
+}
+
+// Of both end discs.
 template <class Stored>
 MASU_HD inline Boxd bounds(const Cone<Stored>& cone) {
-  const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex);
-  const Vec3d axis = apex - base;
-  const double square = dot(axis, axis);
-  Boxd box = empty_box<double>();
-  for (int end = 0; end < 2; ++end) {
-    const Vec3d center = end == 0 ? base : apex;
-    const double radius = std::abs(static_cast<double>(end == 0 ? cone.base_radius : cone.apex_radius));
-    Vec3d reach{};
-    for (int axis_number = 0; axis_number < 3; ++axis_number) {
-      const double along1 = axis[(axis_number + 1) % 3], along2 = axis[(axis_number + 2) % 3];
-      reach.set(axis_number, radius * std::sqrt((along1 * along1 + along2 * along2) / square) * (1 + 1e-14));
-    }
-    box = join(box, Boxd{center - reach, center + reach});
-  }
-  return box;
+  const Vec3d base = cast<double>(cone.base), apex = cast<double>(cone.apex), axis = apex - base;
+  return join(disc_bounds(base, std::abs(static_cast<double>(cone.base_radius)), axis),
+              disc_bounds(apex, std::abs(static_cast<double>(cone.apex_radius)), axis));
 }
 
 } // namespace masu

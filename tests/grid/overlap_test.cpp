@@ -1,8 +1,10 @@
 // Which voxels list a primitive: all that its surface touches, and under the exact test no others; against an
 // oracle that clips triangles, measures distances and cuts voxels up.
 #include "libgrid/build/division.h"
+#include "libgrid/build/overlap/clipped_bounds.h"
 #include "libgrid/build/overlap/overlap.h"
 #include "tests/random_test.h"
+#include "tests/ray_case.h"
 #include "tests/stability/oracle/oracle.h"
 #include "tests/surface_point.h"
 
@@ -16,6 +18,7 @@ namespace masu {
 namespace {
 
 using OverlapsOfAFlatCone = RandomTest;
+using PrimitivesCutByAPlane = RandomTest;
 
 using oracle::Wide;
 
@@ -542,6 +545,58 @@ TEST_F(Touching, ALargeTriangleIsListedInThePlaneOfVoxelsItCrosses) {
   const Listing exact(layout, Overlap::exact, large);
   // Half of the squares, and the two diagonals of those that the long side crosses or touches.
   EXPECT_EQ(exact.size(), 512U * 513U / 2 + 511U);
+}
+
+// --- Parts -----------------------------------------------------------------------------------------------
+
+TEST_F(PrimitivesCutByAPlane, HaveTheirSurfaceInThePartsBounds) {
+  const auto parts_hold_the_surface = [&](const auto& primitive) {
+    const Boxd whole = bounds(primitive);
+    const double rounding = 64 * u * largest_magnitude(whole);
+    const int axis = chance_.whole(0, 2);
+    const double plane = chance_.one_in(2)
+                             ? on_surface(chance_, primitive).at[axis]
+                             : chance_.uniform(whole.min[axis] - rounding, whole.max[axis] + rounding);
+    const ClippedBounds sides = sides_of(primitive, axis, plane, plane);
+    const auto is_within = [&](const Boxd& part) {
+      return is_empty(part) ||
+             (contains(grown(whole, rounding), part.min) && contains(grown(whole, rounding), part.max));
+    };
+    ASSERT_TRUE(is_within(sides.below) && is_within(sides.above)) << axis << ' ' << plane;
+    ASSERT_TRUE(is_empty(sides.below) || sides.below.max[axis] <= plane);
+    ASSERT_TRUE(is_empty(sides.above) || sides.above.min[axis] >= plane);
+    for (int point = 0; point < 100; ++point) {
+      const Vec3d at = on_surface(chance_, primitive).at;
+      ASSERT_TRUE(at[axis] >= plane - rounding || contains(grown(sides.below, rounding), at))
+          << masu::described(at);
+      ASSERT_TRUE(at[axis] <= plane + rounding || contains(grown(sides.above, rounding), at))
+          << masu::described(at);
+    }
+  };
+  for (int count = 0; count < 2000; ++count) {
+    const double scale = std::pow(10.0, chance_.uniform(-6, 6));
+    parts_hold_the_surface(random_triangle<double>(chance_, scale));
+    parts_hold_the_surface(random_sphere_case<double>(chance_, scale).primitive);
+    parts_hold_the_surface(random_cone<double>(chance_, scale));
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST_F(PrimitivesCutByAPlane, AreAsSmallAsAShortenedCone) {
+  for (int count = 0; count < 1000; ++count) {
+    // A stick through the middle of the space, at least a little aslant.
+    Vec3d along = chance_.direction();
+    const int axis = chance_.whole(0, 2);
+    if (std::abs(along[axis]) < 0.1) continue;
+    const Cone<double> stick{along * -1.0, 0.01, along, 0.01};
+    const double share = chance_.uniform(-0.9, 0.9);
+    const double plane = along[axis] * share;
+    const ClippedBounds sides = sides_of(stick, axis, plane, plane);
+    const Vec3d end = along * (along[axis] > 0 ? -1.0 : 1.0), middle = along * share;
+    // Around where the plane cuts the stick the part reaches a radius over the cut's slant farther.
+    const Boxd expected = grown(join(Boxd{end, end}, middle), 0.01 + 0.02 / std::abs(along[axis]));
+    EXPECT_TRUE(contains(expected, sides.below.min) && contains(expected, sides.below.max));
+  }
 }
 
 } // namespace

@@ -58,9 +58,24 @@ MASU_HD inline ClippedBounds sides_of(const Sphere<double>& sphere, int axis, do
 }
 
 MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double low, double high) {
-  ClippedBounds sides{bounds(cone), bounds(cone)};
-  if (sides.below.min[axis] > low) sides.below = empty_box<double>();
-  if (sides.above.max[axis] < high) sides.above = empty_box<double>();
+  const Vec3d along = cone.apex - cone.base;
+  const double base_radius = std::abs(cone.base_radius), apex_radius = std::abs(cone.apex_radius);
+  const Boxd base = disc_bounds(cone.base, base_radius, along),
+             apex = disc_bounds(cone.apex, apex_radius, along);
+  // More than what the discs' places along the axis are rounded by.
+  const double slack = 0x1p-49 * largest_magnitude(join(base, apex));
+  // The discs from where on, and up to where, something is before a plane: how far that is from the discs at
+  // both ends is given, and changes evenly in between.
+  const auto between = [&](double from_base, double from_apex) {
+    if (from_base > 0 && from_apex > 0) return empty_box<double>();
+    const auto disc = [&](double share) {
+      return disc_bounds(cone.base + along * share, base_radius + (apex_radius - base_radius) * share, along);
+    };
+    const double share = from_base / (from_base - from_apex); // where neither end is it
+    return join(from_base > 0 ? disc(share) : base, from_apex > 0 ? disc(share) : apex);
+  };
+  ClippedBounds sides{between(base.min[axis] - slack - low, apex.min[axis] - slack - low),
+                      between(high - slack - base.max[axis], high - slack - apex.max[axis])};
   sides.below.max.set(axis, std::min(sides.below.max[axis], low));
   sides.above.min.set(axis, std::max(sides.above.min[axis], high));
   return sides;
