@@ -11,12 +11,12 @@ namespace masu {
 // the whole, those of a few flat colours up to a third. Its levels 2 and 3 take longer and are no smaller.
 std::vector<std::uint8_t> deflated(std::span<const std::uint8_t> bytes, bool last) {
   constexpr std::uint32_t level = 1, buffer_bytes = ISAL_DEF_LVL1_DEFAULT;
-  // Of zeros, as the stream is, so that nothing that was there before can show in the bytes.
-  const auto buffer = std::make_unique<std::uint8_t[]>(buffer_bytes);
+  const auto buffer = std::make_unique_for_overwrite<std::uint8_t[]>(buffer_bytes);
   // What can't be compressed is stored in blocks of up to 65535 bytes.
   std::vector<std::uint8_t> piece(bytes.size() + bytes.size() / 1024 + 64);
-  isal_zstream stream{};
+  isal_zstream stream;
   isal_deflate_stateless_init(&stream);
+  stream.hist_bits = 0; // 2.30 leaves it as it was, and from 1 to 14 it changes which matches are found
   stream.level = level;
   stream.level_buf = buffer.get();
   stream.level_buf_size = buffer_bytes;

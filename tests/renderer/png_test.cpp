@@ -125,6 +125,27 @@ TEST_F(Png, ChunksHaveTheirChecksums) {
 }
 
 // zlib inflates pieces one after the other as one stream.
+// Leaves this where the stacks of later calls will be.
+[[gnu::noinline]] void fill_stack(std::uint16_t with) {
+  volatile std::uint16_t below[100000];
+  for (volatile std::uint16_t& number : below)
+    number = with;
+}
+
+TEST_F(Deflate, APieceDependsOnNothingThatWasInMemory) {
+  auto random = seed_.engine();
+  Bytes bytes(200000); // with repetitions near and far
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+    bytes[i] = i > 4000 && random() % 8 != 0 ? bytes[i - 1 - random() % 4000]
+                                             : static_cast<std::uint8_t>(random() % 40);
+  fill_stack(0);
+  const Bytes expected = deflated(bytes, true);
+  for (std::uint16_t number = 1; number < 20; ++number) {
+    fill_stack(number);
+    EXPECT_TRUE(deflated(bytes, true) == expected) << number;
+  }
+}
+
 TEST_F(Deflate, PiecesAreOneStream) {
   auto random = seed_.engine();
   for (int i = 0; i < 200; ++i) {

@@ -58,7 +58,7 @@ void add_count(CLI::App& command, const char* option, Number& count, const char*
 }
 inline void add_repeat(CLI::App& command, int& repeat,
                        const char* what = "timed runs after an untimed one; the median counts") {
-  command.add_option("--repeat", repeat, what)->check(CLI::Range(1, 1000))->capture_default_str();
+  add_number(command, "--repeat", repeat, 1, 1000, what);
 }
 inline void add_warm_up(CLI::App& command, int& warm_up) {
   add_number(command, "--warm-up", warm_up, 0, 1000, "untimed runs before the timed ones");

@@ -64,18 +64,18 @@ MASU_HD inline ClippedBounds sides_of(const Cone<double>& cone, int axis, double
              apex = disc_bounds(cone.apex, apex_radius, along);
   // More than what the discs' places along the axis are rounded by.
   const double slack = 0x1p-49 * largest_magnitude(join(base, apex));
-  // The discs from where on, and up to where, something is before a plane: how far that is from the discs at
-  // both ends is given, and changes evenly in between.
-  const auto between = [&](double from_base, double from_apex) {
+  // The bounds of the discs that reach a plane's side, from how far beyond the plane those of base and apex
+  // are (what reaches it: zero or less); in between that changes evenly along the axis.
+  const auto reaching = [&](double from_base, double from_apex) {
     if (from_base > 0 && from_apex > 0) return empty_box<double>();
     const auto disc = [&](double share) {
       return disc_bounds(cone.base + along * share, base_radius + (apex_radius - base_radius) * share, along);
     };
-    const double share = from_base / (from_base - from_apex); // where neither end is it
+    const double share = from_base / (from_base - from_apex); // of the axis, where a disc just does
     return join(from_base > 0 ? disc(share) : base, from_apex > 0 ? disc(share) : apex);
   };
-  ClippedBounds sides{between(base.min[axis] - slack - low, apex.min[axis] - slack - low),
-                      between(high - slack - base.max[axis], high - slack - apex.max[axis])};
+  ClippedBounds sides{reaching(base.min[axis] - slack - low, apex.min[axis] - slack - low),
+                      reaching(high - slack - base.max[axis], high - slack - apex.max[axis])};
   sides.below.max.set(axis, std::min(sides.below.max[axis], low));
   sides.above.min.set(axis, std::max(sides.above.min[axis], high));
   return sides;
