@@ -5,17 +5,18 @@
 //   1. sort     primitives along a Morton curve: each is a cluster
 //   2. search   of a cluster the neighbour, no more than so many places away, whose box together with its own
 //               has the smallest surface
-//   3. merge    clusters that are each other's; 2 and 3 until one is left
+//   3. merge    clusters that are each other's; 2 and 3 until few are left, which are then split from the
+//   root
+//               down (top_down_passes.h)
 //
 // A tie goes to the neighbour whose place differs in lower bits: a measure that two clusters share, so that
 // some pair is always each other's, and equal boxes pair up at once. No byte of the result depends on the
 // executor or its number of threads.
 #pragma once
 
-#include "libgrid/build/passes/collapse_passes.h"
+#include "libgrid/build/passes/top_down_passes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -61,18 +62,6 @@ struct EmitMortonCodes { // NOLINT(cppcoreguidelines-pro-type-member-init): an a
 };
 
 // Clusters along the curve.
-template <class Executor>
-struct Clusters {
-  ArrayOf<Executor, BinaryNode> nodes;
-  ArrayOf<Executor, CollapseCosts> costs;
-  ArrayOf<Executor, std::int32_t> heights; // nodes on the longest way down from it
-
-  Clusters(const Executor& executor, std::uint64_t count)
-      : nodes(executor.template array<BinaryNode>(count)),
-        costs(executor.template array<CollapseCosts>(count)),
-        heights(executor.template array<std::int32_t>(count)) {}
-};
-
 template <class Executor, class Stored>
 Clusters<Executor> primitive_clusters(Executor& executor, const SceneView<Stored>& scene,
                                       const GridLayout& layout) {
@@ -85,13 +74,11 @@ Clusters<Executor> primitive_clusters(Executor& executor, const SceneView<Stored
   const PrimitiveIndex* const primitive = sorted->values.data();
   BinaryNode* const node = clusters.nodes.data();
   CollapseCosts* const costs = clusters.costs.data();
-  std::int32_t* const height = clusters.heights.data();
   const double margin = layout.margin;
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     const Boxf box = box_of_primitive(scene, primitive[i], margin);
     node[i] = {box.min, primitive[i], box.max, 1};
     costs[i] = collapse_costs_of_leaf(node[i]);
-    height[i] = 0;
   });
   return clusters;
 }
@@ -115,51 +102,32 @@ MASU_HD inline std::uint32_t best_neighbour(const BinaryNode* clusters, std::uin
   return best;
 }
 
-// A round takes each cluster with its best neighbour, or with the next one: the last of an odd number with
-// none. Where boxes grow along the curve, hardly any two are each other's best, and what is merged grows high
-// and not wide: so every round after one of few pairs takes the next ones.
-enum class Neighbours { best, next };
-inline constexpr std::uint32_t clusters_per_pair = 32; // in a round of few pairs
-
 // Replaces `clusters` by fewer. Writes their nodes from `first_pair` on, and returns how many pairs they are.
 template <class Executor>
-std::uint32_t merge_round(Executor& executor, Neighbours neighbours, Clusters<Executor>& clusters,
-                          std::uint32_t count, Clusters<Executor>& merged,
-                          ArrayOf<Executor, std::uint32_t>& partners, std::uint32_t first_pair,
-                          BinaryHierarchy<Executor>& hierarchy) {
+std::uint32_t merge_round(Executor& executor, Clusters<Executor>& clusters, std::uint32_t count,
+                          Clusters<Executor>& merged, ArrayOf<Executor, std::uint32_t>& partners,
+                          std::uint32_t first_pair, BinaryHierarchy<Executor>& hierarchy) {
   const BinaryNode* const node = clusters.nodes.data();
   const CollapseCosts* const costs = clusters.costs.data();
-  const std::int32_t* const height = clusters.heights.data();
   std::uint32_t* const partner = partners.data();
-  const bool next = neighbours == Neighbours::next;
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    const auto own = static_cast<std::uint32_t>(i);
-    if (next)
-      partner[i] = (own ^ 1U) < count ? own ^ 1U : own;
-    else
-      partner[i] = best_neighbour(node, count, own);
+    partner[i] = best_neighbour(node, count, static_cast<std::uint32_t>(i));
   });
-  // What is merged stays so low that rounds of the next neighbours can always make one of all that is left.
-  const int highest = max_hierarchy_depth - 1 - (next ? 0 : static_cast<int>(std::bit_width(count - 1)));
   // The second of a pair goes.
-  auto pairs_before = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
-    const std::uint32_t other = partner[i];
-    return other < i && partner[other] == i && std::max(height[i], height[other]) < highest;
-  });
+  auto pairs_before = sums_before(
+      executor, count, [=] MASU_PASS(std::uint64_t i) { return partner[i] < i && partner[partner[i]] == i; });
   const std::uint32_t* const before = pairs_before.data();
   BinaryNode* const merged_node = merged.nodes.data();
   CollapseCosts* const merged_costs = merged.costs.data();
-  std::int32_t* const merged_height = merged.heights.data();
   BinaryNode* const nodes = hierarchy.nodes.data();
   CollapseChoice* const choices = hierarchy.choices.data();
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
     if (before[i] != before[i + 1]) return;
     const std::uint64_t to = i - before[i];
     const std::uint32_t other = partner[i];
-    if (other <= i || partner[other] != i || before[other] == before[other + 1]) {
+    if (other <= i || partner[other] != i) {
       merged_node[to] = node[i];
       merged_costs[to] = costs[i];
-      merged_height[to] = height[i];
       return;
     }
     const std::uint32_t left = 2 * (first_pair + before[other]);
@@ -171,11 +139,15 @@ std::uint32_t merge_round(Executor& executor, Neighbours neighbours, Clusters<Ex
     const BinaryNode both{box.min, left, box.max, node[i].count + node[other].count};
     merged_node[to] = both;
     merged_costs[to] = collapse_costs(both, costs[i], costs[other]);
-    merged_height[to] = std::max(height[i], height[other]) + 1;
   });
   std::swap(clusters, merged);
   return executor.value(pairs_before, count);
 }
+
+// Clusters are merged until they hold so many primitives on average, or few of them are each other's: what is
+// above is better split from the root down. So many rounds at most, since each adds a level.
+inline constexpr std::uint32_t primitives_per_cluster = 8, clusters_per_pair = 32;
+inline constexpr int max_rounds = 16;
 
 template <class Executor, class Stored>
 BinaryHierarchy<Executor> clustered_hierarchy(Executor& executor, const SceneView<Stored>& scene,
@@ -189,22 +161,17 @@ BinaryHierarchy<Executor> clustered_hierarchy(Executor& executor, const SceneVie
   hierarchy.choices = executor.template array<CollapseChoice>(2 * std::uint64_t{count});
   Clusters<Executor> merged(executor, count);
   auto partners = executor.template array<std::uint32_t>(count);
-  Neighbours neighbours = Neighbours::best;
-  for (std::uint32_t first_pair = 1; count > 1;) {
+  const std::uint32_t few = count / primitives_per_cluster;
+  std::uint32_t first_pair = 1;
+  int rounds = 0;
+  for (bool pays = true; pays && count > few && count > 1 && rounds < max_rounds; ++rounds) {
     const std::uint32_t pairs =
-        merge_round(executor, neighbours, clusters, count, merged, partners, first_pair, hierarchy);
-    neighbours = pairs < count / clusters_per_pair || pairs == 0 ? Neighbours::next : Neighbours::best;
+        merge_round(executor, clusters, count, merged, partners, first_pair, hierarchy);
+    pays = pairs >= count / clusters_per_pair;
     first_pair += pairs;
     count -= pairs;
   }
-  const BinaryNode* const node = clusters.nodes.data();
-  const CollapseCosts* const costs = clusters.costs.data();
-  BinaryNode* const root = hierarchy.nodes.data();
-  CollapseChoice* const root_choice = hierarchy.choices.data();
-  executor.for_each(1, [=] MASU_PASS(std::uint64_t) {
-    *root = *node;
-    *root_choice = costs->choice;
-  });
+  split_clusters(executor, clusters, count, rounds, first_pair, hierarchy);
   return hierarchy;
 }
 

@@ -13,13 +13,19 @@
 
 namespace masu {
 
+// What a group's threads share.
+struct SharedByThreads {
+  __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
+  __device__ void lower(std::uint32_t& least, std::uint32_t value) const { atomicMin(&least, value); }
+  __device__ void raise(std::uint32_t& most, std::uint32_t value) const { atomicMax(&most, value); }
+};
+
 // Some of a warp's threads, `width` (a power of two) side by side, as thread_group.h has them.
 template <unsigned width>
-struct WarpTile {
+struct WarpTile : SharedByThreads {
   __device__ std::uint32_t thread_rank() const { return threadIdx.x % width; }
   __device__ std::uint32_t size() const { return width; }
   __device__ void sync() const { __syncwarp(all()); }
-  __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
   __device__ std::uint64_t sum(std::uint64_t value) const {
     for (unsigned apart = width / 2; apart > 0; apart /= 2)
       value += __shfl_xor_sync(all(), value, static_cast<int>(apart));
@@ -57,11 +63,10 @@ private:
 };
 
 // A block's threads. Candidates are the first warp's.
-struct ThreadBlock {
+struct ThreadBlock : SharedByThreads {
   __device__ std::uint32_t thread_rank() const { return threadIdx.x; }
   __device__ std::uint32_t size() const { return blockDim.x; }
   __device__ void sync() const { __syncthreads(); }
-  __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
   __device__ std::uint64_t sum(std::uint64_t value) const {
     __shared__ unsigned long long total;
     __syncthreads(); // the last call's has been read by all
