@@ -3,6 +3,7 @@
 # build/bin, or BIN. Takes two minutes on one core. THREADS (default 1): of the CPU, for measurements.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+charts=$PWD/tools/bench/charts
 bin=$(cd "${BIN:-build/bin}" && pwd)
 out=${1:-out/lesson}
 threads=${THREADS:-1}
@@ -78,30 +79,7 @@ for scene in teapot balls; do
   cost $scene $scene.scene $(grids $scene)
 done
 if command -v gnuplot >/dev/null; then
-  gnuplot <<'END'
-# Readable in grey: lines differ by shape, too, and say what they are.
-set terminal pngcairo size 900, 380 font 'DejaVu Sans,10' background rgb 'white'
-set output 'tradeoff.png'
-set multiplot layout 1, 2
-set logscale xy 2
-set logscale y 10
-set grid lc rgb '#d4d4d4'
-set border 3
-set tics nomirror
-set format y '%.0f'
-set xlabel 'voxels per axis of a uniform grid'
-set ylabel 'per ray (less is better)'
-set xtics ('2' 2, '4' 4, '8' 8, '16' 16, '32' 32, '64' 64, '128' 128)
-set key top right
-set yrange [1:100000]
-set xrange [1.8:140]
-do for [scene in 'teapot balls'] {
-  set title scene
-  plot scene.'.dat' using 1:2 with linespoints lw 1.5 dt 2 pt 6 ps 1.3 lc rgb '#0072b2' title 'primitives tested', \
-       scene.'.dat' using 1:3 with linespoints lw 1.5 dt 4 pt 4 ps 1.3 lc rgb '#009e73' title 'cells visited', \
-       scene.'.dat' using 1:4 with linespoints lw 3 dt 1 pt 9 ps 1.6 lc rgb 'black' title 'nanoseconds'
-}
-END
+  gnuplot -e "out='tradeoff.png'" "$charts/style.gp" "$charts/lesson.gp"
   echo "tradeoff.png"
 else
   echo "tradeoff.png: left out (it needs gnuplot)"

@@ -1,28 +1,17 @@
 #!/usr/bin/env python3
-"""The tables and charts of what accuracy.sh measured.
+"""The tables of what accuracy.sh measured.
 
 accuracy_tables.py RESULTS.json                  prints the tables as markdown
 accuracy_tables.py RESULTS.json --into FILE…     puts each between its marks in these documents instead:
                                                  <!-- table NAME --> … <!-- end -->
 accuracy_tables.py RESULTS.json --gather FOLDER  makes RESULTS.json of accuracy.sh's working folder first
-accuracy_tables.py RESULTS.json --charts FOLDER  draws FOLDER/embree.png, sweeps.png and pictures.png (gnuplot)
 """
 import csv
-import pathlib
-import re
-import subprocess
-import tempfile
 
 from measured import STANDARD, figure, head, made_by, run_script, table
 
 FAILURES = {"missed": "missed", "false": "false", "wrong": "wrong", "misplaced": "misplaced",
             "by_grid": "by grid"}
-CHARTS = {
-    "embree": ("Wrong hits of triangles: missed, false, wrong, misplaced or by grid, share of rays",
-               "fast robust double embree embree-robust", 1e-7),
-    "sweeps": ("Wrong hits: missed, false, wrong, misplaced or by grid, share of rays", "fast robust double", 1e-7),
-    "pictures": ("Pixels of which a channel is off by more than 1/50, share of all", "fast robust auto double", 1e-5),
-}
 
 
 # --- What was measured
@@ -234,30 +223,5 @@ def gather_more(results, folder):
     results["tradeoff"] = {path.name: list(csv.DictReader(path.open())) for path in paths if path.exists()}
 
 
-# --- Charts
-
-def draw(results, folder):
-    rows = sweep_rows(results)
-    beside = has_embree(rows)
-    values = {name: [] for name in CHARTS}
-    for row in rows:
-        if row["store"] == "float32":
-            values["embree" if row["sweep"] in beside else "sweeps"].append((row, row["mode"], failed(row)))
-    for row in picture_rows(results):
-        if row["origin"] == "local":
-            values["pictures"].append((row, row["precision"], row["pixels_off"]))
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, (title, modes, floor) in CHARTS.items():
-        with tempfile.NamedTemporaryFile("w", suffix=".csv") as data:
-            out = csv.writer(data)
-            out.writerow(["sweep", "parameter", "step", "mode", "share"])
-            for row, mode, share in values[name]:
-                out.writerow([row["sweep"], re.split("[,;(]", row["parameter"])[0], row["step"], mode, share])
-            data.flush()
-            settings = (f"data='{data.name}'; out='{folder / name}.png'; title='{title} (less is better)'; modes='{modes}'; "
-                        f"floor={floor}")
-            subprocess.run(["gnuplot", "-e", settings, pathlib.Path(__file__).parent / "accuracy.gp"], check=True)
-
-
 if __name__ == "__main__":
-    run_script(__doc__, tables, draw, gather_more)
+    run_script(__doc__, tables, gather_more)

@@ -1,41 +1,103 @@
 #!/usr/bin/env python3
-"""Draws the charts of docs/performance.md and docs/accuracy.md anew from the tables and rows that are there (gnuplot).
+"""Draws the charts of docs/ from the tables and rows that are there (gnuplot).
 
-charts.py DOCS GRIDBENCH   peers.png of performance.md's table, tradeoff/*/ of their tradeoff.csv
+charts.py DOCS GRIDBENCH               tradeoff/*/ of their tradeoff.csv, accuracy/*.png of the .csv beside them, peers.png
+                                       of a table of performance.md, lesson/tradeoff.png of one of lesson.md
+charts.py DOCS GRIDBENCH RESULTS.json  the same, with the rows of accuracy/ from what accuracy.sh measured
 """
+import csv
+import itertools
+import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 
+from accuracy_tables import failed, has_embree, picture_rows, sweep_rows
+
+SCRIPTS = pathlib.Path(__file__).resolve().parent.parent / "charts"
 KINDS = "primary", "diffuse", "random"
-PEERS = "Masu / CWBVH", "/ OptiX", "/ hagrid's best"
+PEERS = {"cwbvh": 4, "optix": 5, "hagrid": 7}  # columns of performance.md's table
+LESSON = {"teapot": 4, "balls": 7}             # columns of tests, cells and nanoseconds per ray in lesson.md's table
+ACCURACY = {  # title, share that is drawn as none
+    "sweeps": ("Wrong hits: missed, false, wrong, misplaced or by grid, share of rays", 1e-7),
+    "embree": ("Wrong hits of triangles: missed, false, wrong, misplaced or by grid, share of rays", 1e-7),
+    "pictures": ("Pixels of which a channel is off by more than 1/50, share of all", 1e-5),
+}
 
 
-def table(document, name):
-    """The rows between a table's marks, by column."""
-    text = document.read_text().split(f"<!-- table {name} -->")[1].split("<!-- end -->")[0]
-    head, _, *rows = [[cell.strip() for cell in line.strip("| ").split("|")] for line in text.strip().splitlines()]
-    return [dict(zip(head, row)) for row in rows]
+def plot(script, folder, **variables):
+    settings = "; ".join(f"{name}='{value}'" if isinstance(value, str) else f"{name}={value}"
+                         for name, value in variables.items())
+    subprocess.run(["gnuplot", "-e", settings, SCRIPTS / "style.gp", SCRIPTS / f"{script}.gp"], cwd=folder, check=True)
+
+
+def table(document, head):
+    """The rows of the table whose head begins so: lists of cells."""
+    lines = iter(document.read_text().splitlines())
+    next(line for line in lines if line.startswith(head))
+    next(lines)
+    rows = itertools.takewhile(lambda line: line.startswith("|"), lines)
+    return [[cell.strip() for cell in line.strip("| ").split("|")] for line in rows]
+
+
+def write_rows(file, head, rows):
+    csv.writer(file, lineterminator="\n").writerows([head, *rows])
+    file.flush()
+
+
+def write_accuracy(results, folder):
+    """The rows of the charts of accuracy.md."""
+    rows = sweep_rows(results)
+    beside = has_embree(rows)
+    kept = {name: [] for name in ACCURACY}
+    for row in rows:
+        if row["store"] == "float32" and row["mode"] != "first-cell-hit":
+            kept["embree" if row["sweep"] in beside else "sweeps"].append((row, row["mode"], failed(row)))
+    for row in picture_rows(results):
+        if row["origin"] == "local":
+            kept["pictures"].append((row, row["precision"], row["pixels_off"]))
+    for name, those in kept.items():
+        with open(folder / f"{name}.csv", "w", newline="") as file:
+            write_rows(file, ["sweep", "parameter", "step", "mode", "share"],
+                       [[row["sweep"], re.split("[,;(]", row["parameter"])[0], row["step"], mode, share]
+                        for row, mode, share in those])
+
+
+def draw_accuracy(folder):
+    for name, (title, floor) in ACCURACY.items():
+        plot("accuracy", folder, data=f"{name}.csv", out=f"{name}.png", title=f"{title} (lower is better)", floor=floor)
 
 
 def draw_peers(docs):
-    rows = table(docs / "performance.md", "peers")
-    with tempfile.NamedTemporaryFile("w", suffix=".dat") as data:
-        for line, row in enumerate(reversed(rows), 1):
-            ratios = [row[peer].split(", ") for peer in PEERS]
-            for i, kind in enumerate(KINDS):
-                print(kind, line, row["scene"], *(ratio[i] for ratio in ratios), sep="\t", file=data)
-        data.flush()
-        script = pathlib.Path(__file__).parent / "peers.gp"
-        subprocess.run(["gnuplot", "-e", f"data='{data.name}'; out='{docs / 'peers.png'}'", script], check=True)
+    rows = table(docs / "performance.md", "| scene | `fastest` takes |")
+    with tempfile.NamedTemporaryFile("w", suffix=".csv") as data:
+        write_rows(data, ["kind", "line", "scene", *PEERS],
+                   [[kind, line, f"{row[0]} ({'hierarchy' if row[1] == '`bvh`' else 'irregular'})",
+                     *(row[column].split(", ")[i] for column in PEERS.values())]
+                    for line, row in enumerate(reversed(rows), 1) for i, kind in enumerate(KINDS)])
+        plot("peers", docs, data=data.name, out="peers.png")
+
+
+def draw_lesson(docs):
+    rows = table(docs / "lesson.md", "| voxels per axis |")
+    with tempfile.TemporaryDirectory() as folder:
+        for scene, first in LESSON.items():
+            lines = [" ".join([row[0], *row[first:first + 3]]) for row in rows]
+            pathlib.Path(folder, f"{scene}.dat").write_text("\n".join(lines) + "\n")
+        plot("lesson", folder, out=str(docs / "lesson" / "tradeoff.png"))
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
-    docs, gridbench = pathlib.Path(sys.argv[1]), sys.argv[2]
+    docs, gridbench = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
+    if len(sys.argv) == 4:
+        write_accuracy(json.loads(pathlib.Path(sys.argv[3]).read_text()), docs / "accuracy")
+    draw_accuracy(docs / "accuracy")
     draw_peers(docs)
+    draw_lesson(docs)
     for rows in sorted(docs.glob("tradeoff/*/tradeoff.csv")):
         subprocess.run([gridbench, "tradeoff", "--charts-only", "-o", rows.parent], check=True)
 

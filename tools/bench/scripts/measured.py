@@ -63,13 +63,11 @@ def made_by(makers, without_gpu=()):
     return made
 
 
-def run_script(description, tables, draw=None, gather_more=lambda results, folder: None):
-    """tables(results): texts by name; draw(results, folder): charts; gather_more(results, folder): beside commands."""
+def run_script(description, tables, gather_more=lambda results, folder: None):
+    """tables(results): texts by name; gather_more(results, folder): what there is beside commands."""
     options = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("results", type=pathlib.Path)
     options.add_argument("--gather", type=pathlib.Path)
-    if draw:
-        options.add_argument("--charts", type=pathlib.Path)
     options.add_argument("--into", type=pathlib.Path, nargs="+", default=[])
     given = options.parse_args()
     if given.gather:
@@ -77,12 +75,9 @@ def run_script(description, tables, draw=None, gather_more=lambda results, folde
         gather_more(results, given.gather)
         given.results.write_text(json.dumps(results, indent=1) + "\n")
     results = json.loads(given.results.read_text())
-    charts = draw and given.charts
-    if charts:
-        draw(results, charts)
     made = tables(results)
     mark = re.compile(r"(<!-- table (\w+) -->\n).*?\n?(<!-- end -->)", re.DOTALL)
     for document in given.into:
         document.write_text(mark.sub(lambda found: found[1] + made[found[2]] + "\n" + found[3], document.read_text()))
-    if not given.into and not charts:
+    if not given.into:
         print("\n\n".join(f"## {name}\n\n{text}" for name, text in made.items()))

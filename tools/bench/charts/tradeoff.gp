@@ -1,27 +1,13 @@
 # The charts of gridbench tradeoff, from the charts.csv that it writes: SCENE.svg and .png for each scene and
 # tradeoff.svg and .png for the mean of all scenes, speed against accuracy; division.svg and .png, time against division.
-# To run it by hand in the folder of charts.csv: gnuplot PATH/tradeoff.gp
+# To run it by hand in the folder of charts.csv: gnuplot PATH/style.gp PATH/tradeoff.gp
 
-data = 'charts.csv'
-# `outputs` may list where charts are written instead, in pairs: NAME PATH NAME PATH ...
-if (!exists('outputs')) outputs = ''
-index_of(name, list) = sum [i = 1:words(list)] (word(list, i) eq name ? i : 0)
-output_of(name) = index_of(name, outputs) > 0 ? word(outputs, index_of(name, outputs) + 1) : name
+if (!exists('data')) data = 'charts.csv'
 
 # --- Helpers
 
-smaller(a, b) = a < b ? a : b
-larger(a, b) = a > b ? a : b
-power(exponent) = 10.0 ** exponent
 decimal(exponent) = sprintf(sprintf('%%.%df', exponent < 0 ? -exponent : 0), power(exponent))
-grouped(n) = n < 1000 ? sprintf('%d', n) : grouped(n / 1000) . sprintf(',%03d', n % 1000)
 
-# What each chart begins with.
-begin = "reset; set encoding utf8; set datafile separator ','; set datafile columnheaders; \
-  set datafile missing NaN; set logscale xy; \
-  set border 3 lc rgb '#444444'; set tics nomirror; set grid lc rgb '#d4d4d4' lw 1 dt 1"
-terminal(kind, height) = sprintf("set terminal %s size 1100, %d font 'DejaVu Sans,%d' noenhanced background rgb 'white'", \
-  kind eq 'svg' ? 'svg' : 'pngcairo', height, kind eq 'svg' ? 15 : 12)
 # Ticks of a logarithmic axis: the longer it is, the fewer a decade.
 log_ticks(axis, from, to) = sprintf("set %stics (); do for [e = %d:%d] { do for [f in '%s'] { \
   set %stics add (sprintf('%%g', f * power(e)) f * power(e)) } }", axis, floor(log10(from)), ceil(log10(to)), \
@@ -53,17 +39,15 @@ stats data using (backend = strcol('backend') eq 'cuda' ? 'GPU' : 'CPU, ' . strc
 
 # --- Speed against accuracy: hits above, the picture below
 
-precisions = 'fast robust double'
-colors = '#ee9a3a #003f7f #2f9e7a' # light, dark, between: told apart in grey and by the colour-blind
 structures = 'none x balance irregular bvh'
 structure_titles = "'uniform grid' '--merge x' '--merge balance' 'irregular grid' 'hierarchy'"
 filled = '5 13 11 9 7' # point types: proven
 open = '4 12 10 8 6'   # first cell hit
 is_first_cell(_) = strcol('stop_rule') eq 'first-cell-hit'
 # A method is the indices of a precision and a structure and 1 for first cell hit, else 0, such as 241.
-method_of(_) = sprintf('%d%d%d', index_of(strcol('precision'), precisions), index_of(strcol('merge'), structures), \
+method_of(_) = sprintf('%d%d%d', precision_index(strcol('precision')), index_of(strcol('merge'), structures), \
   is_first_cell(0))
-color_of(method) = word(colors, int(method[1:1]))
+color_of(method) = word(precision_colors, int(method[1:1]))
 point_of(method) = int(word(method[3:3] eq '1' ? open : filled, int(method[2:2])))
 grid_of(_) = (strcol('merge') eq 'none' ? 'uniform' : strcol('merge') eq 'bvh' ? 'hierarchy' : strcol('merge')) . ' ' \
   . (strcol('merge') eq 'bvh' ? '' : (strcol('merge') eq 'irregular' && strcol('division') eq 'auto' ? '' \
@@ -81,11 +65,12 @@ is_of(scene) = strcol('scene') eq scene
 is_shown(scene, panel) = is_of(scene) && speed(panel) >= slowest
 front_speed(scene, panel) = is_shown(scene, panel) && is_in_front(panel) ? speed(panel) : NaN
 # An error of zero has no place on a logarithmic axis: it lies in a band at the bottom, precisions beside each other.
-drawn_error(panel) = error(panel) > 0 ? error(panel) : zero * 1.35 ** (2 - index_of(strcol('precision'), precisions))
+drawn_error(panel) = error(panel) > 0 ? error(panel) : zero * 1.35 ** (2 - precision_index(strcol('precision')))
 
 do for [scene in scenes] { do for [kind in 'svg png'] {
   eval begin
-  eval terminal(kind, 1240)
+  set logscale xy
+  eval terminal(kind, 1100, 1240)
   set output output_of((scene eq 'all' ? 'tradeoff' : scene) . '.' . kind)
   stats data using (is_of(scene) ? column('rays_compared') : NaN) nooutput name 'compared'
   set multiplot
@@ -98,8 +83,8 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
     unset object
     set autoscale # stats leaves out what is outside the axes
     if (is_hits(panel)) {
-      set label (scene eq 'all' ? sprintf('mean of %d scenes', number_of_scenes) : scene) . ': speed against accuracy (' \
-        . backend . ')' at screen 0.02, screen 0.977 font ',20'
+      set label (scene eq 'all' ? sprintf('mean of %d scenes', number_of_scenes) : scene) . ', ' . backend \
+        . ': to the right is faster, lower is more accurate' at screen 0.02, screen 0.977 font ',20'
       set label sprintf('%s primary and %s random rays a scene; %s in all compared with brute force in double; ' \
         . 'pictures of %s', primary_size, grouped(int(random_rays)), grouped(int(compared_max)), picture_size) \
         at screen 0.02, screen 0.952
@@ -150,7 +135,7 @@ do for [scene in scenes] { do for [kind in 'svg png'] {
     plot for [method in methods] data \
         using (is_shown(scene, panel) && method_of(0) eq method ? speed(panel) : NaN):(drawn_error(panel)) \
         with points pt point_of(method) ps 1.3 lw 1.6 lc rgb color_of(method) notitle, \
-      for [i = 1:3] NaN with points pt 7 ps 1.3 lc rgb word(colors, i) title word(precisions, i), \
+      for [i = 1:3] NaN with points pt 7 ps 1.3 lc rgb word(precision_colors, i) title word(precisions, i), \
       for [i = 1:5] NaN with points pt int(word(filled, i)) ps 1.3 lc rgb '#666666' title word(structure_titles, i), \
       NaN with points pt 6 ps 1.3 lw 1.6 lc rgb '#666666' title 'open: first cell hit', \
       NaN with lines lw 1.8 dt '-' lc rgb '#222222' title 'Pareto front', \
@@ -177,13 +162,10 @@ is_line(scene, automatic) = is_of(scene) && is_curve(0) && strcol('precision') e
   && is_automatic(0) == automatic
 voxels_an_axis(_) = column('voxels') ** (1 / 3.0)
 
-line_colors = '#000000 #d55e00 #0072b2 #009e73 #cc79a7 #56b4e9 #e69f00 #666666'
-line_points = '7 5 9 11 13 6 4 8'
-color(i) = word(line_colors, (i - 1) % 8 + 1)
-point(i) = int(word(line_points, (i - 1) % 8 + 1))
 if (curves ne '') { do for [kind in 'svg png'] {
   eval begin
-  eval terminal(kind, 760)
+  set logscale xy
+  eval terminal(kind, 1100, 760)
   set output output_of('division.' . kind)
   n = 0
   x_high = 1
@@ -201,8 +183,8 @@ if (curves ne '') { do for [kind in 'svg png'] {
     ms = 0 # of the automatic division, where it was measured
     stats data using (is_line(scene, 1) ? (voxels = voxels_an_axis(0), ms = column('picture_ms'), 1) : 1) nooutput
     if (ms > 0) {
-      set label '' at first voxels, first ms point pt point(n) ps 1.2 lc rgb color(n)
-      set label '' at first voxels, first ms point pt 6 ps 2.8 lw 2 lc rgb color(n)
+      set label '' at first voxels, first ms point pt scene_point(n) ps 1.2 lc rgb scene_color(n)
+      set label '' at first voxels, first ms point pt 6 ps 2.8 lw 2 lc rgb scene_color(n)
     }
   } }
   set xrange [1 / 1.1 : x_high * 1.1]
@@ -212,7 +194,7 @@ if (curves ne '') { do for [kind in 'svg png'] {
   set bmargin at screen 0.10
   set tmargin at screen 0.89
   unset key
-  set label sprintf('Time against division (%s; less is better)', backend) at screen 0.02, screen 0.963 font ',20'
+  set label sprintf('Time per picture by division, %s (lower is better)', backend) at screen 0.02, screen 0.963 font ',20'
   set label sprintf('uniform grids, exact overlap, %s; pictures of %s with shadows and mirrors; ringed: --division auto', \
     precision_of(pt[1]), picture_size) at screen 0.02, screen 0.921
   set label 'ms per picture' at screen 0.018, graph 0.5 center rotate by 90
@@ -225,8 +207,8 @@ if (curves ne '') { do for [kind in 'svg png'] {
   name_offset = 2
   eval set_labels
   # Each name with its line's own mark.
-  do for [i = 1:n] { set label '' at graph 1.03, graph high(rank(i)) point pt point(i) ps 1.2 lc rgb color(i) }
+  do for [i = 1:n] { set label '' at graph 1.03, graph high(rank(i)) point pt scene_point(i) ps 1.2 lc rgb scene_color(i) }
   plot for [i = 1:n] data using (is_line(pt[i], 0) ? voxels_an_axis(0) : NaN):(column('picture_ms')) smooth unique \
-    with linespoints pt point(i) ps 1.2 lw 2 lc rgb color(i)
+    with linespoints pt scene_point(i) ps 1.2 lw 2 lc rgb scene_color(i)
   unset output
 } }

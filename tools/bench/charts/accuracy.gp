@@ -1,33 +1,24 @@
-# gnuplot -e "data='FILE.csv'; out='FILE.png'; title='TEXT'; modes='fast robust'; floor=1e-7" accuracy.gp: a panel for
-# each sweep, shares of failures against the parameter, a line for each mode. Both axes are logarithmic. Shares of zero
+# gnuplot -e "data='FILE.csv'; out='FILE.png'; title='TEXT'; floor=1e-7" style.gp accuracy.gp: a panel for each sweep,
+# shares of failures against the parameter, a line for each mode in the file. Both axes are logarithmic. Shares of zero
 # lie in a band at `floor`, lines above each other; a parameter of zero lies left of the others.
 # Columns: sweep, parameter, step, mode, share.
 
-set encoding utf8
-set datafile separator ','
-set datafile columnheaders
-set datafile missing NaN
-index_of(name, list) = sum [i = 1:words(list)] (word(list, i) eq name ? i : 0)
-power(e) = 10.0 ** e
+eval begin
 power_text(e) = e < -2 || e > 3 ? sprintf('1e%d', e) : sprintf('%g', power(e))
-
-# That the colour-blind tell apart, after Okabe & Ito; as in tradeoff.gp.
-known = 'fast robust double auto embree embree-robust'
-colors = '#d55e00 #0072b2 #009e73 #e69f00 #cc79a7 #000000'
-points = '7 5 9 13 6 4'
-color(mode) = word(colors, index_of(mode, known))
-point(mode) = int(word(points, index_of(mode, known)))
-
 sweeps = ''
+known = ''
+modes = ''
 array parameters[100]
 stats data using (index_of(strcol('sweep'), sweeps) > 0 ? 0 \
   : (sweeps = sweeps . ' ' . strcol('sweep'), parameters[words(sweeps)] = strcol('parameter'), 0)) nooutput
+stats data using (index_of(strcol('mode'), known) > 0 ? 0 : (known = known . ' ' . strcol('mode'), 0)) nooutput
+do for [mode in precisions] { if (index_of(mode, known) > 0) { modes = modes . ' ' . mode } }
 n = words(sweeps)
 columns = 4
 rows = ceil(n / real(columns))
 width = 1216
 height = 80 + 205 * rows
-set terminal pngcairo size width, height font 'DejaVu Sans,9' noenhanced background rgb 'white'
+eval terminal('png', width, height)
 set output out
 set multiplot
 unset key
@@ -35,8 +26,8 @@ unset key
 set label 1 title at screen 12.0 / width, screen 1 - 18.0 / height font ',13'
 do for [i = 1:words(modes)] {
   mode = word(modes, i)
-  set label (10 + i) mode at screen (20.0 + 150 * (i - 1)) / width, screen 1 - 44.0 / height \
-    point pt point(mode) ps 0.8 lw 1.5 lc rgb color(mode) offset 1, 0
+  set label (10 + i) mode at screen (20.0 + 150 * (i - 1)) / width, screen 1 - 44.0 / height font ',10' \
+    point pt precision_point(mode) ps 1.2 lw 1.5 lc rgb precision_color(mode) offset 1, 0
 }
 
 band = floor * 1.6 ** words(modes)
@@ -63,8 +54,6 @@ do for [i = 1:n] {
   set rmargin at screen (left + 228) / width
   set tmargin at screen 1 - (top - 2) / height
   set bmargin at screen 1 - (top + 120) / height
-  set border 3 lc rgb '#444444'
-  set grid lc rgb '#d4d4d4' lw 1 dt 1
   set xtics nomirror font ',8' ()
   if (has_zero) { set xtics add ('0' zero_x) }
   if (decades < 2.5) {
@@ -77,14 +66,14 @@ do for [i = 1:n] {
       set xtics add (power_text(e) power(e))
     }
   }
-  set ytics nomirror font ',8' ('0' sqrt(floor * band), '100 %%' 1)
+  set ytics nomirror font ',8' ('none' sqrt(floor * band), '100 %%' 1)
   do for [e = ceil(log10(band)):-1] { set ytics add ((e % 2 == 0 ? power_text(e + 2) . ' %%' : '') power(e)) }
   set object 1 rectangle from graph 0, graph 0 to graph 1, first band fs solid noborder fc rgb '#eeeeee' behind
   set label 2 sweep at screen left / width, screen 1 - (top - 14) / height font ',10'
   set label 3 parameters[i] at screen (left + 114) / width, screen 1 - (top + 152) / height center font ',8'
   plot for [mode in modes] data using \
     (is_of(sweep) && strcol('mode') eq mode ? x_of(column('step')) : NaN):(drawn(mode, column('share'))) \
-    with linespoints pt point(mode) ps 0.5 lw 1.6 lc rgb color(mode)
+    with linespoints pt precision_point(mode) ps 0.7 lw 1.6 dt precision_dash(mode) lc rgb precision_color(mode)
   unset label 1
   do for [k = 1:words(modes)] { unset label (10 + k) }
 }
