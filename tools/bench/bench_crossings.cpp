@@ -12,7 +12,7 @@
 namespace masu {
 namespace {
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene, grid;
   std::uint64_t count = 1'000'000;
   std::uint64_t seed = 1;
@@ -68,21 +68,18 @@ Crossings count_crossings(const Settings& settings, const Tracer& tracer, const 
   return all;
 }
 
-void bench_crossings(const Settings& settings) {
+void bench_crossings(const Settings& settings, Output& output) {
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
   const Crossings all = scene.is_float64() ? count_crossings(settings, tracer, scene.view<double>())
                                            : count_crossings(settings, tracer, scene.view<float>());
-  if (settings.json) {
-    const nlohmann::ordered_json row{
-        {"rays", all.rays}, {"crossing", all.crossing}, {"hits", all.hits}, {"wrong", all.wrong}};
-    fmt::print("{}\n", json_text(with_provenance(nlohmann::ordered_json::array({row}), device_name(cuda))));
-  } else {
-    fmt::print("{:>12} {:>12} {:>12} {:>12}\n{:>12} {:>12} {:>12} {:>12}\n", "rays", "crossing", "hits",
+  output.device = device_name(cuda);
+  output.json.push_back(
+      {{"rays", all.rays}, {"crossing", all.crossing}, {"hits", all.hits}, {"wrong", all.wrong}});
+  output.print("{:>12} {:>12} {:>12} {:>12}\n{:>12} {:>12} {:>12} {:>12}\n", "rays", "crossing", "hits",
                "wrong", all.rays, all.crossing, all.hits, all.wrong);
-  }
 }
 
 void add_options(CLI::App& command, Settings& settings) {

@@ -23,7 +23,7 @@ const std::vector<std::pair<std::string, std::optional<ScreenDivision>>> all_sch
     {"cyclic", ScreenDivision::cyclic},
     {"persistent", ScreenDivision::persistent}};
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene, size = "1024x1024";
   std::vector<std::string> grids, schedules;
   Backend backend = Backend::automatic;
@@ -68,13 +68,6 @@ Json measure(const Settings& settings, const Tracer& tracer, const std::string& 
           {"kernel", {{"registers", frame.kernel.registers}, {"local_bytes", frame.kernel.local_bytes}}}};
 }
 
-void print_row(const Json& row) {
-  fmt::print("{:<24} {:<10} {:>8} {:>10.3f}\n", printable(row["grid"].get<std::string>()),
-             row["schedule"].get<std::string>(), row["workers"].get<std::uint64_t>(),
-             row["median_seconds"].get<double>() * 1e3);
-  flush_standard_output();
-}
-
 // The renderer's own schedule renders in every way; the others by `robust` alone.
 std::vector<std::string> schedules_for(const Settings& settings, const SceneFile& scene) {
   std::vector<std::string> names = settings.schedules;
@@ -91,15 +84,13 @@ std::vector<std::string> schedules_for(const Settings& settings, const SceneFile
   return names;
 }
 
-void bench_frame(const Settings& settings) {
+void bench_frame(const Settings& settings, Output& output) {
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   const std::vector<std::string> names = schedules_for(settings, scene);
-  Json rows = Json::array();
-  if (!settings.json) {
-    fmt::print("{}, median of {} after {}\n\n{:<24} {:<10} {:>8} {:>10}\n", cuda ? "cuda" : "cpu",
+  output.device = device_name(cuda);
+  output.print("{}, median of {} after {}\n\n{:<24} {:<10} {:>8} {:>10}\n", cuda ? "cuda" : "cpu",
                settings.repeat, settings.warm_up, "grid", "schedule", "workers", "ms");
-  }
   HostArray<Vec3f> picture;
   for (const std::string& path : settings.grids) {
     const GridFile grid(path);
@@ -111,11 +102,11 @@ void bench_frame(const Settings& settings) {
         throw Error(ErrorCode::usage, "--schedule",
                     "block, cyclic and persistent need a grid of cells: a hierarchy has none: name hardware");
       }
-      rows.push_back(measure(settings, tracer, name, division, picture));
-      if (!settings.json) print_row(rows.back());
+      const Json& row = output.json.emplace_back(measure(settings, tracer, name, division, picture));
+      output.print("{:<24} {:<10} {:>8} {:>10.3f}\n", printable(path), name,
+                   row["workers"].get<std::uint64_t>(), row["median_seconds"].get<double>() * 1e3);
     }
   }
-  if (settings.json) print_json(rows, device_name(cuda));
 }
 
 void add_options(CLI::App& command, Settings& settings) {

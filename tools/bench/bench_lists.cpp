@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene, grid;
   std::size_t count = 100'000'000;
   std::uint64_t seed = 1;
@@ -44,25 +44,20 @@ Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
           {"plain_copy_over_list", copied / traced}};
 }
 
-void bench_lists(const Settings& settings) {
-  static_cast<void>(use_cuda(Backend::cuda, "gridbench"));
+void bench_lists(const Settings& settings, Output& output) {
+  output.device = device_name(use_cuda(Backend::cuda, "gridbench"));
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   const Tracer tracer(scene, &grid, Device::cuda);
-  Json rows = Json::array();
-  if (!settings.json)
-    fmt::print("{} random rays, median of {}\n\n{:<12} {:>9} {:>9} {:>9} {:>12} {:>12}\n", settings.count,
+  output.print("{} random rays, median of {}\n\n{:<12} {:>9} {:>9} {:>9} {:>12} {:>12}\n", settings.count,
                settings.repeat, "memory", "s", "Mray/s", "kernel s", "plain copy s", "copy / list");
   for (const bool page_locked : {true, false}) {
-    rows.push_back(measure(settings, tracer, page_locked));
-    const Json& row = rows.back();
-    if (!settings.json)
-      fmt::print("{:<12} {:>9.4f} {:>9.1f} {:>9.4f} {:>12.4f} {:>12.2f}\n", row["memory"].get<std::string>(),
+    const Json& row = output.json.emplace_back(measure(settings, tracer, page_locked));
+    output.print("{:<12} {:>9.4f} {:>9.1f} {:>9.4f} {:>12.4f} {:>12.2f}\n", row["memory"].get<std::string>(),
                  row["median_seconds"].get<double>(), row["mrays_per_second"].get<double>(),
                  row["kernel_seconds"].get<double>(), row["plain_copy_seconds"].get<double>(),
                  row["plain_copy_over_list"].get<double>());
   }
-  if (settings.json) print_json(rows, device_name(true));
 }
 
 void add_options(CLI::App& command, Settings& settings) {

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene, grid;
   Backend backend = Backend::automatic;
   int repeat = 9;
@@ -70,15 +70,16 @@ Json measure(const Settings& settings, bool cuda) {
           {"load_over_copy", {{"mapped", whole / mapped}, {"read", whole / read}}}};
 }
 
-void print_table(const Json& report) {
+void print_table(const Output& output) {
+  const Json& report = output.json;
   const auto bytes = report["bytes"].get<double>();
-  fmt::print("{}, {} bytes, median of {}, page cache warm\n\n{:<28} {:>10} {:>8}\n",
-             report["backend"].get<std::string>(), report["bytes"].get<std::uint64_t>(),
-             report["repeat"].get<int>(), "", "ms", "GB/s");
+  output.print("{}, {} bytes, median of {}, page cache warm\n\n{:<28} {:>10} {:>8}\n",
+               report["backend"].get<std::string>(), report["bytes"].get<std::uint64_t>(),
+               report["repeat"].get<int>(), "", "ms", "GB/s");
   const auto line = [&](const char* what, const char* name, bool sees_every_byte = true) {
     const double seconds = report["median_seconds"][name].get<double>();
-    fmt::print("{:<28} {:>10.3f} {:>8}\n", what, seconds * 1e3,
-               seconds > 0 && sees_every_byte ? fmt::format("{:.2f}", bytes / seconds * 1e-9) : "-");
+    output.print("{:<28} {:>10.3f} {:>8}\n", what, seconds * 1e3,
+                 seconds > 0 && sees_every_byte ? fmt::format("{:.2f}", bytes / seconds * 1e-9) : "-");
   };
   line("map", "map", false);
   const bool cuda = report["backend"] == "cuda";
@@ -87,20 +88,16 @@ void print_table(const Json& report) {
   line("load: sum of the three", "load");
   line("plain copy of the mapping", "copy_mapped");
   line("plain copy by read(2)", "copy_read");
-  fmt::print("load / plain copy            {:.2f} (mapping), {:.2f} (read)\n",
-             report["load_over_copy"]["mapped"].get<double>(),
-             report["load_over_copy"]["read"].get<double>());
+  output.print("load / plain copy            {:.2f} (mapping), {:.2f} (read)\n",
+               report["load_over_copy"]["mapped"].get<double>(),
+               report["load_over_copy"]["read"].get<double>());
 }
 
-void bench_load(const Settings& settings) {
+void bench_load(const Settings& settings, Output& output) {
   const bool cuda = use_cuda(settings.backend, "gridbench");
-  Json report = measure(settings, cuda);
-  report.update(provenance());
-  report["device"] = device_name(cuda);
-  if (settings.json)
-    fmt::print("{}\n", json_text(report));
-  else
-    print_table(report);
+  output.device = device_name(cuda);
+  output.json = measure(settings, cuda);
+  print_table(output);
 }
 
 void add_options(CLI::App& command, Settings& settings) {

@@ -3,8 +3,7 @@
 #include "tests/stability/run.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/command.h"
-
-#include <unistd.h>
+#include "tools/common/progress.h"
 
 #include <algorithm>
 #include <set>
@@ -15,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace stability;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene, grid;
   std::vector<std::string> precisions;
   std::size_t count = 100'000;
@@ -38,20 +37,15 @@ std::vector<Mode> modes_for(const Settings& settings, const SceneFile& scene) {
 
 constexpr std::size_t rays_a_batch = 1 << 17; // bounds the memory
 
-void show_progress(std::size_t done, std::size_t all) {
-  if (isatty(STDERR_FILENO) != 0)
-    print_note("\r{:.0f} %{}", 100.0 * static_cast<double>(done) / static_cast<double>(all),
-               done == all ? "\r     \r" : "");
-}
-
 std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, const GridFile& grid,
                              const std::vector<Mode>& modes) {
   const oracle::SceneOracle oracle = scene.is_float64() ? oracle::SceneOracle(scene.view<double>())
                                                         : oracle::SceneOracle(scene.view<float>());
   const std::vector<Ray<double>> rays = random_rays(scene, settings.count, settings.seed);
   std::vector<Tally> tallies(modes.size());
+  Progress progress("comparing");
   for (std::size_t begin = 0; begin < rays.size(); begin += rays_a_batch) {
-    show_progress(begin, rays.size());
+    progress(static_cast<double>(begin) / static_cast<double>(rays.size()));
     const auto batch = std::span(rays).subspan(begin, std::min(rays_a_batch, rays.size() - begin));
     // All float32 modes are compared with the same reference hits.
     for (const bool wide : {false, true}) {
@@ -70,11 +64,10 @@ std::vector<Tally> judge_all(const Settings& settings, const SceneFile& scene, c
         tallies[judged_modes[i]] += part[i];
     }
   }
-  show_progress(rays.size(), rays.size());
   return tallies;
 }
 
-void bench_oracle(const Settings& settings) {
+void bench_oracle(const Settings& settings, Output& output) {
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   grid.check_geometry(scene.geometry_hash(), scene.primitive_count());
@@ -82,28 +75,23 @@ void bench_oracle(const Settings& settings) {
     throw Error(ErrorCode::usage, "--first-cell-hit", "needs a grid of cells: a hierarchy has none");
   const std::vector<Mode> modes = modes_for(settings, scene);
   const std::vector<Tally> tallies = judge_all(settings, scene, grid, modes);
-  Json rows = Json::array();
-  if (!settings.json)
-    fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "prec.", "rays", "unsure", "missed",
+  output.device = device_name(false);
+  output.print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "prec.", "rays", "unsure", "missed",
                "false", "wrong", "misplaced", "t error");
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const Tally& t = tallies[i];
-    if (settings.json) {
-      rows.push_back({{"precision", modes[i].name},
-                      {"first_cell_hit", settings.first_cell_hit},
-                      {"rays", t.rays},
-                      {"unsure", t.unsure},
-                      {"missed", t.missed},
-                      {"false", t.false_hit},
-                      {"wrong", t.wrong},
-                      {"misplaced", t.misplaced},
-                      {"worst_t_error", t.worst_t}});
-    } else {
-      fmt::print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9.1e}\n", modes[i].name, t.rays, t.unsure,
+    output.print("{:<8} {:>10} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9.1e}\n", modes[i].name, t.rays, t.unsure,
                  t.missed, t.false_hit, t.wrong, t.misplaced, t.worst_t);
-    }
+    output.json.push_back({{"precision", modes[i].name},
+                           {"first_cell_hit", settings.first_cell_hit},
+                           {"rays", t.rays},
+                           {"unsure", t.unsure},
+                           {"missed", t.missed},
+                           {"false", t.false_hit},
+                           {"wrong", t.wrong},
+                           {"misplaced", t.misplaced},
+                           {"worst_t_error", t.worst_t}});
   }
-  if (settings.json) print_json(rows, device_name(false));
 }
 
 void add_options(CLI::App& command, Settings& settings) {

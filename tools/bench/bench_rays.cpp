@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene, size = "1024x1024", save;
   std::vector<std::string> grids, sets{"primary", "diffuse", "random", "shadow"};
   Backend backend = Backend::automatic;
@@ -115,17 +115,16 @@ Json measure(const Settings& settings, const Tracer& tracer, const RaySet& set, 
           {"empty_cells_a_ray", a_ray(counts.empty_cells_visited)}};
 }
 
-void print_row(const Json& row) {
-  fmt::print("{:<8} {:<6} {:<14} {:>11} {:>8.1f} {:>5.1f} {:>7.2f} {:>6.2f} {:>6.2f}\n",
-             row["rays"].get<std::string>(), row["precision"].get<std::string>(),
-             row["loop"].get<std::string>(), grouped(row["count"].get<std::uint64_t>()),
-             row["mrays_per_second"].get<double>(), 100 * row["hits_a_ray"].get<double>(),
-             row["tests_a_ray"].get<double>(), row["cells_a_ray"].get<double>(),
-             row["empty_cells_a_ray"].get<double>());
-  flush_standard_output();
+void print_row(const Output& output, const Json& row) {
+  output.print("{:<8} {:<6} {:<14} {:>11} {:>8.1f} {:>5.1f} {:>7.2f} {:>6.2f} {:>6.2f}\n",
+               row["rays"].get<std::string>(), row["precision"].get<std::string>(),
+               row["loop"].get<std::string>(), grouped(row["count"].get<std::uint64_t>()),
+               row["mrays_per_second"].get<double>(), 100 * row["hits_a_ray"].get<double>(),
+               row["tests_a_ray"].get<double>(), row["cells_a_ray"].get<double>(),
+               row["empty_cells_a_ray"].get<double>());
 }
 
-void bench_rays(const Settings& settings) {
+void bench_rays(const Settings& settings, Output& output) {
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile scene(settings.scene);
   std::vector<GridFile> grids;
@@ -137,27 +136,24 @@ void bench_rays(const Settings& settings) {
   if (!settings.save.empty())
     for (const RaySet& set : sets)
       save(set, settings.save);
-  Json rows = Json::array();
-  if (!settings.json) {
-    fmt::print(
-        "{}, median of {} after {}, {} order\n\n{:<8} {:<6} {:<14} {:>11} {:>8} {:>5} {:>7} {:>6} {:>6}\n",
-        cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
-        settings.order == RayOrder::tiles ? "tile" : "row", "rays", "prec.", "loop", "count", "Mray/s",
-        "hit %", "tests", "cells", "empty");
-  }
+  output.device = device_name(cuda);
+  output.print(
+      "{}, median of {} after {}, {} order\n\n{:<8} {:<6} {:<14} {:>11} {:>8} {:>5} {:>7} {:>6} {:>6}\n",
+      cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,
+      settings.order == RayOrder::tiles ? "tile" : "row", "rays", "prec.", "loop", "count", "Mray/s", "hit %",
+      "tests", "cells", "empty");
   for (const GridFile& grid : grids) {
     const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
-    if (!settings.json) fmt::print("{}\n", printable(grid.path()));
+    output.print("{}\n", printable(grid.path()));
     for (const RaySet& set : sets) {
       for (const std::string& precision : settings.precisions) {
         for (const std::string& loop : settings.loops) {
-          rows.push_back(measure(settings, tracer, set, precision, loop_for(loop, set, tracer)));
-          if (!settings.json) print_row(rows.back());
+          output.json.push_back(measure(settings, tracer, set, precision, loop_for(loop, set, tracer)));
+          print_row(output, output.json.back());
         }
       }
     }
   }
-  if (settings.json) print_json(rows, device_name(cuda));
 }
 
 void add_options(CLI::App& command, Settings& settings) {

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene;
   Backend backend = Backend::automatic;
   std::vector<double> bends{1, 10, 50};
@@ -113,26 +113,23 @@ void measure(const Settings& settings, bool cuda, const SceneFile& file, Json& r
   }
 }
 
-void bench_refit(const Settings& settings) {
+void bench_refit(const Settings& settings, Output& output) {
   const bool cuda = use_cuda(settings.backend, "gridbench");
   const SceneFile file(settings.scene);
   if (file.primitive_count() == 0) throw Error(ErrorCode::input, settings.scene, "holds no primitives");
+  output.device = device_name(cuda);
   Json rows = Json::array();
   file.is_float64() ? measure<double>(settings, cuda, file, rows)
                     : measure<float>(settings, cuda, file, rows);
-  if (settings.json) {
-    Json report{{"scene", settings.scene}, {"primitives", file.primitive_count()}, {"rows", rows}};
-    report.update(provenance());
-    report["device"] = device_name(cuda);
-    return fmt::print("{}\n", json_text(report));
-  }
-  fmt::print("{} primitives, {}, median of {}\n\n{:<8} {:>7} {:>10} {:>10} {:>22}\n", file.primitive_count(),
-             device_name(cuda), settings.repeat, "quality", "bend", "build ms", "refit ms",
-             "rate, over a new one");
+  output.print("{} primitives, {}, median of {}\n\n{:<8} {:>7} {:>10} {:>10} {:>22}\n",
+               file.primitive_count(), output.device, settings.repeat, "quality", "bend", "build ms",
+               "refit ms", "rate, over a new one");
   for (const Json& row : rows)
-    fmt::print("{:<8} {:>6g}% {:>10.2f} {:>10.2f} {:>22.2f}\n", row["quality"].get<std::string>(),
-               row["bend_percent"].get<double>(), row["build_seconds"].get<double>() * 1e3,
-               row["refit_seconds"].get<double>() * 1e3, row["expected_rate"].get<double>());
+    output.print("{:<8} {:>6g}% {:>10.2f} {:>10.2f} {:>22.2f}\n", row["quality"].get<std::string>(),
+                 row["bend_percent"].get<double>(), row["build_seconds"].get<double>() * 1e3,
+                 row["refit_seconds"].get<double>() * 1e3, row["expected_rate"].get<double>());
+  output.json = {
+      {"scene", settings.scene}, {"primitives", file.primitive_count()}, {"rows", std::move(rows)}};
 }
 
 void add_options(CLI::App& command, Settings& settings) {

@@ -27,7 +27,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::string scene, grid, size = "1024x1024", folder, charts;
   DeviceChoice devices;
   int views = 400, large = 16384, repeat = 3;
@@ -184,14 +184,13 @@ Json row_of(const char* work, const char* scaling, const Workers& workers, const
           {"plain_encode_seconds", run.plain_encode}};
 }
 
-void print_row(const Json& row) {
-  fmt::print("{:<10} {:<7} {:>7} {:>9.4f} {:>9.1f} {:>8.2f} {:>6.0f} %  {} {:.0f} %\n",
-             row["work"].get<std::string>(), row["scaling"].get<std::string>(),
-             row["workers"].get<std::size_t>(), row["seconds"].get<double>(),
-             row["mrays_per_second"].get<double>(), row["speedup"].get<double>(),
-             100 * row["efficiency"].get<double>(), row["bound"].get<std::string>(),
-             100 * row["bound_share"].get<double>());
-  flush_standard_output();
+void print_row(const Output& output, const Json& row) {
+  output.print("{:<10} {:<7} {:>7} {:>9.4f} {:>9.1f} {:>8.2f} {:>6.0f} %  {} {:.0f} %\n",
+               row["work"].get<std::string>(), row["scaling"].get<std::string>(),
+               row["workers"].get<std::size_t>(), row["seconds"].get<double>(),
+               row["mrays_per_second"].get<double>(), row["speedup"].get<double>(),
+               100 * row["efficiency"].get<double>(), row["bound"].get<std::string>(),
+               100 * row["bound_share"].get<double>());
 }
 
 void draw(const Settings& settings, const Json& rows) {
@@ -203,7 +202,7 @@ void draw(const Settings& settings, const Json& rows) {
                     row["mrays_per_second"].get<double>(), row["speedup"].get<double>());
   std::filesystem::create_directories(settings.charts);
   write_text_file(settings.charts + "/scale.csv", csv);
-  if (!draw_charts(scale_script, settings.charts, {"scale.svg", "scale.png"}))
+  if (!draw_charts(scale_script, settings.charts, "scale.csv", {"scale.svg", "scale.png"}))
     print_note("gridbench: gnuplot isn't installed: scale.csv was written, but no chart\n");
 }
 
@@ -224,7 +223,7 @@ int rounded(double value) {
   return static_cast<int>(std::lround(value));
 }
 
-void bench_scale(const Settings& settings) {
+void bench_scale(const Settings& settings, Output& output) {
   int argc = 0;
   char** argv = nullptr;
   Ranks ranks(&argc, &argv);
@@ -236,14 +235,13 @@ void bench_scale(const Settings& settings) {
   const std::vector<Workers> all = steps(gpus);
   std::optional<HostList> list;
   if (settings.rays > 0) list.emplace(scene, settings.rays, settings.seed, cuda);
-  if (!settings.json)
-    fmt::print(
-        "{} views of {}, one of {}x{}, {} random rays;\nmedian of {} on {}\n\n{:<10} {:<7} {:>7} {:>9} {:>9} "
-        "{:>8} {:>8}  {}\n",
-        settings.views, settings.size, settings.large, settings.large, settings.rays, settings.repeat,
-        devices_name(gpus), "work", "scaling", cuda ? "GPUs" : "threads", "s", "Mray/s", "speed-up",
-        "of ideal", "bound by");
-  Json rows = Json::array();
+  output.device = devices_name(gpus);
+  output.print(
+      "{} views of {}, one of {}x{}, {} random rays;\nmedian of {} on {}\n\n{:<10} {:<7} {:>7} {:>9} {:>9} "
+      "{:>8} {:>8}  {}\n",
+      settings.views, settings.size, settings.large, settings.large, settings.rays, settings.repeat,
+      output.device, "work", "scaling", cuda ? "GPUs" : "threads", "s", "Mray/s", "speed-up", "of ideal",
+      "bound by");
   std::map<std::pair<std::string, std::string>, double> one; // the rate of one worker
   // Strong: the same work for any number of workers. Weak: a share for each; all workers' is the same work
   // again. measure(share of the whole work).
@@ -252,8 +250,7 @@ void bench_scale(const Settings& settings) {
     for (const auto& [scaling, share] : {std::pair("strong", 1.0), std::pair("weak", part)}) {
       const Run run = measure(share);
       const double one_rate = one.try_emplace({work, scaling}, run.rays / run.seconds).first->second;
-      rows.push_back(row_of(work, scaling, workers, run, one_rate));
-      if (!settings.json) print_row(rows.back());
+      print_row(output, output.json.emplace_back(row_of(work, scaling, workers, run, one_rate)));
     }
   };
   for (const Workers& workers : all) {
@@ -276,8 +273,7 @@ void bench_scale(const Settings& settings) {
         return traced(settings, tracer, *list, workers, std::max<std::size_t>(count, 1));
       });
   }
-  if (!settings.charts.empty()) draw(settings, rows);
-  if (settings.json) print_json(rows, devices_name(gpus));
+  if (!settings.charts.empty()) draw(settings, output.json);
 }
 
 void add_options(CLI::App& command, Settings& settings) {

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace stability;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::vector<std::string> sweeps, precisions;
   RunSettings run{};
   Backend backend = Backend::cpu;
@@ -47,14 +47,14 @@ std::string step_text(double step) {
 }
 
 // Of a sweep in one store, before its rows.
-void print_head(const Row& row) {
-  fmt::print("\n{}, {}:\n{}\n{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7}\n", row.sweep,
-             store_of(row.float64), row.parameter, "step", "mode", "rays", "unsure", "missed", "false",
-             "wrong", "mispl.", "by grid", "t error");
+void print_head(const Output& output, const Row& row) {
+  output.print("\n{}, {}:\n{}\n{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7}\n", row.sweep,
+               store_of(row.float64), row.parameter, "step", "mode", "rays", "unsure", "missed", "false",
+               "wrong", "mispl.", "by grid", "t error");
 }
 
 // Fractions of the rays; - for none.
-void print_row(const Row& row) {
+void print_row(const Output& output, const Row& row) {
   const Tally& t = row.tally;
   const auto share = [&](std::uint64_t number) {
     return number == 0 ? std::string("-")
@@ -62,10 +62,9 @@ void print_row(const Row& row) {
   };
   const std::string mode =
       fmt::format("{}{}", row.mode.name, row.promised && t.failures() > 0 ? " FAILS" : "");
-  fmt::print("{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7.1e}\n", step_text(row.step), mode,
-             t.rays, share(t.unsure), share(t.missed), share(t.false_hit), share(t.wrong), share(t.misplaced),
-             share(t.by_grid), t.worst_t);
-  flush_standard_output();
+  output.print("{:>8} {:<14} {:>7} {:>6} {:>6} {:>5} {:>5} {:>6} {:>7} {:>7.1e}\n", step_text(row.step), mode,
+               t.rays, share(t.unsure), share(t.missed), share(t.false_hit), share(t.wrong),
+               share(t.misplaced), share(t.by_grid), t.worst_t);
 }
 
 Json to_json(const std::string& sweep, double step, const Disagreement& d) {
@@ -76,37 +75,35 @@ Json to_json(const std::string& sweep, double step, const Disagreement& d) {
           {"both_right", d.both},    {"neither_right", d.neither}};
 }
 
-void print_disagreements(const std::vector<Row>& rows) {
+void print_disagreements(const Output& output, const std::vector<Row>& rows) {
   if (rows.empty()) return;
-  fmt::print("\nRays of which robust and embree-robust find different primitives, and which of\n"
-             "them is right in exact arithmetic\n{:<21} {:>8} {:>7} {:>9} {:>7} {:>7} {:>7} {:>7}\n",
-             "sweep", "step", "rays", "differing", "robust", "embree", "both", "neither");
+  output.print("\nRays of which robust and embree-robust find different primitives, and which of\n"
+               "them is right in exact arithmetic\n{:<21} {:>8} {:>7} {:>9} {:>7} {:>7} {:>7} {:>7}\n",
+               "sweep", "step", "rays", "differing", "robust", "embree", "both", "neither");
   for (const Row& row : rows) {
     const Disagreement& d = row.disagreement.value();
-    fmt::print("{:<21} {:>8} {:>7} {:>9} {:>7} {:>7} {:>7} {:>7}\n", row.sweep, step_text(row.step), d.rays,
-               d.differing, d.first, d.second, d.both, d.neither);
+    output.print("{:<21} {:>8} {:>7} {:>9} {:>7} {:>7} {:>7} {:>7}\n", row.sweep, step_text(row.step), d.rays,
+                 d.differing, d.first, d.second, d.both, d.neither);
   }
 }
 
 // Returns the number of steps at which CPU and GPU differ in robust or double.
-std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps, Json& rows) {
+std::uint64_t compare(const Settings& settings, const std::vector<Sweep>& sweeps, Output& output) {
   std::uint64_t bad = 0;
-  if (!settings.json)
-    fmt::print("\n{:<22} {:>8} {:<7} {:<14} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "mode", "rays",
+  output.print("\n{:<22} {:>8} {:<7} {:<14} {:>8} {:>9}\n", "cpu and cuda", "step", "store", "mode", "rays",
                "differing");
   for (const Sweep& sweep : sweeps) {
     compare_backends(sweep, settings.run, [&](const Difference& d) {
       if (!wanted(settings.precisions, d.mode.name)) return;
       bad += d.mode.precision != Precision::fast && d.differing > 0 ? 1 : 0;
-      rows.push_back({{"sweep", d.sweep},
-                      {"step", d.step},
-                      {"store", store_of(d.float64)},
-                      {"mode", d.mode.name},
-                      {"backends", "cpu,cuda"},
-                      {"rays", d.rays},
-                      {"differing", d.differing}});
-      if (!settings.json)
-        fmt::print("{:<22} {:>8} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, step_text(d.step), store_of(d.float64),
+      output.json.push_back({{"sweep", d.sweep},
+                             {"step", d.step},
+                             {"store", store_of(d.float64)},
+                             {"mode", d.mode.name},
+                             {"backends", "cpu,cuda"},
+                             {"rays", d.rays},
+                             {"differing", d.differing}});
+      output.print("{:<22} {:>8} {:<7} {:<14} {:>8} {:>9}\n", d.sweep, step_text(d.step), store_of(d.float64),
                    d.mode.name, d.rays, d.differing);
     });
   }
@@ -128,36 +125,32 @@ std::vector<AnySweep> chosen(std::vector<AnySweep> sweeps, const Settings& setti
   return sweeps;
 }
 
-void sweep_pictures(const Settings& settings) {
-  Json rows = Json::array();
-  if (!settings.json)
-    fmt::print("{:<10} {:>8} {:<7} {:<7} {:<9} {:>12}\n", "sweep", "step", "origin", "store", "precision",
+void sweep_pictures(const Settings& settings, Output& output) {
+  output.device = device_name(false);
+  output.print("{:<10} {:>8} {:<7} {:<7} {:<9} {:>12}\n", "sweep", "step", "origin", "store", "precision",
                "pixels off");
   for (const PictureSweep& sweep : chosen(picture_sweeps(), settings)) {
     run(sweep, settings.run.seed, [&](const PictureRow& row) {
       if (!wanted(settings.precisions, name_of(row.precision))) return;
       const char *const origin = row.local_origin ? "local" : "none", *const store = store_of(row.float64);
-      rows.push_back({{"sweep", row.sweep},
-                      {"parameter", row.parameter},
-                      {"step", row.step},
-                      {"origin", origin},
-                      {"store", store},
-                      {"precision", name_of(row.precision)},
-                      {"pixels_off", row.pixels_off}});
-      if (settings.json) return;
-      fmt::print("{:<10} {:>8.3g} {:<7} {:<7} {:<9} {:>12.3g}\n", row.sweep, row.step, origin, store,
-                 name_of(row.precision), row.pixels_off);
-      flush_standard_output();
+      output.json.push_back({{"sweep", row.sweep},
+                             {"parameter", row.parameter},
+                             {"step", row.step},
+                             {"origin", origin},
+                             {"store", store},
+                             {"precision", name_of(row.precision)},
+                             {"pixels_off", row.pixels_off}});
+      output.print("{:<10} {:>8.3g} {:<7} {:<7} {:<9} {:>12.3g}\n", row.sweep, row.step, origin, store,
+                   name_of(row.precision), row.pixels_off);
     });
   }
-  if (settings.json) print_json(rows, device_name(false));
 }
 
-void bench_stability(const Settings& settings) {
-  if (settings.pictures) return sweep_pictures(settings);
+void bench_stability(const Settings& settings, Output& output) {
+  if (settings.pictures) return sweep_pictures(settings, output);
   const bool cuda = use_cuda(settings.backend, "gridbench");
+  output.device = device_name(cuda);
   const std::vector<Sweep> sweeps = chosen(all_sweeps(), settings);
-  Json rows = Json::array();
   RunSettings run_settings = settings.run;
   run_settings.embree = embree_available;
   std::vector<Row> disagreements;
@@ -165,28 +158,23 @@ void bench_stability(const Settings& settings) {
   for (const Sweep& sweep : sweeps) {
     run(sweep, run_settings, [&](const Row& row) {
       if (!wanted(settings.precisions, row.mode.name)) return;
-      if (settings.json) {
-        rows.push_back(to_json(row));
-      } else {
-        const std::string own = row.sweep + store_of(row.float64);
-        if (std::exchange(head, own) != own) print_head(row);
-        print_row(row);
-      }
+      output.json.push_back(to_json(row));
+      const std::string own = row.sweep + store_of(row.float64);
+      if (std::exchange(head, own) != own) print_head(output, row);
+      print_row(output, row);
       if (!row.disagreement) return;
       disagreements.push_back(row);
-      if (settings.json) rows.push_back(to_json(row.sweep, row.step, *row.disagreement));
+      output.json.push_back(to_json(row.sweep, row.step, *row.disagreement));
     });
   }
-  if (!settings.json) {
-    print_disagreements(disagreements);
-    if (!embree_available)
-      fmt::print("Without Embree: this program was built without it (libembree-dev)\n");
-    else if (!exact_hits_available)
-      fmt::print("Who is right where Embree differs isn't decided: built without GMP (libgmp-dev)\n");
-  }
-  const std::uint64_t bad = cuda ? compare(settings, sweeps, rows) : 0;
-  if (settings.json) print_json(rows, device_name(cuda));
+  print_disagreements(output, disagreements);
+  if (!embree_available)
+    output.print("Without Embree: this program was built without it (libembree-dev)\n");
+  else if (!exact_hits_available)
+    output.print("Who is right where Embree differs isn't decided: built without GMP (libgmp-dev)\n");
+  const std::uint64_t bad = cuda ? compare(settings, sweeps, output) : 0;
   if (bad == 0) return;
+  output.print_json();
   flush_standard_output();
   throw Error(
       ErrorCode::device, "cuda",

@@ -5,9 +5,8 @@
 #include "tools/bench/tradeoff/tradeoff_csv.h"
 #include "tools/bench/tradeoff/tradeoff_front.h"
 #include "tools/bench/tradeoff/tradeoff_measure.h"
+#include "tools/common/progress.h"
 #include "tradeoff_script.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -21,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Settings : BenchSettings {
+struct Settings {
   std::vector<std::string> scenes;
   std::string folder;
   Backend backend = Backend::automatic;
@@ -139,31 +138,6 @@ void check_names(const std::vector<std::string>& scenes, const std::string& fold
   check_files(scenes, outputs);
 }
 
-class Progress {
-public:
-  Progress(std::string scene, std::size_t all) : scene_(std::move(scene)), all_(all) {}
-  ~Progress() {
-    if (shown_) print_note("\r\033[K");
-  }
-  Progress(const Progress&) = delete;
-  Progress(Progress&&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  Progress& operator=(Progress&&) = delete;
-
-  void show(const std::string& what) {
-    ++done_;
-    if (isatty(STDERR_FILENO) == 0) return;
-    shown_ = true;
-    print_note("\r\033[K{} {}/{}: {}", printable(scene_), done_, all_, what);
-    static_cast<void>(std::fflush(stderr));
-  }
-
-private:
-  std::string scene_;
-  std::size_t all_, done_ = 0;
-  bool shown_ = false;
-};
-
 // Measures configurations that aren't among `rows` yet, and appends them to `rows` and to the file.
 void measure_scene(const Settings& settings, const TradeoffSetup& setup, const std::string& path,
                    TradeoffCsv& csv, std::vector<TradeoffRow>& rows) {
@@ -183,16 +157,18 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   }
   if (to_do == 0) return;
   TradeoffTask task(scene, setup);
-  Progress progress(name, to_do + 1);
-  progress.show("brute force, in double");
-  task.reference();
+  Progress progress(name.c_str());
+  double done = 0;
+  const auto step = [&] { progress(++done / static_cast<double>(to_do + 1)); };
+  task.reference(); // brute force
+  step();
   for (const GridPlan& plan_of_grid : plan) {
     if (plan_of_grid.configurations.empty()) continue;
     const GridFile grid = built(scene, plan_of_grid);
     for (const Configuration& configuration : plan_of_grid.configurations) {
-      progress.show(fmt::format("{}, {}", grid_of(configuration), method_of(configuration)));
       rows.push_back({name, hash, setup, configuration, measure(task, grid, configuration)});
       csv.add(rows.back());
+      step();
     }
   }
 }
@@ -250,34 +226,33 @@ Json json_of(const TradeoffRow& row) {
 }
 
 // Two lines: what it costs, and below it how accurate it is.
-void print_row(const TradeoffRow& row) {
+void print_row(const Output& output, const TradeoffRow& row) {
   const Measurement& m = row.measured;
   const Accuracy& a = m.accuracy;
-  fmt::print("{:<22} {:<20} {:>9.2f} {:>9.3f} {:>7.2f} {:>7.2f}\n", method_of(row.configuration),
-             grid_of(row.configuration), m.mrays, m.picture_ms, static_cast<double>(m.grid_bytes) * 1e-6,
-             static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6);
-  fmt::print("{:>22} {:>9} {:>10} {:>9.1e} {:>9.1e} {:>9.1e}\n", a.missed, a.false_hits, a.wrong_primitives,
-             a.worst_t, a.median_t, a.rmse);
+  output.print("{:<22} {:<20} {:>9.2f} {:>9.3f} {:>7.2f} {:>7.2f}\n", method_of(row.configuration),
+               grid_of(row.configuration), m.mrays, m.picture_ms, static_cast<double>(m.grid_bytes) * 1e-6,
+               static_cast<double>(m.grid_bytes + m.scene_bytes) * 1e-6);
+  output.print("{:>22} {:>9} {:>10} {:>9.1e} {:>9.1e} {:>9.1e}\n", a.missed, a.false_hits, a.wrong_primitives,
+               a.worst_t, a.median_t, a.rmse);
 }
 
 // Prints the front of each group, by hits.
-void report(const std::vector<std::vector<TradeoffRow>>& groups, bool as_json) {
-  Json json = Json::array();
+void report(const std::vector<std::vector<TradeoffRow>>& groups, Output& output) {
   const TradeoffSetup& setup = groups.front().front().setup;
-  if (!as_json) {
-    fmt::print("{}, {} primary and {} random rays, up to {} of each compared\nwith brute force in double, "
+  output.device = setup.backend; // rows may have been measured elsewhere
+  output.print("{}, {} primary and {} random rays, up to {} of each compared\nwith brute force in double, "
                "pictures of {}\nThe Pareto fronts of speed (millions of rays a second) and wrong hits:\n\n"
                "{:<22} {:<20} {:>9} {:>9} {:>7} {:>7}\n{:>22} {:>9} {:>10} {:>9} {:>9} {:>9}\n",
                setup.backend, setup.size, setup.random, setup.compared, setup.picture, "method", "grid",
                "Mray/s", "ms", "grid MB", "all MB", "missed", "false", "wrong", "worst t", "median t",
                "RMSE");
-  }
   for (const auto& group : groups) {
-    if (!as_json) fmt::print("{}\n", printable(group.front().scene));
-    for (const std::size_t i : front_of(group, merit_of_hits))
-      as_json ? json.push_back(json_of(group[i])) : print_row(group[i]);
+    output.print("{}\n", printable(group.front().scene));
+    for (const std::size_t i : front_of(group, merit_of_hits)) {
+      output.json.push_back(json_of(group[i]));
+      print_row(output, group[i]);
+    }
   }
-  if (as_json) fmt::print("{}\n", json_text(with_version(json)));
 }
 
 void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string& folder) {
@@ -291,7 +266,7 @@ void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string
     if (!group.empty()) add(group.front().scene == "all" ? "tradeoff" : group.front().scene);
   }
   add("division");
-  if (!draw_charts(tradeoff_script, folder, charts))
+  if (!draw_charts(tradeoff_script, folder, "charts.csv", charts))
     print_note(
         "gridbench: gnuplot: isn't on the PATH, so no chart was drawn: install gnuplot (Debian's package is "
         "gnuplot-nox) and run gridbench tradeoff --charts-only -o {}\n",
@@ -299,13 +274,13 @@ void draw(const std::vector<std::vector<TradeoffRow>>& groups, const std::string
 }
 
 // Draws what can be compared, and reports it.
-void present(const Settings& settings, const std::vector<TradeoffRow>& rows) {
+void present(const Settings& settings, const std::vector<TradeoffRow>& rows, Output& output) {
   const auto groups = groups_of(rows);
   draw(groups, settings.folder);
-  report(groups, settings.json);
+  report(groups, output);
 }
 
-void bench_tradeoff(const Settings& settings) {
+void bench_tradeoff(const Settings& settings, Output& output) {
   check_names(settings.scenes, settings.folder);
   static_cast<void>(plan_of(settings, false)); // throws for invalid values before anything is read
   const std::string path = settings.folder + "/tradeoff.csv";
@@ -316,7 +291,7 @@ void bench_tradeoff(const Settings& settings) {
                   "takes no scenes: it draws the measurements in the folder");
     if (rows.empty())
       throw Error(ErrorCode::input, path, "holds no measurements: run gridbench tradeoff on scenes first");
-    return present(settings, comparable(rows, rows.back().setup, {}));
+    return present(settings, comparable(rows, rows.back().setup, {}), output);
   }
   if (settings.scenes.empty())
     throw Error(ErrorCode::usage, "SCENE", "is missing: give one or more scene files");
@@ -338,7 +313,7 @@ void bench_tradeoff(const Settings& settings) {
   TradeoffCsv csv(path);
   for (const std::string& scene : settings.scenes)
     measure_scene(settings, setup, scene, csv, rows);
-  present(settings, comparable(rows, setup, hashes));
+  present(settings, comparable(rows, setup, hashes), output);
 }
 
 void add_options(CLI::App& command, Settings& settings) {

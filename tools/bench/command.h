@@ -14,26 +14,44 @@
 
 namespace masu {
 
-// Every subcommand's settings are derived from these.
-struct BenchSettings {
-  bool json = false;
-  Threads threads;
+// What a subcommand has to say: a table, line by line as it is measured, or JSON, when all is.
+struct Output {
+  bool as_json = false;
+  nlohmann::ordered_json json = nlohmann::ordered_json::array(); // rows, or one object
+  std::string device{};                                          // that was measured
+
+  // Of the table.
+  template <class... Values>
+  void print(fmt::format_string<Values...> format, Values&&... values) const {
+    if (as_json) return;
+    fmt::print(format, std::forward<Values>(values)...);
+    flush_standard_output();
+  }
+  void print_json() const {
+    if (as_json) fmt::print("{}\n", json_text(with_provenance(json, device)));
+  }
 };
 
-// Adds a subcommand: add_options(command, settings), --json and --threads. Where it is given, run(settings)
-// runs with so many threads.
+// Adds a subcommand: add_options(command, settings), --json and --threads. Where it is given, run(settings,
+// output) runs with so many threads.
 template <class Settings>
 void add_command(CLI::App& app, const char* name, const char* description, const char* example,
-                 void (*add_options)(CLI::App&, Settings&), void (*run)(const Settings&)) {
-  const auto settings = std::make_shared<Settings>(); // owned by the callback
+                 void (*add_options)(CLI::App&, Settings&), void (*run)(const Settings&, Output&)) {
+  struct Given {
+    Settings settings;
+    Output output;
+    Threads threads;
+  };
+  const auto given = std::make_shared<Given>(); // owned by the callback
   CLI::App& command = *app.add_subcommand(name, description);
   command.footer(fmt::format("Example:\n  gridbench {} {}", name, example));
-  add_options(command, *settings);
-  command.add_flag("--json", settings->json, "print JSON");
-  settings->threads.add_to(command);
-  command.callback([settings, run] {
-    const auto limit = settings->threads.limit();
-    run(*settings);
+  add_options(command, given->settings);
+  command.add_flag("--json", given->output.as_json, "print JSON");
+  given->threads.add_to(command);
+  command.callback([given, run] {
+    const auto limit = given->threads.limit();
+    run(given->settings, given->output);
+    given->output.print_json();
   });
 }
 
@@ -77,10 +95,6 @@ inline CLI::Option* add_names(CLI::App& command, const char* option, std::vector
       ->type_name("LIST")
       ->delimiter(',')
       ->check(CLI::IsMember(among));
-}
-
-inline void print_json(const nlohmann::ordered_json& rows, const std::string& device) {
-  fmt::print("{}\n", json_text(with_provenance(rows, device)));
 }
 
 } // namespace masu

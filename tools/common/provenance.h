@@ -37,13 +37,16 @@ inline nlohmann::ordered_json with_version(nlohmann::ordered_json rows) {
   return rows;
 }
 
-// Rows of measurements, each with that, the command and the device.
-inline nlohmann::ordered_json with_provenance(nlohmann::ordered_json rows, const std::string& device) {
+// Measurements, one object or rows of them, each with that, the command and the device.
+inline nlohmann::ordered_json with_provenance(nlohmann::ordered_json measured, const std::string& device) {
   nlohmann::ordered_json origin = provenance();
   origin["device"] = device;
-  for (auto& row : rows)
-    row.update(origin);
-  return rows;
+  if (measured.is_object())
+    measured.update(origin);
+  else
+    for (auto& row : measured)
+      row.update(origin);
+  return measured;
 }
 
 } // namespace masu
