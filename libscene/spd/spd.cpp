@@ -47,7 +47,7 @@ const SpdInfo& spd_info(std::string_view name) {
   const auto info = std::ranges::find(scenes, name, &SpdInfo::name);
   if (info == scenes.end())
     throw Error(ErrorCode::usage, std::string(name),
-                "no such scene: choose balls, gears, mount, nurbs, rings, teapot, tetra or tree");
+                "isn't balls, gears, mount, nurbs, rings, teapot, tetra or tree");
   return *info;
 }
 

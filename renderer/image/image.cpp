@@ -53,7 +53,7 @@ std::vector<std::uint8_t> rgb_of(const Frame& frame, Sampling sampling) {
 ImageFormat image_format(const std::string& path) {
   if (std::string_view(path).ends_with(".png")) return ImageFormat::png;
   if (std::string_view(path).ends_with(".pfm")) return ImageFormat::pfm;
-  throw Error(ErrorCode::usage, path, "isn't a kind of picture this program writes: name it .png or .pfm");
+  throw Error(ErrorCode::usage, path, "pictures are written as PNG or PFM: name it .png or .pfm");
 }
 
 std::int32_t image_width(const Frame& frame, Sampling sampling) {

@@ -326,7 +326,7 @@ TEST_F(Views, BandsOfLargePicturesAreTheSameBitsAsThePictureUndivided) {
 
 TEST_F(Views, ASummaryIsOneLineAndQuietSilencesIt) {
   const ToolResult said = try_render({"-o", file("a.png")});
-  EXPECT_TRUE(said.err.starts_with("gridrender: traced 221 rays in ")) << said.err;
+  EXPECT_TRUE(said.err.starts_with("gridrender: 221 rays in ")) << said.err;
   EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1);
   EXPECT_EQ(try_render({"-o", file("a.png"), "-q"}).err, "");
 }

@@ -140,7 +140,7 @@ void write_reports(const char* tool, const TracingOptions& options, const Opened
                               : report.views == 0      ? " with reading and writing"
                                                        : " with writing";
   const std::uint64_t rays = report.totals.rays;
-  print_note("{}: traced {}{} rays in {:.3g} s{}, {:.3g} million per second, on {}{}{}\n", tool,
+  print_note("{}: {}{} rays in {:.3g} s{} ({:.3g} M/s) on {}{}{}\n", tool,
              report.views > 1 ? fmt::format("{} views, ", grouped(report.views)) : "", grouped(rays), seconds,
              besides, seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0, device,
              lacks_gpu ? fmt::format(" (no usable GPU: {})", why) : "", precision_text(report));

@@ -43,7 +43,7 @@ const Text = {
   seconds: (value) => (value === null || value === undefined ? '–' : value < 1 ? Text.milliseconds(value * 1e3) : `${Text.number(value)} s`),
   percent: (value) => `${Text.number(value)} %`,
   vector: (value) => value.map((x) => Number(x.toPrecision(6))).join(', '),
-  division: (value) => value.map(Text.count).join(' × '),
+  division: (value) => value.map(Text.count).join('\u2009×\u2009'),
 };
 
 const counted = (count, what) => `${Text.count(count)} ${what}${count === 1 ? '' : 's'}`;
@@ -82,7 +82,7 @@ function table(names, rows, caption) {
       element('td', {class: value === best && best !== null ? 'better' : null}, value === null ? '–' : text(value))),
       ...(names.length === 2 ? [element('td', {class: 'ratio'}, best > 0 ? `${Text.times(Math.max(...numbers) / best)} × ${less}` : '')] : [])));
   }
-  return element('table', {'aria-label': caption}, element('thead', {}, element('tr', {}, element('td'),
+  return element('table', {'aria-label': caption, class: names.length > 3 ? 'many' : null}, element('thead', {}, element('tr', {}, element('td'),
     ...names.map((name) => element('th', {scope: 'col'}, name)), names.length === 2 ? element('td') : null)), body);
 }
 
