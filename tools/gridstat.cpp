@@ -9,6 +9,7 @@
 #include "tools/draw/slice_picture.h"
 #include "tools/report/cell_export.h"
 #include "tools/report/grid_report.h"
+#include "tools/report/slice_json.h"
 #include "tools/report/slice_place.h"
 
 #include <nlohmann/json.hpp>
@@ -34,15 +35,6 @@ struct Settings {
   bool json = false, csv = false, histogram = false;
 };
 
-template <class Stored>
-std::vector<SectionSegment> outline_of(const SceneFile& scene, const SlicePlane& plane,
-                                       const SliceWindow& window, std::int32_t pixels) {
-  const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
-  constexpr double deviation = 0.1; // in pixels
-  return section_of(scene.view<Stored>(), {plane.axis, plane.position, window.min, window.max,
-                                           deviation * longer / pixels, scene.origin()});
-}
-
 void draw_slice(const GridFile& file, const Settings& settings) {
   if (settings.picture.empty())
     throw Error(ErrorCode::usage, "--slice", "needs -o FILE, a PNG, SVG or JSON to write");
@@ -54,8 +46,7 @@ void draw_slice(const GridFile& file, const Settings& settings) {
   if (!settings.outline.empty()) {
     const SceneFile scene(settings.outline);
     file.check_geometry(scene.geometry_hash(), scene.primitive_count());
-    outline = scene.is_float64() ? outline_of<double>(scene, plane, window, settings.style.size)
-                                 : outline_of<float>(scene, plane, window, settings.style.size);
+    outline = outline_of(scene, plane, window, 0.1 / settings.style.size); // a tenth of a pixel
   }
   write_slice(file, plane, window, outline, settings.style, settings.picture);
 }
@@ -231,10 +222,10 @@ int main(int argc, char** argv) {
         };
         if (!ends_with_one_of(settings.picture, {".png", ".svg", ".json"}))
           throw Error(ErrorCode::usage, settings.picture,
-                      "a slice is written as PNG, SVG or JSON: give a name that ends in .png, .svg or .json");
+                      "a slice is a PNG, SVG or JSON: name it .png, .svg or .json");
         if (!ends_with_one_of(settings.cells, {".csv", ".ply"}))
           throw Error(ErrorCode::usage, settings.cells,
-                      "cells are written as CSV or PLY: give a name that ends in .csv or .ply");
+                      "cells are written as CSV or PLY: name it .csv or .ply");
         if (settings.cells.ends_with(".csv") && (cell_export.expanded || cell_export.wireframe))
           throw Error(ErrorCode::usage, cell_export.expanded ? "--expanded" : "--wireframe",
                       "is for PLY: a CSV has both boxes of each cell");

@@ -53,6 +53,11 @@ SlicePlane plane_at(const GridLayout& finest, int axis, double position, const c
   return {axis, static_cast<std::int32_t>(std::clamp(layer, 0.0, finest.division[axis] - 1.0)), position};
 }
 
+SlicePlane plane_at_share(const GridLayout& finest, int axis, double share, const char* place) {
+  const double low = finest.space.min[axis], high = finest.space.max[axis];
+  return plane_at(finest, axis, share < 1 ? std::min(low + share * (high - low), high) : high, place);
+}
+
 SliceWindow window_of(const GridLayout& finest, int axis) {
   const std::array<int, 2> axes = slice_axes(axis);
   const Boxd& space = finest.space;
@@ -101,22 +106,6 @@ void for_each_slice_cell(const GridFile& file, const SlicePlane& plane, const Sl
     };
     act({corner(box.first), corner(box.end), depth, cell.references, cell.voxels, cell.number});
   });
-}
-
-Slice slice_of(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, const char* place,
-               std::size_t most) {
-  Slice slice{plane,
-              finest_layout(file),
-              static_cast<std::int32_t>(file.table().nested_log2()),
-              file.is_hierarchy(),
-              {}};
-  for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
-    if (slice.cells.size() == most)
-      throw Error(ErrorCode::usage, place,
-                  fmt::format("has more than {} cells: give a smaller window", most));
-    slice.cells.push_back(cell);
-  });
-  return slice;
 }
 
 } // namespace masu

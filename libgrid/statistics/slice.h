@@ -5,7 +5,6 @@
 #include "libgrid/statistics/cells.h"
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,23 +35,16 @@ struct SliceCell {
   std::uint64_t voxels, number;
 };
 
-struct Slice {
-  SlicePlane plane;
-  GridLayout finest; // its smallest voxels
-  std::int32_t nested_log2;
-  bool is_hierarchy;
-  std::vector<SliceCell> cells; // in the order of their numbers
-};
-
 // The axes of its pictures: to the right, and up.
 inline std::array<int, 2> slice_axes(int axis) {
   return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
 }
 
-// Through the middle of a layer; through a point of the axis in scene units. Throw Error(usage, place, …)
-// where the space has no such layer or point.
+// Through the middle of a layer; through a point of the axis in scene units; at a share of the space, 0 to 1.
+// Throw Error(usage, place, …) where the space has no such layer or point.
 SlicePlane plane_of_layer(const GridLayout& finest, int axis, std::int64_t layer, const char* place);
 SlicePlane plane_at(const GridLayout& finest, int axis, double position, const char* place);
+SlicePlane plane_at_share(const GridLayout& finest, int axis, double share, const char* place);
 
 // The whole layer.
 SliceWindow window_of(const GridLayout& finest, int axis);
@@ -67,9 +59,5 @@ SliceWindow in_scene(const GridLayout& finest, int axis, const SliceCell& cell);
 using SliceAction = std::function<void(const SliceCell&)>;
 void for_each_slice_cell(const GridFile& file, const SlicePlane& plane, const SliceWindow& window,
                          const SliceAction& act);
-
-// All of them. Throws Error(usage, place, …) for more than `most`.
-Slice slice_of(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, const char* place,
-               std::size_t most = std::numeric_limits<std::size_t>::max());
 
 } // namespace masu

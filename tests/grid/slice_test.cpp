@@ -9,6 +9,7 @@
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/temporary_folder.h"
+#include "tools/report/slice_json.h"
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,12 @@ bool contains(const VoxelBox& outer, const VoxelBox& inner) {
     if (inner.first[axis] < outer.first[axis] || inner.end[axis] > outer.end[axis]) return false;
   }
   return true;
+}
+
+std::vector<SliceCell> cells_of(const GridFile& file, const SlicePlane& plane, const SliceWindow& window) {
+  std::vector<SliceCell> cells;
+  for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) { cells.push_back(cell); });
+  return cells;
 }
 
 VoxelRange range_of(const VoxelBox& box) {
@@ -126,9 +133,9 @@ TEST_F(GridCells, OfASliceTileItsLayerAndListWhatItsVoxelsDo) {
     const std::int64_t columns = finest.division[axes[0]], rows = finest.division[axes[1]];
     const SlicePlane plane =
         plane_of_layer(finest, axis, chance.whole(0, finest.division[axis] - 1), "--slice");
-    const Slice slice = slice_of(file, plane, window_of(finest, axis), "--slice");
+    const std::vector<SliceCell> cells = cells_of(file, plane, window_of(finest, axis));
     std::int64_t area = 0;
-    for (const SliceCell& cell : slice.cells) {
+    for (const SliceCell& cell : cells) {
       for (const double at : {cell.first[0], cell.first[1], cell.end[0], cell.end[1]})
         EXPECT_EQ(at, std::floor(at));
       area += std::llround((cell.end[0] - cell.first[0]) * (cell.end[1] - cell.first[1]));
@@ -139,7 +146,7 @@ TEST_F(GridCells, OfASliceTileItsLayerAndListWhatItsVoxelsDo) {
     if (static_cast<std::uint64_t>(columns * rows) > most_voxels) return;
     constexpr std::uint32_t nothing = ~0U;
     std::vector<std::uint32_t> references(static_cast<std::size_t>(columns * rows), nothing);
-    for (const SliceCell& cell : slice.cells) {
+    for (const SliceCell& cell : cells) {
       for (std::int64_t v = std::llround(cell.first[1]); v < std::llround(cell.end[1]); ++v) {
         for (std::int64_t u = std::llround(cell.first[0]); u < std::llround(cell.end[0]); ++u) {
           std::uint32_t& painted = references[static_cast<std::size_t>(v * columns + u)];
@@ -176,13 +183,13 @@ TEST_F(GridCells, OfAWindowAreThoseOfTheSliceWithAPartInIt) {
       window.max[i] = low + (std::max(a, b) + 0.6) * size;
     }
     std::vector<std::uint64_t> expected, found;
-    for (const SliceCell& cell : slice_of(file, plane, window_of(finest, axis), "--slice").cells) {
+    for (const SliceCell& cell : cells_of(file, plane, window_of(finest, axis))) {
       bool meets = true;
       for (std::size_t i = 0; i < 2; ++i)
         meets = meets && cell.first[i] < box.end[axes[i]] && cell.end[i] > box.first[axes[i]];
       if (meets) expected.push_back(cell.number);
     }
-    for (const SliceCell& cell : slice_of(file, plane, window, "--slice").cells)
+    for (const SliceCell& cell : cells_of(file, plane, window))
       found.push_back(cell.number);
     EXPECT_EQ(found, expected);
   });
@@ -230,9 +237,9 @@ TEST_F(GridCells, OfASliceAreNoMoreThanAllowed) {
     const GridLayout finest = finest_layout(grid);
     const SlicePlane plane = plane_of_layer(finest, 2, 0, "--slice");
     const SliceWindow window = window_of(finest, 2);
-    const std::size_t cells = slice_of(file, plane, window, "--slice").cells.size();
-    EXPECT_EQ(slice_of(file, plane, window, "--slice", cells).cells.size(), cells);
-    EXPECT_THROW(slice_of(file, plane, window, "--slice", cells - 1), Error);
+    const std::size_t cells = cells_of(file, plane, window).size();
+    EXPECT_EQ(slice_json(file, plane, window, {}, cells)["cells"].size(), cells);
+    EXPECT_THROW(slice_json(file, plane, window, {}, cells - 1), Error);
   });
 }
 
@@ -297,8 +304,7 @@ TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
       window.max[i] = std::max(a, b);
     }
     if (chance.one_in(2)) window.depth = chance.whole(0, greatest_depth(file));
-    const Slice slice = slice_of(file, plane, window, "--slice");
-    EXPECT_TRUE(slice.is_hierarchy);
+    const std::vector<SliceCell> cells = cells_of(file, plane, window);
     std::size_t next = 0;
     // Brute force: node by node, their depths by the nodes that lead to them.
     const auto nodes = file.nodes();
@@ -320,8 +326,8 @@ TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
           continue;
         }
         ++found;
-        ASSERT_LT(next, slice.cells.size());
-        const SliceCell& cell = slice.cells[next++];
+        ASSERT_LT(next, cells.size());
+        const SliceCell& cell = cells[next++];
         EXPECT_EQ(cell.number, boxes_per_node * i + static_cast<std::size_t>(slot));
         EXPECT_EQ(cell.depth, depths[i]);
         EXPECT_EQ(cell.references, is_node ? 0 : references_in(byte));
@@ -334,7 +340,7 @@ TEST_F(HierarchySlices, AreThePartsOfAllBoxesInThePlaneAndTheWindow) {
         }
       }
     }
-    EXPECT_EQ(next, slice.cells.size());
+    EXPECT_EQ(next, cells.size());
   });
   EXPECT_GT(found, 100U);
   EXPECT_GT(missed, 100U);

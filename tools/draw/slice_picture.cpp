@@ -23,7 +23,7 @@ namespace masu {
 namespace {
 
 constexpr Rgb outline_color{214, 40, 20};
-constexpr std::size_t most_svg_cells = std::size_t{1} << 18, most_json_cells = std::size_t{1} << 22;
+constexpr std::size_t most_svg_cells = std::size_t{1} << 18;
 
 // --- Values and their colours ----------------------------------------------------------------------------
 
@@ -389,7 +389,7 @@ void write_slice(const GridFile& file, const SlicePlane& plane, const SliceWindo
                  std::span<const SectionSegment> outline, const SliceStyle& style, const std::string& path) {
   const bool is_svg = path.ends_with(".svg");
   if (path.ends_with(".json")) {
-    auto json = slice_json(slice_of(file, plane, window, "--slice", most_json_cells), window, outline);
+    auto json = slice_json(file, plane, window, outline);
     json.update(program_version());
     return write_text_file(path, json_text(json, -1) + "\n");
   }

@@ -32,8 +32,7 @@ SlicePlane parse_slice(const std::string& text, const GridLayout& finest) {
   if (text[1] == '@') return plane_at(finest, axis, value, place);
   if (!(value >= 0 && value <= 100))
     throw Error(ErrorCode::usage, place, fmt::format("'{}' lies outside: give 0% to 100%", text));
-  const double low = finest.space.min[axis], high = finest.space.max[axis];
-  return plane_at(finest, axis, value == 100 ? high : low + value / 100 * (high - low), place);
+  return plane_at_share(finest, axis, value / 100, place);
 }
 
 SliceWindow parse_window(const std::string& text, const GridLayout& finest, int axis) {

@@ -93,9 +93,7 @@ PictureRows channel(const Tracer& tracer, const PictureRequest& request, const F
 }
 
 SlicePlane plane_of(const GridFile& file, const SharePlane& plane) {
-  const GridLayout finest = finest_layout(file);
-  const double low = finest.space.min[plane.axis], high = finest.space.max[plane.axis];
-  return plane_at(finest, plane.axis, low + plane.share * (high - low), "share");
+  return plane_at_share(finest_layout(file), plane.axis, plane.share, "share");
 }
 
 // What camera rays meet from the plane on; nothing where they don't meet it.
@@ -130,39 +128,6 @@ std::string encoded(const PictureRows& rows, const PictureRequest& request) {
   const auto* const bytes = reinterpret_cast<const std::uint8_t*>(rows.values.data());
   const std::vector<std::uint8_t> stream = deflated({bytes, rows.values.size() * sizeof(float)}, true);
   return {stream.begin(), stream.end()};
-}
-
-Json slice_cells(const GridFile& file, const SlicePlane& plane, const SliceWindow& window, std::size_t most) {
-  constexpr std::uint64_t most_in_layer = 1 << 16; // of which empty cells are listed
-  const auto [u, v] = slice_axes(plane.axis);
-  const Vec3i division = finest_layout(file).division;
-  const auto in_layer = static_cast<std::uint64_t>(division[u]) * static_cast<std::uint64_t>(division[v]);
-  const bool is_uniform = !file.is_hierarchy() && !file.is_merged();
-  const bool without_empty = is_uniform && in_layer > std::min<std::uint64_t>(most, most_in_layer);
-  Json cells = Json::array();
-  bool truncated = false;
-  for_each_slice_cell(file, plane, window, [&](const SliceCell& cell) {
-    if (cell.references == 0 && without_empty) return;
-    if (cells.size() < most)
-      cells.push_back(slice_cell_json(cell));
-    else
-      truncated = true;
-  });
-  return {{"cells", std::move(cells)}, {"truncated", truncated}, {"without_empty", without_empty}};
-}
-
-template <class Stored>
-Json slice_outline(const SceneFile& scene, const SlicePlane& plane, const SliceWindow& window) {
-  constexpr std::size_t most = 200000;
-  const double longer = std::max(window.max[0] - window.min[0], window.max[1] - window.min[1]);
-  Json lines = Json::array();
-  for (const SectionSegment& line :
-       section_of(scene.view<Stored>(),
-                  {plane.axis, plane.position, window.min, window.max, 2e-4 * longer, scene.origin()})) {
-    if (lines.size() == most) break;
-    lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
-  }
-  return lines;
 }
 
 } // namespace
@@ -273,16 +238,24 @@ Json Viewer::slice(const SliceRequest& request, const IsGone& is_gone) const {
   Json json{{"axis", axis},
             {"axes", {u, v}},
             {"position", plane.position},
-            {"layer", plane.layer},
-            {"layers", finest.division[axis]},
             {"range", {finest.space.min[axis], finest.space.max[axis]}},
             {"voxels", {finest.division[u], finest.division[v]}},
             {"min", window.min},
             {"step", {step[u], step[v]}}};
+  constexpr std::uint64_t most_in_layer = 1 << 16; // of which empty cells are listed
+  const auto in_layer =
+      static_cast<std::uint64_t>(finest.division[u]) * static_cast<std::uint64_t>(finest.division[v]);
+  const bool without_empty = !file.is_hierarchy() && !file.is_merged() &&
+                             in_layer > std::min<std::uint64_t>(request.most_cells, most_in_layer);
+  constexpr std::size_t most_lines = 200000;
   return turns_.run(is_gone, [&] {
-    json.update(slice_cells(file, plane, window, request.most_cells));
-    json["outline"] = scene_.is_float64() ? slice_outline<double>(scene_, plane, window)
-                                          : slice_outline<float>(scene_, plane, window);
+    SliceCellsJson made = slice_cells_json(file, plane, window, request.most_cells, without_empty);
+    json["cells"] = std::move(made.cells);
+    json["truncated"] = made.is_truncated;
+    json["without_empty"] = without_empty;
+    Json& lines = json["outline"] = Json::array();
+    for (const SectionSegment& line : outline_of(scene_, plane, window, 2e-4))
+      if (lines.size() < most_lines) lines.push_back({line.from[0], line.from[1], line.to[0], line.to[1]});
     return json;
   });
 }

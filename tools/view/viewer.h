@@ -125,7 +125,7 @@ public:
   // `steps` are the first of its `cells`.
   nlohmann::ordered_json walk(const RayWalkRequest& request, const IsGone& is_gone) const;
   // {axis, axes, position, range, voxels, min, step, cells, outline, truncated, without_empty}: cells as
-  // slice_cell_json() has them, those of a uniform grid without the empty ones where these are too many;
+  // slice_cells_json() has them, those of a uniform grid without the empty ones where these are too many;
   // outline as [from u, from v, to u, to v] in scene units.
   nlohmann::ordered_json slice(const SliceRequest& request, const IsGone& is_gone) const;
   // {boxes: [{min, max, depth}, …], count}: those that list references, of any depth or
