@@ -145,10 +145,14 @@ class Queries(WithFolder):
         chosen = tracer.nearest(rays, object_masks=[1 << 31], ray_masks=masks)["primitive_ids"]
         np.testing.assert_array_equal(chosen, np.where(masks >> 31, without["primitive_ids"], -1))
         self.assertFalse(tracer.occluded(rays, object_masks=[0]).any())
+        one = int(without["primitive_ids"].max())
+        same_bits(self, tracer.nearest(rays, exclude=one, object_masks=True, ray_masks=np.uint32(2**32 - 1)),
+                  tracer.nearest(rays, exclude=np.full((4, 250), one)))
         for given in (np.zeros((4, 250)), np.zeros((4, 250), complex)):
             with self.assertRaisesRegex(TypeError, "^exclude: "):
                 tracer.nearest(rays, exclude=given)
-        for wrong in (lambda: tracer.nearest(rays, exclude=np.full((4, 250), 2**32)), lambda: tracer.nearest(rays, loop="cells"),
+        for wrong in (lambda: tracer.nearest(rays, exclude=np.full((4, 250), 2**32)), lambda: tracer.nearest(rays, exclude=2**32),
+                      lambda: tracer.nearest(rays, loop="cells"),
                       lambda: tracer.all_hits(rays, 0), lambda: tracer.nearest(rays, object_masks=[1, 1]),
                       lambda: tracer.nearest(rays, object_masks=[1], ray_masks=[1]), lambda: tracer.nearest(rays, faces="none"),
                       lambda: tracer.nearest(rays, exclude=[1, 2])):

@@ -54,6 +54,13 @@ def _hits(pointers: Dict[str, int], known: Dict[str, Field] = _FIELDS) -> Any:
 _tracers: "weakref.WeakValueDictionary[int, Tracer]" = weakref.WeakValueDictionary()
 
 
+def _int32(name: str, number: int) -> int:
+    """Of its 32 bits."""
+    if not -2**31 <= number < 2**32:
+        raise ValueError("{}: {} isn't of 32 bits".format(name, number))
+    return (number + 2**31) % 2**32 - 2**31
+
+
 def tracer_of(number: int) -> "Tracer":
     """The tracer whose `number` it is. A ValueError where none has it that is still there."""
     tracer = _tracers.get(number)
@@ -181,9 +188,10 @@ class Tracer(Resource):
         cores. faces: "both", "front" or "back", which alone are hit. exclude: for each ray a primitive that it doesn't
         hit, or -1: whole numbers of the rays' leading shape, where the rays are. object_masks: whole numbers of 32 bits,
         or bool, for each object of the scene, where the rays are; a ray hits the objects whose mask isn't 0, or, with
-        ray_masks, one for each ray, those whose mask shares a bit with its own. loop: how a GPU schedules rays without
-        t_hit64, front, sides, exclude and masks, which changes the speed alone: "auto" (by a sample of the rays in host
-        memory, by `coherent` on a GPU), "thread_per_ray", "warp" or "warp_refill"."""
+        ray_masks, one for each ray, those whose mask shares a bit with its own. For each of these three one number may
+        stand for all. loop: how a GPU schedules rays without t_hit64, front, sides, exclude and masks, which changes the
+        speed alone: "auto" (by a sample of the rays in host memory, by `coherent` on a GPU), "thread_per_ray", "warp" or
+        "warp_refill"."""
         return self._query(library.masu_nearest, lambda pointers: (_hits(pointers),), chosen(fields), locals())
 
     def occluded(self, rays: Any, *, precision: str = "auto", coherent: bool = False, stream: Any = None,
@@ -281,11 +289,15 @@ class Tracer(Resource):
             for each, needed in (("exclude", shape[:-1]), ("ray_masks", shape[:-1]), ("object_masks", objects)):
                 if given.get(each) is None:
                     continue
-                others, array = _arrays.recognize(each, given[each], stream)
-                if others is not arrays or arrays.gpu(array, each) != gpu or tuple(array.shape) != needed:
-                    raise ValueError("{}: whole numbers of the shape {} are needed, where the {} are".format(
-                        each, needed, name))
-                filters[each] = arrays.packed_int32(array, each)
+                if hasattr(given[each], "__index__") and getattr(given[each], "shape", ()) == ():  # one for all
+                    filters[each] = arrays.empty(needed, "int32", rays)
+                    filters[each][...] = _int32(each, operator.index(given[each]))
+                else:
+                    others, array = _arrays.recognize(each, given[each], stream)
+                    if others is not arrays or arrays.gpu(array, each) != gpu or tuple(array.shape) != needed:
+                        raise ValueError("{}: whole numbers of the shape {} are needed, where the {} are, or one".format(
+                            each, needed, name))
+                    filters[each] = arrays.packed_int32(array, each)
                 setattr(record, each, arrays.pointer(filters[each]))
             record.object_count = sum(objects)
             record.format = 2 * int(arrays.is_float64(rays)) + int(shape[-1] == 6)  # masu_ray_format
