@@ -1,5 +1,6 @@
 // gridstat: statistics of a grid or a hierarchy, pictures of its slices, its cells as boxes, and the occupied
 // voxels of a scene.
+#include "libgrid/statistics/statistics.h"
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"

@@ -69,13 +69,12 @@ Crossings count_crossings(const Settings& settings, const Tracer& tracer, const 
 }
 
 void bench_crossings(const Settings& settings, Output& output) {
-  const bool cuda = use_cuda(settings.backend, "gridbench");
+  const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   const Tracer tracer(scene, &grid, cuda ? Device::cuda : Device::cpu);
   const Crossings all = scene.is_float64() ? count_crossings(settings, tracer, scene.view<double>())
                                            : count_crossings(settings, tracer, scene.view<float>());
-  output.device = device_name(cuda);
   output.json.push_back(
       {{"rays", all.rays}, {"crossing", all.crossing}, {"hits", all.hits}, {"wrong", all.wrong}});
   output.print("{:>12} {:>12} {:>12} {:>12}\n{:>12} {:>12} {:>12} {:>12}\n", "rays", "crossing", "hits",

@@ -85,10 +85,9 @@ std::vector<std::string> schedules_for(const Settings& settings, const SceneFile
 }
 
 void bench_frame(const Settings& settings, Output& output) {
-  const bool cuda = use_cuda(settings.backend, "gridbench");
+  const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
   const std::vector<std::string> names = schedules_for(settings, scene);
-  output.device = device_name(cuda);
   output.print("{}, median of {} after {}\n\n{:<24} {:<10} {:>8} {:>10}\n", cuda ? "cuda" : "cpu",
                settings.repeat, settings.warm_up, "grid", "schedule", "workers", "ms");
   HostArray<Vec3f> picture;

@@ -45,7 +45,7 @@ Json measure(const Settings& settings, const Tracer& tracer, bool page_locked) {
 }
 
 void bench_lists(const Settings& settings, Output& output) {
-  output.device = device_name(use_cuda(Backend::cuda, "gridbench"));
+  static_cast<void>(output.on_cuda(Backend::cuda));
   const SceneFile scene(settings.scene);
   const GridFile grid(settings.grid);
   const Tracer tracer(scene, &grid, Device::cuda);

@@ -94,8 +94,7 @@ void print_table(const Output& output) {
 }
 
 void bench_load(const Settings& settings, Output& output) {
-  const bool cuda = use_cuda(settings.backend, "gridbench");
-  output.device = device_name(cuda);
+  const bool cuda = output.on_cuda(settings.backend);
   output.json = measure(settings, cuda);
   print_table(output);
 }

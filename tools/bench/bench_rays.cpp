@@ -125,7 +125,7 @@ void print_row(const Output& output, const Json& row) {
 }
 
 void bench_rays(const Settings& settings, Output& output) {
-  const bool cuda = use_cuda(settings.backend, "gridbench");
+  const bool cuda = output.on_cuda(settings.backend);
   const SceneFile scene(settings.scene);
   std::vector<GridFile> grids;
   for (const std::string& path : settings.grids) {
@@ -136,7 +136,6 @@ void bench_rays(const Settings& settings, Output& output) {
   if (!settings.save.empty())
     for (const RaySet& set : sets)
       save(set, settings.save);
-  output.device = device_name(cuda);
   output.print(
       "{}, median of {} after {}, {} order\n\n{:<8} {:<6} {:<14} {:>11} {:>8} {:>5} {:>7} {:>6} {:>6}\n",
       cuda ? "cuda" : "cpu", settings.repeat, settings.warm_up,

@@ -114,10 +114,9 @@ void measure(const Settings& settings, bool cuda, const SceneFile& file, Json& r
 }
 
 void bench_refit(const Settings& settings, Output& output) {
-  const bool cuda = use_cuda(settings.backend, "gridbench");
+  const bool cuda = output.on_cuda(settings.backend);
   const SceneFile file(settings.scene);
   if (file.primitive_count() == 0) throw Error(ErrorCode::input, settings.scene, "holds no primitives");
-  output.device = device_name(cuda);
   Json rows = Json::array();
   file.is_float64() ? measure<double>(settings, cuda, file, rows)
                     : measure<float>(settings, cuda, file, rows);

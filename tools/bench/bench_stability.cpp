@@ -148,8 +148,7 @@ void sweep_pictures(const Settings& settings, Output& output) {
 
 void bench_stability(const Settings& settings, Output& output) {
   if (settings.pictures) return sweep_pictures(settings, output);
-  const bool cuda = use_cuda(settings.backend, "gridbench");
-  output.device = device_name(cuda);
+  const bool cuda = output.on_cuda(settings.backend);
   const std::vector<Sweep> sweeps = chosen(all_sweeps(), settings);
   RunSettings run_settings = settings.run;
   run_settings.embree = embree_available;

@@ -18,8 +18,6 @@
 namespace masu {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Settings {
   std::vector<std::string> scenes;
   std::string folder;
@@ -198,31 +196,6 @@ std::vector<std::vector<TradeoffRow>> groups_of(const std::vector<TradeoffRow>& 
   }
   if (groups.size() > 1) groups.push_back(over_all_scenes(rows));
   return groups;
-}
-
-Json json_of(const TradeoffRow& row) {
-  const Configuration& c = row.configuration;
-  const Measurement& m = row.measured;
-  const Accuracy& a = m.accuracy;
-  return {{"scene", row.scene},
-          {"precision", name_of(c.precision)},
-          {"stop_rule", name_of(c.stop)},
-          {"merge", name_of(c.merge)},
-          {"division", c.division},
-          {"overlap", name_of(c.overlap)},
-          {"mrays_per_second", m.mrays},
-          {"picture_ms", m.picture_ms},
-          {"grid_bytes", m.grid_bytes},
-          {"scene_bytes", m.scene_bytes},
-          {"rays_compared", a.rays},
-          {"missed", a.missed},
-          {"false_hits", a.false_hits},
-          {"wrong_primitives", a.wrong_primitives},
-          {"ties", a.ties},
-          {"worst_t_error", a.worst_t},
-          {"median_t_error", a.median_t},
-          {"picture_rmse", a.rmse},
-          {"picture_largest_error", a.largest}};
 }
 
 // Two lines: what it costs, and below it how accurate it is.

@@ -20,6 +20,12 @@ struct Output {
   nlohmann::ordered_json json = nlohmann::ordered_json::array(); // rows, or one object
   std::string device{};                                          // that was measured
 
+  // Whether CUDA is what is measured, as use_cuda() says.
+  bool on_cuda(Backend backend) {
+    const bool cuda = use_cuda(backend, "gridbench");
+    device = device_name(cuda);
+    return cuda;
+  }
   // Of the table.
   template <class... Values>
   void print(fmt::format_string<Values...> format, Values&&... values) const {

@@ -19,9 +19,4 @@ void to_json(nlohmann::ordered_json& json, const Box<T>& box) {
   json = {{"min", box.min}, {"max", box.max}};
 }
 
-// The same of a point where an expression needs JSON.
-inline nlohmann::ordered_json vector_json(const Vec3d& v) {
-  return v;
-}
-
 } // namespace masu

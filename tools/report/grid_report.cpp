@@ -1,6 +1,9 @@
 #include "tools/report/grid_report.h"
 
 #include "libgrid/statistics/cells.h"
+#include "libgrid/statistics/hierarchy_statistics.h"
+#include "libgrid/statistics/map_statistics.h"
+#include "libgrid/statistics/statistics.h"
 #include "tools/common/cli.h"
 #include "tools/common/grouped.h"
 #include "tools/common/printable.h"
@@ -16,6 +19,26 @@ namespace masu {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+// Of a grid: of its cells and references, and of the voxel map.
+struct Statistics {
+  GridStatistics cells;
+  MapStatistics map;
+  Vec3i division{}; // in the smallest voxels
+
+  explicit Statistics(const GridFile& file) {
+    const auto look_at = [this](const auto& view, const auto& records) {
+      cells = grid_statistics(view, records);
+      map = map_statistics(view, records);
+      division = view.division;
+    };
+    file.is_merged() ? look_at(file.merged_view<double>(), file.cells())
+                     : look_at(file.view<double>(), file.references());
+  }
+
+  // Coefficient of variation of the references of occupied cells: 0 when all list the same number.
+  double evenness() const { return cells.mean > 0 ? cells.stddev / cells.mean : 0; }
+};
 
 // A histogram: [i, counts[i]] for each count that isn't 0; or [2^i, counts[i]].
 Json histogram_of(const std::vector<std::uint64_t>& counts, bool by_powers = false) {
@@ -140,19 +163,9 @@ void print_bars(const char* head, const char* counted, const Json& histogram) {
   }
 }
 
-} // namespace
+// --- JSON -------------------------------------------------------------------------------------------------
 
-Statistics::Statistics(const GridFile& file) {
-  const auto look_at = [this](const auto& view, const auto& records) {
-    cells = grid_statistics(view, records);
-    map = map_statistics(view, records);
-    division = view.division;
-  };
-  file.is_merged() ? look_at(file.merged_view<double>(), file.cells())
-                   : look_at(file.view<double>(), file.references());
-}
-
-Json grid_report(const GridFile& file, const Statistics& statistics, bool histogram) {
+Json report_of(const GridFile& file, const Statistics& statistics, bool histogram) {
   const GridStatistics& s = statistics.cells;
   const MapStatistics& map = statistics.map;
   const fb::Grid& table = file.table();
@@ -209,7 +222,7 @@ Json grid_report(const GridFile& file, const Statistics& statistics, bool histog
   return json;
 }
 
-Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
+Json report_of(const GridFile& file, const HierarchyStatistics& s, bool histogram) {
   const fb::Grid& table = file.table();
   Json json{{"structure", "bvh"},
             {"space", finest_layout(file).space},
@@ -234,15 +247,22 @@ Json hierarchy_report(const GridFile& file, const HierarchyStatistics& s, bool h
   return json;
 }
 
+} // namespace
+
+Json grid_report(const GridFile& file, bool histogram) {
+  return file.is_hierarchy() ? report_of(file, hierarchy_statistics(file.nodes()), histogram)
+                             : report_of(file, Statistics(file), histogram);
+}
+
 void print_grid_report(const GridFile& file, ReportFormat format, bool histogram) {
   Json json;
   if (file.is_hierarchy()) {
     const HierarchyStatistics statistics = hierarchy_statistics(file.nodes());
-    json = hierarchy_report(file, statistics, histogram);
+    json = report_of(file, statistics, histogram);
     if (format == ReportFormat::table) print_table(file, statistics);
   } else {
     const Statistics statistics(file);
-    json = grid_report(file, statistics, histogram);
+    json = report_of(file, statistics, histogram);
     if (format == ReportFormat::table) print_table(file, statistics);
     if (format == ReportFormat::csv) { // the map's words are added up; cells_by_size has no fixed length
       const std::vector<std::uint64_t>& words = statistics.map.words;

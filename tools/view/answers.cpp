@@ -168,11 +168,10 @@ HttpReply answer_to(const Viewer& viewer, const HttpRequest& request) {
   }
   parameters.end();
   if (is("/api/scene")) return json(viewer.description());
-  const std::string_view path = request.path;
-  for (const auto& [name, text] : page_files) {
-    if (path == "/" ? name == "page.html" : path.starts_with('/') && path.substr(1) == name)
-      return {200, type_of(name), std::string(text)};
-  }
+  const std::string_view path = request.path,
+                         name = path == "/" ? "page.html" : path.substr(path.starts_with('/') ? 1 : 0);
+  if (const std::string_view text = page_file(name); !text.empty())
+    return {200, type_of(name), std::string(text)};
   return {404, "application/json", R"({"error": "there is no such address"})"};
 }
 

@@ -3,6 +3,7 @@
 #include "libgrid/statistics/cells.h"
 #include "libscene/base/error.h"
 #include "page_files.h"
+#include "renderer/image/deflate.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/text_file.h"
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <unordered_map>
 
 namespace masu {
 namespace {
@@ -44,6 +44,18 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+std::string deflated_text(std::string_view text) {
+  constexpr std::size_t piece = std::size_t{1} << 28;
+  std::string stream;
+  for (std::size_t at = 0; at < text.size(); at += piece) {
+    const std::string_view part = text.substr(at, piece);
+    const auto bytes = deflated({reinterpret_cast<const std::uint8_t*>(part.data()), part.size()},
+                                at + part.size() == text.size());
+    stream.append(bytes.begin(), bytes.end());
+  }
+  return stream;
+}
+
 // All pictures of a view: {channel: [one a grid]}, of channels that don't depend on the grid the first one's.
 Json channels_json(const Viewer& viewer, PictureRequest request) {
   Json all;
@@ -63,75 +75,33 @@ Json channels_json(const Viewer& viewer, PictureRequest request) {
 
 // --- Walks ------------------------------------------------------------------------------------------------
 
-// Walks of many rays through the same grids. Each place of a grid and each text is written once.
-class Walks {
-public:
-  explicit Walks(const Viewer& viewer) : viewer_(viewer), indices_(viewer.grids()) {
-    for (std::size_t grid = 0; grid < viewer.grids(); ++grid) {
-      places_.push_back(Json::array());
-      const GridLayout finest = finest_layout(viewer.grid(grid).file);
-      layouts_.push_back({{"min", vector_json(finest.space.min)}, {"step", vector_json(voxel_size(finest))}});
+// A ray's walk through each grid: {hit, grids: [{cells, tests, ended, steps: [[place, tests, whether one of
+// them was kept], …]}]}; a place is a cell's voxels, [first, end], or {node, box}.
+Json walks_json(const Viewer& viewer, const Vec3d& origin, const Vec3d& direction, Precision precision) {
+  Json walks{{"hit", nullptr}, {"grids", Json::array()}};
+  for (std::size_t grid = 0; grid < viewer.grids(); ++grid) {
+    const Json walk = viewer.walk({grid, origin, direction, false, 5, precision}, is_gone);
+    const Json& ray = walk["rays"][0];
+    Json steps = Json::array();
+    for (const Json& step : ray["steps"]) {
+      const Json &tests = step["tests"], &voxels = step["voxels"];
+      const bool kept = std::ranges::any_of(tests, [](const Json& test) { return test["kept"].get<bool>(); });
+      steps.push_back({voxels.is_null() ? Json{{"node", step["node"]}, {"box", step["box"]}}
+                                        : Json::array({voxels["first"], voxels["end"]}),
+                       tests.size(), kept});
     }
+    walks["grids"].push_back({{"cells", ray["cells"]},
+                              {"tests", ray["tests"]},
+                              {"ended", walk["ended"][0]},
+                              {"steps", std::move(steps)}});
+    if (const Json& hit = ray["hit"]; !hit.is_null()) // every grid's
+      walks["hit"] = {{"t", hit["t"]}, {"primitive", hit["primitive"]}, {"object", hit["object"]}};
   }
-
-  // {hit, grids: [{cells, tests, ended, steps: [place, tests, whether one of them was kept, …]}]}
-  Json of(const Vec3d& origin, const Vec3d& direction, Precision precision) {
-    Json walks{{"hit", nullptr}, {"grids", Json::array()}};
-    for (std::size_t grid = 0; grid < viewer_.grids(); ++grid) {
-      const Json walk = viewer_.walk({grid, origin, direction, false, 5, precision}, is_gone);
-      const Json& ray = walk["rays"][0];
-      Json steps = Json::array();
-      for (const Json& step : ray["steps"]) {
-        const Json& tests = step["tests"];
-        const bool kept = std::any_of(tests.begin(), tests.end(),
-                                      [](const Json& test) { return test["kept"].get<bool>(); });
-        steps.insert(steps.end(), {place(grid, step), tests.size(), kept ? 1 : 0});
-      }
-      walks["grids"].push_back({{"cells", ray["cells"]},
-                                {"tests", ray["tests"]},
-                                {"ended", ending(walk["ended"][0])},
-                                {"steps", std::move(steps)}});
-      if (const Json& hit = ray["hit"]; !hit.is_null()) // every grid's
-        walks["hit"] = {{"t", hit["t"]}, {"primitive", hit["primitive"]}, {"object", hit["object"]}};
-    }
-    return walks;
-  }
-
-  const Json& places() const { return places_; }
-  const Json& endings() const { return endings_; }
-  const Json& layouts() const { return layouts_; } // in which voxels lie
-
-private:
-  // A cell by the corners of its voxels, a node with its box.
-  std::size_t place(std::size_t grid, const Json& step) {
-    Json place = Json::array();
-    if (const Json& voxels = step["voxels"]; !voxels.is_null()) {
-      for (const char* const corner : {"first", "end"})
-        place.insert(place.end(), voxels[corner].begin(), voxels[corner].end());
-    } else {
-      place = {{"node", step["node"]}, {"box", step["box"]}};
-    }
-    const auto [found, is_new] = indices_[grid].try_emplace(place.dump(), places_[grid].size());
-    if (is_new) places_[grid].push_back(std::move(place));
-    return found->second;
-  }
-
-  std::size_t ending(const Json& text) {
-    const auto found = std::find(endings_.begin(), endings_.end(), text);
-    if (found != endings_.end()) return static_cast<std::size_t>(found - endings_.begin());
-    endings_.push_back(text);
-    return endings_.size() - 1;
-  }
-
-  const Viewer& viewer_;
-  Json places_ = Json::array(); // of each grid
-  Json endings_ = Json::array();
-  Json layouts_ = Json::array();
-  std::vector<std::unordered_map<std::string, std::size_t>> indices_;
-};
+  return walks;
+}
 
 // Rays in the plane of a slice, from each point on its sides to those of the other sides.
-Json plane_json(const Viewer& viewer, const Json& slice, Walks& walks) {
+Json plane_json(const Viewer& viewer, const Json& slice) {
   const auto axis = slice["axis"].get<int>();
   std::vector<Vec3d> points;
   for (int side = 0; side < 4; ++side) {
@@ -152,7 +122,7 @@ Json plane_json(const Viewer& viewer, const Json& slice, Walks& walks) {
   for (std::size_t from = 0; from < points.size(); ++from) {
     for (std::size_t to = 0; to < points.size(); ++to) {
       if (from / points_per_side == to / points_per_side) continue;
-      Json walk = walks.of(points[from], points[to] - points[from], viewer.precision());
+      Json walk = walks_json(viewer, points[from], points[to] - points[from], viewer.precision());
       walk["ends"] = {from, to};
       json["walks"].push_back(std::move(walk));
     }
@@ -164,25 +134,19 @@ std::int32_t picked_pixel(int share, std::int32_t side) {
   return static_cast<std::int32_t>(std::int64_t{share} * side / 6);
 }
 
-Json view_json(const Viewer& viewer, const Camera& camera, Walks& walks) {
+Json view_json(const Viewer& viewer, const Camera& camera) {
   PictureRequest request;
   request.camera = camera;
   request.quality = {85, true};
-  Json json{{"camera",
-             {{"from", vector_json(camera.from)},
-              {"at", vector_json(camera.at)},
-              {"up", vector_json(camera.up)},
-              {"angle", camera.angle}}},
-            {"channels", channels_json(viewer, request)}};
+  Json json{{"camera", camera_json(camera)}, {"channels", channels_json(viewer, request)}};
   for (request.grid = 0; request.grid < viewer.grids(); ++request.grid)
     json["counts"].push_back(viewer.counts(request, is_gone));
   for (const int row : pixel_shares) {
     for (const int column : pixel_shares) {
       const auto [ray, precision] =
           viewer.camera_ray(camera, picked_pixel(column, camera.width), picked_pixel(row, camera.height));
-      Json walk = walks.of(ray.origin, ray.direction, precision);
-      walk["origin"] = vector_json(ray.origin);
-      walk["direction"] = vector_json(ray.direction);
+      Json walk = walks_json(viewer, ray.origin, ray.direction, precision);
+      walk.update({{"origin", ray.origin}, {"direction", ray.direction}});
       json["walks"].push_back(std::move(walk));
     }
   }
@@ -198,6 +162,8 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
       {"scene", viewer.description()}, {"size", {settings.width, settings.height}}, {"shares", slice_shares}};
   for (std::size_t grid = 0; grid < viewer.grids(); ++grid) {
     data["statistics"].push_back(viewer.statistics(grid, is_gone));
+    const GridLayout finest = finest_layout(viewer.grid(grid).file); // in which voxels lie
+    data["layouts"].push_back({{"min", finest.space.min}, {"step", voxel_size(finest)}});
     Json slices = Json::array();
     for (int axis = 0; axis < 3; ++axis) {
       for (const double share : slice_shares)
@@ -210,9 +176,8 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
       boxes.push_back(viewer.boxes({grid, depth, most_boxes}, is_gone));
     data["boxes"].push_back(std::move(boxes));
   }
-  Walks walks(viewer);
   for (const Json& slice : data["slices"][0])
-    data["planes"].push_back(plane_json(viewer, slice, walks));
+    data["planes"].push_back(plane_json(viewer, slice));
   for (const std::int32_t side : {camera.width, camera.height}) {
     Json& pixels = data["pixels"].emplace_back();
     for (const int share : pixel_shares)
@@ -220,21 +185,11 @@ Json data_of(const Viewer& viewer, const ExportSettings& settings,
   }
   const std::vector<View> views = turntable(camera, settings.views);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    data["views"].push_back(view_json(viewer, views[i].camera, walks));
+    data["views"].push_back(view_json(viewer, views[i].camera));
     progress(static_cast<double>(i + 1) / static_cast<double>(views.size()));
   }
-  data["places"] = walks.places();
-  data["endings"] = walks.endings();
-  data["layouts"] = walks.layouts();
   data.update(provenance());
   return data;
-}
-
-std::string_view page_file(std::string_view wanted) {
-  for (const auto& [name, text] : page_files) {
-    if (name == wanted) return text;
-  }
-  throw Error(ErrorCode::output, std::string(wanted), "isn't part of the program");
 }
 
 // Replaces what stands from `begin` to `end`, both included.
@@ -249,11 +204,8 @@ void replace(std::string& text, std::string_view begin, std::string_view end, co
 
 void export_page(const Viewer& viewer, const ExportSettings& settings,
                  const std::function<void(double)>& progress) {
-  std::string data = json_text(data_of(viewer, settings, progress), -1);
-  // No text may be taken for markup that ends the script or hides its end (</script>, <!--<script>).
-  for (std::size_t at = 0; (at = data.find('<', at)) != std::string::npos; ++at)
-    data.replace(at, 1, "\\u003c");
-  std::string scripts = "<script>const EXPORTED = " + data + ";</script>\n";
+  const std::string data = json_text(data_of(viewer, settings, progress), -1);
+  std::string scripts = fmt::format("<script>const EXPORTED = '{}';</script>\n", base64(deflated_text(data)));
   std::string page(page_file("page.html"));
   for (const auto& [name, text] : page_files) {
     if (!name.ends_with(".js")) continue;

@@ -132,6 +132,11 @@ std::string encoded(const PictureRows& rows, const PictureRequest& request) {
 
 } // namespace
 
+Json camera_json(const Camera& camera) {
+  return {{"from", camera.from},   {"at", camera.at},       {"up", camera.up},
+          {"angle", camera.angle}, {"width", camera.width}, {"height", camera.height}};
+}
+
 std::string timing_of(const Picture& picture) {
   const PictureSeconds& s = picture.seconds;
   std::string text = fmt::format("precision;desc=\"{}\", rays;desc={}", picture.precision, picture.rays);
@@ -270,17 +275,13 @@ Json Viewer::boxes(const BoxesRequest& request, const IsGone& is_gone) const {
       const bool is_shown = depth < 0 || (found.references > 0 ? found.depth <= depth
                                                                : found.depth == depth && file.is_hierarchy());
       if (is_shown && ++count <= request.most)
-        boxes.push_back({{"min", vector_json(found.box.min)},
-                         {"max", vector_json(found.box.max)},
-                         {"depth", found.depth}});
+        boxes.push_back({{"min", found.box.min}, {"max", found.box.max}, {"depth", found.depth}});
     });
     return Json{{"boxes", std::move(boxes)}, {"count", count}};
   });
 }
 
 Json Viewer::description() const {
-  const Camera camera = scene_.camera();
-  const Boxd bounds = in_world(scene_.origin(), scene_.bounds());
   Json grids = Json::array();
   for (const auto& grid : grids_) {
     const fb::Grid& table = grid->file.table();
@@ -301,14 +302,8 @@ Json Viewer::description() const {
               {"hash", to_hex(scene_.hash())},
               {"primitives", scene_.primitive_count()},
               {"bytes", scene_.bytes()},
-              {"bounds", {{"min", vector_json(bounds.min)}, {"max", vector_json(bounds.max)}}}}},
-            {"camera",
-             {{"from", vector_json(camera.from)},
-              {"at", vector_json(camera.at)},
-              {"up", vector_json(camera.up)},
-              {"angle", camera.angle},
-              {"width", camera.width},
-              {"height", camera.height}}},
+              {"bounds", in_world(scene_.origin(), scene_.bounds())}}},
+            {"camera", camera_json(scene_.camera())},
             {"grids", grids},
             {"channels", picture_channel_names()},
             {"colors", color_map_samples()},
@@ -322,10 +317,7 @@ Json Viewer::description() const {
 Json Viewer::statistics(std::size_t grid, const IsGone& is_gone) const {
   ViewedGrid& viewed = *grids_.at(grid);
   return turns_.run(is_gone, [&] { // one at a time
-    if (viewed.statistics.is_null())
-      viewed.statistics = viewed.file.is_hierarchy()
-                              ? hierarchy_report(viewed.file, hierarchy_statistics(viewed.file.nodes()), true)
-                              : grid_report(viewed.file, Statistics(viewed.file), true);
+    if (viewed.statistics.is_null()) viewed.statistics = grid_report(viewed.file, true);
     return viewed.statistics;
   });
 }

@@ -71,6 +71,8 @@ struct Picture {
   WarpTurns warps{}; // of the channel idle
 };
 
+nlohmann::ordered_json camera_json(const Camera& camera);
+
 // As a header Server-Timing: stages in milliseconds, `precision`, `rays`, and of idle lanes `turns` and
 // `busy_lanes`.
 std::string timing_of(const Picture& picture);

@@ -182,6 +182,17 @@ void TradeoffCsv::write(const std::string& line) {
     fail(path_, "can't be written");
 }
 
+nlohmann::ordered_json json_of(const TradeoffRow& row) {
+  nlohmann::ordered_json json;
+  for_each_column(row, [&](const char* name, const auto& value) {
+    if constexpr (std::is_enum_v<std::decay_t<decltype(value)>>)
+      json[name] = name_of(value);
+    else
+      json[name] = value;
+  });
+  return json;
+}
+
 void write_charts_csv(const std::string& path, const std::vector<std::vector<TradeoffRow>>& groups) {
   std::string text = header() + ",hits_front,picture_front\n";
   for (const std::vector<TradeoffRow>& rows : groups) {

@@ -3,6 +3,8 @@
 
 #include "tools/bench/tradeoff/tradeoff.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cstdio>
 #include <memory>
 
@@ -29,6 +31,9 @@ private:
   std::string path_;
   std::unique_ptr<std::FILE, Close> file_;
 };
+
+// A row with the file's names.
+nlohmann::ordered_json json_of(const TradeoffRow& row);
 
 // The rows that the charts show, a group for each chart, with two more columns: hits_front and picture_front
 // are 1 for rows on the group's Pareto fronts (merit_of_hits, merit_of_picture), else 0. Throws Error(output,

@@ -3,7 +3,16 @@
 
 const nearestTo = (values, wanted) => values.reduce((best, value) => (Math.abs(value - wanted) < Math.abs(best - wanted) ? value : best));
 
+// Of base64.
+function blobOf(text) {
+  const bytes = atob(text), array = new Uint8Array(bytes.length);
+  for (let i = 0; i < bytes.length; ++i) array[i] = bytes.charCodeAt(i);
+  return new Blob([array]);
+}
+
 class Exported {
+  static async from(text) { return new Exported(JSON.parse(new TextDecoder().decode(await inflated(blobOf(text))))); }
+
   constructor(data) {
     this.data = data;
     this.isLive = false;
@@ -26,8 +35,8 @@ class Exported {
     const all = this.data.views[this.index(view.camera)].channels[view.channel];
     const {timing, jpeg = all[0].jpeg, values = all[0].values} = all[view.grid];
     const {precision, rays, ...milliseconds} = readTiming(timing);
-    const blob = new Blob([Uint8Array.from(atob(jpeg ?? values), (byte) => byte.charCodeAt(0))]);
-    return {image: jpeg ? await createImageBitmap(blob) : null, values: jpeg ? null : await inflated(blob), precision, rays, milliseconds: {...milliseconds, total: NaN}};
+    const blob = blobOf(jpeg ?? values);
+    return {image: jpeg ? await createImageBitmap(blob) : null, values: jpeg ? null : new Float32Array(await inflated(blob)), precision, rays, milliseconds: {...milliseconds, total: NaN}};
   }
 
   async counts(view) { return this.data.views[this.index(view.camera)].counts[view.grid]; }
@@ -59,20 +68,17 @@ class Exported {
     if (!found) throw new Error('The walk of this ray wasn’t exported.');
     const {hit, grids} = found, {cells, tests, ended, steps} = grids[grid];
     const ray = {kind: 'camera', origin, direction, cells, tests, hit: hit && {...hit, position: Vec.add(origin, Vec.scaled(direction, hit.t))}, steps: []};
-    // Flat: a place, tests, and whether one of them was kept.
-    for (let i = 0; i < steps.length; i += 3) {
-      const place = this.place(grid, this.data.places[grid][steps[i]]);
-      const [enter, exit] = intervalIn(place.box, ray);
+    for (const [written, count, isKept] of steps) {
+      const place = this.place(grid, written), [enter, exit] = intervalIn(place.box, ray);
       ray.steps.push({voxels: null, node: null, ...place, enter, exit,
-        tests: Array.from({length: steps[i + 1]}, (_, k) => ({primitive: null, t: null, kept: k === 0 && steps[i + 2] === 1}))});
+        tests: Array.from({length: count}, (_, k) => ({primitive: null, t: null, kept: k === 0 && isKept}))});
     }
-    return {rays: [ray], ended: [this.data.endings[ended]], more_rays: 0};
+    return {rays: [ray], ended: [ended], more_rays: 0};
   }
-  // A cell is written as [first x, first y, first z, end x, end y, end z] of its voxels.
+  // A cell is written as the corners of its voxels, [first, end].
   place(grid, written) {
     if (!Array.isArray(written)) return written;
-    const {min, step} = this.data.layouts[grid];
-    const [first, end] = [written.slice(0, 3), written.slice(3)];
+    const {min, step} = this.data.layouts[grid], [first, end] = written;
     const corner = (voxel) => voxel.map((at, axis) => min[axis] + at * step[axis]);
     return {voxels: {first, end}, box: {min: corner(first), max: corner(end)}};
   }

@@ -686,7 +686,7 @@ function openAddress() {
 }
 
 async function begin() {
-  source = typeof EXPORTED === 'undefined' ? new Server() : new Exported(EXPORTED);
+  source = typeof EXPORTED === 'undefined' ? new Server() : await Exported.from(EXPORTED);
   document.body.classList.toggle('exported', !source.isLive);
   state.scene = await source.scene();
   state.scene.channels = state.scene.channels.filter((channel) => source.isLive || channel !== 'cut');

@@ -9,11 +9,8 @@ function readTiming(header) {
   return values;
 }
 
-// A picture's numbers as the server compressed them: float32, rows from the top.
-async function inflated(blob) {
-  const stream = blob.stream().pipeThrough(new DecompressionStream('deflate-raw'));
-  return new Float32Array(await new Response(stream).arrayBuffer());
-}
+// What the server or an export compressed. Of a picture's numbers: float32, rows from the top.
+const inflated = (blob) => new Response(blob.stream().pipeThrough(new DecompressionStream('deflate-raw'))).arrayBuffer();
 
 class Server {
   constructor() {
@@ -52,7 +49,7 @@ class Server {
     if (crop) parameters.crop = crop.join();
     const response = await this.get('api/picture', parameters, signal);
     const blob = await response.blob(), isImage = blob.type === 'image/jpeg';
-    const image = isImage ? await createImageBitmap(blob) : null, values = isImage ? null : await inflated(blob);
+    const image = isImage ? await createImageBitmap(blob) : null, values = isImage ? null : new Float32Array(await inflated(blob));
     const {precision, rays, ...milliseconds} = readTiming(response.headers.get('Server-Timing'));
     return {image, values, precision, milliseconds: {...milliseconds, total: performance.now() - begin - milliseconds.wait}, rays};
   }
