@@ -70,21 +70,21 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
   };
   for (const std::string& merge : settings.merges) {
     // A hierarchy has no division, no overlap test and no cells.
-    if (merge_named(merge) == GridKind::hierarchy) {
+    if (named<GridKind>(merge) == GridKind::hierarchy) {
       for (const std::string& precision : settings.precisions)
         if (std::find(settings.stops.begin(), settings.stops.end(), "proven") != settings.stops.end())
-          add({precision_named(precision), StopRule::proven, GridKind::hierarchy, "auto", Overlap::exact});
+          add({named<Precision>(precision), StopRule::proven, GridKind::hierarchy, "auto", Overlap::exact});
       continue;
     }
     // The top level of an irregular grid always has the automatic division.
-    const bool own = merge_named(merge) == GridKind::irregular;
+    const bool own = named<GridKind>(merge) == GridKind::irregular;
     for (const std::string& division : own ? std::vector<std::string>{"auto"} : settings.divisions) {
       static_cast<void>(parse_division(division));
       for (const std::string& overlap : settings.overlaps)
         for (const std::string& precision : settings.precisions)
           for (const std::string& stop : settings.stops)
-            add({precision_named(precision), stop_named(stop), merge_named(merge), division,
-                 overlap_named(overlap)});
+            add({named<Precision>(precision), named<StopRule>(stop), named<GridKind>(merge), division,
+                 named<Overlap>(overlap)});
     }
   }
   const auto& precisions = settings.precisions;
@@ -93,7 +93,7 @@ std::vector<GridPlan> plan_of(const Settings& settings, bool float64) {
     static_cast<void>(parse_division(division));
     add({float64  ? Precision::doubled
          : robust ? Precision::robust
-                  : precision_named(precisions.front()),
+                  : named<Precision>(precisions.front()),
          StopRule::proven, GridKind::uniform, division, Overlap::exact});
   }
   return plan;
@@ -143,7 +143,7 @@ void measure_scene(const Settings& settings, const TradeoffSetup& setup, const s
   const std::string name = name_of_scene(path), hash = to_hex(scene.hash());
   std::vector<GridPlan> plan = plan_of(settings, scene.is_float64());
   if (plan.empty())
-    static_cast<void>(resolved(precision_named(settings.precisions.front()), scene)); // throws
+    static_cast<void>(resolved(named<Precision>(settings.precisions.front()), scene)); // throws
   std::size_t to_do = 0;
   for (GridPlan& grid : plan) {
     std::erase_if(grid.configurations, [&](const Configuration& c) {
@@ -275,7 +275,7 @@ void bench_tradeoff(const Settings& settings, Output& output) {
     const auto& precisions = settings.precisions;
     if (std::find(precisions.begin(), precisions.end(), "double") == precisions.end())
       static_cast<void>(
-          resolved(precision_named(precisions.front()), file)); // throws where the scene doesn't allow it
+          resolved(named<Precision>(precisions.front()), file)); // throws where the scene doesn't allow it
     static_cast<void>(resized(file.camera(), setup.size));
     static_cast<void>(resized(file.camera(), setup.picture));
     hashes[name_of_scene(scene)] = to_hex(file.hash());

@@ -9,15 +9,18 @@
 namespace masu {
 namespace {
 
-// The one of `values` whose name is `text`.
-template <class Value, std::size_t count>
-Value named(const std::string& text, const std::array<Value, count>& values) {
-  std::string names;
-  for (const Value value : values) {
-    if (text == name_of(value)) return value;
-    names += (names.empty() ? "" : ", ") + std::string(name_of(value));
-  }
-  throw Error(ErrorCode::usage, text, "isn't one of " + names);
+constexpr auto values_of(Precision) {
+  return std::array{Precision::fast, Precision::robust, Precision::doubled};
+}
+constexpr auto values_of(StopRule) {
+  return std::array{StopRule::proven, StopRule::first_cell};
+}
+constexpr auto values_of(GridKind) {
+  return std::array{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
+                    GridKind::hierarchy};
+}
+constexpr auto values_of(Overlap) {
+  return std::array{Overlap::box, Overlap::exact};
 }
 
 } // namespace
@@ -50,22 +53,19 @@ const char* name_of(Overlap overlap) {
   return overlap == Overlap::box ? "box" : "exact";
 }
 
-Precision precision_named(const std::string& text) {
-  return named(text, std::array{Precision::fast, Precision::robust, Precision::doubled});
+template <class Value>
+Value named(const std::string& text) {
+  std::string names;
+  for (const Value value : values_of(Value{})) {
+    if (text == name_of(value)) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name_of(value));
+  }
+  throw Error(ErrorCode::usage, text, "isn't one of " + names);
 }
-
-StopRule stop_named(const std::string& text) {
-  return named(text, std::array{StopRule::proven, StopRule::first_cell});
-}
-
-GridKind merge_named(const std::string& text) {
-  return named(text, std::array{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
-                                GridKind::hierarchy});
-}
-
-Overlap overlap_named(const std::string& text) {
-  return named(text, std::array{Overlap::box, Overlap::exact});
-}
+template Precision named(const std::string&);
+template StopRule named(const std::string&);
+template GridKind named(const std::string&);
+template Overlap named(const std::string&);
 
 std::string method_of(const Configuration& configuration) {
   return name_of(configuration.precision) +

@@ -65,11 +65,9 @@ struct TradeoffRow {
 const char* name_of(StopRule stop);   // proven, first-cell-hit
 const char* name_of(GridKind merge);  // none, x, balance, irregular, bvh
 const char* name_of(Overlap overlap); // box, exact
-// Throw Error(usage, text, …).
-Precision precision_named(const std::string& text);
-StopRule stop_named(const std::string& text);
-GridKind merge_named(const std::string& text);
-Overlap overlap_named(const std::string& text);
+// The Precision, StopRule, GridKind or Overlap of that name. Throws Error(usage, text, …).
+template <class Value>
+Value named(const std::string& text);
 
 // Precision and stop rule: a series of the charts.
 std::string method_of(const Configuration& configuration);

@@ -31,28 +31,19 @@ std::string text_of(const Value& value) {
     return fmt::format("{}", value);
 }
 
-// Throws Error(input) where `text` isn't a number of that type.
-template <class Number>
-void read(const std::string& text, Number& value) {
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end)
-    throw Error(ErrorCode::input, text, "isn't a valid number");
-}
-void read(const std::string& text, std::string& value) {
-  value = text;
-}
-void read(const std::string& text, Precision& value) {
-  value = precision_named(text);
-}
-void read(const std::string& text, StopRule& value) {
-  value = stop_named(text);
-}
-void read(const std::string& text, GridKind& value) {
-  value = merge_named(text);
-}
-void read(const std::string& text, Overlap& value) {
-  value = overlap_named(text);
+// Throws Error(input) where `text` isn't a number, where one belongs.
+template <class Value>
+void read(const std::string& text, Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    value = named<Value>(text);
+  } else if constexpr (std::is_arithmetic_v<Value>) {
+    const char* const end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    if (result.ec != std::errc() || result.ptr != end)
+      throw Error(ErrorCode::input, text, "isn't a valid number");
+  } else {
+    value = text;
+  }
 }
 
 // Calls act(name, value) for each column, in the file's order.
