@@ -89,7 +89,8 @@ public:
                                                    queue);
       const DeviceTimer timer;
       const bool fits = holds_all(*executor_, device_->view, references);
-      if (fits) masu::refit(*executor_, device_->view, layout.margin, nodes, references.data());
+      if (fits)
+        masu::refit(*executor_, device_->view, layout.margin, nodes, references.data(), references.size());
       seconds_.build += timer.seconds();
       if (!fits) return false;
       nodes.download(hierarchy.nodes.data());
@@ -168,7 +169,7 @@ MovedHierarchy<Stored> moved_hierarchy(const SceneView<Stored>& scene, const Gri
     SceneView<Stored> view = scene;
     view.triangles = found.triangles.data();
     refit(executor, view, is_empty(moved.bounds) ? 0 : rounding_margin<Stored>(moved.bounds), found.nodes,
-          hierarchy.references);
+          hierarchy.references, hierarchy.reference_count);
     check(cudaStreamSynchronize(nullptr));
     return found;
   });

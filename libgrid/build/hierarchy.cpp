@@ -54,7 +54,8 @@ bool refit_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout, G
   check_hierarchy(layout.space);
   TbbExecutor executor;
   if (!holds_all(executor, scene, hierarchy.references)) return false;
-  refit(executor, scene, layout.margin, hierarchy.nodes, hierarchy.references.data());
+  refit(executor, scene, layout.margin, hierarchy.nodes, hierarchy.references.data(),
+        hierarchy.references.size());
   hierarchy.layout = {layout.space, {1, 1, 1}, layout.margin};
   return true;
 }

@@ -42,7 +42,7 @@ Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, Hi
                     const std::function<void(double)>& progress = {});
 
 // Fits a hierarchy to the scene's primitives where they have moved: the same nodes and references, with boxes
-// of the layout's margin around what they hold. What was divided is held whole by each of its boxes. Rays
+// of the layout's margin around what they hold. What was divided is held whole by one of its boxes. Rays
 // find the same as through a new hierarchy, and visit more nodes the more the neighbourhood of primitives has
 // changed. False, and nothing is changed, where a primitive that had no surface has one now: it isn't in the
 // hierarchy. Throws as check_hierarchy() does for the layout's space.

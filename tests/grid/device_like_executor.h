@@ -57,6 +57,7 @@ struct DeviceLikeExecutor {
   static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
     return std::exchange(counter, counter + by);
   }
+  static void lower(std::uint32_t& least, std::uint32_t value) { least = std::min(least, value); }
   template <class Value, class Emit>
   std::optional<Sorted<DeviceLikeExecutor, Value>>
   emit_sorted(std::uint64_t count, int /*bits*/, std::uint64_t max_pairs, const Emit& emit) const {

@@ -144,6 +144,30 @@ TYPED_TEST(BuiltHierarchy, RefittedWhereNothingMovedIsTheSameBytes) {
   }
 }
 
+// Also what was divided, and each of whose parts was in another box.
+TYPED_TEST(BuiltHierarchy, RefittedHoldsEachPrimitiveWhole) {
+  Chance& chance = this->chance_;
+  std::int64_t divided = 0;
+  for (std::int64_t s = cases(200); s > 0 && !this->HasFailure(); --s) {
+    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    Grid grid = hierarchy_of(scene, any_quality(chance));
+    divided += grid.references.size() > scene.count();
+    move_primitives(chance, scene, chance.power_of_two(-10, 1));
+    if (!refit_hierarchy(scene.view(), hierarchy_layout(scene), grid)) continue;
+    const auto boxes = boxes_of_primitives(grid, scene.count());
+    for (PrimitiveIndex i = 0; i < scene.count(); ++i) {
+      with_primitive(scene.view(), i, [&](const auto& primitive) {
+        const Boxd whole = grown(bounds(primitive), grid.layout.margin * 0.999);
+        EXPECT_TRUE(!has_surface(primitive) || std::ranges::any_of(boxes[i], [&](const Boxd& box) {
+          return contains(box, whole.min) && contains(box, whole.max);
+        })) << described(primitive);
+      });
+    }
+    EXPECT_FALSE(this->HasFailure()) << described(scene);
+  }
+  EXPECT_GT(divided, 0);
+}
+
 TYPED_TEST(BuiltHierarchy, IsNotRefittedWhereAPrimitiveGetsASurface) {
   TestScene<TypeParam> scene = scattered_scene<TypeParam>(this->chance_, 100);
   const Vec3<TypeParam> a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};

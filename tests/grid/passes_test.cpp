@@ -27,7 +27,8 @@ public:
   }
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
     if (!holds_all(executor_, scene_, hierarchy.references)) return false;
-    masu::refit(executor_, scene_, layout.margin, hierarchy.nodes, hierarchy.references.data());
+    masu::refit(executor_, scene_, layout.margin, hierarchy.nodes, hierarchy.references.data(),
+                hierarchy.references.size());
     hierarchy.layout = layout;
     return true;
   }

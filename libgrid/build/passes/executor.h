@@ -11,6 +11,7 @@
 //   value(values, i)              one value, for the host
 //   fetch_add(counter, by)        adds; returns what the counter was: all who add at once get different
 //                                 values
+//   lower(least, value)           makes it no greater than the value
 //   has_warps                     whether its threads run in step, so that work is better sorted by its kind
 //   emit_sorted<Value>(count, bits, max_pairs, emit)
 //                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),

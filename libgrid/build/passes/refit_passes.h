@@ -1,8 +1,12 @@
 // A hierarchy fitted to primitives that have moved, on whatever executor (executor.h): the same nodes and
 // references, with other boxes.
 //
-//   1. levels  of nodes, from the root down
-//   2. boxes   of nodes, from the lowest level up, as the builder would write them
+//   1. owners  of what was divided: of its references the first, which holds it whole, so that the others
+//   hold
+//              nothing
+//   2. levels  of nodes, from the root down
+//   3. boxes   of nodes, from the lowest level up, as the builder would write them; of what holds nothing a
+//              point at the node's origin, which lies outside of all else there
 //
 // No byte of the result depends on the executor or its number of threads.
 #pragma once
@@ -63,10 +67,11 @@ ArrayOf<Executor, std::uint32_t> nodes_below(Executor& executor, const Hierarchy
   return below;
 }
 
-// Fits a node's boxes to what they hold; returns what is around them all. `boxes`: of the nodes below it.
+// Fits a node's boxes to what they hold; returns what is around them all. `owners`: of each primitive the
+// reference that holds it; `boxes`: of the nodes below.
 template <class Stored>
 MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const PrimitiveIndex* references,
-                        const Boxf* boxes, HierarchyNode& node) {
+                        const std::uint32_t* owners, const Boxf* boxes, HierarchyNode& node) {
   Boxf box[boxes_per_node], around = empty_box<float>();
   std::uint32_t next_node = node.first_node;
   for (int slot = 0; slot < boxes_per_node; ++slot) {
@@ -75,9 +80,10 @@ MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const Pri
     if ((node_slots(node) >> slot & 1) != 0) {
       box[slot] = boxes[next_node++];
     } else {
-      const PrimitiveIndex* const first = references + node.first_reference + references_begin(held);
-      for (std::uint32_t i = 0; i < references_in(held); ++i)
-        box[slot] = join(box[slot], box_of_primitive(scene, first[i], margin));
+      const std::uint32_t first = node.first_reference + references_begin(held);
+      for (std::uint32_t i = first; i < first + references_in(held); ++i)
+        if (owners[references[i]] == i)
+          box[slot] = join(box[slot], box_of_primitive(scene, references[i], margin));
     }
     around = join(around, box[slot]);
     for (int axis = 0; axis < 3; ++axis) {
@@ -85,16 +91,23 @@ MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const Pri
       node.high[axis][slot / 4] &= ~(0xffU << slot % 4 * 8);
     }
   }
-  if (is_empty(around)) return around; // a root without anything
+  if (is_empty(around)) return around;
   const NodeUnits units(around, node);
   for (int slot = 0; slot < boxes_per_node; ++slot)
-    if (slot_byte(node.slots, slot) != 0) units.add_planes(slot, box[slot], node);
+    if (!is_empty(box[slot])) units.add_planes(slot, box[slot], node);
   return around;
 }
 
 template <class Executor, class Stored>
 void refit(Executor& executor, const SceneView<Stored>& scene, double margin,
-           ArrayOf<Executor, HierarchyNode>& nodes, const PrimitiveIndex* references) {
+           ArrayOf<Executor, HierarchyNode>& nodes, const PrimitiveIndex* references,
+           std::uint64_t reference_count) {
+  auto all_owners = executor.template array<std::uint32_t>(scene.primitive_count());
+  std::uint32_t* const owners = all_owners.data();
+  executor.for_each(scene.primitive_count(), [=] MASU_PASS(std::uint64_t i) { owners[i] = 0xffffffffU; });
+  executor.for_each(scene.primitive_count() > 0 ? reference_count : 0, [=] MASU_PASS(std::uint64_t i) {
+    Executor::lower(owners[references[i]], static_cast<std::uint32_t>(i));
+  });
   HierarchyNode* const node = nodes.data();
   std::vector<ArrayOf<Executor, std::uint32_t>> levels;
   for (auto level = executor.template zeros<std::uint32_t>(1); level.size() > 0;
@@ -105,7 +118,7 @@ void refit(Executor& executor, const SceneView<Stored>& scene, double margin,
   for (; !levels.empty(); levels.pop_back()) {
     const std::uint32_t* const number = levels.back().data();
     executor.for_each(levels.back().size(), [=] MASU_PASS(std::uint64_t i) {
-      box[number[i]] = refit_node(scene, margin, references, box, node[number[i]]);
+      box[number[i]] = refit_node(scene, margin, references, owners, box, node[number[i]]);
     });
   }
 }
