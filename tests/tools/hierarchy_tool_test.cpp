@@ -166,7 +166,7 @@ TEST_F(HierarchyTool, AWalkThroughItEndsAtTheGridsHit) {
   EXPECT_GT(hits, 1);
   const ToolResult table = run("gridtrace", {scene_, hierarchy_, "--pixel", "256,256"});
   EXPECT_TRUE(succeeded(table));
-  EXPECT_NE(table.out.find("node     depth  met missed beyond"), std::string::npos);
+  EXPECT_NE(table.out.find("node   depth  met missed beyond"), std::string::npos);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <numeric>
+#include <sstream>
 
 namespace masu {
 namespace {
@@ -202,6 +203,9 @@ TEST_F(Inspection, WalksGoToStandardOutputAsTablesOrJson) {
   EXPECT_EQ(table.code, 0);
   EXPECT_NE(table.out.find("ray 0: camera"), std::string::npos);
   EXPECT_NE(table.out.find("shadow, spawned by ray 0"), std::string::npos);
+  std::istringstream lines(table.out);
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_LE(line.size(), 80U) << line;
   const ToolResult text = run("gridtrace", on_cpu({"--ray", "3,-4,2,-3,4,-2", "--json"}));
   EXPECT_EQ(text.code, 0);
   const auto walk = nlohmann::json::parse(text.out);

@@ -91,7 +91,7 @@ std::string text_of(const VoxelBox& box) {
 
 std::string outcome(const WalkTest& test) {
   if (!std::isfinite(test.t)) return "miss";
-  return test.kept ? fmt::format("t {:<12.7g} kept", test.t) : fmt::format("t {:.7g}", test.t);
+  return test.kept ? fmt::format("{:<8.7g} kept", test.t) : fmt::format("{:.7g}", test.t);
 }
 
 // A cell's voxels, or a node and what became of its boxes.
@@ -99,39 +99,38 @@ std::string place_of(const WalkStep& step, Structure structure) {
   if (is_grid(structure)) return text_of(step.voxels);
   if (structure == Structure::none) return "everything";
   const WalkNode& node = step.node;
-  return fmt::format("{:<8} {:>5}  {:>3} {:>6} {:>6}", node.index, node.depth, node.met, node.missed,
+  return fmt::format("{:<6} {:>5} {:>4} {:>6} {:>6}", node.index, node.depth, node.met, node.missed,
                      node.beyond);
 }
 const char* place_title(Structure structure) {
-  return structure == Structure::hierarchy ? "node     depth  met missed beyond" : "voxels x y z";
+  return structure == Structure::hierarchy ? "node   depth  met missed beyond" : "voxels x y z";
 }
 
 void append(std::string& text, const WalkRay& ray, std::size_t index, Structure structure) {
   auto out = std::back_inserter(text);
   fmt::format_to(out, "ray {}: {}{}\n", index, name_of(ray.kind),
                  ray.parent < 0 ? "" : fmt::format(", spawned by ray {}", ray.parent));
-  fmt::format_to(out, "  origin {}   direction {}", text_of(ray.origin), text_of(ray.direction));
-  if (ray.t_min > 0) fmt::format_to(out, "   t_min {:.7g}", ray.t_min);
-  if (std::isfinite(ray.t_max)) fmt::format_to(out, "   t_max {:.7g}", ray.t_max);
-  text += '\n';
+  fmt::format_to(out, "  origin {}   direction {}\n", text_of(ray.origin), text_of(ray.direction));
+  if (ray.t_min > 0 || std::isfinite(ray.t_max))
+    fmt::format_to(out, "  t_min {:.7g}   t_max {:.7g}\n", ray.t_min, ray.t_max);
   const std::string title = place_title(structure);
   std::size_t widest = title.size();
   for (const WalkStep& step : ray.steps)
     widest = std::max(widest, place_of(step, structure).size());
   const bool is_hierarchy = structure == Structure::hierarchy;
   if (!ray.steps.empty())
-    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10}  {:>10}  tests\n", is_hierarchy ? "step" : "cell", title,
-                   widest, "t enter", "t exit");
+    fmt::format_to(out, "{:>5} {:<{}} {:>9} {:>9}  tests: primitive, t\n", is_hierarchy ? "step" : "cell",
+                   title, widest, "t enter", "t exit");
   for (std::size_t i = 0; i < ray.steps.size(); ++i) {
     const WalkStep& step = ray.steps[i];
     const std::size_t line = text.size();
-    fmt::format_to(out, "  {:>5}  {:<{}}  {:>10.7g}  {:>10.7g}  ",
+    fmt::format_to(out, "{:>5} {:<{}} {:>9.6g} {:>9.6g}  ",
                    structure != Structure::none ? fmt::format("{}", i) : "-", place_of(step, structure),
                    widest, step.enter, step.exit);
     const std::size_t indent = text.size() - line;
     if (step.tests.empty()) text += "none\n";
     for (std::size_t k = 0; k < step.tests.size(); ++k)
-      fmt::format_to(out, "{:>{}}primitive {:<8} {}\n", "", k == 0 ? 0 : indent, step.tests[k].primitive,
+      fmt::format_to(out, "{:>{}}{:<7} {}\n", "", k == 0 ? 0 : indent, step.tests[k].primitive,
                      outcome(step.tests[k]));
   }
   if (hits(ray))
@@ -139,7 +138,7 @@ void append(std::string& text, const WalkRay& ray, std::size_t index, Structure 
                    text_of(position(ray)));
   else
     text += "  hit: none\n";
-  fmt::format_to(out, "  end: {}; {}, {}\n", description_of(ray),
+  fmt::format_to(out, "  end: {}\n  {}, {}\n", description_of(ray),
                  counted(ray.cells, is_hierarchy ? "node" : "cell"), counted(ray.tests, "test"));
 }
 

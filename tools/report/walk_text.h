@@ -16,7 +16,7 @@ namespace masu {
 // a ray without end.
 nlohmann::ordered_json walk_json(const WalkReport& report);
 
-// Lines of at most about 100 characters, unless numbers are long.
+// Lines of at most 80 characters, unless numbers are long.
 std::string walk_table(const WalkReport& report);
 
 } // namespace masu
