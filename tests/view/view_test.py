@@ -119,14 +119,20 @@ class Page(unittest.TestCase):
         self.browser.get("about:blank")
         self.logs()
 
-    def assert_quiet(self):
+    def assert_quiet(self, address=None):
         """No message on the console, and no request but to the page's own address."""
+        address = address or f"http://127.0.0.1:{self.server.port}/"
         events, console = self.logs()
         self.assertEqual([entry["message"] for entry in console], [])
         for event in events:
             if event["method"] == "Network.requestWillBeSent":
                 url = event["params"]["request"]["url"]
-                self.assertTrue(url.startswith((f"http://127.0.0.1:{self.server.port}/", "data:", "blob:", "about:")), url)
+                self.assertTrue(url.startswith((address, "data:", "blob:", "about:")), url)
+
+    def chance(self):
+        seed = int(os.environ.get("MASU_TEST_SEED", time.time_ns() % 10**9))
+        print(f"seed {seed}", end=" ", file=sys.stderr, flush=True)
+        return random.Random(seed)
 
     def assert_fits(self, width):
         """Nothing sticks out of the page."""
@@ -462,9 +468,7 @@ class Page(unittest.TestCase):
         self.screenshot("channel")
 
     def test_a_cut_shows_what_lies_behind_the_plane(self):
-        seed = int(os.environ.get("MASU_TEST_SEED", time.time_ns() % 10**9))
-        print(f"seed {seed}", end=" ", file=sys.stderr, flush=True)
-        choice = random.Random(seed)
+        choice = self.chance()
         met = 0
         for axis, grid in [(0, 1), (1, 0), (2, 0)]:
             self.show(fragment=f"#grid={scene[1 + grid]}&channel=cut&slice={'xyz'[axis]},{choice.uniform(0.4, 0.6)}")
@@ -595,9 +599,7 @@ class Page(unittest.TestCase):
         self.js("walkPanel.select(walkPanel.lastStep)")
 
     def test_a_ray_is_dragged_through_slices_of_every_structure(self):
-        seed = int(os.environ.get("MASU_TEST_SEED", time.time_ns() % 10**9))
-        print("seed", seed)
-        choice = random.Random(seed)
+        choice = self.chance()
         tools.run("gridbuild", scene[0], "-o", "balance.grid", "--division", "16", "--merge", "balance")
         grids = [*scene[1:], "balance.grid", tools.make_hierarchy(scene[0])]
         with Gridview(tools, scene[0], *grids, "-q") as server:
@@ -883,11 +885,7 @@ class Page(unittest.TestCase):
             self.assertNotEqual(self.js("return walkPanel.ray"), before)
             self.assert_walks_in_plane(scene[1:])
         self.screenshot("exported-plane")
-        events, console = self.logs()
-        self.assertEqual([entry["message"] for entry in console], [])
-        for event in events:
-            if event["method"] == "Network.requestWillBeSent":
-                self.assertTrue(event["params"]["request"]["url"].startswith((address, "data:", "blob:", "about:")), event["params"]["request"]["url"])
+        self.assert_quiet(address)
 
     def test_an_exported_hierarchy(self):
         names = [tools.make_hierarchy(scene[0]), scene[1]]
