@@ -2,7 +2,7 @@
 // (Meister & Bittner, "Parallel Locally-Ordered Clustering for Bounding Volume Hierarchy Construction", TVCG
 // 24(3) 2018):
 //
-//   1. sort     primitives along a Morton curve: each is a cluster
+//   1. sort     primitives, or parts of them (part_passes.h), along a Morton curve: each is a cluster
 //   2. search   of a cluster the neighbour, no more than so many places away, whose box together with its own
 //               has the smallest surface
 //   3. merge    clusters that are each other's; 2 and 3 until few are left, which are then split from the
@@ -14,10 +14,10 @@
 // executor or its number of threads.
 #pragma once
 
+#include "libgrid/build/passes/part_passes.h"
 #include "libgrid/build/passes/top_down_passes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace masu {
@@ -25,59 +25,21 @@ namespace masu {
 // Places to either side in which neighbours are searched.
 inline constexpr std::uint32_t search_radius = 8;
 
-// The bits of a number below 2^14, each followed by two zeros.
-MASU_HD inline std::uint64_t spread_bits(std::uint32_t number) {
-  std::uint64_t bits = number;
-  bits = (bits | bits << 16) & 0x0000ff0000ffULL;
-  bits = (bits | bits << 8) & 0x00f00f00f00fULL;
-  bits = (bits | bits << 4) & 0x0c30c30c30c3ULL;
-  return (bits | bits << 2) & 0x249249249249ULL;
-}
-
-// Pairs of the place of a primitive's middle on a Morton curve, and the primitive.
-template <class Stored>
-struct EmitMortonCodes { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
-  static constexpr int bits_per_axis = 14;
-
-  SceneView<Stored> scene;
-  Vec3d origin;
-  double longest; // of the space's sides
-
-  MASU_HD std::uint64_t size(std::uint64_t) const { return 1; }
-  template <class Add>
-  MASU_HD void operator()(std::uint64_t i, std::uint64_t first_row, std::uint64_t, const Add& add) const {
-    if (first_row != 0) return;
-    with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
-      if (!has_surface(primitive)) return;
-      const Boxd box = bounds(primitive);
-      std::uint64_t code = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        constexpr double places = 1 << bits_per_axis;
-        const double place = (0.5 * (box.min[axis] + box.max[axis]) - origin[axis]) / longest * places;
-        code |= spread_bits(place > 0 ? static_cast<std::uint32_t>(std::min(place, places - 1)) : 0) << axis;
-      }
-      add(code, static_cast<PrimitiveIndex>(i));
-    });
-  }
-};
-
-// Clusters along the curve.
+// Clusters of a primitive or a part of one, along the curve.
 template <class Executor, class Stored>
 Clusters<Executor> primitive_clusters(Executor& executor, const SceneView<Stored>& scene,
                                       const GridLayout& layout) {
-  const Vec3d extent = layout.space.max - layout.space.min;
-  const EmitMortonCodes<Stored> emit{scene, layout.space.min, std::max({extent.x, extent.y, extent.z})};
-  const auto sorted = executor.template emit_sorted<PrimitiveIndex>(
-      scene.primitive_count(), 3 * EmitMortonCodes<Stored>::bits_per_axis, max_numbered, emit);
+  const Divider<Stored> divider = primitive_divider(executor, scene, layout);
+  const auto sorted = executor.template emit_sorted<PrimitivePart>(
+      scene.primitive_count(), 3 * MortonCurve::bits_per_axis, max_numbered, EmitParts<Stored>{divider});
   const std::uint64_t count = sorted->values.size();
   Clusters<Executor> clusters(executor, count);
-  const PrimitiveIndex* const primitive = sorted->values.data();
+  const PrimitivePart* const part = sorted->values.data();
   BinaryNode* const node = clusters.nodes.data();
   CollapseCosts* const costs = clusters.costs.data();
-  const double margin = layout.margin;
   executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    const Boxf box = box_of_primitive(scene, primitive[i], margin);
-    node[i] = {box.min, primitive[i], box.max, 1};
+    const Boxf box = divider.box(part[i]);
+    node[i] = {box.min, part[i].primitive, box.max, 1};
     costs[i] = collapse_costs_of_leaf(node[i]);
   });
   return clusters;

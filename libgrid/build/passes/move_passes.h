@@ -84,30 +84,6 @@ struct SurveyOf {
   }
 };
 
-template <class Part>
-struct ElementOf {
-  const Part* elements;
-  MASU_HD Part operator()(std::uint64_t i) const { return elements[i]; }
-};
-
-// The join of of(0) … of(count - 1).
-template <class Part, class Executor, class Of>
-Part joined(Executor& executor, std::uint64_t count, const Of& of) {
-  constexpr std::uint64_t share = 64; // of a thread
-  if (count == 0) return {};
-  const std::uint64_t parts_count = (count + share - 1) / share;
-  auto parts = executor.template array<Part>(parts_count);
-  Part* const part = parts.data();
-  executor.for_each(parts_count, [=] MASU_PASS(std::uint64_t first) {
-    Part own{};
-    for (std::uint64_t i = first; i < count; i += parts_count)
-      own = join(own, of(i));
-    part[first] = own;
-  });
-  return parts_count == 1 ? executor.value(parts, 0)
-                          : joined<Part>(executor, parts_count, ElementOf<Part>{part});
-}
-
 template <class Executor, class Stored>
 struct MovedTriangles {
   bool is_missing; // one of them has an area, but isn't referred to: nothing else is filled in then

@@ -1,0 +1,219 @@
+// Primitives along a Morton curve, and triangles divided whose boxes are mostly empty (Karras & Aila, "Fast
+// Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013), on whatever executor
+// (executor.h):
+//
+//   1. divider  how many parts a triangle's empty space is worth, by that of all
+//   2. emit     parts, cut at planes that halve the space again and again: neighbours are cut by the same
+//
+// No byte of the result depends on the executor or its number of threads.
+#pragma once
+
+#include "libgrid/build/overlap/clipped_bounds.h"
+#include "libgrid/build/passes/node_boxes.h"
+#include "libgrid/build/passes/uniform_passes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace masu {
+
+// The bits of a number below 2^14, each followed by two zeros.
+MASU_HD inline std::uint64_t spread_bits(std::uint32_t number) {
+  std::uint64_t bits = number;
+  bits = (bits | bits << 16) & 0x0000ff0000ffULL;
+  bits = (bits | bits << 8) & 0x00f00f00f00fULL;
+  bits = (bits | bits << 4) & 0x0c30c30c30c3ULL;
+  return (bits | bits << 2) & 0x249249249249ULL;
+}
+
+// A plane across an axis.
+struct CutPlane {
+  std::int32_t axis = -1; // none
+  double place = 0;
+};
+
+struct MortonCurve {
+  static constexpr int bits_per_axis = 14;
+  static constexpr double places = 1 << bits_per_axis;
+
+  Vec3d origin;
+  double step; // from place to place
+
+  explicit MortonCurve(const Boxd& space) : origin(space.min) {
+    const Vec3d extent = space.max - space.min;
+    step = std::max({extent.x, extent.y, extent.z}) / places;
+  }
+  MASU_HD std::uint32_t place(double at, int axis) const {
+    const double steps = (at - origin[axis]) / step;
+    return steps > 0 ? static_cast<std::uint32_t>(std::min(steps, places - 1)) : 0;
+  }
+  // Of a box's middle.
+  MASU_HD std::uint64_t code(const Boxf& box) const {
+    std::uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      code |= spread_bits(place(0.5 * (static_cast<double>(box.min[axis]) + box.max[axis]), axis)) << axis;
+    return code;
+  }
+  // The first plane that the box crosses of those that halve the space, its halves, and so on; of two at a
+  // time the one across the box's longer side.
+  MASU_HD CutPlane first_plane(const Boxf& box) const {
+    CutPlane first;
+    std::uint32_t most = 0;
+    float longest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t high = place(box.max[axis], axis);
+      std::uint32_t differing = place(box.min[axis], axis) ^ high, bit = 0;
+      while (differing >> bit > 1)
+        ++bit;
+      differing >>= bit; // 0: the box crosses none
+      const double at = origin[axis] + (high >> bit << bit) * step;
+      const float side = box.max[axis] - box.min[axis];
+      if (differing == 0 || !(box.min[axis] < at && at < box.max[axis])) continue;
+      if (first.axis >= 0 && (bit < most || (bit == most && !(side > longest)))) continue;
+      first = {axis, at};
+      most = bit;
+      longest = side;
+    }
+    return first;
+  }
+};
+
+struct PrimitivePart {
+  PrimitiveIndex primitive;
+  std::uint32_t part;
+};
+
+inline constexpr double spare_parts = 0.3; // a primitive, more
+inline constexpr std::uint32_t max_cuts_log2 = 6, max_cuts = (1U << max_cuts_log2) - 1;
+
+template <class Stored>
+struct Divider {
+  SceneView<Stored> scene;
+  double margin;
+  MortonCurve curve;
+  double cuts_per_worth;
+
+  // What it is worth to divide a primitive: nothing for triangles whose projections along the axes fill half
+  // of their box's sides, as those of one along two axes do, however it is cut; nor for others.
+  MASU_HD double worth(const Triangle<double>& triangle) const {
+    constexpr double most_filled = 0.49;
+    const Boxd box = bounds(triangle);
+    const Vec3d side = box.max - box.min, normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    const double area = side.x * (side.y + side.z) + side.y * side.z,
+                 filled = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
+    return filled > 0 && filled < most_filled * area ? std::sqrt(area - filled) : 0;
+  }
+  template <class Primitive>
+  MASU_HD double worth(const Primitive&) const {
+    return 0;
+  }
+  // Calls act(box) for each part of a primitive.
+  template <class Act>
+  MASU_HD void for_each_part(PrimitiveIndex index, const Act& act) const {
+    with_primitive(scene, index, [&](const auto& primitive) {
+      struct Part {
+        Boxf box;
+        std::uint32_t cuts;
+      } stack[max_cuts_log2 + 1];
+      const Boxf whole = box_around(bounds(primitive), margin);
+      const double own = worth(primitive),
+                   cuts = own > 0 ? std::min(cuts_per_worth * own, double{max_cuts}) : 0;
+      stack[0] = {whole, static_cast<std::uint32_t>(cuts)};
+      for (int height = 1; height > 0;) {
+        const Part part = stack[--height];
+        Part below = part, above = part;
+        if (part.cuts == 0 || !cut(primitive, below.box, above.box)) {
+          act(part.box);
+          continue;
+        }
+        const float low = longest_side(below.box), high = longest_side(above.box);
+        const float share = low > 0 ? low / (low + high) : 0;
+        below.cuts = static_cast<std::uint32_t>(static_cast<float>(part.cuts - 1) * share + 0.5F);
+        above.cuts = part.cuts - 1 - below.cuts;
+        // The one of more cuts waits: so each that waits has at most half of the cuts of the one before.
+        stack[height++] = below.cuts > above.cuts ? below : above;
+        stack[height++] = below.cuts > above.cuts ? above : below;
+      }
+    });
+  }
+  MASU_HD Boxf box(const PrimitivePart& of) const {
+    Boxf found = empty_box<float>();
+    std::uint32_t part = 0;
+    for_each_part(of.primitive, [&](const Boxf& box) {
+      if (part++ == of.part) found = box;
+    });
+    return found;
+  }
+
+private:
+  MASU_HD static float longest_side(const Boxf& box) {
+    const Vec3f side = box.max - box.min;
+    return std::max(side.x, std::max(side.y, side.z));
+  }
+  // A part's box, given as both, by its first plane; false where that leaves a side without anything.
+  template <class Primitive>
+  MASU_HD bool cut(const Primitive& primitive, Boxf& below, Boxf& above) const {
+    const CutPlane plane = curve.first_plane(below);
+    if (plane.axis < 0) return false;
+    const ClippedBounds sides = sides_of(primitive, plane.axis, plane.place, plane.place);
+    return shrink(below, sides.below) && shrink(above, sides.above);
+  }
+  MASU_HD bool shrink(Boxf& box, const Boxd& bounds) const {
+    if (is_empty(bounds)) return false;
+    const Boxf other = box_around(bounds, margin);
+    for (int axis = 0; axis < 3; ++axis) {
+      box.min.set(axis, std::max(box.min[axis], other.min[axis]));
+      box.max.set(axis, std::min(box.max[axis], other.max[axis]));
+    }
+    return !is_empty(box);
+  }
+};
+
+struct WorthSum {
+  double worth = 0;
+};
+MASU_HD inline WorthSum join(const WorthSum& a, const WorthSum& b) {
+  return {a.worth + b.worth};
+}
+template <class Stored>
+struct WorthOf {
+  Divider<Stored> divider;
+  MASU_HD WorthSum operator()(std::uint64_t i) const {
+    WorthSum sum;
+    with_primitive(divider.scene, static_cast<PrimitiveIndex>(i),
+                   [&](const auto& primitive) { sum.worth = divider.worth(primitive); });
+    return sum;
+  }
+};
+
+template <class Executor, class Stored>
+Divider<Stored> primitive_divider(Executor& executor, const SceneView<Stored>& scene,
+                                  const GridLayout& layout) {
+  Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space), 0};
+  const double worth = joined<WorthSum>(executor, scene.primitive_count(), WorthOf<Stored>{divider}).worth;
+  if (worth > 0) divider.cuts_per_worth = spare_parts * scene.primitive_count() / worth;
+  return divider;
+}
+
+// Pairs of a part's place on the curve, and the part.
+template <class Stored>
+struct EmitParts {
+  Divider<Stored> divider;
+
+  MASU_HD std::uint64_t size(std::uint64_t) const { return 1; }
+  template <class Add>
+  MASU_HD void operator()(std::uint64_t i, std::uint64_t first_row, std::uint64_t, const Add& add) const {
+    const auto primitive = static_cast<PrimitiveIndex>(i);
+    bool is_there = first_row == 0;
+    with_primitive(divider.scene, primitive,
+                   [&](const auto& what) { is_there = is_there && has_surface(what); });
+    if (!is_there) return;
+    std::uint32_t part = 0;
+    divider.for_each_part(primitive, [&](const Boxf& box) {
+      add(divider.curve.code(box), PrimitivePart{primitive, part++});
+    });
+  }
+};
+
+} // namespace masu
