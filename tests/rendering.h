@@ -1,10 +1,8 @@
 // Small scenes made and rendered in a test: through the files, as the tools do it.
 #pragma once
 
-#include "libgrid/build/builder.h"
-#include "libgrid/file/grid_file.h"
-#include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
+#include "tests/grid_of_scene.h"
 #include "tests/temporary_folder.h"
 
 #include <cstring>
@@ -20,7 +18,7 @@ public:
       : camera_(scene.camera) {
     write_scene(scene, store, folder_.file("scene"), origin);
     scene_ = std::make_unique<SceneFile>(folder_.file("scene"));
-    scene_->is_float64() ? build<double>(division, options) : build<float>(division, options);
+    write_grid_of(*scene_, division, options, folder_.file("grid"));
     grid_ = std::make_unique<GridFile>(folder_.file("grid"));
   }
 
@@ -34,23 +32,13 @@ public:
     request.hits = request.tracing.count = true;
     return request;
   }
-  Frame frame(const FrameRequest& request) const {
-    return Tracer(*scene_, grid_.get(), Device::cpu).render(request);
+  Tracer tracer(Device device = Device::cpu, bool with_grid = true) const {
+    return {*scene_, with_grid ? grid_.get() : nullptr, device};
   }
+  Frame frame(const FrameRequest& request) const { return tracer().render(request); }
   Frame frame() const { return frame(request()); }
 
 private:
-  template <class Stored>
-  void build(const std::string& division, const GridOptions& options) {
-    const SceneView<Stored> view = scene_->view<Stored>();
-    const GridLayout layout = make_grid_layout<Stored>(scene_->bounds(), SpaceRule::tight,
-                                                       parse_division(division), division_statistics(view));
-    write_grid(build_grid(view, layout, Overlap::exact, options),
-               {scene_->geometry_hash(), scene_->primitive_count(), scene_->origin(), SpaceRule::tight,
-                Overlap::exact, division, ""},
-               folder_.file("grid"));
-  }
-
   TemporaryFolder folder_;
   Camera camera_;
   std::unique_ptr<SceneFile> scene_;

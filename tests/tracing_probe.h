@@ -1,11 +1,8 @@
 // Uses every kind of index in a scene and a grid, for tests with hostile files.
 #pragma once
 
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/file/grid_file.h"
-#include "libscene/file/scene_file.h"
 #include "renderer/tracer.h"
+#include "tests/grid_of_scene.h"
 
 namespace masu {
 
@@ -23,22 +20,10 @@ inline void trace_a_little(const SceneFile& scene, const GridFile* grid) {
 }
 
 // Builds a coarse grid and writes it to `path`. Throws Error when the space can't be divided.
-template <class Stored>
-void build_a_little(const SceneFile& scene, Overlap overlap, GridKind kind, const std::string& path) {
-  const SceneView<Stored> view = scene.view<Stored>();
-  const GridLayout layout = make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight,
-                                                     parse_division("5x4x3"), division_statistics(view));
-  GridOptions options;
-  options.kind = kind;
-  options.target = 1;
-  write_grid(build_grid(view, layout, overlap, options),
-             {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight, overlap,
-              "5x4x3", ""},
-             path);
-}
 inline void build_a_little(const SceneFile& scene, Overlap overlap, GridKind kind, const std::string& path) {
-  scene.is_float64() ? build_a_little<double>(scene, overlap, kind, path)
-                     : build_a_little<float>(scene, overlap, kind, path);
+  GridOptions options{kind};
+  options.target = 1;
+  write_grid_of(scene, "5x4x3", options, path, overlap);
 }
 
 } // namespace masu

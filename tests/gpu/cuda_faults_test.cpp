@@ -1,7 +1,6 @@
 // Whatever call of the CUDA driver fails: a tool's output is the old one or the new one, there is one line
 // and exit code 4, and no other file is left; the library returns a status, and its next calls are right.
 #include "tests/faults/cuda_faults.h"
-#include "tests/stability/random_seed.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
@@ -54,9 +53,8 @@ protected:
   // Each call, or so many at random: alone, and with all after it.
   void expect_survived(const std::string& tool, const Arguments& arguments,
                        const std::vector<std::string>& outputs) const {
-    const RandomSeed seed;
-    SCOPED_TRACE(tool + ": " + seed.trace());
-    auto random = seed.engine();
+    SCOPED_TRACE(tool);
+    auto random = seed_.engine();
     const ToolResult good = run_with("0", tool, arguments);
     ASSERT_EQ(good.code, 0) << good.err;
     const std::uint64_t all = std::stoull(read_text(count_.file("count")));

@@ -3,6 +3,7 @@
 #include "libgrid/build/sampled_costs.h"
 #include "libscene/base/error.h"
 #include "tests/random_scene.h"
+#include "tests/random_test.h"
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
@@ -19,12 +20,8 @@ Grid built(TestScene<Stored>& scene, GridKind kind, Processor processor = Proces
   return build_chosen(*cpu_builder(scene.view()), {scene.bounds(), Hash{1, 2}}, options).grid;
 }
 
-template <class Stored_>
-class Fastest : public testing::Test {
-protected:
-  using Stored = Stored_;
-  RandomSeed seed_;
-};
+template <class Stored>
+class Fastest : public RandomTest {};
 using StoredTypes = testing::Types<float, double>;
 TYPED_TEST_SUITE(Fastest, StoredTypes);
 
@@ -59,10 +56,9 @@ TestScene<Stored> clusters(Chance& chance) {
 constexpr Processor processors[] = {Processor::gpu, Processor::cpu};
 
 TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeClearlyFaster) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
   for (std::int64_t i = cases(50); i > 0; --i) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
+    TestScene<TypeParam> scene =
+        SceneMaker<TypeParam>(this->chance_, this->chance_.power_of_two(-10, 20)).scene();
     for (const Processor processor : processors) {
       const auto time_of = [&](const Grid& grid) {
         return expected_time(sampled_costs(scene.view(), grid), grid.kind, processor);
@@ -78,17 +74,14 @@ TYPED_TEST(Fastest, NoCandidateOfItsKindIsExpectedToBeClearlyFaster) {
 }
 
 TYPED_TEST(Fastest, IsAGridWhereBoxesOverlapAndAHierarchyWhereSpaceIsEmpty) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
-  TestScene<TypeParam> overlapping = needles<TypeParam>(chance), sparse = clusters<TypeParam>(chance);
+  TestScene<TypeParam> overlapping = needles<TypeParam>(this->chance_),
+                       sparse = clusters<TypeParam>(this->chance_);
   EXPECT_NE(built(overlapping, GridKind::fastest).kind, GridKind::hierarchy);
   EXPECT_EQ(built(sparse, GridKind::fastest).kind, GridKind::hierarchy);
 }
 
 TYPED_TEST(Fastest, IsTheSameForAnyNumberOfThreads) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
-  TestScene<TypeParam> scene = clusters<TypeParam>(chance);
+  TestScene<TypeParam> scene = clusters<TypeParam>(this->chance_);
   for (const GridKind kind : {GridKind::uniform, GridKind::automatic, GridKind::fastest}) {
     const auto by = [&](std::size_t threads) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -99,9 +92,7 @@ TYPED_TEST(Fastest, IsTheSameForAnyNumberOfThreads) {
 }
 
 TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
-  SCOPED_TRACE(this->seed_.trace());
-  Chance chance(this->seed_);
-  TestScene<TypeParam> scene = clusters<TypeParam>(chance);
+  TestScene<TypeParam> scene = clusters<TypeParam>(this->chance_);
   for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
     const Grid grid = built(scene, kind);
     const auto costs = [&](std::size_t threads) {

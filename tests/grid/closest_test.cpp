@@ -4,6 +4,7 @@
 #include "tests/random_ray.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
+#include "tests/surface_point.h"
 
 #include <gtest/gtest.h>
 
@@ -14,24 +15,6 @@ namespace {
 
 double length_of(const Vec3d& v) {
   return std::sqrt(dot(v, v));
-}
-
-// Of the primitive; its corners and its rim, too.
-Vec3d point_of(Chance& chance, const Triangle<double>& t) {
-  const auto share = [&] { return chance.one_in(3) ? chance.whole(0, 1) : chance.uniform(0, 1); };
-  const double b = share(), c = (1 - b) * share();
-  return t.a + (t.b - t.a) * b + (t.c - t.a) * c;
-}
-Vec3d point_of(Chance& chance, const Sphere<double>& s) {
-  return s.center + chance.direction() * std::abs(s.radius);
-}
-Vec3d point_of(Chance& chance, const Cone<double>& c) {
-  const Vec3d axis = c.apex - c.base;
-  Vec3d across = cross(axis, chance.direction());
-  across = across * (1 / length_of(across));
-  const double share = chance.one_in(3) ? chance.whole(0, 1) : chance.uniform(0, 1),
-               radius = std::abs(c.base_radius) + share * (std::abs(c.apex_radius) - std::abs(c.base_radius));
-  return c.base + axis * share + across * radius;
 }
 
 // How far a point is off the surface. A triangle's is the hull of its corners: the point is within it if
@@ -124,7 +107,7 @@ TYPED_TEST(ClosestPoints, AreOnTheSurfaceAndNoneIsCloser) {
         ASSERT_NEAR(length_of(place - closest.point), distance, tolerance) << i;
         ASSERT_LE(off_surface(primitive, closest.point), tolerance) << i;
         for (int k = 0; k < 20; ++k)
-          ASSERT_LE(distance, length_of(place - point_of(chance, primitive)) + tolerance) << i;
+          ASSERT_LE(distance, length_of(place - on_surface(chance, primitive).at) + tolerance) << i;
       });
     }
   }
@@ -147,7 +130,7 @@ TEST_F(ClosestPointOfCone, IsOnTheSurfaceFromTheAxisAndNearIt) {
     const double distance = std::sqrt(closest.squared), tolerance = 0x1p-44;
     ASSERT_NEAR(length_of(place - closest.point), distance, tolerance);
     ASSERT_LE(off_surface(cone, closest.point), tolerance);
-    ASSERT_LE(distance, length_of(place - point_of(chance_, cone)) + tolerance);
+    ASSERT_LE(distance, length_of(place - on_surface(chance_, cone).at) + tolerance);
   }
 }
 

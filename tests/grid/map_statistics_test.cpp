@@ -24,8 +24,7 @@ GridLayout layout_for(const TestScene<Stored>& scene, const Vec3i& division) {
 }
 
 GridOptions random_rule(Chance& chance) {
-  GridOptions options;
-  options.kind = chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular});
+  GridOptions options{chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular})};
   options.target = static_cast<std::uint32_t>(chance.whole(1, 6));
   options.step_cost = chance.uniform(0.1, 4);
   options.nested_log2 = chance.whole(0, 4);

@@ -203,8 +203,7 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
 
 // nff2bin writes no such scene, but a file may hold one: areas and volumes are then infinite, or nothing.
 TEST_F(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
-  GridOptions options;
-  options.kind = GridKind::irregular;
+  GridOptions options{GridKind::irregular};
   options.nested_log2 = 3;
   for (const double scale : {0x1p520, 0x1p-520}) {
     for (std::int64_t s = cases(20); s > 0; --s) {
@@ -296,8 +295,7 @@ TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(200); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    GridOptions options;
-    options.kind = GridKind::x;
+    GridOptions options{GridKind::x};
     const Overlap overlap = this->random_overlap(chance);
     const GridLayout layout = this->random_layout(chance, scene, options);
     const Grid grid = build_grid(scene.view(), layout, overlap, options);
@@ -352,8 +350,7 @@ TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
   std::int64_t within = 0, above = 0;
   for (std::int64_t s = cases(300); s > 0; --s) {
     TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    GridOptions options;
-    options.kind = GridKind::balance;
+    GridOptions options{GridKind::balance};
     options.target = chance.one_of({1U, 2U, 5U, 20U});
     const GridLayout layout = this->random_layout(chance, scene, options);
     const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);

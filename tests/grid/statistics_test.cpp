@@ -133,8 +133,7 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
       {GridKind::irregular, {7, 6, 5}},  {GridKind::hierarchy, {1, 1, 1}}};
   for (const auto& [kind, division] : grids) {
     SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind));
-    GridOptions options;
-    options.kind = kind;
+    GridOptions options{kind};
     const GridLayout layout = this->layout(scene, division);
     compare([&] { return build_grid(view, layout, Overlap::exact, options); }, expect_same);
   }

@@ -38,8 +38,7 @@ std::vector<Ray<float>> random_rays(Chance& chance, std::size_t count) {
 
 TEST_F(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
   for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
-    GridOptions options;
-    options.kind = kind;
+    GridOptions options{kind};
     const Rendering rendering(random_scene(chance_), Store::float32, "6x5x7", options);
     for (const Query query : {Query::nearest_hit, Query::occlusion}) {
       // The last warp isn't full.
@@ -56,7 +55,7 @@ TEST_F(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
           RayResults results;
           results.occluded = &occluded;
           const Counts counts =
-              Tracer(rendering.scene(), &rendering.grid(), Device::cpu)
+              rendering.tracer()
                   .trace(RayList(&rays[warp * 32 + i], 1, own_format<float>), results, request)
                   .counts;
           const auto of_ray = static_cast<double>(counts.triangle_tests + counts.sphere_tests);
@@ -68,7 +67,7 @@ TEST_F(AutomaticLoop, CostsOfAListOfFewWarpsAreThoseOfItsRays) {
         most_work += longest / static_cast<double>(warps);
         most_tests += most / static_cast<double>(warps);
       }
-      const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+      const Tracer tracer = rendering.tracer();
       const WarpCosts costs = warp_costs(tracer, rays, query, Precision::automatic);
       EXPECT_NEAR(costs.work, work, 1e-9 * work);
       EXPECT_NEAR(costs.tests, tests, 1e-9 * work);
@@ -82,7 +81,7 @@ TEST_F(AutomaticLoop, SamplesNothingBeyondTheList) {
   Scene scene = empty_scene({0, -4, 0}, {0, 0, 0});
   add_sphere(scene, {0, 0, 0}, 1, matte({1, 1, 1}));
   const Rendering rendering(scene, Store::float32);
-  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  const Tracer tracer = rendering.tracer();
   const Ray<float> hitting = unbounded_ray<float>({0.1F, -4, 0.2F}, {0, 1, 0}),
                    missing = unbounded_ray<float>({0.1F, -4, 9}, {0, 1, 0});
   const auto costs_of = [&](const std::vector<Ray<float>>& rays, std::size_t count) {
@@ -133,7 +132,7 @@ Scene rod(const Vec3d& from, const Vec3d& at) {
 }
 
 RayLoop usual_loop(UsualLoops& loops, const Rendering& rendering, bool coherent) {
-  return loops.of(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), coherent);
+  return loops.of(rendering.tracer(), coherent);
 }
 
 TEST(UsualLoops, OfIncoherentRaysIsThatOfRandomRaysWhateverTheCameraSees) {
@@ -159,7 +158,7 @@ TEST(UsualLoops, OfCoherentRaysIsThatOfTheCamera) {
 // A thread that waits inside a loop's task takes others, which must not wait for what it is doing.
 TEST(UsualLoops, MayBeAskedForByTasksWhileTheyAreFoundOut) {
   const Rendering rendering(rod({0.5, 1, 0}, {0.5, 2, 0}), Store::float32, "1");
-  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  const Tracer tracer = rendering.tracer();
   for (int round = 0; round < 20; ++round) {
     UsualLoops loops;
     tbb::parallel_for(

@@ -78,8 +78,7 @@ void for_random_pictures(std::int64_t scenes, const Check& check) {
     const Case with = all_cases[i % std::ssize(all_cases)];
     for (const GridKind kind :
          {GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular, GridKind::hierarchy}) {
-      GridOptions options;
-      options.kind = kind;
+      GridOptions options{kind};
       const char* const division = kind == GridKind::hierarchy   ? "1"
                                    : kind == GridKind::irregular ? "3x2x4"
                                    : i % 8 == 3                  ? "70x9x130"
@@ -92,7 +91,7 @@ void for_random_pictures(std::int64_t scenes, const Check& check) {
       if (i % 5 == 4 && kind != GridKind::hierarchy) request.tracing.stop = StopRule::first_cell;
       SCOPED_TRACE(testing::Message() << "scene " << i << " kind " << static_cast<int>(kind) << " precision "
                                       << name_of(with.precision));
-      check(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), request, chance);
+      check(rendering.tracer(), request, chance);
       if (kind == GridKind::uniform) check(Tracer(rendering.scene(), nullptr, Device::cpu), request, chance);
       if (testing::Test::HasFailure()) return;
     }
@@ -448,7 +447,7 @@ TEST(Walk, EndsWhereItsProgressThrows) {
   walk.progress = [&] {
     if (++calls == 5) throw Stop();
   };
-  EXPECT_THROW(trace_walk(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), walk), Stop);
+  EXPECT_THROW(trace_walk(rendering.tracer(), walk), Stop);
   EXPECT_EQ(calls, 5);
 }
 

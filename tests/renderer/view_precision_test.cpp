@@ -2,16 +2,14 @@
 #include "renderer/view_precision.h"
 
 #include "libscene/nff/nff.h"
-#include "libscene/spd/spd.h"
 #include "tests/picture_scenes.h"
 #include "tests/random_test.h"
 #include "tests/rendering.h"
+#include "tests/spd_text.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
-#include <memory>
 #include <numbers>
 
 namespace masu {
@@ -52,7 +50,7 @@ TEST_F(ViewPrecisions, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
     const Rendering rendering(scene, Store::float32);
     const double bound = rounding_margin<float>(rendering.scene().bounds()) / 4;
     const double pixel = 2 * std::tan(15 * std::numbers::pi / 180) / 100 * distance;
-    const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+    const Tracer tracer = rendering.tracer();
     FrameRequest request = rendering.request();
     const ViewPrecision chosen = view_precision(tracer, request);
     if (std::abs(16 * bound / pixel - 1) < 1e-3) continue;
@@ -69,31 +67,22 @@ TEST_F(ViewPrecisions, IsDoubleWhereABoundIsMoreThanASixteenthOfAPixel) {
 
 TEST_F(ViewPrecisions, IsDoubleForAStoreOfDoublesAndRobustForNothing) {
   const Rendering stored(from_nearby(chance_, {0, 0, 0}, 4e-4, 128), Store::float64);
-  const Tracer tracer(stored.scene(), &stored.grid(), Device::cpu);
+  const Tracer tracer = stored.tracer();
   EXPECT_EQ(view_precision(tracer, stored.request()).precision, Precision::doubled);
   EXPECT_TRUE(view_precision(tracer, stored.request()).is_stored);
   const Rendering nothing(empty_scene({0, 0, 1e-20}, {0, 0, 0}), Store::automatic);
-  EXPECT_EQ(
-      view_precision(Tracer(nothing.scene(), &nothing.grid(), Device::cpu), nothing.request()).precision,
-      Precision::robust);
+  EXPECT_EQ(view_precision(nothing.tracer(), nothing.request()).precision, Precision::robust);
 }
 
 // As long as their errors can't be seen: doubled takes half as long again.
 TEST_F(ViewPrecisions, IsRobustForTheStandardScenes) {
-  const TemporaryFolder folder;
   for (const char* const name : {"balls", "gears", "mount", "rings", "teapot", "tetra", "tree"}) {
     const SpdInfo& info = spd_info(name);
-    const std::string path = folder.file("scene.nff");
-    {
-      const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
-      write_spd({info.scene, info.standard}, file.get(), path);
-    }
-    const Rendering rendering(read_nff(path), Store::automatic);
+    const Rendering rendering(parse_nff(spd_text({info.scene, info.standard}), name), Store::automatic);
     FrameRequest request = rendering.request();
     for (const std::int32_t side : {512, 1024}) {
       request.camera.width = request.camera.height = side;
-      const ViewPrecision chosen =
-          view_precision(Tracer(rendering.scene(), &rendering.grid(), Device::cpu), request);
+      const ViewPrecision chosen = view_precision(rendering.tracer(), request);
       EXPECT_EQ(chosen.precision, Precision::robust)
           << name << " of " << side << ": " << description_of(chosen);
     }

@@ -25,18 +25,12 @@ using FacesWithoutArea = RandomTest;
 constexpr std::array all_kinds{GridKind::uniform, GridKind::x, GridKind::balance, GridKind::irregular,
                                GridKind::hierarchy};
 
-GridOptions of_kind(GridKind kind) {
-  GridOptions options;
-  options.kind = kind;
-  return options;
-}
-
 // --- Points ---------------------------------------------------------------------------------------------
 
 template <class Stored>
 Grid grid_of(const SceneView<Stored>& scene, GridKind kind, const GridLayout& layout, Overlap overlap) {
   return kind == GridKind::hierarchy ? hierarchy_grid(scene, layout)
-                                     : build_grid(scene, layout, overlap, of_kind(kind));
+                                     : build_grid(scene, layout, overlap, GridOptions{kind});
 }
 
 // Triangles of a scene with points among them; `numbers` are the others' numbers then.
@@ -98,7 +92,7 @@ TEST_F(FacesWithoutArea, ManyOfThemTakeNoSpaceInGrids) {
   for (int i = 0; i < 100000; ++i)
     scene.triangles.push_back({{0, 0, 0}, 0, {0, 0, 0}, 0, {0, 0, 0}, no_normals});
   for (const GridKind kind : all_kinds)
-    EXPECT_LE(Rendering(scene, Store::float32, "4", of_kind(kind)).grid().references().size(), 4096U);
+    EXPECT_LE(Rendering(scene, Store::float32, "4", GridOptions{kind}).grid().references().size(), 4096U);
   const Rendering rendering(scene, Store::float32);
   EXPECT_EQ(division_statistics(rendering.scene().view<float>()).all.primitives, 1U);
 }
@@ -159,7 +153,7 @@ TEST_F(FacesWithoutArea, AreNeverHit) {
     const std::array meshes{mesh.view()};
     const Store store = chance_.one_in(3) ? Store::float64 : Store::float32;
     for (const GridKind kind : all_kinds) {
-      const Rendering rendering(scene_of(meshes), store, "8", of_kind(kind));
+      const Rendering rendering(scene_of(meshes), store, "8", GridOptions{kind});
       for (const GridFile* const grid : {&rendering.grid(), static_cast<const GridFile*>(nullptr)}) {
         const Tracer tracer(rendering.scene(), grid, Device::cpu);
         for (const Precision precision : {Precision::fast, Precision::robust, Precision::doubled}) {
@@ -201,14 +195,13 @@ TEST_F(FacesWithoutArea, MakeASceneInWhichNothingIsHitWhereThereAreNoOthers) {
   mesh.add({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
   const std::array meshes{mesh.view()};
   for (const GridKind kind : all_kinds) {
-    const Rendering rendering(scene_of(meshes), Store::automatic, "auto", of_kind(kind));
+    const Rendering rendering(scene_of(meshes), Store::automatic, "auto", GridOptions{kind});
     EXPECT_FALSE(rendering.scene().is_float64());
     EXPECT_EQ(rendering.scene().primitive_count(), 2U);
     EXPECT_EQ(rendering.grid().references().size(), 0U);
     const std::vector<Ray<double>> rays{{{0, 0, 0}, 0, {1, 1, 1}, INFINITY},
                                         {{1, 1, 5}, 0, {0, 0, -1}, INFINITY}};
-    for (const HitRecord& hit :
-         Tracer(rendering.scene(), &rendering.grid(), Device::cpu).hits(rays, {}, HitName::primitive).hits)
+    for (const HitRecord& hit : rendering.tracer().hits(rays, {}, HitName::primitive).hits)
       EXPECT_EQ(hit.name, -1);
   }
 }
@@ -252,7 +245,7 @@ TEST_F(FaceNumbers, NameHits) {
       Scene scene = scene_with_faces(chance_);
       if (!has_faces) scene.faces.clear();
       const Rendering rendering(scene, Store::float32);
-      const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+      const Tracer tracer = rendering.tracer();
       std::vector<Ray<double>> rays;
       for (int i = 0; i < 1003; ++i)
         rays.push_back({chance_.in_cube(2), 0, chance_.direction(), INFINITY});

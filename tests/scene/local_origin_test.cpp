@@ -3,18 +3,16 @@
 
 #include "libscene/file/scene_file.h"
 #include "libscene/nff/nff.h"
-#include "libscene/spd/spd.h"
 #include "tests/random_test.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
+#include "tests/spd_text.h"
 #include "tests/tiny_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <memory>
 
 namespace masu {
 namespace {
@@ -111,7 +109,7 @@ void expect_same_results(const Rendering& a, const Rendering& b, const Vec3d& fr
   expect_same_frames(a.frame(), b.frame());
   Chance first(seed), second(seed);
   const auto hits = [](const Rendering& r, const std::vector<Ray<double>>& rays) {
-    return Tracer(r.scene(), &r.grid(), Device::cpu).hits(rays, {}, HitName::primitive);
+    return r.tracer().hits(rays, {}, HitName::primitive);
   };
   const RayHits found = hits(a, random_rays(first, from_a));
   EXPECT_TRUE(std::ranges::any_of(found.hits, [](const HitRecord& hit) { return hit.name >= 0; }));
@@ -159,15 +157,10 @@ TEST_F(LocalOrigin, AGivenOneMakesAnySceneTheSameBitsAsAtZero) {
 }
 
 TEST_F(LocalOrigin, IsZeroForTheStandardScenes) {
-  const TemporaryFolder folder;
   for (const SpdInfo& info : spd_scenes()) {
     SCOPED_TRACE(info.name);
-    for (int size = info.min_size; size <= std::min(info.standard, 5); ++size) {
-      const std::string path = folder.file("scene.nff");
-      const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), std::fclose);
-      write_spd({info.scene, size}, file.get(), path);
-      EXPECT_EQ(automatic_origin(read_nff(path)), (Vec3d{0, 0, 0})) << size;
-    }
+    for (int size = info.min_size; size <= std::min(info.standard, 5); ++size)
+      EXPECT_EQ(automatic_origin(parse_nff(spd_text({info.scene, size}), "")), (Vec3d{0, 0, 0})) << size;
   }
 }
 
@@ -201,7 +194,7 @@ TEST_F(LocalOrigin, RaysOfFloatsKeepTheirDigitsRelativeToIt) {
   EXPECT_FALSE(rendering.scene().is_float64());
   const Vec3d origin = rendering.scene().origin();
   EXPECT_LE(largest_magnitude(origin - at), 4);
-  const Tracer tracer(rendering.scene(), &rendering.grid(), Device::cpu);
+  const Tracer tracer = rendering.tracer();
   const Vec3d from = at + Vec3d{0.125, 0.0625, 10};
   const std::vector<Ray<double>> world{unbounded_ray(from, Vec3d{0, 0, -1})};
   const std::vector<Ray<float>> local{unbounded_ray(cast<float>(from - origin), Vec3f{0, 0, -1})};

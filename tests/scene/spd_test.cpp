@@ -3,6 +3,7 @@
 
 #include "libscene/geometry/primitives.h"
 #include "tests/refused.h"
+#include "tests/spd_text.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -47,15 +48,6 @@ struct Parsed {
   std::size_t objects() const { return spheres.size() + cones.size() + polygons.size() + triangles.size(); }
 };
 
-std::string text_of(SpdScene scene, int size, bool background = true) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
-  masu::write_spd({scene, size, background}, file.get(), "a temporary file");
-  std::string text(static_cast<std::size_t>(std::ftell(file.get())), '\0');
-  std::rewind(file.get());
-  EXPECT_EQ(std::fread(text.data(), 1, text.size(), file.get()), text.size());
-  return text;
-}
-
 std::istream& operator>>(std::istream& in, Vec3d& v) {
   return in >> v.x >> v.y >> v.z;
 }
@@ -91,7 +83,7 @@ Parsed parse(const std::string& text) {
 }
 
 Parsed scene_of(SpdScene scene, int size, bool background = true) {
-  return parse(text_of(scene, size, background));
+  return parse(masu::spd_text({scene, size, background}));
 }
 
 double distance(const Vec3d& a, const Vec3d& b) {
@@ -221,12 +213,12 @@ TEST(Spd, NamesAndScenesCorrespond) {
 
 TEST(Spd, TheSameOptionsGiveTheSameBytes) {
   for (const SpdInfo& info : masu::spd_scenes())
-    EXPECT_EQ(text_of(info.scene, 3), text_of(info.scene, 3)) << info.name;
+    EXPECT_EQ(masu::spd_text({info.scene, 3}), masu::spd_text({info.scene, 3})) << info.name;
 }
 
 TEST(Spd, NumbersAreFiniteAndRounded) {
   for (const SpdInfo& info : masu::spd_scenes()) {
-    std::istringstream words(text_of(info.scene, 4));
+    std::istringstream words(masu::spd_text({info.scene, 4}));
     std::string word;
     while (words >> word) {
       ASSERT_NE(word, "-0") << info.name;

@@ -73,8 +73,7 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
     const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight), grid.division,
                             rounding_margin<Stored>(bounds)};
     if (grid.kind == GridKind::hierarchy && !fits_hierarchy(layout.space)) continue;
-    GridOptions options;
-    options.kind = grid.kind;
+    GridOptions options{grid.kind};
     grids.push_back(build_grid(view, layout, Overlap::exact, options));
   }
   return grids;

@@ -1,6 +1,5 @@
 // Tools whose input is written by another process meanwhile: the right result or one line, never a fault.
 #include "libscene/cuda/cuda_device.h"
-#include "tests/stability/random_seed.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
@@ -70,11 +69,9 @@ protected:
   // there is none and one line says why.
   void expect_right_or_refused(const std::string& path, const std::string& tool, const Arguments& arguments,
                                const std::string& output) const {
-    const RandomSeed seed;
-    SCOPED_TRACE(seed.trace());
     ASSERT_TRUE(succeeded(run(tool, arguments)));
     const Bytes expected = read_bytes(output);
-    const Scribbler scribbler(path, seed.engine()());
+    const Scribbler scribbler(path, seed_.engine()());
     for (int i = 0; i < cases(15); ++i) {
       std::filesystem::remove(output);
       const ToolResult result = run(tool, arguments);
@@ -105,7 +102,7 @@ TEST_F(ChangingFiles, SceneOfGridbuild) {
 // faults, and an output is a whole scene.
 TEST_F(ChangingFiles, TextOfNff2bin) {
   const std::string text = spd("a.nff", "balls", 3), out = file("a.scene");
-  const Scribbler scribbler(text, RandomSeed().engine()());
+  const Scribbler scribbler(text, seed_.engine()());
   for (int i = 0; i < cases(15); ++i) {
     std::filesystem::remove(out);
     const ToolResult result = run("nff2bin", {text, "-o", out});
@@ -159,9 +156,7 @@ TEST_P(FilesInUse, ChangedAtAnyMomentGiveTheRightPictureOrALine) {
   ASSERT_TRUE(succeeded(run("gridrender", arguments)));
   const std::chrono::duration<double> whole_run = std::chrono::steady_clock::now() - begin;
   const Bytes expected = read_bytes(out), scene_bytes = read_bytes(in), grid_bytes = read_bytes(divided);
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  std::mt19937_64 random = seed.engine();
+  std::mt19937_64 random = seed_.engine();
   std::uniform_real_distribution<double> moment(0, 1.1);
   int refused = 0;
   for (int i = 0; i < cases(18); ++i) {

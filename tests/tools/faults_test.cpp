@@ -1,6 +1,5 @@
 // Whatever system call or allocation of a tool fails: its output is the old one or the new one, there is one
 // line and the right exit code, and no other file is left. What a power failure would leave is whole, too.
-#include "tests/stability/random_seed.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
@@ -62,9 +61,8 @@ protected:
   // Each call alone, or so many at random; and for system calls all from one on.
   void expect_survived(const std::string& tool, const Arguments& arguments,
                        const std::vector<std::string>& outputs) const {
-    const RandomSeed seed;
-    SCOPED_TRACE(tool + ": " + seed.trace());
-    auto random = seed.engine();
+    SCOPED_TRACE(tool);
+    auto random = seed_.engine();
     ASSERT_EQ(run(tool, arguments).code, 0);
     std::map<std::string, Bytes> complete;
     for (const std::string& output : outputs)

@@ -52,9 +52,7 @@ TEST_P(GridInvariance, ResultsAreIndependentOfUniformGrids) {
   ASSERT_EQ(expected.picture.size(), std::string_view("PF\n24 24\n-1.0\n").size() + 24 * 24 * 12);
   ASSERT_EQ(expected.hits.size(), 25U * 25 * 8);
   EXPECT_TRUE(rendered({"--brute-force", "--threads", "1"}) == expected);
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  Chance chance(seed);
+  Chance chance(seed_);
   for (const char* const division : {"1", "2", "7", "16", "33x20x5", "128", "300x300x100", "auto"}) {
     const auto* const overlap = chance.one_of({"box", "exact"});
     const auto* const space = chance.one_of({"tight", "cube"});

@@ -1,5 +1,4 @@
 // A tool that a signal terminates at any moment leaves each output unchanged or complete, and no other files.
-#include "tests/stability/random_seed.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
@@ -40,9 +39,7 @@ protected:
   template <class IsWhole>
   void interrupt(int signal, const std::string& tool, const Arguments& arguments,
                  const IsWhole& is_whole) const {
-    const RandomSeed seed;
-    SCOPED_TRACE(seed.trace());
-    auto random = seed.engine();
+    auto random = seed_.engine();
     const Seconds whole_run = seconds_of(tool, arguments);
     std::uniform_real_distribution<double> moment(0, 1.1);
     int interrupted = 0;

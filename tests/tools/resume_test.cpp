@@ -1,7 +1,6 @@
 // --resume, gridrender-mpi and gridtrace-mpi: whoever shares a run, and however often it is killed, its files
 // are those of one undisturbed process.
 #include "libscene/file/container.h"
-#include "tests/stability/random_seed.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
@@ -222,9 +221,7 @@ TEST_F(SharedRuns, AResumedRunIsTheSameAsAnUndisturbedOne) {
 }
 
 TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   for (const Job& job : all("a"))
     expect_made(job);
   resume_killed(
@@ -330,9 +327,7 @@ private:
 };
 
 TEST_F(SharedRuns, WhateverAJournalSaysTheFilesAreTheSame) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   ASSERT_EQ(mkfifo(file("fifo").c_str(), 0600), 0);
   struct Case {
     Job expected, resumed;
@@ -620,9 +615,7 @@ TEST_F(MpiRuns, RanksOfSeveralMachinesWriteTheSameBytes) {
 
 // One rank, or all and mpirun.
 TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   for (const Job& job : all("a"))
     expect_made(job);
   resume_killed(

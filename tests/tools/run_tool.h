@@ -1,6 +1,7 @@
 // Runs the built tools, each in a process of its own.
 #pragma once
 
+#include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
 #include <sys/types.h>
@@ -65,7 +66,7 @@ Csv<Number> read_csv(const std::string& path) {
   return csv;
 }
 
-// A test with a temporary folder for files.
+// A test with a temporary folder for files. What fails says how to repeat it with the same random numbers.
 class ToolTest : public testing::Test {
 protected:
   std::string file(std::string_view name) const { return folder_.file(name); }
@@ -84,6 +85,10 @@ protected:
                                  const Surroundings& surroundings = {}) const;
 
   const TemporaryFolder folder_;
+  const RandomSeed seed_;
+
+private:
+  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
 };
 
 // A light, a floor, a sphere, and a view.

@@ -1,7 +1,6 @@
 // gridrender's views: cameras given on the command line and in lists, turntables, crops, many pictures of one
 // run.
 #include "tests/decoded_image.h"
-#include "tests/stability/random_seed.h"
 #include "tests/tools/run_tool.h"
 
 #include <fmt/format.h>
@@ -83,9 +82,7 @@ TEST_F(Views, CamerasThatCannotSeeAreRefused) {
 // --- Crops ------------------------------------------------------------------------------------------------
 
 TEST_F(Views, ACropIsTheSameBitsAsInTheWhole) {
-  const RandomSeed seed;
-  SCOPED_TRACE(seed.trace());
-  auto random = seed.engine();
+  auto random = seed_.engine();
   constexpr std::size_t width = 61, height = 47;
   for (const bool corners : {true, false}) {
     const std::size_t more = corners ? 1 : 0;

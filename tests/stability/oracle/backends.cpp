@@ -35,8 +35,7 @@ GridFile built(const SceneFile& scene, const GridWanted& wanted) {
   const SceneView<Stored> view = scene.view<Stored>();
   const GridLayout layout{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
                           rounding_margin<Stored>(scene.bounds())};
-  GridOptions options;
-  options.kind = wanted.kind;
+  GridOptions options{wanted.kind};
   return grid_in_memory(build_grid(view, layout, Overlap::exact, options),
                         {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
                          Overlap::exact, "stability", ""});

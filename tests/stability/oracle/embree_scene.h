@@ -27,9 +27,7 @@ public:
   EmbreeScene(const SceneView<float>& scene, EmbreeFlags flags);
   ~EmbreeScene();
   EmbreeScene(const EmbreeScene&) = delete;
-  EmbreeScene(EmbreeScene&&) = delete;
   EmbreeScene& operator=(const EmbreeScene&) = delete;
-  EmbreeScene& operator=(EmbreeScene&&) = delete;
 
   // The closest hits by rtcIntersect1, on this thread: infinity and no_primitive for a miss.
   void trace(std::span<const Ray<float>> rays, float* t, PrimitiveIndex* primitive) const;
