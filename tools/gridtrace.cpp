@@ -178,8 +178,7 @@ void trace_list(const Settings& settings, const Sharing& sharing) {
   write_reports("gridtrace", settings.tracing, opened, ranks, report, quiet);
 }
 
-// --- Walk of one ray
-// ----------------------------------------------------------------------------------------
+// --- Walk of one ray --------------------------------------------------------------------------------------
 
 WalkRequest walk_request(const Settings& settings, const OpenedScene& opened) {
   FrameRequest frame = settings.frame.frame(settings.tracing.rules);

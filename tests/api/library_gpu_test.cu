@@ -70,37 +70,15 @@ protected:
     }
     scene_.emplace(vertices, indices);
     grid_.emplace(*scene_);
-    cpu_ = opened({});
-    gpu_ = opened({0});
-  }
-  void TearDown() override {
-    masu_tracer_free(cpu_);
-    masu_tracer_free(gpu_);
+    cpu_.emplace(*scene_, *grid_);
+    gpu_.emplace(opened({0}));
   }
 
-  // On GPUs, or the CPU where there are none.
-  masu_status open(const std::vector<int>& gpus, const masu_grid* grid, bool brute_force,
-                   masu_tracer** tracer) const {
-    auto options = masu::sized<masu_tracer_options>();
-    options.gpus = gpus.data();
-    options.gpu_count = gpus.size();
-    options.brute_force = brute_force ? 1 : 0;
-    return masu_tracer_create(scene_->get(), grid, &options, tracer);
-  }
-  masu_tracer* opened(const std::vector<int>& gpus) const {
-    masu_tracer* tracer = nullptr;
-    EXPECT_EQ(open(gpus, grid_->get(), false, &tracer), MASU_OK) << masu_error();
-    return tracer;
-  }
+  masu::Tracer opened(const std::vector<int>& gpus) const { return {*scene_, &*grid_, gpus}; }
   static masu_build_options on_gpu() {
     masu_build_options options = masu::default_build_options();
     options.device = 0;
     return options;
-  }
-  void build(const masu_build_options& options) const {
-    masu_grid* built = nullptr;
-    ASSERT_DONE(masu_grid_build(scene_->get(), &options, &built));
-    masu_grid_free(built);
   }
 
   // far: most of them miss.
@@ -120,10 +98,10 @@ protected:
   }
 
   // `rays` in device memory; the stream is waited for, and nothing else.
-  static Found on_device(const masu_tracer* tracer, const void* rays, std::size_t n,
+  static Found on_device(const masu::Tracer& tracer, const void* rays, std::size_t n,
                          masu_query query = masu::sized<masu_query>()) {
     FoundIn<Device> found(n);
-    found.find(tracer, rays, n, query);
+    found.find(tracer.get(), rays, n, query);
     EXPECT_EQ(cudaStreamSynchronize(static_cast<cudaStream_t>(query.stream)), cudaSuccess);
     Found copy(0);
     copy.t = found.t.host(n);
@@ -142,7 +120,7 @@ protected:
   float center_[3]{};
   std::optional<masu::Scene> scene_;
   std::optional<masu::Grid> grid_;
-  masu_tracer *cpu_ = nullptr, *gpu_ = nullptr;
+  std::optional<masu::Tracer> cpu_, gpu_;
 };
 
 // With excluded primitives, in host memory and in the GPU's.
@@ -159,20 +137,19 @@ TEST_F(LibraryOnGpu, ListsTheCpusHits) {
     std::vector<std::uint8_t> front, inside;
     bool operator==(const Lists&) const = default;
   };
-  const auto trace = [&](const masu_tracer* tracer, const void* from, const std::uint32_t* excluded,
+  const auto trace = [&](const masu::Tracer& tracer, const masu_ray* from, const std::uint32_t* excluded,
                          double* t, std::uint32_t* primitive, std::uint8_t* front, std::uint32_t* counts,
                          std::uint32_t* all, std::uint8_t* inside) {
-    auto query = masu::sized<masu_query>();
-    query.exclude = excluded;
+    const masu::QueryOptions options{.exclude = excluded};
     auto hits = masu::sized<masu_hits>();
     hits.t64 = t;
     hits.primitive = primitive;
     hits.front = front;
-    EXPECT_EQ(masu_all_hits(tracer, from, n, &query, limit, &hits, counts), MASU_OK) << masu_error();
-    EXPECT_EQ(masu_count_hits(tracer, from, n, &query, all), MASU_OK) << masu_error();
-    EXPECT_EQ(masu_inside(tracer, from, n, &query, inside), MASU_OK) << masu_error();
+    tracer.all_hits(from, n, limit, hits, counts, options);
+    tracer.count_hits(from, n, all, options);
+    tracer.inside(from, n, inside, options);
   };
-  const auto in_host = [&](const masu_tracer* tracer) {
+  const auto in_host = [&](const masu::Tracer& tracer) {
     Lists lists{std::vector<double>(limit * n),       std::vector<std::uint32_t>(limit * n),
                 std::vector<std::uint32_t>(n),        std::vector<std::uint32_t>(n),
                 std::vector<std::uint8_t>(limit * n), std::vector<std::uint8_t>(n)};
@@ -180,13 +157,13 @@ TEST_F(LibraryOnGpu, ListsTheCpusHits) {
           lists.counts.data(), lists.all.data(), lists.inside.data());
     return lists;
   };
-  const Lists expected = in_host(cpu_);
-  EXPECT_TRUE(in_host(gpu_) == expected);
+  const Lists expected = in_host(*cpu_);
+  EXPECT_TRUE(in_host(*gpu_) == expected);
   const Device<masu_ray> on_gpu(list);
   const Device<std::uint32_t> excluded(exclude), primitive(limit * n), counts(n), all(n);
   const Device<double> t(limit * n);
   const Device<std::uint8_t> front(limit * n), inside(n);
-  trace(gpu_, on_gpu.data(), excluded.data(), t.data(), primitive.data(), front.data(), counts.data(),
+  trace(*gpu_, on_gpu.data(), excluded.data(), t.data(), primitive.data(), front.data(), counts.data(),
         all.data(), inside.data());
   EXPECT_EQ(cudaStreamSynchronize(nullptr), cudaSuccess);
   EXPECT_TRUE((Lists{t.host(limit * n), primitive.host(limit * n), counts.host(n), all.host(n),
@@ -208,12 +185,12 @@ TEST_F(LibraryOnGpu, FindsTheCpusBits) {
         if (count > 1000 && precision == MASU_PRECISION_DOUBLE) continue;
         auto query = masu::sized<masu_query>();
         query.precision = precision;
-        const Found expected = found_by(cpu_, list.data(), count, query);
+        const Found expected = found_by(*cpu_, list, query);
         for (const auto& [loop, coherent] : schedules) {
           query.loop = loop;
           query.coherent = coherent;
-          expect_same(expected, found_by(gpu_, list.data(), count, query));
-          expect_same(expected, on_device(gpu_, device.data(), count, query));
+          expect_same(expected, found_by(*gpu_, list, query));
+          expect_same(expected, on_device(*gpu_, device.data(), count, query));
         }
       }
     }
@@ -235,13 +212,13 @@ TEST_F(LibraryOnGpu, TakesEveryFormatAndAlignmentOfNumbers) {
   auto query = masu::sized<masu_query>();
   const Device<float> device_floats(floats), device_shifted(shifted);
   const Device<double> device_doubles(doubles);
-  const Found expected = found_by(cpu_, list.data(), count);
-  expect_same(expected, on_device(gpu_, device_shifted.data() + 1, count, query));
+  const Found expected = found_by(*cpu_, list);
+  expect_same(expected, on_device(*gpu_, device_shifted.data() + 1, count, query));
   query.format = MASU_RAYS_FLOAT64;
-  expect_same(expected, on_device(gpu_, device_doubles.data(), count, query));
+  expect_same(expected, on_device(*gpu_, device_doubles.data(), count, query));
   query.format = MASU_RAYS_FLOAT32_6;
-  expect_same(found_by(cpu_, floats.data(), count, query),
-              on_device(gpu_, device_floats.data(), count, query));
+  expect_same(found_by(cpu_->get(), floats.data(), count, query),
+              on_device(*gpu_, device_floats.data(), count, query));
 }
 
 // On any GPU, and the caller's current one stays that.
@@ -250,26 +227,21 @@ TEST_F(LibraryOnGpu, WithoutAGridBuildsOneForTheDevice) {
   ASSERT_DONE(masu_gpu_count(&count));
   const int last = count - 1;
   ASSERT_CUDA(cudaGetDevice(&before));
-  masu_tracer *cpu = nullptr, *gpu = nullptr, *brute_force = nullptr;
-  ASSERT_DONE(open({}, nullptr, false, &cpu));
-  ASSERT_DONE(open({last}, nullptr, false, &gpu));
-  ASSERT_DONE(open({last}, nullptr, true, &brute_force));
+  const masu::Tracer cpu(*scene_), gpu(*scene_, last), brute_force(*scene_, nullptr, {&last, 1}, true);
   ASSERT_CUDA(cudaGetDevice(&after));
   EXPECT_EQ(after, before);
   const std::vector<masu_ray> list = rays(10'000);
-  const Found expected = found_by(cpu_, list.data(), list.size());
-  for (masu_tracer* const tracer : {cpu, gpu, brute_force}) {
-    expect_same(expected, found_by(tracer, list.data(), list.size()));
-    masu_tracer_free(tracer);
-  }
+  const Found expected = found_by(*cpu_, list);
+  for (const masu::Tracer* const tracer : {&cpu, &gpu, &brute_force})
+    expect_same(expected, found_by(*tracer, list));
 }
 
 TEST_F(LibraryOnGpu, AnswersThreadsTracersAndStreamsAtTheSameTime) {
-  masu_tracer* const other = opened({0});
+  const masu::Tracer other = opened({0});
   const std::size_t count = 400'000;
   const std::vector<masu_ray> list = rays(count, true);
   const Device<masu_ray> device(list);
-  const Found expected = found_by(cpu_, list.data(), count);
+  const Found expected = found_by(*cpu_, list);
   std::vector<std::thread> threads;
   for (int k = 0; k < 6; ++k) {
     threads.emplace_back([&, k] {
@@ -277,16 +249,15 @@ TEST_F(LibraryOnGpu, AnswersThreadsTracersAndStreamsAtTheSameTime) {
       ASSERT_CUDA(cudaStreamCreateWithFlags(&stream, cudaStreamNonBlocking));
       auto query = masu::sized<masu_query>();
       query.stream = stream;
-      const masu_tracer* const tracer = k % 2 == 0 ? gpu_ : other;
+      const masu::Tracer& tracer = k % 2 == 0 ? *gpu_ : other;
       for (int round = 0; round < 5; ++round)
-        expect_same(expected, k % 3 == 0 ? found_by(tracer, list.data(), count)
-                                         : on_device(tracer, device.data(), count, query));
+        expect_same(expected,
+                    k % 3 == 0 ? found_by(tracer, list) : on_device(tracer, device.data(), count, query));
       ASSERT_CUDA(cudaStreamDestroy(stream));
     });
   }
   for (std::thread& thread : threads)
     thread.join();
-  masu_tracer_free(other);
 }
 
 TEST_F(LibraryOnGpu, RefusesMemoryOfTwoKinds) {
@@ -296,14 +267,16 @@ TEST_F(LibraryOnGpu, RefusesMemoryOfTwoKinds) {
   std::vector<float> host_t(10);
   auto hits = masu::sized<masu_hits>();
   hits.t = host_t.data();
-  EXPECT_EQ(masu_nearest(gpu_, device.data(), 10, nullptr, &hits), MASU_ERROR_USAGE);
+  const auto expect_refused = [&](const std::optional<masu::Tracer>& tracer, const void* from) {
+    EXPECT_EQ(masu_nearest(tracer->get(), from, 5, nullptr, &hits), MASU_ERROR_USAGE);
+  };
+  expect_refused(gpu_, device.data());
   hits.t = t.data();
-  EXPECT_EQ(masu_nearest(gpu_, list.data(), 10, nullptr, &hits), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_nearest(cpu_, device.data(), 10, nullptr, &hits), MASU_ERROR_USAGE);
+  expect_refused(gpu_, list.data());
+  expect_refused(cpu_, device.data());
   hits.t = reinterpret_cast<float*>(reinterpret_cast<char*>(t.data()) + 2);
-  EXPECT_EQ(masu_nearest(gpu_, device.data(), 5, nullptr, &hits), MASU_ERROR_USAGE);
-  EXPECT_EQ(masu_nearest(gpu_, reinterpret_cast<char*>(device.data()) + 1, 5, nullptr, &hits),
-            MASU_ERROR_USAGE);
+  expect_refused(gpu_, device.data());
+  expect_refused(gpu_, reinterpret_cast<char*>(device.data()) + 1);
   EXPECT_EQ(cudaGetLastError(), cudaSuccess);
 }
 
@@ -313,8 +286,7 @@ TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
   std::vector<masu_ray> many;
   for (int i = 0; i < 23; ++i)
     many.insert(many.end(), few.begin(), few.end());
-  const Found expected = found_by(cpu_, few.data(), few.size()),
-              found = found_by(gpu_, many.data(), many.size());
+  const Found expected = found_by(*cpu_, few), found = found_by(*gpu_, many);
   masu_ray* locked = nullptr;
   float* t = nullptr;
   ASSERT_CUDA(cudaMallocHost(&locked, many.size() * sizeof(masu_ray)));
@@ -322,7 +294,7 @@ TEST_F(LibraryOnGpu, StreamsListsOfAnyLength) {
   std::copy(many.begin(), many.end(), locked);
   auto hits = masu::sized<masu_hits>();
   hits.t = t;
-  ASSERT_DONE(masu_nearest(gpu_, locked, many.size(), nullptr, &hits));
+  gpu_->nearest(locked, many.size(), hits);
   for (std::size_t i = 0; i < many.size(); ++i) {
     ASSERT_EQ(found.t[i], expected.t[i % few.size()]) << i;
     ASSERT_EQ(t[i], expected.t[i % few.size()]) << i;
@@ -400,17 +372,16 @@ TEST_F(LibraryOnGpu, AnUpdatedTracerFindsTheCpusBits) {
         moved.stream = stream;
         gpu.update(moved);
       }
-      const Found expected = found_by(cpu.get(), list.data(), list.size());
-      expect_same(expected, found_by(gpu.get(), list.data(), list.size()));
-      expect_same(expected, on_device(gpu.get(), device.data(), list.size()));
+      const Found expected = found_by(cpu, list);
+      expect_same(expected, found_by(gpu, list));
+      expect_same(expected, on_device(gpu, device.data(), list.size()));
       EXPECT_TRUE(gpu.all_hits(list, 3) == cpu.all_hits(list, 3));
       EXPECT_EQ(gpu.count_hits(list), cpu.count_hits(list));
       EXPECT_EQ(gpu.inside(list), cpu.inside(list));
     }
     vertices[17] = std::nanf("");
     EXPECT_THROW(gpu.update(vertices), masu::Exception);
-    expect_same(found_by(cpu.get(), list.data(), list.size()),
-                on_device(gpu.get(), device.data(), list.size()));
+    expect_same(found_by(cpu, list), on_device(gpu, device.data(), list.size()));
     ASSERT_CUDA(cudaStreamDestroy(stream));
   }
 }
@@ -431,9 +402,9 @@ TEST_F(LibraryOnGpu, IsUpdatedWhileOthersQueryIt) {
   masu::Tracer tracer(scene, masu::Grid(scene, options), 0);
   const std::vector<masu_ray> list = rays(300'000);
   const Device<masu_ray> device(list);
-  const Found of_first = found_by(tracer.get(), list.data(), list.size());
+  const Found of_first = found_by(tracer, list);
   tracer.update(second);
-  const Found of_second = found_by(tracer.get(), list.data(), list.size());
+  const Found of_second = found_by(tracer, list);
   std::vector<std::thread> threads;
   for (int k = 0; k < 5; ++k) {
     threads.emplace_back([&, k] {
@@ -446,12 +417,10 @@ TEST_F(LibraryOnGpu, IsUpdatedWhileOthersQueryIt) {
           tracer.update(round % 2 == 0 ? first : second);
           continue;
         }
-        auto query = masu::sized<masu_query>();
-        query.stream = stream;
         auto hits = masu::sized<masu_hits>();
         hits.t = t.data();
         hits.primitive = primitive.data();
-        ASSERT_DONE(masu_nearest(tracer.get(), device.data(), list.size(), &query, &hits));
+        tracer.nearest(device.data(), list.size(), hits, {.stream = stream});
         ASSERT_CUDA(cudaStreamSynchronize(stream));
         const auto found = t.host(list.size());
         EXPECT_TRUE(found == of_first.t || found == of_second.t);
@@ -472,13 +441,13 @@ TEST_F(LibraryOnGpu, LongListsHaveTheHitsOfShortOnes) {
   std::vector<masu_ray> many;
   while (many.size() < count)
     many.insert(many.end(), few.begin(), few.end());
-  const Found expected = found_by(cpu_, few.data(), few.size());
+  const Found expected = found_by(*cpu_, few);
   std::vector<float> t(count);
   auto hits = masu::sized<masu_hits>();
   hits.t = t.data();
   for (const std::size_t rays_asked : {count - 2, count - 1, count}) {
     std::fill(t.begin(), t.end(), -1.0F);
-    ASSERT_DONE(masu_nearest(gpu_, many.data(), rays_asked, nullptr, &hits));
+    gpu_->nearest(many.data(), rays_asked, hits);
     for (std::size_t i = 0; i < rays_asked; ++i)
       ASSERT_EQ(t[i], expected.t[i % few.size()]) << i;
   }
@@ -506,27 +475,26 @@ TEST_F(LibraryOnGpu, LeavesTheDefaultMemoryPoolAsTheHostProgramSetIt) {
   std::uint64_t threshold = 12'345'678;
   ASSERT_CUDA(cudaMemPoolSetAttribute(pool, cudaMemPoolAttrReleaseThreshold, &threshold));
   const PoolState before = default_pool();
-  masu_tracer* const tracer = opened({0});
-  const std::vector<masu_ray> list = rays(100'000);
-  found_by(tracer, list.data(), list.size());
-  const masu_build_options options = on_gpu();
-  build(options);
-  EXPECT_EQ(default_pool(), before);
-  masu_tracer_free(tracer);
+  {
+    const masu::Tracer tracer = opened({0});
+    found_by(tracer, rays(100'000));
+    const masu::Grid grid(*scene_, on_gpu());
+    EXPECT_EQ(default_pool(), before);
+  }
   EXPECT_EQ(default_pool(), before);
 }
 
 TEST_F(LibraryOnGpu, LeavesTheHostProgramsErrorPending) {
   const std::vector<masu_ray> list = rays(1000);
-  const Found expected = found_by(cpu_, list.data(), list.size());
-  const masu_build_options options = on_gpu();
+  const Found expected = found_by(*cpu_, list);
   EXPECT_NE(cudaSetDevice(-1), cudaSuccess);
   const cudaError_t pending = cudaPeekAtLastError();
   ASSERT_NE(pending, cudaSuccess);
-  masu_tracer* const tracer = opened({0});
-  expect_same(expected, found_by(tracer, list.data(), list.size()));
-  build(options);
-  masu_tracer_free(tracer);
+  {
+    const masu::Tracer tracer = opened({0});
+    expect_same(expected, found_by(tracer, list));
+    const masu::Grid grid(*scene_, on_gpu());
+  }
   EXPECT_EQ(cudaGetLastError(), pending);
 }
 
@@ -542,20 +510,19 @@ TEST_F(LibraryOnGpu, LeavesThreadsWithoutAContextWithoutOne) {
     return current == nullptr;
   };
   const std::vector<masu_ray> list = rays(3'000'000);
-  const Found expected = found_by(gpu_, list.data(), list.size());
-  const masu_build_options options = on_gpu();
+  const Found expected = found_by(*gpu_, list);
   std::thread([&] {
     ASSERT_TRUE(has_none()); // of its own
     int count = 0;
     ASSERT_DONE(masu_gpu_count(&count));
     EXPECT_TRUE(has_none()) << "GPUs are counted";
-    masu_tracer* const tracer = opened({0});
+    std::optional<masu::Tracer> tracer(opened({0}));
     EXPECT_TRUE(has_none()) << "a tracer is opened";
-    expect_same(expected, found_by(tracer, list.data(), list.size()));
+    expect_same(expected, found_by(*tracer, list));
     EXPECT_TRUE(has_none()) << "rays are traced";
-    masu_tracer_free(tracer);
+    tracer.reset();
     EXPECT_TRUE(has_none()) << "a tracer is closed";
-    build(options);
+    const masu::Grid grid(*scene_, on_gpu());
     EXPECT_TRUE(has_none()) << "a grid is built";
   }).join();
 }
@@ -568,25 +535,22 @@ TEST_F(LibraryOnGpu, UsesNoOtherGpuThanTheTracers) {
   std::size_t before = 0, after = 0, all = 0;
   ASSERT_CUDA(cudaSetDevice(0));
   ASSERT_CUDA(cudaMemGetInfo(&before, &all));
-  masu_tracer* const tracer = opened({1});
-  const std::vector<masu_ray> list = rays(3'000'000);
-  found_by(tracer, list.data(), list.size());
+  const masu::Tracer tracer = opened({1});
+  found_by(tracer, rays(3'000'000));
   ASSERT_CUDA(cudaMemGetInfo(&after, &all));
   EXPECT_EQ(before, after);
   int current = -1;
   ASSERT_CUDA(cudaGetDevice(&current));
   EXPECT_EQ(current, 0);
-  masu_tracer_free(tracer);
 }
 
 // Tasks of the host program that ask while a loop is found out by the same threads.
 TEST_F(LibraryOnGpu, IsAskedByTasksOfTheHostProgram) {
   const std::vector<masu_ray> list = rays(5000);
-  const Found expected = found_by(cpu_, list.data(), list.size());
+  const Found expected = found_by(*cpu_, list);
   for (int round = 0; round < 10; ++round) {
-    masu_tracer* const tracer = opened({0});
-    tbb::parallel_for(0, 64, [&](int) { expect_same(expected, found_by(tracer, list.data(), list.size())); });
-    masu_tracer_free(tracer);
+    const masu::Tracer tracer = opened({0});
+    tbb::parallel_for(0, 64, [&](int) { expect_same(expected, found_by(tracer, list)); });
   }
 }
 
@@ -597,10 +561,10 @@ TEST_F(LibraryOnGpu, FindsTheSameOnSeveralGpus) {
   for (int gpu = 0; gpu < count; ++gpu)
     all[static_cast<std::size_t>(gpu)] = gpu;
   const std::vector<masu_ray> list = rays(2'500'000); // three pieces
-  const Found expected = found_by(gpu_, list.data(), list.size());
+  const Found expected = found_by(*gpu_, list);
   for (const std::vector<int>& gpus : {std::vector<int>{0, 0}, all}) {
-    masu_tracer* const several = opened(gpus);
-    expect_same(expected, found_by(several, list.data(), list.size()));
+    const masu::Tracer several = opened(gpus);
+    expect_same(expected, found_by(several, list));
     // Rays on any of its GPUs are traced there.
     const std::size_t some = 1000;
     for (const int gpu : gpus) {
@@ -609,15 +573,18 @@ TEST_F(LibraryOnGpu, FindsTheSameOnSeveralGpus) {
       const Device<float> t(some);
       auto hits = masu::sized<masu_hits>();
       hits.t = t.data();
-      ASSERT_DONE(masu_nearest(several, device.data(), some, nullptr, &hits));
+      several.nearest(device.data(), some, hits);
       ASSERT_CUDA(cudaDeviceSynchronize());
       EXPECT_EQ(t.host(some), std::vector<float>(expected.t.begin(), expected.t.begin() + some)) << gpu;
     }
     ASSERT_CUDA(cudaSetDevice(0));
-    masu_tracer_free(several);
   }
-  masu_tracer* refused = nullptr;
-  EXPECT_EQ(open({0, count}, grid_->get(), false, &refused), MASU_ERROR_DEVICE);
+  try {
+    opened({0, count});
+    FAIL();
+  } catch (const masu::Exception& error) {
+    EXPECT_EQ(error.status, MASU_ERROR_DEVICE);
+  }
 }
 
 } // namespace

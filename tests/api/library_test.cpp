@@ -102,35 +102,22 @@ protected:
     prepare({&view, 1});
   }
   void prepare(std::span<const masu_mesh> meshes) {
-    const masu_geometry geometry = geometry_of(meshes);
-    ASSERT_DONE(masu_scene_create(&geometry, &scenes_.emplace_back()));
-    ASSERT_DONE(masu_grid_build(scene(), nullptr, &grids_.emplace_back()));
+    scene_.emplace(meshes);
+    grid_.emplace(*scene_);
   }
-  const masu_scene* scene() const { return scenes_.back(); }
-  const masu_grid* grid() const { return grids_.back(); }
+  const masu_scene* scene() const { return scene_->get(); }
+  const masu_grid* grid() const { return grid_->get(); }
+  // On the CPU.
+  masu::Tracer opened() const { return {*scene_, *grid_}; }
 
-  // Of what is prepared, on the CPU; until the test's end.
-  masu_tracer* opened() { return opened(grid(), nullptr); }
-  masu_tracer* opened(const masu_grid* grid, const masu_tracer_options* options) {
-    masu_tracer* tracer = nullptr;
-    EXPECT_EQ(masu_tracer_create(scene(), grid, options, &tracer), MASU_OK) << masu_error();
-    return opened_.emplace_back(tracer);
-  }
-  ~Library() override {
-    std::ranges::for_each(scenes_, masu_scene_free);
-    std::ranges::for_each(grids_, masu_grid_free);
-    std::ranges::for_each(opened_, masu_tracer_free);
-  }
-
+  std::optional<masu::Scene> scene_;
+  std::optional<masu::Grid> grid_;
   const masu::TemporaryFolder folder_;
   const masu::RandomSeed seed_;
   std::mt19937_64 engine_ = seed_.engine();
 
 private:
   const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
-  std::vector<masu_scene*> scenes_;
-  std::vector<masu_grid*> grids_;
-  std::vector<masu_tracer*> opened_;
 };
 
 TEST_F(Library, ARefittedHierarchyGivesTheHitsOfTheMovedScene) {
@@ -314,7 +301,7 @@ double expected_t(const Mesh& mesh, std::size_t triangle, const masu_ray& ray) {
 TEST_F(Library, FindsWhatBruteForceFinds) {
   const Mesh mesh = random_mesh(engine_, 200);
   prepare(mesh);
-  masu_tracer* const tracer = opened();
+  const masu::Tracer tracer = opened();
   const std::vector<masu_ray> rays = random_rays(engine_, 5000);
   const Found found = found_by(tracer, rays);
   int hits = 0, unsure = 0;
@@ -364,11 +351,9 @@ TEST_F(Library, FindsWhatBruteForceFinds) {
 
 TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   prepare(random_mesh(engine_, 300));
-  auto by_brute_force = masu::sized<masu_tracer_options>();
-  by_brute_force.brute_force = 1;
-  masu_tracer* const tracer = opened();
+  const masu::Tracer tracer = opened();
   std::vector<masu_ray> rays = random_rays(engine_, 2000);
-  EXPECT_TRUE(found_by(tracer, rays) == found_by(opened(nullptr, &by_brute_force), rays));
+  EXPECT_TRUE(found_by(tracer, rays) == found_by(brute_force(*scene_), rays));
   // Six numbers each, floats and doubles.
   std::vector<float> floats;
   std::vector<double> doubles, doubles8;
@@ -385,7 +370,7 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   const auto same = [&](const void* data, masu_ray_format format) {
     auto query = masu::sized<masu_query>();
     query.format = format;
-    return found_by(tracer, data, rays.size(), query) == all;
+    return found_by(tracer.get(), data, rays.size(), query) == all;
   };
   EXPECT_TRUE(same(floats.data(), MASU_RAYS_FLOAT32_6));
   EXPECT_TRUE(same(doubles.data(), MASU_RAYS_FLOAT64_6));
@@ -394,7 +379,7 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
   Found some(rays.size());
   const masu_hits only{sizeof(masu_hits), nullptr, nullptr, some.object.data(), nullptr, some.normal.data(),
                        some.face.data(),  nullptr, nullptr};
-  ASSERT_DONE(masu_nearest(tracer, rays.data(), rays.size(), nullptr, &only));
+  tracer.nearest(rays.data(), rays.size(), only);
   EXPECT_EQ(some.object, all.object);
   EXPECT_EQ(some.normal, all.normal);
 }
@@ -402,7 +387,7 @@ TEST_F(Library, ResultsAreTheSameByBruteForceAndByEveryFormat) {
 TEST_F(Library, WithoutAGridTheFastestIsBuilt) {
   prepare(random_mesh(engine_, 300));
   const std::vector<masu_ray> rays = random_rays(engine_, 2000);
-  EXPECT_TRUE(found_by(opened(), rays) == found_by(opened(nullptr, nullptr), rays));
+  EXPECT_TRUE(found_by(opened(), rays) == found_by(masu::Tracer(*scene_), rays));
 }
 
 // Whichever way the handles are freed.
@@ -422,8 +407,8 @@ TEST_F(Library, ATracerKeepsWhatItUses) {
 
 TEST_F(Library, FilesHaveTheBytesOfWhatIsInMemory) {
   prepare(random_mesh(engine_, 300));
-  ASSERT_DONE(masu_scene_write(scene(), file("scene").c_str()));
-  ASSERT_DONE(masu_grid_write(grid(), file("grid").c_str()));
+  scene_->write(file("scene"));
+  grid_->write(file("grid"));
   const masu::Scene scene_again = masu::Scene::read(file("scene"));
   const masu::Grid grid_again = masu::Grid::read(file("grid"));
   EXPECT_EQ(scene_again.describe().bytes, masu::read_bytes(file("scene")).size());
@@ -437,7 +422,7 @@ TEST_F(Library, FilesHaveTheBytesOfWhatIsInMemory) {
   const std::vector<masu_ray> rays = random_rays(engine_, 500);
   EXPECT_TRUE(found_by(opened(), rays) == found_by(masu::Tracer(scene_again, grid_again), rays));
   // The pair of what is written and what isn't fits.
-  opened(grid_again.get(), nullptr);
+  EXPECT_NO_THROW(masu::Tracer(*scene_, grid_again));
 }
 
 // Vertices in a row, and in double, are the same scene; spheres and cones are numbered after triangles.
@@ -480,7 +465,7 @@ TEST_F(Library, ArraysOfEveryKindMakeTheSameScene) {
 // A program of an older or a newer version works as far as both know, or meets an error.
 TEST_F(Library, StructuresOfOtherSizesWorkOrAreErrors) {
   prepare(random_mesh(engine_, 50));
-  masu_tracer* const tracer = opened();
+  const masu::Tracer tracer = opened();
   const std::vector<masu_ray> rays = random_rays(engine_, 100);
   struct Newer {
     masu_query known;
@@ -489,7 +474,9 @@ TEST_F(Library, StructuresOfOtherSizesWorkOrAreErrors) {
   query.known.size = sizeof query;
   Found found(rays.size());
   const masu_hits hits = found.hits();
-  const auto nearest = [&] { return masu_nearest(tracer, rays.data(), rays.size(), &query.known, &hits); };
+  const auto nearest = [&] {
+    return masu_nearest(tracer.get(), rays.data(), rays.size(), &query.known, &hits);
+  };
   EXPECT_EQ(nearest(), MASU_OK) << masu_error();
   EXPECT_EQ(found.t, found_by(tracer, rays).t);
   query.more = 1;
@@ -514,7 +501,7 @@ TEST_F(Library, StructuresOfOtherSizesWorkOrAreErrors) {
 TEST_F(Library, ThreadsMayBeLimited) {
   prepare(random_mesh(engine_, 200));
   const std::vector<masu_ray> rays = random_rays(engine_, 3000);
-  masu_tracer* const tracer = opened();
+  const masu::Tracer tracer = opened();
   const Found expected = found_by(tracer, rays);
   auto query = masu::sized<masu_query>();
   for (const int threads : {1, 2, 5}) {
@@ -522,7 +509,7 @@ TEST_F(Library, ThreadsMayBeLimited) {
     EXPECT_TRUE(found_by(tracer, rays, query) == expected);
   }
   query.threads = -1;
-  EXPECT_EQ(masu_occluded(tracer, rays.data(), 1, &query, Found(1).occluded.data()), MASU_ERROR_USAGE);
+  EXPECT_EQ(masu_occluded(tracer.get(), rays.data(), 1, &query, Found(1).occluded.data()), MASU_ERROR_USAGE);
 }
 
 // A ray is what its type says, and nothing else is taken for one.
@@ -779,7 +766,7 @@ TEST_F(Library, FindsClosestPoints) {
 
 TEST_F(Library, AnswersThreadsAtTheSameTime) {
   prepare(random_mesh(engine_, 500));
-  masu_tracer* const tracers[]{opened(), opened()};
+  const masu::Tracer tracers[]{opened(), opened()};
   const std::vector<masu_ray> rays = random_rays(engine_, 20000);
   const Found expected = found_by(tracers[0], rays);
   std::vector<std::jthread> threads;
@@ -789,7 +776,7 @@ TEST_F(Library, AnswersThreadsAtTheSameTime) {
       for (int round = 0; round < 5; ++round) {
         right[k] += found_by(tracers[k % 2], rays) == expected ? 1 : 0;
         const auto none = masu::sized<masu_hits>();
-        EXPECT_EQ(masu_nearest(tracers[k % 2], nullptr, 1, nullptr, &none), MASU_ERROR_USAGE);
+        EXPECT_EQ(masu_nearest(tracers[k % 2].get(), nullptr, 1, nullptr, &none), MASU_ERROR_USAGE);
         EXPECT_STREQ(masu_error(), "rays: is a null pointer");
       }
     });
@@ -820,7 +807,7 @@ TEST_F(Library, NoGpusAreTheCpu) {
 
 TEST_F(Library, RaysThatArentValidHitNothing) {
   prepare(random_mesh(engine_, 50));
-  masu_tracer* const tracer = opened();
+  const masu::Tracer tracer = opened();
   std::vector<masu_ray> rays;
   const masu_ray good{{0, 0, 0}, 0, {1, 0, 0}, infinity};
   for (int number = 0; number < 8; ++number) {
@@ -857,20 +844,17 @@ TEST_F(Library, PrimitivesAreTrianglesInOrderDegenerateOnesToo) {
   const float color[3]{0.25F, 0.5F, 1};
   meshes[1].color = color;
   prepare(meshes);
-  masu_tracer* const tracer = opened();
-  auto description = masu::sized<masu_scene_description>();
-  ASSERT_DONE(masu_scene_describe(scene(), &description));
+  const masu_scene_description description = scene_->describe();
   EXPECT_EQ(description.triangles, 5U);
   EXPECT_EQ(description.is_float64, 0);
   EXPECT_EQ(description.bounds_max[2], 5);
   const Found found = found_by(
-      tracer, {{{0.2F, 0.2F, 9}, 0, {0, 0, -1}, infinity}, {{0.2F, 0.2F, 3}, 0, {0, 0, -1}, infinity}});
+      opened(), {{{0.2F, 0.2F, 9}, 0, {0, 0, -1}, infinity}, {{0.2F, 0.2F, 3}, 0, {0, 0, -1}, infinity}});
   EXPECT_EQ(found.primitive[0], 3U);
   EXPECT_EQ(found.t[0], 4);
   EXPECT_EQ(found.primitive[1], 0U); // of equal ones the first
   EXPECT_EQ(found.face, found.primitive);
-  auto primitive = masu::sized<masu_primitive>();
-  ASSERT_DONE(masu_scene_primitive(scene(), 4, &primitive));
+  masu_primitive primitive = scene_->primitive(4);
   EXPECT_EQ(primitive.kind, MASU_TRIANGLE);
   EXPECT_EQ(primitive.object, 1U);
   EXPECT_EQ(primitive.color[1], 0.5F);
@@ -891,8 +875,8 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   const masu::Scene other(random_mesh(engine_, 10).vertices, mesh.indices);
   EXPECT_EQ(masu_tracer_create(other.get(), grid(), nullptr, &tracer), MASU_ERROR_INPUT);
   EXPECT_EQ(tracer, nullptr);
-  ASSERT_DONE(masu_scene_write(scene(), file("scene").c_str()));
-  ASSERT_DONE(masu_grid_write(grid(), file("grid").c_str()));
+  scene_->write(file("scene"));
+  grid_->write(file("grid"));
   EXPECT_EQ(masu_scene_read(file("grid").c_str(), &read), MASU_ERROR_INPUT);
   EXPECT_EQ(masu_grid_read(file("scene").c_str(), &made), MASU_ERROR_INPUT);
   EXPECT_EQ(masu_scene_read(nullptr, &read), MASU_ERROR_USAGE);
@@ -907,7 +891,8 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
   EXPECT_EQ(masu_scene_describe(scene(), nullptr), MASU_ERROR_USAGE);
   EXPECT_EQ(masu_grid_describe(grid(), nullptr), MASU_ERROR_USAGE);
 
-  tracer = opened();
+  const masu::Tracer cpu = opened();
+  tracer = cpu.get();
   const std::vector<masu_ray> rays = random_rays(engine_, 4);
   Found found(rays.size());
   const masu_hits hits = found.hits(), nothing = masu::sized<masu_hits>();
@@ -1004,8 +989,8 @@ TEST_F(Library, WrongArgumentsAreErrorsNotFaults) {
 // Container (tests/scene/container_test.cpp) has each byte and length.
 TEST_F(Library, DamagedFilesAreErrors) {
   prepare(random_mesh(engine_, 100));
-  ASSERT_DONE(masu_scene_write(scene(), file("scene").c_str()));
-  ASSERT_DONE(masu_grid_write(grid(), file("grid").c_str()));
+  scene_->write(file("scene"));
+  grid_->write(file("grid"));
   for (const std::string name : {"scene", "grid"}) {
     const masu::Bytes whole = masu::read_bytes(file(name.c_str()));
     for (int round = 0; round < 20; ++round) {

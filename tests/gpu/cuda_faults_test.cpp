@@ -121,7 +121,7 @@ TEST_F(CudaFaults, Gridbuild) {
 
 // --- The library, in this process
 
-class CudaFaultsOfLibrary : public testing::Test {
+class CudaFaultsOfLibrary : public ToolTest {
 protected:
   void SetUp() override {
     if (!has_gpu()) GTEST_SKIP() << "no GPU, no call was made to fail";
@@ -222,10 +222,7 @@ protected:
     EXPECT_TRUE(line.starts_with("cuda: ") && line.find('\n') == line.npos) << line;
   }
 
-  const RandomSeed seed_;
-  const testing::ScopedTrace trace_{__FILE__, __LINE__, seed_.trace()};
   std::mt19937_64 engine_ = seed_.engine();
-  const TemporaryFolder folder_;
   masu_scene* scene_ = nullptr;
   std::vector<masu_ray> rays_;
 };
@@ -263,7 +260,7 @@ TEST_F(CudaFaultsOfLibrary, Queries) {
 TEST_F(CudaFaultsOfLibrary, Builds) {
   masu_build_options options = options_of(MASU_STRUCTURE_GRID, MASU_MERGE_IRREGULAR);
   options.device = 0;
-  const std::string path = folder_.file("built");
+  const std::string path = file("built");
   const auto built = [&](Bytes& bytes) {
     masu_grid* grid = nullptr;
     const masu_status status = masu_grid_build(scene_, &options, &grid);

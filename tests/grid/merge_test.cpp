@@ -21,23 +21,22 @@ using MergedOutOfRange = RandomTest;
 // Primitives by voxel, as for_each_overlap gives them.
 using Lists = std::vector<std::set<PrimitiveIndex>>;
 
-template <class Stored>
-Lists lists_of(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap,
-               bool with_cones = true) {
-  Lists lists(voxel_count(layout.division));
-  PrimitiveIndex number = 0;
-  const auto add = [&](const auto& primitives) {
-    for (const auto& primitive : primitives) {
-      for_each_overlap(layout, overlap, widened(primitive), [&](const Vec3i& voxel) {
-        lists[linear_index(voxel, layout.division)].insert(number);
-      });
-      ++number;
-    }
-  };
-  add(scene.triangles);
-  add(scene.spheres);
-  if (with_cones) add(scene.cones);
+// layout_for: of each primitive, by its margin alone.
+template <class Stored, class LayoutFor>
+Lists lists_by(TestScene<Stored>& scene, const Vec3i& division, Overlap overlap,
+               const LayoutFor& layout_for) {
+  Lists lists(voxel_count(division));
+  const SceneView<Stored> view = scene.view();
+  for (PrimitiveIndex i = 0; i < scene.count(); ++i)
+    with_primitive(view, i, [&](const auto& primitive) {
+      for_each_overlap(layout_for(primitive), overlap, primitive,
+                       [&](const Vec3i& voxel) { lists[linear_index(voxel, division)].insert(i); });
+    });
   return lists;
+}
+template <class Stored>
+Lists lists_of(TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+  return lists_by(scene, layout.division, overlap, [&](const auto&) { return layout; });
 }
 
 bool includes(const std::set<PrimitiveIndex>& all, const std::set<PrimitiveIndex>& some) {
@@ -135,18 +134,13 @@ constexpr double surely = 0.875, perhaps = 1.5;
 // so for a voxel rather than for the larger box that a cell was found for: its margin is less by what its
 // side's slope makes of it.
 template <class Stored>
-Lists needed_lists(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
-  Lists lists = lists_of(scene, with_margin(layout, surely), overlap, false);
-  auto number = static_cast<PrimitiveIndex>(scene.triangles.size() + scene.spheres.size());
-  for (const auto& cone : scene.cones) {
-    const Cone<double> wide = widened(cone);
-    const double steepest =
-        std::hypot(1.0, (wide.apex_radius - wide.base_radius) / length(wide.apex - wide.base));
-    for_each_overlap(with_margin(layout, surely / (1.5 * steepest)), overlap, wide,
-                     [&](const Vec3i& voxel) { lists[linear_index(voxel, layout.division)].insert(number); });
-    ++number;
-  }
-  return lists;
+Lists needed_lists(TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+  return lists_by(scene, layout.division, overlap, [&]<class Primitive>(const Primitive& p) {
+    double share = surely;
+    if constexpr (std::is_same_v<Primitive, Cone<double>>)
+      share /= 1.5 * std::hypot(1.0, (p.apex_radius - p.base_radius) / length(p.apex - p.base));
+    return with_margin(layout, share);
+  });
 }
 
 // needed: by voxel.

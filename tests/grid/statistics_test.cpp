@@ -21,20 +21,14 @@ namespace {
 using Lists = std::map<std::uint64_t, std::vector<PrimitiveIndex>>;
 
 template <class Stored>
-Lists lists_of(const TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+Lists lists_of(TestScene<Stored>& scene, const GridLayout& layout, Overlap overlap) {
   Lists lists;
-  PrimitiveIndex number = 0;
-  const auto add = [&](const auto& primitives) {
-    for (const auto& primitive : primitives) {
-      for_each_overlap(layout, overlap, widened(primitive), [&](const Vec3i& voxel) {
-        lists[linear_index(voxel, layout.division)].push_back(number);
-      });
-      ++number;
-    }
-  };
-  add(scene.triangles);
-  add(scene.spheres);
-  add(scene.cones);
+  const SceneView<Stored> view = scene.view();
+  for (PrimitiveIndex i = 0; i < scene.count(); ++i)
+    with_primitive(view, i, [&](const auto& primitive) {
+      for_each_overlap(layout, overlap, primitive,
+                       [&](const Vec3i& voxel) { lists[linear_index(voxel, layout.division)].push_back(i); });
+    });
   return lists;
 }
 

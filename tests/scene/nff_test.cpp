@@ -1,6 +1,7 @@
 #include "libscene/nff/nff.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,8 +11,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -379,12 +378,9 @@ TEST_F(Nff, MissingFileIsNamed) {
 }
 
 TEST_F(Nff, FileParsesAsItsText) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("masu_nff_test_" + std::to_string(std::random_device{}())))
-          .string();
-  std::ofstream(path, std::ios::binary) << small_scene;
-  expect_same(read_nff(path), parse(small_scene));
-  std::filesystem::remove(path);
+  const TemporaryFolder folder;
+  write_text(folder.file("t"), small_scene);
+  expect_same(read_nff(folder.file("t")), parse(small_scene));
 }
 
 // --- Numbers

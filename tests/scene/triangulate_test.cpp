@@ -181,6 +181,14 @@ Flat square_with_holes(int holes) {
   return flat;
 }
 
+Flat turned(const Flat& flat, double angle) {
+  Flat result;
+  for (const Point2& p : flat)
+    result.push_back(
+        {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
+  return result;
+}
+
 // --- Properties
 
 // Each edge of the polygon bounds one triangle, each other edge two in opposite directions: with triangles
@@ -332,10 +340,7 @@ TEST_F(Triangulate, CoversHolesCutInByBridges) {
   for (int i = 0; i < 50; ++i) {
     const int holes = chance_.whole(1, 9);
     const double angle = i == 0 ? 0 : chance_.uniform(0, 7); // turned, the bridges are off by rounding
-    Flat flat;
-    for (const Point2& p : square_with_holes(holes))
-      flat.push_back(
-          {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
+    const Flat flat = turned(square_with_holes(holes), angle);
     const Triangulation result = triangulate(in_plane(flat));
     EXPECT_FALSE(result.crosses_itself);
     EXPECT_EQ(result.slivers, 0U);
@@ -427,20 +432,12 @@ TEST_F(Triangulate, SplitsQuadsByTheShorterDiagonal) {
 
 // --- The sweep
 
-Triangulation by_sweep(const Flat& flat, SweepOutcome& outcome) {
+std::pair<SweepOutcome, Triangulation> by_sweep(const Flat& flat) {
   std::vector<std::uint32_t> ring(flat.size());
   std::iota(ring.begin(), ring.end(), 0U);
   Triangulation result;
-  outcome = triangulate_by_sweep(flat, ring, result.triangles);
-  return result;
-}
-
-Flat turned(const Flat& flat, double angle) {
-  Flat result;
-  for (const Point2& p : flat)
-    result.push_back(
-        {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y});
-  return result;
+  const SweepOutcome outcome = triangulate_by_sweep(flat, ring, result.triangles);
+  return {outcome, result};
 }
 
 double signed_area(const Flat& flat) {
@@ -488,9 +485,8 @@ TEST_F(SweepTriangulation, CoversSimplePolygons) {
     const int size = chance_.whole(1, 60);
     for (const Flat& flat :
          {star(chance_, size + 2), regular(size + 2), gear(size + 2), comb(size), spiral(size + 20)}) {
-      SweepOutcome outcome{};
       const Flat placed = turned(flat, angle);
-      const Triangulation result = by_sweep(placed, outcome);
+      const auto [outcome, result] = by_sweep(placed);
       ASSERT_EQ(outcome, SweepOutcome::triangulated) << flat.size() << " corners";
       expect_covers(placed, result);
     }
@@ -511,8 +507,7 @@ TEST_F(SweepTriangulation, KnowsSimplePolygonsFromOthers) {
     if (signed_area(flat) == 0) continue;
     if (signed_area(flat) < 0) std::reverse(flat.begin(), flat.end());
     const Simplicity simplicity = simplicity_of(flat);
-    SweepOutcome outcome{};
-    const Triangulation result = by_sweep(flat, outcome);
+    const auto [outcome, result] = by_sweep(flat);
     ++seen[{simplicity, outcome}];
     if (simplicity == Simplicity::simple) {
       const bool is_straight = std::ranges::any_of(std::views::iota(0U, flat.size()), [&](std::size_t v) {
@@ -537,8 +532,7 @@ TEST_F(SweepTriangulation, TouchingIsNoCrossing) {
   for (int i = 0; i < 300; ++i) {
     for (const Flat& flat :
          {blob_outline(chance_, chance_.whole(1, 30)), square_with_holes(chance_.whole(1, 9))}) {
-      SweepOutcome outcome{};
-      const Triangulation result = by_sweep(flat, outcome);
+      const auto [outcome, result] = by_sweep(flat);
       ASSERT_NE(outcome, SweepOutcome::crosses);
       if (outcome == SweepOutcome::triangulated) expect_covers(flat, result);
     }
@@ -561,8 +555,7 @@ TEST_F(SweepTriangulation, HugePolygonsTakeSeconds) {
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_LT(seconds.count(), 240); // seconds at most, with room for sanitizers
-  SweepOutcome outcome{};
-  const Triangulation swept = by_sweep(huge_star, outcome);
+  const auto [outcome, swept] = by_sweep(huge_star);
   ASSERT_EQ(outcome, SweepOutcome::triangulated);
   expect_covers(huge_star, swept);
   EXPECT_EQ(triangulate(in_plane(huge_star)).triangles, swept.triangles);

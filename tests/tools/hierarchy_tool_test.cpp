@@ -12,11 +12,6 @@ using Json = nlohmann::json;
 
 class HierarchyTool : public ToolTest {
 protected:
-  Json json_of(const std::string& tool, const Arguments& arguments) const {
-    const ToolResult result = run(tool, joined(arguments, {"--json"}));
-    EXPECT_TRUE(succeeded(result));
-    return Json::parse(result.out);
-  }
   // The values of each line but the first.
   std::vector<std::vector<double>> boxes(const Arguments& more = {}) const {
     EXPECT_TRUE(succeeded(run("gridstat", joined({hierarchy_, "--cells", file("boxes.csv")}, more))));

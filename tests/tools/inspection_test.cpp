@@ -55,7 +55,6 @@ protected:
     std::memcpy(values.data(), bytes.data() + begin, values.size() * sizeof(T));
     return values;
   }
-  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(read_text(file(name))); }
   static double sum(const std::vector<float>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
   }
@@ -73,7 +72,7 @@ TEST_F(Inspection, ChannelsAreTheHitsAndSumUpToTheStatistics) {
                       height = 12 + more;
     render({"-o", file("p.pfm"), "--hits", file("hits"), "--channels", "depth,object,normal,cells,tests",
             "--all-rays", "--sampling", sampling, "--stats", file("stats")});
-    const auto stats = json("stats");
+    const auto stats = json_in("stats");
     EXPECT_EQ(sum(pfm("p.cells.pfm", width, height)), stats["cells_visited"].get<double>());
     EXPECT_EQ(sum(pfm("p.tests.pfm", width, height)), tests_of(stats));
     const auto records = read_records<Hit>(file("hits"));
@@ -181,7 +180,7 @@ TEST_F(Inspection, AWalksHitAndCountsAreTheChannels) {
   std::size_t hits = 0;
   for (std::size_t i = 0; i < depth.size(); i += 7) {
     trace({"--pixel", fmt::format("{},{}", i % 17, i / 17), "--json=" + file("walk")});
-    const auto rays = json("walk")["rays"];
+    const auto rays = json_in("walk")["rays"];
     ASSERT_EQ(rays.size(), 1U);
     const auto& ray = rays[0];
     EXPECT_EQ(ray["kind"], "camera");
@@ -206,9 +205,7 @@ TEST_F(Inspection, WalksGoToStandardOutputAsTablesOrJson) {
   std::istringstream lines(table.out);
   for (std::string line; std::getline(lines, line);)
     EXPECT_LE(line.size(), 80U) << line;
-  const ToolResult text = run("gridtrace", on_cpu({"--ray", "3,-4,2,-3,4,-2", "--json"}));
-  EXPECT_EQ(text.code, 0);
-  const auto walk = nlohmann::json::parse(text.out);
+  const auto walk = json_of("gridtrace", on_cpu({"--ray", "3,-4,2,-3,4,-2"}));
   EXPECT_EQ(walk["rays"][0]["origin"], nlohmann::json({3.0, -4.0, 2.0}));
   EXPECT_FALSE(walk["rays"][0]["hit"].is_null());
 }
@@ -253,9 +250,7 @@ TEST_F(Inspection, DifferencesAreMeasuredAndDrawn) {
   render({"-o", file("a.pfm"), "--channels", "depth", "--sampling", "centers"});
   render({"-o", file("b.pfm"), "--channels", "depth", "--sampling", "centers", "--from", "3,-4,2.5"});
   const auto difference = [&](const std::string& a, const std::string& b, const Arguments& more = {}) {
-    const ToolResult result = run("gridbench", joined({"difference", file(a), file(b), "--json"}, more));
-    EXPECT_EQ(result.code, 0) << result.err;
-    return nlohmann::json::parse(result.out);
+    return json_of("gridbench", joined({"difference", file(a), file(b)}, more));
   };
   const auto none = difference("a.pfm", "a.pfm");
   EXPECT_EQ(none["rmse"], 0.0);

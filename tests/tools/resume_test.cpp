@@ -273,8 +273,7 @@ TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
   expect_same(resumed, expected);
   // Counts are those of all views.
   expect_made(expected, {"--stats", file("a.json")});
-  const auto a = nlohmann::json::parse(read_text(file("a.json"))),
-             b = nlohmann::json::parse(read_text(file("b.json")));
+  const auto a = json_in("a.json"), b = json_in("b.json");
   for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited", "intersection_tests"})
     EXPECT_EQ(a[key], b[key]) << key;
 }
@@ -578,8 +577,7 @@ TEST_F(MpiRuns, AnyNumberOfRanksWritesTheSameBytes) {
       remove(shared);
       EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(ranks, shared, {"--stats", file("b.json")})))) << ranks;
       expect_same(shared, expected);
-      const auto a = nlohmann::json::parse(read_text(file("a.json"))),
-                 b = nlohmann::json::parse(read_text(file("b.json")));
+      const auto a = json_in("a.json"), b = json_in("b.json");
       for (const char* const key : {"eye_rays", "eye_hits", "shadow_rays", "cells_visited"})
         EXPECT_EQ(a[key], b[key]) << key;
     }

@@ -1,6 +1,7 @@
 #include "tests/tools/run_tool.h"
 
 #include <fcntl.h>
+#include <nlohmann/json.hpp>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -127,6 +128,23 @@ std::string ToolTest::grid(const std::string& name, const std::string& scene, co
                            const Arguments& more) const {
   expect_success(run("gridbuild", joined({scene, "-o", file(name), "--division", division}, more)));
   return file(name);
+}
+
+nlohmann::json ToolTest::json_of(const std::string& tool, const Arguments& arguments) const {
+  const ToolResult result = run(tool, joined(arguments, {"--json"}));
+  expect_success(result);
+  auto json = nlohmann::json::parse(result.out, nullptr, false);
+  EXPECT_FALSE(json.is_discarded()) << result.out;
+  return json;
+}
+
+nlohmann::json ToolTest::json_in(const std::string& name) const {
+  return nlohmann::json::parse(read_text(file(name)), nullptr, false);
+}
+
+nlohmann::json SmallSceneTest::stats_of(const Arguments& more) const {
+  render(joined({"--stats", file("stats.json")}, more));
+  return json_in("stats.json");
 }
 
 testing::AssertionResult ToolTest::fails(int code, const std::string& tool, const Arguments& arguments,

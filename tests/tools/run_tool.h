@@ -4,6 +4,7 @@
 #include "tests/stability/random_seed.h"
 #include "tests/temporary_folder.h"
 
+#include <nlohmann/json_fwd.hpp>
 #include <sys/types.h>
 
 #include <charconv>
@@ -79,6 +80,10 @@ protected:
   std::string grid(const std::string& name, const std::string& scene, const std::string& division = "auto",
                    const Arguments& more = {}) const;
 
+  // What the tool prints with --json, and what a file holds; the test fails where the tool does.
+  nlohmann::json json_of(const std::string& tool, const Arguments& arguments) const;
+  nlohmann::json json_in(const std::string& name) const;
+
   // Runs the tool: whether it fails as failed() says, and leaves the folder's files as they are.
   testing::AssertionResult fails(int code, const std::string& tool, const Arguments& arguments,
                                  const std::string& place, const std::string& says = "",
@@ -108,6 +113,7 @@ protected:
   Arguments on_cpu(const Arguments& more) const { return joined({scene_, grid_, "--backend", "cpu"}, more); }
   void render(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridrender", on_cpu(more)))); }
   void trace(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridtrace", on_cpu(more)))); }
+  nlohmann::json stats_of(const Arguments& more) const; // of a picture
 
   const std::string text_ = nff("a.nff", small_nff), scene_ = scene("a.scene", text_), grid_;
 };

@@ -38,9 +38,9 @@ class SliceTool : public ToolTest {
 protected:
   Json json_slice(const std::string& grid, const Arguments& more) {
     EXPECT_TRUE(succeeded(run("gridstat", joined({grid, "-o", file("slice.json")}, more))));
-    return Json::parse(read_text(file("slice.json")));
+    return json_in("slice.json");
   }
-  Json statistics(const std::string& grid) { return Json::parse(run("gridstat", {grid, "--json"}).out); }
+  Json statistics(const std::string& grid) { return json_of("gridstat", {grid}); }
 
   std::vector<std::vector<double>> csv_cells(const std::string& grid, const Arguments& more = {}) {
     EXPECT_TRUE(succeeded(run("gridstat", joined({grid, "--cells", file("cells.csv")}, more))));

@@ -45,14 +45,11 @@ TEST_P(SpdCounts, EqualThePublishedOnes) {
   const Published& expected = GetParam();
   const std::string text = spd("a.nff", expected.scene);
   const std::string scene_path = scene("a.scene", text);
-  const auto info =
-      nlohmann::json::parse(run("nff2bin", {scene_path, "--info", "--json"}).out, nullptr, false);
-  ASSERT_FALSE(info.is_discarded());
-  EXPECT_EQ(info["objects"]["total"], expected.objects);
+  EXPECT_EQ(json_of("nff2bin", {scene_path, "--info"})["objects"]["total"], expected.objects);
 
   ASSERT_TRUE(succeeded(run("gridrender", {scene_path, grid("a.grid", scene_path), "--backend", "cpu",
                                            "--spd-rules", "--stats", file("stats.json")})));
-  const auto counted = nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
+  const auto counted = json_in("stats.json");
   ASSERT_FALSE(counted.is_discarded());
   const auto count = [&](const char* name) { return counted[name].get<double>(); };
   EXPECT_EQ(count("eye_rays"), 513 * 513);

@@ -36,19 +36,8 @@ std::vector<float> random_rays(std::size_t count) {
 
 class Tools : public SmallSceneTest {
 protected:
-  nlohmann::json json_of(const std::string& tool, const Arguments& arguments) const {
-    const ToolResult result = run(tool, arguments);
-    EXPECT_TRUE(succeeded(result));
-    auto json = nlohmann::json::parse(result.out, nullptr, false);
-    EXPECT_FALSE(json.is_discarded()) << result.out;
-    return json;
-  }
   nlohmann::json info_of(const std::string& path, const Arguments& more = {}) const {
-    return json_of("nff2bin", joined({path, "--info", "--json"}, more));
-  }
-  nlohmann::json stats_of(const Arguments& more) const {
-    render(joined({"--stats", file("stats.json")}, more));
-    return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
+    return json_of("nff2bin", joined({path, "--info"}, more));
   }
 };
 
@@ -558,7 +547,7 @@ TEST_F(Tools, StatsHaveExactlyTheDocumentedKeys) {
             (std::set<std::string>{"map", "validate", "upload", "trace", "download", "write"}));
   EXPECT_EQ(stats["backend"], "cpu");
   EXPECT_EQ(stats["views"], 1);
-  EXPECT_EQ(info_of(scene_)["geometry_hash"], json_of("gridstat", {grid_, "--json"})["geometry_hash"]);
+  EXPECT_EQ(info_of(scene_)["geometry_hash"], json_of("gridstat", {grid_})["geometry_hash"]);
   EXPECT_EQ(stats["command"][1], scene_);
 }
 
@@ -615,15 +604,15 @@ TEST_F(Tools, TessellationKeepsTheObjectCounts) {
   EXPECT_EQ(info["primitives"]["triangles"], 2 + 108);
   EXPECT_EQ(info["primitives"]["spheres"], 0);
   EXPECT_EQ(info["smooth_triangles"], 108);
-  auto text = json_of("nff2bin", {text_, "--tessellate", "12", "--info", "--json"});
+  auto text = json_of("nff2bin", {text_, "--tessellate", "12", "--info"});
   for (const char* const name : {"objects", "primitives", "smooth_triangles", "store"})
     EXPECT_EQ(info[name], text[name]) << name;
 }
 
 TEST_F(Tools, GridbuildAndGridstatAgree) {
   const auto built = json_of("gridbuild", {scene_, "-o", file("b.grid"), "--division", "5x4x3", "--merge",
-                                           "none", "--space", "cube", "--json"});
-  const auto info = json_of("gridstat", {file("b.grid"), "--json"});
+                                           "none", "--space", "cube"});
+  const auto info = json_of("gridstat", {file("b.grid")});
   EXPECT_EQ(built["division"], (std::vector<int>{5, 4, 3}));
   EXPECT_EQ(info["division"], built["division"]);
   EXPECT_EQ(info["voxels"], 60);
@@ -652,13 +641,12 @@ TEST_F(Tools, TrianglesThatLieOnEachOtherAreBuiltInBoundedMemory) {
   for (std::size_t i = 0; i < count; ++i)
     text += "p 3 -1 -1 0  1 -1 0  0 1 0\n";
   const std::string in = scene("same.scene", nff("same.nff", text));
-  const auto built = json_of("gridbuild", {in, "-o", file("same.grid"), "--json"});
+  const auto built = json_of("gridbuild", {in, "-o", file("same.grid")});
   EXPECT_LE(built["references"].get<double>(), 0x1p25 + 256.0 * count);
 }
 
 TEST_F(Tools, BenchLoadComparesLoadingWithPlainCopies) {
-  const auto info =
-      json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3", "--json"});
+  const auto info = json_of("gridbench", {"load", scene_, grid_, "--backend", "cpu", "--repeat", "3"});
   EXPECT_EQ(info["bytes"], std::filesystem::file_size(scene_) + std::filesystem::file_size(grid_));
   const auto& seconds = info["median_seconds"];
   for (const char* const name : {"map", "validate", "load", "copy_mapped", "copy_read"})
@@ -670,10 +658,10 @@ TEST_F(Tools, BenchLoadComparesLoadingWithPlainCopies) {
 
 TEST_F(Tools, BenchScaleMeasuresEachWorkInStrongAndWeakScaling) {
   const std::string folder = folder_.path().string(), charts = file("charts");
-  const auto info = json_of("gridbench", {"scale", scene_,     grid_,  "--devices", "cpu",   "--threads",
-                                          "2",     "--views",  "4",    "--size",    "16x12", "--large",
-                                          "64",    "--rays",   "3000", "--repeat",  "1",     "--folder",
-                                          folder,  "--charts", charts, "--json"});
+  const auto info =
+      json_of("gridbench", {"scale",   scene_,     grid_,    "--devices", "cpu",     "--threads", "2",
+                            "--views", "4",        "--size", "16x12",     "--large", "64",        "--rays",
+                            "3000",    "--repeat", "1",      "--folder",  folder,    "--charts",  charts});
   std::set<std::string> found;
   for (const auto& row : info) {
     const auto work = row["work"].get<std::string>(), scaling = row["scaling"].get<std::string>();
@@ -712,8 +700,8 @@ TEST_F(Tools, GridstatsCsvHasTheSameColumnsForEveryGrid) {
     EXPECT_EQ(std::ranges::count(values, '\n'), 1);
     EXPECT_EQ(std::ranges::count(values, ','), std::ranges::count(*headers.begin(), ',')) << values;
     EXPECT_EQ(values.find("null"), std::string::npos) << values;
-    const auto uniform = keys(json_of("gridstat", {grid_, "--json"}));
-    EXPECT_EQ(keys(json_of("gridstat", {path, "--json"})), uniform);
+    const auto uniform = keys(json_of("gridstat", {grid_}));
+    EXPECT_EQ(keys(json_of("gridstat", {path})), uniform);
   }
   EXPECT_EQ(headers.size(), 1U);
 }
@@ -826,8 +814,7 @@ TEST_F(Tools, InfoTellsTheStoreAndWhatFloat32Rounds) {
     const std::string reason = store == "float64" ? "asked" : "precise";
     for (const bool is_text : {true, false}) {
       const nlohmann::json json =
-          is_text ? json_of("nff2bin", {text, "--store", store, "--info", "--json", "-o", path})
-                  : info_of(path);
+          is_text ? json_of("nff2bin", {text, "--store", store, "--info", "-o", path}) : info_of(path);
       EXPECT_EQ(json["store"], stored);
       EXPECT_EQ(json["store_reason"], reason);
       EXPECT_TRUE(json["float32"]["suffices"]);
@@ -873,7 +860,7 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
                                                        {"--structure", "fastest"}}) {
     SCOPED_TRACE(built.back());
     const std::string old = grid("old.grid", scene_, "6", built);
-    EXPECT_EQ(json_of("gridstat", {old, "--json"})["geometry_hash"], geometry(scene_));
+    EXPECT_EQ(json_of("gridstat", {old})["geometry_hash"], geometry(scene_));
     const auto hits = [&](const Arguments& through, const std::string& name) {
       EXPECT_TRUE(succeeded(run(
           "gridrender",
@@ -891,7 +878,7 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
 TEST_F(Tools, EqualBuildsAreEqualFilesUnlessSecondsAreRecorded) {
   EXPECT_TRUE(read_bytes(grid_) == read_bytes(grid("b.grid", scene_)));
   grid("c.grid", scene_, "auto", {"--record-seconds"});
-  EXPECT_GE(json_of("gridstat", {file("c.grid"), "--json"})["build_seconds"].get<double>(), 0);
+  EXPECT_GE(json_of("gridstat", {file("c.grid")})["build_seconds"].get<double>(), 0);
 }
 
 // The scene of small_nff and a cone, scaled.
@@ -923,7 +910,7 @@ TEST_F(Tools, PicturesAreIndependentOfTheScenesScale) {
         "gridrender", {file("scaled.scene"), "--brute-force", "-o", file("none.pfm"), "--backend", "cpu"})));
     EXPECT_TRUE(read_bytes(file("grid.pfm")) == read_bytes(file("none.pfm")))
         << "the picture depends on the grid";
-    return nlohmann::json::parse(read_text(file("stats.json")), nullptr, false);
+    return json_in("stats.json");
   };
   const auto expected = rendered(0);
   for (const int exponent :
@@ -937,8 +924,8 @@ TEST_F(Tools, PicturesAreIndependentOfTheScenesScale) {
 }
 
 TEST_F(Tools, BenchStabilityReportsFailuresOfFastOnly) {
-  const auto rows = json_of("gridbench", {"stability", "--sweep", "closed-ball,leaving-scaled", "--count",
-                                          "200", "--seed", "7", "--json"});
+  const auto rows = json_of(
+      "gridbench", {"stability", "--sweep", "closed-ball,leaving-scaled", "--count", "200", "--seed", "7"});
   std::set<std::string> sweeps, failing;
   for (const auto& row : rows) {
     sweeps.insert(row["sweep"]);
@@ -957,9 +944,8 @@ TEST_F(Tools, LinesCrossClosedMeshesAsOftenInwardsAsOutwards) {
   for (const std::string& text : {spd("tetra.nff", "tetra", 3), nff("spheres.nff", spheres)}) {
     const std::string closed = scene("closed.scene", text, {"--tessellate", "16"});
     for (const char* const precision : {"robust", "double"}) {
-      const auto rows =
-          json_of("gridbench", {"crossings", closed, grid("closed.grid", closed), "--count", "20000",
-                                "--backend", "cpu", "--precision", precision, "--json"});
+      const auto rows = json_of("gridbench", {"crossings", closed, grid("closed.grid", closed), "--count",
+                                              "20000", "--backend", "cpu", "--precision", precision});
       EXPECT_EQ(rows[0]["wrong"], 0) << text;
       EXPECT_GT(rows[0]["crossing"], 10000) << text;
     }
@@ -968,8 +954,8 @@ TEST_F(Tools, LinesCrossClosedMeshesAsOftenInwardsAsOutwards) {
 }
 
 TEST_F(Tools, BenchOracleFindsNoFailuresOfRobustAndDouble) {
-  const auto rows = json_of("gridbench", {"oracle", scene_, grid_, "--count", "2000", "--precision",
-                                          "fast,robust,double", "--json"});
+  const auto rows =
+      json_of("gridbench", {"oracle", scene_, grid_, "--count", "2000", "--precision", "fast,robust,double"});
   ASSERT_EQ(rows.size(), 3U);
   for (const auto& row : rows) {
     EXPECT_EQ(row["rays"], 2000);

@@ -176,12 +176,8 @@ TEST_F(Views, FilesAreIndependentOfTheNumberOfThreads) {
 }
 
 TEST_F(Views, StatsOfSeveralViewsAreSums) {
-  const auto stats = [&](const Arguments& more) {
-    render(joined({"--stats", file("stats.json")}, more));
-    return nlohmann::json::parse(read_text(file("stats.json")));
-  };
-  const auto first = stats({"--angle", "30"}), second = stats({"--angle", "50", "--size", "5x5"});
-  const auto both = stats({"--views", list("{\"angle\": 30}\n{\"angle\": 50, \"size\": [5, 5]}\n")});
+  const auto first = stats_of({"--angle", "30"}), second = stats_of({"--angle", "50", "--size", "5x5"});
+  const auto both = stats_of({"--views", list("{\"angle\": 30}\n{\"angle\": 50, \"size\": [5, 5]}\n")});
   EXPECT_EQ(both["views"], 2);
   for (const char* const name : {"eye_rays", "eye_hits", "shadow_rays", "reflection_rays", "cells_visited"})
     EXPECT_EQ(both[name].get<int>(), first[name].get<int>() + second[name].get<int>()) << name;
@@ -284,9 +280,7 @@ TEST_F(Views, BandsOfLargePicturesAreTheSameBitsAsThePictureUndivided) {
     const Arguments common{"--size", "1333x2500",  "--depth",
                            "1",      "--sampling", corners ? "corners" : "centers"};
     const auto made = [&](const char* picture, const Arguments& options) {
-      render(joined(joined({"-o", file(picture), "--hits", file("hits"), "--stats", file("stats")}, common),
-                    options));
-      return nlohmann::json::parse(read_text(file("stats")));
+      return stats_of(joined(joined({"-o", file(picture), "--hits", file("hits")}, common), options));
     };
     made("whole.png", {});
     const auto stats = made("whole.pfm", {});
