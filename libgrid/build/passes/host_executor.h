@@ -43,7 +43,7 @@ public:
   template <class Work>
   void for_each_by_group(std::uint64_t count, const Work& work) const {
     for_each_range(count, 32, [&](std::uint64_t i) {
-      typename Work::Scratch scratch;
+      typename Work::Scratch scratch; // NOLINT(cppcoreguidelines-pro-type-member-init): work writes it first
       work(SingleThread{}, scratch, i);
     });
   }

@@ -88,7 +88,7 @@ inline constexpr double spare_parts = 0.3; // a primitive, more
 inline constexpr std::uint32_t max_cuts_log2 = 6, max_cuts = (1U << max_cuts_log2) - 1;
 
 template <class Stored>
-struct Divider {
+struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   SceneView<Stored> scene;
   double margin;
   MortonCurve curve;
@@ -129,7 +129,8 @@ struct Divider {
         }
         const float low = longest_side(below.box), high = longest_side(above.box);
         const float share = low > 0 ? low / (low + high) : 0;
-        below.cuts = static_cast<std::uint32_t>(static_cast<float>(part.cuts - 1) * share + 0.5F);
+        below.cuts =
+            std::min(static_cast<std::uint32_t>(static_cast<float>(part.cuts) * share), part.cuts - 1);
         above.cuts = part.cuts - 1 - below.cuts;
         // The one of more cuts waits: so each that waits has at most half of the cuts of the one before.
         stack[height++] = below.cuts > above.cuts ? below : above;
