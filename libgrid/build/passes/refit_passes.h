@@ -73,6 +73,8 @@ template <class Stored>
 MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const PrimitiveIndex* references,
                         const std::uint32_t* owners, const Boxf* boxes, HierarchyNode& node) {
   Boxf box[boxes_per_node], around = empty_box<float>();
+  std::uint32_t holding =
+      0; // a bit for each slot: nvcc 13.0 drops the last loop if that reads it of the boxes
   std::uint32_t next_node = node.first_node;
   for (int slot = 0; slot < boxes_per_node; ++slot) {
     box[slot] = empty_box<float>();
@@ -85,6 +87,7 @@ MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const Pri
         if (owners[references[i]] == i)
           box[slot] = join(box[slot], box_of_primitive(scene, references[i], margin));
     }
+    if (!is_empty(box[slot])) holding |= 1U << slot;
     around = join(around, box[slot]);
     for (int axis = 0; axis < 3; ++axis) {
       node.low[axis][slot / 4] &= ~(0xffU << slot % 4 * 8);
@@ -94,7 +97,7 @@ MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const Pri
   if (is_empty(around)) return around;
   const NodeUnits units(around, node);
   for (int slot = 0; slot < boxes_per_node; ++slot)
-    if (!is_empty(box[slot])) units.add_planes(slot, box[slot], node);
+    if ((holding >> slot & 1) != 0) units.add_planes(slot, box[slot], node);
   return around;
 }
 
