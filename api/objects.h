@@ -2,19 +2,19 @@
 #pragma once
 
 #include "libgrid/file/grid_file.h"
+#include "libscene/base/host_array.h"
 #include "libscene/file/scene_file.h"
 #include "masu.h"
 #include "renderer/tracer.h"
 
 #include <memory>
-#include <vector>
 
 namespace masu {
 
 // A scene's vertices as its arrays had them, through all meshes; as a file has them, three per triangle.
 struct SceneVertices {
   std::uint64_t count = 0;
-  std::vector<std::uint32_t> indices{}; // three per triangle; empty: one after the other
+  HostArray<std::uint32_t> indices{}; // three per triangle; empty: one after the other
 };
 
 } // namespace masu

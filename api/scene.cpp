@@ -9,6 +9,8 @@
 #include "objects.h"
 #include "renderer/precision.h"
 
+#include <tbb/parallel_for.h>
+
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -102,12 +104,14 @@ SceneVertices vertices_of(const std::vector<IndexedMesh>& meshes) {
   if (!are_indexed) return all;
   if (all.count > std::uint64_t{1} << 32) fail("meshes", "have more vertices than can be numbered");
   all.indices.resize(3 * triangles);
-  std::uint32_t first_vertex = 0;
-  auto* index = all.indices.data();
+  std::size_t first_vertex = 0;
+  auto* indices = all.indices.data();
   for (const IndexedMesh& mesh : meshes) {
-    for (std::size_t i = 0; i < 3 * mesh.triangles; ++i)
-      *index++ = first_vertex + (mesh.indices != nullptr ? mesh.indices[i] : static_cast<std::uint32_t>(i));
-    first_vertex += static_cast<std::uint32_t>(mesh.vertices);
+    tbb::parallel_for(std::size_t{0}, 3 * mesh.triangles, [&](std::size_t i) {
+      indices[i] = static_cast<std::uint32_t>(first_vertex + (mesh.indices != nullptr ? mesh.indices[i] : i));
+    });
+    indices += 3 * mesh.triangles;
+    first_vertex += mesh.vertices;
   }
   return all;
 }

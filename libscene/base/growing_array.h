@@ -1,6 +1,8 @@
 // An array that grows to most of the memory that there is.
 #pragma once
 
+#include "libscene/base/huge_pages.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -66,15 +68,15 @@ public:
     if (capacity > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_alloc();
     void* const grown = std::realloc(data_, capacity * sizeof(T));
     if (grown == nullptr) throw std::bad_alloc();
+    if (data_ == nullptr) prefer_huge_pages(grown, capacity * sizeof(T)); // what grows would split them
     data_ = static_cast<T*>(grown);
     capacity_ = capacity;
   }
-  // What is new is T{}.
-  void resize(std::size_t size) {
-    reserve(size);
-    for (std::size_t i = size_; i < size; ++i)
-      new (data_ + i) T{};
-    size_ = size;
+  // `count` more, for the caller to write: each as if by new.
+  std::span<T> extend(std::size_t count) {
+    if (count > capacity_ - size_) grow(count);
+    size_ += count;
+    return {data_ + size_ - count, count};
   }
   void push_back(const T& value) {
     const T copy = value; // which may be one of these

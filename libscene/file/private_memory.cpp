@@ -1,17 +1,11 @@
 #include "libscene/file/private_memory.h"
 
-#include <sys/mman.h>
+#include "libscene/base/huge_pages.h"
 
 #include <limits>
 #include <new>
 
 namespace masu {
-namespace {
-
-constexpr std::size_t huge_page = std::size_t{2} << 20;
-
-} // namespace
-
 PrivateMemory::PrivateMemory(std::size_t bytes) : size_(bytes) {
   if (bytes == 0) return;
   const std::size_t alignment = bytes >= huge_page ? huge_page : 0;
@@ -21,9 +15,8 @@ PrivateMemory::PrivateMemory(std::size_t bytes) : size_(bytes) {
   if (mapping == MAP_FAILED) throw std::bad_alloc();
   mapping_ = std::unique_ptr<void, Unmap>(mapping, Unmap{bytes + alignment});
   begin_ = static_cast<std::uint8_t*>(mapping);
-  if (alignment == 0) return;
-  begin_ += (alignment - reinterpret_cast<std::uintptr_t>(begin_) % alignment) % alignment;
-  static_cast<void>(madvise(begin_, bytes, MADV_HUGEPAGE)); // a hint
+  if (alignment > 0) begin_ += (alignment - reinterpret_cast<std::uintptr_t>(begin_) % alignment) % alignment;
+  prefer_huge_pages(begin_, bytes);
 }
 
 void PrivateMemory::Unmap::operator()(void* mapping) const {

@@ -20,9 +20,8 @@ constexpr std::size_t none = ~std::size_t{0};
 void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
   std::atomic<std::size_t> wrong = none;
   const auto material = static_cast<std::uint32_t>(scene.materials.size());
-  const std::size_t first = scene.triangles.size();
   scene.materials.push_back({mesh.color, 1, 0, 0, 0, 1});
-  scene.triangles.resize(first + mesh.triangles);
+  const std::span<SceneTriangle> triangles = scene.triangles.extend(mesh.triangles);
   tbb::parallel_for(std::size_t{0}, mesh.triangles, [&](std::size_t i) {
     std::array<std::size_t, 3> corners{3 * i, 3 * i + 1, 3 * i + 2};
     if (mesh.indices != nullptr) std::copy_n(mesh.indices + 3 * i, 3, corners.begin());
@@ -33,7 +32,7 @@ void add(const IndexedMesh& mesh, std::uint32_t object, Scene& scene) {
     const Vec3d a = mesh.vertex(corners[0]), b = mesh.vertex(corners[1]), c = mesh.vertex(corners[2]);
     if (!is_coordinate(a) || !is_coordinate(b) || !is_coordinate(c)) wrong = i;
     const bool is_surface = has_area(a, b, c);
-    scene.triangles[first + i] = {a, object, is_surface ? b : a, material, is_surface ? c : a, no_normals};
+    triangles[i] = {a, object, is_surface ? b : a, material, is_surface ? c : a, no_normals};
   });
   if (wrong != none)
     throw Error(ErrorCode::usage, "meshes",

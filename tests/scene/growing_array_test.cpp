@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace masu {
@@ -21,7 +22,10 @@ TEST_F(GrowingArrays, HoldsWhatAVectorHolds) {
     switch (random() % 6) {
     case 0: {
       const std::vector<int> more(count, step);
-      array.append(more);
+      if (random() % 2 == 0)
+        array.append(more);
+      else
+        std::ranges::copy(more, array.extend(count).begin());
       expected.insert(expected.end(), more.begin(), more.end());
       break;
     }
@@ -30,8 +34,8 @@ TEST_F(GrowingArrays, HoldsWhatAVectorHolds) {
       break;
     case 2:
       if (random() % 20 == 0) {
-        array.resize(count);
-        expected.resize(count);
+        array.assign(count, step);
+        expected.assign(count, step);
       }
       break;
     case 3: {

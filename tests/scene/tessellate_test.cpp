@@ -127,7 +127,7 @@ TEST(Tessellation, TooManyTrianglesAreRefused) {
   // 12 (1024/4)² triangles each: 5462 of them are over 2^32.
   for (int i = 0; i < 5462; ++i)
     scene.spheres.push_back({{0, 0, 0}, 1});
-  scene.sphere_surfaces.resize(5462);
+  scene.sphere_surfaces.assign(5462, {});
   try {
     tessellated(std::move(scene), 1024);
     FAIL() << "it was taken for good";

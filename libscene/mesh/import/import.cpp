@@ -162,8 +162,8 @@ void add_triangle(Importing& state, const SceneTriangle& triangle) {
   Scene& scene = state.result.scene;
   const std::size_t number = scene.triangles.size();
   if (scene.faces.empty() && state.face != number) {
-    scene.faces.resize(number);
-    std::iota(scene.faces.begin(), scene.faces.end(), 0U);
+    const std::span<std::uint32_t> before = scene.faces.extend(number);
+    std::iota(before.begin(), before.end(), 0U);
   }
   if (state.face != number || !scene.faces.empty()) scene.faces.push_back(state.face);
   scene.triangles.push_back(triangle);

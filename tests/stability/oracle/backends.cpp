@@ -24,8 +24,8 @@ Scene scene_of(const TestScene<Stored>& trial) {
     scene.spheres.push_back(widened(sphere));
   for (const auto& cone : trial.cones)
     scene.cones.push_back(widened(cone));
-  scene.sphere_surfaces.resize(scene.spheres.size());
-  scene.cone_surfaces.resize(scene.cones.size());
+  scene.sphere_surfaces.assign(scene.spheres.size(), {});
+  scene.cone_surfaces.assign(scene.cones.size(), {});
   scene.objects.polygons = 1; // one object for all primitives
   return scene;
 }
