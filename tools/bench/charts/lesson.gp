@@ -11,7 +11,7 @@ set label 1 'What a camera ray costs in uniform grids (lower is better)' at scre
 set logscale x 2
 set logscale y 10
 set xlabel 'voxels per axis'
-set ylabel 'per ray'
+set ylabel 'per ray' offset 1
 set xtics (2, 4, 8, 16, 32, 64, 128)
 set format y '%.0f'
 set key top right
@@ -21,7 +21,7 @@ set tmargin at screen 0.83
 set bmargin at screen 0.14
 do for [i = 1:2] {
   data = word('teapot balls', i) . '.dat'
-  set lmargin at screen 0.5 * i - 0.405
+  set lmargin at screen 0.5 * i - 0.38
   set rmargin at screen 0.5 * i - 0.03
   stats data using 4 nooutput name 'time'
   stats data using ($4 == time_min ? (fastest = $1) : 0) nooutput
