@@ -20,10 +20,10 @@ struct WarpCosts {
 WarpCosts warp_costs(const Tracer& tracer, const RayList& rays, Query query, Precision precision);
 
 // The fastest loop for rays of such costs, or one within some per cent of it (docs/performance.md).
-RayLoop automatic_loop(const WarpCosts& costs, bool is_hierarchy);
+RayLoop automatic_loop(const WarpCosts& costs, Query query, bool is_hierarchy);
 
 inline RayLoop automatic_loop(const Tracer& tracer, const RayList& rays, Query query, Precision precision) {
-  return automatic_loop(warp_costs(tracer, rays, query, precision), tracer.grid()->is_hierarchy());
+  return automatic_loop(warp_costs(tracer, rays, query, precision), query, tracer.grid()->is_hierarchy());
 }
 
 // The loops for rays that can't be looked at, because they are in a GPU's memory: that of the scene's camera

@@ -104,19 +104,24 @@ TEST_F(AutomaticLoop, SamplesNothingBeyondTheList) {
 TEST_F(AutomaticLoop, RefillsOnceAFewRaysAreLongEnoughAndKeepsToIt) {
   for (int i = 0; i < 1000; ++i) {
     const double work = chance_.power_of_two(-2, 8), tests = work * chance_.uniform(0, 1);
-    for (const bool is_hierarchy : {false, true}) {
-      // All rays alike: none waits for another.
-      EXPECT_EQ(automatic_loop(WarpCosts{work, tests, work, tests}, is_hierarchy), RayLoop::thread_per_ray);
-      bool refills = false;
-      for (double longest = work; longest < 100 * work + 100; longest *= 1.25) {
-        const RayLoop loop = automatic_loop(WarpCosts{work, tests, longest, tests}, is_hierarchy);
-        EXPECT_TRUE(loop == RayLoop::warp_refill || !refills) << work << ' ' << longest;
-        refills = refills || loop == RayLoop::warp_refill;
+    for (const Query query : {Query::nearest_hit, Query::occlusion}) {
+      for (const bool is_hierarchy : {false, true}) {
+        const auto loop_of = [&](double longest) {
+          return automatic_loop(WarpCosts{work, tests, longest, tests}, query, is_hierarchy);
+        };
+        EXPECT_EQ(loop_of(work), RayLoop::thread_per_ray); // all rays alike: none waits for another
+        bool refills = false;
+        for (double longest = work; longest < 100 * work + 100; longest *= 1.25) {
+          const RayLoop loop = loop_of(longest);
+          EXPECT_TRUE(loop == RayLoop::warp_refill || !refills) << work << ' ' << longest;
+          refills = refills || loop == RayLoop::warp_refill;
+        }
+        EXPECT_TRUE(refills) << work;
       }
-      EXPECT_TRUE(refills) << work;
     }
     // The others wait for the tests of a few: they are shared, where cells have lists.
-    const RayLoop shared = automatic_loop(WarpCosts{work + 10, work, 2 * work + 20, 2 * work}, false);
+    const RayLoop shared =
+        automatic_loop(WarpCosts{work + 10, work, 2 * work + 20, 2 * work}, Query::nearest_hit, false);
     EXPECT_EQ(shared, RayLoop::warp) << work;
   }
 }
