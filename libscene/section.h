@@ -19,10 +19,10 @@ struct SectionSegment {
 // The plane, and what is wanted of it, in the world. `deviation`: how far a polygon may be from its curve, in
 // scene units, greater than 0; a curve has 8 to 512 segments.
 struct SectionOptions {
-  int axis; // 0 to 2
-  double position;
-  std::array<double, 2> min, max; // a window: segments of primitives whose bounds miss it are left out
-  double deviation;
+  int axis = 0; // to 2
+  double position = 0;
+  std::array<double, 2> min{}, max{}; // a window: segments of primitives whose bounds miss it are left out
+  double deviation = 0;
   Vec3d origin{0, 0, 0}; // the scene's (local_origin.h)
 };
 

@@ -20,7 +20,7 @@ struct SlicePlane {
 
 // What is shown of it. In scene units, along the two axes of slice_axes().
 struct SliceWindow {
-  std::array<double, 2> min, max;
+  std::array<double, 2> min{}, max{};
   std::optional<std::int32_t> depth{}; // of cells; none: of any
 };
 

@@ -86,7 +86,7 @@ struct SurveyOf {
 
 template <class Executor, class Stored>
 struct MovedTriangles {
-  bool is_missing; // one of them has an area, but isn't referred to: nothing else is filled in then
+  bool is_missing = false; // one of them has an area, but isn't referred to: nothing else is filled in then
   ArrayOf<Executor, Triangle<Stored>> triangles{};
   Boxd bounds{}; // of the whole scene, relative to its origin
 };
