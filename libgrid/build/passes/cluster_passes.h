@@ -5,9 +5,8 @@
 //   1. sort     primitives, or parts of them (part_passes.h), along a Morton curve: each is a cluster
 //   2. search   of a cluster the neighbour, no more than so many places away, whose box together with its own
 //               has the smallest surface
-//   3. merge    clusters that are each other's; 2 and 3 until few are left, which are then split from the
-//   root
-//               down (top_down_passes.h)
+//   3. merge    clusters that are each other's; 2 and 3 until few are left
+//   4. split    these from the root down (top_down_passes.h)
 //
 // A tie goes to the neighbour whose place differs in lower bits: a measure that two clusters share, so that
 // some pair is always each other's, and equal boxes pair up at once. No byte of the result depends on the

@@ -1,8 +1,7 @@
 // A hierarchy fitted to primitives that have moved, on whatever executor (executor.h): the same nodes and
 // references, with other boxes.
 //
-//   1. owners  of what was divided: of its references the first, which holds it whole, so that the others
-//   hold
+//   1. owners  of what was divided: of its references the first, which holds it whole; the others hold
 //              nothing
 //   2. levels  of nodes, from the root down
 //   3. boxes   of nodes, from the lowest level up, as the builder would write them; of what holds nothing a
@@ -73,8 +72,8 @@ template <class Stored>
 MASU_HD Boxf refit_node(const SceneView<Stored>& scene, double margin, const PrimitiveIndex* references,
                         const std::uint32_t* owners, const Boxf* boxes, HierarchyNode& node) {
   Boxf box[boxes_per_node], around = empty_box<float>();
-  std::uint32_t holding =
-      0; // a bit for each slot: nvcc 13.0 drops the last loop if that reads it of the boxes
+  // A bit for each slot: nvcc 13.0 drops the last loop if that reads it of the boxes.
+  std::uint32_t holding = 0;
   std::uint32_t next_node = node.first_node;
   for (int slot = 0; slot < boxes_per_node; ++slot) {
     box[slot] = empty_box<float>();
