@@ -2,10 +2,13 @@
 
 #include "libscene/base/huge_pages.h"
 
+#include <sys/mman.h>
+
 #include <limits>
 #include <new>
 
 namespace masu {
+
 PrivateMemory::PrivateMemory(std::size_t bytes) : size_(bytes) {
   if (bytes == 0) return;
   const std::size_t alignment = bytes >= huge_page ? huge_page : 0;
