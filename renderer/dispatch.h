@@ -49,10 +49,12 @@ inline constexpr bool is_hierarchy<HierarchyView<Real>> = true;
 template <class Real, class Stored>
 inline constexpr bool is_hierarchy<LeafHierarchyView<Real, Stored>> = true;
 
-// Whether a structure and a method of their own are compiled for an arithmetic: `fast` is compared with, and
-// scenes of doubles are rare.
-template <class TestRay, class Stored>
-inline constexpr bool is_specialised = !std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float>;
+// Whether code for a structure and its scene's kinds alone is compiled for an arithmetic: `fast` is compared
+// with, and so are uniform grids by `double`; scenes of doubles are rare.
+template <class TestRay, class Stored, class View>
+inline constexpr bool is_specialised =
+    !std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float> &&
+    !std::is_same_v<View, GridView<double>>;
 
 // Calls on_view(GridView, MergedGridView or HierarchyView).
 template <class Real, class Act>
@@ -76,20 +78,22 @@ template <class TestRay, class Stored, class Act>
 void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRules& rules, const Act& act) {
   using Real = typename TestRay::Real;
   using General = Method<TestRay, with_all_kinds>;
-  if (!is_specialised<TestRay, Stored> || grid == nullptr || rules.count ||
-      rules.stop == StopRule::first_cell) {
+  const auto with_any = [&] {
     AnyStructure<Real> any = any_structure<Real>(grid);
     any.stop = rules.stop;
-    return rules.count || grid == nullptr ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
-  }
-  if constexpr (is_specialised<TestRay, Stored>) {
-    with_view<Real>(*grid, [&](const auto& view) {
+    rules.count || grid == nullptr ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
+  };
+  if (grid == nullptr || rules.count || rules.stop == StopRule::first_cell) return with_any();
+  with_view<Real>(*grid, [&]<class View>(const View& view) {
+    if constexpr (is_specialised<TestRay, Stored, View>) {
       if (rules.general) return act(view, General{}, NoCounts{});
       with_kinds<TestRay>(rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) {
         act(view, Method<TestRay, kinds>{}, NoCounts{});
       });
-    });
-  }
+    } else {
+      with_any();
+    }
+  });
 }
 
 // A query as a type.

@@ -14,6 +14,8 @@
 #include "tools/common/provenance.h"
 #include "tools/common/scene_input.h"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <utility>
 

@@ -20,9 +20,7 @@ class GridBuilder {
 public:
   GridBuilder() = default;
   GridBuilder(const GridBuilder&) = delete;
-  GridBuilder(GridBuilder&&) = delete;
   GridBuilder& operator=(const GridBuilder&) = delete;
-  GridBuilder& operator=(GridBuilder&&) = delete;
   virtual ~GridBuilder() = default;
 
   // A grid of any kind but automatic. For a hierarchy the layout's space and margin matter alone, and every

@@ -62,9 +62,7 @@ public:
     on_device_if_possible(gpu_, [&] { device_.reset(); });
   }
   CudaBuilder(const CudaBuilder&) = delete;
-  CudaBuilder(CudaBuilder&&) = delete;
   CudaBuilder& operator=(const CudaBuilder&) = delete;
-  CudaBuilder& operator=(CudaBuilder&&) = delete;
 
   Grid try_build(const GridLayout& layout, Overlap overlap, const GridOptions& options) override {
     if (options.kind == GridKind::hierarchy && options.quality == HierarchyQuality::high)

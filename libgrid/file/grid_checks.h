@@ -3,6 +3,7 @@
 #pragma once
 
 #include "libgrid/build/storage_order.h"
+#include "libgrid/file/grid_records.h"
 #include "libgrid/grid_layout.h"
 #include "libgrid/trace/grid_view.h"
 #include "libgrid/trace/hierarchy_view.h"
@@ -12,19 +13,6 @@
 #include <bit>
 
 namespace masu {
-
-// A grid's arrays where a checker sees them, and what the file's table says of them.
-struct GridRecords {
-  const std::uint32_t* voxel_map;
-  const MergedCell* cells;
-  const PrimitiveIndex* references;
-  const HierarchyNode* nodes;
-  std::uint64_t words, cell_count, reference_count, node_count;
-  std::uint64_t primitives; // of the scene
-  bool is_hierarchy, is_merged;
-  Vec3i division; // the top level's of a merged grid
-  std::int32_t block_log2, nested_log2;
-};
 
 namespace checks {
 

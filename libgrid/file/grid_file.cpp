@@ -1,5 +1,6 @@
 #include "libgrid/file/grid_file.h"
 
+#include "libgrid/file/grid_checks.h"
 #include "libscene/base/error.h"
 #include "libscene/local_origin.h"
 

@@ -3,7 +3,7 @@
 
 #include "libgrid/build/build.h"
 #include "libgrid/build/division.h"
-#include "libgrid/file/grid_checks.h"
+#include "libgrid/file/grid_records.h"
 #include "libscene/file/container.h"
 #include "schemas/grid_generated.h"
 

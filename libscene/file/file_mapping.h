@@ -45,9 +45,7 @@ public:
   explicit MappingFaults(const char* tool);
   ~MappingFaults();
   MappingFaults(const MappingFaults&) = delete;
-  MappingFaults(MappingFaults&&) = delete;
   MappingFaults& operator=(const MappingFaults&) = delete;
-  MappingFaults& operator=(MappingFaults&&) = delete;
 
 private:
   std::jthread watch_;

@@ -28,7 +28,6 @@ public:
   InputFile(InputFile&& other) noexcept;
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
-  InputFile& operator=(InputFile&&) = delete;
 
   const std::string& path() const { return path_; }
   std::uint64_t size() const { return static_cast<std::uint64_t>(opened_.st_size); } // when it was opened

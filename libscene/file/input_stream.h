@@ -18,9 +18,7 @@ public:
   explicit InputStream(const std::string& path);
   ~InputStream();
   InputStream(const InputStream&) = delete;
-  InputStream(InputStream&&) = delete;
   InputStream& operator=(const InputStream&) = delete;
-  InputStream& operator=(InputStream&&) = delete;
 
   // As it was opened.
   const struct stat& status() const { return opened_; }

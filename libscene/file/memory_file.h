@@ -21,9 +21,7 @@ public:
   }
   ~MemoryFile() { close(file_); }
   MemoryFile(const MemoryFile&) = delete;
-  MemoryFile(MemoryFile&&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
-  MemoryFile& operator=(MemoryFile&&) = delete;
 
   // Valid in this process only; for OutputFile and InputFile.
   std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }

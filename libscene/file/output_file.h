@@ -31,9 +31,7 @@ public:
   explicit OutputFile(std::string path, UntilCommit until_commit = UntilCommit::unnamed);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
-  OutputFile(OutputFile&&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
-  OutputFile& operator=(OutputFile&&) = delete;
 
   void write(std::span<const std::uint8_t> bytes);
   void write(const void* data, std::size_t bytes);

@@ -73,9 +73,7 @@ public:
     errno = reason;
   }
   NameChange(const NameChange&) = delete;
-  NameChange(NameChange&&) = delete;
   NameChange& operator=(const NameChange&) = delete;
-  NameChange& operator=(NameChange&&) = delete;
 
 private:
   sigset_t before_{};

@@ -19,9 +19,7 @@ public:
   TemporaryName(int folder, const std::string& name);
   ~TemporaryName();
   TemporaryName(const TemporaryName&) = delete;
-  TemporaryName(TemporaryName&&) = delete;
   TemporaryName& operator=(const TemporaryName&) = delete;
-  TemporaryName& operator=(TemporaryName&&) = delete;
 
   // Creates an empty file of that name; returns its descriptor, open for writing, or -1 and errno.
   int create();

@@ -147,9 +147,7 @@ struct RayInFlight {
         walk(ray.origin, bounded_inverse(rays.clipped(i)), ahead) {}
   ~RayInFlight() = default;
   RayInFlight(const RayInFlight&) = delete;
-  RayInFlight(RayInFlight&&) = delete;
   RayInFlight& operator=(const RayInFlight&) = delete;
-  RayInFlight& operator=(RayInFlight&&) = delete;
 };
 
 // Shows a visitor of each ray that meets the bounds what it may hit: done(i, visitor) at its end. Rays walk

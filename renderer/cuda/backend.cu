@@ -1,9 +1,11 @@
 #include "renderer/backend.h"
 
+#include "libgrid/file/grid_checks.h"
 #include "libscene/cuda/device_checker.h"
 #include "libscene/file/scene_checks.h"
 #include "renderer/arithmetic.h"
 #include "renderer/cuda/queue.h"
+#include "renderer/image/pixel.h"
 
 #include <tbb/parallel_for.h>
 
@@ -70,6 +72,36 @@ void render_cuda(const DeviceFiles& files, const SceneFile& scene, const GridFil
         render_on_device<TestRay>(files.of<Stored>(), view, grid, request, *buffers, frame);
       });
 }
+
+void queue_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
+                 const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream) {
+  std::uint8_t* const bytes = rgb.data();
+  for_each_on_device(rgb.size() / 3, stream, [=] __device__(std::uint64_t i) {
+    const auto width = static_cast<std::uint64_t>(columns - rays_beyond_pixels(sampling));
+    const Vec3f* const top = radiance + i / width * static_cast<std::uint64_t>(columns) + i % width;
+    const Vec3f pixel = pixel_at(top, columns, sampling);
+    for (int channel = 0; channel < 3; ++channel)
+      bytes[3 * i + static_cast<std::uint64_t>(channel)] = byte_of<false>(pixel[channel]);
+  });
+}
+
+template <class Real, class Stored>
+void queue_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
+                      const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream) {
+  const HitRecord* const hits = found.data();
+  for_each_on_device(found.size(), stream, [=] __device__(std::uint64_t i) {
+    const auto columns = static_cast<std::uint64_t>(rays.columns);
+    const Ray<Real> ray =
+        camera_ray(rays, static_cast<std::int32_t>(i % columns), static_cast<std::int32_t>(i / columns));
+    write_attributes(scene, ray, listed(hits[i]), results, i);
+  });
+}
+template void queue_attributes(const SceneView<float>&, const CameraRays<float>&,
+                               const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
+template void queue_attributes(const SceneView<float>&, const CameraRays<double>&,
+                               const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
+template void queue_attributes(const SceneView<double>&, const CameraRays<double>&,
+                               const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
 
 void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
   constexpr std::size_t part = std::size_t{1} << 20;

@@ -53,10 +53,11 @@ __device__ inline bool often_misses(const SceneView<Stored>& scene, const Ray<Re
 
 // Where most rays miss the bounds: chooses those that meet them, and writes the others' results. For as many
 // blocks as fit.
-template <Query query, class Real, class Stored>
+template <class Real, class Stored>
 __global__ void __launch_bounds__(threads_per_culling_block)
     cull_kernel(const SceneView<Stored> scene, const Ray<Real>* const rays, const std::uint32_t count,
-                const RayResults results, std::uint32_t* const chosen, WarpProgress* const progress) {
+                const Query query, const RayResults results, std::uint32_t* const chosen,
+                WarpProgress* const progress) {
   constexpr unsigned warps = threads_per_culling_block / lanes_per_warp;
   __shared__ unsigned before[warps]; // rays chosen by the warps before each
   __shared__ std::uint32_t first;
@@ -71,7 +72,9 @@ __global__ void __launch_bounds__(threads_per_culling_block)
       ClippedRay<Real> near{};
       Real scale;
       meets = scale_and_clip(scene, streamed(rays + number), near, scale);
-      if (!meets) write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
+      const Hit<float> miss{static_cast<float>(INFINITY), no_primitive};
+      if (!meets && query == Query::occlusion) write_hit<Query::occlusion>(results, number, miss);
+      if (!meets && query == Query::nearest_hit) write_hit<Query::nearest_hit>(results, number, miss);
     }
     const unsigned meeting = __ballot_sync(all_lanes, meets);
     if (lane == 0) before[warp] = static_cast<unsigned>(__popc(meeting));
@@ -83,7 +86,7 @@ __global__ void __launch_bounds__(threads_per_culling_block)
         warps_rays = sum;
         sum += own;
       }
-      first = DeviceAtomic<std::uint32_t>(progress->chosen).fetch_add(sum, cuda::memory_order_relaxed);
+      first = atomicAdd(&progress->chosen, sum);
     }
     __syncthreads();
     if (meets) chosen[first + before[warp] + rank_among(meeting, lane)] = number;

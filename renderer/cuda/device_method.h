@@ -9,7 +9,7 @@ namespace masu {
 __device__ inline void add(Counts* total, const Counts& part) {
   if (total == nullptr) return;
   for_each_count(*total, part, [](std::uint64_t& sum, std::uint64_t count) {
-    if (count != 0) DeviceAtomic<std::uint64_t>(sum).fetch_add(count, cuda::memory_order_relaxed);
+    if (count != 0) atomicAdd(reinterpret_cast<unsigned long long*>(&sum), count);
   });
 }
 __device__ inline void add(Counts*, const NoCounts&) {}

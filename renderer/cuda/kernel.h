@@ -5,8 +5,6 @@
 #include "renderer/picture_warps.h"
 #include "renderer/tracer.h"
 
-#include <cuda/atomic>
-
 #include <algorithm>
 #include <mutex>
 #include <utility>
@@ -20,9 +18,6 @@ inline constexpr unsigned all_lanes = 0xffffffffU;
 __device__ inline unsigned rank_among(unsigned lanes, unsigned lane) {
   return static_cast<unsigned>(__popc(lanes & ((1U << lane) - 1)));
 }
-
-template <class T>
-using DeviceAtomic = cuda::atomic_ref<T, cuda::thread_scope_device>;
 
 // A warp may read so many references beyond a list's end, to no effect: their array is longer by them.
 inline constexpr std::size_t references_read_ahead = lanes_per_warp - 1;

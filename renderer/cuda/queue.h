@@ -114,12 +114,18 @@ struct RayBatch {
   }
 };
 
-// For each arithmetic and store: render_fast.cu, rays_fast.cu, …. Throw
-// Error(device).
+// For each arithmetic and store: render_float.cu, rays_float.cu, …. Throw Error(device).
 template <class TestRay, class Stored>
 void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
                       const GridFile* host_grid, const FrameRequest& request, FrameBuffers& buffers,
                       Frame& frame);
+// The picture's pixels of the radiance along all its rays.
+void queue_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
+                 const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream);
+// Of camera rays that were traced.
+template <class Real, class Stored>
+void queue_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
+                      const DeviceArray<HitRecord>& found, const RayResults& results, cudaStream_t stream);
 template <class TestRay, class Stored>
 KernelSize queue_batch(const DeviceFilesOf<Stored>& files, const SceneView<Stored>& host_scene,
                        const GridFile* host_grid, const RaysRequest& request,

@@ -1,13 +1,12 @@
 // Pictures on a CUDA device: the kernels, and how they are launched. CUDA sources only.
 //
-// Each arithmetic's kernels are compiled in a source of their own (render_*.cu), which instantiates
+// Kernels of float32 and of double arithmetic are compiled in a source each (render_*.cu), which instantiates
 // render_on_device(): so they are compiled at the same time.
 #pragma once
 
 #include "libscene/base/stopwatch.h"
 #include "renderer/cuda/device_method.h"
 #include "renderer/cuda/queue.h"
-#include "renderer/image/pixel.h"
 #include "renderer/render_pixel.h"
 
 namespace masu {
@@ -29,33 +28,6 @@ __global__ void __launch_bounds__(tile_side* tile_side, resident_threads_wanted<
   if (hits != nullptr) hits[index] = hit;
   write_costs(costs, index, counts);
   if (row < counted_rows) add(total, counts);
-}
-
-// Of camera rays that were traced.
-template <class Real, class Stored>
-void queue_camera_attributes(const SceneView<Stored>& scene, const CameraRays<Real>& rays,
-                             const DeviceArray<HitRecord>& found, const RayResults& results,
-                             cudaStream_t stream) {
-  const HitRecord* const hits = found.data();
-  for_each_on_device(found.size(), stream, [=] __device__(std::uint64_t i) {
-    const auto columns = static_cast<std::uint64_t>(rays.columns);
-    const Ray<Real> ray =
-        camera_ray(rays, static_cast<std::int32_t>(i % columns), static_cast<std::int32_t>(i / columns));
-    write_attributes(scene, ray, listed(hits[i]), results, i);
-  });
-}
-
-// The picture's pixels of the radiance along all its rays: a thread for each.
-inline void queue_bytes(const Vec3f* radiance, std::int32_t columns, Sampling sampling,
-                        const DeviceArray<std::uint8_t>& rgb, cudaStream_t stream) {
-  std::uint8_t* const bytes = rgb.data();
-  for_each_on_device(rgb.size() / 3, stream, [=] __device__(std::uint64_t i) {
-    const auto width = static_cast<std::uint64_t>(columns - rays_beyond_pixels(sampling));
-    const Vec3f* const top = radiance + i / width * static_cast<std::uint64_t>(columns) + i % width;
-    const Vec3f pixel = pixel_at(top, columns, sampling);
-    for (int channel = 0; channel < 3; ++channel)
-      bytes[3 * i + static_cast<std::uint64_t>(channel)] = byte_of<false>(pixel[channel]);
-  });
 }
 
 // Traces a picture with rays of this arithmetic. Throws Error(device).
@@ -90,8 +62,8 @@ void render_on_device(const DeviceFilesOf<Stored>& files, const SceneView<Stored
              RayCosts{cells.data(), tests.data()}, frame.rows - (request.count_last_row ? 0 : 1));
       if (request.rgb) queue_bytes(colors.data(), frame.columns, request.sampling, rgb, stream);
       if (request.attributes)
-        queue_camera_attributes(files.scene.view, rays, hits,
-                                attribute_results(objects.data(), normals.data()), stream);
+        queue_attributes(files.scene.view, rays, hits, attribute_results(objects.data(), normals.data()),
+                         stream);
     });
   });
   const Stopwatch watch;

@@ -56,9 +56,7 @@ private:
 // Adds what a warp's lanes add together, and returns the sum before it to all of them. They are all here.
 __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
   std::uint32_t before = 0;
-  if (threadIdx.x % lanes_per_warp == 0)
-    before = DeviceAtomic<std::uint32_t>(sum).fetch_add(static_cast<std::uint32_t>(added),
-                                                        cuda::memory_order_relaxed);
+  if (threadIdx.x % lanes_per_warp == 0) before = atomicAdd(&sum, static_cast<std::uint32_t>(added));
   return __shfl_sync(all_lanes, before, 0);
 }
 
@@ -67,19 +65,25 @@ __device__ inline std::uint32_t add_for_warp(std::uint32_t& sum, int added) {
 class DrainSignal {
 public:
   // For all lanes of a warp.
-  static __device__ void give(WarpProgress& progress) {
-    signal(progress, threadIdx.x).store(1, cuda::memory_order_relaxed);
-  }
+  static __device__ void give(WarpProgress& progress) { set(signal(progress, threadIdx.x), 1); }
   // As poll() found it last. For all lanes of a warp.
   __device__ bool is_drained() const { return __shfl_sync(all_lanes, given_, 0) != 0; }
   __device__ void poll(WarpProgress& progress) {
-    if (threadIdx.x % lanes_per_warp == 0)
-      given_ = signal(progress, blockIdx.x).load(cuda::memory_order_relaxed);
+    if (threadIdx.x % lanes_per_warp == 0) given_ = read(signal(progress, blockIdx.x));
   }
 
 private:
-  static __device__ DeviceAtomic<std::uint32_t> signal(WarpProgress& progress, unsigned number) {
-    return DeviceAtomic<std::uint32_t>(progress.drained[number % lanes_per_warp].given);
+  static __device__ std::uint32_t* signal(WarpProgress& progress, unsigned number) {
+    return &progress.drained[number % lanes_per_warp].given;
+  }
+  // Atomic, relaxed.
+  static __device__ std::uint32_t read(const std::uint32_t* word) {
+    std::uint32_t value;
+    asm volatile("ld.relaxed.gpu.u32 %0, [%1];" : "=r"(value) : "l"(word) : "memory");
+    return value;
+  }
+  static __device__ void set(std::uint32_t* word, std::uint32_t value) {
+    asm volatile("st.relaxed.gpu.u32 [%0], %1;" ::"l"(word), "r"(value) : "memory");
   }
   std::uint32_t given_ = 0;
 };

@@ -1,6 +1,6 @@
 // Lists of rays on a CUDA device: the kernels, and how they are launched. CUDA sources only.
 //
-// Each arithmetic's kernels are compiled in a source of their own (rays_*.cu), which instantiates
+// Kernels of float32 and of double arithmetic are compiled in a source each (rays_*.cu), which instantiates
 // queue_batch(): so they are compiled at the same time.
 #pragma once
 
@@ -47,13 +47,12 @@ __global__ void __launch_bounds__(rays_per_block)
   write_hits<M>(scene, structure, streamed(rays + i), filters, rules, results, i);
 }
 
-// `double` traces occlusion, hierarchies and uniform grids by a thread per ray, `fast` everything: they
-// aren't worth their kernels.
+// `double` traces occlusion and hierarchies by a thread per ray, `fast` everything: they aren't worth their
+// kernels.
 template <Query query, class TestRay, class Grid>
 constexpr bool has_warp_loops = std::is_same_v<TestRay, WatertightRay<float>> ||
                                 (std::is_same_v<TestRay, WatertightRay<double>> &&
-                                 query == Query::nearest_hit && !is_hierarchy<Grid> &&
-                                 !std::is_same_v<Grid, GridView<double>>);
+                                 query == Query::nearest_hit && !is_hierarchy<Grid>);
 
 // A list of rays, with room for those that culling chooses where that may be worth it.
 template <class Real>
@@ -66,13 +65,13 @@ struct CullingMemory {
                                                                                chosen.size() > 0} {}
 };
 
-template <Query query, class Real, class Stored>
-void cull(const DeviceFilesOf<Stored>& files, const RayBatch<Real>& batch, const CullingMemory<Real>& culled,
-          WarpProgress* progress) {
+template <class Real, class Stored>
+void cull(const DeviceFilesOf<Stored>& files, Query query, const RayBatch<Real>& batch,
+          const CullingMemory<Real>& culled, WarpProgress* progress) {
   if (!culled.queue.may_cull) return;
-  auto* const kernel = cull_kernel<query, Real, Stored>;
+  auto* const kernel = cull_kernel<Real, Stored>;
   launch(kernel, files.kernels->of(kernel, threads_per_culling_block).blocks, threads_per_culling_block,
-         batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, batch.results,
+         batch.queue.stream, files.scene.view, batch.rays, culled.queue.count, query, batch.results,
          culled.chosen.data(), progress);
 }
 
@@ -95,7 +94,7 @@ KernelSize trace_by_warps(const DeviceFilesOf<Stored>& files, const Grid& grid, 
   const CullingMemory<Real> culled(batch.rays, count, refills, batch.queue);
   const RayQueue<Real>& queue = culled.queue;
   batch.begin();
-  cull<query>(files, batch, culled, left.view().progress);
+  cull(files, query, batch, culled, left.view().progress);
   const int fetching = refills ? some_fetch : all_fetch;
   launch(trace, blocks, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
   launch(finish, finishing, rays_per_block, stream, scene, grid, queue, fetching, batch.results, left.view());
@@ -114,7 +113,7 @@ KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files, const Hierarchy
   progress.clear();
   const CullingMemory<typename M::Real> culled(batch.rays, count, true, batch.queue);
   batch.begin();
-  cull<query>(files, batch, culled, progress.data());
+  cull(files, query, batch, culled, progress.data());
   launch(trace, std::min(blocks_of(hierarchy_threads, count), known.blocks), hierarchy_threads,
          batch.queue.stream, scene, hierarchy, culled.queue, batch.results, progress.data());
   return known.size;

@@ -3,6 +3,7 @@
 #include "tools/common/printable.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <string>
 

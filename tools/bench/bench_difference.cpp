@@ -6,6 +6,9 @@
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/text_file.h"
+#include "tools/common/version.h"
+
+#include <nlohmann/json.hpp>
 
 #include <memory>
 

@@ -17,10 +17,6 @@
 #include <string_view>
 
 namespace masu {
-void flush_standard_output() {
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw Error(ErrorCode::output, "standard output", "can't be written");
-}
 
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
   std::vector<std::string> written{"/dev/stdout"}; // results and reports

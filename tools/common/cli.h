@@ -4,13 +4,12 @@
 #include "libscene/base/error.h"
 #include "libscene/scene.h"
 #include "tools/common/help.h"
+#include "tools/common/print.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <string>
@@ -20,25 +19,6 @@
 #include <vector>
 
 namespace masu {
-
-// Prints a line on standard error, for which nothing fails: it is lost where it can't be written.
-template <class... Values>
-void print_note(fmt::format_string<Values...> format, Values&&... values) {
-  static_cast<void>(std::fputs(fmt::format(format, std::forward<Values>(values)...).c_str(), stderr));
-}
-
-// Prints rows of a table: a name, and from column `width` on what follows it.
-struct Rows {
-  int width;
-
-  template <class... Values>
-  void operator()(const char* name, fmt::format_string<Values...> format, Values&&... values) const {
-    fmt::print("{:<{}} {}\n", name, width, fmt::format(format, std::forward<Values>(values)...));
-  }
-};
-
-// Flushes standard output. Throws Error(output) where anything printed could not be written.
-void flush_standard_output();
 
 // Refuses outputs that are an input, or each other, by whatever name. To be called before anything is opened.
 // Empty names are ignored; - is standard input or output (output_file.h). Throws Error(usage, output, …).

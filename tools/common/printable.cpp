@@ -1,6 +1,7 @@
 #include "tools/common/printable.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -58,9 +59,11 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-std::string escaped_controls(std::string_view json) {
+std::string json_text(const nlohmann::ordered_json& value, int indent) {
+  const std::string text = value.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  std::string_view json = text;
   std::string result;
-  for (; !json.empty();) {
+  while (!json.empty()) {
     const Character next = first_of(json);
     const std::size_t bytes = std::max<std::size_t>(next.bytes, 1);
     // Below 0x20 it is white space between values: in strings it is escaped already.

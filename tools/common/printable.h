@@ -1,7 +1,7 @@
 // Text from outside (names of files, strings in them) as part of a line that a terminal shows.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <string_view>
@@ -14,11 +14,7 @@ namespace masu {
 std::string printable(std::string_view text);
 
 // JSON text of strings that can hold any bytes: what isn't UTF-8 becomes U+FFFD, and control characters are
-// escaped, those from U+007F to U+009F too.
-std::string escaped_controls(std::string_view json);
-template <class Json>
-std::string json_text(const Json& json, int indent = 2) {
-  return escaped_controls(json.dump(indent, ' ', false, Json::error_handler_t::replace));
-}
+// escaped, those from U+007F to U+009F too. Compiled once, for the code that prints JSON is long.
+std::string json_text(const nlohmann::ordered_json& json, int indent = 2);
 
 } // namespace masu

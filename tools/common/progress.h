@@ -16,9 +16,7 @@ public:
   explicit Progress(const char* what, bool quiet = false);
   ~Progress();
   Progress(const Progress&) = delete;
-  Progress(Progress&&) = delete;
   Progress& operator=(const Progress&) = delete;
-  Progress& operator=(Progress&&) = delete;
 
   // `share` of the work is done: 0 to 1.
   void operator()(double share);

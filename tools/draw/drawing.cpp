@@ -1,7 +1,7 @@
 #include "tools/draw/drawing.h"
 
 #include "libscene/base/error.h"
-#include "tools/common/cli.h"
+#include "tools/common/print.h"
 #include "tools/common/printable.h"
 #include "tools/common/text_file.h"
 #include "tools/draw/axis_ticks.h"

@@ -5,6 +5,7 @@
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/common/text_file.h"
+#include "tools/common/version.h"
 #include "tools/draw/axis_ticks.h"
 #include "tools/draw/drawing.h"
 #include "tools/report/slice_json.h"

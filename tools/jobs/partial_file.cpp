@@ -40,9 +40,7 @@ public:
     if (file_ >= 0) close(file_);
   }
   Descriptor(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
   operator int() const { return file_; }
   // Some file systems say only now that something wasn't written.
   bool closed() { return close(std::exchange(file_, -1)) == 0; }

@@ -22,9 +22,7 @@ public:
   Ranks(int* argc, char*** argv);
   ~Ranks();
   Ranks(const Ranks&) = delete;
-  Ranks(Ranks&&) = delete;
   Ranks& operator=(const Ranks&) = delete;
-  Ranks& operator=(Ranks&&) = delete;
 
   int rank() const { return rank_; }
   int count() const { return count_; }

@@ -71,9 +71,7 @@ public:
   TaskList(const Sharing& sharing, const TaskListOf& tasks);
   ~TaskList();
   TaskList(const TaskList&) = delete;
-  TaskList(TaskList&&) = delete;
   TaskList& operator=(const TaskList&) = delete;
-  TaskList& operator=(TaskList&&) = delete;
 
   // The next task that isn't done; nothing after the last.
   std::optional<std::uint64_t> next();

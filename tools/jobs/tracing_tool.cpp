@@ -5,6 +5,7 @@
 #include "tools/common/provenance.h"
 #include "tools/common/scene_input.h"
 #include "tools/common/text_file.h"
+#include "tools/common/version.h"
 #include "tools/report/counts_report.h"
 
 #include <sched.h>

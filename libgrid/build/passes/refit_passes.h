@@ -12,14 +12,14 @@
 
 #include "libgrid/build/passes/node_boxes.h"
 #include "libgrid/build/passes/uniform_passes.h"
-#include "libscene/file/record_checker.h"
+#include "libscene/base/atomic.h"
 
 #include <utility>
 #include <vector>
 
 namespace masu {
 
-// The set (record_checker.h) of what is referred to, of numbers below `end`.
+// The set (atomic.h) of what is referred to, of numbers below `end`.
 template <class Executor>
 ArrayOf<Executor, std::uint32_t> set_of(Executor& executor, const PrimitiveIndex* references,
                                         std::uint64_t count, std::uint64_t end) {

@@ -8,6 +8,8 @@ template KernelSize queue_batch<WatertightRay<float>>(const DeviceFilesOf<float>
 template KernelSize queue_hits<WatertightRay<float>>(const DeviceFilesOf<float>&, const GridFile*,
                                                      const HitRules&, const RayFilters&,
                                                      const RayBatch<float>&);
+template KernelSize queue_batch<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                             const GridFile*, const RaysRequest&, const RayBatch<float>&);
 template void queue_attributes(const DeviceFilesOf<float>&, const RayBatch<float>&, const RayResults&);
 
 } // namespace masu

@@ -5,5 +5,7 @@ namespace masu {
 template void render_on_device<WatertightRay<float>>(const DeviceFilesOf<float>&, const SceneView<float>&,
                                                      const GridFile*, const FrameRequest&, FrameBuffers&,
                                                      Frame&);
+template void render_on_device<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
+                                            const GridFile*, const FrameRequest&, FrameBuffers&, Frame&);
 
 } // namespace masu

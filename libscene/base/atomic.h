@@ -1,0 +1,46 @@
+// What many threads do to a word at once, in any order (relaxed): one definition for host and device.
+#pragma once
+
+#include "libscene/base/portable.h"
+
+#include <atomic>
+#include <cstdint>
+
+namespace masu {
+
+MASU_HD inline std::uint32_t read_once(const std::uint32_t& word) {
+  return *const_cast<const volatile std::uint32_t*>(&word);
+}
+
+// Of a word that many threads exchange: what was there before.
+MASU_HD inline std::uint32_t exchanged(std::uint32_t& word, std::uint32_t value) {
+#ifdef __CUDA_ARCH__
+  return atomicExch(&word, value);
+#else
+  return std::atomic_ref(word).exchange(value, std::memory_order_relaxed);
+#endif
+}
+
+// Adds to a sum that many threads add to: what it was before.
+MASU_HD inline std::uint32_t added(std::uint32_t& sum, std::uint32_t value) {
+#ifdef __CUDA_ARCH__
+  return atomicAdd(&sum, value);
+#else
+  return std::atomic_ref(sum).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
+// A set of numbers below 32 times so many words: whether i wasn't in it yet; it is from now on.
+MASU_HD inline bool inserted(std::uint32_t* words, std::uint64_t i) {
+  const std::uint32_t bit = 1U << (i % 32);
+#ifdef __CUDA_ARCH__
+  return (atomicOr(words + i / 32, bit) & bit) == 0;
+#else
+  return (std::atomic_ref(words[i / 32]).fetch_or(bit, std::memory_order_relaxed) & bit) == 0;
+#endif
+}
+inline std::uint64_t set_words(std::uint64_t numbers) {
+  return (numbers + 31) / 32;
+}
+
+} // namespace masu

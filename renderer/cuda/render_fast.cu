@@ -1,8 +1,0 @@
-#include "renderer/cuda/rendering.h"
-
-namespace masu {
-
-template void render_on_device<TextbookRay>(const DeviceFilesOf<float>&, const SceneView<float>&,
-                                            const GridFile*, const FrameRequest&, FrameBuffers&, Frame&);
-
-} // namespace masu
