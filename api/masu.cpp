@@ -2,8 +2,8 @@
 #include "boundary.h"
 #include "libscene/base/processor.h"
 #include "objects.h"
-#include "renderer/automatic_loop.h"
-#include "renderer/closest_points.h"
+#include "renderer/rays/automatic_loop.h"
+#include "renderer/rays/closest_points.h"
 #include "renderer/tracer.h"
 
 #include <mutex>

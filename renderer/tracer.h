@@ -8,9 +8,9 @@
 #include "libscene/file/scene_file.h"
 #include "renderer/camera.h"
 #include "renderer/counts.h"
-#include "renderer/hit_list.h"
 #include "renderer/precision.h"
-#include "renderer/ray_query.h"
+#include "renderer/rays/hit_list.h"
+#include "renderer/rays/ray_query.h"
 #include "renderer/render_pixel.h"
 
 #include <atomic>

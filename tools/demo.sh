@@ -8,10 +8,9 @@ source tools/setup.sh
 require "${basics[@]}" -- "${extras[@]}"
 find_cuda
 
-echo "== building the programs: about a minute on two cores, with CUDA three more"
-mesh2bin=$(if has libassimp-dev; then echo mesh2bin; fi)
+echo "== building the programs: some two minutes on two cores"
 build build -DCMAKE_BUILD_TYPE=Release -DMASU_TESTS=OFF "${cuda_options[@]}" \
-  -- --target nffgen nff2bin $mesh2bin gridbuild gridstat gridrender
+  -- --target nffgen nff2bin gridbuild gridstat gridrender
 
 bin=build/bin
 out=out/$scene

@@ -1,6 +1,6 @@
 // gridtrace: reads a scene and its grid, and traces a list of rays through them, or prints the walk of one
 // ray.
-#include "renderer/walk_report.h"
+#include "renderer/rays/walk_report.h"
 #include "tools/common/number_list.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"

@@ -83,10 +83,10 @@ find_cuda() {
   # CUDA's installer doesn't add nvcc to the PATH.
   if ! command -v nvcc >/dev/null && [ -x /usr/local/cuda/bin/nvcc ]; then PATH=$PATH:/usr/local/cuda/bin; fi
   if [ "${MASU_CUDA:-AUTO}" != OFF ] && command -v nvcc >/dev/null; then
-    # For this machine's GPU; without a GPU for one architecture, to check that it compiles.
+    # For this machine's GPU, and no PTX for others; without a GPU for one architecture, to check that it compiles.
     local architecture
     architecture=$( (nvidia-smi --query-gpu=compute_cap --format=csv,noheader 2>/dev/null || true) | head -n 1 | tr -d .)
-    cuda_options=(-DMASU_CUDA=ON "-DMASU_CUDA_ARCHITECTURES=${architecture:-90}")
+    cuda_options=(-DMASU_CUDA=ON "-DMASU_CUDA_ARCHITECTURES=${architecture:-90}-real")
     echo "== CUDA Toolkit found ($(command -v nvcc)): building the CUDA backend for sm_${architecture:-90}"
   else
     cuda_options=(-DMASU_CUDA=OFF)

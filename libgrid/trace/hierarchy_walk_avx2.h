@@ -1,7 +1,8 @@
 // The walk of a ray through a bounding volume hierarchy on one lane of a processor with AVX2: eight boxes at
 // a time, the nodes met from the nearest on, and several triangles at a time. It finds what HierarchyWalk
 // (hierarchy_walk.h) finds, to the bit, but may visit other nodes and test other primitives on the way: so
-// queries that count take that one. Host only.
+// queries that count take that one. With eight rays in turn (renderer/cpu/eight_rays.h) it traces lists of
+// rays 2.3 to 2.8 times as fast as that one does without AVX2 (teapot, one core). Host only.
 #pragma once
 
 #include "libgrid/trace/hierarchy_view.h"

@@ -16,8 +16,8 @@
 
 namespace masu {
 
-// Whether counts are also shown each ray, cell or node, and test (renderer/walk_report.h): they have a member
-// records_walk. For others no code is compiled.
+// Whether counts are also shown each ray, cell or node, and test (renderer/rays/walk_report.h): they have a
+// member records_walk. For others no code is compiled.
 template <class Counts>
 inline constexpr bool records_walk = requires {
   Counts::records_walk;

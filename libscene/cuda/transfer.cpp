@@ -11,7 +11,7 @@
 namespace masu {
 namespace {
 
-constexpr std::size_t part_bytes = std::size_t{1} << 20; // of a staging buffer
+constexpr std::size_t part_bytes = std::size_t{1} << 20; // of a staging buffer, or copied by a thread
 constexpr int copy_threads = 4;                          // about enough to saturate the bus
 constexpr std::size_t min_pinned_bytes = 8 * part_bytes; // less isn't worth allocating page-locked memory
 
@@ -127,6 +127,14 @@ void Transfer::run() {
   for (const Copy& copy : copies_)
     if (copy.section != nullptr) copy.section->check();
   copies_.clear();
+}
+
+void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
+  tbb::parallel_for(std::size_t{0}, (bytes + part_bytes - 1) / part_bytes, [&](std::size_t i) {
+    const std::size_t begin = i * part_bytes;
+    std::memcpy(static_cast<std::uint8_t*>(to) + begin, static_cast<const std::uint8_t*>(from) + begin,
+                std::min(part_bytes, bytes - begin));
+  });
 }
 
 } // namespace masu

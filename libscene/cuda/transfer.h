@@ -52,4 +52,7 @@ private:
   cudaMemPool_t pool_ = nullptr;
 };
 
+// From host memory to host memory with many threads: one doesn't copy as fast as the bus does.
+void copy_in_parallel(void* to, const void* from, std::size_t bytes);
+
 } // namespace masu

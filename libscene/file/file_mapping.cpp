@@ -1,6 +1,7 @@
 #include "libscene/file/file_mapping.h"
 
 #include "libscene/base/error.h"
+#include "libscene/file/mapping_faults.h"
 #include "libscene/file/temporary_name.h"
 
 #include <sys/mman.h>
@@ -16,6 +17,7 @@
 #include <cstring>
 #include <ctime>
 #include <mutex>
+#include <stop_token>
 #include <string_view>
 #include <utility>
 

@@ -13,26 +13,22 @@
 #include "libscene/base/atomic.h"
 #include "libscene/base/host_array.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
-
 #include <cstdint>
 #include <functional>
 
 namespace masu {
 
+// Whether good(begin, end) for every one of the ranges that 0 … count - 1 is cut into, in any order.
+bool all_ranges(std::uint64_t count, const std::function<bool(std::uint64_t, std::uint64_t)>& good);
+
 struct HostChecker {
   template <class Good>
   bool all(std::uint64_t count, const Good& good) const {
-    constexpr std::uint64_t grain = 256;
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::uint64_t>(0, count, grain), true,
-        [&](const tbb::blocked_range<std::uint64_t>& range, bool so_far) {
-          for (std::uint64_t i = range.begin(); so_far && i != range.end(); ++i)
-            so_far = good(i);
-          return so_far;
-        },
-        std::logical_and<>());
+    return all_ranges(count, [&good](std::uint64_t i, std::uint64_t end) {
+      while (i != end && good(i))
+        ++i;
+      return i == end;
+    });
   }
   HostArray<std::uint32_t> zeros(std::uint64_t count) const { return HostArray<std::uint32_t>(count, 0); }
 };

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "libscene/geometry/floats8.h"
-#include "renderer/ray_query.h"
+#include "renderer/rays/ray_query.h"
 
 #include <algorithm>
 #include <optional>

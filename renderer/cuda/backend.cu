@@ -7,11 +7,6 @@
 #include "renderer/cuda/queue.h"
 #include "renderer/image/pixel.h"
 
-#include <tbb/parallel_for.h>
-
-#include <algorithm>
-#include <cstring>
-
 namespace masu {
 
 void set_up_cuda(int device) {
@@ -102,13 +97,5 @@ template void queue_attributes(const SceneView<float>&, const CameraRays<double>
                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
 template void queue_attributes(const SceneView<double>&, const CameraRays<double>&,
                                const DeviceArray<HitRecord>&, const RayResults&, cudaStream_t);
-
-void copy_in_parallel(void* to, const void* from, std::size_t bytes) {
-  constexpr std::size_t part = std::size_t{1} << 20;
-  tbb::parallel_for(std::size_t{0}, (bytes + part - 1) / part, [&](std::size_t i) {
-    std::memcpy(static_cast<std::uint8_t*>(to) + i * part, static_cast<const std::uint8_t*>(from) + i * part,
-                std::min(part, bytes - i * part));
-  });
-}
 
 } // namespace masu

@@ -37,9 +37,6 @@ struct FrameBuffers {
   PinnedRoom staging; // of one array after another
 };
 
-// Copies with many threads: one doesn't copy as fast as the bus does.
-void copy_in_parallel(void* to, const void* from, std::size_t bytes);
-
 // Of one list of rays.
 struct HostRayBuffers {
   struct Piece {

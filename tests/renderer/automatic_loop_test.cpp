@@ -1,5 +1,5 @@
 // The loop by which a GPU traces a list: by the costs of a sample of its rays.
-#include "renderer/automatic_loop.h"
+#include "renderer/rays/automatic_loop.h"
 
 #include "tests/random_ray.h"
 #include "tests/random_test.h"

@@ -1,6 +1,6 @@
 // Channels and walks: a picture's own hits and counts, ray by ray, for every grid, arithmetic and store.
 #include "renderer/channels.h"
-#include "renderer/walk_report.h"
+#include "renderer/rays/walk_report.h"
 #include "tests/rendering.h"
 #include "tests/scene_builder.h"
 #include "tests/stability/test_scene.h"

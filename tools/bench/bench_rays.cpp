@@ -3,7 +3,7 @@
 #include "tools/bench/command.h"
 
 #include "libscene/file/output_file.h"
-#include "renderer/automatic_loop.h"
+#include "renderer/rays/automatic_loop.h"
 #include "tests/stability/ray_sets.h"
 #include "tools/common/grouped.h"
 #include "tools/common/repeated.h"

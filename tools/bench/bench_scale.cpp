@@ -79,9 +79,7 @@ public:
     std::filesystem::remove_all(path_, ignored);
   }
   Scratch(const Scratch&) = delete;
-  Scratch(Scratch&&) = delete;
   Scratch& operator=(const Scratch&) = delete;
-  Scratch& operator=(Scratch&&) = delete;
   std::string file(const std::string& name) const { return path_ + "/" + name; }
 
 private:

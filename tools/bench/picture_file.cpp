@@ -51,9 +51,7 @@ FloatPicture read_png(const File& file) {
     Image() : png_image{} { version = PNG_IMAGE_VERSION; }
     ~Image() { png_image_free(this); }
     Image(const Image&) = delete;
-    Image(Image&&) = delete;
     Image& operator=(const Image&) = delete;
-    Image& operator=(Image&&) = delete;
   } png;
   const auto check = [&](int done) {
     if (done == 0) file.fail(fmt::format("isn't a PNG that can be read: {}", png.message));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/file/grid_file.h"
-#include "libscene/file/file_mapping.h"
+#include "libscene/file/mapping_faults.h"
 #include "renderer/tracer.h"
 #include "tools/common/device_choice.h"
 #include "tools/jobs/ranks.h"

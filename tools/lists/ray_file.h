@@ -3,7 +3,7 @@
 
 #include "libscene/file/input_file.h"
 #include "libscene/file/input_stream.h"
-#include "renderer/ray_query.h"
+#include "renderer/rays/ray_query.h"
 #include "tools/jobs/ranks.h"
 #include "tools/lists/ray_csv.h"
 

@@ -2,7 +2,7 @@
 
 #include "libscene/base/error.h"
 #include "libscene/base/stopwatch.h"
-#include "renderer/automatic_loop.h"
+#include "renderer/rays/automatic_loop.h"
 #include "tools/common/repeated.h"
 #include "tools/jobs/run_tasks.h"
 #include "tools/lists/excluded_file.h"

@@ -1,7 +1,7 @@
 // A ray's walk as JSON, and as a table for people.
 #pragma once
 
-#include "renderer/walk_report.h"
+#include "renderer/rays/walk_report.h"
 
 #include <nlohmann/json.hpp>
 

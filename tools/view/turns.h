@@ -55,9 +55,7 @@ private:
       turns_.moved_.notify_all();
     }
     Turn(const Turn&) = delete;
-    Turn(Turn&&) = delete;
     Turn& operator=(const Turn&) = delete;
-    Turn& operator=(Turn&&) = delete;
 
     bool is_gone() const { return is_gone_(); }
 

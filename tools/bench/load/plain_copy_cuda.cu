@@ -1,5 +1,6 @@
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/device_memory.h"
+#include "libscene/cuda/transfer.h"
 #include "libscene/file/file_mapping.h"
 #include "renderer/cuda/host_rays.h"
 #include "tools/bench/load/plain_copy.h"

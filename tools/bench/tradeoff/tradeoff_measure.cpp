@@ -1,7 +1,7 @@
 #include "tools/bench/tradeoff/tradeoff_measure.h"
 
 #include "libscene/geometry/margin.h"
-#include "renderer/automatic_loop.h"
+#include "renderer/rays/automatic_loop.h"
 #include "tests/stability/ray_sets.h"
 #include "tools/common/cli.h"
 #include "tools/common/repeated.h"

@@ -1,4 +1,4 @@
-#include "renderer/walk_report.h"
+#include "renderer/rays/walk_report.h"
 
 #include "libgrid/statistics/cells.h"
 #include "libgrid/statistics/statistics.h"

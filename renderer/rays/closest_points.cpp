@@ -1,4 +1,4 @@
-#include "renderer/closest_points.h"
+#include "renderer/rays/closest_points.h"
 
 #include "libgrid/trace/closest.h"
 #include "libscene/base/error.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "libgrid/trace/hits_in_order.h"
-#include "renderer/ray_query.h"
+#include "renderer/rays/ray_query.h"
 
 namespace masu {
 

@@ -1,4 +1,4 @@
-#include "renderer/automatic_loop.h"
+#include "renderer/rays/automatic_loop.h"
 
 #include "libscene/geometry/random_rays.h"
 
