@@ -174,8 +174,7 @@ int main(int argc, char** argv) {
         add_choice(app, "--quality", settings.options.grid.quality,
                    {{"high", HierarchyQuality::high}, {"fast", HierarchyQuality::fast}},
                    "of a hierarchy: high (primitives are divided where boxes would overlap) or fast "
-                   "(clustered, in a fifth "
-                   "of the time or less, also on a GPU)");
+                   "(in a third of the time, also on a GPU)");
         add_choice(
             app, "--for", settings.options.processor, {{"gpu", Processor::gpu}, {"cpu", Processor::cpu}},
             "the processor that will trace: what the automatic choices (--structure fastest, --merge auto, "

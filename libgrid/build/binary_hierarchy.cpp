@@ -16,8 +16,7 @@ namespace masu {
 
 namespace {
 
-HierarchyFragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex primitive) {
-  const Boxf box = box_around(bounds, margin);
+HierarchyFragment fragment_of(const Boxf& box, PrimitiveIndex primitive) {
   HierarchyFragment fragment;
   fragment.box.low = Lanes{box.min.x, box.min.y, box.min.z, float_of(primitive)};
   fragment.box.high = Lanes{box.max.x, box.max.y, box.max.z, 0};
@@ -26,37 +25,6 @@ HierarchyFragment fragment_of(const Boxd& bounds, double margin, PrimitiveIndex 
 
 bool holds_something(const LaneBox& box) {
   return box.low[0] <= box.high[0] && box.low[1] <= box.high[1] && box.low[2] <= box.high[2];
-}
-
-// How many more fragments there may be than primitives.
-std::size_t room_for(std::uint32_t primitives) {
-  return static_cast<std::size_t>(spare_fragments * primitives);
-}
-
-// Of the primitives that have a surface, with room for more. `count` becomes their number.
-template <class Stored>
-HostArray<HierarchyFragment> fragments_of(const SceneView<Stored>& scene, double margin,
-                                          std::uint32_t& count) {
-  HostArray<HierarchyFragment> fragments(scene.primitive_count() + room_for(scene.primitive_count()));
-  std::atomic<bool> has_gaps = false;
-  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.primitive_count(), 4096),
-                    [&](const auto& range) {
-                      for (PrimitiveIndex i = range.begin(); i != range.end(); ++i) {
-                        with_primitive(scene, i, [&](const auto& primitive) {
-                          fragments[i] = fragment_of(bounds(primitive), margin, i);
-                          if (has_surface(primitive)) return;
-                          fragments[i].box = {};
-                          has_gaps = true;
-                        });
-                      }
-                    });
-  count = scene.primitive_count();
-  if (has_gaps)
-    count = static_cast<std::uint32_t>(
-        std::remove_if(fragments.begin(), fragments.begin() + count,
-                       [](const HierarchyFragment& fragment) { return !holds_something(fragment.box); }) -
-        fragments.begin());
-  return fragments;
 }
 
 // Fragments that are in a node, and room for more after them.
@@ -145,18 +113,26 @@ LaneBox common(const LaneBox& a, const LaneBox& b) {
 }
 
 // Where the boxes of the best object split overlap by less than this share of the root's surface, a spatial
-// one isn't tried; spare_fragments is how much more room for fragments there is.
+// one isn't tried.
 constexpr float overlap_worth_splitting = 1e-4F;
 
 template <class Stored>
 class BinaryBuilder {
 public:
-  BinaryBuilder(const SceneView<Stored>& scene, double margin, const std::function<void(double)>& progress)
-      : scene_(scene), margin_(margin), progress_(progress), fragments_(fragments_of(scene, margin, count_)),
-        nodes_(2 * fragments_.size()), choices_(nodes_.size()), costs_(nodes_.size()) {}
+  BinaryBuilder(const SceneView<Stored>& scene, double margin, const HostArray<BinaryNode>& leaves,
+                const std::function<void(double)>& progress)
+      : scene_(scene), margin_(margin), progress_(progress),
+        count_(static_cast<std::uint32_t>(leaves.size())),
+        fragments_(static_cast<std::size_t>((1 + spare_fragments) * scene.primitive_count())),
+        nodes_(2 * fragments_.size()), choices_(nodes_.size()), costs_(nodes_.size()) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 4096), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+        fragments_[i] = fragment_of(leaves[i].box(), leaves[i].index);
+    });
+  }
 
   BinaryHierarchy<TbbExecutor> build() {
-    const FragmentRange all{0, count_, static_cast<std::uint32_t>(room_for(count_))};
+    const FragmentRange all{0, count_, static_cast<std::uint32_t>(fragments_.size()) - count_};
     if (all.count == 0) return {};
     root_area_ = extent_of(all).box.area();
     split(0, all, 0);
@@ -233,7 +209,7 @@ private:
       const auto part = [&](const Boxd& bounds) {
         return is_empty(bounds)
                    ? LaneBox{}
-                   : common(fragment_of(bounds, margin_, fragment.primitive()).box, fragment.box);
+                   : common(fragment_of(box_around(bounds, margin_), fragment.primitive()).box, fragment.box);
       };
       sides = {part(parts.below), part(parts.above)};
     });
@@ -364,7 +340,7 @@ private:
   const SceneView<Stored>& scene_;
   double margin_;
   const std::function<void(double)>& progress_;
-  std::uint32_t count_ = 0; // of primitives that have a surface
+  std::uint32_t count_; // of leaves
   HostArray<HierarchyFragment> fragments_;
   HostArray<BinaryNode> nodes_;
   HostArray<CollapseChoice> choices_;
@@ -378,12 +354,15 @@ private:
 
 template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
+                                              const HostArray<BinaryNode>& leaves,
                                               const std::function<void(double)>& progress) {
-  return BinaryBuilder<Stored>(scene, margin, progress).build();
+  return BinaryBuilder<Stored>(scene, margin, leaves, progress).build();
 }
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<float>&, double,
+                                                       const HostArray<BinaryNode>&,
                                                        const std::function<void(double)>&);
 template BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<double>&, double,
+                                                       const HostArray<BinaryNode>&,
                                                        const std::function<void(double)>&);
 
 } // namespace masu

@@ -46,12 +46,13 @@ struct HierarchyFragment {
 };
 
 // From the top down, by the surface area heuristic over bins (Wald, "On Fast Construction of SAH-based
-// Bounding Volume Hierarchies", RT 2007), with primitives divided at planes where boxes would overlap (Stich,
-// Friedrich & Dietrich, "Spatial Splits in Bounding Volume Hierarchies", HPG 2009). Boxes contain `margin`
-// around each primitive. No more than max_hierarchy_depth nodes deep. `progress` gets shares of the work,
-// from any thread.
+// Bounding Volume Hierarchies", RT 2007), with what the leaves hold of primitives divided further at planes
+// where boxes would overlap (Stich, Friedrich & Dietrich, "Spatial Splits in Bounding Volume Hierarchies",
+// HPG 2009). Boxes contain `margin` around each primitive. No more than max_hierarchy_depth nodes deep.
+// `progress` gets shares of the work, from any thread.
 template <class Stored>
 BinaryHierarchy<TbbExecutor> binary_hierarchy(const SceneView<Stored>& scene, double margin,
+                                              const HostArray<BinaryNode>& leaves,
                                               const std::function<void(double)>& progress);
 
 // About how many bytes per primitive the binary hierarchy takes, and what it is made into.

@@ -18,8 +18,8 @@ namespace masu {
 // A built grid is of none of the last two; the others are numbered as schemas/grid.fbs numbers them.
 enum class GridKind { uniform, x, balance, irregular, hierarchy, automatic, fastest };
 
-// How a hierarchy is built: with primitives divided where boxes would overlap (high, binary_hierarchy.h), or
-// by clustering (fast, cluster_passes.h), in a fifth of the time or less.
+// How a hierarchy is split: primitives, too, where boxes would overlap (high, binary_hierarchy.h), or none of
+// them (fast, top_down_passes.h), in a third of the time.
 enum class HierarchyQuality { high, fast };
 
 // A kind and its options; those of other kinds don't matter.

@@ -2,11 +2,12 @@
 #include "libgrid/build/builder.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/build/moved_hierarchy.h"
-#include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/cuda_executor.h"
+#include "libgrid/build/passes/leaf_passes.h"
 #include "libgrid/build/passes/merge_passes.h"
 #include "libgrid/build/passes/move_passes.h"
 #include "libgrid/build/passes/refit_passes.h"
+#include "libgrid/build/passes/top_down_passes.h"
 #include "libscene/base/stopwatch.h"
 #include "libscene/cuda/cuda_device.h"
 #include "libscene/cuda/device_primitives.h"
@@ -104,7 +105,7 @@ private:
   // Code is brought to the device when it is first called: this isn't timed.
   void warm_up() {
     const Triangle<Stored> triangle{{0, 0, 0}, 0, {1, 0, 0}, 0, {0, 1, 1}, no_normals};
-    const Triangle<Stored> pair[] = {triangle, triangle}; // of one, nothing is clustered
+    const Triangle<Stored> pair[] = {triangle, triangle}; // of one, nothing is split
     SceneView<Stored> two{};
     two.triangles = pair;
     two.triangle_count = 2;
@@ -117,7 +118,9 @@ private:
   }
 
   ExecutorGrid<CudaExecutor> fast_hierarchy(const SceneView<Stored>& scene, const GridLayout& layout) {
-    return collapsed_hierarchy(*executor_, layout, clustered_hierarchy(*executor_, scene, layout));
+    return collapsed_hierarchy(
+        *executor_, layout,
+        top_down_hierarchy(*executor_, hierarchy_leaves(*executor_, scene, layout), layout.space));
   }
 
   template <class Build>

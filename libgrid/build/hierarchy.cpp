@@ -1,14 +1,17 @@
 #include "libgrid/build/hierarchy.h"
 
 #include "libgrid/build/binary_hierarchy.h"
-#include "libgrid/build/passes/cluster_passes.h"
+#include "libgrid/build/passes/leaf_passes.h"
 #include "libgrid/build/passes/refit_passes.h"
+#include "libgrid/build/passes/top_down_passes.h"
 #include "libscene/base/available_memory.h"
 #include "libscene/base/error.h"
 
 #include <fmt/format.h>
 
 namespace masu {
+
+static_assert(cuts_per_width <= spare_fragments);
 
 void check_hierarchy(std::uint64_t primitives, double available) {
   const auto fail = [](const std::string& what) {
@@ -39,10 +42,11 @@ Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, Hi
                     const std::function<void(double)>& progress) {
   check_hierarchy(scene.primitive_count(), layout.space);
   TbbExecutor executor;
+  const auto leaves = hierarchy_leaves(executor, scene, layout);
   return collapsed_hierarchy(executor, layout,
                              quality == HierarchyQuality::fast
-                                 ? clustered_hierarchy(executor, scene, layout)
-                                 : binary_hierarchy(scene, layout.margin, progress));
+                                 ? top_down_hierarchy(executor, leaves, layout.space)
+                                 : binary_hierarchy(scene, layout.margin, leaves, progress));
 }
 template Grid hierarchy_grid(const SceneView<float>&, const GridLayout&, HierarchyQuality,
                              const std::function<void(double)>&);

@@ -32,11 +32,12 @@ inline const char* merge_rule_of(HierarchyQuality quality) {
   return quality == HierarchyQuality::fast ? "bvh fast" : "bvh";
 }
 
-// First a binary hierarchy, from the top down (binary_hierarchy.h) or from the leaves up (cluster_passes.h);
-// then the cheapest nodes of eight boxes that it can be collapsed to (collapse_passes.h). The same for any
-// number of threads. As a grid it is of the layout's space, in one voxel; boxes contain the layout's margin
-// around each primitive. The root comes first, then depth first, a node's nodes side by side. `progress` gets
-// shares of the work of high quality, from any thread. Throws as check_hierarchy() does.
+// First leaves, of primitives and parts of them (leaf_passes.h); then a binary hierarchy of these, from the top
+// down (binary_hierarchy.h, top_down_passes.h); then the cheapest nodes of eight boxes that it can be collapsed
+// to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's space, in one
+// voxel; boxes contain the layout's margin around each primitive. The root comes first, then depth first, a
+// node's nodes side by side. `progress` gets shares of the work of high quality, from any thread. Throws as
+// check_hierarchy() does.
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality = {},
                     const std::function<void(double)>& progress = {});

@@ -96,8 +96,8 @@ TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAlone) {
   };
   for (int i = 0; i < 2000; ++i)
     add(chance.in_cube(1), chance.in_cube(0.01), chance.in_cube(0.01));
-  for (int i = 0; i < 10; ++i) // as large, but along two axes
-    add(chance.in_cube(1), {chance.uniform(0.5, 1), 0, 0}, {0, chance.uniform(0.5, 1), 0});
+  for (int i = 0; i < 30; ++i) // larger, but along two axes
+    add(chance.in_cube(1), {chance.uniform(2, 4), 0, 0}, {0, chance.uniform(2, 4), 0});
   EXPECT_EQ(hierarchy_of(scene, HierarchyQuality::fast).references.size(), scene.count());
   const PrimitiveIndex slanted = scene.count();
   for (int i = 0; i < 10; ++i)
@@ -109,7 +109,7 @@ TYPED_TEST(BuiltHierarchy, OfFastQualityDividesLongSlantedTrianglesAlone) {
   EXPECT_GT(std::ranges::max(parts), 1U);
   for (PrimitiveIndex i = 0; i < slanted; ++i)
     EXPECT_EQ(parts[i], 1U) << i;
-  EXPECT_LE(grid.references.size(), 1.31 * scene.count());
+  EXPECT_LE(grid.references.size(), 1.71 * scene.count());
 }
 
 TYPED_TEST(BuiltHierarchy, CanBeWrittenAndOpened) {

@@ -1,8 +1,9 @@
 // Grids built by passes as a device runs them, as plain loops, against those built by the CPU; and sorting.
-#include "libgrid/build/passes/cluster_passes.h"
 #include "libgrid/build/passes/host_executor.h"
+#include "libgrid/build/passes/leaf_passes.h"
 #include "libgrid/build/passes/move_passes.h"
 #include "libgrid/build/passes/refit_passes.h"
+#include "libgrid/build/passes/top_down_passes.h"
 #include "tests/grid/builder_comparison.h"
 #include "tests/grid/device_like_executor.h"
 
@@ -23,7 +24,9 @@ public:
     if (options.kind == GridKind::uniform) return uniform_grid(executor_, scene_, layout, overlap);
     if (options.kind != GridKind::hierarchy) return merged_grid(executor_, scene_, layout, overlap, options);
     if (options.quality == HierarchyQuality::high) return {hierarchy_grid(scene_, layout)};
-    return collapsed_hierarchy(executor_, layout, clustered_hierarchy(executor_, scene_, layout));
+    return collapsed_hierarchy(
+        executor_, layout,
+        top_down_hierarchy(executor_, hierarchy_leaves(executor_, scene_, layout), layout.space));
   }
   bool refit(const GridLayout& layout, Grid& hierarchy) override {
     if (!holds_all(executor_, scene_, hierarchy.references)) return false;

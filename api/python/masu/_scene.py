@@ -244,7 +244,7 @@ class Scene(Resource):
 
         structure: "grid", "bvh", or "fastest" of both, which is a grid if merge or division is given; merge: "auto",
         "none", "x", "balance" or "irregular"; division: "auto", 64, (64, 64, 32), "cleary:1", …; quality: of a hierarchy,
-        "high", or "fast", which takes a fifth of the time or less; box_overlap: a voxel lists the primitives whose bounding
+        "high", or "fast", which takes a third of the time; box_overlap: a voxel lists the primitives whose bounding
         box meets it, not their surface; cube_space: the smallest cube about the origin is divided, not the primitives'
         bounds; target, alpha, step_cost, detail, nested, expansions: of merged and irregular grids; device: where to build,
         "cpu", "cuda" or a GPU's number; threads: 0 for all cores; for_cpu: what is chosen automatically is chosen for

@@ -16,8 +16,29 @@ namespace masu {
 // What a group's threads share.
 struct SharedByThreads {
   __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
-  __device__ void lower(std::uint32_t& least, std::uint32_t value) const { atomicMin(&least, value); }
-  __device__ void raise(std::uint32_t& most, std::uint32_t value) const { atomicMax(&most, value); }
+  __device__ void join(Boxf& box, const Boxf& other) const {
+    lower(box.min.x, other.min.x);
+    lower(box.min.y, other.min.y);
+    lower(box.min.z, other.min.z);
+    raise(box.max.x, other.max.x);
+    raise(box.max.y, other.max.y);
+    raise(box.max.z, other.max.z);
+  }
+
+private:
+  // The bits of floats, but for -0, are in their order as whole numbers from 0 on, in the opposite one below.
+  __device__ static void lower(float& least, float value) {
+    if (value + 0 >= 0)
+      atomicMin(reinterpret_cast<int*>(&least), __float_as_int(value + 0));
+    else
+      atomicMax(reinterpret_cast<unsigned*>(&least), __float_as_uint(value));
+  }
+  __device__ static void raise(float& most, float value) {
+    if (value + 0 >= 0)
+      atomicMax(reinterpret_cast<int*>(&most), __float_as_int(value + 0));
+    else
+      atomicMin(reinterpret_cast<unsigned*>(&most), __float_as_uint(value));
+  }
 };
 
 // Some of a warp's threads, `width` (a power of two) side by side, as thread_group.h has them.

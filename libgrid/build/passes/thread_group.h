@@ -2,7 +2,7 @@
 // the device a warp tile or a thread block (cuda_executor.h), with the same members.
 #pragma once
 
-#include "libscene/base/portable.h"
+#include "libscene/geometry/box.h"
 
 #include <cstdint>
 
@@ -16,11 +16,8 @@ struct SingleThread {
   MASU_HD void sync() const {}
   // Adds one to a counter that all threads share.
   MASU_HD void count(std::uint32_t& counter) const { ++counter; }
-  // Makes what all threads share no greater, or no less, than the value.
-  MASU_HD void lower(std::uint32_t& least, std::uint32_t value) const {
-    least = value < least ? value : least;
-  }
-  MASU_HD void raise(std::uint32_t& most, std::uint32_t value) const { most = value > most ? value : most; }
+  // Makes a box that all threads share hold another.
+  MASU_HD void join(Boxf& box, const Boxf& other) const { box = masu::join(box, other); }
   // Reductions over all threads, the result for each of them.
   MASU_HD std::uint64_t sum(std::uint64_t value) const { return value; }
   MASU_HD std::uint32_t all_bits(std::uint32_t bits) const { return bits; }

@@ -1,9 +1,9 @@
-// The top of a binary hierarchy, from the root down to clusters (cluster_passes.h), on whatever executor
-// (executor.h): level by level by the surface area heuristic over bins (Wald, "On Fast Construction of
-// SAH-based Bounding Volume Hierarchies", RT 2007).
+// A binary hierarchy from the root down, on whatever executor (executor.h): level by level by the surface
+// area heuristic over bins (Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", RT 2007),
+// of few leaves over all their centres.
 //
-//   1. split    of each node's clusters by where their centres are
-//   2. sort     clusters by the node of the next level that they are in, else in their order; 1 and 2 until
+//   1. split    of each node's leaves by where their centres are
+//   2. sort     leaves by the node of the next level that they are in, else in their order; 1 and 2 until
 //               each is alone
 //   3. combine  boxes and costs, from the lowest level up
 //
@@ -19,167 +19,192 @@
 
 namespace masu {
 
-// An executor's clusters: roots of binary hierarchies, and what collapsing them costs.
-template <class Executor>
-struct Clusters {
-  ArrayOf<Executor, BinaryNode> nodes;
-  ArrayOf<Executor, CollapseCosts> costs;
-
-  Clusters(const Executor& executor, std::uint64_t count)
-      : nodes(executor.template array<BinaryNode>(count)),
-        costs(executor.template array<CollapseCosts>(count)) {}
-};
-
-// A node's clusters: so many side by side.
-struct ClusterRange {
+// A node's leaves, so many side by side in their order; of a single one `first` is its number.
+struct LeafRange {
   std::uint32_t first, count;
 };
 
-inline constexpr int cluster_bins = 16; // along each axis
-
-// Which of a range's clusters go left: those whose centres are in bins up to the last; by none of the axes,
-// the first ones.
-struct ClusterSplit {
+// What of a range goes left: leaves whose centres lie no farther along an axis. By none of the axes, or where
+// that is all or nothing, the first half.
+struct LeafSplit {
   float cost = INFINITY;
-  std::int32_t axis = -1, last_bin = 0;
-  std::uint32_t left = 0; // how many
-  float low = 0, bins_per_unit = 0;
+  std::int32_t axis = -1;
+  float place = 0; // twice it
 
-  // In a bin of this axis. `centre`: twice it.
-  MASU_HD std::int32_t bin(float centre) const {
-    return std::clamp(static_cast<std::int32_t>((centre - low) * bins_per_unit), 0, cluster_bins - 1);
-  }
+  MASU_HD bool is_left(const BinaryNode& leaf) const;
 };
-MASU_HD inline bool comes_before(const ClusterSplit& a, const ClusterSplit& b) {
+MASU_HD inline bool comes_before(const LeafSplit& a, const LeafSplit& b) {
   if (a.cost != b.cost) return a.cost < b.cost;
-  return a.axis != b.axis ? a.axis < b.axis : a.last_bin < b.last_bin;
+  return a.axis != b.axis ? a.axis < b.axis : a.place < b.place;
 }
 
 MASU_HD inline float twice_the_centre(const BinaryNode& node, int axis) {
   return node.min[axis] + node.max[axis];
 }
 
-// Whole numbers in the order of floats, which threads can make less or greater all at once.
-MASU_HD inline std::uint32_t ordered(float value) {
-  const std::uint32_t bits = bits_of(value), sign = 0x80000000U;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
-}
-MASU_HD inline float unordered(std::uint32_t number) {
-  const std::uint32_t sign = 0x80000000U;
-  return float_of((number & sign) != 0 ? number & ~sign : ~number);
+MASU_HD inline bool LeafSplit::is_left(const BinaryNode& leaf) const {
+  return axis >= 0 && twice_the_centre(leaf, axis) <= place;
 }
 
-// A box that a group of threads joins things to.
-struct SharedBox {
-  std::uint32_t min[3], max[3];
-
-  MASU_HD void clear() {
-    for (int axis = 0; axis < 3; ++axis) {
-      min[axis] = ordered(INFINITY);
-      max[axis] = ordered(-INFINITY);
-    }
-  }
-  template <class ThreadGroup>
-  MASU_HD void join(const ThreadGroup& group, int axis, float low, float high) {
-    group.lower(min[axis], ordered(low));
-    group.raise(max[axis], ordered(high));
-  }
-  MASU_HD Boxf box() const {
-    return {{unordered(min[0]), unordered(min[1]), unordered(min[2])},
-            {unordered(max[0]), unordered(max[1]), unordered(max[2])}};
-  }
-};
+// Of more leaves so many are looked at, as far apart in their order as each other; few are tried one by one.
+inline constexpr std::uint32_t max_sampled = 4096, few_leaves = 8;
+inline constexpr std::uint32_t max_bins = 16; // along each axis
 
 struct SplitRanges {
   struct Scratch {
-    SharedBox centres;
+    Boxf centres;
     struct {
-      SharedBox box;
+      Boxf box;
       std::uint32_t count;
-    } bins[3][cluster_bins];
+    } bins[3][max_bins];
   };
-  const BinaryNode* clusters;
-  const std::uint32_t* order; // of clusters
-  const ClusterRange* ranges;
-  ClusterSplit* splits;
+  const BinaryNode* leaves;
+  const std::uint32_t* order; // of leaves
+  const LeafRange* ranges;
+  const Boxf* spaces;
+  LeafSplit* splits;
   std::uint32_t most; // a range of more is halved, lest the hierarchy become too deep
 
-  MASU_HD std::uint32_t size(std::uint64_t i) const { return ranges[i].count; }
+  MASU_HD std::uint32_t size(std::uint64_t i) const {
+    return std::min(ranges[i].count, std::uint32_t{max_sampled});
+  }
   template <class ThreadGroup>
   MASU_HD void operator()(const ThreadGroup& group, Scratch& scratch, std::uint64_t i) const {
-    const ClusterRange range = ranges[i];
-    ClusterSplit best;
-    if (range.count > 1 && range.count <= most) best = cheapest(group, scratch, range);
-    if (group.thread_rank() != 0) return;
-    if (best.axis < 0) best.left = range.count / 2;
-    splits[i] = best;
+    const LeafRange range = ranges[i];
+    LeafSplit best;
+    if (range.count > 2 && range.count <= most)
+      best = range.count <= few_leaves ? cheapest_of_few(group, range)
+                                       : cheapest(group, scratch, range, spaces[i]);
+    if (group.thread_rank() == 0) splits[i] = best;
   }
 
 private:
-  // For the first thread.
+  MASU_HD const BinaryNode& leaf(const LeafRange& range, std::uint32_t i) const {
+    return leaves[order[range.first + i]];
+  }
+  MASU_HD static float cost_of(const Boxf& left, std::uint32_t left_count, const Boxf& right,
+                               std::uint32_t right_count) {
+    return half_area(left) * static_cast<float>(left_count) +
+           half_area(right) * static_cast<float>(right_count);
+  }
+
+  // Of any of a range's leaves as the last one on the left, sorted along each axis. Both for the first
+  // thread.
   template <class ThreadGroup>
-  MASU_HD ClusterSplit cheapest(const ThreadGroup& group, Scratch& scratch, const ClusterRange& range) const {
-    const auto for_each_cluster = [&](const auto& act) {
-      for (std::uint32_t i = group.thread_rank(); i < range.count; i += group.size())
-        act(clusters[order[range.first + i]]);
+  MASU_HD LeafSplit cheapest_of_few(const ThreadGroup& group, const LeafRange& range) const {
+    LeafSplit best;
+    for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
+         axis += static_cast<int>(group.size())) {
+      float centres[few_leaves];
+      Boxf boxes[few_leaves], right[few_leaves];
+      for (std::uint32_t i = 0; i < range.count; ++i) {
+        const BinaryNode& own = leaf(range, i);
+        const float centre = twice_the_centre(own, axis);
+        std::uint32_t to = i;
+        for (; to > 0 && centre < centres[to - 1]; --to) {
+          centres[to] = centres[to - 1];
+          boxes[to] = boxes[to - 1];
+        }
+        centres[to] = centre;
+        boxes[to] = own.box();
+      }
+      right[range.count - 1] = boxes[range.count - 1];
+      for (std::uint32_t i = range.count - 1; i-- > 1;)
+        right[i] = join(boxes[i], right[i + 1]);
+      LeafSplit split;
+      split.axis = axis;
+      Boxf left = empty_box<float>();
+      for (std::uint32_t i = 0; i + 1 < range.count; ++i) {
+        left = join(left, boxes[i]);
+        if (centres[i] == centres[i + 1]) continue;
+        split.cost = cost_of(left, i + 1, right[i + 1], range.count - i - 1);
+        split.place = centres[i];
+        if (comes_before(split, best)) best = split;
+      }
+    }
+    return group.first_of_all(best);
+  }
+
+  struct Bins {
+    std::int32_t axis;
+    std::int32_t count;
+    float low, per_unit;
+
+    // `centre`: twice it.
+    MASU_HD std::int32_t operator()(float centre) const {
+      return std::clamp(static_cast<std::int32_t>((centre - low) * per_unit), 0, count - 1);
+    }
+  };
+  template <class ThreadGroup>
+  MASU_HD LeafSplit cheapest(const ThreadGroup& group, Scratch& scratch, const LeafRange& range,
+                             const Boxf& space) const {
+    const std::uint32_t apart = (range.count - 1) / max_sampled + 1;
+    const auto for_each_leaf = [&](const auto& act) {
+      for (std::uint32_t i = group.thread_rank() * apart; i < range.count; i += group.size() * apart)
+        act(leaf(range, i));
     };
-    if (group.thread_rank() == 0) scratch.centres.clear();
-    for (std::uint32_t i = group.thread_rank(); i < 3 * cluster_bins; i += group.size()) {
-      auto& bin = scratch.bins[i / cluster_bins][i % cluster_bins];
-      bin.box.clear();
+    if (group.thread_rank() == 0) scratch.centres = empty_box<float>();
+    const auto bin_count = static_cast<std::int32_t>(std::min(range.count / 4 + 4, std::uint32_t{max_bins}));
+    for (auto i = static_cast<std::int32_t>(group.thread_rank()); i < 3 * bin_count;
+         i += static_cast<std::int32_t>(group.size())) {
+      auto& bin = scratch.bins[i / bin_count][i % bin_count];
+      bin.box = empty_box<float>();
       bin.count = 0;
     }
     group.sync();
     Boxf own = empty_box<float>();
-    for_each_cluster([&](const BinaryNode& cluster) { own = join(own, cluster.min + cluster.max); });
-    for (int axis = 0; axis < 3; ++axis)
-      scratch.centres.join(group, axis, own.min[axis], own.max[axis]);
+    for_each_leaf([&](const BinaryNode& leaf) { own = join(own, leaf.min + leaf.max); });
+    group.join(scratch.centres, own);
     group.sync();
-    const Boxf centres = scratch.centres.box();
-    ClusterSplit along[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const float scale = cluster_bins * 0.99999F / (centres.max[axis] - centres.min[axis]);
-      along[axis].axis = axis;
-      along[axis].low = centres.min[axis];
-      along[axis].bins_per_unit = scale < INFINITY ? scale : 0; // all in one place, or nearly
+    Boxf centres = scratch.centres;
+    // Regular things are best split just where their space is, which a sample misses: so by the space, unless
+    // they are small in it.
+    for (int axis = 0; axis < 3 && apart > 1; ++axis) {
+      if (4 * (centres.max[axis] - centres.min[axis]) < space.max[axis] - space.min[axis]) continue;
+      centres.min.set(axis, space.min[axis]);
+      centres.max.set(axis, space.max[axis]);
     }
-    for_each_cluster([&](const BinaryNode& cluster) {
+    Bins along[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      const float scale = static_cast<float>(bin_count) * 0.99999F / (centres.max[axis] - centres.min[axis]);
+      // 0: all in one place, or nearly
+      along[axis] = {axis, bin_count, centres.min[axis], scale < INFINITY ? scale : 0};
+    }
+    for_each_leaf([&](const BinaryNode& leaf) {
       for (int axis = 0; axis < 3; ++axis) {
-        auto& bin = scratch.bins[axis][along[axis].bin(twice_the_centre(cluster, axis))];
-        for (int side = 0; side < 3; ++side)
-          bin.box.join(group, side, cluster.min[side], cluster.max[side]);
+        auto& bin = scratch.bins[axis][along[axis](twice_the_centre(leaf, axis))];
+        group.join(bin.box, leaf.box());
         group.count(bin.count);
       }
     });
     group.sync();
-    ClusterSplit best;
+    LeafSplit best;
+    const std::uint32_t sampled = (range.count - 1) / apart + 1;
     for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
          axis += static_cast<int>(group.size())) {
-      const ClusterSplit split = cheapest_along(along[axis], scratch, range.count);
+      const LeafSplit split = cheapest_along(along[axis], scratch, sampled);
       if (comes_before(split, best)) best = split;
     }
     return group.first_of_all(best);
   }
 
-  MASU_HD static ClusterSplit cheapest_along(ClusterSplit split, const Scratch& scratch,
-                                             std::uint32_t count) {
-    const auto& bins = scratch.bins[split.axis];
-    float right_area[cluster_bins]; // of all from a bin on
-    Boxf box = empty_box<float>();
-    for (int bin = cluster_bins; --bin > 0;) {
-      box = join(box, bins[bin].box.box());
-      right_area[bin] = half_area(box);
-    }
-    ClusterSplit best;
-    box = empty_box<float>();
-    for (int bin = 0; bin + 1 < cluster_bins; ++bin) {
-      box = join(box, bins[bin].box.box());
-      split.left += bins[bin].count;
-      if (split.left == 0) continue;
-      if (split.left == count) break;
-      split.cost = half_area(box) * static_cast<float>(split.left) +
-                   right_area[bin + 1] * static_cast<float>(count - split.left);
-      split.last_bin = bin;
+  MASU_HD static LeafSplit cheapest_along(const Bins& along, const Scratch& scratch, std::uint32_t count) {
+    const auto& bins = scratch.bins[along.axis];
+    Boxf right[max_bins + 1]; // of all from a bin on
+    right[along.count] = empty_box<float>();
+    for (int bin = along.count; --bin > 0;)
+      right[bin] = join(right[bin + 1], bins[bin].box);
+    LeafSplit best, split;
+    split.axis = along.axis;
+    Boxf left = empty_box<float>();
+    std::uint32_t left_count = 0;
+    for (int bin = 0; bin + 1 < along.count; ++bin) {
+      left = join(left, bins[bin].box);
+      left_count += bins[bin].count;
+      if (left_count == 0) continue;
+      if (left_count == count) break;
+      split.cost = cost_of(left, left_count, right[bin + 1], count - left_count);
+      split.place = along.low + static_cast<float>(bin + 1) / along.per_unit;
       if (comes_before(split, best)) best = split;
     }
     return best;
@@ -188,115 +213,139 @@ private:
 
 // Nodes of one depth. The children of the first are the first two of the next level, and so on.
 template <class Executor>
-struct TopLevel {
-  ArrayOf<Executor, ClusterRange> ranges{};
+struct BinaryLevel {
+  ArrayOf<Executor, LeafRange> ranges{};
+  ArrayOf<Executor, Boxf> spaces{}; // in which twice the centres of a range's leaves are; until it is split
   ArrayOf<Executor, std::uint32_t> first_child{};
   std::uint32_t first_node = 0; // its nodes' numbers in the hierarchy follow one another
 };
 
-// Clusters sorted by their ranges in a level; no_range where they are alone in one of a higher level.
-inline constexpr std::uint32_t no_range = 0xffffffffU;
+// Leaves sorted by their ranges in a level, but for those that are alone.
 template <class Executor>
-struct ClusterOrder {
-  ArrayOf<Executor, std::uint32_t> clusters{}, ranges{};
+struct LeafOrder {
+  ArrayOf<Executor, std::uint32_t> leaves{}, ranges{};
 
-  ClusterOrder(const Executor& executor, std::uint64_t count)
-      : clusters(executor.template array<std::uint32_t>(count)),
+  LeafOrder(const Executor& executor, std::uint64_t count)
+      : leaves(executor.template array<std::uint32_t>(count)),
         ranges(executor.template array<std::uint32_t>(count)) {}
 };
 
-// Splits a level's ranges; returns the next level's.
+// Splits a level's ranges and sorts the leaves anew; returns the next level.
 template <class Executor>
-ArrayOf<Executor, ClusterRange>
-split_level(Executor& executor, const Clusters<Executor>& clusters, std::uint32_t count, std::uint32_t most,
-            TopLevel<Executor>& level, ClusterOrder<Executor>& order, ClusterOrder<Executor>& next) {
-  const std::uint64_t range_count = level.ranges.size();
-  auto all_splits = executor.template array<ClusterSplit>(range_count);
-  const BinaryNode* const node = clusters.nodes.data();
-  const std::uint32_t *const cluster = order.clusters.data(), *const range_of = order.ranges.data();
-  const ClusterRange* const ranges = level.ranges.data();
-  const ClusterSplit* const splits = all_splits.data();
-  executor.for_each_by_group(range_count, SplitRanges{node, cluster, ranges, all_splits.data(), most});
+BinaryLevel<Executor> split_level(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
+                                  std::uint32_t most, BinaryLevel<Executor>& level,
+                                  LeafOrder<Executor>& order) {
+  const std::uint64_t range_count = level.ranges.size(), count = order.leaves.size();
+  auto splits = executor.template array<LeafSplit>(range_count);
+  const BinaryNode* const leaf = leaves.data();
+  const std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
+  const LeafRange* const range = level.ranges.data();
+  const Boxf* const space = level.spaces.data();
+  LeafSplit* const split = splits.data();
+  executor.for_each_by_group(range_count, SplitRanges{leaf, ordered_leaf, range, space, split, most});
   level.first_child = sums_before(executor, range_count,
-                                  [=] MASU_PASS(std::uint64_t i) { return ranges[i].count > 1 ? 2U : 0U; });
+                                  [=] MASU_PASS(std::uint64_t i) { return range[i].count > 1 ? 2U : 0U; });
   const auto left_sums = sums_before(executor, count, [=] MASU_PASS(std::uint64_t i) {
-    const std::uint32_t range = range_of[i];
-    if (range == no_range) return false;
-    const ClusterSplit& split = splits[range];
-    return split.axis < 0 ? i - ranges[range].first < split.left
-                          : split.bin(twice_the_centre(node[cluster[i]], split.axis)) <= split.last_bin;
+    return split[range_of[i]].is_left(leaf[ordered_leaf[i]]);
   });
   const std::uint32_t *const first_child = level.first_child.data(), *const left_before = left_sums.data();
-  std::uint32_t *const next_cluster = next.clusters.data(), *const next_range_of = next.ranges.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    const std::uint32_t range = range_of[i];
-    std::uint64_t to = i;
-    std::uint32_t child = no_range;
-    if (range != no_range && ranges[range].count > 1) {
-      const std::uint32_t first = ranges[range].first, left = left_before[i] - left_before[first];
-      const bool goes_left = left_before[i + 1] != left_before[i];
-      to = goes_left ? first + left : i - left + splits[range].left;
-      child = first_child[range] + (goes_left ? 0 : 1);
-    }
-    next_cluster[to] = cluster[i];
-    next_range_of[to] = child;
-  });
-  std::swap(order, next);
-  auto children = executor.template array<ClusterRange>(executor.value(level.first_child, range_count));
-  ClusterRange* const child = children.data();
+  const std::uint64_t child_count = executor.value(level.first_child, range_count);
+  BinaryLevel<Executor> below{executor.template array<LeafRange>(child_count),
+                              executor.template array<Boxf>(child_count)};
+  LeafRange* const child = below.ranges.data();
+  Boxf* const child_space = below.spaces.data();
   executor.for_each(range_count, [=] MASU_PASS(std::uint64_t i) {
-    if (ranges[i].count == 1) return;
-    const std::uint32_t left = splits[i].left;
-    child[first_child[i]] = {ranges[i].first, left};
-    child[first_child[i] + 1] = {ranges[i].first + left, ranges[i].count - left};
+    const auto [first, in_range] = range[i];
+    if (in_range == 1) return;
+    std::uint32_t left = left_before[first + in_range] - left_before[first];
+    if (left == 0 || left == in_range) {
+      split[i].axis = -1;
+      left = in_range / 2;
+    }
+    const std::uint32_t at = first_child[i];
+    child[at].count = left;
+    child[at + 1].count = in_range - left;
+    child_space[at] = child_space[at + 1] = space[i];
+    if (split[i].axis < 0) return;
+    child_space[at].max.set(split[i].axis, split[i].place);
+    child_space[at + 1].min.set(split[i].axis, split[i].place);
   });
-  return children;
+  const auto places = sums_before(executor, child_count, [=] MASU_PASS(std::uint64_t i) {
+    return child[i].count > 1 ? child[i].count : 0U;
+  });
+  LeafOrder<Executor> next(executor, executor.value(places, child_count));
+  const std::uint32_t* const place = places.data();
+  std::uint32_t *const next_leaf = next.leaves.data(), *const next_range_of = next.ranges.data();
+  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
+    const std::uint32_t own = range_of[i], first = range[own].first, left_child = first_child[own];
+    const auto in_range = static_cast<std::uint32_t>(i) - first;
+    const bool halved = split[own].axis < 0;
+    const std::uint32_t left = halved ? std::min(in_range, child[left_child].count)
+                                      : left_before[i] - left_before[first]; // before it
+    const bool is_left = halved ? in_range < child[left_child].count : left_before[i + 1] != left_before[i];
+    const std::uint32_t to = left_child + (is_left ? 0 : 1), before = is_left ? left : in_range - left;
+    if (child[to].count == 1) {
+      child[to].first = ordered_leaf[i];
+      return;
+    }
+    if (before == 0) child[to].first = place[to];
+    next_leaf[place[to] + before] = ordered_leaf[i];
+    next_range_of[place[to] + before] = to;
+  });
+  order = std::move(next);
+  level.spaces = {};
+  return below;
 }
 
-// Writes the root and all nodes between it and the first `count` clusters: in pairs from `first_pair` on.
-// `height`: of the highest cluster, or more.
 template <class Executor>
-void split_clusters(Executor& executor, const Clusters<Executor>& clusters, std::uint32_t count, int height,
-                    std::uint32_t first_pair, BinaryHierarchy<Executor>& hierarchy) {
-  ClusterOrder<Executor> order(executor, count), other(executor, count);
-  auto ranges = executor.template array<ClusterRange>(1);
-  std::uint32_t *const cluster = order.clusters.data(), *const range_of = order.ranges.data();
-  ClusterRange* const all = ranges.data();
-  executor.for_each(count, [=] MASU_PASS(std::uint64_t i) {
-    cluster[i] = static_cast<std::uint32_t>(i);
+BinaryHierarchy<Executor> top_down_hierarchy(Executor& executor, const ArrayOf<Executor, BinaryNode>& leaves,
+                                             const Boxd& scene_space) {
+  const std::uint64_t count = leaves.size();
+  BinaryHierarchy<Executor> hierarchy;
+  if (count == 0) return hierarchy;
+  // The root, one that isn't there, and the others in pairs.
+  hierarchy.nodes = executor.template array<BinaryNode>(2 * count);
+  hierarchy.choices = executor.template array<CollapseChoice>(2 * count);
+  LeafOrder<Executor> order(executor, count > 1 ? count : 0);
+  std::uint32_t *const ordered_leaf = order.leaves.data(), *const range_of = order.ranges.data();
+  executor.for_each(order.leaves.size(), [=] MASU_PASS(std::uint64_t i) {
+    ordered_leaf[i] = static_cast<std::uint32_t>(i);
     range_of[i] = 0;
-    if (i == 0) *all = {0, count};
   });
-  std::vector<TopLevel<Executor>> levels;
-  for (std::uint32_t first_node = 0; ranges.size() > 0;) {
-    // What is split off may leave one cluster fewer, which must still fit below when halved again and again.
-    const int levels_below = max_hierarchy_depth - 2 - height - static_cast<int>(levels.size());
-    levels.push_back({std::move(ranges), {}, first_node});
-    ranges = split_level(executor, clusters, count, 1U << std::clamp(levels_below, 0, 31), levels.back(),
-                         order, other);
-    first_node = 2 * first_pair;
-    first_pair += static_cast<std::uint32_t>(ranges.size() / 2);
+  BinaryLevel<Executor> next{executor.template array<LeafRange>(1), executor.template array<Boxf>(1)};
+  LeafRange* const all = next.ranges.data();
+  Boxf* const space = next.spaces.data();
+  executor.for_each(1, [=, twice = cast<float>(scene_space)] MASU_PASS(std::uint64_t) {
+    *all = {0, static_cast<std::uint32_t>(count)};
+    *space = {twice.min + twice.min, twice.max + twice.max};
+  });
+  std::vector<BinaryLevel<Executor>> levels;
+  for (std::uint32_t first_pair = 1; next.ranges.size() > 0;) {
+    // What is split off may leave one leaf fewer, which must still fit below when halved again and again.
+    const int levels_below = max_hierarchy_depth - 2 - static_cast<int>(levels.size());
+    levels.push_back(std::move(next));
+    next = split_level(executor, leaves, 1U << std::clamp(levels_below, 0, 31), levels.back(), order);
+    next.first_node = 2 * first_pair;
+    first_pair += static_cast<std::uint32_t>(next.ranges.size() / 2);
   }
-  const BinaryNode* const cluster_node = clusters.nodes.data();
-  const CollapseCosts* const cluster_costs = clusters.costs.data();
-  const std::uint32_t* const sorted = order.clusters.data();
+  const BinaryNode* const leaf = leaves.data();
   BinaryNode* const nodes = hierarchy.nodes.data();
   CollapseChoice* const choices = hierarchy.choices.data();
   std::uint32_t first_below = 0;
   auto costs_below = executor.template array<CollapseCosts>(0);
   for (; !levels.empty(); levels.pop_back()) {
-    const TopLevel<Executor>& level = levels.back();
+    const BinaryLevel<Executor>& level = levels.back();
     auto level_costs = executor.template array<CollapseCosts>(level.ranges.size());
     CollapseCosts* const costs = level_costs.data();
     const CollapseCosts* const below = costs_below.data();
-    const ClusterRange* const range = level.ranges.data();
+    const LeafRange* const range = level.ranges.data();
     const std::uint32_t* const first_child = level.first_child.data();
     const std::uint32_t first_node = level.first_node;
     executor.for_each(level.ranges.size(), [=] MASU_PASS(std::uint64_t i) {
       BinaryNode& node = nodes[first_node + i];
       if (range[i].count == 1) {
-        node = cluster_node[sorted[range[i].first]];
-        costs[i] = cluster_costs[sorted[range[i].first]];
+        node = leaf[range[i].first];
+        costs[i] = collapse_costs_of_leaf(node);
       } else {
         const std::uint32_t child = first_child[i], left = first_below + child;
         const Boxf box = join(nodes[left].box(), nodes[left + 1].box());
@@ -308,6 +357,7 @@ void split_clusters(Executor& executor, const Clusters<Executor>& clusters, std:
     first_below = first_node;
     costs_below = std::move(level_costs);
   }
+  return hierarchy;
 }
 
 } // namespace masu

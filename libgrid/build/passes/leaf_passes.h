@@ -1,16 +1,15 @@
-// Primitives along a Morton curve, and triangles divided whose boxes are mostly empty (Karras & Aila, "Fast
-// Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013), on whatever executor
-// (executor.h):
+// A hierarchy's leaves: primitives along a Morton curve, and triangles divided whose boxes are mostly empty
+// (after Karras & Aila, "Fast Parallel Construction of High-Quality Bounding Volume Hierarchies", HPG 2013),
+// on whatever executor (executor.h):
 //
-//   1. divider  how many parts a triangle's empty space is worth, by that of all
+//   1. divider  how many parts a triangle's empty space is worth, by the size of all boxes
 //   2. emit     parts, cut at planes that halve the space again and again: neighbours are cut by the same
 //
 // No byte of the result depends on the executor or its number of threads.
 #pragma once
 
 #include "libgrid/build/overlap/clipped_bounds.h"
-#include "libgrid/build/passes/node_boxes.h"
-#include "libgrid/build/passes/uniform_passes.h"
+#include "libgrid/build/passes/collapse_passes.h"
 
 #include <algorithm>
 #include <bit>
@@ -29,8 +28,8 @@ MASU_HD inline std::uint64_t spread_bits(std::uint32_t number) {
 
 // A plane across an axis.
 struct CutPlane {
-  std::int32_t axis = -1; // none
-  double place = 0;
+  int axis;
+  double place;
 };
 
 struct MortonCurve {
@@ -55,27 +54,17 @@ struct MortonCurve {
       code |= spread_bits(place(0.5 * (static_cast<double>(box.min[axis]) + box.max[axis]), axis)) << axis;
     return code;
   }
-  // The first plane that the box crosses of those that halve the space, its halves, and so on; of two at a
-  // time the one across the box's longer side.
-  MASU_HD CutPlane first_plane(const Boxf& box) const {
-    CutPlane first;
-    std::uint32_t most = 0;
-    float longest = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::uint32_t high = place(box.max[axis], axis);
-      std::uint32_t differing = place(box.min[axis], axis) ^ high, bit = 0;
-      while (differing >> bit > 1)
-        ++bit;
-      differing >>= bit; // 0: the box crosses none
-      const double at = origin[axis] + (high >> bit << bit) * step;
-      const float side = box.max[axis] - box.min[axis];
-      if (differing == 0 || !(box.min[axis] < at && at < box.max[axis])) continue;
-      if (first.axis >= 0 && (bit < most || (bit == most && !(side > longest)))) continue;
-      first = {axis, at};
-      most = bit;
-      longest = side;
-    }
-    return first;
+  // Across the middle half of a box's longest side: the first of the planes that halve the space, its halves,
+  // and so on.
+  MASU_HD CutPlane plane_across(const Boxf& box) const {
+    const Vec3f side = box.max - box.min;
+    const int axis = side.x >= side.y && side.x >= side.z ? 0 : side.y >= side.z ? 1 : 2;
+    const double low = box.min[axis] + 0.25 * side[axis], high = box.min[axis] + 0.75 * side[axis];
+    const std::uint32_t last = place(high, axis), differing = place(low, axis) ^ last;
+    std::uint32_t bit = 0;
+    while (differing >> bit > 1)
+      ++bit;
+    return {axis, differing == 0 ? (low + high) / 2 : origin[axis] + (last >> bit << bit) * step};
   }
 };
 
@@ -84,7 +73,8 @@ struct PrimitivePart {
   std::uint32_t part;
 };
 
-inline constexpr double spare_parts = 0.3; // a primitive, more
+// Cuts of a primitive whose empty space is as wide as all boxes are in the mean.
+inline constexpr double cuts_per_width = 0.7;
 inline constexpr std::uint32_t max_cuts_log2 = 6, max_cuts = (1U << max_cuts_log2) - 1;
 
 template <class Stored>
@@ -92,20 +82,24 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   SceneView<Stored> scene;
   double margin;
   MortonCurve curve;
-  double cuts_per_worth;
+  double mean_width; // of all boxes
 
-  // What it is worth to divide a primitive: nothing for triangles whose projections along the axes fill half
-  // of their box's sides, as those of one along two axes do, however it is cut; nor for others.
-  MASU_HD double worth(const Triangle<double>& triangle) const {
+  // How wide a primitive's box is, and what of it is empty where dividing it would help: nothing for
+  // triangles whose projections along the axes fill half of their box's sides, as those of one along two axes
+  // do, however it is cut; nor for others.
+  MASU_HD static double width(const Boxd& box) {
+    const Vec3d side = box.max - box.min;
+    return std::sqrt(side.x * (side.y + side.z) + side.y * side.z);
+  }
+  MASU_HD static double empty_width(const Triangle<double>& triangle) {
     constexpr double most_filled = 0.49;
-    const Boxd box = bounds(triangle);
-    const Vec3d side = box.max - box.min, normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
-    const double area = side.x * (side.y + side.z) + side.y * side.z,
+    const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
+    const double whole = width(bounds(triangle)), area = whole * whole,
                  filled = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
     return filled > 0 && filled < most_filled * area ? std::sqrt(area - filled) : 0;
   }
   template <class Primitive>
-  MASU_HD double worth(const Primitive&) const {
+  MASU_HD static double empty_width(const Primitive&) {
     return 0;
   }
   // Calls act(box) for each part of a primitive.
@@ -117,8 +111,8 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
         std::uint32_t cuts;
       } stack[max_cuts_log2 + 1];
       const Boxf whole = box_around(bounds(primitive), margin);
-      const double own = worth(primitive),
-                   cuts = own > 0 ? std::min(cuts_per_worth * own, double{max_cuts}) : 0;
+      const double own = empty_width(primitive),
+                   cuts = own > 0 ? std::min(cuts_per_width * own / mean_width, double{max_cuts}) : 0;
       stack[0] = {whole, static_cast<std::uint32_t>(cuts)};
       for (int height = 1; height > 0;) {
         const Part part = stack[--height];
@@ -152,11 +146,10 @@ private:
     const Vec3f side = box.max - box.min;
     return std::max(side.x, std::max(side.y, side.z));
   }
-  // A part's box, given as both, by its first plane; false where that leaves a side without anything.
+  // A part's box, given as both, by a plane; false where that leaves a side without anything.
   template <class Primitive>
   MASU_HD bool cut(const Primitive& primitive, Boxf& below, Boxf& above) const {
-    const CutPlane plane = curve.first_plane(below);
-    if (plane.axis < 0) return false;
+    const CutPlane plane = curve.plane_across(below);
     const ClippedBounds sides = sides_of(primitive, plane.axis, plane.place, plane.place);
     return shrink(below, sides.below) && shrink(above, sides.above);
   }
@@ -171,31 +164,22 @@ private:
   }
 };
 
-struct WorthSum {
-  double worth = 0;
+struct WidthSum {
+  double width = 0;
 };
-MASU_HD inline WorthSum join(const WorthSum& a, const WorthSum& b) {
-  return {a.worth + b.worth};
+MASU_HD inline WidthSum join(const WidthSum& a, const WidthSum& b) {
+  return {a.width + b.width};
 }
 template <class Stored>
-struct WorthOf {
-  Divider<Stored> divider;
-  MASU_HD WorthSum operator()(std::uint64_t i) const {
-    WorthSum sum;
-    with_primitive(divider.scene, static_cast<PrimitiveIndex>(i),
-                   [&](const auto& primitive) { sum.worth = divider.worth(primitive); });
+struct WidthOf {
+  SceneView<Stored> scene;
+  MASU_HD WidthSum operator()(std::uint64_t i) const {
+    WidthSum sum;
+    with_primitive(scene, static_cast<PrimitiveIndex>(i),
+                   [&](const auto& primitive) { sum.width = Divider<Stored>::width(bounds(primitive)); });
     return sum;
   }
 };
-
-template <class Executor, class Stored>
-Divider<Stored> primitive_divider(Executor& executor, const SceneView<Stored>& scene,
-                                  const GridLayout& layout) {
-  Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space), 0};
-  const double worth = joined<WorthSum>(executor, scene.primitive_count(), WorthOf<Stored>{divider}).worth;
-  if (worth > 0) divider.cuts_per_worth = spare_parts * scene.primitive_count() / worth;
-  return divider;
-}
 
 // Pairs of a part's place on the curve, and the part.
 template <class Stored>
@@ -216,5 +200,24 @@ struct EmitParts {
     });
   }
 };
+
+template <class Executor, class Stored>
+ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const SceneView<Stored>& scene,
+                                               const GridLayout& layout) {
+  const std::uint64_t primitives = scene.primitive_count();
+  const double width = joined<WidthSum>(executor, primitives, WidthOf<Stored>{scene}).width;
+  const Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space),
+                                width / static_cast<double>(primitives)};
+  const auto sorted = executor.template emit_sorted<PrimitivePart>(primitives, 3 * MortonCurve::bits_per_axis,
+                                                                   max_numbered, EmitParts<Stored>{divider});
+  auto leaves = executor.template array<BinaryNode>(sorted->values.size());
+  const PrimitivePart* const part = sorted->values.data();
+  BinaryNode* const leaf = leaves.data();
+  executor.for_each(leaves.size(), [=] MASU_PASS(std::uint64_t i) {
+    const Boxf box = divider.box(part[i]);
+    leaf[i] = {box.min, part[i].primitive, box.max, 1};
+  });
+  return leaves;
+}
 
 } // namespace masu
