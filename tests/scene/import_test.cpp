@@ -461,6 +461,11 @@ TEST_F(Import, InvalidFilesAreRefusedInOneLine) {
                       "0 0 0\n3 0 1 2\n",
                       "ply"));
   EXPECT_TRUE(
+      refused("ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+              "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2 3\n",
+              "ply", "strips"));
+  EXPECT_TRUE(
       refused(glb_of(one_triangle, R"({"children":[1]},{"mesh":0,"children":[0]})"), "glb", "recursive"));
   // Assimp never ends on these headers.
   EXPECT_TRUE(refused("ply\nformat ascii 1.0\nelement vertex 82\npropert", "ply", "end_header"));

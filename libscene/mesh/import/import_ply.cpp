@@ -51,6 +51,8 @@ void check_ply_header(std::string_view file, const std::string& name) {
     if (!is_valid(words))
       throw Error(ErrorCode::input, name,
                   fmt::format("line {} of its PLY header is invalid: repair it", line));
+    if (words[0] == "element" && words[1] == "tristrips")
+      throw Error(ErrorCode::input, name, "has triangle strips, which aren't read: convert them to faces");
   }
   throw Error(ErrorCode::input, name, "is a PLY file without end_header: complete it");
 }
