@@ -123,8 +123,8 @@ public:
                 const std::function<void(double)>& progress)
       : scene_(scene), margin_(margin), progress_(progress),
         count_(static_cast<std::uint32_t>(leaves.size())),
-        fragments_(static_cast<std::size_t>((1 + spare_fragments) * scene.primitive_count())),
-        nodes_(2 * fragments_.size()), choices_(nodes_.size()), costs_(nodes_.size()) {
+        fragments_(static_cast<std::size_t>((1 + spare_fragments) * count_)), nodes_(2 * fragments_.size()),
+        choices_(nodes_.size()), costs_(nodes_.size()) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, leaves.size(), 4096), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i)
         fragments_[i] = fragment_of(leaves[i].box(), leaves[i].index);

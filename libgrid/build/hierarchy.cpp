@@ -11,7 +11,7 @@
 
 namespace masu {
 
-static_assert(cuts_per_width <= spare_fragments);
+static_assert(cuts_per_width <= spare_leaves);
 
 void check_hierarchy(std::uint64_t primitives, double available) {
   const auto fail = [](const std::string& what) {

@@ -9,9 +9,10 @@
 namespace masu {
 
 // The most primitives of a hierarchy: with what is divided, fragments and nodes can still be numbered.
-inline constexpr double spare_fragments = 2; // a primitive, for what is divided
+inline constexpr double spare_leaves = 0.7;  // a primitive, for the parts of those that are divided before
+inline constexpr double spare_fragments = 2; // a leaf, for what is divided later
 inline constexpr auto max_hierarchy_primitives =
-    static_cast<std::uint64_t>(static_cast<double>(0x7fffffff) / (1 + spare_fragments));
+    static_cast<std::uint64_t>(static_cast<double>(0x7fffffff) / (1 + spare_leaves) / (1 + spare_fragments));
 
 // Throws Error(usage, "structure", …) for more, and where so many take more than `available` bytes of memory.
 void check_hierarchy(std::uint64_t primitives, double available);
@@ -32,12 +33,12 @@ inline const char* merge_rule_of(HierarchyQuality quality) {
   return quality == HierarchyQuality::fast ? "bvh fast" : "bvh";
 }
 
-// First leaves, of primitives and parts of them (leaf_passes.h); then a binary hierarchy of these, from the top
-// down (binary_hierarchy.h, top_down_passes.h); then the cheapest nodes of eight boxes that it can be collapsed
-// to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's space, in one
-// voxel; boxes contain the layout's margin around each primitive. The root comes first, then depth first, a
-// node's nodes side by side. `progress` gets shares of the work of high quality, from any thread. Throws as
-// check_hierarchy() does.
+// First leaves, of primitives and parts of them (leaf_passes.h); then a binary hierarchy of these, from the
+// top down (binary_hierarchy.h, top_down_passes.h); then the cheapest nodes of eight boxes that it can be
+// collapsed to (collapse_passes.h). The same for any number of threads. As a grid it is of the layout's
+// space, in one voxel; boxes contain the layout's margin around each primitive. The root comes first, then
+// depth first, a node's nodes side by side. `progress` gets shares of the work of high quality, from any
+// thread. Throws as check_hierarchy() does.
 template <class Stored>
 Grid hierarchy_grid(const SceneView<Stored>& scene, const GridLayout& layout, HierarchyQuality quality = {},
                     const std::function<void(double)>& progress = {});

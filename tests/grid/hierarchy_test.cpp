@@ -319,7 +319,8 @@ TEST(Hierarchies, OfMorePrimitivesThanThereIsMemoryOrNumbersForAreRefused) {
   EXPECT_NO_THROW(check_hierarchy(max_hierarchy_primitives, plenty));
   EXPECT_TRUE(refused(max_hierarchy_primitives + 1, plenty, "can be numbered"));
   // With what is divided, references have 31 bits, and twice as many binary nodes 32.
-  EXPECT_LE(static_cast<double>(max_hierarchy_primitives) * (1 + spare_fragments), 0x7fffffff);
+  EXPECT_LE(static_cast<double>(max_hierarchy_primitives) * (1 + spare_leaves) * (1 + spare_fragments),
+            0x7fffffff);
 }
 
 } // namespace

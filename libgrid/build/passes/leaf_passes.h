@@ -164,19 +164,22 @@ private:
   }
 };
 
+// Of boxes of primitives that have a surface.
 struct WidthSum {
   double width = 0;
+  std::uint64_t count = 0;
 };
 MASU_HD inline WidthSum join(const WidthSum& a, const WidthSum& b) {
-  return {a.width + b.width};
+  return {a.width + b.width, a.count + b.count};
 }
 template <class Stored>
 struct WidthOf {
   SceneView<Stored> scene;
   MASU_HD WidthSum operator()(std::uint64_t i) const {
     WidthSum sum;
-    with_primitive(scene, static_cast<PrimitiveIndex>(i),
-                   [&](const auto& primitive) { sum.width = Divider<Stored>::width(bounds(primitive)); });
+    with_primitive(scene, static_cast<PrimitiveIndex>(i), [&](const auto& primitive) {
+      if (has_surface(primitive)) sum = {Divider<Stored>::width(bounds(primitive)), 1};
+    });
     return sum;
   }
 };
@@ -205,9 +208,9 @@ template <class Executor, class Stored>
 ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const SceneView<Stored>& scene,
                                                const GridLayout& layout) {
   const std::uint64_t primitives = scene.primitive_count();
-  const double width = joined<WidthSum>(executor, primitives, WidthOf<Stored>{scene}).width;
+  const auto sum = joined<WidthSum>(executor, primitives, WidthOf<Stored>{scene});
   const Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space),
-                                width / static_cast<double>(primitives)};
+                                static_cast<float>(sum.width / static_cast<double>(sum.count))};
   const auto sorted = executor.template emit_sorted<PrimitivePart>(primitives, 3 * MortonCurve::bits_per_axis,
                                                                    max_numbered, EmitParts<Stored>{divider});
   auto leaves = executor.template array<BinaryNode>(sorted->values.size());
