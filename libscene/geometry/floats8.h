@@ -1,10 +1,13 @@
 // Eight floats side by side, on processors with AVX2 and FMA: a Vec3 of them is eight vectors. Operations are
-// those of real.h, lane by lane, with the same bits. Host only.
+// those of real.h, lane by lane, with the same bits; so is what templates of other headers make of them. Host
+// only.
 #pragma once
 
 #include "libscene/geometry/vector.h"
 
 #include <immintrin.h>
+
+#include <cstddef>
 
 namespace masu {
 
@@ -21,7 +24,7 @@ struct Floats8 {
   MASU_ALWAYS_INLINE friend Floats8 operator-(Floats8 a, Floats8 b) { return _mm256_sub_ps(a.v, b.v); }
   MASU_ALWAYS_INLINE friend Floats8 operator*(Floats8 a, Floats8 b) { return _mm256_mul_ps(a.v, b.v); }
   MASU_ALWAYS_INLINE friend Floats8 operator/(Floats8 a, Floats8 b) { return _mm256_div_ps(a.v, b.v); }
-  MASU_ALWAYS_INLINE friend Floats8 operator-(Floats8 a) { return _mm256_xor_ps(a.v, _mm256_set1_ps(-0.0F)); }
+  MASU_ALWAYS_INLINE friend Floats8 operator-(Floats8 a) { return -a.v; }
 };
 
 // Of a comparison: all bits of a lane, or none.
@@ -73,6 +76,10 @@ MASU_ALWAYS_INLINE Floats8 largest_magnitude(const Vec3<Floats8>& a) {
   const Vec3<Floats8> m = magnitudes(a);
   return max(m.x, max(m.y, m.z));
 }
+// Lane i of the result is lane lanes[i] of `v`.
+MASU_ALWAYS_INLINE Floats8 permuted(Floats8 v, __m256i lanes) {
+  return _mm256_permutevar8x32_ps(v.v, lanes);
+}
 MASU_ALWAYS_INLINE Vec3<Floats8> all_of(const Vec3<float>& a) {
   return {a.x, a.y, a.z};
 }
@@ -97,5 +104,27 @@ MASU_ALWAYS_INLINE Floats8 inverse_power_of_two(Floats8 magnitude) {
   const __m256i clamped = _mm256_min_epi32(_mm256_max_epi32(power, one), most);
   return _mm256_castsi256_ps(_mm256_sub_epi32(_mm256_set1_epi32(254 << 23), clamped));
 }
+
+// Where they lie in memory: a number of each of eight rays. Not initialised.
+struct alignas(32) Numbers8 { // NOLINT(cppcoreguidelines-pro-type-member-init)
+  float of[8];
+  MASU_ALWAYS_INLINE Floats8 all() const { return Floats8::load(of); }
+  MASU_ALWAYS_INLINE void set(Floats8 value) { value.store(of); }
+};
+struct Vectors8 {
+  Numbers8 x, y, z;
+  MASU_ALWAYS_INLINE Vec3<float> of(std::size_t i) const { return {x.of[i], y.of[i], z.of[i]}; }
+  MASU_ALWAYS_INLINE Vec3<Floats8> all() const { return {x.all(), y.all(), z.all()}; }
+  MASU_ALWAYS_INLINE void set(const Vec3<Floats8>& value) {
+    x.set(value.x);
+    y.set(value.y);
+    z.set(value.z);
+  }
+  MASU_ALWAYS_INLINE void set(std::size_t i, const Vec3<float>& value) {
+    x.of[i] = value.x;
+    y.of[i] = value.y;
+    z.of[i] = value.z;
+  }
+};
 
 } // namespace masu

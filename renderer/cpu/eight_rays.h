@@ -1,9 +1,9 @@
 // Rays of a list made ready for tracing eight at a time: what scale_direction() (ray_query.h), clip() and
 // prepare() (libscene/geometry) do to one, with the same bits. Where most rays are short or miss, that is
-// most of their time. Host only, with AVX2 and FMA.
+// most of their time. And tracing them. Host only, with AVX2 and FMA.
 #pragma once
 
-#include "libscene/geometry/floats8.h"
+#include "libgrid/trace/eight_walks_avx2.h"
 #include "renderer/rays/ray_query.h"
 
 #include <algorithm>
@@ -16,27 +16,12 @@ namespace masu {
 struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
   static constexpr std::size_t count = 8;
 
-  // One number of each ray. The first eight are filled in by load(), the others by prepare().
-  struct alignas(32) Numbers {
-    float of[count];
-    MASU_ALWAYS_INLINE Floats8 all() const { return Floats8::load(of); }
-    MASU_ALWAYS_INLINE void set(Floats8 value) { value.store(of); }
-  };
-  struct Vectors {
-    Numbers x, y, z;
-    MASU_ALWAYS_INLINE Vec3<float> of(std::size_t i) const { return {x.of[i], y.of[i], z.of[i]}; }
-    MASU_ALWAYS_INLINE Vec3<Floats8> all() const { return {x.all(), y.all(), z.all()}; }
-    MASU_ALWAYS_INLINE void set(const Vec3<Floats8>& value) {
-      x.set(value.x);
-      y.set(value.y);
-      z.set(value.z);
-    }
-  };
-  Vectors origin, direction;
-  Numbers t_min, t_max;
+  // The first eight are filled in by load(), the others by prepare().
+  Vectors8 origin, direction;
+  Numbers8 t_min, t_max;
 
-  Vectors inverse, across1, across2, flushed;
-  Numbers skipped, scale, inverse_square;
+  Vectors8 inverse, across1, across2, flushed;
+  Numbers8 skipped, scale, inverse_square;
   unsigned meet_bounds = 0; // a bit for each ray that meets the scene's bounds
 
   void load(const void* rays, const RayFormat& format, std::size_t first) {
@@ -209,6 +194,103 @@ inline void trace_eight(const SceneView<Stored>& scene, const Grid& grid, const 
   }
   for (std::size_t i = 0; i < EightRays::count; ++i)
     found(i, hits[i]);
+}
+
+// Traces the rays of a list from `first` on, eight in step: as many times eight as there are before `end`.
+// Calls found(i, hit) for each, in any order, with what trace_listed() has it hit, and returns the first that
+// is left.
+template <Query query, class M, class Stored, class Found>
+[[gnu::noinline]] inline std::size_t
+trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, const void* rays,
+              const RayFormat& format, std::size_t first, std::size_t end, const Found& found) {
+  constexpr Hit<float> miss{static_cast<float>(INFINITY), no_primitive};
+  end = first + (end - first) / EightRays::count * EightRays::count;
+  // Of eight rays that are made ready those that nobody has taken.
+  EightRays eight;
+  std::size_t loaded = first; // of the list
+  unsigned ready = 0;
+  // Calls take(i, k) for the next that meets the scene's bounds: ray i of the list, k of the eight. False at
+  // the end.
+  const auto take_next = [&](const auto& take) {
+    while (ready == 0) {
+      if (loaded == end) return false;
+      eight.load(rays, format, loaded);
+      eight.prepare(scene.clip);
+      ready = eight.meet_bounds;
+      for (unsigned missed = ready ^ 0xff; missed != 0; missed &= missed - 1)
+        found(loaded + static_cast<std::size_t>(std::countr_zero(missed)), miss);
+      loaded += EightRays::count;
+    }
+    const auto k = static_cast<std::size_t>(std::countr_zero(ready));
+    ready &= ready - 1;
+    take(loaded - EightRays::count + k, k);
+    return true;
+  };
+  const auto report = [&](std::size_t i, const Hit<float>& hit, float skipped, float scale) {
+    if (hit.primitive == no_primitive) {
+      found(i, miss);
+    } else {
+      found(i, query == Query::occlusion ? Hit<float>{0, 0}
+                                         : Hit<float>{(hit.t + skipped) * scale, hit.primitive});
+    }
+  };
+
+  struct Listed {
+    std::size_t i;
+    float skipped, scale;
+  };
+  constexpr std::size_t none = ~std::size_t{};
+  struct Group {
+    EightWalks<query, M> walks;
+    Listed listed[EightRays::count];
+
+    explicit Group(const HierarchyView<float>& hierarchy) : walks(hierarchy) {
+      std::fill_n(listed, EightRays::count, Listed{none, 0, 0});
+    }
+  };
+  Group groups[]{Group(grid), Group(grid), Group(grid)};
+  const auto next_ray = [&](Group& group, int lane) {
+    Listed& listed = group.listed[lane];
+    if (listed.i != none) report(listed.i, group.walks.hit(lane), listed.skipped, listed.scale);
+    const bool begun = take_next([&](std::size_t i, std::size_t k) {
+      listed = {i, eight.skipped.of[k], eight.scale.of[k]};
+      group.walks.begin(lane, eight.test_ray(k), bounded_inverse(eight.clipped(k)), eight.t_max.of[k]);
+    });
+    if (begun) return;
+    listed.i = none;
+    group.walks.leave_idle(lane);
+  };
+  for (bool goes_on = true; goes_on;) {
+    goes_on = false;
+    for (const int g : {0, 2, 1}) { // of each group, a stage of another between any two
+      Group &group = groups[g], &next = groups[(g + 1) % 3];
+      group.walks.test(scene);
+      next.walks.meet_boxes(scene);
+      group.walks.resume([&](int lane) { next_ray(group, lane); });
+      next.walks.push();
+      for (const Listed& listed : group.listed)
+        goes_on |= listed.i != none;
+    }
+  }
+  return end;
+}
+
+// Whether neighbours among a list's rays begin close to each other and go the same way, as camera rays do.
+// Then the processor foretells branches well, and eight rays in turns take less time than eight in step.
+[[gnu::noinline]] inline bool are_coherent(const void* rays, const RayFormat& format, std::size_t first,
+                                           std::size_t end, const Box<float>& bounds) {
+  constexpr std::size_t samples = 16, apart = EightRays::count - 1;
+  if (end - first <= apart) return true;
+  const float near = largest_magnitude(bounds.max - bounds.min) / 32;
+  std::size_t alike = 0;
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    const std::size_t i = first + (end - first - apart) * sample / samples;
+    const Ray<float> a = loaded<float>(rays, format, i), b = loaded<float>(rays, format, i + apart);
+    const float both = dot(a.direction, b.direction);
+    alike += largest_magnitude(a.origin - b.origin) <= near && both > 0 &&
+             both * both >= 0.9F * dot(a.direction, a.direction) * dot(b.direction, b.direction);
+  }
+  return alike * 2 > samples;
 }
 
 } // namespace masu

@@ -20,15 +20,21 @@ std::size_t trace_eights([[maybe_unused]] const SceneView<Stored>& scene, [[mayb
 #ifdef MASU_HOST_AVX2
   if constexpr (std::is_same_v<typename M::TestRay, WatertightRay<float>> && !C::is_counted &&
                 !is_any_structure<Grid>) {
+    const auto write = [&](std::size_t i, const Hit<float>& hit) __attribute__((always_inline)) {
+      write_hit<query>(results, i, hit);
+      if (query == Query::nearest_hit && results.has_attributes())
+        write_attributes(scene, loaded<float>(rays.rays, rays.format, i), hit, results, i);
+    };
+    if constexpr (std::is_same_v<Grid, HierarchyView<float>>) {
+      if (!are_coherent(rays.rays, rays.format, first, end, scene.clip))
+        return trace_in_step<query, M>(scene, grid, rays.rays, rays.format, first, end, write);
+    }
     EightRays eight;
     for (; first + EightRays::count <= end; first += EightRays::count) {
       eight.load(rays.rays, rays.format, first);
       eight.prepare(scene.clip);
-      trace_eight<query, M>(scene, grid, eight, [&](std::size_t i, const Hit<float>& hit) {
-        write_hit<query>(results, first + i, hit);
-        if (query == Query::nearest_hit && results.has_attributes())
-          write_attributes(scene, loaded<float>(rays.rays, rays.format, first + i), hit, results, first + i);
-      });
+      trace_eight<query, M>(scene, grid, eight,
+                            [&](std::size_t i, const Hit<float>& hit) { write(first + i, hit); });
     }
   }
 #endif

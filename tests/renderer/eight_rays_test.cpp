@@ -1,5 +1,5 @@
-// Rays made ready eight at a time, and triangles tested several at a time, give the bits that one ray gives
-// that tries one primitive after the other.
+// Rays made ready eight at a time, that walk in turns or in step and whose triangles are tested several at a
+// time, give the bits that one ray gives that tries one primitive after the other.
 #include "libscene/base/portable.h"
 
 #ifdef MASU_HOST_AVX2
@@ -13,8 +13,8 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <limits>
+#include <vector>
 
 namespace masu {
 namespace {
@@ -58,23 +58,38 @@ struct Tally {
 
 template <Query query, class M>
 void compare(const TestScene<float>& scene, const SceneView<float>& view, const Grid& grid,
-             const std::array<Ray<float>, EightRays::count>& rays, Tally& tally) {
-  EightRays eight;
-  eight.load(rays.data(), own_format<float>, 0);
-  eight.prepare(view.clip);
-  trace_eight<query, M>(
-      view, hierarchy_view_of<float>(grid), eight, [&](std::size_t i, const Hit<float>& found) {
-        NoCounts counts;
-        const Hit<float> expected = trace_listed<query, M>(view, NoGrid{}, rays[i], counts);
-        tally.hits += expected.primitive != no_primitive;
-        const bool same = found.primitive == expected.primitive &&
-                          (query == Query::occlusion || same_bits(found.t, expected.t));
-        if (same || ++tally.different > 1) return;
-        const Ray<float>& ray = rays[i];
-        tally.first = described(ray.origin, ray.direction) + " t_min " + described(ray.t_min) + " t_max " +
-                      described(ray.t_max) + ": " + described(found) + ", expected " + described(expected) +
-                      '\n' + described(scene);
-      });
+             const std::vector<Ray<float>>& rays, std::size_t first, Tally& tally) {
+  const auto check = [&](std::size_t i, const Hit<float>& found) {
+    NoCounts counts;
+    const Hit<float> expected = trace_listed<query, M>(view, NoGrid{}, rays.at(i), counts);
+    tally.hits += expected.primitive != no_primitive;
+    const bool same = found.primitive == expected.primitive &&
+                      (query == Query::occlusion || same_bits(found.t, expected.t));
+    if (same || ++tally.different > 1) return;
+    const Ray<float>& ray = rays[i];
+    tally.first = described(ray.origin, ray.direction) + " t_min " + described(ray.t_min) + " t_max " +
+                  described(ray.t_max) + ": " + described(found) + ", expected " + described(expected) +
+                  '\n' + described(scene);
+  };
+  const auto hierarchy = hierarchy_view_of<float>(grid);
+  // In turns
+  if (rays.size() - first >= EightRays::count) {
+    EightRays eight;
+    eight.load(rays.data(), own_format<float>, first);
+    eight.prepare(view.clip);
+    trace_eight<query, M>(view, hierarchy, eight,
+                          [&](std::size_t i, const Hit<float>& found) { check(first + i, found); });
+  }
+  // In step
+  std::vector<int> times(rays.size());
+  const std::size_t end = trace_in_step<query, M>(view, hierarchy, rays.data(), own_format<float>, first,
+                                                  rays.size(), [&](std::size_t i, const Hit<float>& found) {
+                                                    ++times.at(i);
+                                                    check(i, found);
+                                                  });
+  EXPECT_LT(rays.size() - end, EightRays::count);
+  for (std::size_t i = 0; i < rays.size(); ++i)
+    EXPECT_EQ(times[i], i >= first && i < end ? 1 : 0);
 }
 
 template <unsigned kinds>
@@ -91,13 +106,13 @@ void compare_scenes(std::int64_t scenes, Chance& chance, Tally& tally) {
     const SceneView<float> view = scene.view();
     const Boxd bounds = scene.bounds();
     RayMaker<float> maker(chance, scene, bounds, grid);
-    for (int i = 0; i < 30; ++i) {
-      std::array<Ray<float>, EightRays::count> rays;
-      for (Ray<float>& ray : rays)
-        ray = any_ray(chance, maker.ray());
-      compare<Query::nearest_hit, M>(scene, view, grid, rays, tally);
-      compare<Query::occlusion, M>(scene, view, grid, rays, tally);
-    }
+    // As many as take each other's places, or too few for that.
+    std::vector<Ray<float>> rays(static_cast<std::size_t>(chance.one_in(2) ? chance.whole(0, 40) : 240));
+    for (Ray<float>& ray : rays)
+      ray = any_ray(chance, maker.ray());
+    const auto first = std::min(rays.size(), static_cast<std::size_t>(chance.whole(0, 9)));
+    compare<Query::nearest_hit, M>(scene, view, grid, rays, first, tally);
+    compare<Query::occlusion, M>(scene, view, grid, rays, first, tally);
   }
 }
 
@@ -113,6 +128,23 @@ TEST_F(RaysByEight, HitThePrimitivesOfAnyKindThatOneRayHits) {
   compare_scenes<with_all_kinds>(cases(1000), chance_, tally);
   EXPECT_EQ(tally.different, 0) << tally.first;
   EXPECT_GT(tally.hits, cases(20'000));
+}
+
+TEST_F(RaysByEight, AreCoherentWhereNeighboursAreAlike) {
+  const Box<float> bounds{{-1, -1, -1}, {1, 1, 1}};
+  const auto coordinate = [&] { return static_cast<float>(chance_.uniform(-1, 1)); };
+  for (std::int64_t c = cases(200); c > 0; --c) {
+    std::vector<Ray<float>> alike, others;
+    const Vec3f eye{coordinate(), coordinate(), 3};
+    for (int i = 0; i < 500; ++i) {
+      const Vec3f to{0.001F * static_cast<float>(i), coordinate() * 0.01F, 0};
+      alike.push_back(unbounded_ray(eye, to - eye));
+      others.push_back(unbounded_ray(Vec3f{coordinate(), coordinate(), coordinate()},
+                                     Vec3f{coordinate(), coordinate(), 0.1F + coordinate()}));
+    }
+    EXPECT_TRUE(are_coherent(alike.data(), own_format<float>, 3, alike.size(), bounds));
+    EXPECT_FALSE(are_coherent(others.data(), own_format<float>, 3, others.size(), bounds));
+  }
 }
 
 #else

@@ -1,0 +1,341 @@
+// Eight rays' walks through a bounding volume hierarchy in step, on one thread of a processor with AVX2: for
+// lists of rays that have little in common. A lane whose ray is done takes the next.
+//
+// One ray's walk mostly waits: for memory, and after branches that were mispredicted. So here hardly any
+// branch depends on a ray, and what is needed next is prefetched. The nodes that the rays meet are sorted for
+// all eight at once, by a network (Batcher's, of eight); the triangles that they meet are tested eight at a
+// time, whichever ray's they are.
+//
+// As by the walk of one ray (hierarchy_walk_avx2.h) the hits are those of HierarchyWalk, to the bit; what is
+// visited on the way isn't the same. Host only.
+#pragma once
+
+#include "libgrid/trace/trace.h"
+#include "libscene/geometry/eight_triangles.h"
+
+#include <cstring>
+
+namespace masu {
+
+MASU_ALWAYS_INLINE __m256i load_eight(const void* from) {
+  return _mm256_loadu_si256(static_cast<const __m256i*>(from));
+}
+MASU_ALWAYS_INLINE void store_eight(void* to, __m256i eight) {
+  _mm256_storeu_si256(static_cast<__m256i*>(to), eight);
+}
+
+// Rows become columns.
+MASU_ALWAYS_INLINE void transpose(__m256i (&rows)[8]) {
+  __m256i pairs[8], fours[8];
+  for (int i = 0; i < 8; i += 2) {
+    pairs[i] = _mm256_unpacklo_epi32(rows[i], rows[i + 1]);
+    pairs[i + 1] = _mm256_unpackhi_epi32(rows[i], rows[i + 1]);
+  }
+  for (int i = 0; i < 8; i += 4) {
+    fours[i] = _mm256_unpacklo_epi64(pairs[i], pairs[i + 2]);
+    fours[i + 1] = _mm256_unpackhi_epi64(pairs[i], pairs[i + 2]);
+    fours[i + 2] = _mm256_unpacklo_epi64(pairs[i + 1], pairs[i + 3]);
+    fours[i + 3] = _mm256_unpackhi_epi64(pairs[i + 1], pairs[i + 3]);
+  }
+  for (int i = 0; i < 4; ++i) {
+    rows[i] = _mm256_permute2x128_si256(fours[i], fours[i + 4], 0x20);
+    rows[i + 4] = _mm256_permute2x128_si256(fours[i], fours[i + 4], 0x31);
+  }
+}
+
+// Each row's signed numbers from the largest to the smallest.
+MASU_ALWAYS_INLINE void sort_descending(__m256i (&rows)[8]) {
+  transpose(rows);
+  const auto order = [&](int larger, int smaller) {
+    const __m256i a = rows[larger], b = rows[smaller];
+    rows[larger] = _mm256_max_epi32(a, b);
+    rows[smaller] = _mm256_min_epi32(a, b);
+  };
+  const auto order_four = [&](int a, int b, int c, int d, int e, int f, int g, int h) {
+    order(a, b);
+    order(c, d);
+    order(e, f);
+    order(g, h);
+  };
+  order_four(0, 1, 2, 3, 4, 5, 6, 7);
+  order_four(0, 2, 1, 3, 4, 6, 5, 7);
+  order_four(1, 2, 5, 6, 0, 4, 3, 7);
+  order(1, 5);
+  order(2, 6);
+  order_four(1, 4, 3, 6, 2, 4, 3, 5);
+  order(3, 4);
+  transpose(rows);
+}
+
+// What of a node is in boxes that the ray meets: bit 24 + slot for a node, and bit i for its reference i. A
+// slot's byte is what it adds, shifted (hierarchy_view.h); an empty one adds nothing.
+MASU_ALWAYS_INLINE std::uint32_t slots_met(__m256i slots, __m256 lanes) {
+  const __m256i added =
+      _mm256_sllv_epi32(_mm256_srli_epi32(slots, 5), _mm256_and_si256(slots, _mm256_set1_epi32(0x1f)));
+  const __m256i met = _mm256_and_si256(added, _mm256_castps_si256(lanes));
+  __m128i all = _mm_or_si128(_mm256_castsi256_si128(met), _mm256_extracti128_si256(met, 1));
+  all = _mm_or_si128(all, _mm_unpackhi_epi64(all, all));
+  all = _mm_or_si128(all, _mm_shuffle_epi32(all, 1));
+  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(all));
+}
+
+// Inline always: GCC 12 takes calls of a function that only prefetches for calls without effect, and drops
+// them.
+template <class Record>
+MASU_ALWAYS_INLINE void prefetch_record(const Record* record) {
+  __builtin_prefetch(record);
+  __builtin_prefetch(reinterpret_cast<const char*>(record + 1) - 1);
+}
+
+// M: a Method in float32 arithmetic. Walks are cut into four stages, which are called in turn: in between
+// comes other groups' work, so that what one stage loads or computes is there for the next.
+//
+//   meet_boxes  tests the boxes of each ray's node, and prefetches the primitives that may be met
+//   push        puts the nodes that are met ahead, and takes the nearest as the next
+//   test        tests primitives
+//   resume      keeps the hits; where the next node is beyond them, takes another; or the walk ends
+template <Query query, class M>
+class EightWalks {
+public:
+  static constexpr int lanes = 8;
+
+  // No lane has a ray.
+  explicit EightWalks(const HierarchyView<float>& hierarchy) // NOLINT(cppcoreguidelines-pro-type-member-init)
+      : hierarchy_(hierarchy) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      std::fill_n(ahead_[lane].entries, below, nowhere);
+      ahead_[lane].siblings[below - 1] = 0;
+      node_[lane] = hierarchy.nodes;
+      leave_idle(lane);
+    }
+  }
+
+  // Gives a ray to a lane: a prepared one, with its direction's inverse, bounded (bounded_inverse()).
+  MASU_ALWAYS_INLINE void begin(int lane, const WatertightRay<float>& ray, const Vec3<float>& inverse,
+                                float t_max) {
+    const auto i = static_cast<std::size_t>(lane);
+    origin_.set(i, ray.origin);
+    direction_.set(i, ray.direction);
+    across1_.set(i, ray.across1);
+    across2_.set(i, ray.across2);
+    inverse_square_.of[i] = ray.inverse_square;
+    t_max_[lane] = t_.of[i] = t_max;
+    primitive_[lane] = 0; // wins no tie at t_max
+    box_rays_[lane] = BoxRay(ray.origin, inverse);
+    go_to(lane, hierarchy_.nodes, 0, below);
+  }
+  MASU_ALWAYS_INLINE void leave_idle(int lane) {
+    box_rays_[lane] = idle_ray();
+    t_.of[lane] = -1; // meets no box
+    end(lane);
+  }
+
+  // The nearest hit; of occlusion one that is nearer than t_max. For none no_primitive.
+  MASU_ALWAYS_INLINE Hit<float> hit(int lane) const {
+    const float t = t_.of[lane];
+    return {t, t < t_max_[lane] ? primitive_[lane] : no_primitive};
+  }
+
+  template <class Stored>
+  MASU_ALWAYS_INLINE void meet_boxes(const SceneView<Stored>& scene) {
+    const __m256i numbers = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), is_node = _mm256_set1_epi32(0x18);
+    unsigned with_references = 0; // a bit per lane
+    for (int lane = 0; lane < lanes; ++lane) {
+      const HierarchyNode& node = *node_[lane];
+      const BoxesMet met = boxes_met(node, box_rays_[lane], t_.of[lane]);
+      const __m256i slots = eight_bytes(node.slots);
+      const __m256i nodes = _mm256_and_si256(_mm256_cmpeq_epi32(_mm256_and_si256(slots, is_node), is_node),
+                                             _mm256_castps_si256(met.lanes));
+      const __m256i entry = _mm256_or_si256(
+          _mm256_andnot_si256(_mm256_set1_epi32(slot_mask), _mm256_castps_si256(met.enter)), numbers);
+      entries_met_[lane] = _mm256_blendv_epi8(_mm256_set1_epi32(-1), entry, nodes);
+      met_[lane] = slots_met(slots, met.lanes);
+      with_references |= ((met_[lane] & all_references) != 0 ? 1U : 0U) << lane;
+    }
+    std::uint32_t end = 0;
+    each_bit(with_references, [&](int lane) {
+      std::uint32_t bits = met_[lane] & all_references;
+      const auto count = static_cast<std::uint32_t>(std::popcount(bits));
+      const std::uint32_t first_reference = node_[lane]->first_reference;
+      const auto add = [&](std::uint32_t at) {
+        test_lane_[at] = lane;
+        test_[at] = first_reference + static_cast<std::uint32_t>(std::countr_zero(bits));
+        bits &= bits - 1;
+      };
+      for (std::uint32_t i = 0; i < 4; ++i) // without branches: there are seldom more
+        add(end + i);
+      for (std::uint32_t i = 4; i < count; ++i)
+        add(end + i);
+      end += count;
+    });
+    test_count_ = end;
+    const PrimitiveIndex* const references = hierarchy_.references;
+    for (std::uint32_t i = 0; i < end; ++i) {
+      test_[i] = references[test_[i]];
+      if constexpr (tests_four_triangles<M, Stored>) prefetch_record(scene.triangles + test_[i]);
+    }
+  }
+
+  MASU_ALWAYS_INLINE void push() {
+    const HierarchyNode* const nodes = hierarchy_.nodes;
+    sort_descending(entries_met_);
+    for (int lane = 0; lane < lanes; ++lane) {
+      NodesAhead& ahead = ahead_[lane];
+      const std::ptrdiff_t height = height_[lane], higher = height + std::popcount(met_[lane] >> 24);
+      store_eight(ahead.entries + height, entries_met_[lane]);
+      static_assert(offsetof(HierarchyNode, first_node) == offsetof(HierarchyNode, exponents) + 4);
+      long long siblings;
+      std::memcpy(&siblings, &node_[lane]->exponents, sizeof siblings);
+      store_eight(ahead.siblings + height, _mm256_set1_epi64x(siblings));
+      store_eight(ahead.siblings + height + 4, _mm256_set1_epi64x(siblings));
+      // There is room, but while a mapped file changes: then results are thrown away.
+      take(nodes, lane, higher > below + max_nodes_ahead ? below : higher);
+      prefetch_record(node_[lane]);
+    }
+  }
+
+  template <class Stored>
+  MASU_ALWAYS_INLINE void test(const SceneView<Stored>& scene) {
+    std::fill_n(hits_, std::size(hits_), 0);
+    const auto add_hits = [&](std::uint32_t first, std::uint64_t bits) {
+      hits_[first / 64] |= bits << first % 64;
+    };
+    if constexpr (tests_four_triangles<M, Stored>) {
+      if (test_count_ == 0) return;
+      // Beyond the last: the last again.
+      store_eight(test_ + test_count_, _mm256_set1_epi32(static_cast<int>(test_[test_count_ - 1])));
+      store_eight(test_lane_ + test_count_, _mm256_setzero_si256());
+      for (std::uint32_t first = 0; first < test_count_; first += 8) {
+        const __m256i of = load_eight(test_lane_ + first);
+        const auto vectors = [&](const Vectors8& all) {
+          return Vec3<Floats8>{permuted(all.x.all(), of), permuted(all.y.all(), of),
+                               permuted(all.z.all(), of)};
+        };
+        const WatertightRay<Floats8> rays{
+            {vectors(origin_), vectors(direction_), permuted(inverse_square_.all(), of)},
+            vectors(across1_),
+            vectors(across2_)};
+        Floats8 t;
+        const Mask8 hits = intersect(rays, scene.triangles, test_ + first, t);
+        t.store(test_t_ + first);
+        add_hits(first, _bzhi_u32(hits.bits(), test_count_ - first));
+      }
+    } else {
+      NoTestCounts counts;
+      for (std::uint32_t i = 0; i < test_count_; ++i) {
+        const auto lane = static_cast<std::size_t>(test_lane_[i]);
+        const WatertightRay<float> ray{{origin_.of(lane), direction_.of(lane), inverse_square_.of[lane]},
+                                       across1_.of(lane),
+                                       across2_.of(lane)};
+        if (intersect<M::kinds>(scene, ray, test_[i], test_t_[i], counts)) add_hits(i, 1);
+      }
+    }
+  }
+
+  // At the end of a walk, and each time for an idle lane, calls next_ray(lane): which may use hit(), and
+  // calls begin() or leave_idle().
+  template <class NextRay>
+  MASU_ALWAYS_INLINE void resume(const NextRay& next_ray) {
+    for (std::uint32_t first = 0; first < test_count_; first += 64) {
+      for (std::uint64_t bits = hits_[first / 64]; bits != 0; bits &= bits - 1) {
+        const std::uint32_t i = first + static_cast<std::uint32_t>(std::countr_zero(bits));
+        keep(test_lane_[i], test_t_[i], test_[i]);
+      }
+    }
+    const __m256i farthest = _mm256_or_si256(_mm256_castps_si256(t_.all().v), _mm256_set1_epi32(slot_mask)),
+                  beyond = _mm256_cmpgt_epi32(load_eight(entry_), farthest);
+    each_bit(static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(beyond))), [&](int lane) {
+      // Eight are looked at: to take one that is beyond does no harm.
+      const __m256i top = load_eight(ahead_[lane].entries + height_[lane] - 8),
+                    limit = _mm256_set1_epi32(static_cast<int>(bits_of(t_.of[lane])) | slot_mask);
+      const auto bits =
+          static_cast<std::uint8_t>(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_cmpgt_epi32(top, limit))));
+      const std::ptrdiff_t height = height_[lane] - std::countl_one(bits);
+      if (height > below) {
+        take(hierarchy_.nodes, lane, height);
+      } else {
+        next_ray(lane);
+      }
+    });
+  }
+
+private:
+  // Nodes that a lane has still to visit, those of a node with the nearest last. `entries`: the bits of where
+  // the ray enters them, which as whole numbers are in the same order, with the slot in place of the last
+  // three: so an entry is compared with a distance whose last three bits are set. `siblings`: `exponents` of
+  // the node that they are in and, in the high half, `first_node`. Before the first are some that no ray
+  // reaches, and eight are always written, of which those that weren't met don't count.
+  static constexpr int below = 9;
+  struct NodesAhead {
+    std::int32_t entries[below + max_nodes_ahead + boxes_per_node];
+    std::uint64_t siblings[below + max_nodes_ahead + boxes_per_node];
+  };
+  static constexpr std::int32_t nowhere = 0x7fffffff;
+  static constexpr int slot_mask = 7;
+  static constexpr std::uint32_t all_references = 0xffffff;
+  static constexpr unsigned most_tests = lanes * max_references_per_node;
+
+  static BoxRay idle_ray() { return BoxRay({0, 0, 0}, {1, 1, 1}); }
+
+  template <class Act>
+  MASU_ALWAYS_INLINE static void each_bit(unsigned bits, const Act& act) {
+    for (; bits != 0; bits &= bits - 1)
+      act(std::countr_zero(bits));
+  }
+
+  MASU_ALWAYS_INLINE void go_to(int lane, const HierarchyNode* node, std::int32_t entry,
+                                std::ptrdiff_t height) {
+    node_[lane] = node;
+    entry_[lane] = entry;
+    height_[lane] = height;
+  }
+  MASU_ALWAYS_INLINE void end(int lane) { go_to(lane, node_[lane], nowhere, below); }
+  // The last of those ahead.
+  MASU_ALWAYS_INLINE void take(const HierarchyNode* nodes, int lane, std::ptrdiff_t height) {
+    const std::uint64_t siblings = ahead_[lane].siblings[--height];
+    const std::int32_t entry = ahead_[lane].entries[height];
+    const std::uint32_t before =
+        _bzhi_u32(static_cast<std::uint32_t>(siblings) >> 24, static_cast<std::uint32_t>(entry & slot_mask));
+    go_to(lane, nodes + (siblings >> 32) + std::popcount(before), entry, height);
+  }
+
+  MASU_ALWAYS_INLINE void keep(int lane, float t, PrimitiveIndex primitive) {
+    if constexpr (query == Query::occlusion) {
+      if (!(t < t_max_[lane])) return;
+      end(lane);
+    } else {
+      if (!is_nearer(t, primitive, {t_.of[lane], primitive_[lane]})) return;
+      primitive_[lane] = primitive;
+    }
+    t_.of[lane] = t;
+  }
+
+  const HierarchyView<float> hierarchy_;
+
+  // Of each lane: its ray, and the nearest hit so far, at t_max where there is none.
+  Vectors8 origin_, direction_, across1_, across2_;
+  Numbers8 inverse_square_, t_;
+  BoxRay box_rays_[lanes]{idle_ray(), idle_ray(), idle_ray(), idle_ray(),
+                          idle_ray(), idle_ray(), idle_ray(), idle_ray()};
+  float t_max_[lanes];
+  PrimitiveIndex primitive_[lanes];
+
+  // The node to visit, where the ray enters it, and what is ahead besides.
+  const HierarchyNode* node_[lanes];
+  std::int32_t entry_[lanes];
+  std::ptrdiff_t height_[lanes];
+  NodesAhead ahead_[lanes];
+
+  // What is met of it: nodes as NodesAhead has them, -1 where there is none; and slots_met().
+  __m256i entries_met_[lanes];
+  std::uint32_t met_[lanes];
+
+  // Primitives to be tested, each one's lane, and where it is hit, a bit for each hit.
+  std::uint32_t test_count_ = 0;
+  PrimitiveIndex test_[most_tests + 8];
+  int test_lane_[most_tests + 8];
+  alignas(32) float test_t_[most_tests + 8];
+  std::uint64_t hits_[most_tests / 64];
+};
+
+} // namespace masu
