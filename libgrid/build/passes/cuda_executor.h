@@ -15,7 +15,7 @@ namespace masu {
 
 // What a group's threads share.
 struct SharedByThreads {
-  __device__ void count(std::uint32_t& counter) const { atomicAdd(&counter, 1U); }
+  __device__ void count(std::uint32_t& counter, std::uint32_t by = 1) const { atomicAdd(&counter, by); }
   __device__ void join(Boxf& box, const Boxf& other) const {
     lower(box.min.x, other.min.x);
     lower(box.min.y, other.min.y);

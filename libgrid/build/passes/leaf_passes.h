@@ -68,6 +68,10 @@ struct MortonCurve {
   }
 };
 
+// Leaves so many times as wide as all boxes are in the mean come first, wherever they are: where not all are
+// looked at, those are (top_down_passes.h).
+inline constexpr double large_width = 16;
+
 struct PrimitivePart {
   PrimitiveIndex primitive;
   std::uint32_t part;
@@ -85,14 +89,14 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
   double mean_width; // of all boxes
 
   // How wide a primitive's box is, and what of it is empty where dividing it would help: nothing for
-  // triangles whose projections along the axes fill half of their box's sides, as those of one along two axes
-  // do, however it is cut; nor for others.
+  // triangles whose projections along the axes fill a third of their box's sides, as those of compact ones do
+  // and of all along two axes, however they are cut; nor for others.
   MASU_HD static double width(const Boxd& box) {
     const Vec3d side = box.max - box.min;
     return std::sqrt(side.x * (side.y + side.z) + side.y * side.z);
   }
   MASU_HD static double empty_width(const Triangle<double>& triangle) {
-    constexpr double most_filled = 0.49;
+    constexpr double most_filled = 0.3;
     const Vec3d normal = cross(triangle.b - triangle.a, triangle.c - triangle.a);
     const double whole = width(bounds(triangle)), area = whole * whole,
                  filled = (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)) / 2;
@@ -184,7 +188,7 @@ struct WidthOf {
   }
 };
 
-// Pairs of a part's place on the curve, and the part.
+// Pairs of a part's place in the order, and the part.
 template <class Stored>
 struct EmitParts {
   Divider<Stored> divider;
@@ -199,7 +203,9 @@ struct EmitParts {
     if (!is_there) return;
     std::uint32_t part = 0;
     divider.for_each_part(primitive, [&](const Boxf& box) {
-      add(divider.curve.code(box), PrimitivePart{primitive, part++});
+      const std::uint64_t is_small = divider.width(cast<double>(box)) < large_width * divider.mean_width;
+      add(is_small << 3 * MortonCurve::bits_per_axis | divider.curve.code(box),
+          PrimitivePart{primitive, part++});
     });
   }
 };
@@ -211,8 +217,8 @@ ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const SceneVi
   const auto sum = joined<WidthSum>(executor, primitives, WidthOf<Stored>{scene});
   const Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space),
                                 static_cast<float>(sum.width / static_cast<double>(sum.count))};
-  const auto sorted = executor.template emit_sorted<PrimitivePart>(primitives, 3 * MortonCurve::bits_per_axis,
-                                                                   max_numbered, EmitParts<Stored>{divider});
+  const auto sorted = executor.template emit_sorted<PrimitivePart>(
+      primitives, 3 * MortonCurve::bits_per_axis + 1, max_numbered, EmitParts<Stored>{divider});
   auto leaves = executor.template array<BinaryNode>(sorted->values.size());
   const PrimitivePart* const part = sorted->values.data();
   BinaryNode* const leaf = leaves.data();

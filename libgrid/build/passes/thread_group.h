@@ -14,8 +14,8 @@ struct SingleThread {
   MASU_HD std::uint32_t size() const { return 1; }
   // A barrier; what was written before it is visible after it.
   MASU_HD void sync() const {}
-  // Adds one to a counter that all threads share.
-  MASU_HD void count(std::uint32_t& counter) const { ++counter; }
+  // Adds to a counter that all threads share.
+  MASU_HD void count(std::uint32_t& counter, std::uint32_t by = 1) const { counter += by; }
   // Makes a box that all threads share hold another.
   MASU_HD void join(Boxf& box, const Boxf& other) const { box = masu::join(box, other); }
   // Reductions over all threads, the result for each of them.

@@ -46,8 +46,9 @@ MASU_HD inline bool LeafSplit::is_left(const BinaryNode& leaf) const {
   return axis >= 0 && twice_the_centre(leaf, axis) <= place;
 }
 
-// Of more leaves so many are looked at, as far apart in their order as each other; few are tried one by one.
-inline constexpr std::uint32_t max_sampled = 4096, few_leaves = 8;
+// Of more leaves so many are looked at: the first ones of their order, which are the largest, and others as
+// far apart in it as each other. Few are tried one by one.
+inline constexpr std::uint32_t max_sampled = 4096, first_sampled = 512, few_leaves = 8;
 inline constexpr std::uint32_t max_bins = 16; // along each axis
 
 struct SplitRanges {
@@ -138,10 +139,13 @@ private:
   template <class ThreadGroup>
   MASU_HD LeafSplit cheapest(const ThreadGroup& group, Scratch& scratch, const LeafRange& range,
                              const Boxf& space) const {
-    const std::uint32_t apart = (range.count - 1) / max_sampled + 1;
+    const std::uint32_t first = std::min(range.count, std::uint32_t{first_sampled}),
+                        apart = (range.count - first) / (max_sampled - first_sampled + 1) + 1;
     const auto for_each_leaf = [&](const auto& act) {
-      for (std::uint32_t i = group.thread_rank() * apart; i < range.count; i += group.size() * apart)
-        act(leaf(range, i));
+      for (std::uint32_t i = group.thread_rank(); i < first; i += group.size())
+        act(leaf(range, i), 1U);
+      for (std::uint32_t i = first + group.thread_rank() * apart; i < range.count; i += group.size() * apart)
+        act(leaf(range, i), std::min(apart, range.count - i));
     };
     if (group.thread_rank() == 0) scratch.centres = empty_box<float>();
     const auto bin_count = static_cast<std::int32_t>(std::min(range.count / 4 + 4, std::uint32_t{max_bins}));
@@ -153,7 +157,7 @@ private:
     }
     group.sync();
     Boxf own = empty_box<float>();
-    for_each_leaf([&](const BinaryNode& leaf) { own = join(own, leaf.min + leaf.max); });
+    for_each_leaf([&](const BinaryNode& leaf, std::uint32_t) { own = join(own, leaf.min + leaf.max); });
     group.join(scratch.centres, own);
     group.sync();
     Boxf centres = scratch.centres;
@@ -170,19 +174,18 @@ private:
       // 0: all in one place, or nearly
       along[axis] = {axis, bin_count, centres.min[axis], scale < INFINITY ? scale : 0};
     }
-    for_each_leaf([&](const BinaryNode& leaf) {
+    for_each_leaf([&](const BinaryNode& leaf, std::uint32_t stands_for) {
       for (int axis = 0; axis < 3; ++axis) {
         auto& bin = scratch.bins[axis][along[axis](twice_the_centre(leaf, axis))];
         group.join(bin.box, leaf.box());
-        group.count(bin.count);
+        group.count(bin.count, stands_for);
       }
     });
     group.sync();
     LeafSplit best;
-    const std::uint32_t sampled = (range.count - 1) / apart + 1;
     for (auto axis = static_cast<int>(group.thread_rank()); axis < 3;
          axis += static_cast<int>(group.size())) {
-      const LeafSplit split = cheapest_along(along[axis], scratch, sampled);
+      const LeafSplit split = cheapest_along(along[axis], scratch, range.count);
       if (comes_before(split, best)) best = split;
     }
     return group.first_of_all(best);
