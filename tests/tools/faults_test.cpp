@@ -1,5 +1,6 @@
 // Whatever system call or allocation of a tool fails: its output is the old one or the new one, there is one
 // line and the right exit code, and no other file is left. What a power failure would leave is whole, too.
+#include "tests/decoded_image.h"
 #include "tests/stability/test_scene.h"
 #include "tests/tools/run_tool.h"
 
@@ -42,6 +43,15 @@ const Call calls[] = {
 
 class Faults : public SmallSceneTest {
 protected:
+  // ISA-L 2.30 encodes the same picture in other bytes once in hundreds of processes, by where its memory
+  // lies.
+  bool shows_the_same(const std::string& output, const Bytes& complete) const {
+    if (!output.ends_with(".png") || read_bytes(output).size() != complete.size()) return false;
+    const std::string other = counts_.file("complete.png");
+    write_bytes(other, complete);
+    return decoded_png(output).rgb == decoded_png(other).rgb;
+  }
+
   ToolResult run_with(const std::string& fault, const std::string& tool, const Arguments& arguments) const {
     Environment environment;
     environment.set("LD_PRELOAD", MASU_FAULTS);
@@ -92,7 +102,7 @@ protected:
           EXPECT_EQ(folder_.listing(), before);
           for (const std::string& output : outputs) {
             const Bytes bytes = read_bytes(output);
-            const bool is_new = bytes == complete.at(output);
+            const bool is_new = bytes == complete.at(output) || shows_the_same(output, complete.at(output));
             EXPECT_TRUE(is_new || (result.code != 0 && bytes == Bytes{'o', 'l', 'd'}))
                 << output << " has " << bytes.size() << " bytes, of " << complete.at(output).size();
           }
