@@ -67,18 +67,6 @@ MASU_ALWAYS_INLINE void sort_descending(__m256i (&rows)[8]) {
   transpose(rows);
 }
 
-// What of a node is in boxes that the ray meets: bit 24 + slot for a node, and bit i for its reference i. A
-// slot's byte is what it adds, shifted (hierarchy_view.h); an empty one adds nothing.
-MASU_ALWAYS_INLINE std::uint32_t slots_met(__m256i slots, __m256 lanes) {
-  const __m256i added =
-      _mm256_sllv_epi32(_mm256_srli_epi32(slots, 5), _mm256_and_si256(slots, _mm256_set1_epi32(0x1f)));
-  const __m256i met = _mm256_and_si256(added, _mm256_castps_si256(lanes));
-  __m128i all = _mm_or_si128(_mm256_castsi256_si128(met), _mm256_extracti128_si256(met, 1));
-  all = _mm_or_si128(all, _mm_unpackhi_epi64(all, all));
-  all = _mm_or_si128(all, _mm_shuffle_epi32(all, 1));
-  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(all));
-}
-
 // Inline always: GCC 12 takes calls of a function that only prefetches for calls without effect, and drops
 // them.
 template <class Record>

@@ -76,17 +76,16 @@ MASU_ALWAYS_INLINE BoxesMet boxes_met(const HierarchyNode& node, const BoxRay& r
   return {met, enter, static_cast<std::uint32_t>(_mm256_movemask_ps(met))};
 }
 
-// Which of a node's references are in boxes that the ray meets, a bit each. A slot's byte is what it adds,
-// shifted (hierarchy_view.h): an empty one adds nothing, one of a node bits above 23.
-MASU_ALWAYS_INLINE std::uint32_t references_met(const HierarchyNode& node, __m256 lanes) {
-  const __m256i slots = eight_bytes(node.slots);
+// What of a node is in boxes that the ray meets: bit 24 + slot for a node, and bit i for its reference i. A
+// slot's byte is what it adds, shifted (hierarchy_view.h); an empty one adds nothing.
+MASU_ALWAYS_INLINE std::uint32_t slots_met(__m256i slots, __m256 lanes) {
   const __m256i added =
       _mm256_sllv_epi32(_mm256_srli_epi32(slots, 5), _mm256_and_si256(slots, _mm256_set1_epi32(0x1f)));
   const __m256i met = _mm256_and_si256(added, _mm256_castps_si256(lanes));
   __m128i all = _mm_or_si128(_mm256_castsi256_si128(met), _mm256_extracti128_si256(met, 1));
   all = _mm_or_si128(all, _mm_unpackhi_epi64(all, all));
   all = _mm_or_si128(all, _mm_shuffle_epi32(all, 1));
-  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(all)) & 0xffffff;
+  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(all));
 }
 
 // Four triangles against a ray: intersect() of libscene/geometry/triangle.h with the same operations in the
@@ -258,7 +257,7 @@ public:
     const std::uint32_t nodes = met.slots & node_slots(node);
     if (met.slots != nodes) {
       references_ = hierarchy.references + node.first_reference;
-      met_ = references_met(node, met.lanes);
+      met_ = slots_met(eight_bytes(node.slots), met.lanes) & 0xffffff;
       prefetch_references(visitor, references_, met_);
     }
     if (nodes != 0) {

@@ -24,6 +24,10 @@ struct LeafRange {
   std::uint32_t first, count;
 };
 
+MASU_HD inline float twice_the_centre(const BinaryNode& node, int axis) {
+  return node.min[axis] + node.max[axis];
+}
+
 // What of a range goes left: leaves whose centres lie no farther along an axis. By none of the axes, or where
 // that is all or nothing, the first half.
 struct LeafSplit {
@@ -31,19 +35,13 @@ struct LeafSplit {
   std::int32_t axis = -1;
   float place = 0; // twice it
 
-  MASU_HD bool is_left(const BinaryNode& leaf) const;
+  MASU_HD bool is_left(const BinaryNode& leaf) const {
+    return axis >= 0 && twice_the_centre(leaf, axis) <= place;
+  }
 };
 MASU_HD inline bool comes_before(const LeafSplit& a, const LeafSplit& b) {
   if (a.cost != b.cost) return a.cost < b.cost;
   return a.axis != b.axis ? a.axis < b.axis : a.place < b.place;
-}
-
-MASU_HD inline float twice_the_centre(const BinaryNode& node, int axis) {
-  return node.min[axis] + node.max[axis];
-}
-
-MASU_HD inline bool LeafSplit::is_left(const BinaryNode& leaf) const {
-  return axis >= 0 && twice_the_centre(leaf, axis) <= place;
 }
 
 // Of more leaves so many are looked at: the first ones of their order, which are the largest, and others as
