@@ -277,6 +277,9 @@ struct HierarchyWalk {
 
   MASU_HD void begin(const ClippedRay<Real>& near) {
     inverse = bounded_inverse(near);
+    keep(inverse.x);
+    keep(inverse.y);
+    keep(inverse.z);
     next = 0;
     references = {0, 0};
     height = 0;

@@ -91,6 +91,19 @@ MASU_ALWAYS_INLINE Real finite_inverse(Real v) {
   return min(max(fast_divide(Real(1), v), -largest), largest); // NaN for v = 0
 }
 
+// Has the device's compiler keep a number in its register, where it would otherwise compute it again at each
+// use.
+MASU_ALWAYS_INLINE void keep([[maybe_unused]] float& value) {
+#ifdef __CUDA_ARCH__
+  asm volatile("" : "+f"(value));
+#endif
+}
+MASU_ALWAYS_INLINE void keep([[maybe_unused]] double& value) {
+#ifdef __CUDA_ARCH__
+  asm volatile("" : "+d"(value));
+#endif
+}
+
 // Rounded towards zero. Beyond ±2^30 the result is only known to be at least that large, since the device
 // saturates later; NaN gives 0, as on the device.
 MASU_ALWAYS_INLINE std::int32_t truncated(float v) {

@@ -22,14 +22,6 @@ struct RayQueue {
   bool may_cull;               // whether `chosen` is there; WarpProgress says whether it holds
 };
 
-// Scales and clips a ray to the scene; false where it misses the bounds.
-template <class Real, class Stored>
-MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray, ClippedRay<Real>& near,
-                                   Real& scale) {
-  scale = scale_direction(ray);
-  return clip(ray, cast<Real>(scene.clip), near);
-}
-
 // Fewer rays aren't worth a look.
 inline constexpr std::uint64_t min_rays_culled = std::uint64_t{1} << 18;
 inline constexpr unsigned threads_per_culling_block = 512, rays_sampled = 2 * threads_per_culling_block;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "libgrid/trace/hierarchy_walk.h"
-#include "renderer/cuda/culling.h"
+#include "renderer/cuda/straggler_queue.h"
 #include "renderer/cuda/warp_rays.h"
 
 namespace masu {
@@ -18,8 +18,8 @@ inline constexpr int max_idle_steps = 8, idle_lanes_tolerated = 4;
 template <Query query, class M, class Stored, class Hierarchy>
 __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> / hierarchy_threads)
     refill_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
-                  const RayQueue<typename M::Real> queue, const RayResults results,
-                  WarpProgress* const progress) {
+                  const Ray<typename M::Real>* const rays, const std::uint32_t count,
+                  const RayResults results, std::uint32_t* const next_ray) {
   using Real = typename M::Real;
   // What is needed of a ray when it is begun and ended would take up registers.
   __shared__ RayEnds<Real> ends[hierarchy_threads];
@@ -30,31 +30,29 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
   HierarchyWalk<Real> walk;
   typename M::TestRay test_ray;
   Hit<Real> nearest{};
-  const bool culls = queue.may_cull && progress->culls != 0;
-  bool under_way = false, more = true;
-  const auto report = [&] {
-    write_hit<query>(results, own.number, reported(nearest, own.t_max, own.skipped, own.scale));
-    under_way = false;
-  };
+  bool has_ray = false, under_way = false, more = true;
   for (;;) {
     unsigned idle = __ballot_sync(all_lanes, !under_way);
+    // By the lanes that fetch the next ones, more than end at the same time.
+    if (has_ray && !under_way) {
+      write_hit<query>(results, own.number, reported(nearest, own.t_max, own.skipped, own.scale));
+      has_ray = false;
+    }
     if (more && idle != 0) {
-      const std::uint32_t first = add_for_warp(progress->next_ray, __popc(idle)),
-                          number = first + rank_among(idle, lane),
-                          count = culls ? progress->chosen : queue.count;
+      const std::uint32_t first = add_for_warp(*next_ray, __popc(idle)),
+                          number = first + rank_among(idle, lane);
       more = first + static_cast<unsigned>(__popc(idle)) < count;
       if (!under_way && number < count) {
-        const std::uint32_t mine = culls ? queue.chosen[number] : number;
         ClippedRay<Real> near{};
         Real scale;
-        if (scale_and_clip(scene, streamed(queue.rays + mine), near, scale)) {
-          under_way = true;
-          own = {scale, near.skipped, near.ray.t_max, mine};
+        if (scale_and_clip(scene, streamed(rays + number), near, scale)) {
+          has_ray = under_way = true;
+          own = {scale, near.skipped, near.ray.t_max, number};
           nearest = {near.ray.t_max, 0};
           prepare(test_ray, near.ray.origin, near.ray.direction);
           walk.begin(near);
         } else {
-          write_hit<query>(results, mine, {static_cast<float>(INFINITY), no_primitive});
+          write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
         }
       }
       idle = __ballot_sync(all_lanes, !under_way);
@@ -63,18 +61,16 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
     if (idle == all_lanes) return;
     int idle_steps = 0;
     while (under_way) {
-      bool goes_on;
       if constexpr (query == Query::nearest_hit) {
         // 0: t_max is for the rule of termination, which only grids use.
         NearestHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, 0, nearest};
-        goes_on = walk.advance(hierarchy, stack, visitor);
+        under_way = walk.advance(hierarchy, stack, visitor);
         nearest = visitor.hit;
       } else {
         AnyHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, own.t_max, nearest.t};
-        goes_on = walk.advance(hierarchy, stack, visitor);
+        under_way = walk.advance(hierarchy, stack, visitor);
         nearest.t = visitor.hit;
       }
-      if (!goes_on) report();
       if (more) {
         idle_steps += max(lanes_per_warp - idle_lanes_tolerated - __popc(__activemask()), 0);
         if (idle_steps >= max_idle_steps) break;

@@ -109,13 +109,11 @@ KernelSize trace_with_refill(const DeviceFilesOf<Stored>& files, const Hierarchy
   auto* const trace = refill_kernel<query, OnDevice<M>, Stored, Hierarchy>;
   const auto known = files.kernels->of(trace, hierarchy_threads);
   const auto count = static_cast<std::uint32_t>(batch.count);
-  const DeviceArray<WarpProgress> progress(1, batch.queue);
-  progress.clear();
-  const CullingMemory<typename M::Real> culled(batch.rays, count, true, batch.queue);
+  const DeviceArray<std::uint32_t> next_ray(1, batch.queue);
+  next_ray.clear();
   batch.begin();
-  cull(files, query, batch, culled, progress.data());
   launch(trace, std::min(blocks_of(hierarchy_threads, count), known.blocks), hierarchy_threads,
-         batch.queue.stream, scene, hierarchy, culled.queue, batch.results, progress.data());
+         batch.queue.stream, scene, hierarchy, batch.rays, count, batch.results, next_ray.data());
   return known.size;
 }
 

@@ -90,6 +90,14 @@ MASU_HD inline Real scale_direction(Ray<Real>& ray) {
   return scale;
 }
 
+// Scales and clips a ray to the scene; false where it misses the bounds.
+template <class Real, class Stored>
+MASU_HD inline bool scale_and_clip(const SceneView<Stored>& scene, Ray<Real> ray, ClippedRay<Real>& near,
+                                   Real& scale) {
+  scale = scale_direction(ray);
+  return clip(ray, cast<Real>(scene.clip), near);
+}
+
 // --- Results -----------------------------------------------------------------------------------------------
 
 // Where results go: an array of one element per ray each, in the rays' order, or null for what isn't wanted.
