@@ -1,4 +1,5 @@
-// masu_cpu_rays: closest hits on the CPU, Masu beside Embree, by the same rays in one run.
+// masu_cpu_rays: closest hits on the CPU, Masu beside Embree (rtcIntersect1; for primary rays rtcIntersect8,
+// too), by the same rays in one run.
 //
 // On one thread the rate is by CPU time, on all cores by wall-clock time. Repetitions of all measurements are
 // interleaved at random, so that what disturbs the machine for a while disturbs all alike.
@@ -24,6 +25,8 @@
 namespace masu {
 namespace {
 
+constexpr char alike_rays[] = "primary"; // the set whose rays side by side are alike
+
 struct Settings {
   std::string scene, size = "1024x1024";
   std::vector<std::string> grids, sets{"primary", "diffuse", "random"};
@@ -44,6 +47,7 @@ struct Hits {
 // Masu with a grid, or Embree.
 struct Contestant {
   std::string name;
+  bool for_alike_rays; // not measured by others
   std::function<void(std::span<const Ray<float>>, Hits&)> trace;
 };
 
@@ -76,7 +80,7 @@ std::map<std::string, std::vector<Ray<float>>> ray_sets(const Settings& settings
 
 Contestant masu_with(const SceneFile& scene, const GridFile& grid) {
   const auto tracer = std::make_shared<Tracer>(scene, &grid, Device::cpu);
-  return {grid.path(), [tracer](std::span<const Ray<float>> rays, Hits& hits) {
+  return {grid.path(), false, [tracer](std::span<const Ray<float>> rays, Hits& hits) {
             RayResults results;
             results.t = hits.t.data();
             results.primitive = hits.primitive.data();
@@ -86,14 +90,20 @@ Contestant masu_with(const SceneFile& scene, const GridFile& grid) {
           }};
 }
 
-Contestant embree_with(const SceneFile& scene) {
+// One ray at a time, or eight that are alike.
+std::vector<Contestant> embree_with(const SceneFile& scene) {
   const auto embree = std::make_shared<EmbreeScene>(scene.view<float>(), EmbreeFlags{true, true});
-  return {embree_name(), [embree](std::span<const Ray<float>> rays, Hits& hits) {
-            tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 4096), [&](const auto& range) {
-              embree->trace(rays.subspan(range.begin(), range.size()), hits.t.data() + range.begin(),
-                            hits.primitive.data() + range.begin());
-            });
-          }};
+  const auto by = [&](const std::string& name, bool packets) {
+    const auto trace = packets ? &EmbreeScene::trace_packets : &EmbreeScene::trace;
+    return Contestant{
+        name, packets, [embree, trace](std::span<const Ray<float>> rays, Hits& hits) {
+          tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 4096), [&](const auto& range) {
+            (*embree.*trace)(rays.subspan(range.begin(), range.size()), hits.t.data() + range.begin(),
+                             hits.primitive.data() + range.begin());
+          });
+        }};
+  };
+  return {by(embree_name() + " packets", true), by(embree_name(), false)};
 }
 
 // How many hits differ: one tracer hits and the other doesn't, or distances by more than a ten-thousandth.
@@ -118,6 +128,7 @@ void print_agreement(const std::map<std::string, std::vector<Ray<float>>>& sets,
     contestants.front().trace(rays, first);
     fmt::print("{:<8} {:>9} {:>9}", name, rays.size(), hit_count(first));
     for (std::size_t i = 1; i < contestants.size(); ++i) {
+      if (contestants[i].for_alike_rays && name != alike_rays) continue;
       Hits other(rays.size());
       contestants[i].trace(rays, other);
       if (i >= grids) {
@@ -193,7 +204,8 @@ void bench_cpu_rays(const Settings& settings) {
                 "holds spheres or cones, which Embree would trace as its user's own: make it with nff2bin "
                 "--tessellate 12");
   } else {
-    contestants.push_back(embree_with(scene));
+    for (Contestant& contestant : embree_with(scene))
+      contestants.push_back(std::move(contestant));
   }
   const auto sets = ray_sets(settings, scene, grids.front());
   print_agreement(sets, contestants, grids.size());
@@ -203,6 +215,7 @@ void bench_cpu_rays(const Settings& settings) {
     for (const std::string& set : settings.sets) {
       for (std::size_t i = contestants.size(); i-- > 0;) { // Embree first
         const Contestant& contestant = contestants[i];
+        if (contestant.for_alike_rays && set != alike_rays) continue;
         const std::span<const Ray<float>> rays = sets.at(set);
         auto* registered =
             benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", contestant.name, set, threads).c_str(),

@@ -54,11 +54,27 @@ EmbreeScene::~EmbreeScene() {
   rtcReleaseDevice(device_);
 }
 
+namespace {
+
+// As Embree's manual asks for while rays are traced: denormals count as zero.
+class DenormalsAreZero {
+public:
+  DenormalsAreZero() {
+    _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+    _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+  }
+  ~DenormalsAreZero() { _mm_setcsr(before_); }
+  DenormalsAreZero(const DenormalsAreZero&) = delete;
+  DenormalsAreZero& operator=(const DenormalsAreZero&) = delete;
+
+private:
+  unsigned int before_ = _mm_getcsr();
+};
+
+} // namespace
+
 void EmbreeScene::trace(std::span<const Ray<float>> rays, float* t, PrimitiveIndex* primitive) const {
-  // As Embree's manual asks for: denormals count as zero.
-  const unsigned int mode = _mm_getcsr();
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+  const DenormalsAreZero mode;
 #if MASU_EMBREE_VERSION == 3
   RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
@@ -89,7 +105,50 @@ void EmbreeScene::trace(std::span<const Ray<float>> rays, float* t, PrimitiveInd
     t[i] = hit ? found.ray.tfar : INFINITY;
     primitive[i] = hit ? found.hit.primID : no_primitive;
   }
-  _mm_setcsr(mode);
+}
+
+void EmbreeScene::trace_packets(std::span<const Ray<float>> rays, float* t, PrimitiveIndex* primitive) const {
+  constexpr std::size_t width = 8;
+  const DenormalsAreZero mode;
+#if MASU_EMBREE_VERSION == 3
+  RTCIntersectContext context{};
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+#else
+  RTCIntersectArguments arguments{};
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+#endif
+  for (std::size_t first = 0; first < rays.size(); first += width) {
+    const std::size_t count = std::min(width, rays.size() - first);
+    alignas(32) int valid[width] = {};
+    RTCRayHit8 found{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Ray<float>& ray = rays[first + i];
+      valid[i] = -1;
+      found.ray.org_x[i] = ray.origin.x;
+      found.ray.org_y[i] = ray.origin.y;
+      found.ray.org_z[i] = ray.origin.z;
+      found.ray.tnear[i] = ray.t_min;
+      found.ray.dir_x[i] = ray.direction.x;
+      found.ray.dir_y[i] = ray.direction.y;
+      found.ray.dir_z[i] = ray.direction.z;
+      found.ray.tfar[i] = ray.t_max;
+      found.ray.mask[i] = 0xffffffffU;
+      found.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+      found.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+#if MASU_EMBREE_VERSION == 3
+    rtcIntersect8(valid, scene_, &context, &found);
+#else
+    rtcIntersect8(valid, scene_, &found, &arguments);
+#endif
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool hit = found.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+      t[first + i] = hit ? found.ray.tfar[i] : INFINITY;
+      primitive[first + i] = hit ? found.hit.primID[i] : no_primitive;
+    }
+  }
 }
 
 } // namespace masu

@@ -16,5 +16,6 @@ EmbreeScene::EmbreeScene(const SceneView<float>&, EmbreeFlags) {
 EmbreeScene::~EmbreeScene() = default;
 
 void EmbreeScene::trace(std::span<const Ray<float>>, float*, PrimitiveIndex*) const {}
+void EmbreeScene::trace_packets(std::span<const Ray<float>>, float*, PrimitiveIndex*) const {}
 
 } // namespace masu

@@ -20,25 +20,29 @@ gears:gears:
 rings:rings:--tessellate 12
 tree:tree:--tessellate 12'
 
-# From what masu_cpu_rays prints: of each set, on one thread and on all, Masu's rate, Embree's and their ratio.
+# From what masu_cpu_rays prints: of each set, on one thread and on all, Masu's rate, Embree's and their ratio; of primary
+# rays then the rate of Embree's packets.
 row() { # name, file
   awk -v name="$1" '
     $1 ~ /^(primary|diffuse|random)$/ && ($2 == "1" || $2 == "all") && $NF != "-" {
       key = $2 " " $1
-      if ($3 == "Embree") embree[key] = $(NF - 1); else { masu[key] = $(NF - 1); ratio[key] = $NF }
+      if ($5 == "packets") packets[key] = $(NF - 1)
+      else if ($3 == "Embree") embree[key] = $(NF - 1)
+      else { masu[key] = $(NF - 1); ratio[key] = $NF }
     }
     END {
       printf "| %s |", name
       for (t = 1; t <= 2; ++t) for (s = 1; s <= 3; ++s) {
         key = (t == 1 ? "1 " : "all ") (s == 1 ? "primary" : s == 2 ? "diffuse" : "random")
         printf " %s, %s (%s) |", masu[key], embree[key], ratio[key]
+        if (s == 1) printf " %s |", packets[key]
       }
       print ""
     }' "$2"
 }
 
-echo "| scene | one core: primary | diffuse | random | all cores: primary | diffuse | random |"
-echo "| --- | --- | --- | --- | --- | --- | --- |"
+echo "| scene | one core: primary | packets | diffuse | random | all cores: primary | packets | diffuse | random |"
+echo "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"
 while IFS=: read -r name generate convert; do
   # shellcheck disable=SC2086
   [ -e "$name.scene" ] || nffgen $generate </dev/null | nff2bin - -o "$name.scene" -q $convert
