@@ -3,7 +3,6 @@
 #include "libgrid/build/chosen_structure.h"
 #include "libgrid/build/hierarchy.h"
 #include "libscene/base/processor.h"
-#include "libscene/geometry/margin.h"
 #include "objects.h"
 
 namespace {
@@ -68,10 +67,7 @@ GridFile refitted(const GridFile& from, const SceneFile& scene) {
                                   static_cast<Overlap>(table.overlap()),
                                   table.division_rule()->str(),
                                   table.merge_rule()->str()};
-  const Boxd bounds = scene.bounds();
-  const GridLayout layout{space_of<Stored>(bounds, provenance.space_rule),
-                          {1, 1, 1},
-                          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+  const auto layout = layout_in<Stored>(scene.bounds(), {1, 1, 1}, provenance.space_rule);
   Grid grid;
   grid.kind = GridKind::hierarchy;
   grid.nodes.assign(from.nodes().begin(), from.nodes().end());

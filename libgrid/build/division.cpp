@@ -225,6 +225,13 @@ Boxd space_of(const Boxd& bounds, SpaceRule rule) {
 template Boxd space_of<float>(const Boxd&, SpaceRule);
 template Boxd space_of<double>(const Boxd&, SpaceRule);
 
+template <class Real>
+GridLayout layout_in(const Boxd& bounds, const Vec3i& division, SpaceRule rule) {
+  return {space_of<Real>(bounds, rule), division, is_empty(bounds) ? 0 : rounding_margin<Real>(bounds)};
+}
+template GridLayout layout_in<float>(const Boxd&, const Vec3i&, SpaceRule);
+template GridLayout layout_in<double>(const Boxd&, const Vec3i&, SpaceRule);
+
 namespace {
 
 // Voxels of side 1/per_unit, at least one an axis.
@@ -360,8 +367,7 @@ template <class Real>
 GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space_rule, const DivisionRule& rule,
                             const DivisionStatistics& statistics) {
   const Boxd space = space_of<Real>(bounds, space_rule);
-  return {space, choose_division(rule, statistics, space),
-          is_empty(bounds) ? 0 : rounding_margin<Real>(bounds)};
+  return layout_in<Real>(bounds, choose_division(rule, statistics, space), space_rule);
 }
 template GridLayout make_grid_layout<float>(const Boxd&, SpaceRule, const DivisionRule&,
                                             const DivisionStatistics&);

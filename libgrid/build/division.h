@@ -73,11 +73,14 @@ double most_references(const DivisionStatistics& statistics);
 template <class Real>
 Boxd space_of(const Boxd& bounds, SpaceRule rule);
 
+// That space divided into so many voxels, with the margin of libscene/geometry/margin.h.
+template <class Real>
+GridLayout layout_in(const Boxd& bounds, const Vec3i& division, SpaceRule rule = SpaceRule::tight);
+
 // At least 1 along each axis. Throws Error(usage, "division", …) when an axis would pass largest_division.
 Vec3i choose_division(const DivisionRule& rule, const DivisionStatistics& statistics, const Boxd& space);
 
-// The layout that a grid for arithmetic of type Real is built on: space, division, and the margin of
-// libscene/geometry/margin.h.
+// The layout that a grid for arithmetic of type Real is built on.
 template <class Real>
 GridLayout make_grid_layout(const Boxd& bounds, SpaceRule space, const DivisionRule& rule,
                             const DivisionStatistics& statistics);
