@@ -180,6 +180,19 @@ void trace(const masu_tracer& tracer_handle, const void* rays, std::size_t count
   tracer.trace_on_device(list, results, request, wanted.stream, place);
 }
 
+// Queries whose results are one array, a number for each ray.
+template <class Number>
+masu_status trace_to(Number* RayResults::*array, Number* given, const char* name, const masu_tracer* tracer,
+                     const void* rays, std::size_t count, const masu_query* options, Query query) {
+  return guarded([&] {
+    require(tracer, "tracer");
+    if (count > 0) require(given, name);
+    RayResults results;
+    results.*array = given;
+    trace(*tracer, rays, count, options, query, results);
+  });
+}
+
 Vertices vertices_of(const masu_vertices& given, const SceneVertices& scene) {
   if (scene.count == 0) fail("scene", "has no triangles, which alone can be moved");
   if (given.values == nullptr) require(given.values64, "vertices");
@@ -290,13 +303,7 @@ masu_status masu_nearest(const masu_tracer* tracer, const void* rays, size_t cou
 
 masu_status masu_occluded(const masu_tracer* tracer, const void* rays, size_t count, const masu_query* query,
                           uint8_t* occluded) {
-  return guarded([&] {
-    require(tracer, "tracer");
-    if (count > 0) require(occluded, "occluded");
-    RayResults results;
-    results.occluded = occluded;
-    trace(*tracer, rays, count, query, Query::occlusion, results);
-  });
+  return trace_to(&RayResults::occluded, occluded, "occluded", tracer, rays, count, query, Query::occlusion);
 }
 
 masu_status masu_all_hits(const masu_tracer* tracer, const void* rays, size_t count, const masu_query* query,
@@ -311,13 +318,7 @@ masu_status masu_all_hits(const masu_tracer* tracer, const void* rays, size_t co
 
 masu_status masu_count_hits(const masu_tracer* tracer, const void* rays, size_t count,
                             const masu_query* query, uint32_t* counts) {
-  return guarded([&] {
-    require(tracer, "tracer");
-    if (count > 0) require(counts, "counts");
-    RayResults results;
-    results.count = counts;
-    trace(*tracer, rays, count, query, Query::count_hits, results);
-  });
+  return trace_to(&RayResults::count, counts, "counts", tracer, rays, count, query, Query::count_hits);
 }
 
 masu_status masu_inside(const masu_tracer* tracer, const void* rays, size_t count, const masu_query* query,
