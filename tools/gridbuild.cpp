@@ -8,11 +8,10 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
-#include "tools/common/grouped.h"
+#include "tools/common/print.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
-#include "tools/common/scene_input.h"
 
 #include <nlohmann/json.hpp>
 

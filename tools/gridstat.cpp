@@ -4,7 +4,7 @@
 #include "libscene/file/output_file.h"
 #include "libscene/file/scene_file.h"
 #include "tools/common/cli.h"
-#include "tools/common/grouped.h"
+#include "tools/common/print.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 #include "tools/draw/slice_picture.h"

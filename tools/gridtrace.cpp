@@ -1,11 +1,11 @@
 // gridtrace: reads a scene and its grid, and traces a list of rays through them, or prints the walk of one
 // ray.
+#include "libscene/file/output_file.h"
 #include "renderer/rays/walk_report.h"
 #include "tools/common/number_list.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
-#include "tools/common/text_file.h"
 #include "tools/jobs/tracing_tool.h"
 #include "tools/lists/ray_list.h"
 #include "tools/render/frame_options.h"

@@ -1,10 +1,9 @@
 // gridview: a scene and its grids as a page in the browser, served on the loopback address.
-#include "tools/common/backend_choice.h"
 #include "tools/common/cli.h"
+#include "tools/common/device_choice.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
 #include "tools/common/provenance.h"
-#include "tools/common/scene_input.h"
 #include "tools/view/answers.h"
 #include "tools/view/export.h"
 

@@ -1,10 +1,10 @@
 // mesh2bin: converts meshes of any format that Assimp reads to a scene file.
 #include "libscene/base/available_memory.h"
+#include "libscene/file/output_file.h"
 #include "libscene/mesh/import/import.h"
 #include "tools/common/child_process.h"
 #include "tools/common/printable.h"
 #include "tools/common/progress.h"
-#include "tools/common/text_file.h"
 #include "tools/report/scene_report.h"
 
 #include <sys/resource.h>

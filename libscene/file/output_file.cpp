@@ -49,6 +49,12 @@ bool write_all_at(int file, std::uint64_t offset, std::span<const std::uint8_t> 
   return true;
 }
 
+void write_text_file(const std::string& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
 bool is_standard_output(std::string_view path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }

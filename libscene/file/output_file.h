@@ -59,6 +59,9 @@ private:
   std::FILE* stream_ = nullptr;
 };
 
+// A text as a whole file. Throws Error(output, path, …).
+void write_text_file(const std::string& path, std::string_view text);
+
 // Whether a path means this process's standard output: -, or a name of descriptor 1, which is then not
 // opened anew (that would begin a file at its start again).
 bool is_standard_output(std::string_view path);

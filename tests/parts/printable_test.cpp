@@ -1,5 +1,5 @@
 // What tools print of names and strings that come from outside.
-#include "tools/common/grouped.h"
+#include "tools/common/print.h"
 #include "tools/common/printable.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
 // How two pictures or channels differ, pixel by pixel.
+#include "libscene/file/output_file.h"
 #include "renderer/image/png_file.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/difference.h"
 #include "tools/common/cli.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
-#include "tools/common/text_file.h"
 #include "tools/common/version.h"
 
 #include <nlohmann/json.hpp>

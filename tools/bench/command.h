@@ -1,7 +1,7 @@
 // What gridbench's subcommands have in common.
 #pragma once
 
-#include "tools/common/backend_choice.h"
+#include "tools/common/device_choice.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
 

@@ -3,6 +3,7 @@
 
 #include "libscene/base/processor.h"
 #include "libscene/file/output_file.h"
+#include "libscene/file/scene_file.h"
 #include "libscene/file/temporary_name.h"
 #include "tools/common/printable.h"
 #include "tools/common/version.h"
@@ -13,6 +14,8 @@
 #include <cerrno>
 #include <csignal>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <new>
 #include <string_view>
 
@@ -37,6 +40,27 @@ void check_files(const std::vector<std::string>& inputs, const std::vector<std::
                     fmt::format("is the input {} itself: give the output another name", input));
     }
   }
+}
+
+void check_scene_input(const std::string& path) {
+  constexpr std::string_view meshes[] = {".3ds", ".3mf", ".blend", ".dae", ".fbx", ".glb", ".gltf", ".lwo",
+                                         ".obj", ".off", ".ply",   ".stl", ".x3d", ".ase", ".dxf",  ".ms3d"};
+  const std::filesystem::path file(path);
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const bool is_mesh = std::ranges::find(meshes, ending) != std::end(meshes);
+  std::error_code failed;
+  if ((!is_mesh && ending != ".nff") || !std::filesystem::is_regular_file(file, failed)) return;
+  std::ifstream stream(path, std::ios::binary);
+  auto magic = scene_file_kind.magic;
+  if (!stream.is_open() || (stream.read(magic.data(), static_cast<std::streamsize>(magic.size())) &&
+                            magic == scene_file_kind.magic))
+    return;
+  throw Error(ErrorCode::input, path,
+              fmt::format("isn't a scene file but {}: convert it first: {} {} -o {}",
+                          is_mesh ? "a mesh" : "NFF text", is_mesh ? "mesh2bin" : "nff2bin", path,
+                          std::filesystem::path(file).replace_extension(".scene").string()));
 }
 
 namespace {

@@ -24,6 +24,11 @@ namespace masu {
 // Empty names are ignored; - is standard input or output (output_file.h). Throws Error(usage, output, …).
 void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
+// Throws Error(input, path, …) for an NFF text or a mesh that is given for a scene file, by the name's end:
+// with the command that makes a scene file of it. Says nothing of other files, nor of those that can't be
+// read or begin as scene files do.
+void check_scene_input(const std::string& path);
+
 // The first thing that a main does; run_tool() calls it. Standard streams that the process was started
 // without (by >&-, say) are opened, or files would take their descriptors: reading standard input or writing
 // standard output then fails, and what is written to standard error is lost. And from now on a process whose

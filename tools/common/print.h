@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <cstdio>
+#include <string>
 #include <utility>
 
 namespace masu {
@@ -14,6 +16,17 @@ namespace masu {
 template <class... Values>
 void print_note(fmt::format_string<Values...> format, Values&&... values) {
   static_cast<void>(std::fputs(fmt::format(format, std::forward<Values>(values)...).c_str(), stderr));
+}
+
+// 1234567 as 1,234,567.
+inline std::string grouped(std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+    text += digits[i];
+  }
+  return text;
 }
 
 // Prints rows of a table: a name, and from column `width` on what follows it.

@@ -1,10 +1,10 @@
 #include "tools/draw/slice_picture.h"
 
 #include "libscene/base/error.h"
+#include "libscene/file/output_file.h"
 #include "renderer/image/png_file.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
-#include "tools/common/text_file.h"
 #include "tools/common/version.h"
 #include "tools/draw/axis_ticks.h"
 #include "tools/draw/drawing.h"

@@ -2,8 +2,8 @@
 
 #include "libscene/base/error.h"
 #include "libscene/file/container.h"
+#include "libscene/file/output_file.h"
 #include "tools/common/printable.h"
-#include "tools/common/text_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

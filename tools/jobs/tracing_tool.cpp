@@ -1,10 +1,10 @@
 #include "tools/jobs/tracing_tool.h"
+#include "libscene/file/output_file.h"
+#include "tools/common/cli.h"
+#include "tools/common/print.h"
 
-#include "tools/common/grouped.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
-#include "tools/common/scene_input.h"
-#include "tools/common/text_file.h"
 #include "tools/common/version.h"
 #include "tools/report/counts_report.h"
 

@@ -4,7 +4,6 @@
 #include "libgrid/statistics/hierarchy_statistics.h"
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
-#include "tools/common/grouped.h"
 #include "tools/common/print.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"

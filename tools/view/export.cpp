@@ -2,11 +2,11 @@
 
 #include "libgrid/statistics/cells.h"
 #include "libscene/base/error.h"
+#include "libscene/file/output_file.h"
 #include "page_files.h"
 #include "renderer/image/deflate.h"
 #include "tools/common/printable.h"
 #include "tools/common/provenance.h"
-#include "tools/common/text_file.h"
 #include "tools/common/vector_json.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "tools/bench/tradeoff/tradeoff_csv.h"
 
 #include "libscene/base/error.h"
+#include "libscene/file/output_file.h"
 #include "tools/bench/tradeoff/tradeoff_front.h"
-#include "tools/common/text_file.h"
 
 #include <fmt/format.h>
 #include <sys/file.h>
