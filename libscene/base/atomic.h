@@ -30,6 +30,18 @@ MASU_HD inline std::uint32_t added(std::uint32_t& sum, std::uint32_t value) {
 #endif
 }
 
+// Makes a word that many threads lower no greater than the value.
+MASU_HD inline void lower(std::uint32_t& least, std::uint32_t value) {
+#ifdef __CUDA_ARCH__
+  atomicMin(&least, value);
+#else
+  const std::atomic_ref shared(least);
+  for (std::uint32_t now = shared.load(std::memory_order_relaxed);
+       value < now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
+  }
+#endif
+}
+
 // A set of numbers below 32 times so many words: whether i wasn't in it yet; it is from now on.
 MASU_HD inline bool inserted(std::uint32_t* words, std::uint64_t i) {
   const std::uint32_t bit = 1U << (i % 32);

@@ -1,9 +1,9 @@
-// The passes (libgrid/build/passes/executor.h) that a device runs, as plain loops: what is its own there is
-// so here.
+// The passes (libgrid/build/passes/executor.h) that a device runs, as plain loops on one core: what is its
+// own there is so here.
 #pragma once
 
+#include "libgrid/build/passes/host_executor.h"
 #include "libgrid/build/passes/merge_passes.h"
-#include "libgrid/build/passes/thread_group.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,11 +14,8 @@
 
 namespace masu {
 
-struct DeviceLikeExecutor {
+struct DeviceLikeExecutor : SerialExecutor {
   static constexpr bool has_warps = true;
-  using Memory = HostMemory;
-  template <class T>
-  using Array = HostArray<T>;
 
   // What nobody writes is nonsense, and not zero.
   template <class T>
@@ -28,36 +25,6 @@ struct DeviceLikeExecutor {
     std::fill(bytes.begin(), bytes.end(), std::byte{0xa5});
     return values;
   }
-  template <class T>
-  Array<T> zeros(std::uint64_t count) const {
-    return Array<T>(count, T{});
-  }
-  template <class Act>
-  void for_each(std::uint64_t count, const Act& act) const {
-    for (std::uint64_t i = 0; i < count; ++i)
-      act(i);
-  }
-  template <class Work>
-  void for_each_by_group(std::uint64_t count, const Work& work) const {
-    for (std::uint64_t i = 0; i < count; ++i) {
-      typename Work::Scratch scratch;
-      work(SingleThread{}, scratch, i);
-    }
-  }
-  template <class T>
-  void scan(Array<T>& values) const {
-    T sum{};
-    for (T& value : values)
-      value = std::exchange(sum, sum + value);
-  }
-  template <class T>
-  T value(const Array<T>& values, std::uint64_t i) const {
-    return values[i];
-  }
-  static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
-    return std::exchange(counter, counter + by);
-  }
-  static void lower(std::uint32_t& least, std::uint32_t value) { least = std::min(least, value); }
   template <class Value, class Emit>
   std::optional<Sorted<DeviceLikeExecutor, Value>>
   emit_sorted(std::uint64_t count, int /*bits*/, std::uint64_t max_pairs, const Emit& emit) const {

@@ -203,10 +203,6 @@ public:
     check(cudaMemcpy(&one, values.data() + i, sizeof(T), cudaMemcpyDeviceToHost));
     return one;
   }
-  __device__ static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
-    return atomicAdd(&counter, by);
-  }
-  __device__ static void lower(std::uint32_t& least, std::uint32_t value) { atomicMin(&least, value); }
   // Items are gone through in pieces of so many rows, so that threads share a large one.
   template <class Value, class Emit>
   std::optional<Sorted<CudaExecutor, Value>> emit_sorted(std::uint64_t count, int bits,

@@ -9,14 +9,13 @@
 //                                 larger one where work.size(i) is large; they share a Work::Scratch
 //   scan(values)                  values[i] becomes the sum of all before it
 //   value(values, i)              one value, for the host
-//   fetch_add(counter, by)        adds; returns what the counter was: all who add at once get different
-//                                 values
-//   lower(least, value)           makes it no greater than the value
 //   has_warps                     whether its threads run in step, so that work is better sorted by its kind
 //   emit_sorted<Value>(count, bits, max_pairs, emit)
 //                                 all pairs that emit(i, first_row, end_row, add) makes by add(key, value),
 //                                 for all rows 0 … emit.size(i) - 1 of i = 0 … count - 1: sorted by key, of
 //                                 `bits` bits; equal keys as emitted. None for more than max_pairs.
+//
+// What several threads write to at once is as libscene/base/atomic.h has it.
 #pragma once
 
 #include "libscene/base/portable.h"

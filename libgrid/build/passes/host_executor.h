@@ -82,17 +82,6 @@ public:
     return values[i];
   }
 
-  static std::uint32_t fetch_add(std::uint32_t& counter, std::uint32_t by) {
-    if constexpr (!parallel) return std::exchange(counter, counter + by);
-    return std::atomic_ref(counter).fetch_add(by, std::memory_order_relaxed);
-  }
-  static void lower(std::uint32_t& least, std::uint32_t value) {
-    const std::atomic_ref shared(least);
-    for (std::uint32_t now = shared.load(std::memory_order_relaxed);
-         value < now && !shared.compare_exchange_weak(now, value, std::memory_order_relaxed);) {
-    }
-  }
-
   // Pairs go into buckets by the key's highest bits while they are emitted, so that sorting a bucket stays in
   // the cache; buckets and chunks of items don't depend on the number of threads. What a bucket leaves of a
   // key fits in 32 bits: wider keys make more buckets.

@@ -6,6 +6,7 @@
 #include "libgrid/build/merge.h"
 #include "libgrid/build/passes/executor.h"
 #include "libgrid/build/passes/uniform_passes.h"
+#include "libscene/base/atomic.h"
 
 #include <algorithm>
 #include <vector>
@@ -188,7 +189,7 @@ MapLevel<Executor> divide_map_level(Executor& executor, const MergedCell* cells,
     const std::uint64_t first_word = begin[entry_box[i]];
     for_each_voxel(map_parts(own.region, own.division, box_of(cells[entry_cell[i]])), [&](const Vec3i& part) {
       const std::uint64_t word = first_word + index_in_division(part, own.division);
-      if (Executor::fetch_add(inside[word], 1) == 0) words[word] = occupied_bit | entry_cell[i];
+      if (added(inside[word], 1) == 0) words[word] = occupied_bit | entry_cell[i];
     });
   });
   auto counts = executor.template array<WordCounts>(word_count + 1);
@@ -226,7 +227,7 @@ MapLevel<Executor> divide_map_level(Executor& executor, const MergedCell* cells,
       const WordCounts here = before[word];
       if (before[word + 1].children == here.children) return;
       // In any order: what becomes of them depends on none.
-      const std::uint64_t entry = here.entries + Executor::fetch_add(inside[word], ~0U) - 1;
+      const std::uint64_t entry = here.entries + added(inside[word], ~0U) - 1;
       next_cell[entry] = entry_cell[i];
       next_box[entry] = here.children;
     });

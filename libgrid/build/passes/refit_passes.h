@@ -108,7 +108,7 @@ void refit(Executor& executor, const SceneView<Stored>& scene, double margin,
   std::uint32_t* const owners = all_owners.data();
   executor.for_each(scene.primitive_count(), [=] MASU_PASS(std::uint64_t i) { owners[i] = 0xffffffffU; });
   executor.for_each(scene.primitive_count() > 0 ? reference_count : 0, [=] MASU_PASS(std::uint64_t i) {
-    Executor::lower(owners[references[i]], static_cast<std::uint32_t>(i));
+    lower(owners[references[i]], static_cast<std::uint32_t>(i));
   });
   HierarchyNode* const node = nodes.data();
   std::vector<ArrayOf<Executor, std::uint32_t>> levels;

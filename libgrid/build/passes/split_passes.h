@@ -6,6 +6,7 @@
 #include "libgrid/build/passes/executor.h"
 #include "libgrid/build/passes/splitter.h"
 #include "libgrid/build/passes/uniform_passes.h"
+#include "libscene/base/atomic.h"
 
 #include <optional>
 #include <vector>
@@ -105,9 +106,9 @@ struct DivideBoxes {
       } else if (!Executor::has_warps) {
         decide(f, box);
       } else if (is_leaf) {
-        *(undecided_end - 1 - Executor::fetch_add(lengths->in_leaves, 1)) = {f, box};
+        *(undecided_end - 1 - added(lengths->in_leaves, 1)) = {f, box};
       } else {
-        undecided[Executor::fetch_add(lengths->cut, 1)] = {f, box};
+        undecided[added(lengths->cut, 1)] = {f, box};
       }
     }
   }
