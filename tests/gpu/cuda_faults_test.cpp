@@ -1,17 +1,12 @@
 // Whatever call of the CUDA driver fails: a tool's output is the old one or the new one, there is one line
 // and exit code 4, and no other file is left; the library returns a status, and its next calls are right.
 #include "tests/faults/cuda_faults.h"
-#include "tests/stability/test_scene.h"
-#include "tests/tools/run_tool.h"
+#include "tests/tools/failing_calls.h"
 
 #include <masu/masu.h>
 
-#include <algorithm>
 #include <cstring>
-#include <map>
-#include <numeric>
 #include <optional>
-#include <random>
 #include <utility>
 
 namespace masu {
@@ -22,113 +17,81 @@ bool has_gpu() {
   return masu_gpu_count(&count) == MASU_OK && count > 0;
 }
 
-// 1 to `all`, or so many of them at random.
-std::vector<std::uint64_t> some_of(std::uint64_t all, std::int64_t most, std::mt19937_64& random) {
-  std::vector<std::uint64_t> calls(all);
-  std::iota(calls.begin(), calls.end(), std::uint64_t{1});
-  std::shuffle(calls.begin(), calls.end(), random);
-  calls.resize(std::min<std::size_t>(calls.size(), static_cast<std::size_t>(most)));
-  return calls;
-}
-
-class CudaFaults : public ToolTest {
+class CudaFaults : public FailingCalls {
 protected:
   void SetUp() override {
     if (!has_gpu()) GTEST_SKIP() << "no GPU, no call was made to fail";
   }
 
-  // Ended where it takes so many seconds.
-  ToolResult run_with(const std::string& fault, const std::string& tool, const Arguments& arguments) const {
-    constexpr const char* longest = "120";
-    Arguments all{longest,
-                  "/usr/bin/env",
-                  std::string("LD_PRELOAD=") + MASU_CUDA_FAULTS,
-                  "MASU_CUDA_FAULT=" + fault,
-                  "MASU_CUDA_FAULT_COUNT=" + count_.file("count"),
-                  std::string(MASU_BIN_DIR) + "/" + tool};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return run("/usr/bin/timeout", all);
+  ToolResult run_failing(const std::string& fault, const std::string& tool,
+                         const Arguments& arguments) const {
+    return run_with({std::string("LD_PRELOAD=") + MASU_CUDA_FAULTS, "MASU_CUDA_FAULT=" + fault,
+                     "MASU_CUDA_FAULT_COUNT=" + counts_.file("count")},
+                    tool, arguments);
   }
 
   // Each call, or so many at random: alone, and with all after it.
   void expect_survived(const std::string& tool, const Arguments& arguments,
-                       const std::vector<std::string>& outputs) const {
+                       const std::vector<std::string>& written) {
     SCOPED_TRACE(tool);
-    auto random = seed_.engine();
-    const ToolResult good = run_with("0", tool, arguments);
+    const ToolResult good = run_failing("0", tool, arguments);
     ASSERT_EQ(good.code, 0) << good.err;
-    const std::uint64_t all = std::stoull(read_text(count_.file("count")));
+    const std::uint64_t all = counted();
     ASSERT_GT(all, 10U) << "the driver's functions aren't replaced";
-    std::map<std::string, Bytes> complete;
-    for (const std::string& output : outputs)
-      complete[output] = read_bytes(output);
-    const auto before = folder_.listing();
-    for (const std::uint64_t n : some_of(all, cases(40), random)) {
+    const Outputs outputs = outputs_of(written);
+    for (const std::uint64_t n : some_of(all, cases(40))) {
       for (const char* const more : {"", "+"}) {
-        for (const std::string& output : outputs)
-          write_text(output, "old");
+        outputs.write_old();
         const std::string fault = std::to_string(n) + more;
-        const ToolResult result = run_with(fault, tool, arguments);
-        SCOPED_TRACE("call " + fault + " of " + std::to_string(all) + ": exit code " +
-                     std::to_string(result.code) + ", stderr: " + result.err);
+        const ToolResult result = run_failing(fault, tool, arguments);
+        SCOPED_TRACE("call " + described(fault, all, result));
         if (result.code == 0)
           EXPECT_EQ(result.err, ""); // there is a way without
         else
           EXPECT_TRUE(failed(result, 4, tool, "cuda"));
-        EXPECT_EQ(folder_.listing(), before);
-        for (const std::string& output : outputs) {
-          const Bytes bytes = read_bytes(output);
-          EXPECT_TRUE(bytes == complete.at(output) || (result.code != 0 && bytes == Bytes{'o', 'l', 'd'}))
-              << output;
-        }
+        expect_old_or_new(outputs, result, [](const std::string&, const Bytes&) { return false; });
       }
     }
   }
-
-  const TemporaryFolder count_;
 };
 
 TEST_F(CudaFaults, GridrenderOfPictures) {
-  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
   expect_survived("gridrender",
-                  {in, divided, "-o", file("out.png"), "--hits", file("hits"), "-q", "--backend", "cuda"},
+                  {scene_, grid_, "-o", file("out.png"), "--hits", file("hits"), "-q", "--backend", "cuda"},
                   {file("out.png"), file("hits")});
 }
 
 TEST_F(CudaFaults, GridtraceOfRays) {
-  const std::string in = scene("a.scene", nff("a.nff", small_nff)), divided = grid("a.grid", in);
-  const std::vector<float> rays{0, 0, 5, 0, 0, -1, 1, 1, 5, 0, 0, -1};
-  write_bytes(file("rays"),
-              {reinterpret_cast<const std::uint8_t*>(rays.data()), rays.size() * sizeof(float)});
-  expect_survived("gridtrace", {in, divided, file("rays"), "-o", file("hits"), "-q", "--backend", "cuda"},
+  write_records(file("rays"), std::vector<float>{0, 0, 5, 0, 0, -1, 1, 1, 5, 0, 0, -1});
+  expect_survived("gridtrace", {scene_, grid_, file("rays"), "-o", file("hits"), "-q", "--backend", "cuda"},
                   {file("hits")});
 }
 
 // Enough to be copied through page-locked memory, by several threads.
 TEST_F(CudaFaults, GridrenderWithALargeGrid) {
-  const std::string in = scene("a.scene", spd("a.nff", "balls", 3)),
-                    divided = grid("a.grid", in, "160", {"--merge", "none"});
+  const std::string in = scene("b.scene", spd("b.nff", "balls", 3)),
+                    divided = grid("b.grid", in, "160", {"--merge", "none"});
   ASSERT_GT(std::filesystem::file_size(divided), std::uintmax_t{8} << 20);
   expect_survived("gridrender", {in, divided, "-o", file("out.pfm"), "-q", "--backend", "cuda"},
                   {file("out.pfm")});
 }
 
 TEST_F(CudaFaults, Gridbuild) {
-  const std::string in = scene("a.scene", spd("a.nff", "balls", 2));
+  const std::string in = scene("b.scene", spd("b.nff", "balls", 2));
   expect_survived("gridbuild", {in, "-o", file("out"), "-q", "--merge", "irregular", "--device", "cuda"},
                   {file("out")});
 }
 
 // --- The library, in this process
 
-class CudaFaultsOfLibrary : public ToolTest {
+class CudaFaultsOfLibrary : public FailingCalls {
 protected:
   void SetUp() override {
     if (!has_gpu()) GTEST_SKIP() << "no GPU, no call was made to fail";
     std::uniform_real_distribution<float> coordinate(-1, 1);
     std::vector<float> vertices(9 * 500);
     for (float& v : vertices)
-      v = coordinate(engine_);
+      v = coordinate(random_);
     std::vector<std::uint32_t> indices(vertices.size() / 3);
     std::iota(indices.begin(), indices.end(), 0U);
     masu_mesh mesh{};
@@ -141,12 +104,12 @@ protected:
     geometry.size = sizeof geometry;
     geometry.meshes = &mesh;
     geometry.mesh_count = 1;
-    ASSERT_EQ(masu_scene_create(&geometry, &scene_), MASU_OK) << masu_error();
+    ASSERT_EQ(masu_scene_create(&geometry, &made_), MASU_OK) << masu_error();
     rays_.resize(1000);
     for (masu_ray& ray : rays_) {
       for (int axis = 0; axis < 3; ++axis) {
-        ray.origin[axis] = 2 * coordinate(engine_);
-        ray.direction[axis] = coordinate(engine_);
+        ray.origin[axis] = 2 * coordinate(random_);
+        ray.direction[axis] = coordinate(random_);
       }
       ray.tmin = 0;
       ray.tmax = 100;
@@ -154,7 +117,7 @@ protected:
   }
   void TearDown() override {
     fail_cuda_call(0, false);
-    masu_scene_free(scene_);
+    masu_scene_free(made_);
   }
 
   struct Found {
@@ -173,7 +136,7 @@ protected:
     options.size = sizeof options;
     options.gpus = &gpu;
     options.gpu_count = 1;
-    masu_status first = masu_tracer_create(scene_, grid, &options, &tracer);
+    masu_status first = masu_tracer_create(made_, grid, &options, &tracer);
     EXPECT_EQ(first == MASU_OK, tracer != nullptr);
     if (first != MASU_OK) return {first, {}};
     Found found{std::vector<float>(rays_.size()), std::vector<float>(3 * rays_.size()),
@@ -203,7 +166,7 @@ protected:
     act(std::uint64_t{0});
     const std::uint64_t all = cuda_calls();
     ASSERT_GT(all, 10U) << "the driver's functions aren't replaced";
-    for (const std::uint64_t n : some_of(all, cases(200), engine_)) {
+    for (const std::uint64_t n : some_of(all, cases(200))) {
       for (const bool all_after : {false, true}) {
         SCOPED_TRACE("call " + std::to_string(n) + " of " + std::to_string(all) +
                      (all_after ? " and all after it" : ""));
@@ -222,8 +185,7 @@ protected:
     EXPECT_TRUE(line.starts_with("cuda: ") && line.find('\n') == line.npos) << line;
   }
 
-  std::mt19937_64 engine_ = seed_.engine();
-  masu_scene* scene_ = nullptr;
+  masu_scene* made_ = nullptr;
   std::vector<masu_ray> rays_;
 };
 
@@ -243,7 +205,7 @@ TEST_F(CudaFaultsOfLibrary, Queries) {
     SCOPED_TRACE("merge " + std::to_string(merge));
     const masu_build_options options = options_of(structure, merge);
     masu_grid* grid = nullptr;
-    ASSERT_EQ(masu_grid_build(scene_, &options, &grid), MASU_OK) << masu_error();
+    ASSERT_EQ(masu_grid_build(made_, &options, &grid), MASU_OK) << masu_error();
     const auto [good, right] = traced(grid);
     ASSERT_EQ(good, MASU_OK) << masu_error();
     with_each_failing([&, &right = right](std::uint64_t failing) {
@@ -263,7 +225,7 @@ TEST_F(CudaFaultsOfLibrary, Builds) {
   const std::string path = file("built");
   const auto built = [&](Bytes& bytes) {
     masu_grid* grid = nullptr;
-    const masu_status status = masu_grid_build(scene_, &options, &grid);
+    const masu_status status = masu_grid_build(made_, &options, &grid);
     EXPECT_EQ(status == MASU_OK, grid != nullptr);
     if (status != MASU_OK) return status;
     EXPECT_EQ(masu_grid_write(grid, path.c_str()), MASU_OK) << masu_error();

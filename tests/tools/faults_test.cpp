@@ -1,36 +1,13 @@
 // Whatever system call or allocation of a tool fails: its output is the old one or the new one, there is one
 // line and the right exit code, and no other file is left. What a power failure would leave is whole, too.
 #include "tests/decoded_image.h"
-#include "tests/stability/test_scene.h"
-#include "tests/tools/run_tool.h"
+#include "tests/tools/failing_calls.h"
 
-#include <algorithm>
-#include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 
 namespace masu {
 namespace {
-
-// Sets variables of the environment, for tools that are started meanwhile.
-class Environment {
-public:
-  void set(const std::string& name, const std::string& value) {
-    setenv(name.c_str(), value.c_str(), 1);
-    names_.insert(name);
-  }
-  Environment() = default;
-  ~Environment() {
-    for (const std::string& name : names_)
-      unsetenv(name.c_str());
-  }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
-private:
-  std::set<std::string> names_;
-};
 
 struct Call {
   const char* name; // as tests/faults/faults.cpp has it
@@ -41,7 +18,7 @@ const Call calls[] = {
     {"open", {0, 2, 3}}, {"read", {0, 2}}, {"mmap", {0, 2}},   {"malloc", {0, 2, 3}},
 };
 
-class Faults : public SmallSceneTest {
+class Faults : public FailingCalls {
 protected:
   // ISA-L 2.30 encodes the same picture in other bytes once in hundreds of processes, by where its memory
   // lies.
@@ -52,66 +29,42 @@ protected:
     return decoded_png(output).rgb == decoded_png(other).rgb;
   }
 
-  ToolResult run_with(const std::string& fault, const std::string& tool, const Arguments& arguments) const {
-    Environment environment;
-    environment.set("LD_PRELOAD", MASU_FAULTS);
-    environment.set("MASU_FAULT", fault);
-    environment.set("MASU_FAULT_COUNT", counts_.file("count"));
-    environment.set("MASU_FAULT_LOG", counts_.file("log"));
-    return run(tool, arguments);
-  }
-
-  // How many of these calls the tool makes.
-  std::uint64_t count(const Call& call, const std::string& tool, const Arguments& arguments) const {
-    const ToolResult result = run_with(call.name, tool, arguments);
-    EXPECT_EQ(result.code, 0) << result.err;
-    return std::stoull(read_text(counts_.file("count")));
+  ToolResult run_failing(const std::string& fault, const std::string& tool,
+                         const Arguments& arguments) const {
+    return run_with({std::string("LD_PRELOAD=") + MASU_FAULTS, "MASU_FAULT=" + fault,
+                     "MASU_FAULT_COUNT=" + counts_.file("count"), "MASU_FAULT_LOG=" + counts_.file("log")},
+                    tool, arguments);
   }
 
   // Each call alone, or so many at random; and for system calls all from one on.
   void expect_survived(const std::string& tool, const Arguments& arguments,
-                       const std::vector<std::string>& outputs) const {
+                       const std::vector<std::string>& written) {
     SCOPED_TRACE(tool);
-    auto random = seed_.engine();
     ASSERT_EQ(run(tool, arguments).code, 0);
-    std::map<std::string, Bytes> complete;
-    for (const std::string& output : outputs)
-      complete[output] = read_bytes(output);
-    const auto before = folder_.listing();
+    const Outputs outputs = outputs_of(written);
     for (const Call& call : calls) {
-      const std::uint64_t all = count(call, tool, arguments);
-      std::vector<std::uint64_t> failing(all);
-      std::iota(failing.begin(), failing.end(), std::uint64_t{1});
-      // The first one always: it may come before anything is caught.
-      if (all > 0) std::shuffle(failing.begin() + 1, failing.end(), random);
-      failing.resize(std::min<std::size_t>(failing.size(), static_cast<std::size_t>(cases(20))));
-      for (const std::uint64_t n : failing) {
+      const ToolResult good = run_failing(call.name, tool, arguments);
+      EXPECT_EQ(good.code, 0) << good.err;
+      const std::uint64_t all = counted();
+      for (const std::uint64_t n : some_of(all, cases(20))) {
         for (const char* const more : {"", "+"}) {
           // Without any memory the C library's own dlopen faults, which TBB calls.
           if (*more == '+' && std::string_view(call.name) == "malloc") continue;
-          for (const std::string& output : outputs)
-            write_text(output, "old");
+          outputs.write_old();
           const std::string fault = std::string(call.name) + ":" + std::to_string(n) + more;
-          const ToolResult result = run_with(fault, tool, arguments);
-          SCOPED_TRACE(fault + " of " + std::to_string(all) + ": exit code " + std::to_string(result.code) +
-                       ", stderr: " + result.err);
+          const ToolResult result = run_failing(fault, tool, arguments);
+          SCOPED_TRACE(described(fault, all, result));
           EXPECT_TRUE(call.codes.contains(result.code));
           // The line may be what can't be written.
           const bool is_silent = *more == '+' && std::string_view(call.name) == "write";
           EXPECT_EQ(std::ranges::count(result.err, '\n'), result.code == 0 || is_silent ? 0 : 1);
-          EXPECT_EQ(folder_.listing(), before);
-          for (const std::string& output : outputs) {
-            const Bytes bytes = read_bytes(output);
-            const bool is_new = bytes == complete.at(output) || shows_the_same(output, complete.at(output));
-            EXPECT_TRUE(is_new || (result.code != 0 && bytes == Bytes{'o', 'l', 'd'}))
-                << output << " has " << bytes.size() << " bytes, of " << complete.at(output).size();
-          }
+          expect_old_or_new(outputs, result, [&](const std::string& output, const Bytes& complete) {
+            return shows_the_same(output, complete);
+          });
         }
       }
     }
   }
-
-  const TemporaryFolder counts_;
 };
 
 TEST_F(Faults, Nffgen) {
@@ -156,7 +109,7 @@ TEST_F(Faults, GridtraceOfRays) {
 TEST_F(Faults, APowerFailureLeavesTheOldOrTheNewFile) {
   const auto expect_ordered = [&](const std::string& tool, const Arguments& arguments) {
     SCOPED_TRACE(tool);
-    ASSERT_EQ(run_with("all", tool, arguments).code, 0);
+    ASSERT_EQ(run_failing("all", tool, arguments).code, 0);
     std::set<std::string> unflushed; // descriptors
     std::string call, descriptor, flushed;
     std::size_t whole = 0;  // files that have been written and flushed, and have no name yet
