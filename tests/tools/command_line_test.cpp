@@ -218,15 +218,14 @@ TEST_F(CommandLine, WithAMeshOrNffForASceneSaysWhatConvertsIt) {
   for (const auto& [input, converter] :
        {std::pair(text_, "nff2bin "), {file("a.obj"), "mesh2bin "}, {file("a.GLB"), "mesh2bin "}}) {
     const std::string command = converter + input + converted;
-    EXPECT_TRUE(failed(run("gridrender", {input}), 2, "gridrender", input, command));
-    EXPECT_TRUE(
-        failed(run("gridrender", {input, grid_, "-o", file("a.png")}), 2, "gridrender", input, command));
-    EXPECT_TRUE(failed(run("gridtrace", {input}), 2, "gridtrace", input, command));
-    EXPECT_TRUE(failed(run("gridbuild", {input, "-o", output}), 2, "gridbuild", input, command));
+    EXPECT_TRUE(fails(2, "gridrender", {input}, input, command));
+    EXPECT_TRUE(fails(2, "gridrender", {input, grid_, "-o", file("a.png")}, input, command));
+    EXPECT_TRUE(fails(2, "gridtrace", {input}, input, command));
+    EXPECT_TRUE(fails(2, "gridbuild", {input, "-o", output}, input, command));
   }
   // By content, a scene file is one.
   std::filesystem::copy_file(scene_, file("b.nff"));
-  EXPECT_TRUE(succeeded(run("gridrender", {file("b.nff"), grid_, "-o", file("a.png")})));
+  expect_run("gridrender", {file("b.nff"), grid_, "-o", file("a.png")});
 }
 
 // --- Standard streams --------------------------------------------------------------------------------------
@@ -361,9 +360,8 @@ TEST_F(StandardStreams, OutputMayBeNamed) {
     expect_written("gridbuild", {scene_, "-o", output}, grid_);
     expect_written("gridrender", {scene_, grid_, "-o", output}, file("b.png"));
     expect_written("gridrender", {scene_, grid_, "--hits", output}, file("hits"));
-    EXPECT_TRUE(failed(run("gridrender", {scene_, grid_, "-o", output, "--stats", "-"}), 1, "gridrender", "-",
-                       "written twice"));
-    EXPECT_TRUE(failed(run("nff2bin", {text_, "-o", output, "--info"}), 1, "nff2bin", "--info", "mixed"));
+    EXPECT_TRUE(fails(1, "gridrender", {scene_, grid_, "-o", output, "--stats", "-"}, "-", "written twice"));
+    EXPECT_TRUE(fails(1, "nff2bin", {text_, "-o", output, "--info"}, "--info", "mixed"));
   }
 }
 

@@ -31,7 +31,7 @@ protected:
   Result rendered(const Arguments& arguments) const {
     const Arguments common{scene_, "--backend",   "cpu",    "--size",    "24x24",
                            "-o",   file("a.pfm"), "--hits", file("hits")};
-    EXPECT_TRUE(succeeded(run("gridrender", joined(common, arguments))));
+    expect_run("gridrender", joined(common, arguments));
     return {read_bytes(file("a.pfm")), read_bytes(file("hits"))};
   }
 

@@ -14,7 +14,7 @@ class HierarchyTool : public ToolTest {
 protected:
   // The values of each line but the first.
   std::vector<std::vector<double>> boxes(const Arguments& more = {}) const {
-    EXPECT_TRUE(succeeded(run("gridstat", joined({hierarchy_, "--cells", file("boxes.csv")}, more))));
+    expect_run("gridstat", joined({hierarchy_, "--cells", file("boxes.csv")}, more));
     const Csv<double> csv = read_csv<double>(file("boxes.csv"));
     EXPECT_EQ(csv.names, "box,depth,min_x,min_y,min_z,max_x,max_y,max_z,references");
     return csv.rows;
@@ -77,11 +77,10 @@ TEST_F(HierarchyTool, APlyHasEightCornersOfEachBox) {
 }
 
 TEST_F(HierarchyTool, WhatNeedsCellsIsRefused) {
-  EXPECT_TRUE(
-      failed(run("gridstat", {hierarchy_, "--slice", "z=50%", "--color", "volume", "-o", file("a.svg")}), 1,
-             "gridstat", "--color", "a hierarchy has none"));
-  EXPECT_TRUE(failed(run("gridstat", {hierarchy_, "--cells", file("a.ply"), "--expanded"}), 1, "gridstat",
-                     "--expanded", "a hierarchy has none"));
+  EXPECT_TRUE(fails(1, "gridstat", {hierarchy_, "--slice", "z=50%", "--color", "volume", "-o", file("a.svg")},
+                    "--color", "a hierarchy has none"));
+  EXPECT_TRUE(fails(1, "gridstat", {hierarchy_, "--cells", file("a.ply"), "--expanded"}, "--expanded",
+                    "a hierarchy has none"));
 }
 
 // [first u, first v, end u, end v, references, depth, voxels, number] in shares of the space.
@@ -123,8 +122,8 @@ TEST_F(HierarchyTool, ASlicesRectanglesAreTheBoxesThatThePlaneCuts) {
 TEST_F(HierarchyTool, PicturesOfASliceAreWrittenForEachColor) {
   for (const std::string color : {"references", "depth"}) {
     for (const std::string name : {"a.png", "a.svg"}) {
-      EXPECT_TRUE(succeeded(run("gridstat", {hierarchy_, "--slice", "z=30%", "--color", color, "--lines",
-                                             "--outline", scene_, "-o", file(name)})));
+      expect_run("gridstat", {hierarchy_, "--slice", "z=30%", "--color", color, "--lines", "--outline",
+                              scene_, "-o", file(name)});
       EXPECT_GT(read_bytes(file(name)).size(), 3000U);
     }
   }

@@ -167,8 +167,8 @@ TEST_F(Inspection, ChannelOptionsThatMakeNoSenseAreRefused) {
   EXPECT_TRUE(refused(1, {"-o", out, "--hits", file("p.depth.pfm"), "--channels", "depth"},
                       file("p.depth.pfm"), "twice"));
   const std::string source = scene("b.depth.png", text_);
-  EXPECT_TRUE(failed(run("gridrender", {source, grid_, "-o", file("b.png"), "--channels", "depth"}), 1,
-                     "gridrender", source, "is the input"));
+  EXPECT_TRUE(fails(1, "gridrender", {source, grid_, "-o", file("b.png"), "--channels", "depth"}, source,
+                    "is the input"));
 }
 
 // --- Walks ------------------------------------------------------------------------------------------------

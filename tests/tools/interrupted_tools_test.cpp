@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <map>
 #include <random>
@@ -15,7 +14,6 @@
 namespace masu {
 namespace {
 
-using Seconds = std::chrono::duration<double>;
 using Files = std::map<std::string, Bytes>; // by name
 
 class InterruptedTool : public ToolTest {
@@ -27,20 +25,13 @@ protected:
     return all;
   }
 
-  Seconds seconds_of(const std::string& tool, const Arguments& arguments) const {
-    const auto begin = std::chrono::steady_clock::now();
-    const ToolResult result = run(tool, arguments);
-    EXPECT_EQ(result.code, 0) << result.err;
-    return std::chrono::steady_clock::now() - begin;
-  }
-
   // Runs the tool once to its end, and then several times until a random moment, when the signal is sent.
   // Outputs that changed must satisfy is_whole(name, bytes).
   template <class IsWhole>
   void interrupt(int signal, const std::string& tool, const Arguments& arguments,
                  const IsWhole& is_whole) const {
     auto random = seed_.engine();
-    const Seconds whole_run = seconds_of(tool, arguments);
+    const auto whole_run = time_of(tool, arguments);
     std::uniform_real_distribution<double> moment(0, 1.1);
     int interrupted = 0;
     for (int i = 0; i < cases(10); ++i) {
@@ -59,7 +50,7 @@ protected:
       Files after = files();
       // Killed between linking and renaming: the next run removes the temporary file.
       if (signal == SIGKILL && remove_temporary(after)) {
-        static_cast<void>(seconds_of(tool, arguments));
+        time_of(tool, arguments);
         Files cleaned = files();
         EXPECT_FALSE(remove_temporary(cleaned));
       }
@@ -83,7 +74,7 @@ protected:
   template <class Act>
   void expect_same_or_new(const std::string& tool, const Arguments& arguments, const Act& write_old) const {
     for (const int signal : {SIGKILL, SIGTERM, SIGINT}) {
-      static_cast<void>(seconds_of(tool, arguments));
+      time_of(tool, arguments);
       const Files expected = files();
       write_old();
       interrupt(signal, tool, arguments,
@@ -137,7 +128,7 @@ TEST_F(InterruptedTool, TradeoffKeepsItsRowsAndChartsAreComplete) {
     return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()).ends_with(end);
   };
   for (const int signal : {SIGKILL, SIGTERM, SIGINT}) {
-    static_cast<void>(seconds_of("gridbench", arguments));
+    time_of("gridbench", arguments);
     const std::string all_rows = read_text(table);
     write_text(table, all_rows.substr(0, all_rows.find('\n') + 1));
     interrupt(signal, "gridbench", arguments, [&](const std::string& name, const Bytes& bytes) {

@@ -72,14 +72,11 @@ TEST_F(Mesh2bin, ReportsAndNamesTheObjects) {
 }
 
 TEST_F(Mesh2bin, RefusesWhatAssimpCantReadWithItsMessage) {
-  EXPECT_TRUE(failed(run("mesh2bin", {file("none.ply"), "-o", file("a.scene")}), 2, "mesh2bin",
-                     file("none.ply"), "opened"));
+  EXPECT_TRUE(fails(2, "mesh2bin", {file("none.ply"), "-o", file("a.scene")}, file("none.ply"), "opened"));
   const std::string text = mesh("a.text", "not a mesh");
-  EXPECT_TRUE(
-      failed(run("mesh2bin", {text, "-o", file("a.scene")}), 2, "mesh2bin", text, "No suitable reader"));
-  EXPECT_TRUE(failed(run("mesh2bin", {text, "-o", text}), 1, "mesh2bin", text, "input"));
-  EXPECT_TRUE(
-      failed(run("mesh2bin", {text, "-o", file("a.scene"), "--size", "0x3"}), 1, "mesh2bin", "--size"));
+  EXPECT_TRUE(fails(2, "mesh2bin", {text, "-o", file("a.scene")}, text, "No suitable reader"));
+  EXPECT_TRUE(fails(1, "mesh2bin", {text, "-o", text}, text, "input"));
+  EXPECT_TRUE(fails(1, "mesh2bin", {text, "-o", file("a.scene"), "--size", "0x3"}, "--size"));
   EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.text"});
 }
 
@@ -117,7 +114,7 @@ TEST_F(Mesh2bin, HitsNameTheFilesFaces) {
     EXPECT_EQ(info["face_numbers"], squares ? 12 : 0); // which are stored where they aren't the triangles'
     const std::string divided = grid("a.grid", scene);
     const auto traced = [&](const std::string& tool, const Arguments& more) {
-      EXPECT_TRUE(succeeded(run(tool, joined({scene, divided, "--backend", "cpu"}, more))));
+      expect_run(tool, joined({scene, divided, "--backend", "cpu"}, more));
       return read_records<std::int32_t>(file("hits"));
     };
     const auto both = traced("gridtrace", {file("rays"), "-o", file("hits"), "--write", "face,object"});
@@ -201,8 +198,7 @@ std::string large_obj() {
 
 TEST_F(Mesh2bin, EndsWhatTakesTooLong) {
   const std::string obj = mesh("a.obj", large_obj());
-  EXPECT_TRUE(failed(run("mesh2bin", {obj, "-o", file("a.scene"), "--time-limit", "1"}), 2, "mesh2bin", obj,
-                     "longer"));
+  EXPECT_TRUE(fails(2, "mesh2bin", {obj, "-o", file("a.scene"), "--time-limit", "1"}, obj, "longer"));
   EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.obj"});
 }
 
@@ -213,7 +209,7 @@ TEST_F(Mesh2bin, GivesLittleMemoryToASmallFile) {
                           " 1.0\nelement vertex 536870912\nproperty float x\nproperty float y\n"
                           "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
                           "end_header\n0 0 0 0 0 0\n");
-    EXPECT_TRUE(failed(run("mesh2bin", {ply, "-o", file("a.scene")}), 2, "mesh2bin", ply));
+    EXPECT_TRUE(fails(2, "mesh2bin", {ply, "-o", file("a.scene")}, ply));
     rusage usage{};
     getrusage(RUSAGE_CHILDREN, &usage);
     EXPECT_LT(usage.ru_maxrss, 3 << 20); // KiB: of all children so far
@@ -233,7 +229,7 @@ TEST_F(Mesh2bin, PrintsOneLineWhateverAssimpPrints) {
       mesh("a.3mf", "PK\3\4\x14\0\0\0\0\0\0\0"s + entry + name + text + "PK\1\2\x14\0\x14\0\0\0\0\0\0\0"s +
                         entry + "\0\0\0\0\0\0\0\0\x80\1\0\0\0\0"s + name +
                         "PK\5\6\0\0\0\0\1\0\1\0\x39\0\0\0\xae\0\0\0\0\0"s);
-  EXPECT_TRUE(failed(run("mesh2bin", {package, "-o", file("a.scene")}), 2, "mesh2bin", package));
+  EXPECT_TRUE(fails(2, "mesh2bin", {package, "-o", file("a.scene")}, package));
 }
 
 // Where the loader can't even load the program, it says so with 127.
@@ -294,7 +290,7 @@ TEST_F(Mesh2bin, ReportsThatAssimpCrashed) {
   for (int i = 1; i < depth; ++i)
     gltf += "{\"children\":[" + std::to_string(i) + "]},";
   const std::string path = mesh("a.gltf", gltf + "{}]}");
-  EXPECT_TRUE(failed(run("mesh2bin", {path, "-o", file("a.scene")}), 2, "mesh2bin", path, "crashed"));
+  EXPECT_TRUE(fails(2, "mesh2bin", {path, "-o", file("a.scene")}, path, "crashed"));
   EXPECT_EQ(folder_.listing(), std::vector<std::string>{"a.gltf"});
 }
 

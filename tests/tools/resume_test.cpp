@@ -90,7 +90,7 @@ protected:
   }
 
   void expect_made(const Job& job, const Arguments& more = {}) const {
-    EXPECT_TRUE(succeeded(run(job.tool, joined(job.arguments, more))));
+    expect_run(job.tool, joined(job.arguments, more));
   }
   // The same files as of another job, and no others.
   void expect_same(const Job& job, const Job& expected) const {
@@ -184,12 +184,6 @@ Killed run_until_whole(std::mt19937_64& random, double seconds, const Start& beg
   }
 }
 
-double seconds_of(const std::string& tool, const Arguments& arguments) {
-  const auto begin = std::chrono::steady_clock::now();
-  EXPECT_TRUE(succeeded(run(tool, arguments)));
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 // Kills runs of each job in turn, so many in all; what they leave is resumed to the files of all("a").
 template <class SecondsOf, class Start, class Kill>
 void SharedRuns::resume_killed(int runs, std::mt19937_64& random, const SecondsOf& seconds_of_job,
@@ -225,7 +219,7 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
   for (const Job& job : all("a"))
     expect_made(job);
   resume_killed(
-      10, random, [&](const Job& job) { return seconds_of(job.tool, job.arguments); },
+      10, random, [&](const Job& job) { return time_of(job.tool, job.arguments).count(); },
       [](const Job& job) {
         return start(job.tool, joined(job.arguments, {"--resume", "-q"}));
       },
@@ -237,7 +231,7 @@ TEST_F(SharedRuns, KilledAtAnyMomentARunIsResumedToTheSameBytes) {
 TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
   const Job expected = views("a"), resumed = views("b");
   expect_made(expected);
-  const double seconds = seconds_of(resumed.tool, resumed.arguments);
+  const double seconds = time_of(resumed.tool, resumed.arguments).count();
   remove(resumed);
   const Arguments arguments = joined(resumed.arguments, {"--resume", "--stats", file("b.json")});
   std::vector<std::string> kept;
@@ -268,7 +262,7 @@ TEST_F(SharedRuns, FinishedViewsStayAndDamagedOnesAreMadeAgain) {
   };
   const auto unchanged = inode(kept.at(0));
   write_text(kept.at(1), "torn");
-  EXPECT_TRUE(succeeded(run("gridrender", arguments)));
+  expect_run("gridrender", arguments);
   EXPECT_EQ(inode(kept.at(0)), unchanged);
   expect_same(resumed, expected);
   // Counts are those of all views.
@@ -473,8 +467,7 @@ TEST_F(SharedRuns, FilesOfOthersAreNeitherReplacedNorRemoved) {
     SCOPED_TRACE(name);
     write_text(file(name), "mine");
     const auto before = folder_.listing();
-    EXPECT_TRUE(
-        failed(run(job.tool, joined(job.arguments, {"--resume"})), 3, job.tool, file(name), "is in the way"));
+    EXPECT_TRUE(fails(3, job.tool, joined(job.arguments, {"--resume"}), file(name), "is in the way"));
     EXPECT_EQ(folder_.listing(), before);
     EXPECT_EQ(read_text(file(name)), "mine");
     std::filesystem::remove(file(name));
@@ -485,8 +478,8 @@ TEST_F(SharedRuns, FilesOfOthersAreNeitherReplacedNorRemoved) {
   stays("c.hits.journal.0", chunks);
   stays("c.hits.partial", chunks);
   ASSERT_EQ(mkfifo(file("c.hits.journal.0").c_str(), 0600), 0);
-  EXPECT_TRUE(failed(run(chunks.tool, joined(chunks.arguments, {"--resume"})), 3, chunks.tool,
-                     file("c.hits.journal.0"), "is in the way"));
+  EXPECT_TRUE(fails(3, chunks.tool, joined(chunks.arguments, {"--resume"}), file("c.hits.journal.0"),
+                    "is in the way"));
   EXPECT_TRUE(std::filesystem::remove(file("c.hits.journal.0")));
   // Of another rank, which this run hasn't.
   write_text(file("c.hits.journal.7"), "mine");
@@ -502,7 +495,7 @@ TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
     std::filesystem::copy_file(input, file(name));
     std::ranges::replace(arguments, input, file(name));
     arguments.insert(arguments.end(), {"--backend", "cpu", "--resume"});
-    EXPECT_TRUE(failed(run(tool, arguments), 1, tool, file(name), "is the input"));
+    EXPECT_TRUE(fails(1, tool, arguments, file(name), "is the input"));
     EXPECT_TRUE(read_bytes(file(name)) == read_bytes(input));
     std::filesystem::remove(file(name));
   };
@@ -522,7 +515,7 @@ TEST_F(SharedRuns, InputsAreNoPartialFilesNorJournals) {
   // Nor outputs of one run each other's.
   const Arguments twice{scene_,        grid_,    "--backend",          "cpu", "--resume", "-o",
                         file("b.png"), "--hits", file("b.png.partial")};
-  EXPECT_TRUE(failed(run("gridrender", twice), 1, "gridrender", file("b.png.partial"), "twice"));
+  EXPECT_TRUE(fails(1, "gridrender", twice, file("b.png.partial"), "twice"));
 }
 
 // --- Text -------------------------------------------------------------------------------------------------
@@ -617,7 +610,7 @@ TEST_F(MpiRuns, KilledRanksAreResumedToTheSameBytes) {
   for (const Job& job : all("a"))
     expect_made(job);
   resume_killed(
-      6, random, [&](const Job& job) { return seconds_of(MASU_MPIRUN, by(2, job)); },
+      6, random, [&](const Job& job) { return time_of(MASU_MPIRUN, by(2, job)).count(); },
       [&](const Job& job) {
         const int ranks = 1 + static_cast<int>(random() % 3);
         return start(MASU_MPIRUN, by(ranks, job, {"--resume", "-q"}));
@@ -662,7 +655,7 @@ TEST_F(MpiRuns, ListsOfTextAreSharedToo) {
   write_csv_rays();
   const Job expected = csv_list("a"), shared = csv_list("b");
   expect_made(expected);
-  EXPECT_TRUE(succeeded(run(MASU_MPIRUN, by(2, shared))));
+  expect_run(MASU_MPIRUN, by(2, shared));
   expect_same(shared, expected);
 }
 

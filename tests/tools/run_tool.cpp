@@ -49,10 +49,6 @@ Spawned spawn(const std::string& tool, const Arguments& arguments, const Surroun
   return spawned;
 }
 
-void expect_success(const ToolResult& result) {
-  EXPECT_TRUE(succeeded(result));
-}
-
 } // namespace
 
 Arguments joined(Arguments first, const Arguments& more) {
@@ -73,6 +69,12 @@ ToolResult run(const std::string& tool, const Arguments& arguments, const Surrou
   if (surroundings.output.empty()) result.out = read_text(out);
   if (surroundings.error.empty()) result.err = read_text(err);
   return result;
+}
+
+std::chrono::duration<double> time_of(const std::string& tool, const Arguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
+  expect_run(tool, arguments);
+  return std::chrono::steady_clock::now() - begin;
 }
 
 pid_t start(const std::string& tool, const Arguments& arguments) {
@@ -115,24 +117,24 @@ std::string ToolTest::nff(const std::string& name, std::string_view text) const 
 
 std::string ToolTest::spd(const std::string& name, const std::string& scene, int size) const {
   const Arguments sized = size > 0 ? Arguments{"--size", std::to_string(size)} : Arguments{};
-  expect_success(run("nffgen", joined({scene, "-o", file(name)}, sized)));
+  expect_run("nffgen", joined({scene, "-o", file(name)}, sized));
   return file(name);
 }
 
 std::string ToolTest::scene(const std::string& name, const std::string& nff, const Arguments& more) const {
-  expect_success(run("nff2bin", joined({nff, "-o", file(name)}, more)));
+  expect_run("nff2bin", joined({nff, "-o", file(name)}, more));
   return file(name);
 }
 
 std::string ToolTest::grid(const std::string& name, const std::string& scene, const std::string& division,
                            const Arguments& more) const {
-  expect_success(run("gridbuild", joined({scene, "-o", file(name), "--division", division}, more)));
+  expect_run("gridbuild", joined({scene, "-o", file(name), "--division", division}, more));
   return file(name);
 }
 
 nlohmann::json ToolTest::json_of(const std::string& tool, const Arguments& arguments) const {
   const ToolResult result = run(tool, joined(arguments, {"--json"}));
-  expect_success(result);
+  EXPECT_TRUE(succeeded(result));
   auto json = nlohmann::json::parse(result.out, nullptr, false);
   EXPECT_FALSE(json.is_discarded()) << result.out;
   return json;

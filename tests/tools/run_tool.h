@@ -8,6 +8,7 @@
 #include <sys/types.h>
 
 #include <charconv>
+#include <chrono>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -35,12 +36,21 @@ struct Surroundings {
 // `tool`: its name, or the path of another program.
 ToolResult run(const std::string& tool, const Arguments& arguments, const Surroundings& surroundings = {});
 
+// How long it takes; it must succeed.
+std::chrono::duration<double> time_of(const std::string& tool, const Arguments& arguments);
+
 // Starts the tool without waiting for it. Its output is discarded.
 pid_t start(const std::string& tool, const Arguments& arguments);
 
 // Whether its exit code is 0, and stderr says at most what was traced, how full warps are, and that there is
 // no usable GPU.
 testing::AssertionResult succeeded(const ToolResult& result);
+
+// Runs the tool, which must succeed so.
+inline void expect_run(const std::string& tool, const Arguments& arguments,
+                       const Surroundings& surroundings = {}) {
+  EXPECT_TRUE(succeeded(run(tool, arguments, surroundings)));
+}
 
 // Whether its exit code is `code`, stdout is empty, and stderr is one line `tool: place: message` that
 // contains `says`.
@@ -111,8 +121,8 @@ protected:
   explicit SmallSceneTest(const std::string& division = "auto") : grid_(grid("a.grid", scene_, division)) {}
 
   Arguments on_cpu(const Arguments& more) const { return joined({scene_, grid_, "--backend", "cpu"}, more); }
-  void render(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridrender", on_cpu(more)))); }
-  void trace(const Arguments& more) const { EXPECT_TRUE(succeeded(run("gridtrace", on_cpu(more)))); }
+  void render(const Arguments& more) const { expect_run("gridrender", on_cpu(more)); }
+  void trace(const Arguments& more) const { expect_run("gridtrace", on_cpu(more)); }
   nlohmann::json stats_of(const Arguments& more) const; // of a picture
 
   const std::string text_ = nff("a.nff", small_nff), scene_ = scene("a.scene", text_), grid_;

@@ -102,7 +102,7 @@ TEST_F(Tools, AnEmptySceneIsAllBackground) {
     const std::string nothing = scene("nothing.scene", nff("nothing.nff", text));
     for (const char* const division : {"auto", "5", "cleary:3"}) {
       const std::string path = grid("nothing.grid", nothing, division);
-      EXPECT_TRUE(succeeded(run("gridrender", {nothing, path, "-o", file("a.pfm"), "--size", "4x4"})));
+      expect_run("gridrender", {nothing, path, "-o", file("a.pfm"), "--size", "4x4"});
       const std::vector<float> values = decoded_pfm(file("a.pfm"), 4, 4);
       ASSERT_EQ(values.size(), 48U);
       for (std::size_t i = 0; i < values.size(); ++i)
@@ -114,8 +114,8 @@ TEST_F(Tools, AnEmptySceneIsAllBackground) {
 // View, light and material have defaults.
 TEST_F(Tools, AnObjectWithoutViewLightAndMaterialIsVisible) {
   const std::string bare = scene("bare.scene", nff("bare.nff", "s 10 20 30 2\n"));
-  EXPECT_TRUE(succeeded(run("gridrender", {bare, grid("bare.grid", bare), "-o", file("a.pfm"), "--hits",
-                                           file("hits"), "--size", "9x9"})));
+  expect_run("gridrender",
+             {bare, grid("bare.grid", bare), "-o", file("a.pfm"), "--hits", file("hits"), "--size", "9x9"});
   const std::vector<float> values = decoded_pfm(file("a.pfm"), 9, 9);
   ASSERT_EQ(values.size(), 243U);
   EXPECT_GT(values[40 * 3], 0.5F);
@@ -181,9 +181,9 @@ TEST_F(Tools, FirstCellHitMissesCloserHitsOfLaterCells) {
       "b.scene", nff("b.nff", "v\nfrom -9 0 2\nat 9 0 -2\nup 0 0 1\nangle 10\nhither 1\nresolution 9 9\n"
                               "f 1 1 1 1 0 0 0 1\np 4\n-9 -9 -1\n9 -9 -1\n9 9 -1\n-9 9 -1\ns 3 0 0 0.9\n"));
   const auto objects = [&](const char* division, const Arguments& options) {
-    EXPECT_TRUE(succeeded(run("gridrender", joined({before, grid("b.grid", before, division), "--backend",
-                                                    "cpu", "--hits", file("hits")},
-                                                   options))));
+    expect_run("gridrender",
+               joined({before, grid("b.grid", before, division), "--backend", "cpu", "--hits", file("hits")},
+                      options));
     std::vector<std::int32_t> found;
     for (const Hit& hit : hits_in(file("hits")))
       found.push_back(hit.object);
@@ -470,7 +470,7 @@ TEST_F(Tools, AllHitsAreListedCountedAndFiltered) {
                                   ? Arguments{scene_, grid_, file("rays"), more, "1"}
                                   : Arguments{scene_, file("rays"), more};
     const Arguments all{"--all-hits", "20", "-o", file("other"), "--backend", "cpu"};
-    EXPECT_TRUE(succeeded(run("gridtrace", joined(options, all))));
+    expect_run("gridtrace", joined(options, all));
     trace({file("rays"), "--all-hits", "20", "-o", file("records")});
     EXPECT_TRUE(read_bytes(file("records")) == read_bytes(file("other")));
     EXPECT_EQ(read_bytes(file("records")).size(), 4U * (4 + 20 * 9));
@@ -797,8 +797,8 @@ TEST_F(Tools, ACityInSurveyCoordinatesIsAsExactAsAtZero) {
             {"--origin", fmt::format("{},{},{}", origin[0] - east, origin[1] - north, origin[2])});
   const auto picture = [&](const std::string& path, const char* name) {
     const std::string grid_path = grid(std::string(name) + ".grid", path);
-    EXPECT_TRUE(succeeded(run("gridrender", {path, grid_path, "-o", file(std::string(name) + ".pfm"),
-                                             "--hits", file(std::string(name) + ".hits")})));
+    expect_run("gridrender", {path, grid_path, "-o", file(std::string(name) + ".pfm"), "--hits",
+                              file(std::string(name) + ".hits")});
     return std::pair(read_bytes(file(std::string(name) + ".pfm")),
                      read_bytes(file(std::string(name) + ".hits")));
   };
@@ -862,9 +862,9 @@ TEST_F(Tools, AGridIsUsedForAnyViewLightsAndMaterialsOfItsGeometry) {
     const std::string old = grid("old.grid", scene_, "6", built);
     EXPECT_EQ(json_of("gridstat", {old})["geometry_hash"], geometry(scene_));
     const auto hits = [&](const Arguments& through, const std::string& name) {
-      EXPECT_TRUE(succeeded(run(
+      expect_run(
           "gridrender",
-          joined({other, "--backend", "cpu", "--hits", file(name), "-o", file(name + ".pfm")}, through))));
+          joined({other, "--backend", "cpu", "--hits", file(name), "-o", file(name + ".pfm")}, through));
       return std::pair(read_bytes(file(name)), read_bytes(file(name + ".pfm")));
     };
     const auto found = hits({old}, "old.hits");
@@ -904,10 +904,10 @@ TEST_F(Tools, PicturesAreIndependentOfTheScenesScale) {
     if (std::abs(exponent) > 30 && made.code == 2) return nlohmann::json{};
     EXPECT_TRUE(succeeded(made));
     const std::string scaled_grid = grid("scaled.grid", file("scaled.scene"));
-    EXPECT_TRUE(succeeded(run("gridrender", {file("scaled.scene"), scaled_grid, "-o", file("grid.pfm"),
-                                             "--backend", "cpu", "--stats", file("stats.json")})));
-    EXPECT_TRUE(succeeded(run(
-        "gridrender", {file("scaled.scene"), "--brute-force", "-o", file("none.pfm"), "--backend", "cpu"})));
+    expect_run("gridrender", {file("scaled.scene"), scaled_grid, "-o", file("grid.pfm"), "--backend", "cpu",
+                              "--stats", file("stats.json")});
+    expect_run("gridrender",
+               {file("scaled.scene"), "--brute-force", "-o", file("none.pfm"), "--backend", "cpu"});
     EXPECT_TRUE(read_bytes(file("grid.pfm")) == read_bytes(file("none.pfm")))
         << "the picture depends on the grid";
     return json_in("stats.json");
@@ -950,7 +950,7 @@ TEST_F(Tools, LinesCrossClosedMeshesAsOftenInwardsAsOutwards) {
       EXPECT_GT(rows[0]["crossing"], 10000) << text;
     }
   }
-  EXPECT_TRUE(failed(run("gridbench", {"crossings", scene_, grid_}), 2, "gridbench", scene_, "closed"));
+  EXPECT_TRUE(fails(2, "gridbench", {"crossings", scene_, grid_}, scene_, "closed"));
 }
 
 TEST_F(Tools, BenchOracleFindsNoFailuresOfRobustAndDouble) {

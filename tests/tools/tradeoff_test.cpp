@@ -147,8 +147,7 @@ TEST_F(Tradeoff, ForeignAndDamagedFilesAreRefusedAndKept) {
   const auto refused = [&](const std::string& text, const std::string& place, const std::string& says) {
     write_text(csv(), text);
     EXPECT_TRUE(failed(measured_few(), 2, "gridbench", place, says));
-    EXPECT_TRUE(
-        failed(run("gridbench", {"tradeoff", "--charts-only", "-o", folder()}), 2, "gridbench", place, says));
+    EXPECT_TRUE(fails(2, "gridbench", {"tradeoff", "--charts-only", "-o", folder()}, place, says));
     EXPECT_TRUE(read_text(csv()) == text);
   };
   EXPECT_EQ(measured_few().code, 0);
@@ -203,7 +202,7 @@ TEST_F(Tradeoff, ChartsAreDrawnFromTheFile) {
   if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "gnuplot isn't installed";
   EXPECT_EQ(measured_few().code, 0);
   for (int turn = 0; turn < 2; ++turn) {
-    EXPECT_TRUE(succeeded(run("gridbench", {"tradeoff", "--charts-only", "-o", folder()})));
+    expect_run("gridbench", {"tradeoff", "--charts-only", "-o", folder()});
     for (const char* const name : {"small", "division"}) {
       const std::string path = folder() + "/" + name;
       EXPECT_NE(read_text(path + ".svg").find("</svg>"), std::string::npos) << path;
@@ -239,11 +238,9 @@ TEST_F(Tradeoff, InvalidArgumentsAreRefused) {
   refused({"--precisions", "quick"}, "command line");
   refused({"--seed", "1", scene_}, scene_); // the same scene twice
   refused({"--charts-only"}, "--charts-only");
-  EXPECT_TRUE(failed(run("gridbench", {"tradeoff", scene_, "-o", folder(), "--size", "24"}), 1, "gridbench",
-                     "--size"));
-  EXPECT_FALSE(std::filesystem::exists(folder()));
-  EXPECT_TRUE(failed(run("gridbench", {"tradeoff", "-o", folder()}), 1, "gridbench", "SCENE"));
-  EXPECT_TRUE(failed(run("gridbench", {"tradeoff", "-o", folder(), "--charts-only"}), 2, "gridbench", csv()));
+  EXPECT_TRUE(fails(1, "gridbench", {"tradeoff", scene_, "-o", folder(), "--size", "24"}, "--size"));
+  EXPECT_TRUE(fails(1, "gridbench", {"tradeoff", "-o", folder()}, "SCENE"));
+  EXPECT_TRUE(fails(2, "gridbench", {"tradeoff", "-o", folder(), "--charts-only"}, csv()));
 }
 
 } // namespace

@@ -49,8 +49,8 @@ TEST_F(Views, OptionsReplaceTheScenesCamera) {
   text.replace(text.find("up 0 0 1"), 8, "up 1 0 0");
   text.replace(text.find("angle 45"), 8, "angle 60");
   const std::string moved = scene("b.scene", nff("b.nff", text));
-  EXPECT_TRUE(succeeded(run("gridrender", {moved, "--brute-force", "--backend", "cpu", "-o", file("b.pfm"),
-                                           "--hits", file("b.hits")})));
+  expect_run("gridrender",
+             {moved, "--brute-force", "--backend", "cpu", "-o", file("b.pfm"), "--hits", file("b.hits")});
   render({"-o", file("a.pfm"), "--hits", file("a.hits"), "--from", "1.5,4,3", "--at", "0.25,-0,1", "--up",
           "1,0,0", "--angle", "60"});
   EXPECT_TRUE(read_bytes(file("a.pfm")) == read_bytes(file("b.pfm")));
@@ -268,7 +268,7 @@ TEST_F(Views, DevicesAreGpusOrTheCpu) {
   EXPECT_TRUE(refused({"--devices", "cpu", "--backend", "cuda"}));
   EXPECT_TRUE(refused({"--devices", "0", "--backend", "cpu"}));
   render({"-o", file("a.png")});
-  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid_, "-o", file("b.png"), "--devices", "cpu"})));
+  expect_run("gridrender", {scene_, grid_, "-o", file("b.png"), "--devices", "cpu"});
   EXPECT_TRUE(read_bytes(file("a.png")) == read_bytes(file("b.png")));
 }
 
@@ -327,8 +327,8 @@ TEST_F(Views, PicturesTellTheirSceneAndViewButNotGridOrThreads) {
   const std::string text = read_text(file("a.png"));
   EXPECT_NE(text.find("Source"), std::string::npos);
   EXPECT_NE(text.find("--from 3,-4,2 --at 0,0,0.5 --up 0,0,1 --angle 45 --size 16x12"), std::string::npos);
-  EXPECT_TRUE(succeeded(run("gridrender", {scene_, grid("b.grid", scene_, "3x2x1"), "--backend", "cpu", "-o",
-                                           file("b.png"), "--threads", "2", "--stats", file("stats")})));
+  expect_run("gridrender", {scene_, grid("b.grid", scene_, "3x2x1"), "--backend", "cpu", "-o", file("b.png"),
+                            "--threads", "2", "--stats", file("stats")});
   EXPECT_TRUE(read_bytes(file("b.png")) == read_bytes(file("a.png")));
 }
 
