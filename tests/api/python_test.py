@@ -66,6 +66,10 @@ class WithFolder(unittest.TestCase):
         self.addCleanup(tracer.close)
         return tracer
 
+    def tracer_and_rays(self, rays, triangles=200):
+        self.scene(triangles)
+        return self.tracer(), random_rays(self.random, rays)
+
 
 class Queries(WithFolder):
     def test_hits_are_those_of_brute_force(self):
@@ -102,9 +106,7 @@ class Queries(WithFolder):
         np.testing.assert_allclose(normals[large], (across / area[:, None])[large], atol=1e-3)
 
     def test_fields_are_those_asked_for_and_the_same_in_any_choice(self):
-        self.scene()
-        tracer = self.tracer()
-        rays = random_rays(self.random, 500)
+        tracer, rays = self.tracer_and_rays(500)
         every = tracer.nearest(rays, fields=masu.FIELDS)
         self.assertEqual(tuple(every), masu.FIELDS)
         self.assertEqual(set(tracer.nearest(rays)), {"t_hit", "primitive_ids"})
@@ -244,9 +246,7 @@ class Queries(WithFolder):
         self.assertTrue((found > rays[:, 3])[hit].all() and (found < rays[:, 7])[hit].all())
 
     def test_leading_shape_is_kept(self):
-        self.scene()
-        tracer = self.tracer()
-        rays = random_rays(self.random, 24)
+        tracer, rays = self.tracer_and_rays(24)
         flat = tracer.nearest(rays, fields=masu.FIELDS)
         for leading in ((24,), (4, 6), (2, 3, 4), (24, 1), (1, 1, 24)):
             shaped = rays.reshape(leading + (6,))
@@ -268,28 +268,18 @@ class Queries(WithFolder):
                 self.assertEqual(tracer.occluded(np.empty(leading + (width,), np.float32)).shape, leading)
 
     def test_any_layout_and_type_is_the_same_as_a_contiguous_array(self):
-        self.scene()
-        tracer = self.tracer()
-        rays = random_rays(self.random, 60)
+        tracer, rays = self.tracer_and_rays(60)
         expected = tracer.nearest(rays)
         wide = np.full((120, 9), np.nan, np.float32)
         wide[::2, 1:7] = rays
-        same_bits(self, tracer.nearest(wide[::2, 1:7]), expected)
-        same_bits(self, tracer.nearest(rays[::-1].copy()[::-1]), expected)
-        same_bits(self, tracer.nearest(rays[:, ::-1].copy()[:, ::-1]), expected)
-        same_bits(self, tracer.nearest(np.asfortranarray(rays)), expected)
-        same_bits(self, tracer.nearest(rays.astype(">f4")), expected)
-        same_bits(self, tracer.nearest(rays.astype(">f8")), expected)
-        same_bits(self, tracer.nearest(rays.astype(np.float64)), expected)
-        same_bits(self, tracer.nearest(rays.astype(np.longdouble)), expected)
-        same_bits(self, tracer.nearest(rays.tolist()), expected)
-        same_bits(self, tracer.nearest(memoryview(rays)), expected)
         unaligned = np.frombuffer(b"x" + rays.tobytes(), np.uint8)[1:].view(np.float32).reshape(-1, 6)
         self.assertFalse(unaligned.flags.aligned)
-        same_bits(self, tracer.nearest(unaligned), expected)
         read_only = rays.copy()
         read_only.flags.writeable = False
-        same_bits(self, tracer.nearest(read_only), expected)
+        for given in (wide[::2, 1:7], rays[::-1].copy()[::-1], rays[:, ::-1].copy()[:, ::-1], np.asfortranarray(rays),
+                      rays.astype(">f4"), rays.astype(">f8"), rays.astype(np.float64), rays.astype(np.longdouble),
+                      rays.tolist(), memoryview(rays), unaligned, read_only):
+            same_bits(self, tracer.nearest(given), expected)
         same_bits(self, tracer.nearest(np.broadcast_to(rays[0], (3, 4, 6))),
                   {name: np.broadcast_to(array[0], (3, 4)) for name, array in expected.items()})
         half = rays.astype(np.float16)
@@ -305,9 +295,7 @@ class Queries(WithFolder):
         self.assertEqual(rays.tobytes(), before.tobytes())
 
     def test_errors_name_the_argument(self):
-        self.scene(10)
-        tracer = self.tracer()
-        rays = random_rays(self.random, 2)
+        tracer, rays = self.tracer_and_rays(2, 10)
 
         class Elsewhere:
             def __dlpack_device__(self):
@@ -619,9 +607,7 @@ class Tracers(WithFolder):
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_a_tracer_keeps_what_it_uses(self):
-        self.scene(100)
-        rays = random_rays(self.random, 50)
-        tracer = self.tracer()
+        tracer, rays = self.tracer_and_rays(50, 100)
         expected = tracer.nearest(rays)
         self.made.close()
         self.grid.close()

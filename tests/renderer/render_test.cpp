@@ -24,24 +24,6 @@ void expect_color(const Vec3f& actual, const Vec3f& expected) {
   expect_color(actual, cast<double>(expected), 1e-5);
 }
 
-// All of it holds for either store, and so for either arithmetic.
-class Render : public RandomTest, public testing::WithParamInterface<Store> {
-protected:
-  Frame render(const Scene& scene, std::int32_t depth = 5) const {
-    const Rendering rendering(scene, GetParam());
-    FrameRequest request = rendering.request();
-    request.rules.depth = depth;
-    return rendering.frame(request);
-  }
-  Vec3f color_ahead(const Scene& scene) const { return render(scene).radiance[middle]; }
-  double tolerance() const { return GetParam() == Store::float64 ? 1e-5 : 2e-3; }
-};
-
-const auto by_store = [](const auto& test) {
-  return std::string(test.param == Store::float32 ? "Float32" : "Float64");
-};
-INSTANTIATE_TEST_SUITE_P(Stores, Render, testing::Values(Store::float32, Store::float64), by_store);
-
 // A material with a highlight, and lights before the surface at the origin that faces `normal`.
 Material lit_from(Scene& scene, Chance& chance, const Vec3d& normal) {
   scene.ambient = random_share(chance);
@@ -60,26 +42,50 @@ Vec3d with_background(const Vec3d& direct, const Material& material) {
   return direct + cast<double>(test_background) * static_cast<double>(material.specular);
 }
 
-TEST_P(Render, ATriangleIsShadedByTheFormulaFromEitherSide) {
-  for (int i = 0; i < 50; ++i) {
-    const Vec3d normal{0, 0, 1}, to_viewer = random_towards(chance_, normal);
+// All of it holds for either store, and so for either arithmetic.
+class Render : public RandomTest, public testing::WithParamInterface<Store> {
+protected:
+  Frame render(const Scene& scene, std::int32_t depth = 5) const {
+    const Rendering rendering(scene, GetParam());
+    FrameRequest request = rendering.request();
+    request.rules.depth = depth;
+    return rendering.frame(request);
+  }
+  Vec3f color_ahead(const Scene& scene) const { return render(scene).radiance[middle]; }
+  // Of what `add` puts into the scene: its surface at the origin has the material and the normal.
+  template <class Add>
+  void expect_shaded(const Vec3d& normal, const Add& add) {
+    const Vec3d to_viewer = random_towards(chance_, normal);
     Scene scene = empty_scene(to_viewer * chance_.uniform(1, 10), {0, 0, 0});
     const Material material = lit_from(scene, chance_, normal);
-    add_wall(scene, {0, 0, 0}, i % 2 == 0 ? normal : -normal, material, 1);
+    add(scene, material);
     const Vec3d direct = direct_light_of(scene, material, {0, 0, 0}, normal, to_viewer);
     expect_color(color_ahead(scene), with_background(direct, material), tolerance());
   }
+  double tolerance() const { return GetParam() == Store::float64 ? 1e-5 : 2e-3; }
+};
+
+const auto by_store = [](const auto& test) {
+  return std::string(test.param == Store::float32 ? "Float32" : "Float64");
+};
+INSTANTIATE_TEST_SUITE_P(Stores, Render, testing::Values(Store::float32, Store::float64), by_store);
+
+TEST_P(Render, ATriangleIsShadedByTheFormulaFromEitherSide) {
+  const Vec3d normal{0, 0, 1};
+  for (const Vec3d& front : {normal, -normal})
+    for (int i = 0; i < 25; ++i)
+      expect_shaded(normal, [&](Scene& scene, const Material& material) {
+        add_wall(scene, {0, 0, 0}, front, material, 1);
+      });
 }
 
 TEST_P(Render, ASphereIsShadedByTheFormula) {
   for (int i = 0; i < 50; ++i) {
-    const Vec3d normal = chance_.direction(), to_viewer = random_towards(chance_, normal);
-    Scene scene = empty_scene(to_viewer * chance_.uniform(1, 10), {0, 0, 0});
-    const Material material = lit_from(scene, chance_, normal);
+    const Vec3d normal = chance_.direction();
     const double radius = chance_.uniform(0.1, 3);
-    add_sphere(scene, normal * -radius, radius, material);
-    const Vec3d direct = direct_light_of(scene, material, {0, 0, 0}, normal, to_viewer);
-    expect_color(color_ahead(scene), with_background(direct, material), tolerance());
+    expect_shaded(normal, [&](Scene& scene, const Material& material) {
+      add_sphere(scene, normal * -radius, radius, material);
+    });
   }
 }
 
@@ -92,13 +98,9 @@ TEST_P(Render, AConeIsShadedByTheFormula) {
                                                     : i % 3 == 1 ? 0
                                                                  : chance_.uniform(0.2, 1);
     const Vec3d base = axis * -1.0 - out * ((r0 + r1) / 2), apex = base + axis * 2.0;
-    const Vec3d normal = normalized(out * 2.0 - axis * (r1 - r0)),
-                to_viewer = random_towards(chance_, normal);
-    Scene scene = empty_scene(to_viewer * chance_.uniform(1, 10), {0, 0, 0});
-    const Material material = lit_from(scene, chance_, normal);
-    add_cone(scene, {base, r0, apex, r1}, material);
-    const Vec3d direct = direct_light_of(scene, material, {0, 0, 0}, normal, to_viewer);
-    expect_color(color_ahead(scene), with_background(direct, material), tolerance());
+    expect_shaded(normalized(out * 2.0 - axis * (r1 - r0)), [&](Scene& scene, const Material& material) {
+      add_cone(scene, {base, r0, apex, r1}, material);
+    });
   }
 }
 

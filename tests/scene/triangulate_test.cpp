@@ -28,14 +28,6 @@ using Flat = std::vector<Point2>; // a polygon in a plane
 
 constexpr double pi = std::numbers::pi;
 
-std::vector<Vec3d> in_plane(const Flat& flat) {
-  std::vector<Vec3d> polygon;
-  polygon.reserve(flat.size());
-  for (const Point2& p : flat)
-    polygon.push_back({p.x, p.y, 0});
-  return polygon;
-}
-
 // The plane spanned by two orthogonal unit vectors, moved and scaled: a random placement in space.
 struct Placement {
   Vec3d along, across, origin;
@@ -58,22 +50,27 @@ std::vector<Vec3d> place(const Flat& flat, const Placement& placement) {
     polygon.push_back(placement.of(p));
   return polygon;
 }
+std::vector<Vec3d> in_plane(const Flat& flat) {
+  return place(flat, {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, 1});
+}
 
 // --- Polygons
+
+Point2 polar(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
 
 Flat regular(int corners) {
   Flat flat;
   for (int i = 0; i < corners; ++i)
-    flat.push_back({std::cos(2 * pi * i / corners), std::sin(2 * pi * i / corners)});
+    flat.push_back(polar(1, 2 * pi * i / corners));
   return flat;
 }
 
 Flat star(Chance& chance, int corners) {
   Flat flat;
-  for (int i = 0; i < corners; ++i) {
-    const double radius = chance.uniform(0.1, 1);
-    flat.push_back({radius * std::cos(2 * pi * i / corners), radius * std::sin(2 * pi * i / corners)});
-  }
+  for (int i = 0; i < corners; ++i)
+    flat.push_back(polar(chance.uniform(0.1, 1), 2 * pi * i / corners));
   return flat;
 }
 
@@ -83,7 +80,7 @@ Flat gear(int teeth) {
   const double tooth = 2 * pi / teeth;
   for (int i = 0; i < teeth; ++i)
     for (const auto& [radius, at] : {std::pair{1.0, -0.19}, {1.0, 0.19}, {0.9, 0.3}, {0.9, 0.7}})
-      flat.push_back({radius * std::cos(tooth * (i + at)), radius * std::sin(tooth * (i + at))});
+      flat.push_back(polar(radius, tooth * (i + at)));
   return flat;
 }
 
@@ -99,9 +96,9 @@ Flat comb(int teeth) {
 Flat spiral(int steps) {
   Flat flat;
   for (int i = 0; i <= steps; ++i)
-    flat.push_back({(2 + 0.1 * i) * std::cos(0.3 * i), (2 + 0.1 * i) * std::sin(0.3 * i)});
+    flat.push_back(polar(2 + 0.1 * i, 0.3 * i));
   for (int i = steps; i >= 0; --i)
-    flat.push_back({(1.5 + 0.1 * i) * std::cos(0.3 * i), (1.5 + 0.1 * i) * std::sin(0.3 * i)});
+    flat.push_back(polar(1.5 + 0.1 * i, 0.3 * i));
   return flat;
 }
 
