@@ -9,15 +9,22 @@
 
 namespace masu {
 
+inline Overlap any_overlap(Chance& chance) {
+  return chance.one_in(2) ? Overlap::exact : Overlap::box;
+}
+// Up to so many voxels an axis.
+inline Vec3i random_division(Chance& chance, int most) {
+  return {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
+}
+
 template <class Stored>
 GridLayout random_layout(Chance& chance, const Boxd& bounds) {
   const auto voxels = [&] {
     if (chance.one_in(3)) return std::int32_t{1} << chance.whole(0, 5);
     return chance.whole(1, 64);
   };
-  return {space_of<Stored>(bounds, chance.one_in(2) ? SpaceRule::tight : SpaceRule::cube),
-          {voxels(), voxels(), voxels()},
-          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+  return layout_in<Stored>(bounds, {voxels(), voxels(), voxels()},
+                           chance.one_in(2) ? SpaceRule::tight : SpaceRule::cube);
 }
 
 // The same uniform grid with a map of two levels, which the builder uses only for large divisions.
@@ -42,8 +49,7 @@ inline Grid in_blocks(const Grid& grid, std::int32_t block_log2) {
 
 template <class Stored>
 Grid random_uniform_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
-  const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
-  const Grid grid = build_grid(scene, random_layout<Stored>(chance, bounds), overlap);
+  const Grid grid = build_grid(scene, random_layout<Stored>(chance, bounds), any_overlap(chance));
   return grid.block_log2 == 0 && chance.one_in(2) ? in_blocks(grid, chance.whole(1, 5)) : grid;
 }
 
@@ -57,17 +63,16 @@ inline GridOptions random_grid_options(Chance& chance) {
           chance.one_of({0, 1, 6})};
 }
 
-// Input for an irregular grid with few top-level voxels.
-struct IrregularCase {
+struct RandomCase {
   GridLayout layout;
   Overlap overlap;
   GridOptions options;
 };
+// Input for an irregular grid with few top-level voxels.
 template <class Stored>
-IrregularCase random_irregular_case(Chance& chance, const Boxd& bounds) {
-  IrregularCase by{random_layout<Stored>(chance, bounds), chance.one_in(2) ? Overlap::exact : Overlap::box,
-                   random_grid_options(chance)};
-  by.layout.division = {chance.whole(1, 9), chance.whole(1, 9), chance.whole(1, 9)};
+RandomCase random_irregular_case(Chance& chance, const Boxd& bounds) {
+  RandomCase by{random_layout<Stored>(chance, bounds), any_overlap(chance), random_grid_options(chance)};
+  by.layout.division = random_division(chance, 9);
   by.options.kind = GridKind::irregular;
   return by;
 }
@@ -75,11 +80,9 @@ IrregularCase random_irregular_case(Chance& chance, const Boxd& bounds) {
 template <class Stored>
 Grid random_merged_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bounds) {
   const GridOptions options = random_grid_options(chance);
-  const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
   GridLayout layout = random_layout<Stored>(chance, bounds);
-  if (options.kind == GridKind::irregular && chance.one_in(2))
-    layout.division = {chance.whole(1, 6), chance.whole(1, 6), chance.whole(1, 6)};
-  return build_grid(scene, layout, overlap, options);
+  if (options.kind == GridKind::irregular && chance.one_in(2)) layout.division = random_division(chance, 6);
+  return build_grid(scene, layout, any_overlap(chance), options);
 }
 
 template <class Stored>
@@ -90,10 +93,7 @@ Grid random_grid(Chance& chance, const SceneView<Stored>& scene, const Boxd& bou
 
 template <class Stored>
 GridLayout hierarchy_layout(TestScene<Stored>& scene) {
-  const Boxd bounds = scene.bounds();
-  return {space_of<Stored>(bounds, SpaceRule::tight),
-          {1, 1, 1},
-          is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
+  return layout_in<Stored>(scene.bounds(), {1, 1, 1});
 }
 template <class Stored>
 Grid hierarchy_of(TestScene<Stored>& scene, HierarchyQuality quality = HierarchyQuality::high) {

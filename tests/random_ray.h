@@ -5,9 +5,8 @@
 #include "libgrid/build/merge.h"
 #include "libscene/geometry/ray.h"
 #include "tests/random_grid.h"
+#include "tests/stability/same_bits.h"
 #include "tests/stability/test_scene.h"
-
-#include <bit>
 
 namespace masu {
 
@@ -119,14 +118,7 @@ private:
   GridLayout finest_;
 };
 
-template <class Real>
-bool same_bits(Real a, Real b) {
-  if constexpr (std::is_same_v<Real, float>) {
-    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
-  } else {
-    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-  }
-}
+using stability::same_bits;
 
 template <class Real>
 std::string described(const Hit<Real>& hit) {

@@ -44,17 +44,21 @@ TestScene<Stored> scattered_scene(Chance& chance, int most) {
 // Each by up to so much along each axis, on its own.
 template <class Stored>
 void move_primitives(Chance& chance, TestScene<Stored>& scene, double most) {
-  const auto move = [&](auto&... points) {
+  for_each_points(scene, [&](auto&... points) {
     const Vec3<Stored> by = cast<Stored>(chance.in_cube(most));
     ((points = points + by), ...);
-  };
-  for (auto& t : scene.triangles)
-    move(t.a, t.b, t.c);
-  for (auto& sphere : scene.spheres)
-    move(sphere.center);
-  for (auto& cone : scene.cones)
-    move(cone.base, cone.apex);
+  });
   std::erase_if(scene.cones, [](const auto& cone) { return cone.base == cone.apex; });
+}
+
+// Every primitive so many times more, before the others.
+template <class Stored>
+void repeat_primitives(TestScene<Stored>& scene, int times) {
+  for_each_kind(scene, [&](auto& primitives) {
+    const auto once = primitives;
+    for (int i = 0; i < times; ++i)
+      primitives.insert(primitives.begin(), once.begin(), once.end());
+  });
 }
 
 // Makes scenes; everything lies within ±scale of some point.
@@ -104,13 +108,7 @@ public:
   TestScene<Stored> flat() {
     TestScene<Stored> scene;
     const int axis = chance_.whole(0, 2);
-    const auto corner = [&] {
-      Vec3d p = near(at_, scale_);
-      p.set(axis, at_[axis]);
-      return p;
-    };
-    for (int i = chance_.whole(1, 12); i > 0; --i)
-      add_triangle(scene, corner(), corner(), corner());
+    add_in_plane(scene, axis, at_[axis], 12);
     return scene;
   }
   // Cones whose tips nearly touch triangles, all perpendicular to one axis; and a last triangle as large as
@@ -147,6 +145,17 @@ private:
     const Cone<Stored> cone = cone_of<Stored>(base, r0, apex, r1);
     if (cone.base != cone.apex && (cone.base_radius != 0 || cone.apex_radius != 0))
       scene.cones.push_back(cone);
+  }
+
+  // Up to so many triangles across an axis.
+  void add_in_plane(TestScene<Stored>& scene, int axis, double level, int most) {
+    const auto corner = [&] {
+      Vec3d p = near(at_, scale_);
+      p.set(axis, level);
+      return p;
+    };
+    for (int i = chance_.whole(1, most); i > 0; --i)
+      add_triangle(scene, corner(), corner(), corner());
   }
 
   TestScene<Stored> mixed(const Vec3d& at, double size) {
@@ -187,30 +196,15 @@ private:
   // Every primitive twice or more, so that hits are ties.
   TestScene<Stored> doubled() {
     TestScene<Stored> scene = mixed(at_, scale_);
-    const auto again = [&](auto& primitives) {
-      const auto once = primitives;
-      for (int i = chance_.whole(1, 3); i > 0; --i)
-        primitives.insert(primitives.begin(), once.begin(), once.end());
-    };
-    again(scene.triangles);
-    again(scene.spheres);
-    again(scene.cones);
+    repeat_primitives(scene, chance_.whole(1, 3));
     return scene;
   }
   // Overlapping triangles in a few parallel, axis-aligned planes.
   TestScene<Stored> coplanar() {
     TestScene<Stored> scene;
     const int axis = chance_.whole(0, 2);
-    for (int plane = chance_.whole(1, 3); plane > 0; --plane) {
-      const double level = at_[axis] + chance_.uniform(-scale_, scale_);
-      const auto corner = [&] {
-        Vec3d p = near(at_, scale_);
-        p.set(axis, level);
-        return p;
-      };
-      for (int i = chance_.whole(1, 8); i > 0; --i)
-        add_triangle(scene, corner(), corner(), corner());
-    }
+    for (int plane = chance_.whole(1, 3); plane > 0; --plane)
+      add_in_plane(scene, axis, at_[axis] + chance_.uniform(-scale_, scale_), 8);
     return scene;
   }
   TestScene<Stored> floor_with_crumbs() {
@@ -276,13 +270,10 @@ private:
 template <class Real>
 std::string described(const TestScene<Real>& scene) {
   std::string text;
-  const auto add = [&](const auto& primitives) {
+  for_each_kind(scene, [&](const auto& primitives) {
     for (const auto& primitive : primitives)
       if (text.size() < 4000) text += described(primitive) + '\n';
-  };
-  add(scene.triangles);
-  add(scene.spheres);
-  add(scene.cones);
+  });
   return text;
 }
 

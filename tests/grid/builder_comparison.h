@@ -35,7 +35,6 @@ protected:
     EXPECT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
     return grid;
   }
-  Overlap any_overlap() { return chance_.one_in(2) ? Overlap::exact : Overlap::box; }
 };
 TYPED_TEST_SUITE_P(BuilderComparison);
 
@@ -44,7 +43,7 @@ TYPED_TEST_P(BuilderComparison, AUniformGridIsTheSameBytes) {
   Chance& chance = this->chance_;
   for (std::int64_t s = cases(300); s > 0 && !this->HasFailure(); --s) {
     auto scene = SceneMaker<Stored>(chance, chance.power_of_two(-10, 20)).scene();
-    this->expect_same_builds(scene, random_layout<Stored>(chance, scene.bounds()), this->any_overlap());
+    this->expect_same_builds(scene, random_layout<Stored>(chance, scene.bounds()), any_overlap(chance));
   }
 }
 

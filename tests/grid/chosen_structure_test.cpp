@@ -7,7 +7,6 @@
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 namespace masu {
 namespace {
@@ -83,11 +82,7 @@ TYPED_TEST(Fastest, IsAGridWhereBoxesOverlapAndAHierarchyWhereSpaceIsEmpty) {
 TYPED_TEST(Fastest, IsTheSameForAnyNumberOfThreads) {
   TestScene<TypeParam> scene = clusters<TypeParam>(this->chance_);
   for (const GridKind kind : {GridKind::uniform, GridKind::automatic, GridKind::fastest}) {
-    const auto by = [&](std::size_t threads) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      return built(scene, kind);
-    };
-    expect_same(by(1), by(16));
+    compare_threads([&] { return built(scene, kind); }, expect_same);
   }
 }
 
@@ -95,18 +90,16 @@ TYPED_TEST(Fastest, CostsAreTheSameForAnyNumberOfThreads) {
   TestScene<TypeParam> scene = clusters<TypeParam>(this->chance_);
   for (const GridKind kind : {GridKind::uniform, GridKind::irregular, GridKind::hierarchy}) {
     const Grid grid = built(scene, kind);
-    const auto costs = [&](std::size_t threads) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      return sampled_costs(scene.view(), grid);
+    const auto expect_same_costs = [](const SampledCosts& one, const SampledCosts& many) {
+      for (const auto set : {&SampledCosts::across, &SampledCosts::aimed, &SampledCosts::scattered}) {
+        EXPECT_EQ((one.*set).steps, (many.*set).steps);
+        EXPECT_EQ((one.*set).tests, (many.*set).tests);
+        EXPECT_GT((one.*set).steps, 0);
+      }
+      EXPECT_GT(one.aimed.tests, 0);
+      EXPECT_GT(one.scattered.tests, 0);
     };
-    const SampledCosts one = costs(1), many = costs(16);
-    for (const auto set : {&SampledCosts::across, &SampledCosts::aimed, &SampledCosts::scattered}) {
-      EXPECT_EQ((one.*set).steps, (many.*set).steps);
-      EXPECT_EQ((one.*set).tests, (many.*set).tests);
-      EXPECT_GT((one.*set).steps, 0);
-    }
-    EXPECT_GT(one.aimed.tests, 0);
-    EXPECT_GT(one.scattered.tests, 0);
+    compare_threads([&] { return sampled_costs(scene.view(), grid); }, expect_same_costs);
   }
 }
 

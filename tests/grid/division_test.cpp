@@ -1,6 +1,7 @@
 // How many voxels each rule asks for, and how rules are written.
 #include "libgrid/build/builder.h"
 #include "libgrid/build/division.h"
+#include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/refused.h"
@@ -163,9 +164,7 @@ TestScene<float> scattered(Chance& chance, int triangles, double size) {
 TEST_F(CostModel, ExpectsAboutTheReferencesThatAreMade) {
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<float> scene = scattered(chance_, 2000, chance_.power_of_two(-6, -1));
-    const GridLayout layout{space_of<float>(scene.bounds(), SpaceRule::tight),
-                            {chance_.whole(1, 40), chance_.whole(1, 40), chance_.whole(1, 40)},
-                            rounding_margin<float>(scene.bounds())};
+    const auto layout = layout_in<float>(scene.bounds(), random_division(chance_, 40));
     const SceneView<float> view = scene.view();
     const double expected = expected_references(division_statistics(view).all, layout);
     const auto made = static_cast<double>(build_grid(view, layout, Overlap::exact).references.size());
@@ -202,13 +201,16 @@ TEST_F(CostModel, LooksAtTheDenseBox) {
     EXPECT_LT(statistics.dense_box.max[axis] - statistics.dense_box.min[axis], 20);
 }
 
+template <class Stored>
+GridLayout automatic_layout(TestScene<Stored>& scene) {
+  return make_grid_layout<Stored>(scene.bounds(), SpaceRule::tight, {}, division_statistics(scene.view()));
+}
+
 TEST_F(AutomaticDivision, GrowsWithTheNumberOfPrimitives) {
   std::uint64_t fewer = 0;
   for (const int triangles : {10, 300, 10'000, 100'000}) {
     TestScene<float> scene = scattered(chance_, triangles, 0.5 / std::cbrt(triangles));
-    const Boxd space = space_of<float>(scene.bounds(), SpaceRule::tight);
-    const Vec3i division = choose_division({}, division_statistics(scene.view()), space);
-    const std::uint64_t voxels = voxel_count(division);
+    const std::uint64_t voxels = voxel_count(automatic_layout(scene).division);
     EXPECT_GT(voxels, fewer);
     // Neither a voxel for each corner of each triangle, nor crowds of them in one.
     EXPECT_GT(static_cast<double>(voxels), 0.1 * triangles);
@@ -223,9 +225,7 @@ TEST_F(AutomaticDivision, HasVoxelsOfAboutEqualSides) {
     for (Vec3f* const corner : {&t.a, &t.b, &t.c})
       *corner = {corner->x * 4, corner->y * 2, corner->z};
   }
-  const Boxd space = space_of<float>(scene.bounds(), SpaceRule::tight);
-  const Vec3i n = choose_division({}, division_statistics(scene.view()), space);
-  const Vec3d side = voxel_size({space, n, 0});
+  const Vec3d side = voxel_size(automatic_layout(scene));
   EXPECT_NEAR(side.x / side.z, 1, 0.2);
   EXPECT_NEAR(side.y / side.z, 1, 0.2);
 }
@@ -236,17 +236,14 @@ TEST_F(AutomaticDivision, CopesWithFlatAndLonelyThings) {
     const float x = static_cast<float>(i % 20), y = static_cast<float>(i / 20);
     floor.triangles.push_back(triangle_of<float>({x, y, 7}, {x + 1, y, 7}, {x, y + 1, 7}));
   }
-  const Boxd space = space_of<float>(floor.bounds(), SpaceRule::tight);
-  const Vec3i flat = choose_division({}, division_statistics(floor.view()), space);
+  const Vec3i flat = automatic_layout(floor).division;
   EXPECT_EQ(flat.z, 1);
   EXPECT_GT(flat.x, 3);
   EXPECT_LE(voxel_count(flat), 200'000U);
 
   TestScene<double> alone;
   alone.spheres.push_back({{1e6, 0, 0}, 1e-3});
-  const Vec3i one = choose_division({}, division_statistics(alone.view()),
-                                    space_of<double>(alone.bounds(), SpaceRule::tight));
-  EXPECT_LE(voxel_count(one), 1000U);
+  EXPECT_LE(voxel_count(automatic_layout(alone).division), 1000U);
 }
 
 // Rods side by side, each as long as the whole: their centers lie in one line, but not what rays meet.
@@ -256,17 +253,12 @@ TEST_F(AutomaticDivision, DividesRowsOfLongThings) {
     const double x = i;
     rods.cones.push_back(cone_of<float>({x, 0, 0}, 0.4, {x, 10'000, 0}, 0.4));
   }
-  const Boxd space = space_of<float>(rods.bounds(), SpaceRule::tight);
-  const Vec3i division = choose_division({}, division_statistics(rods.view()), space);
-  EXPECT_GE(division.x, 50);
+  EXPECT_GE(automatic_layout(rods).division.x, 50);
 }
 
 TEST_F(AutomaticDivision, StaysCoarseOnlyWhereTheFloorIsLargeNotTheCrowd) {
   TestScene<float> scene = scattered(chance_, 10'000, 0.02);
-  const auto side = [&] {
-    const Boxd space = space_of<float>(scene.bounds(), SpaceRule::tight);
-    return voxel_size({space, choose_division({}, division_statistics(scene.view()), space), 0}).x;
-  };
+  const auto side = [&] { return voxel_size(automatic_layout(scene)).x; };
   const double without = side();
   scene.triangles.push_back(triangle_of<float>({-20, -20, -1}, {20, -20, -1}, {0, 20, -1}));
   // The voxels grow, for there are more of them to cross; but not as the floor does, forty times.

@@ -110,8 +110,8 @@ TEST_F(Stretch, MovesFacesAsDefined) {
     options.kind = GridKind::irregular;
     options.expansions = 0;
     GridLayout layout = random_layout<float>(chance_, scene.bounds());
-    layout.division = {chance_.whole(1, 12), chance_.whole(1, 12), chance_.whole(1, 12)};
-    Grid slow = build_grid(scene.view(), layout, chance_.one_in(2) ? Overlap::exact : Overlap::box, options);
+    layout.division = random_division(chance_, 12);
+    Grid slow = build_grid(scene.view(), layout, any_overlap(chance_), options);
     const int rounds = chance_.whole(0, 5);
     Grid fast = slow;
     TbbExecutor executor;

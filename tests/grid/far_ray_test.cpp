@@ -147,7 +147,7 @@ TYPED_TEST(FarRay, ClippingIsAccurateAndConservative) {
 template <class Real>
 oracle::Expected expect_nearest(const oracle::Line& line, const TestScene<Real>& scene, double slack) {
   oracle::Expected nearest{oracle::Result::miss, 0, 0};
-  const auto look = [&](const auto& primitives) {
+  for_each_kind(scene, [&](const auto& primitives) {
     for (const auto& primitive : primitives) {
       const oracle::Expected one = oracle::expect(line, primitive, slack);
       if (one.result == oracle::Result::miss || nearest.result == oracle::Result::unsure) continue;
@@ -158,10 +158,7 @@ oracle::Expected expect_nearest(const oracle::Line& line, const TestScene<Real>&
       nearest.low = oracle::min(nearest.low, one.low);
       nearest.high = oracle::min(nearest.high, one.high);
     }
-  };
-  look(scene.triangles);
-  look(scene.spheres);
-  look(scene.cones);
+  });
   return nearest;
 }
 

@@ -1,9 +1,7 @@
 // Statistics of where cells are, against every voxel looked up by itself, and against random lines.
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/file/grid_file.h"
 #include "libgrid/statistics/map_statistics.h"
 #include "libgrid/statistics/statistics.h"
+#include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 
@@ -16,12 +14,6 @@
 
 namespace masu {
 namespace {
-
-template <class Stored>
-GridLayout layout_for(const TestScene<Stored>& scene, const Vec3i& division) {
-  const Boxd bounds = scene.count() > 0 ? scene.bounds() : Boxd{{0, 0, 0}, {1, 1, 1}};
-  return {space_of<Stored>(bounds, SpaceRule::tight), division, rounding_margin<Stored>(bounds)};
-}
 
 GridOptions random_rule(Chance& chance) {
   GridOptions options{chance.one_of({GridKind::x, GridKind::balance, GridKind::irregular})};
@@ -77,7 +69,7 @@ TYPED_TEST(MapStatisticsOf, MergedGridsAreWhatLookingUpEveryVoxelGives) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 40);
-    const GridLayout layout = layout_for(scene, {chance.whole(1, 5), chance.whole(1, 5), chance.whole(1, 5)});
+    const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 5));
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<double> view = merged_view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));
@@ -151,8 +143,7 @@ TYPED_TEST(MapStatisticsOf, UniformGridsCountEachVoxelOnce) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(20); i > 0; --i) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 40);
-    const GridLayout layout =
-        layout_for(scene, {chance.whole(1, 20), chance.whole(1, 20), chance.whole(1, 20)});
+    const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 20));
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     const GridView<double> view = view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.references));
@@ -181,7 +172,7 @@ TYPED_TEST(MapStatisticsOf, EmptyBlocksOfALargeMapAreOneCellEach) {
   Chance& chance = this->chance_;
   TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 8);
   const Vec3i n{chance.whole(260, 270), chance.whole(260, 270), chance.whole(260, 270)};
-  const GridLayout layout = layout_for(scene, n);
+  const auto layout = layout_in<TypeParam>(scene.bounds(), n);
   const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
   const GridView<double> view = view_of<double>(grid);
   ASSERT_GT(view.block_log2, 0) << "choose a finer division";
@@ -214,7 +205,7 @@ TYPED_TEST(MapStatisticsOf, RandomLinesMeetAsManyCellsAsExpected) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(3); i > 0; --i) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 30);
-    const GridLayout layout = layout_for(scene, {chance.whole(1, 4), chance.whole(1, 4), chance.whole(1, 4)});
+    const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 4));
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, random_rule(chance));
     const MergedGridView<double> view = merged_view_of<double>(grid);
     const MapStatistics told = map_statistics(view, std::span(grid.cells));

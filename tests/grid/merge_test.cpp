@@ -105,19 +105,24 @@ private:
 template <class Stored>
 class Merged : public RandomTest {
 protected:
-  // Few enough voxels to look at each of them.
-  GridOptions random_rule(Chance& chance) const {
-    GridOptions options = random_grid_options(chance);
-    options.nested_log2 = std::min(options.nested_log2, 3);
-    return options;
+  // Of random scenes, some of nothing: calls change(scene, case), and check(scene, case, grid, its cells).
+  // The layout follows what was changed.
+  template <class Change, class Check>
+  void for_random_grids(std::int64_t count, const Change& change, const Check& check) {
+    for (; count > 0; --count) {
+      auto scene = SceneMaker<Stored>(chance_, chance_.power_of_two(-10, 20)).scene();
+      if (chance_.one_in(20)) scene = {};
+      RandomCase by{{}, any_overlap(chance_), random_grid_options(chance_)};
+      by.options.nested_log2 = std::min(by.options.nested_log2, 3);
+      change(scene, by);
+      by.layout = random_layout<Stored>(chance_, scene.bounds());
+      // Few enough voxels to look at each of them.
+      by.layout.division = random_division(chance_, by.options.kind == GridKind::irregular ? 4 : 24);
+      const Grid grid = build_grid(scene.view(), by.layout, by.overlap, by.options);
+      check(scene, by, grid, Cells(grid));
+      ASSERT_FALSE(HasFailure()) << described(grid) << '\n' << described(scene);
+    }
   }
-  GridLayout random_layout(Chance& chance, const TestScene<Stored>& scene, const GridOptions& options) const {
-    const int most = options.kind == GridKind::irregular ? 4 : 24;
-    GridLayout layout = masu::random_layout<Stored>(chance, scene.bounds());
-    layout.division = {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
-    return layout;
-  }
-  Overlap random_overlap(Chance& chance) const { return chance.one_in(2) ? Overlap::exact : Overlap::box; }
 };
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(Merged, Stores);
@@ -144,8 +149,7 @@ Lists needed_lists(TestScene<Stored>& scene, const GridLayout& layout, Overlap o
 }
 
 // needed: by voxel.
-void expect_listed(const Grid& grid, const Lists& needed) {
-  const Cells cells(grid);
+void expect_listed(const Cells& cells, const Lists& needed) {
   for_each_voxel_of({{0, 0, 0}, cells.division}, [&](const Vec3i& voxel) {
     const std::uint64_t place = linear_index(voxel, cells.division);
     const std::uint32_t cell = cells.of_voxel[place];
@@ -160,15 +164,11 @@ void expect_listed(const Grid& grid, const Lists& needed) {
 }
 
 TYPED_TEST(Merged, EveryVoxelLeadsToACellAroundItThatListsWhatItHolds) {
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(400); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const GridOptions options = this->random_rule(chance);
-    const Overlap overlap = this->random_overlap(chance);
-    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
-    expect_listed(grid, needed_lists(scene, finest_layout(grid), overlap));
-    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
-  }
+  this->for_random_grids(
+      cases(400), [](auto&, RandomCase&) {},
+      [](auto& scene, const RandomCase& by, const Grid& grid, const Cells& cells) {
+        expect_listed(cells, needed_lists(scene, finest_layout(grid), by.overlap));
+      });
 }
 
 TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
@@ -178,7 +178,7 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
     add_triangles(scene, chance, 500, 0.1);
     GridOptions options{GridKind::irregular};
     options.nested_log2 = 3;
-    GridLayout layout = masu::random_layout<TypeParam>(chance, scene.bounds());
+    GridLayout layout = random_layout<TypeParam>(chance, scene.bounds());
     layout.division = {2, 2, 2};
     const Grid whole = build_grid(scene.view(), layout, Overlap::exact, options);
     EXPECT_EQ(whole.detail, options.detail);
@@ -186,7 +186,7 @@ TYPED_TEST(Merged, MapsThatWouldBeTooLargeHaveLessDetail) {
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact, options);
     EXPECT_LT(grid.detail, options.detail);
     EXPECT_LE(grid.voxel_map.size(), options.max_map_words);
-    expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::exact));
+    expect_listed(Cells(grid), needed_lists(scene, finest_layout(grid), Overlap::exact));
     DeviceLikeExecutor executor;
     expect_same(grid, merged_grid(executor, scene.view(), layout, Overlap::exact, options));
     options.max_map_words = voxel_count(layout.division);
@@ -210,7 +210,7 @@ TEST_F(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
       GridLayout layout = random_layout<double>(chance_, scene.bounds());
       layout.division = {2, 3, 4};
       const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
-      expect_listed(grid, needed_lists(scene, finest_layout(grid), Overlap::box));
+      expect_listed(Cells(grid), needed_lists(scene, finest_layout(grid), Overlap::box));
       build_grid(scene.view(), layout, Overlap::exact, options);
       ASSERT_FALSE(testing::Test::HasFailure()) << described(grid) << '\n' << described(scene);
     }
@@ -218,106 +218,88 @@ TEST_F(MergedOutOfRange, EveryVoxelStillLeadsToACellThatListsWhatItHolds) {
 }
 
 TYPED_TEST(Merged, CellsListNothingThatIsNotInThem) {
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(400); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, chance.power_of_two(-10, 20)).scene();
-    const GridOptions options = this->random_rule(chance);
-    const Overlap overlap = this->random_overlap(chance);
-    // The exact test of cones says more of small boxes than of large ones.
-    if (overlap == Overlap::exact) scene.cones.clear();
-    if (scene.count() == 0) continue;
-    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
-    const Cells cells(grid);
-    const Lists possible = lists_of(scene, with_margin(finest_layout(grid), perhaps), overlap);
-    Lists in_cells(grid.cells.size());
-    for (std::size_t voxel = 0; voxel < possible.size(); ++voxel)
-      in_cells[cells.of_voxel[voxel]].insert(possible[voxel].begin(), possible[voxel].end());
-    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
-      ASSERT_TRUE(includes(in_cells[cell], cells.lists[cell])) << "cell " << cell;
-    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
-  }
+  this->for_random_grids(
+      cases(400),
+      [](auto& scene, const RandomCase& by) {
+        // The exact test of cones says more of small boxes than of large ones.
+        if (by.overlap == Overlap::exact) scene.cones.clear();
+      },
+      [](auto& scene, const RandomCase& by, const Grid& grid, const Cells& cells) {
+        const Lists possible = lists_of(scene, with_margin(finest_layout(grid), perhaps), by.overlap);
+        Lists in_cells(grid.cells.size());
+        for (std::size_t voxel = 0; voxel < possible.size(); ++voxel)
+          in_cells[cells.of_voxel[voxel]].insert(possible[voxel].begin(), possible[voxel].end());
+        for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
+          ASSERT_TRUE(includes(in_cells[cell], cells.lists[cell])) << "cell " << cell;
+      });
 }
 
 // A ray that crosses a cell's box misses nothing by it.
 TYPED_TEST(Merged, NothingIsInAStretchedCellsBoxThatItDoesNotList) {
-  Chance& chance = this->chance_;
   std::int64_t expanded = 0, over_others = 0;
-  for (std::int64_t s = cases(200); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    GridOptions options = this->random_rule(chance);
-    options.kind = GridKind::irregular;
-    options.expansions = chance.one_of({1, 2, 6, 40});
-    const Overlap overlap = this->random_overlap(chance);
-    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options), overlap, options);
-    const Cells cells(grid);
-    const Lists needed = needed_lists(scene, finest_layout(grid), overlap);
-    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
-      expanded += volume(cells.boxes[cell]) > volume(cells.own[cell]);
-      for_each_voxel_of(cells.boxes[cell], [&](const Vec3i& voxel) {
-        const std::uint64_t place = linear_index(voxel, cells.division);
-        const std::set<PrimitiveIndex>& others = cells.lists[cells.of_voxel[place]];
-        over_others += cells.of_voxel[place] != cell && !others.empty();
-        ASSERT_TRUE(includes(cells.lists[cell], others) && includes(cells.lists[cell], needed[place]))
-            << "cell " << cell << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+  this->for_random_grids(
+      cases(200),
+      [&](auto&, RandomCase& by) {
+        by.options.kind = GridKind::irregular;
+        by.options.expansions = this->chance_.one_of({1, 2, 6, 40});
+      },
+      [&](auto& scene, const RandomCase& by, const Grid& grid, const Cells& cells) {
+        const Lists needed = needed_lists(scene, finest_layout(grid), by.overlap);
+        for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
+          expanded += volume(cells.boxes[cell]) > volume(cells.own[cell]);
+          for_each_voxel_of(cells.boxes[cell], [&](const Vec3i& voxel) {
+            const std::uint64_t place = linear_index(voxel, cells.division);
+            const std::set<PrimitiveIndex>& others = cells.lists[cells.of_voxel[place]];
+            over_others += cells.of_voxel[place] != cell && !others.empty();
+            ASSERT_TRUE(includes(cells.lists[cell], others) && includes(cells.lists[cell], needed[place]))
+                << "cell " << cell << " voxel " << voxel.x << ' ' << voxel.y << ' ' << voxel.z;
+          });
+        }
       });
-    }
-    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
-  }
   EXPECT_GT(expanded, cases(100));
   EXPECT_GT(over_others, cases(10));
 }
 
 TYPED_TEST(Merged, WithoutStretchingCellsAreTheirOwnVoxels) {
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(200); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    GridOptions options = this->random_rule(chance);
-    options.expansions = 0;
-    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options),
-                                 this->random_overlap(chance), options);
-    const Cells cells(grid);
-    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
-      ASSERT_TRUE(cells.boxes[cell].first == cells.own[cell].first &&
-                  cells.boxes[cell].end == cells.own[cell].end)
-          << "cell " << cell << ' ' << described(grid);
-  }
+  this->for_random_grids(
+      cases(200), [](auto&, RandomCase& by) { by.options.expansions = 0; },
+      [](auto&, const RandomCase&, const Grid& grid, const Cells& cells) {
+        for (std::size_t cell = 0; cell < grid.cells.size(); ++cell)
+          ASSERT_TRUE(cells.boxes[cell].first == cells.own[cell].first &&
+                      cells.boxes[cell].end == cells.own[cell].end)
+              << "cell " << cell;
+      });
 }
 
 // --- x ---------------------------------------------------------------------------------------------------
 
 TYPED_TEST(Merged, ByXEveryRunOfEmptyVoxelsIsOneCell) {
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(200); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    GridOptions options{GridKind::x};
-    const Overlap overlap = this->random_overlap(chance);
-    const GridLayout layout = this->random_layout(chance, scene, options);
-    const Grid grid = build_grid(scene.view(), layout, overlap, options);
-    const Cells cells(grid);
-    const Lists lists = lists_of(scene, layout, overlap);
-    for_each_voxel_of({{0, 0, 0}, layout.division}, [&](const Vec3i& voxel) {
-      const auto is_empty = [&](std::int32_t x) {
-        return lists[linear_index({x, voxel.y, voxel.z}, layout.division)].empty();
-      };
-      const std::uint32_t cell = cells.of_voxel[linear_index(voxel, layout.division)];
-      ASSERT_EQ(cells.lists[cell], lists[linear_index(voxel, layout.division)]);
-      VoxelBox run{voxel, voxel + Vec3i{1, 1, 1}};
-      if (is_empty(voxel.x)) {
-        while (run.first.x > 0 && is_empty(run.first.x - 1))
-          --run.first.x;
-        while (run.end.x < layout.division.x && is_empty(run.end.x))
-          ++run.end.x;
-      }
-      ASSERT_TRUE(cells.boxes[cell].first == run.first && cells.boxes[cell].end == run.end);
-    });
-    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
-  }
+  this->for_random_grids(
+      cases(200), [](auto&, RandomCase& by) { by.options = {GridKind::x}; },
+      [](auto& scene, const RandomCase& by, const Grid&, const Cells& cells) {
+        const Vec3i& division = by.layout.division;
+        const Lists lists = lists_of(scene, by.layout, by.overlap);
+        for_each_voxel_of({{0, 0, 0}, division}, [&](const Vec3i& voxel) {
+          const auto is_empty = [&](std::int32_t x) {
+            return lists[linear_index({x, voxel.y, voxel.z}, division)].empty();
+          };
+          const std::uint32_t cell = cells.of_voxel[linear_index(voxel, division)];
+          ASSERT_EQ(cells.lists[cell], lists[linear_index(voxel, division)]);
+          VoxelBox run{voxel, voxel + Vec3i{1, 1, 1}};
+          if (is_empty(voxel.x)) {
+            while (run.first.x > 0 && is_empty(run.first.x - 1))
+              --run.first.x;
+            while (run.end.x < division.x && is_empty(run.end.x))
+              ++run.end.x;
+          }
+          ASSERT_TRUE(cells.boxes[cell].first == run.first && cells.boxes[cell].end == run.end);
+        });
+      });
 }
 
 // --- balance ---------------------------------------------------------------------------------------------
 
 // Whether a plane divides the cell so that both halves list fewer.
-template <class Stored>
 bool could_be_divided(const Lists& lists, const VoxelBox& box, const Vec3i& division) {
   const auto listed = [&](const VoxelBox& part) {
     std::set<PrimitiveIndex> all;
@@ -340,45 +322,27 @@ bool could_be_divided(const Lists& lists, const VoxelBox& box, const Vec3i& divi
 }
 
 TYPED_TEST(Merged, ByBalanceNoCellListsMoreThanTheTargetThatCouldBeDivided) {
-  Chance& chance = this->chance_;
   std::int64_t within = 0, above = 0;
-  for (std::int64_t s = cases(300); s > 0; --s) {
-    TestScene<TypeParam> scene = SceneMaker<TypeParam>(chance, 1).scene();
-    GridOptions options{GridKind::balance};
-    options.target = chance.one_of({1U, 2U, 5U, 20U});
-    const GridLayout layout = this->random_layout(chance, scene, options);
-    const Grid grid = build_grid(scene.view(), layout, Overlap::box, options);
-    const Cells cells(grid);
-    const Lists lists = lists_of(scene, layout, Overlap::box);
-    for (std::size_t cell = 0; cell < grid.cells.size(); ++cell) {
-      if (cells.lists[cell].size() <= options.target) {
-        ++within;
-        continue;
-      }
-      above += volume(cells.own[cell]) > 1;
-      ASSERT_FALSE(could_be_divided<TypeParam>(lists, cells.own[cell], layout.division))
-          << "cell " << cell << " lists " << cells.lists[cell].size() << ", not " << options.target;
-    }
-    ASSERT_FALSE(this->HasFailure()) << described(grid) << '\n' << described(scene);
-  }
+  this->for_random_grids(
+      cases(300),
+      [&](auto&, RandomCase& by) {
+        by.overlap = Overlap::box;
+        by.options = {GridKind::balance, this->chance_.one_of({1U, 2U, 5U, 20U})};
+      },
+      [&](auto& scene, const RandomCase& by, const Grid&, const Cells& cells) {
+        const Lists lists = lists_of(scene, by.layout, by.overlap);
+        for (std::size_t cell = 0; cell < cells.lists.size(); ++cell) {
+          if (cells.lists[cell].size() <= by.options.target) {
+            ++within;
+            continue;
+          }
+          above += volume(cells.own[cell]) > 1;
+          ASSERT_FALSE(could_be_divided(lists, cells.own[cell], by.layout.division))
+              << "cell " << cell << " lists " << cells.lists[cell].size() << ", not " << by.options.target;
+        }
+      });
   EXPECT_GT(within, cases(1000));
   EXPECT_GT(above, 0);
-}
-
-// --- All -------------------------------------------------------------------------------------------------
-
-TYPED_TEST(Merged, ASceneOfNothingHasEmptyCells) {
-  Chance& chance = this->chance_;
-  for (std::int64_t s = cases(100); s > 0; --s) {
-    TestScene<TypeParam> scene;
-    const GridOptions options = this->random_rule(chance);
-    const Grid grid = build_grid(scene.view(), this->random_layout(chance, scene, options),
-                                 this->random_overlap(chance), options);
-    const Cells cells(grid);
-    EXPECT_EQ(grid.references.size(), 0U);
-    for (const auto& list : cells.lists)
-      EXPECT_EQ(list.size(), 0U);
-  }
 }
 
 } // namespace

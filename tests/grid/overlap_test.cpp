@@ -155,9 +155,8 @@ GridLayout random_layout(Chance& chance, double scale, int finest) {
   const auto voxels = [&] {
     return static_cast<std::int32_t>(std::lround(chance.power_of_two(0, std::log2(finest))));
   };
-  return {space_of<Real>(bounds, chance.one_in(2) ? SpaceRule::tight : SpaceRule::cube),
-          {voxels(), voxels(), voxels()},
-          rounding_margin<Real>(bounds)};
+  return layout_in<Real>(bounds, {voxels(), voxels(), voxels()},
+                         chance.one_in(2) ? SpaceRule::tight : SpaceRule::cube);
 }
 
 Vec3d random_corner(Chance& chance, const GridLayout& layout) {
@@ -260,15 +259,9 @@ struct Kind {
   static GridLayout layout(Chance& chance, double scale, int finest) {
     return random_layout<Real>(chance, scale, finest);
   }
-  static auto moved(const Primitive<double>& p, const Vec3d& by) {
-    const auto there = [&](const Vec3d& point) { return kept<Real>(point + by); };
-    if constexpr (std::is_same_v<Primitive<Real>, Triangle<Real>>) {
-      return triangle_of(there(p.a), there(p.b), there(p.c));
-    } else if constexpr (std::is_same_v<Primitive<Real>, Sphere<Real>>) {
-      return Sphere<double>{there(p.center), p.radius};
-    } else {
-      return Cone<double>{there(p.base), p.base_radius, there(p.apex), p.apex_radius};
-    }
+  static auto moved(Primitive<double> primitive, const Vec3d& by) {
+    with_points(primitive, [&](auto&... points) { ((points = kept<Real>(points + by)), ...); });
+    return primitive;
   }
 };
 using Kinds = testing::Types<Kind<float, Triangle>, Kind<double, Triangle>, Kind<float, Sphere>,
@@ -529,7 +522,7 @@ TEST_F(Touching, AConesBoxIsTakenWithItsLargerRadius) {
 TEST_F(Touching, FlatScenesAreListedThroughTheirWholeThickness) {
   const Triangle<double> floor = triangle_of(Vec3d{0, 0, 5}, Vec3d{4, 0, 5}, Vec3d{0, 4, 5});
   const Boxd box = bounds(floor);
-  const GridLayout layout{space_of<float>(box, SpaceRule::tight), {4, 4, 1}, rounding_margin<float>(box)};
+  const auto layout = layout_in<float>(box, {4, 4, 1});
   ASSERT_LT(layout.space.min.z, 5);
   ASSERT_GT(layout.space.max.z, 5);
   const Listing exact(layout, Overlap::exact, floor);

@@ -1,15 +1,12 @@
 // What a grid lists against what each primitive says of each voxel, and the numbers told of it; the same
 // bytes for any number of threads.
-#include "libgrid/build/builder.h"
-#include "libgrid/build/division.h"
-#include "libgrid/file/grid_file.h"
 #include "libgrid/statistics/statistics.h"
+#include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"
 #include "tests/same_grid.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <map>
@@ -49,17 +46,7 @@ Lists lists_of(const Grid& grid) {
 }
 
 template <class Stored>
-class Built : public RandomTest {
-protected:
-  GridLayout layout(const TestScene<Stored>& scene, const Vec3i& division) const {
-    const Boxd bounds = scene.bounds();
-    return {space_of<Stored>(bounds, SpaceRule::tight), division,
-            is_empty(bounds) ? 0 : rounding_margin<Stored>(bounds)};
-  }
-  Vec3i division(Chance& chance, int most) const {
-    return {chance.whole(1, most), chance.whole(1, most), chance.whole(1, most)};
-  }
-};
+class Built : public RandomTest {};
 using Stores = testing::Types<float, double>;
 TYPED_TEST_SUITE(Built, Stores);
 
@@ -67,8 +54,8 @@ TYPED_TEST(Built, EveryVoxelListsItsPrimitivesInRisingOrder) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(60); i > 0; --i) {
     TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 60);
-    const GridLayout layout = this->layout(scene, this->division(chance, 24));
-    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+    const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 24));
+    const Overlap overlap = any_overlap(chance);
     const Grid grid = build_grid(scene.view(), layout, overlap);
     ASSERT_EQ(grid.block_log2, 0);
     ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, overlap));
@@ -80,7 +67,7 @@ TYPED_TEST(Built, ManyPrimitivesAreListedLikeFew) {
   Chance& chance = this->chance_;
   TestScene<TypeParam> scene;
   add_triangles(scene, chance, 20'000, 0.002, 0.01);
-  const GridLayout layout = this->layout(scene, {70, 50, 60});
+  const auto layout = layout_in<TypeParam>(scene.bounds(), {70, 50, 60});
   ASSERT_EQ(lists_of<TypeParam>(build_grid(scene.view(), layout, Overlap::exact)),
             lists_of(scene, layout, Overlap::exact));
 }
@@ -93,7 +80,7 @@ TYPED_TEST(Built, MapsOfTwoLevelsLeadToTheSameLists) {
     scene.spheres.clear(); // slow in so many voxels
     scene.cones.clear();
     scene.triangles.push_back(triangle_of<TypeParam>({-1, -1, -1}, {1, 1, 1}, {1, TypeParam(0.9), 1}));
-    const GridLayout layout = this->layout(scene, division);
+    const auto layout = layout_in<TypeParam>(scene.bounds(), division);
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     ASSERT_EQ(lists_of<TypeParam>(grid), lists_of(scene, layout, Overlap::exact));
@@ -109,18 +96,6 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
     scene.cones.push_back(cone_of<TypeParam>(at, 0.01, at + this->chance_.direction() * 0.02, 0.005));
   }
   const SceneView<TypeParam> view = scene.view();
-  // Calls check(what make() makes with one thread, what it makes with more).
-  const auto compare = [](const auto& make, const auto& check) {
-    const auto made = [&](std::size_t threads) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      return make();
-    };
-    const auto first = made(1);
-    for (const std::size_t threads : {2U, 3U, 16U}) {
-      SCOPED_TRACE(threads);
-      check(first, made(threads));
-    }
-  };
   const std::pair<GridKind, Vec3i> grids[] = {
       {GridKind::uniform, {31, 32, 33}}, {GridKind::uniform, {220, 220, 220}},
       {GridKind::x, {31, 40, 33}},       {GridKind::balance, {31, 40, 33}},
@@ -128,29 +103,15 @@ TYPED_TEST(Built, TheNumberOfThreadsShowsInNoByte) {
   for (const auto& [kind, division] : grids) {
     SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind));
     GridOptions options{kind};
-    const GridLayout layout = this->layout(scene, division);
-    compare([&] { return build_grid(view, layout, Overlap::exact, options); }, expect_same);
+    const auto layout = layout_in<TypeParam>(scene.bounds(), division);
+    compare_threads([&] { return build_grid(view, layout, Overlap::exact, options); }, expect_same);
   }
-  compare([&] { return division_statistics(view); },
-          [](const DivisionStatistics& a, const DivisionStatistics& b) {
-            EXPECT_EQ(a.all.extents, b.all.extents);
-            EXPECT_EQ(a.all.projections, b.all.projections);
-            EXPECT_EQ(a.dense.projections, b.dense.projections);
-          });
-}
-
-TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
-  TestScene<TypeParam> scene;
-  const Grid grid = build_grid(scene.view(), this->layout(scene, {3, 4, 5}), Overlap::exact);
-  EXPECT_EQ(grid.references.size(), 0U);
-  EXPECT_EQ(grid.cells.size(), 0U);
-  EXPECT_TRUE(std::all_of(grid.voxel_map.begin(), grid.voxel_map.end(),
-                          [](std::uint32_t word) { return word == 0; }));
-  const GridStatistics statistics = grid_statistics(view_of<double>(grid), grid.references);
-  EXPECT_EQ(statistics.voxels, 60U);
-  EXPECT_EQ(statistics.occupied_voxels, 0U);
-  EXPECT_EQ(statistics.max, 0U);
-  EXPECT_EQ(statistics.mean, 0);
+  compare_threads([&] { return division_statistics(view); },
+                  [](const DivisionStatistics& a, const DivisionStatistics& b) {
+                    EXPECT_EQ(a.all.extents, b.all.extents);
+                    EXPECT_EQ(a.all.projections, b.all.projections);
+                    EXPECT_EQ(a.dense.projections, b.dense.projections);
+                  });
 }
 
 // --- Numbers ---------------------------------------------------------------------------------------------
@@ -158,10 +119,11 @@ TYPED_TEST(Built, ASceneOfNothingHasAGridOfNothing) {
 TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
   Chance& chance = this->chance_;
   for (std::int64_t i = cases(40); i > 0; --i) {
-    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, 60);
-    const GridLayout layout = this->layout(scene, this->division(chance, 20));
-    const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+    TestScene<TypeParam> scene = scattered_scene<TypeParam>(chance, i % 10 == 0 ? 0 : 60);
+    const auto layout = layout_in<TypeParam>(scene.bounds(), random_division(chance, 20));
+    const Overlap overlap = any_overlap(chance);
     const Grid grid = build_grid(scene.view(), layout, overlap);
+    EXPECT_TRUE(grid.cells.empty());
     const GridView<double> view = view_of<double>(grid);
     const GridStatistics told = grid_statistics(view, grid.references);
 
@@ -179,7 +141,13 @@ TYPED_TEST(Built, StatisticsAreWhatCountingVoxelByVoxelGives) {
     EXPECT_EQ(told.occupied_cells, counts.size());
     EXPECT_EQ(told.references, references);
     EXPECT_EQ(occupied_voxels(scene.view(), layout, overlap), counts.size());
-    if (counts.empty()) continue;
+    if (counts.empty()) {
+      EXPECT_TRUE(grid.references.empty());
+      EXPECT_TRUE(std::ranges::all_of(grid.voxel_map, [](std::uint32_t word) { return word == 0; }));
+      EXPECT_EQ(told.max, 0U);
+      EXPECT_EQ(told.mean, 0);
+      continue;
+    }
 
     const auto n = static_cast<double>(counts.size());
     const double mean = static_cast<double>(references) / n;

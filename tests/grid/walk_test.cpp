@@ -134,10 +134,8 @@ TYPED_TEST(Walks, FindThemThroughMillionsOfVoxels) {
   Chance& chance = this->chance_;
   for (std::int64_t s = std::max<std::int64_t>(cases(4), 1); s > 0; --s) {
     TestScene<Stored> scene = SceneMaker<Stored>(chance, 1).fine();
-    const Boxd bounds = scene.bounds();
-    const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight),
-                            {chance.whole(200, 300), chance.whole(200, 300), chance.whole(250, 300)},
-                            rounding_margin<Stored>(bounds)};
+    const auto layout = layout_in<Stored>(
+        scene.bounds(), {chance.whole(200, 300), chance.whole(200, 300), chance.whole(250, 300)});
     const Grid grid = build_grid(scene.view(), layout, Overlap::exact);
     ASSERT_GT(grid.block_log2, 0);
     this->compare(scene, grid, 3000);
@@ -210,15 +208,8 @@ TYPED_TEST(Walks, FindThemInScenesOfAnyScaleAndPlace) {
     if (chance.one_in(2)) { // far away for its size
       const Vec3<Stored> by =
           cast<Stored>(chance.direction() * std::min(far * chance.power_of_two(0, 16), most / 4));
-      for (auto& t : scene.triangles)
-        t.a = t.a + by, t.b = t.b + by, t.c = t.c + by;
-      for (auto& sphere : scene.spheres)
-        sphere.center = sphere.center + by;
-      std::erase_if(scene.cones, [&](auto& cone) {
-        cone.base = cone.base + by;
-        cone.apex = cone.apex + by;
-        return cone.base == cone.apex;
-      });
+      for_each_points(scene, [&](auto&... points) { ((points = points + by), ...); });
+      std::erase_if(scene.cones, [](const auto& cone) { return cone.base == cone.apex; });
       if (scene.count() == 0) continue;
     }
     const Grid grid = random_structure(chance, scene);
@@ -378,13 +369,7 @@ TYPED_TEST(GridWalk, TiesGoToTheLowestPrimitive) {
   std::int64_t ties = 0;
   const auto make_scene = [&] {
     TestScene<Real> scene = SceneMaker<Real>(this->chance_, 1).scene();
-    const auto again = [](auto& primitives) {
-      const auto once = primitives;
-      primitives.insert(primitives.end(), once.begin(), once.end());
-    };
-    again(scene.triangles);
-    again(scene.spheres);
-    again(scene.cones);
+    repeat_primitives(scene, 1);
     return scene;
   };
   this->with_rays(cases(300), make_scene,
@@ -581,7 +566,7 @@ TYPED_TEST(GridWalk, EndsForRaysOfAnyNumbers) {
   scene.spheres.push_back({{0, 0, 0}, Real(0.5)});
   const SceneView<Real> view = scene.view();
   const Boxd bounds = scene.bounds();
-  const GridLayout layout{space_of<Real>(bounds, SpaceRule::tight), {5, 6, 7}, rounding_margin<Real>(bounds)};
+  const auto layout = layout_in<Real>(bounds, {5, 6, 7});
   const Grid uniform = build_grid(view, layout, Overlap::exact);
   std::vector<Grid> grids{uniform, in_blocks(uniform, 2)};
   for (const GridKind kind : {GridKind::x, GridKind::balance, GridKind::irregular})

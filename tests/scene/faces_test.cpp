@@ -73,7 +73,7 @@ TYPED_TEST(Points, AreInNoGridWhichIsAsWithoutThem) {
     for (const GridKind kind : all_kinds) {
       SCOPED_TRACE(testing::Message() << "kind " << static_cast<int>(kind));
       if (kind == GridKind::irregular) layout.division = {3, 2, 4};
-      const Overlap overlap = chance.one_in(2) ? Overlap::exact : Overlap::box;
+      const Overlap overlap = any_overlap(chance);
       Grid without = grid_of(scene.view(), kind, layout, overlap);
       const Grid with = grid_of(more.view(), kind, layout, overlap);
       for (PrimitiveIndex& reference : without.references)

@@ -70,8 +70,7 @@ std::vector<Grid> build(const SceneView<Stored>& view, const Boxd& bounds,
                         const std::vector<GridWanted>& wanted) {
   std::vector<Grid> grids;
   for (const GridWanted& grid : wanted) {
-    const GridLayout layout{space_of<Stored>(bounds, SpaceRule::tight), grid.division,
-                            rounding_margin<Stored>(bounds)};
+    const auto layout = layout_in<Stored>(bounds, grid.division);
     if (grid.kind == GridKind::hierarchy && !fits_hierarchy(layout.space)) continue;
     GridOptions options{grid.kind};
     grids.push_back(build_grid(view, layout, Overlap::exact, options));

@@ -131,6 +131,34 @@ Cone<Stored> cone_of(const Vec3d& base, double base_radius, const Vec3d& apex, d
           static_cast<Stored>(apex_radius)};
 }
 
+// Calls act(primitives) for a scene's list of each kind.
+template <class SceneOfAKind, class Act>
+void for_each_kind(SceneOfAKind& scene, const Act& act) {
+  act(scene.triangles);
+  act(scene.spheres);
+  act(scene.cones);
+}
+// Calls act(points…) with those that a primitive is moved by; and for each primitive of a scene.
+template <class Stored, class Act>
+void with_points(Triangle<Stored>& triangle, const Act& act) {
+  act(triangle.a, triangle.b, triangle.c);
+}
+template <class Stored, class Act>
+void with_points(Sphere<Stored>& sphere, const Act& act) {
+  act(sphere.center);
+}
+template <class Stored, class Act>
+void with_points(Cone<Stored>& cone, const Act& act) {
+  act(cone.base, cone.apex);
+}
+template <class SceneOfAKind, class Act>
+void for_each_points(SceneOfAKind& scene, const Act& act) {
+  for_each_kind(scene, [&](auto& primitives) {
+    for (auto& primitive : primitives)
+      with_points(primitive, act);
+  });
+}
+
 // Owns what its view points to.
 template <class Stored>
 struct TestScene {
@@ -148,13 +176,10 @@ struct TestScene {
   // As in the scene file.
   Boxd bounds() const {
     Boxd box = empty_box<double>();
-    const auto add = [&](const auto& primitives) {
+    for_each_kind(*this, [&](const auto& primitives) {
       for (const auto& primitive : primitives)
         box = join(box, cast<double>(masu::bounds(primitive)));
-    };
-    add(triangles);
-    add(spheres);
-    add(cones);
+    });
     return box;
   }
 

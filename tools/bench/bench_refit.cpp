@@ -1,5 +1,6 @@
 // What hierarchies cost to build and to refit where the scene was bent, and what rays take through them.
 #include "libgrid/build/builder.h"
+#include "libgrid/build/division.h"
 #include "libgrid/build/sampled_costs.h"
 #include "libscene/base/stopwatch.h"
 #include "tests/stability/test_scene.h"
@@ -39,7 +40,7 @@ TestScene<Stored> bent(TestScene<Stored> scene, double share) {
   const Boxd box = scene.bounds();
   const Vec3d size = box.max - box.min;
   const int along = size.x >= std::max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-  const auto bend = [&](auto&... points) {
+  for_each_points(scene, [&](auto&... points) {
     const auto moved = [&](Vec3<Stored>& point) {
       const double place = (static_cast<double>(point[along]) - box.min[along]) / size[along];
       const double by = share * size[along] * std::sin(2 * std::numbers::pi * place);
@@ -47,20 +48,8 @@ TestScene<Stored> bent(TestScene<Stored> scene, double share) {
       point.set(across, static_cast<Stored>(static_cast<double>(point[across]) + by));
     };
     (moved(points), ...);
-  };
-  for (auto& triangle : scene.triangles)
-    bend(triangle.a, triangle.b, triangle.c);
-  for (auto& sphere : scene.spheres)
-    bend(sphere.center);
-  for (auto& cone : scene.cones)
-    bend(cone.base, cone.apex);
+  });
   return scene;
-}
-
-template <class Stored>
-GridLayout layout_of(const TestScene<Stored>& scene) {
-  const Boxd bounds = scene.bounds();
-  return {padded_bounds<Stored>(bounds), {1, 1, 1}, rounding_margin<Stored>(bounds)};
 }
 
 // The median of what act() takes; on a GPU without copies.
@@ -87,7 +76,7 @@ void measure(const Settings& settings, bool cuda, const SceneFile& file, Json& r
     GridOptions options{GridKind::hierarchy};
     options.quality = quality;
     const auto build = [&](GridBuilder<Stored>& builder, const TestScene<Stored>& of) {
-      return builder.build(layout_of(of), Overlap::exact, options);
+      return builder.build(layout_in<Stored>(of.bounds(), {1, 1, 1}), Overlap::exact, options);
     };
     const Grid unbent = build(*builder_of(scene), scene);
     for (const double bend : settings.bends) {
@@ -97,7 +86,7 @@ void measure(const Settings& settings, bool cuda, const SceneFile& file, Json& r
       const double build_seconds =
           seconds_of(*builder, on_gpu, settings.repeat, [&] { built = build(*builder, moved); });
       const double refit_seconds = seconds_of(*builder, cuda, settings.repeat, [&] {
-        if (!builder->refit(layout_of(moved), refitted))
+        if (!builder->refit(layout_in<Stored>(moved.bounds(), {1, 1, 1}), refitted))
           throw Error(ErrorCode::input, settings.scene, "has faces that get an area by bending");
       });
       const auto time_of = [&](const Grid& grid) {

@@ -33,8 +33,7 @@ Scene scene_of(const TestScene<Stored>& trial) {
 template <class Stored>
 GridFile built(const SceneFile& scene, const GridWanted& wanted) {
   const SceneView<Stored> view = scene.view<Stored>();
-  const GridLayout layout{space_of<Stored>(scene.bounds(), SpaceRule::tight), wanted.division,
-                          rounding_margin<Stored>(scene.bounds())};
+  const auto layout = layout_in<Stored>(scene.bounds(), wanted.division);
   GridOptions options{wanted.kind};
   return grid_in_memory(build_grid(view, layout, Overlap::exact, options),
                         {scene.geometry_hash(), scene.primitive_count(), scene.origin(), SpaceRule::tight,
