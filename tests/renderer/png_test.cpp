@@ -6,10 +6,13 @@
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/mman.h>
 #include <tbb/global_control.h>
 #include <zlib.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
 namespace masu {
@@ -89,6 +92,47 @@ TEST_F(Png, FileDependsNeitherOnRunsOfBandsNorTheirOrderNorOnThreads) {
       writer.write(rows);
     file.commit();
     EXPECT_TRUE(read_bytes(folder.file("runs.png")) == expected) << "runs of up to " << longest;
+  }
+}
+
+// Calls it on a stack that lies at a random place, which is free afterwards.
+void call_anywhere(std::mt19937_64& random, std::function<void()> call) {
+  constexpr std::size_t bytes = std::size_t{1} << 20;
+  const std::uintptr_t place = random() % (std::uintptr_t{1} << 46) & ~std::uintptr_t{0xffff};
+  void* const stack = mmap(reinterpret_cast<void*>(place), bytes, PROT_READ | PROT_WRITE,
+                           MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0); // elsewhere if that is taken
+  ASSERT_NE(stack, MAP_FAILED);
+  pthread_attr_t attributes;
+  pthread_t thread{};
+  pthread_attr_init(&attributes);
+  pthread_attr_setstack(&attributes, stack, bytes);
+  const auto start = [](void* function) -> void* {
+    (*static_cast<std::function<void()>*>(function))();
+    return nullptr;
+  };
+  EXPECT_EQ(pthread_create(&thread, &attributes, start, &call), 0);
+  EXPECT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+  munmap(stack, bytes);
+}
+
+TEST_F(Png, IsTheSameBytesWhereverTheEncodersMemoryLies) {
+  auto random = seed_.engine();
+  for (std::int64_t i = 0; i < cases(40); ++i) {
+    SCOPED_TRACE(i);
+    // Mostly small: the smaller, the more a place for what was found already matters.
+    const bool is_large = i % 10 == 9;
+    const auto width = static_cast<std::int32_t>(is_large ? 200 : 8 + random() % 12);
+    Bytes rgb(static_cast<std::size_t>(width) * 3 * (is_large ? 100 : 1));
+    for (std::size_t byte = 0; byte < rgb.size(); ++byte)
+      rgb[byte] = static_cast<std::uint8_t>((byte < 3 ? 0 : rgb[byte - 3]) + random() % 2);
+    Bytes expected;
+    for (int place = 0; place < 50; ++place) {
+      Bytes chunks;
+      call_anywhere(random, [&] { chunks = encoded_rows(rgb, width, true).chunks; });
+      if (place == 0) expected = chunks;
+      ASSERT_TRUE(chunks == expected) << "at place " << place;
+    }
   }
 }
 
