@@ -1,5 +1,6 @@
 // libFuzzer target: the C interface's calls in any order, with any rays, meshes and options: a status each,
-// never a fault. Pointers and counts are right, as masu.h demands.
+// never a fault; and rays of a list hit what each hits alone. Pointers and counts are right, as masu.h
+// demands.
 #include "api/masu.h"
 
 #include <algorithm>
@@ -119,7 +120,9 @@ std::vector<Real> rays_of(Input& input, std::size_t numbers) {
 }
 
 void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, std::uint64_t objects) {
-  const std::size_t count = input.take<std::uint8_t>() % 8U;
+  // Mostly a few; of eight and more eight are traced at a time.
+  const auto length = input.take<std::uint8_t>();
+  const std::size_t count = length < 160 ? length % 8U : length % 32U;
   auto options = sized<masu_query>(input);
   const int format = input.take<std::uint8_t>() % 5;
   set(options.format, format);
@@ -160,6 +163,20 @@ void query(Input& input, const masu_tracer* tracer, std::uint64_t primitives, st
     for (std::size_t i = 0; i < count; ++i) {
       const bool hit = std::isfinite(t[i]);
       if (hit != (primitive[i] < primitives)) std::abort();
+      if (count < 8 || (wanted & 192U) != 0 || options.size != sizeof options) continue;
+      // Alone, a ray is none of eight, and hits the same.
+      const std::size_t numbers = format == MASU_RAYS_FLOAT32_6 || format == MASU_RAYS_FLOAT64_6 ? 6 : 8,
+                        ray_bytes = numbers * (is_float64 ? sizeof(double) : sizeof(float));
+      float own_t = 0;
+      std::uint32_t own_primitive = 0;
+      masu_hits own{};
+      own.size = sizeof own;
+      own.t = &own_t;
+      own.primitive = &own_primitive;
+      const masu_status status =
+          masu_nearest(tracer, static_cast<const char*>(list) + i * ray_bytes, 1, &options, &own);
+      if (status != MASU_OK || own_primitive != primitive[i] || std::memcmp(&own_t, &t[i], sizeof own_t) != 0)
+        std::abort();
     }
   }
   std::vector<std::uint8_t> occluded(count);

@@ -32,6 +32,11 @@ for store in float32 float64; do
   done
 done
 "$bin/gridbuild" scene_fuzz/float32 -o grid_fuzz/blocks --merge none --division 160x4x4 -q
+"$bin/nffgen" tetra --size 4 -q | "$bin/nff2bin" - -o tetra.scene -q
+for quality in high fast; do # of one node, and of several levels
+  "$bin/gridbuild" scene_fuzz/float32 -o grid_fuzz/bvh-$quality --structure bvh --quality $quality -q
+  "$bin/gridbuild" tetra.scene -o grid_fuzz/bvh-of-tetra-$quality --structure bvh --quality $quality -q
+done
 if [ -x "$bin/mesh2bin" ]; then # with numbers of faces
   printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' > square.obj
   echo 'f 1 2 3 4' >> square.obj
@@ -49,6 +54,7 @@ for merge in none x balance irregular; do
   done
 done
 "$bin/gridbuild" four.scene -o trace_fuzz/blocks --merge none --division 160x4x4 -q
+"$bin/gridbuild" four.scene -o trace_fuzz/bvh --structure bvh -q
 printf '\001{"name": "a", "from": [0, -5, 1], "at": [0, 0, 0.5], "up": [0, 0, 1], "angle": 30, "size": [64, 48]}\n{}\n' \
   > list_fuzz/views
 printf "%b{'descr': '<f4', 'fortran_order': False, 'shape': (100, 6), }" '\000' > list_fuzz/npy
@@ -64,4 +70,4 @@ done
 for target in *_fuzz; do
   if [ -d "$here/found/$target" ]; then cp "$here/found/$target"/* $target/; fi
 done
-rm -f ./*.nff ./*.scene
+rm -f ./*.nff ./*.scene ./*.obj
