@@ -285,11 +285,43 @@ struct HierarchyWalk {
     height = 0;
   }
 
+  // After a node was visited: the references in the boxes that the ray meets, and as the next node the one
+  // that it enters first. Of the others the one that it enters first comes next, and none of them once all
+  // are entered beyond the nearest hit.
+  MASU_HD void enter(const HierarchyNode& node, const MetBoxes& met, HierarchyStack& stack) {
+    const std::uint32_t nodes = met.bits >> 24;
+    references = {node.first_reference, met.bits & 0xffffff};
+    next = no_node;
+    if (nodes == 0) return;
+    const std::uint32_t slot = met.nearest & MetBoxes::slot_bits, others = nodes & ~(1U << slot);
+    next = node_in(node.first_node, node_slots(node), slot);
+    if (others != 0) push(stack, height, nodes_group(node, others, met.second));
+  }
+
+  // Goes back for a node that the ray enters no farther than `farthest`, or for references, where there is no
+  // next node; false at the end.
+  template <class Limit>
+  MASU_HD bool go_back(HierarchyStack& stack, Limit farthest) {
+    references.bits = 0;
+    while (next == no_node) {
+      if (height == 0) return false;
+      HierarchyGroup group = stack[--height];
+      if (!group.has_nodes()) {
+        references = group;
+        break;
+      }
+      if (!(group.entry() <= farthest)) continue;
+      const std::uint32_t slot = group.next_slot();
+      next = node_in(group.first, group.bits & 0xff, slot);
+      group.bits &= ~(0x1000000U << slot);
+      if (group.has_nodes()) push(stack, height, group);
+    }
+    return true;
+  }
+
   // Visits the next node of the visitor's ray, and shows the visitor the references in the boxes that the ray
-  // meets; false at the end. Of a node's nodes the two that the ray enters first come first, and none of the
-  // others after the first once all of them are entered beyond the nearest hit. Tests are put off where few
-  // of a warp's lanes have any (after Ylitie, Karras & Laine), unless the visitor counts: what is visited
-  // would depend on that.
+  // meets; false at the end. Tests are put off where few of a warp's lanes have any (after Ylitie, Karras &
+  // Laine), unless the visitor counts: what is visited would depend on that.
   template <class Hierarchy, class Visitor>
   MASU_HD bool advance(const Hierarchy& hierarchy, HierarchyStack& stack, Visitor& visitor) {
     if (next != no_node) {
@@ -302,14 +334,7 @@ struct HierarchyWalk {
       visitor.counts.cell(met.bits == 0);
       if constexpr (records_walk<std::decay_t<decltype(visitor.counts)>>)
         visitor.counts.visited(next, node, visitor.ray.origin, inverse, visitor.farthest(), met);
-      const std::uint32_t nodes = met.bits >> 24;
-      references = {node.first_reference, met.bits & 0xffffff};
-      next = no_node;
-      if (nodes != 0) {
-        const std::uint32_t slot = met.nearest & MetBoxes::slot_bits, others = nodes & ~(1U << slot);
-        next = node_in(node.first_node, node_slots(node), slot);
-        if (others != 0) push(stack, height, nodes_group(node, others, met.second));
-      }
+      enter(node, met, stack);
     }
 #ifdef __CUDA_ARCH__
     const int testing = __popc(__activemask());
@@ -325,22 +350,7 @@ struct HierarchyWalk {
       references.bits &= references.bits - 1;
       show(hierarchy, references.first + static_cast<std::uint32_t>(reference), visitor);
     }
-    if (visitor.ends()) return false;
-    references.bits = 0;
-    while (next == no_node) {
-      if (height == 0) return false;
-      HierarchyGroup group = stack[--height];
-      if (!group.has_nodes()) {
-        references = group;
-        break;
-      }
-      if (!(group.entry() <= visitor.farthest())) continue;
-      const std::uint32_t slot = group.next_slot();
-      next = node_in(group.first, group.bits & 0xff, slot);
-      group.bits &= ~(0x1000000U << slot);
-      if (group.has_nodes()) push(stack, height, group);
-    }
-    return true;
+    return !visitor.ends() && go_back(stack, visitor.farthest());
   }
 };
 

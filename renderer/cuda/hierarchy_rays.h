@@ -1,56 +1,108 @@
-// Rays through a bounding volume hierarchy by warps whose idle lanes fetch the next ray (CUDA sources only):
-// after Aila & Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009, and, for when to
-// fetch, Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs",
-// HPG 2017.
+// Rays through a bounding volume hierarchy (CUDA sources only): a thread each, whose warp may fetch the
+// list's next rays for its idle lanes; after Aila & Laine, "Understanding the Efficiency of Ray Traversal on
+// GPUs", HPG 2009, and, for when to fetch, Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on
+// GPUs Through Compressed Wide BVHs", HPG 2017. A warp's last rays are traced by groups of its lanes
+// (grouped_walk.h).
 #pragma once
 
-#include "libgrid/trace/hierarchy_walk.h"
+#include "renderer/cuda/grouped_walk.h"
 #include "renderer/cuda/straggler_queue.h"
-#include "renderer/cuda/warp_rays.h"
 
 namespace masu {
-
-inline constexpr int hierarchy_threads = 64; // a block: small ones end soon after their last ray
 
 // Lanes fetch rays once so many lane steps were idle: lanes beyond idle_lanes_tolerated, summed over steps.
 inline constexpr int max_idle_steps = 8, idle_lanes_tolerated = 4;
 
+// Of a warp that has no more rays to fetch, so many are traced by groups of 2 and of 4 lanes. Groups of 8
+// take the time that they save away again: the kernel's code no longer fits into an instruction cache.
+inline constexpr int max_rays_by_pairs = lanes_per_warp / 2, max_rays_by_fours = lanes_per_warp / 4;
+
+// Goes on with a ray by `advance`, which is given the visitor of its query; false at its end.
+template <Query query, class M, class Stored, class Advance>
+__device__ inline bool goes_on(const SceneView<Stored>& scene, WalkingRay<typename M::TestRay>& ray,
+                               typename M::Real t_max, const Advance& advance) {
+  NoCounts counts;
+  if constexpr (query == Query::nearest_hit) {
+    // 0: t_max is for the rule of termination, which only grids use.
+    NearestHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, 0, ray.nearest};
+    const bool is_under_way = advance(visitor);
+    ray.nearest = visitor.hit;
+    return is_under_way;
+  } else {
+    AnyHit<M, Stored, NoCounts> visitor{scene, ray.test_ray, counts, t_max, ray.nearest.t};
+    const bool is_under_way = advance(visitor);
+    ray.nearest.t = visitor.hit;
+    return is_under_way;
+  }
+}
+
+template <Query query, class Real>
+__device__ inline void write_end(const RayResults& results, const RayEnds<Real>& end,
+                                 const Hit<Real>& nearest) {
+  write_hit<query>(results, end.number, reported(nearest, end.t_max, end.skipped, end.scale));
+}
+
+// Traces a warp's rays by groups of 2^log2 lanes until no more than `left_over` of them are under way, and
+// returns one lane of each. `holders`, too, is one lane of each ray.
+template <int log2, int left_over, Query query, class M, class Stored, class Hierarchy>
+__device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const Hierarchy& hierarchy,
+                                           unsigned holders, WalkingRay<typename M::TestRay>& own,
+                                           HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
+                                           const RayResults& results) {
+  if (__popc(holders) <= left_over) return holders;
+  bool has_ray = regroup<log2>(holders, own, stack);
+  const bool is_first = threadIdx.x % (1U << log2) == 0;
+  do {
+    const auto& end = ends[own.thread];
+    const bool had_ray = has_ray;
+    has_ray = goes_on<query, M>(scene, own, end.t_max, [&](auto& visitor) {
+      return advance_group<log2>(hierarchy, own.walk, stack, visitor, had_ray);
+    });
+    if (had_ray && !has_ray && is_first) write_end<query>(results, end, own.nearest);
+    holders = __ballot_sync(all_lanes, has_ray && is_first);
+  } while (__popc(holders) > left_over);
+  return holders;
+}
+
+// `next_ray`: of the list, to be fetched next; null: each thread traces one ray.
 template <Query query, class M, class Stored, class Hierarchy>
-__global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> / hierarchy_threads)
-    refill_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
-                  const Ray<typename M::Real>* const rays, const std::uint32_t count,
-                  const RayResults results, std::uint32_t* const next_ray) {
+__global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / rays_per_block)
+    hierarchy_kernel(const SceneView<Stored> scene, const Hierarchy hierarchy,
+                     const Ray<typename M::Real>* const rays, const std::uint32_t count,
+                     const RayResults results, std::uint32_t* const next_ray) {
   using Real = typename M::Real;
   // What is needed of a ray when it is begun and ended would take up registers.
-  __shared__ RayEnds<Real> ends[hierarchy_threads];
+  __shared__ RayEnds<Real> ends[rays_per_block];
   const unsigned lane = threadIdx.x % lanes_per_warp;
-  RayEnds<Real>& own = ends[threadIdx.x];
-  NoCounts counts;
+  RayEnds<Real>& end = ends[threadIdx.x];
   HierarchyStack stack;
-  HierarchyWalk<Real> walk;
-  typename M::TestRay test_ray;
-  Hit<Real> nearest{};
+  WalkingRay<typename M::TestRay> own{};
+  own.thread = threadIdx.x;
   bool has_ray = false, under_way = false, more = true;
   for (;;) {
     unsigned idle = __ballot_sync(all_lanes, !under_way);
     // By the lanes that fetch the next ones, more than end at the same time.
     if (has_ray && !under_way) {
-      write_hit<query>(results, own.number, reported(nearest, own.t_max, own.skipped, own.scale));
+      write_end<query>(results, end, own.nearest);
       has_ray = false;
     }
     if (more && idle != 0) {
-      const std::uint32_t first = add_for_warp(*next_ray, __popc(idle)),
-                          number = first + rank_among(idle, lane);
-      more = first + static_cast<unsigned>(__popc(idle)) < count;
+      std::uint32_t number = blockIdx.x * rays_per_block + threadIdx.x;
+      more = false;
+      if (next_ray != nullptr) {
+        const std::uint32_t first = add_for_warp(*next_ray, __popc(idle));
+        number = first + rank_among(idle, lane);
+        more = first + static_cast<unsigned>(__popc(idle)) < count;
+      }
       if (!under_way && number < count) {
         ClippedRay<Real> near{};
         Real scale;
         if (scale_and_clip(scene, streamed(rays + number), near, scale)) {
           has_ray = under_way = true;
-          own = {scale, near.skipped, near.ray.t_max, number};
-          nearest = {near.ray.t_max, 0};
-          prepare(test_ray, near.ray.origin, near.ray.direction);
-          walk.begin(near);
+          end = {scale, near.skipped, near.ray.t_max, number};
+          own.nearest = {near.ray.t_max, 0};
+          prepare(own.test_ray, near.ray.origin, near.ray.direction);
+          own.walk.begin(near);
         } else {
           write_hit<query>(results, number, {static_cast<float>(INFINITY), no_primitive});
         }
@@ -58,26 +110,25 @@ __global__ void __launch_bounds__(hierarchy_threads, resident_threads_wanted<M> 
       idle = __ballot_sync(all_lanes, !under_way);
       if (more && __popc(idle) > lanes_per_warp / 2) continue; // most miss the scene
     }
-    if (idle == all_lanes) return;
+    if (!more && __popc(~idle) <= max_rays_by_pairs) break;
     int idle_steps = 0;
     while (under_way) {
-      if constexpr (query == Query::nearest_hit) {
-        // 0: t_max is for the rule of termination, which only grids use.
-        NearestHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, 0, nearest};
-        under_way = walk.advance(hierarchy, stack, visitor);
-        nearest = visitor.hit;
-      } else {
-        AnyHit<M, Stored, NoCounts> visitor{scene, test_ray, counts, own.t_max, nearest.t};
-        under_way = walk.advance(hierarchy, stack, visitor);
-        nearest.t = visitor.hit;
-      }
+      under_way = goes_on<query, M>(
+          scene, own, end.t_max, [&](auto& visitor) { return own.walk.advance(hierarchy, stack, visitor); });
+      const int active = __popc(__activemask());
       if (more) {
-        idle_steps += max(lanes_per_warp - idle_lanes_tolerated - __popc(__activemask()), 0);
+        idle_steps += max(lanes_per_warp - idle_lanes_tolerated - active, 0);
         if (idle_steps >= max_idle_steps) break;
+      } else if (active <= max_rays_by_pairs) {
+        break;
       }
     }
     __syncwarp();
   }
+  __syncwarp(); // for `ends`, which other lanes read now
+  const unsigned left = trace_by_groups<1, max_rays_by_fours, query, M>(
+      scene, hierarchy, __ballot_sync(all_lanes, under_way), own, stack, ends, results);
+  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, results);
 }
 
 } // namespace masu

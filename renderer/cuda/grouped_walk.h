@@ -1,0 +1,130 @@
+// Walks through a bounding volume hierarchy by groups of lanes (CUDA sources only): 2 or 4 lanes of a warp
+// hold the same ray and the same walk, and share the boxes of its nodes and its tests of primitives.
+//
+// A warp takes as long to visit a node of one ray as to visit nodes of 32. A warp's rays end at different
+// times, and once 16 of them are left, half of its lanes would idle until the longest is done.
+#pragma once
+
+#include "libgrid/trace/hierarchy_walk.h"
+#include "renderer/cuda/warp_rays.h"
+
+namespace masu {
+
+// A ray under way: what one lane has of it, or each lane of a group.
+template <class TestRay>
+struct WalkingRay {
+  using Real = typename TestRay::Real;
+  TestRay test_ray;
+  HierarchyWalk<Real> walk;
+  Hit<Real> nearest;
+  std::uint32_t thread; // of the block, by which it was begun
+};
+
+// Moves a warp's rays to groups of 2^log2 lanes. `holders`: one lane of each ray, a bit each; no more than
+// there are groups. Returns whether the lane has a ray then. For all lanes of the warp at once, as all
+// functions below.
+template <int log2, class TestRay>
+__device__ inline bool regroup(unsigned holders, WalkingRay<TestRay>& own, HierarchyStack& stack) {
+  const unsigned lane = threadIdx.x % lanes_per_warp, group = lane >> log2;
+  const auto rays = static_cast<unsigned>(__popc(holders));
+  const int source = group < rays ? static_cast<int>(__fns(holders, 0, static_cast<int>(group) + 1)) : 0;
+  const int highest = __reduce_max_sync(all_lanes, (holders >> lane & 1) != 0 ? own.walk.height : 0);
+  own = from_lane(own, source);
+  for (int i = 0; i < highest; ++i)
+    stack[i] = from_lane(stack[i], source);
+  return group < rays;
+}
+
+// What the ray meets of the boxes that lane `sub` of its group tests: one of every 2^log2 slots.
+template <int log2, class Real>
+__device__ inline MetBoxes boxes_met_by_lane(const HierarchyNode& node, const Vec3<Real>& origin,
+                                             const Vec3<Real>& inverse, Real t_max, unsigned sub) {
+  const std::uint32_t e = node.exponents;
+  const NodeAxis<Real> x = node_axis(node.origin[0], e & 0xff, origin.x, inverse.x),
+                       y = node_axis(node.origin[1], e >> 8 & 0xff, origin.y, inverse.y),
+                       z = node_axis(node.origin[2], e >> 16 & 0xff, origin.z, inverse.z);
+  const bool up_x = inverse.x >= 0, up_y = inverse.y >= 0, up_z = inverse.z >= 0;
+  MetBoxes met;
+#pragma unroll
+  for (unsigned first = 0; first < boxes_per_node; first += 1 << log2) {
+    const unsigned half = first / 4, byte = first % 4 + sub, slot = first + sub;
+    const auto plane = [&](const std::uint32_t(&low)[2], const std::uint32_t(&high)[2], bool is_low,
+                           const NodeAxis<Real>& axis) {
+      const std::uint32_t planes = is_low ? low[half] : high[half];
+      return fma(__uint_as_float(__byte_perm(planes, plane_offset_bits, 0x7604 | byte << 4)), axis.scale,
+                 axis.start);
+    };
+    std::uint32_t entry;
+    if (!overlap(plane(node.low[0], node.high[0], up_x, x), plane(node.low[0], node.high[0], !up_x, x),
+                 plane(node.low[1], node.high[1], up_y, y), plane(node.low[1], node.high[1], !up_y, y),
+                 plane(node.low[2], node.high[2], up_z, z), plane(node.low[2], node.high[2], !up_z, z), t_max,
+                 entry))
+      continue;
+    const std::uint32_t held = node.slots[half] >> (8 * byte) & 0xff;
+    met.bits |= met_bits(held);
+    if ((held & node_slot) == node_slot) met.enter((entry & ~MetBoxes::slot_bits) | slot);
+  }
+  return met;
+}
+
+// What all lanes of each group have met, to each of them.
+template <int log2>
+__device__ inline void join_lanes(MetBoxes& met) {
+#pragma unroll
+  for (int step = 0; step < log2; ++step) {
+    const std::uint32_t nearest = __shfl_xor_sync(all_lanes, met.nearest, 1 << step),
+                        second = __shfl_xor_sync(all_lanes, met.second, 1 << step);
+    met.second = ::min(::max(met.nearest, nearest), ::min(met.second, second));
+    met.nearest = ::min(met.nearest, nearest);
+    met.bits |= __shfl_xor_sync(all_lanes, met.bits, 1 << step);
+  }
+}
+// The nearest hit, of NearestHit and of AnyHit.
+template <int log2>
+__device__ inline void join_lanes(Hit<float>& hit) {
+  std::uint64_t key = hit_key(hit);
+#pragma unroll
+  for (int step = 0; step < log2; ++step)
+    key = ::min(key, __shfl_xor_sync(all_lanes, key, 1 << step));
+  hit = hit_of(key);
+}
+template <int log2>
+__device__ inline void join_lanes(float& t) {
+#pragma unroll
+  for (int step = 0; step < log2; ++step)
+    t = fast_min(t, __shfl_xor_sync(all_lanes, t, 1 << step));
+}
+
+// Goes on with the ray of the lane's group, as HierarchyWalk::advance() does; false at its end, and for lanes
+// without a ray.
+template <int log2, class Hierarchy, class Visitor>
+__device__ inline bool advance_group(const Hierarchy& hierarchy, HierarchyWalk<float>& walk,
+                                     HierarchyStack& stack, Visitor& visitor, bool has_ray) {
+  constexpr unsigned lanes = 1U << log2;
+  const unsigned sub = threadIdx.x % lanes;
+  const bool visits = has_ray && walk.next != walk.no_node;
+  HierarchyNode node{};
+  MetBoxes met;
+  if (visits) {
+    node = fetched(hierarchy.nodes + walk.next);
+    met = boxes_met_by_lane<log2>(node, visitor.ray.origin, walk.inverse, visitor.farthest(), sub);
+  }
+  join_lanes<log2>(met);
+  if (visits) walk.enter(node, met, stack);
+  if (!has_ray) walk.references.bits = 0;
+  while (__any_sync(all_lanes, walk.references.bits != 0)) {
+    // Each lane takes another of the first references.
+    std::uint32_t bits = walk.references.bits;
+#pragma unroll
+    for (unsigned i = 0; i < lanes; ++i) {
+      if (i < sub) bits &= bits - 1;
+      walk.references.bits &= walk.references.bits - 1;
+    }
+    if (bits != 0)
+      show(hierarchy, walk.references.first + static_cast<std::uint32_t>(lowest_bit(bits)), visitor);
+    join_lanes<log2>(visitor.hit);
+  }
+  return has_ray && !visitor.ends() && walk.go_back(stack, visitor.farthest());
+}
+
+} // namespace masu
