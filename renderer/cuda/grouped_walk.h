@@ -21,18 +21,23 @@ struct WalkingRay {
 };
 
 // Moves a warp's rays to groups of 2^log2 lanes. `holders`: one lane of each ray, a bit each; no more than
-// there are groups. Returns whether the lane has a ray then. For all lanes of the warp at once, as all
-// functions below.
+// there are groups. `sources`: room for a number per lane, of the warp's alone. Returns whether the lane has
+// a ray then. For all lanes of the warp at once, as all functions below.
 template <int log2, class TestRay>
-__device__ inline bool regroup(unsigned holders, WalkingRay<TestRay>& own, HierarchyStack& stack) {
+__device__ inline bool regroup(unsigned holders, WalkingRay<TestRay>& own, HierarchyStack& stack,
+                               std::uint32_t* sources) {
   const unsigned lane = threadIdx.x % lanes_per_warp, group = lane >> log2;
-  const auto rays = static_cast<unsigned>(__popc(holders));
-  const int source = group < rays ? static_cast<int>(__fns(holders, 0, static_cast<int>(group) + 1)) : 0;
-  const int highest = __reduce_max_sync(all_lanes, (holders >> lane & 1) != 0 ? own.walk.height : 0);
+  const bool holds = (holders >> lane & 1) != 0;
+  __syncwarp();
+  if (holds) sources[rank_among(holders, lane)] = lane;
+  __syncwarp();
+  const bool has_ray = group < static_cast<unsigned>(__popc(holders));
+  const int source = static_cast<int>(sources[has_ray ? group : 0]);
+  const int highest = __reduce_max_sync(all_lanes, holds ? own.walk.height : 0);
   own = from_lane(own, source);
   for (int i = 0; i < highest; ++i)
     stack[i] = from_lane(stack[i], source);
-  return group < rays;
+  return has_ray;
 }
 
 // What the ray meets of the boxes that lane `sub` of its group tests: one of every 2^log2 slots.

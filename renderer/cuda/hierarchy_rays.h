@@ -13,8 +13,8 @@ namespace masu {
 // Lanes fetch rays once so many lane steps were idle: lanes beyond idle_lanes_tolerated, summed over steps.
 inline constexpr int max_idle_steps = 8, idle_lanes_tolerated = 4;
 
-// Of a warp that has no more rays to fetch, so many are traced by groups of 2 and of 4 lanes. Groups of 8
-// take the time that they save away again: the kernel's code no longer fits into an instruction cache.
+// Of a warp that has no more rays to fetch, so many are traced by groups of 2 and of 4 lanes. By 8 lanes a
+// step takes no fewer instructions than by 4.
 inline constexpr int max_rays_by_pairs = lanes_per_warp / 2, max_rays_by_fours = lanes_per_warp / 4;
 
 // Goes on with a ray by `advance`, which is given the visitor of its query; false at its end.
@@ -48,9 +48,9 @@ template <int log2, int left_over, Query query, class M, class Stored, class Hie
 __device__ inline unsigned trace_by_groups(const SceneView<Stored>& scene, const Hierarchy& hierarchy,
                                            unsigned holders, WalkingRay<typename M::TestRay>& own,
                                            HierarchyStack& stack, const RayEnds<typename M::Real>* ends,
-                                           const RayResults& results) {
+                                           std::uint32_t* sources, const RayResults& results) {
   if (__popc(holders) <= left_over) return holders;
-  bool has_ray = regroup<log2>(holders, own, stack);
+  bool has_ray = regroup<log2>(holders, own, stack, sources);
   const bool is_first = threadIdx.x % (1U << log2) == 0;
   do {
     const auto& end = ends[own.thread];
@@ -73,6 +73,7 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
   using Real = typename M::Real;
   // What is needed of a ray when it is begun and ended would take up registers.
   __shared__ RayEnds<Real> ends[rays_per_block];
+  __shared__ std::uint32_t sources[rays_per_block]; // of regroup()
   const unsigned lane = threadIdx.x % lanes_per_warp;
   RayEnds<Real>& end = ends[threadIdx.x];
   HierarchyStack stack;
@@ -126,9 +127,10 @@ __global__ void __launch_bounds__(rays_per_block, resident_threads_wanted<M> / r
     __syncwarp();
   }
   __syncwarp(); // for `ends`, which other lanes read now
+  std::uint32_t* const warp_sources = sources + (threadIdx.x - lane);
   const unsigned left = trace_by_groups<1, max_rays_by_fours, query, M>(
-      scene, hierarchy, __ballot_sync(all_lanes, under_way), own, stack, ends, results);
-  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, results);
+      scene, hierarchy, __ballot_sync(all_lanes, under_way), own, stack, ends, warp_sources, results);
+  trace_by_groups<2, 0, query, M>(scene, hierarchy, left, own, stack, ends, warp_sources, results);
 }
 
 } // namespace masu
