@@ -67,14 +67,6 @@ MASU_ALWAYS_INLINE void sort_descending(__m256i (&rows)[8]) {
   transpose(rows);
 }
 
-// Inline always: GCC 12 takes calls of a function that only prefetches for calls without effect, and drops
-// them.
-template <class Record>
-MASU_ALWAYS_INLINE void prefetch_record(const Record* record) {
-  __builtin_prefetch(record);
-  __builtin_prefetch(reinterpret_cast<const char*>(record + 1) - 1);
-}
-
 // M: a Method in float32 arithmetic. Walks are cut into four stages, which are called in turn: in between
 // comes other groups' work, so that what one stage loads or computes is there for the next.
 //
@@ -160,7 +152,7 @@ public:
     const PrimitiveIndex* const references = hierarchy_.references;
     for (std::uint32_t i = 0; i < end; ++i) {
       test_[i] = references[test_[i]];
-      if constexpr (tests_four_triangles<M, Stored>) prefetch_record(scene.triangles + test_[i]);
+      if constexpr (tests_four_triangles<M, Stored>) prefetch(scene.triangles + test_[i]);
     }
   }
 
@@ -178,7 +170,7 @@ public:
       store_eight(ahead.siblings + height + 4, _mm256_set1_epi64x(siblings));
       // There is room, but while a mapped file changes: then results are thrown away.
       take(nodes, lane, higher > below + max_nodes_ahead ? below : higher);
-      prefetch_record(node_[lane]);
+      prefetch(node_[lane]);
     }
   }
 
@@ -264,12 +256,6 @@ private:
   static constexpr unsigned most_tests = lanes * max_references_per_node;
 
   static BoxRay idle_ray() { return BoxRay({0, 0, 0}, {1, 1, 1}); }
-
-  template <class Act>
-  MASU_ALWAYS_INLINE static void each_bit(unsigned bits, const Act& act) {
-    for (; bits != 0; bits &= bits - 1)
-      act(std::countr_zero(bits));
-  }
 
   MASU_ALWAYS_INLINE void go_to(int lane, const HierarchyNode* node, std::int32_t entry,
                                 std::ptrdiff_t height) {

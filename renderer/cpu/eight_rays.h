@@ -27,12 +27,8 @@ struct EightRays { // NOLINT(cppcoreguidelines-pro-type-member-init)
   void load(const void* rays, const RayFormat& format, std::size_t first) {
     for (std::size_t i = 0; i < count; ++i) {
       const Ray<float> ray = loaded<float>(rays, format, first + i);
-      origin.x.of[i] = ray.origin.x;
-      origin.y.of[i] = ray.origin.y;
-      origin.z.of[i] = ray.origin.z;
-      direction.x.of[i] = ray.direction.x;
-      direction.y.of[i] = ray.direction.y;
-      direction.z.of[i] = ray.direction.z;
+      origin.set(i, ray.origin);
+      direction.set(i, ray.direction);
       t_min.of[i] = ray.t_min;
       t_max.of[i] = ray.t_max;
     }
@@ -142,8 +138,7 @@ template <class Visitor, class Stored, class Grid, class Nothing, class Done>
 inline void visit_eight(const SceneView<Stored>& scene, const Grid& grid, const EightRays& rays,
                         const Nothing& nothing, const Done& done) {
   const auto each = [](unsigned bits, const auto& act) {
-    for (; bits != 0; bits &= bits - 1)
-      act(static_cast<std::size_t>(std::countr_zero(bits)));
+    each_bit(bits, [&](int i) { act(static_cast<std::size_t>(i)); });
   };
   if constexpr (std::is_same_v<Grid, HierarchyView<float>>) {
     NodesAhead ahead[EightRays::count];
@@ -187,9 +182,7 @@ inline void trace_eight(const SceneView<Stored>& scene, const Grid& grid, const 
           return Hit<float>{t_max, 0};
         },
         [&](std::size_t i, const auto& visitor) {
-          const Hit<float>& hit = visitor.hit;
-          if (hit.t < visitor.t_max)
-            hits[i] = {(hit.t + rays.skipped.of[i]) * rays.scale.of[i], hit.primitive};
+          hits[i] = reported(visitor.hit, visitor.t_max, rays.skipped.of[i], rays.scale.of[i]);
         });
   }
   for (std::size_t i = 0; i < EightRays::count; ++i)
@@ -217,8 +210,7 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
       eight.load(rays, format, loaded);
       eight.prepare(scene.clip);
       ready = eight.meet_bounds;
-      for (unsigned missed = ready ^ 0xff; missed != 0; missed &= missed - 1)
-        found(loaded + static_cast<std::size_t>(std::countr_zero(missed)), miss);
+      each_bit(ready ^ 0xff, [&](int missed) { found(loaded + static_cast<std::size_t>(missed), miss); });
       loaded += EightRays::count;
     }
     const auto k = static_cast<std::size_t>(std::countr_zero(ready));
@@ -227,12 +219,7 @@ trace_in_step(const SceneView<Stored>& scene, const HierarchyView<float>& grid, 
     return true;
   };
   const auto report = [&](std::size_t i, const Hit<float>& hit, float skipped, float scale) {
-    if (hit.primitive == no_primitive) {
-      found(i, miss);
-    } else {
-      found(i, query == Query::occlusion ? Hit<float>{0, 0}
-                                         : Hit<float>{(hit.t + skipped) * scale, hit.primitive});
-    }
+    found(i, hit.primitive == no_primitive ? miss : Hit<float>{(hit.t + skipped) * scale, hit.primitive});
   };
 
   struct Listed {
