@@ -175,7 +175,7 @@ masu_status masu_grid_describe(const masu_grid* grid, masu_grid_description* des
                                      MASU_MERGE_NONE};
     described.merge = merges[static_cast<int>(grid->file->table().merge())];
     for (int axis = 0; axis < 3; ++axis)
-      described.division[axis] = static_cast<std::uint32_t>(records.division[axis]);
+      described.division[axis] = static_cast<std::uint32_t>(records.layout.division[axis]);
     described.cells = records.cell_count;
     described.nodes = records.node_count;
     described.references = records.reference_count;

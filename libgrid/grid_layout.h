@@ -47,6 +47,13 @@ MASU_HD inline std::uint64_t voxel_count(const Vec3i& division) {
          static_cast<std::uint64_t>(division.z);
 }
 
+// A division in blocks of 2^block_log2 voxels per side, rounded up.
+inline Vec3i blocks_of(const Vec3i& division, std::int32_t block_log2) {
+  const std::int32_t round = (1 << block_log2) - 1;
+  return {(division.x + round) >> block_log2, (division.y + round) >> block_log2,
+          (division.z + round) >> block_log2};
+}
+
 // The closed voxels, of size voxel_size(layout), that the closed box meets; what lies outside the space goes
 // to the outermost, NaN to the first.
 MASU_HD inline VoxelRange voxels_met(const GridLayout& layout, const Vec3d& size, const Boxd& box) {

@@ -56,19 +56,10 @@ inline constexpr bool is_specialised =
     !std::is_same_v<TestRay, TextbookRay> && std::is_same_v<Stored, float> &&
     !std::is_same_v<View, GridView<double>>;
 
-// Calls on_view(GridView, MergedGridView or HierarchyView).
-template <class Real, class Act>
-void with_view(const GridFile& grid, const Act& on_view) {
-  if (grid.is_hierarchy()) return on_view(grid.hierarchy_view<Real>());
-  grid.is_merged() ? on_view(grid.merged_view<Real>()) : on_view(grid.view<Real>());
-}
-
 // `grid` may be null.
 template <class Real>
 AnyStructure<Real> any_structure(const GridFile* grid) {
-  AnyStructure<Real> any{};
-  if (grid != nullptr) with_view<Real>(*grid, [&](const auto& view) { any = any_structure(view); });
-  return any;
+  return grid != nullptr ? any_structure<Real>(grid->records()) : AnyStructure<Real>{};
 }
 
 // Calls act(view, Method, Counts or NoCounts) for rays of one arithmetic. What is for use has the code for
@@ -84,7 +75,7 @@ void with_method(const SceneView<Stored>&, const GridFile* grid, const TracingRu
     rules.count || grid == nullptr ? act(any, General{}, Counts{}) : act(any, General{}, NoCounts{});
   };
   if (grid == nullptr || rules.count || rules.stop == StopRule::first_cell) return with_any();
-  with_view<Real>(*grid, [&]<class View>(const View& view) {
+  with_grid_view<Real>(grid->records(), [&]<class View>(const View& view) {
     if constexpr (is_specialised<TestRay, Stored, View>) {
       if (rules.general) return act(view, General{}, NoCounts{});
       with_kinds<TestRay>(rules.kinds, [&]<unsigned kinds>(Kinds<kinds>) {

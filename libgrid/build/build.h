@@ -3,9 +3,7 @@
 
 #include "libgrid/build/build_options.h"
 #include "libgrid/build/storage_order.h"
-#include "libgrid/grid_layout.h"
-#include "libgrid/trace/grid_view.h"
-#include "libgrid/trace/hierarchy_view.h"
+#include "libgrid/trace/grid_records.h"
 #include "libscene/base/host_array.h"
 #include "libscene/scene_view.h"
 
@@ -27,6 +25,24 @@ struct GridIn {
   Array<HierarchyNode> nodes{};   // of a hierarchy, which has no map and no cells
   double detail = 0;              // of an irregular one: as GridOptions, or less where its map demands that
   const char* exceeded = nullptr; // what the layout makes too many of, where there is no grid: "more than …"
+
+  // Of no scene.
+  operator GridRecords() const {
+    return {voxel_map.data(),
+            cells.data(),
+            references.data(),
+            nodes.data(),
+            voxel_map.size(),
+            cells.size(),
+            references.size(),
+            nodes.size(),
+            0,
+            kind == GridKind::hierarchy,
+            kind != GridKind::uniform && kind != GridKind::hierarchy,
+            layout,
+            block_log2,
+            nested_log2};
+  }
 };
 
 struct HostMemory {

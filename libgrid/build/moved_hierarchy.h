@@ -1,8 +1,7 @@
 // A hierarchy and its scene's triangles, moved on a CUDA device. CUDA sources only.
 #pragma once
 
-#include "libgrid/file/grid_records.h"
-#include "libgrid/trace/hierarchy_view.h"
+#include "libgrid/trace/grid_records.h"
 #include "libscene/cuda/device_memory.h"
 #include "libscene/scene_view.h"
 

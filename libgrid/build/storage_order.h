@@ -13,12 +13,6 @@ inline std::int32_t block_log2_for(const Vec3i& division) {
   return voxel_count(division) <= dense_voxels ? 0 : sparse_block_log2;
 }
 
-inline Vec3i blocks_of(const Vec3i& division, std::int32_t block_log2) {
-  const std::int32_t round = (1 << block_log2) - 1;
-  return {(division.x + round) >> block_log2, (division.y + round) >> block_log2,
-          (division.z + round) >> block_log2};
-}
-
 // Block by block, x fastest, and so within each block.
 struct StorageOrder {
   Vec3i division, blocks;

@@ -2,11 +2,7 @@
 // and ends.
 #pragma once
 
-#include "libgrid/build/storage_order.h"
-#include "libgrid/file/grid_records.h"
-#include "libgrid/grid_layout.h"
-#include "libgrid/trace/grid_view.h"
-#include "libgrid/trace/hierarchy_view.h"
+#include "libgrid/trace/grid_records.h"
 #include "libscene/file/record_checker.h"
 
 #include <algorithm>
@@ -34,7 +30,7 @@ bool lists_are_separate(const Checker& checker, const GridRecords& grid, std::ui
 
 template <class Checker>
 const char* fault_of_uniform(const Checker& checker, const GridRecords& grid) {
-  const std::uint64_t blocks = voxel_count(blocks_of(grid.division, grid.block_log2)),
+  const std::uint64_t blocks = voxel_count(blocks_of(grid.layout.division, grid.block_log2)),
                       block_maps = (grid.words - blocks) >> (3 * grid.block_log2),
                       first = grid.block_log2 > 0 ? blocks : 0;
   if (!checker.all(grid.words, [=] MASU_PASS(std::uint64_t i) {
@@ -134,8 +130,8 @@ private:
 
 template <class Checker>
 const char* fault_of_merged(const Checker& checker, const GridRecords& grid) {
-  const Vec3i finest{grid.division.x << grid.nested_log2, grid.division.y << grid.nested_log2,
-                     grid.division.z << grid.nested_log2};
+  const Vec3i finest{grid.layout.division.x << grid.nested_log2, grid.layout.division.y << grid.nested_log2,
+                     grid.layout.division.z << grid.nested_log2};
   if (!(grid.cell_count <= max_numbered && checker.all(grid.cell_count, [=] MASU_PASS(std::uint64_t i) {
         const MergedCell cell = grid.cells[i];
         return (cell.list == empty_list || cell.list < grid.reference_count) && end_of(cell.x) <= finest.x &&
@@ -150,13 +146,13 @@ const char* fault_of_merged(const Checker& checker, const GridRecords& grid) {
   std::uint32_t* const looked_at = total.data();
   // Enough threads for a GPU, also where few voxels are divided far.
   constexpr std::uint64_t threads_wanted = 1 << 18, most_shares = 4096;
-  const std::uint64_t voxels = voxel_count(grid.division);
+  const std::uint64_t voxels = voxel_count(grid.layout.division);
   const auto shares =
       static_cast<std::uint32_t>(std::min(std::max<std::uint64_t>(threads_wanted / voxels, 1), most_shares));
   const bool leads_to_cells = checker.all(voxels * shares, [=] MASU_PASS(std::uint64_t thread) {
     const std::uint64_t i = thread / shares;
-    const auto x = static_cast<std::uint64_t>(grid.division.x),
-               y = static_cast<std::uint64_t>(grid.division.y);
+    const auto x = static_cast<std::uint64_t>(grid.layout.division.x),
+               y = static_cast<std::uint64_t>(grid.layout.division.y);
     const std::int32_t side = grid.nested_log2;
     const Vec3i first{static_cast<std::int32_t>(i % x) << side, static_cast<std::int32_t>(i / x % y) << side,
                       static_cast<std::int32_t>(i / x / y) << side};

@@ -43,33 +43,6 @@ bool is_divisible(const Boxd& space) {
   return true;
 }
 
-template <class Real>
-GridView<Real> view_of(const GridLayout& layout, std::int32_t block_log2,
-                       std::span<const std::uint32_t> voxel_map, std::span<const PrimitiveIndex> references) {
-  const Vec3d size = voxel_size(layout);
-  return {voxel_map.data(),
-          references.data(),
-          cast<Real>(layout.space.min),
-          cast<Real>(size),
-          cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
-          layout.division,
-          blocks_of(layout.division, block_log2),
-          block_log2};
-}
-
-template <class Real>
-MergedGridView<Real> view_of(const GridLayout& layout, std::int32_t nested_log2,
-                             std::span<const std::uint32_t> voxel_map, std::span<const MergedCell> cells,
-                             std::span<const PrimitiveIndex> references) {
-  const GridLayout finest = finer(layout, nested_log2);
-  const Vec3d size = voxel_size(finest);
-  return {voxel_map.data(),  cells.data(),
-          references.data(), cast<Real>(finest.space.min),
-          cast<Real>(size),  cast<Real>(Vec3d{1 / size.x, 1 / size.y, 1 / size.z}),
-          finest.division,   layout.division,
-          nested_log2};
-}
-
 std::array<SectionData, 4> sections_of(const Grid& grid) {
   const auto section = [](fb::GridSection kind, const auto& records) {
     return section_data(static_cast<std::uint32_t>(kind), std::span(records));
@@ -116,7 +89,7 @@ GridFile::GridFile(ContainerFile container) : TableFile(std::move(container)) {
 void GridFile::check_sizes() const {
   const GridRecords held = records();
   const std::uint64_t words = held.words;
-  const Vec3i n = held.division;
+  const Vec3i n = held.layout.division;
   bool good = false;
   check(table_->merge() <= fb::Merge::MAX, "its cells are merged in an unknown way");
   if (is_hierarchy()) {
@@ -160,7 +133,7 @@ GridRecords GridFile::records() const {
           table_->primitives(),
           is_hierarchy(),
           is_merged(),
-          layout().division,
+          layout(),
           static_cast<std::int32_t>(table_->block_log2()),
           static_cast<std::int32_t>(table_->nested_log2())};
 }
@@ -169,34 +142,5 @@ void GridFile::check_geometry(const Hash& geometry_hash, std::uint64_t primitive
   if (hash_of(*table_->geometry_hash()) != geometry_hash || table_->primitives() != primitives)
     throw Error(ErrorCode::input, path(), "was built from another geometry: build it again with gridbuild");
 }
-
-template <class Real>
-GridView<Real> GridFile::view() const {
-  return view_of<Real>(layout(), static_cast<std::int32_t>(table_->block_log2()), voxel_map(), references());
-}
-template GridView<float> GridFile::view() const;
-template GridView<double> GridFile::view() const;
-
-template <class Real>
-MergedGridView<Real> GridFile::merged_view() const {
-  return view_of<Real>(layout(), static_cast<std::int32_t>(table_->nested_log2()), voxel_map(), cells(),
-                       references());
-}
-template MergedGridView<float> GridFile::merged_view() const;
-template MergedGridView<double> GridFile::merged_view() const;
-
-template <class Real>
-GridView<Real> view_of(const Grid& grid) {
-  return view_of<Real>(grid.layout, grid.block_log2, grid.voxel_map, grid.references);
-}
-template GridView<float> view_of(const Grid&);
-template GridView<double> view_of(const Grid&);
-
-template <class Real>
-MergedGridView<Real> merged_view_of(const Grid& grid) {
-  return view_of<Real>(grid.layout, grid.nested_log2, grid.voxel_map, grid.cells, grid.references);
-}
-template MergedGridView<float> merged_view_of(const Grid&);
-template MergedGridView<double> merged_view_of(const Grid&);
 
 } // namespace masu

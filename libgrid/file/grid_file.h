@@ -3,7 +3,6 @@
 
 #include "libgrid/build/build.h"
 #include "libgrid/build/division.h"
-#include "libgrid/file/grid_records.h"
 #include "libscene/file/container.h"
 #include "schemas/grid_generated.h"
 
@@ -62,14 +61,18 @@ public:
   // Throws Error(input) unless the grid was built from a scene of this geometry hash and so many primitives.
   void check_geometry(const Hash& geometry_hash, std::uint64_t primitives) const;
 
-  // Point into its memory; of a uniform grid, of a merged one, of a hierarchy. Real is the arithmetic's type.
+  // Point into its memory (grid_records.h).
   template <class Real>
-  GridView<Real> view() const;
+  GridView<Real> view() const {
+    return view_of<Real>(records());
+  }
   template <class Real>
-  MergedGridView<Real> merged_view() const;
+  MergedGridView<Real> merged_view() const {
+    return merged_view_of<Real>(records());
+  }
   template <class Real>
   HierarchyView<Real> hierarchy_view() const {
-    return {nodes().data(), references().data()};
+    return hierarchy_view_of<Real>(records());
   }
 
 private:
@@ -77,22 +80,5 @@ private:
   explicit GridFile(ContainerFile container);
   void check_sizes() const;
 };
-
-// Of a grid in memory.
-template <class Real>
-GridView<Real> view_of(const Grid& grid);
-template <class Real>
-MergedGridView<Real> merged_view_of(const Grid& grid);
-template <class Real>
-HierarchyView<Real> hierarchy_view_of(const Grid& grid) {
-  return {grid.nodes.data(), grid.references.data()};
-}
-
-// Calls act(the grid's view), which is of the type for its kind.
-template <class Real, class Act>
-void with_grid_view(const Grid& grid, const Act& act) {
-  if (grid.kind == GridKind::hierarchy) return act(hierarchy_view_of<Real>(grid));
-  grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
-}
 
 } // namespace masu

@@ -2,6 +2,7 @@
 // of each kind serves all of them, and both rules by which a search ends.
 #pragma once
 
+#include "libgrid/trace/grid_records.h"
 #include "libgrid/trace/trace.h"
 
 namespace masu {
@@ -17,17 +18,16 @@ struct AnyStructure {
   HierarchyView<Real> hierarchy{};
 };
 
-template <class Real>
-AnyStructure<Real> any_structure(const GridView<Real>& view) {
-  return {Structure::uniform, StopRule::proven, view, {}, {}};
+inline Structure structure_of(const GridRecords& grid) {
+  return grid.is_hierarchy ? Structure::hierarchy : grid.is_merged ? Structure::merged : Structure::uniform;
 }
 template <class Real>
-AnyStructure<Real> any_structure(const MergedGridView<Real>& view) {
-  return {Structure::merged, StopRule::proven, {}, view, {}};
-}
-template <class Real>
-AnyStructure<Real> any_structure(const HierarchyView<Real>& view) {
-  return {Structure::hierarchy, StopRule::proven, {}, {}, view};
+AnyStructure<Real> any_structure(const GridRecords& grid) {
+  AnyStructure<Real> any{structure_of(grid)};
+  if (any.structure == Structure::uniform) any.uniform = view_of<Real>(grid);
+  if (any.structure == Structure::merged) any.merged = merged_view_of<Real>(grid);
+  if (any.structure == Structure::hierarchy) any.hierarchy = hierarchy_view_of<Real>(grid);
+  return any;
 }
 
 template <class View>

@@ -65,26 +65,25 @@ struct DeviceGrid {
     add(GridSection::references, records.references, records.reference_count, references_read_ahead);
     nodes = shared(uploaded(*grid, GridSection::nodes, records.nodes, records.node_count, upload));
   }
+  // The same view of them.
   template <class Real>
-  GridView<Real> moved(GridView<Real> view) const {
-    view.voxel_map = records.voxel_map;
-    view.references = records.references;
-    return view;
+  GridView<Real> moved(const GridView<Real>&) const {
+    return view_of<Real>(records);
   }
   template <class Real>
-  MergedGridView<Real> moved(MergedGridView<Real> view) const {
-    view.voxel_map = records.voxel_map;
-    view.cells = records.cells;
-    view.references = records.references;
-    return view;
+  MergedGridView<Real> moved(const MergedGridView<Real>&) const {
+    return merged_view_of<Real>(records);
   }
   template <class Real>
-  HierarchyView<Real> moved(HierarchyView<Real>) const {
-    return {records.nodes, records.references};
+  HierarchyView<Real> moved(const HierarchyView<Real>&) const {
+    return hierarchy_view_of<Real>(records);
   }
   template <class Real>
   AnyStructure<Real> moved(const AnyStructure<Real>& any) const {
-    return {any.structure, any.stop, moved(any.uniform), moved(any.merged), moved(any.hierarchy)};
+    if (any.structure == Structure::none) return any;
+    AnyStructure<Real> moved = any_structure<Real>(records);
+    moved.stop = any.stop;
+    return moved;
   }
 };
 

@@ -318,10 +318,8 @@ WalkReport trace_walk(const Tracer& tracer, const WalkRequest& request) {
   const GridFile* const grid = tracer.grid();
   WalkReport report;
   report.space = tracer.scene().bounds();
-  if (grid != nullptr && grid->is_hierarchy()) {
-    report.structure = Structure::hierarchy;
-  } else if (grid != nullptr) {
-    report.structure = grid->is_merged() ? Structure::merged : Structure::uniform;
+  if (grid != nullptr) report.structure = structure_of(grid->records());
+  if (grid != nullptr && !grid->is_hierarchy()) {
     report.space = grid->layout().space;
     report.division = finest_layout(*grid).division;
   }

@@ -90,12 +90,10 @@ protected:
   // Through a random grid and a hierarchy, as they are and as structures known when they are traced.
   template <class Act>
   void with_structures(TestScene<Real>& scene, const Grid& grid, const Grid& hierarchy, const Act& act) {
-    const auto both = [&](const auto& view) {
-      act(view);
-      act(any_structure(view));
-    };
-    with_view<Real>(grid, both);
-    both(HierarchyView<Real>{hierarchy.nodes.data(), hierarchy.references.data()});
+    for (const Grid* const structure : {&grid, &hierarchy}) {
+      with_grid_view<Real>(*structure, act);
+      act(any_structure<Real>(*structure));
+    }
     act(AnyStructure<Real>{});
     static_cast<void>(scene);
   }

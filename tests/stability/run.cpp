@@ -41,13 +41,11 @@ std::vector<Found> trace(const SceneView<Stored>& scene, const std::vector<Grid>
   std::vector<Hit<Real>> first(rays.size());
   const auto for_each_ray = [&](const auto& act) { tbb::parallel_for(std::size_t{0}, rays.size(), act); };
   if (stop == StopRule::first_cell) {
-    with_grid_view<Real>(grids.front(), [&](const auto& view) {
-      AnyStructure<Real> any = any_structure(view);
-      any.stop = stop;
-      for_each_ray([&](std::size_t i) {
-        const Hit<Real> hit = find<M>(scene, any, rays[i]);
-        found[i] = {static_cast<double>(hit.t), hit.primitive, true};
-      });
+    AnyStructure<Real> any = any_structure<Real>(grids.front());
+    any.stop = stop;
+    for_each_ray([&](std::size_t i) {
+      const Hit<Real> hit = find<M>(scene, any, rays[i]);
+      found[i] = {static_cast<double>(hit.t), hit.primitive, true};
     });
     return found;
   }

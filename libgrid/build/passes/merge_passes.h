@@ -363,13 +363,6 @@ ExecutorGrid<Executor> balanced_grid(Executor& executor, const Splitter<Stored>&
   return grid;
 }
 
-template <class Memory>
-MergedGridView<double> merged_view(const GridIn<Memory>& grid) {
-  const GridLayout finest = finer(grid.layout, grid.nested_log2);
-  return {grid.voxel_map.data(), grid.cells.data(),    grid.references.data(), {}, {}, {},
-          finest.division,       grid.layout.division, grid.nested_log2};
-}
-
 // Of kind x, balance or irregular.
 template <class Executor, class Stored>
 ExecutorGrid<Executor> merged_grid(Executor& executor, const SceneView<Stored>& scene,
@@ -400,7 +393,8 @@ ExecutorGrid<Executor> merged_grid(Executor& executor, const SceneView<Stored>& 
   if (irregular) grid.detail = tried.detail;
   pairs.reset();
   if (grid.exceeded == nullptr && irregular)
-    expand_cells(executor, merged_view(grid), grid.cells.size(), grid.cells.data(), options.expansions);
+    expand_cells(executor, merged_view_of<double>(grid), grid.cells.size(), grid.cells.data(),
+                 options.expansions);
   return grid;
 }
 
