@@ -49,16 +49,15 @@ masu_build_options default_options() {
 }
 
 GridFile built_grid(const SceneFile& scene, const BuildOptions& options, int device) {
-  const auto build = [&](const auto& view) {
+  return scene.with_view([&](const auto& view) {
     const auto builder = device == MASU_CPU ? cpu_builder(view) : cuda_builder(view, device);
     const auto [grid, provenance, considered] = build_chosen(*builder, scene.geometry(), options);
     return grid_in_memory(grid, provenance);
-  };
-  return scene.is_float64() ? build(scene.view<double>()) : build(scene.view<float>());
+  });
 }
 
 template <class Stored>
-GridFile refitted(const GridFile& from, const SceneFile& scene) {
+GridFile refitted(const GridFile& from, const SceneFile& scene, const SceneView<Stored>& view) {
   const fb::Grid& table = from.table();
   const GridProvenance provenance{scene.geometry_hash(),
                                   scene.primitive_count(),
@@ -72,7 +71,6 @@ GridFile refitted(const GridFile& from, const SceneFile& scene) {
   grid.kind = GridKind::hierarchy;
   grid.nodes.assign(from.nodes().begin(), from.nodes().end());
   grid.references.assign(from.references().begin(), from.references().end());
-  const SceneView<Stored> view = scene.view<Stored>();
   if (!refit_hierarchy(view, layout, grid))
     grid = hierarchy_grid(view, layout,
                           provenance.merge_rule == merge_rule_of(HierarchyQuality::fast)
@@ -90,7 +88,7 @@ std::unique_ptr<masu_grid> held(GridFile file) {
 namespace masu {
 
 GridFile refitted_grid(const GridFile& from, const SceneFile& scene) {
-  return scene.is_float64() ? refitted<double>(from, scene) : refitted<float>(from, scene);
+  return scene.with_view([&](const auto& view) { return refitted(from, scene, view); });
 }
 
 void require_hierarchy(const GridFile* grid) {

@@ -80,12 +80,6 @@ std::vector<PrimitiveArray<Primitive>> arrays_of(const masu_quadrics* given, std
   return arrays;
 }
 
-// Calls act(the view of the type that the scene is stored in).
-template <class Act>
-void with_view(const SceneFile& scene, const Act& act) {
-  scene.is_float64() ? act(scene.view<double>()) : act(scene.view<float>());
-}
-
 std::unique_ptr<masu_scene> held(SceneFile file, SceneVertices vertices) {
   return std::make_unique<masu_scene>(masu_scene{std::make_shared<const SceneFile>(std::move(file)),
                                                  std::make_shared<const SceneVertices>(std::move(vertices))});
@@ -117,12 +111,13 @@ SceneVertices vertices_of(const std::vector<IndexedMesh>& meshes) {
 }
 
 template <class Stored, class Number>
-SceneFile moved_scene(const SceneFile& scene, const Number* numbers, const Vertices& vertices) {
+SceneFile moved_scene(const SceneFile& scene, const SceneView<Stored>& view, const Number* numbers,
+                      const Vertices& vertices) {
   HostCopies copies;
   TbbExecutor executor;
   const std::uint32_t* const indices = vertices.indices.empty() ? nullptr : vertices.indices.data();
   const MovedVertices<Number> in_host{copies.of(numbers, 3 * vertices.count), indices, scene.origin()};
-  const auto moved = moved_triangles(executor, scene.view<Stored>(), in_host, nullptr, 0);
+  const auto moved = moved_triangles(executor, view, in_host, nullptr, 0);
   return scene.with_triangles(std::span<const Triangle<Stored>>(moved.triangles), moved.bounds);
 }
 
@@ -131,11 +126,10 @@ SceneFile moved_scene(const SceneFile& scene, const Number* numbers, const Verti
 namespace masu {
 
 SceneFile moved_scene(const SceneFile& scene, const Vertices& vertices) {
-  const auto moved = [&](const auto* numbers) {
-    return scene.is_float64() ? ::moved_scene<double>(scene, numbers, vertices)
-                              : ::moved_scene<float>(scene, numbers, vertices);
-  };
-  return vertices.floats != nullptr ? moved(vertices.floats) : moved(vertices.doubles);
+  return scene.with_view([&](const auto& view) {
+    return vertices.floats != nullptr ? ::moved_scene(scene, view, vertices.floats, vertices)
+                                      : ::moved_scene(scene, view, vertices.doubles, vertices);
+  });
 }
 
 } // namespace masu
@@ -167,7 +161,7 @@ masu_status masu_scene_read(const char* path, masu_scene** scene) {
     require(path, "path");
     SceneFile file(path);
     SceneVertices vertices;
-    with_view(file, [&](const auto& view) { vertices.count = 3 * std::uint64_t{view.triangle_count}; });
+    file.with_view([&](const auto& view) { vertices.count = 3 * std::uint64_t{view.triangle_count}; });
     return held(std::move(file), std::move(vertices));
   });
 }
@@ -189,7 +183,7 @@ masu_status masu_scene_describe(const masu_scene* scene, masu_scene_description*
     require(scene, "scene");
     const SceneFile& file = *scene->file;
     masu_scene_description described{};
-    with_view(file, [&](const auto& view) {
+    file.with_view([&](const auto& view) {
       described.triangles = view.triangle_count;
       described.spheres = view.sphere_count;
       described.cones = view.cone_count;
@@ -216,7 +210,7 @@ masu_status masu_scene_primitive(const masu_scene* scene, uint32_t index, masu_p
     const std::uint64_t count = scene->file->primitive_count();
     if (index >= count)
       fail("index", fmt::format("{} isn't below {}, the number of primitives", index, count));
-    with_view(*scene->file, [&](const auto& view) {
+    scene->file->with_view([&](const auto& view) {
       const Surface surface = surface_of(view, index);
       const Material& m = view.materials[surface.material];
       give(masu_primitive{sizeof(masu_primitive),

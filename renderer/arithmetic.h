@@ -34,10 +34,9 @@ void with_arithmetic(const SceneView<double>&, Precision, const Act& act) {
 template <class Act>
 void with_store_and_arithmetic(const SceneFile& scene, Precision precision, const Act& act) {
   precision = resolved(precision, scene);
-  const auto with_store = [&](const auto& view) {
+  scene.with_view([&](const auto& view) {
     with_arithmetic(view, precision, [&](auto arithmetic) { act(view, arithmetic); });
-  };
-  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
+  });
 }
 
 } // namespace masu

@@ -83,10 +83,8 @@ Tracer::Tracer(const SceneFile& scene, const GridFile* grid, Device device, std:
   files_.resize(gpus_.size());
   on_threads(gpus_.size(), [&](std::size_t i) { files_[i] = upload_files_cuda(scene, grid, gpus_[i]); });
   upload_seconds_ = watch.seconds();
-  if (device == Device::cuda)
-    kinds_ = kinds_on(*files_.front());
-  else
-    kinds_ = scene.is_float64() ? kinds_in(scene.view<double>()) : kinds_in(scene.view<float>());
+  kinds_ = device == Device::cuda ? kinds_on(*files_.front())
+                                  : scene.with_view([](const auto& view) { return kinds_in(view); });
 }
 
 void Tracer::check_unchanged() const {

@@ -260,12 +260,11 @@ SceneFile::SceneFile(ContainerFile container) : TableFile(std::move(container)) 
   check(counted.polygons() < limit && counted.patches() < limit && counted.spheres() < limit &&
             counted.cones() < limit,
         "its counts of objects are too large");
-  const auto check_records = [&](const auto& view) {
+  with_view([&](const auto& view) {
     const char* const fault =
         residence() != Residence::file ? fault_of(HostChecker{}, view, bounds(), counts()) : nullptr;
     check(fault == nullptr, fault);
-  };
-  is_float64() ? check_records(view<double>()) : check_records(view<float>());
+  });
   container_.set_validated();
 }
 
@@ -297,7 +296,7 @@ bool SceneFile::has_faces() const {
 }
 
 std::uint64_t SceneFile::primitive_count() const {
-  return is_float64() ? view<double>().primitive_count() : view<float>().primitive_count();
+  return with_view([](const auto& view) { return view.primitive_count(); });
 }
 
 template <class Stored>

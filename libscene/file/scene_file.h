@@ -87,6 +87,11 @@ public:
   // (is_float64).
   template <class Stored>
   SceneView<Stored> view() const;
+  // What act(the view of the file's own) returns.
+  template <class Act>
+  auto with_view(const Act& act) const {
+    return is_float64() ? act(view<double>()) : act(view<float>());
+  }
 
 private:
   friend SceneFile scene_in_memory(const Scene&, Store, const std::optional<Vec3d>&);

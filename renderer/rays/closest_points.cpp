@@ -59,10 +59,9 @@ void closest_points(const SceneFile& scene, const GridFile* hierarchy, const Pla
       }
     });
   };
-  const auto with_store = [&]<class Stored>(const SceneView<Stored>& view) {
+  scene.with_view([&]<class Stored>(const SceneView<Stored>& view) {
     hierarchy == nullptr ? search(view, NoGrid{}) : search(view, hierarchy->hierarchy_view<Stored>());
-  };
-  scene.is_float64() ? with_store(scene.view<double>()) : with_store(scene.view<float>());
+  });
 }
 
 } // namespace masu
