@@ -4,6 +4,7 @@
 #include "libgrid/build/build_options.h"
 #include "libgrid/build/storage_order.h"
 #include "libgrid/trace/grid_records.h"
+#include "libscene/base/error.h"
 #include "libscene/base/host_array.h"
 #include "libscene/scene_view.h"
 
@@ -51,13 +52,13 @@ struct HostMemory {
 };
 using Grid = GridIn<HostMemory>;
 
-// About how many bytes building takes at its peak, for so many references.
-double expected_build_bytes(const GridLayout& layout, double references);
-
 inline constexpr const char* too_many_references = "more than 2^31 references";
 
 // Throws Error(input) for more primitives than grids can number.
-void check_primitives(std::uint64_t count);
+inline void check_primitives(std::uint64_t count) {
+  if (count > max_numbered)
+    throw Error(ErrorCode::input, "scene", "holds more than 2^31 primitives: grids can't number so many");
+}
 
 // Throws Error(input) for more primitives than grids can number.
 template <class Stored>

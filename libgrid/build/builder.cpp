@@ -2,6 +2,8 @@
 
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/build/merge.h"
+#include "libgrid/build/passes/host_executor.h"
+#include "libgrid/build/passes/uniform_passes.h"
 #include "libscene/base/error.h"
 
 #include <fmt/format.h>
@@ -19,6 +21,14 @@ Grid GridBuilder<Stored>::build(const GridLayout& layout, Overlap overlap, const
 }
 template class GridBuilder<float>;
 template class GridBuilder<double>;
+
+template <class Stored>
+Grid uniform_grid(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap) {
+  TbbExecutor executor;
+  return uniform_grid(executor, scene, layout, overlap);
+}
+template Grid uniform_grid(const SceneView<float>&, const GridLayout&, Overlap);
+template Grid uniform_grid(const SceneView<double>&, const GridLayout&, Overlap);
 
 namespace {
 

@@ -17,6 +17,16 @@
 namespace masu {
 namespace {
 
+// About how many bytes building takes at its peak, for so many references.
+double expected_build_bytes(const GridLayout& layout, double references) {
+  // Pairs as they are emitted, and sorted; a block's map for each few cells.
+  constexpr double pair_bytes = 8 + sizeof(std::uint64_t) + sizeof(PrimitiveIndex);
+  const std::int32_t block_log2 = block_log2_for(layout.division);
+  const double words = static_cast<double>(voxel_count(blocks_of(layout.division, block_log2)));
+  const double block_maps = block_log2 == 0 ? 0 : references / 16 * 512 * 4;
+  return 4 * words + block_maps + references * pair_bytes;
+}
+
 // Throws Error(usage, "division", …).
 void check_memory(const GridLayout& layout, double references, bool is_automatic) {
   const double needed = expected_build_bytes(layout, references), available = available_memory();

@@ -1,7 +1,6 @@
 // Stretching, against its definition followed voxel by voxel; and what it compares lists by.
 #include "libgrid/build/passes/expand_passes.h"
 #include "libgrid/build/passes/host_executor.h"
-#include "libgrid/build/passes/list.h"
 #include "tests/random_grid.h"
 #include "tests/random_scene.h"
 #include "tests/random_test.h"

@@ -7,11 +7,63 @@
 #pragma once
 
 #include "libgrid/build/passes/executor.h"
-#include "libgrid/build/passes/neighbour.h"
+#include "libgrid/trace/grid_view.h"
 
 #include <algorithm>
 
 namespace masu {
+
+// Whether all primitives of the list `part` are in the list `whole`.
+MASU_HD inline bool lists_all(const PrimitiveIndex* references, std::uint32_t whole, std::uint32_t part) {
+  if (part == empty_list) return true;
+  if (whole == empty_list) return false;
+  for (;;) {
+    const PrimitiveIndex wanted = references[part], found = references[whole];
+    if ((wanted & ~last_bit) == (found & ~last_bit)) {
+      if ((wanted & last_bit) != 0) return true;
+      ++part;
+    } else if ((wanted & ~last_bit) < (found & ~last_bit)) {
+      return false;
+    }
+    if ((found & last_bit) != 0) return false;
+    ++whole;
+  }
+}
+
+// A bit for each primitive of a list, several to a bit: 0 for an empty list alone, and a part's bits are
+// among the whole's.
+MASU_HD inline std::uint32_t signature_of(const PrimitiveIndex* references, std::uint32_t list) {
+  if (list == empty_list) return 0;
+  std::uint32_t signature = 0;
+  for (bool last = false; !last; ++list) {
+    last = (references[list] & last_bit) != 0;
+    // Neighbours in space are often numbered in steps: the golden ratio spreads them over the bits.
+    signature |= 1U << ((references[list] & ~last_bit) * 0x9e3779b1U >> 27);
+  }
+  return signature;
+}
+
+// The most neighbours a face looks at: one more of them would sooner or later be in the way.
+inline constexpr std::int32_t max_neighbours = 32;
+
+// What the expansion reads of a cell's neighbours: half a cache line.
+struct alignas(32) Neighbour {
+  std::uint32_t own[3];      // the voxels that lead to it
+  std::uint32_t expanded[3]; // its box after the round before
+  std::uint32_t signature;
+  std::uint32_t list;
+};
+static_assert(sizeof(Neighbour) == 32);
+
+MASU_HD inline Neighbour as_neighbour(const MergedCell& cell, const PrimitiveIndex* references) {
+  return {{cell.x, cell.y, cell.z}, {cell.x, cell.y, cell.z}, signature_of(references, cell.list), cell.list};
+}
+
+MASU_HD inline void set_expanded(Neighbour& neighbour, const MergedCell& cell) {
+  neighbour.expanded[0] = cell.x;
+  neighbour.expanded[1] = cell.y;
+  neighbour.expanded[2] = cell.z;
+}
 
 // Where a cell's face can be moved to.
 struct Reach {
