@@ -47,7 +47,7 @@ Traced trace(const SceneView<Stored>& scene, const View& view, const Ray<double>
 }
 
 // Between two random points of the sphere; of unit length at any scale, unlike random_ray().
-Ray<double> ray_across(const BoundingSphere& sphere, RandomSequence& random) {
+Ray<double> ray_across(const Sphere<double>& sphere, RandomSequence& random) {
   const Vec3d from = random_direction(random), to = random_direction(random);
   return unbounded_ray(fma(from, sphere.radius, sphere.center), normalized(to - from));
 }
@@ -81,7 +81,7 @@ RayCost mean(const std::vector<StepCounts>& counts, std::size_t rays) {
 template <class Stored, class View>
 SampledCosts costs_through(const SceneView<Stored>& scene, const View& view) {
   const Boxd space = cast<double>(scene.clip);
-  const BoundingSphere sphere = sphere_around(space);
+  const Sphere<double> sphere = sphere_around(space);
   std::vector<StepCounts> across(rays_per_set), aimed(rays_per_set), scattered(rays_per_set);
   std::vector<std::uint8_t> is_hit(rays_per_set);
   tbb::parallel_for(std::size_t{0}, rays_per_set, [&](std::size_t i) {

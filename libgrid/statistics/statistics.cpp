@@ -93,12 +93,8 @@ std::uint64_t occupied_half_open(const SceneView<Stored>& scene, const GridLayou
     }
     for_each_voxel(range, [&](const Vec3i& voxel) { occupied[linear_index(voxel, layout.division)] = true; });
   };
-  for (std::uint32_t i = 0; i < scene.triangle_count; ++i)
-    mark(bounds(widened(scene.triangles[i])));
-  for (std::uint32_t i = 0; i < scene.sphere_count; ++i)
-    mark(bounds(widened(scene.spheres[i])));
-  for (std::uint32_t i = 0; i < scene.cone_count; ++i)
-    mark(box_for_overlap(widened(scene.cones[i])));
+  for (PrimitiveIndex i = 0; i < scene.primitive_count(); ++i)
+    with_primitive(scene, i, [&](const auto& primitive) { mark(box_for_overlap(primitive)); });
   return static_cast<std::uint64_t>(std::count(occupied.begin(), occupied.end(), true));
 }
 template std::uint64_t occupied_half_open(const SceneView<float>&, const GridLayout&);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "libscene/geometry/primitives.h"
-#include "libscene/geometry/real.h"
 
 #include <cmath>
 
@@ -19,12 +18,6 @@ struct ClosestPoint {
 
 // Of a vector whose square isn't rounded to a denormal number: a shorter one has no direction.
 inline constexpr double least_length = 0x1p-500;
-
-// a × b, with errors of some roundings of the result.
-MASU_HD inline Vec3d accurate_cross(const Vec3d& a, const Vec3d& b) {
-  return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
-          difference_of_products(a.x, b.y, a.y, b.x)};
-}
 
 // Where from p to q a point is closest to `place`: 0 at p, 1 at q. Swapping p and q gives the same point, so
 // that triangles which share an edge are equally far.
@@ -47,13 +40,13 @@ MASU_HD inline ClosestPoint closest_point(const Triangle<double>& triangle, cons
     if (squared < closest.squared) closest = {squared, point, {0, 0, 0}, b, c};
   };
   const Vec3d &a = triangle.a, &b = triangle.b, &c = triangle.c;
-  const Vec3d normal = accurate_cross(b - a, c - a);
+  const Vec3d normal = cross(b - a, c - a);
   const double area = dot(normal, normal);
   // Whether the place's projection is on the triangle's side of the edge from p to q, by more than roundings:
   // less isn't worth more than a point of the edge. `weight`: of the corner that is across, times `area`.
   const auto is_within = [&](const Vec3d& p, const Vec3d& q, double& weight) {
     const Vec3d edge = q - p, from = place - p;
-    weight = dot(normal, accurate_cross(edge, from));
+    weight = dot(normal, cross(edge, from));
     return weight > 0 && weight * weight > 0x1p-98 * area * dot(edge, edge) * dot(from, from);
   };
   double weight_a = 0, weight_b = 0, weight_c = 0;

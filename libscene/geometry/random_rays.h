@@ -49,13 +49,8 @@ inline Vec3d random_diffuse_direction(const Vec3d& normal, RandomSequence& rando
   return normalized(normal + random_direction(random) * (1 - 1e-6));
 }
 
-struct BoundingSphere {
-  Vec3d center;
-  double radius;
-};
-
 // Of a scene without primitives: around the cube of side 2.
-inline BoundingSphere sphere_around(const Boxd& bounds) {
+inline Sphere<double> sphere_around(const Boxd& bounds) {
   const Boxd box = is_empty(bounds) ? Boxd{{-1, -1, -1}, {1, 1, 1}} : bounds;
   const Vec3d center = (box.min + box.max) * 0.5;
   return {center, length(box.max - center)};
@@ -64,7 +59,7 @@ inline BoundingSphere sphere_around(const Boxd& bounds) {
 // Between two random points of the sphere; t = 1 is the second one. Its coordinates are numbers of type
 // Stored.
 template <class Stored>
-Ray<double> random_ray(const BoundingSphere& sphere, RandomSequence& random) {
+Ray<double> random_ray(const Sphere<double>& sphere, RandomSequence& random) {
   const Vec3d from = fma(random_direction(random), sphere.radius, sphere.center);
   const Vec3d to = fma(random_direction(random), sphere.radius, sphere.center);
   return unbounded_ray(cast<double>(cast<Stored>(from)), cast<double>(cast<Stored>(to - from)));

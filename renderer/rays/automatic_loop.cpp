@@ -47,7 +47,7 @@ std::vector<Ray<double>> camera_sample(const SceneFile& scene) {
 
 // Likewise.
 std::vector<Ray<double>> random_sample(const SceneFile& scene) {
-  const BoundingSphere sphere = sphere_around(scene.bounds());
+  const Sphere<double> sphere = sphere_around(scene.bounds());
   std::vector<Ray<double>> sample;
   for (std::size_t i = 0; i < warps_sampled * rays_a_warp; ++i) {
     RandomSequence random(1, i);

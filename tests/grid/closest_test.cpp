@@ -20,7 +20,7 @@ double length_of(const Vec3d& v) {
 // How far a point is off the surface. A triangle's is the hull of its corners: the point is within it if
 // nowhere the corners are all on one side of it, which is tried along its edges and normal.
 double off_surface(const Triangle<double>& t, const Vec3d& point) {
-  const Vec3d normal = accurate_cross(t.b - t.a, t.c - t.a);
+  const Vec3d normal = cross(t.b - t.a, t.c - t.a);
   double off = 0;
   const auto try_along = [&](const Vec3d& direction) {
     const double length = length_of(direction);

@@ -28,7 +28,7 @@ void for_each_hit(const SceneFile& file, const GridFile& grid, std::span<const R
 template <class Stored>
 std::vector<Ray<double>> diffuse(const SceneFile& file, const GridFile& grid,
                                  std::span<const Ray<double>> rays, std::uint64_t seed) {
-  const BoundingSphere sphere = sphere_around(file.bounds());
+  const Sphere<double> sphere = sphere_around(file.bounds());
   std::vector<Ray<double>> scattered(rays.size());
   for_each_hit<Stored>(
       file, grid, rays, [&](std::size_t i, const SurfacePoint<Stored>* point, const Vec3<Stored>& incoming) {
@@ -103,7 +103,7 @@ std::vector<Ray<double>> diffuse_rays(const SceneFile& scene, const GridFile& gr
 }
 
 std::vector<Ray<double>> random_rays(const SceneFile& scene, std::size_t count, std::uint64_t seed) {
-  const BoundingSphere sphere = sphere_around(scene.bounds());
+  const Sphere<double> sphere = sphere_around(scene.bounds());
   std::vector<Ray<double>> rays(count);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     RandomSequence random(seed, i);
