@@ -3,6 +3,8 @@
 
 #include "libscene/scene.h"
 
+#include <xxhash.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
@@ -11,18 +13,19 @@
 namespace masu {
 
 struct MaterialHash {
-  std::size_t operator()(const Material& m) const;
-};
-struct MaterialEqual {
-  bool operator()(const Material& a, const Material& b) const;
+  std::size_t operator()(const Material& material) const { return XXH3_64bits(&material, sizeof material); }
 };
 
 // Distinct materials in the order of their first use.
 struct MaterialTable {
   std::vector<Material> materials;
-  std::unordered_map<Material, std::uint32_t, MaterialHash, MaterialEqual> indices;
+  std::unordered_map<Material, std::uint32_t, MaterialHash> indices;
 
-  std::uint32_t index_of(const Material& material);
+  std::uint32_t index_of(const Material& material) {
+    const auto [found, is_new] = indices.try_emplace(material, static_cast<std::uint32_t>(materials.size()));
+    if (is_new) materials.push_back(material);
+    return found->second;
+  }
 };
 
 } // namespace masu

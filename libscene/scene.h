@@ -24,6 +24,8 @@ struct Camera {
 struct Material {
   Vec3f color;
   float diffuse, specular, shine, transmittance, refraction_index;
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 static_assert(sizeof(Material) == 32);
 

@@ -25,8 +25,6 @@ class GrowingArray {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
 
 public:
-  using value_type = T;
-
   GrowingArray() = default;
   GrowingArray(std::initializer_list<T> values) { append(values); }
   GrowingArray(const GrowingArray& other) { append(other); }
