@@ -6,7 +6,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,7 +17,6 @@
 namespace masu {
 namespace {
 
-constexpr std::uint64_t piece_bytes = std::uint64_t{4} << 20;
 // Less is allocated without asking how much memory is available, which takes longer than reading it.
 constexpr std::uint64_t small_bytes = std::uint64_t{64} << 20;
 
@@ -89,15 +87,11 @@ void InputFile::check_unchanged() const {
   if (has_changed(file_, opened_)) fail("was changed while it was in use: run again when it is complete");
 }
 
-FileContents::FileContents(const std::string& path) {
-  const InputFile file(path);
-  memory_ = file.memory(file.size());
-  const std::uint64_t pieces = (file.size() + piece_bytes - 1) / piece_bytes;
-  tbb::parallel_for(std::uint64_t{0}, pieces, [&](std::uint64_t piece) {
-    const std::uint64_t begin = piece * piece_bytes;
-    file.read(begin, memory_.bytes().subspan(begin, std::min(piece_bytes, file.size() - begin)));
-  });
-  file.check_unchanged();
+PrivateMemory InputFile::contents() const {
+  PrivateMemory bytes = memory(size());
+  read(0, bytes.bytes());
+  check_unchanged();
+  return bytes;
 }
 
 // --- Texts -------------------------------------------------------------------------------------------------

@@ -39,6 +39,8 @@ public:
   PrivateMemory memory(std::uint64_t bytes) const;
   // Fills `to`. Throws Error(input, path, …): also where the file has become shorter.
   void read(std::uint64_t offset, std::span<std::uint8_t> to) const;
+  // All of its bytes. Throws Error(input, path, …).
+  PrivateMemory contents() const;
   // To be called after the last look at its bytes: throws Error(input, path, …) where the file was written
   // since it was opened, so that what was seen may be neither its old nor its new contents.
   void check_unchanged() const;
@@ -49,18 +51,6 @@ private:
   std::string path_;
   int file_ = -1;
   struct stat opened_ {};
-};
-
-// All bytes of a regular file, read by several threads.
-class FileContents {
-public:
-  // Throws Error(input, path, …).
-  explicit FileContents(const std::string& path);
-  std::span<const std::uint8_t> bytes() const { return memory_.bytes(); }
-  std::string_view text() const { return {reinterpret_cast<const char*>(bytes().data()), bytes().size()}; }
-
-private:
-  PrivateMemory memory_;
 };
 
 // A text that is read from its start to its end, once.

@@ -48,7 +48,7 @@ TEST_F(InputFiles, AreReadWhole) {
     for (std::uint8_t& byte : bytes)
       byte = static_cast<std::uint8_t>(random());
     write_bytes(file("a"), bytes);
-    EXPECT_TRUE(std::ranges::equal(FileContents(file("a")).bytes(), bytes));
+    EXPECT_TRUE(std::ranges::equal(InputFile(file("a")).contents().bytes(), bytes));
   }
 }
 
@@ -85,7 +85,7 @@ TEST_F(InputFiles, ThatAreNoRegularFilesAreRefusedAtOnce) {
 TEST_F(InputFiles, ThatNeedMoreMemoryThanThereIsAreRefused) {
   const std::string path = written("a", "");
   std::filesystem::resize_file(path, std::uintmax_t{1} << 42);
-  EXPECT_TRUE(is_refused([](const std::string& p) { FileContents{p}; }, path, "of memory"));
+  EXPECT_TRUE(is_refused([](const std::string& p) { InputFile(p).contents(); }, path, "of memory"));
 }
 
 TEST_F(InputFiles, TextsAreReadFromPipes) {

@@ -339,7 +339,7 @@ ImportedScene imported_by(const std::string& name, const ImportOptions& options,
 } // namespace
 
 ImportedScene read_mesh(const std::string& path, const ImportOptions& options) {
-  import::check_ply_header(FileContents(path).text(), path);
+  import::check_ply_header(text_of(InputFile(path).contents().bytes()), path);
   return imported_by(path, options,
                      [&](Assimp::Importer& importer) { return importer.ReadFile(path, no_steps); });
 }
