@@ -22,11 +22,7 @@ int cuda_device_count() {
 }
 
 int device_of(const void* pointer) {
-  cudaPointerAttributes attributes{};
-  if (cudaPointerGetAttributes(&attributes, pointer) != cudaSuccess) {
-    static_cast<void>(cudaGetLastError()); // older drivers call unknown memory an error
-    return host_memory;
-  }
+  const cudaPointerAttributes attributes = attributes_of(pointer);
   const bool on_device = attributes.type == cudaMemoryTypeDevice || attributes.type == cudaMemoryTypeManaged;
   return on_device ? attributes.device : host_memory;
 }

@@ -26,6 +26,14 @@ inline void check(cudaError_t error, const std::source_location& where = std::so
                   std::to_string(where.line()) + ")" + advice);
 }
 
+// Of memory that CUDA doesn't know all is zero.
+inline cudaPointerAttributes attributes_of(const void* pointer) {
+  cudaPointerAttributes attributes{};
+  if (cudaPointerGetAttributes(&attributes, pointer) == cudaSuccess) return attributes;
+  static_cast<void>(cudaGetLastError()); // older drivers call unknown memory an error
+  return {};
+}
+
 // Memory of the current device that is given back to the pool, not to the device, until the pool is
 // destroyed: so it is there at once for what comes next. The device's default pool is the host program's.
 class MemoryPool {

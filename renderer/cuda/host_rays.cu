@@ -11,12 +11,7 @@ namespace masu {
 namespace {
 
 bool is_page_locked(const void* host) {
-  cudaPointerAttributes attributes{};
-  if (host == nullptr || cudaPointerGetAttributes(&attributes, host) != cudaSuccess) {
-    static_cast<void>(cudaGetLastError()); // older drivers call unknown memory an error
-    return false;
-  }
-  return attributes.type == cudaMemoryTypeHost;
+  return host != nullptr && attributes_of(host).type == cudaMemoryTypeHost;
 }
 
 // An array of results in host memory: null where it isn't wanted.
