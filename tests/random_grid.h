@@ -5,6 +5,7 @@
 #include "libgrid/build/division.h"
 #include "libgrid/build/hierarchy.h"
 #include "libgrid/file/grid_file.h"
+#include "libgrid/statistics/statistics.h"
 #include "tests/stability/test_scene.h"
 
 namespace masu {
@@ -113,6 +114,12 @@ Grid random_structure(Chance& chance, TestScene<Stored>& scene) {
 template <class Real, class Act>
 void with_view(const Grid& grid, const Act& act) {
   grid.kind == GridKind::uniform ? act(view_of<Real>(grid)) : act(merged_view_of<Real>(grid));
+}
+
+// References of the voxel's cell; 0 when it is empty.
+template <class View>
+std::uint32_t references_in(const View& grid, const Vec3i& voxel) {
+  return references_of(grid.references, cell_at(grid, voxel, {0, 0, 0}).list);
 }
 
 // The layout of the grid's smallest voxels.

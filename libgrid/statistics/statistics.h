@@ -35,12 +35,6 @@ inline std::uint32_t references_of(const PrimitiveIndex* references, std::uint32
   return end - list;
 }
 
-// References of the voxel's cell; 0 when it is empty.
-template <class Grid>
-std::uint32_t references_in(const Grid& grid, const Vec3i& voxel) {
-  return references_of(grid.references, cell_at(grid, voxel, {0, 0, 0}).list);
-}
-
 // How many of the layout's voxels hold a primitive.
 template <class Stored>
 std::uint64_t occupied_voxels(const SceneView<Stored>& scene, const GridLayout& layout, Overlap overlap);

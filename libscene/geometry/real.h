@@ -17,13 +17,11 @@ template <>
 struct RealTraits<float> {
   static constexpr float unit_roundoff = 5.9604644775390625e-8F;
   static constexpr float largest = 3.402823466e38F;
-  static constexpr float smallest_normal = 1.17549435e-38F;
 };
 template <>
 struct RealTraits<double> {
   static constexpr double unit_roundoff = 1.1102230246251565e-16;
   static constexpr double largest = 1.7976931348623157e308;
-  static constexpr double smallest_normal = 2.2250738585072014e-308;
 };
 
 // a*b + c, rounded once.

@@ -3,8 +3,8 @@
 
 #include "libgrid/file/grid_file.h"
 #include "libscene/file/container.h"
-#include "libscene/file/memory_file.h"
 #include "libscene/file/output_file.h"
+#include "tests/memory_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -110,7 +110,7 @@ Ray<Real> ray_of_any_numbers(Chance& chance) {
     return chance.one_of<Real>(
         {0, Real(-0.0), 1, -1, Real(0.5), infinity, -infinity, std::numeric_limits<Real>::quiet_NaN(),
          std::numeric_limits<Real>::denorm_min(), RealTraits<Real>::largest, -RealTraits<Real>::largest,
-         RealTraits<Real>::smallest_normal, static_cast<Real>(chance.uniform(-1, 1))});
+         std::numeric_limits<Real>::min(), static_cast<Real>(chance.uniform(-1, 1))});
   };
   return {{number(), number(), number()}, number(), {number(), number(), number()}, number()};
 }

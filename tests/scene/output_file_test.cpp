@@ -2,7 +2,7 @@
 #include "libscene/file/output_file.h"
 
 #include "libscene/base/error.h"
-#include "libscene/file/memory_file.h"
+#include "tests/memory_file.h"
 #include "tests/refused.h"
 #include "tests/temporary_folder.h"
 
