@@ -3,7 +3,8 @@
 // on whatever executor (executor.h):
 //
 //   1. divider  how many parts a triangle's empty space is worth, by the size of all boxes
-//   2. emit     parts, cut at planes that halve the space again and again: neighbours are cut by the same
+//   2. emit     leaves of parts, cut at planes that halve the space again and again: neighbours are cut by
+//               the same
 //
 // No byte of the result depends on the executor or its number of threads.
 #pragma once
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace masu {
 
@@ -71,11 +73,6 @@ struct MortonCurve {
 // Leaves so many times as wide as all boxes are in the mean come first, wherever they are: where not all are
 // looked at, those are (top_down_passes.h).
 inline constexpr double large_width = 16;
-
-struct PrimitivePart {
-  PrimitiveIndex primitive;
-  std::uint32_t part;
-};
 
 // Cuts of a primitive whose empty space is as wide as all boxes are in the mean.
 inline constexpr double cuts_per_width = 0.7;
@@ -136,14 +133,6 @@ struct Divider { // NOLINT(cppcoreguidelines-pro-type-member-init): an aggregate
       }
     });
   }
-  MASU_HD Boxf box(const PrimitivePart& of) const {
-    Boxf found = empty_box<float>();
-    std::uint32_t part = 0;
-    for_each_part(of.primitive, [&](const Boxf& box) {
-      if (part++ == of.part) found = box;
-    });
-    return found;
-  }
 
 private:
   MASU_HD static float longest_side(const Boxf& box) {
@@ -188,7 +177,7 @@ struct WidthOf {
   }
 };
 
-// Pairs of a part's place in the order, and the part.
+// Pairs of a part's place in the order, and its leaf.
 template <class Stored>
 struct EmitParts {
   Divider<Stored> divider;
@@ -201,11 +190,10 @@ struct EmitParts {
     with_primitive(divider.scene, primitive,
                    [&](const auto& what) { is_there = is_there && has_surface(what); });
     if (!is_there) return;
-    std::uint32_t part = 0;
     divider.for_each_part(primitive, [&](const Boxf& box) {
       const std::uint64_t is_small = divider.width(cast<double>(box)) < large_width * divider.mean_width;
       add(is_small << 3 * MortonCurve::bits_per_axis | divider.curve.code(box),
-          PrimitivePart{primitive, part++});
+          BinaryNode{box.min, primitive, box.max, 1});
     });
   }
 };
@@ -217,16 +205,9 @@ ArrayOf<Executor, BinaryNode> hierarchy_leaves(Executor& executor, const SceneVi
   const auto sum = joined<WidthSum>(executor, primitives, WidthOf<Stored>{scene});
   const Divider<Stored> divider{scene, layout.margin, MortonCurve(layout.space),
                                 static_cast<float>(sum.width / static_cast<double>(sum.count))};
-  const auto sorted = executor.template emit_sorted<PrimitivePart>(
-      primitives, 3 * MortonCurve::bits_per_axis + 1, max_numbered, EmitParts<Stored>{divider});
-  auto leaves = executor.template array<BinaryNode>(sorted->values.size());
-  const PrimitivePart* const part = sorted->values.data();
-  BinaryNode* const leaf = leaves.data();
-  executor.for_each(leaves.size(), [=] MASU_PASS(std::uint64_t i) {
-    const Boxf box = divider.box(part[i]);
-    leaf[i] = {box.min, part[i].primitive, box.max, 1};
-  });
-  return leaves;
+  auto sorted = executor.template emit_sorted<BinaryNode>(primitives, 3 * MortonCurve::bits_per_axis + 1,
+                                                          max_numbered, EmitParts<Stored>{divider});
+  return std::move(sorted->values);
 }
 
 } // namespace masu
