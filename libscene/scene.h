@@ -5,7 +5,6 @@
 #include "libscene/geometry/primitives.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace masu {

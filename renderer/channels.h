@@ -6,7 +6,6 @@
 #include "renderer/picture_warps.h"
 #include "renderer/tracer.h"
 
-#include <string>
 #include <vector>
 
 namespace masu {

@@ -6,7 +6,6 @@
 #include "libscene/file/record_checker.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace masu {
 

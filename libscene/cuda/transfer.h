@@ -5,7 +5,6 @@
 #include "libscene/file/container.h"
 
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace masu {

@@ -3,7 +3,7 @@
 #include "libscene/automatic_camera.h"
 #include "libscene/base/error.h"
 #include "libscene/mesh/points.h"
-#include "libscene/mesh/triangulate.h"
+#include "libscene/mesh/triangle_area.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

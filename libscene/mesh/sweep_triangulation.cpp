@@ -1,7 +1,6 @@
 #include "libscene/mesh/sweep_triangulation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <numeric>
 #include <set>

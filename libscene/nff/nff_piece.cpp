@@ -2,9 +2,6 @@
 
 #include "libscene/mesh/triangulate.h"
 
-#include <array>
-#include <cmath>
-
 namespace masu::nff {
 namespace {
 

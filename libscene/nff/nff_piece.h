@@ -5,7 +5,6 @@
 #include "libscene/nff/nff_lexer.h"
 #include "libscene/scene.h"
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

@@ -8,7 +8,6 @@
 #include <initializer_list>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace masu::spd {
 

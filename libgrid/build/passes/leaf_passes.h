@@ -13,7 +13,6 @@
 #include "libgrid/build/passes/collapse_passes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 

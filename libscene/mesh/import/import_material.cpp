@@ -5,7 +5,6 @@
 #include <assimp/material.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string_view>
 

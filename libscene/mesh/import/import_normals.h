@@ -5,7 +5,6 @@
 
 #include <assimp/mesh.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace masu::import {
